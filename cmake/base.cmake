@@ -1,0 +1,60 @@
+# ccdfuzz_base carries what every target needs: the language level, and the floating-point rules
+# on which every error bound in this project stands.
+add_library(ccdfuzz_base INTERFACE)
+add_library(ccdfuzz::base ALIAS ccdfuzz_base)
+set_target_properties(ccdfuzz_base PROPERTIES EXPORT_NAME base)
+target_compile_features(ccdfuzz_base INTERFACE cxx_std_20)
+target_compile_options(ccdfuzz_base INTERFACE -ffp-contract=off)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# The rules are checked, not assumed: the probe fails if the flags that this build really uses
+# contract a*b+c, evaluate in extended precision, flush subnormals or allow reassociation.
+include(CheckCXXSourceRuns)
+set(CMAKE_REQUIRED_FLAGS "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} -std=c++20 -ffp-contract=off")
+file(READ ${CMAKE_CURRENT_LIST_DIR}/fp_probe.cpp ccdfuzz_fp_probe)
+check_cxx_source_runs("${ccdfuzz_fp_probe}" CCDFUZZ_FP_RULES_HOLD)
+unset(CMAKE_REQUIRED_FLAGS)
+if(NOT CCDFUZZ_FP_RULES_HOLD)
+  message(FATAL_ERROR
+    "The compiler's flags (CMAKE_CXX_FLAGS='${CMAKE_CXX_FLAGS}') break the floating-point rules that "
+    "ccdfuzz proves its bounds on: no contraction, no extended precision, no flush to zero, no "
+    "-ffast-math. Remove the offending flag; cmake/fp_probe.cpp says what is checked.")
+endif()
+
+add_library(ccdfuzz_warnings INTERFACE)
+target_compile_options(ccdfuzz_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wdouble-promotion
+  $<$<BOOL:${CCDFUZZ_WERROR}>:-Werror>
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-gnu-zero-variadic-macro-arguments>)
+
+if(CCDFUZZ_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(CCDFUZZ_COVERAGE)
+  add_compile_options(--coverage)
+  add_link_options(--coverage)
+endif()
+
+# ccdfuzz_library(NAME SOURCES ... DEPENDS ...): one library a folder, so that the layers of the
+# design are also the links of the build.
+function(ccdfuzz_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  if(ARG_SOURCES)
+    add_library(ccdfuzz_${name} STATIC ${ARG_SOURCES})
+    set(scope PUBLIC)
+    target_link_libraries(ccdfuzz_${name} PRIVATE $<BUILD_INTERFACE:ccdfuzz_warnings>)
+  else()
+    add_library(ccdfuzz_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(ccdfuzz::${name} ALIAS ccdfuzz_${name})
+  set_target_properties(ccdfuzz_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(ccdfuzz_${name} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz>)
+  target_link_libraries(ccdfuzz_${name} ${scope} ccdfuzz::base ${ARG_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY CCDFUZZ_LIBRARIES ccdfuzz_${name})
+endfunction()

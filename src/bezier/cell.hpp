@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bezier/patch.hpp"
+
+namespace ccdfuzz {
+
+/// A part of a shape's parameter domain that `depth` midpoint splits make. In units of 2^-depth:
+///   curve     [i, i+1]
+///   tensor    [i, i+1] × [j, j+1]
+///   triangle  corners (i,j), (i+1,j), (i,j+1), or if inverted (i+1,j+1), (i,j+1), (i+1,j)
+/// so a cell is exact at any depth up to kMaxDepth, and its corners are exact doubles.
+struct Cell {
+  std::uint64_t i = 0;
+  std::uint64_t j = 0;
+  int depth = 0;
+  bool inverted = false;
+
+  static constexpr int kMaxDepth = 50;
+
+  /// Child c of a midpoint split, 0 ≤ c < shape.child_count().
+  Cell child(const Shape& shape, int c) const;
+
+  /// The sub-domain's corners as (u, v): curve 2, triangle 3 in the order (w, u, v) = origin, end
+  /// of the local u axis, end of the local v axis; tensor 2, the lowest and the highest. The rest
+  /// is 0.
+  std::array<Uv<double>, 3> corners(const Shape& shape) const;
+
+  /// The midpoint (centroid of a triangle, rounded).
+  Uv<double> centre(const Shape& shape) const;
+
+  /// True iff (u, v) lies in the closed cell.
+  bool contains(const Shape& shape, const Uv<Rational>& uv) const;
+
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+}  // namespace ccdfuzz

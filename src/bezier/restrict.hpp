@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "bezier/blossom.hpp"
+#include "bezier/patch.hpp"
+
+namespace ccdfuzz {
+
+/// The control points of the part of a patch over `corners` (Appendix A (b)): the blossom of every
+/// choice of corners, from scratch. corners as in Cell::corners, or any other of that form.
+/// Exact for exact S; no allocation. out has shape.control_count() places and may not alias points.
+template <class S>
+void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
+                 const std::array<Uv<S>, 3>& corners, std::span<Vec3<S>> out) {
+  CCDFUZZ_ASSERT(static_cast<int>(out.size()) == shape.control_count());
+  // Control point (i, j) takes i arguments at the u end, j at the v end, the rest at the origin.
+  std::array<Uv<S>, kMaxDegree> arguments;
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      out[0] = points[0];
+      return;
+    case ShapeKind::kCurve:
+      for (int i = 0; i <= shape.n; ++i) {
+        for (int s = 0; s < shape.n; ++s) arguments[s] = corners[s < i ? 1 : 0];
+        out[i] = blossom<S>(shape, points, arguments);
+      }
+      return;
+    case ShapeKind::kTriangle:
+      for (int i = 0; i <= shape.n; ++i) {
+        for (int j = 0; j <= shape.n - i; ++j) {
+          for (int s = 0; s < shape.n; ++s) arguments[s] = corners[s < i ? 1 : s < i + j ? 2 : 0];
+          out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
+        }
+      }
+      return;
+    case ShapeKind::kTensor:
+      for (int i = 0; i <= shape.n; ++i) {
+        for (int j = 0; j <= shape.m; ++j) {
+          for (int s = 0; s < std::max(shape.n, shape.m); ++s) {
+            arguments[s] = {corners[s < i ? 1 : 0][0], corners[s < j ? 1 : 0][1]};
+          }
+          out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
+        }
+      }
+      return;
+  }
+}
+
+/// The whole moving patch restricted to corners.
+template <class S>
+MovingPatch<S> restrict_to(const MovingPatch<S>& patch, const std::array<Uv<S>, 3>& corners) {
+  MovingPatch<S> part{patch.shape, Points<S>(patch.positions.size()),
+                      Points<S>(patch.velocities.size())};
+  restrict_to<S>(patch.shape, patch.positions, corners, part.positions);
+  restrict_to<S>(patch.shape, patch.velocities, corners, part.velocities);
+  return part;
+}
+
+template <class S>
+std::array<Uv<S>, 3> exact_corners(const std::array<Uv<double>, 3>& corners) {
+  std::array<Uv<S>, 3> out;
+  for (size_t c = 0; c < 3; ++c) {
+    out[c] = {from_double<S>(corners[c][0]), from_double<S>(corners[c][1])};
+  }
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,32 @@
+#include "bezier/shape.hpp"
+
+#include <fmt/format.h>
+
+namespace ccdfuzz {
+
+const char* name_of(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kPoint:
+      return "point";
+    case ShapeKind::kCurve:
+      return "curve";
+    case ShapeKind::kTriangle:
+      return "triangle";
+    case ShapeKind::kTensor:
+      return "tensor";
+  }
+  return "?";
+}
+
+std::string to_text(const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return "point";
+    case ShapeKind::kTensor:
+      return fmt::format("tensor({},{})", shape.n, shape.m);
+    default:
+      return fmt::format("{}({})", name_of(shape.kind), shape.n);
+  }
+}
+
+}  // namespace ccdfuzz

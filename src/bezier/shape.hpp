@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+namespace ccdfuzz {
+
+enum class ShapeKind : std::uint8_t { kPoint, kCurve, kTriangle, kTensor };
+
+inline constexpr int kMaxDegree = 8;
+inline constexpr int kMaxControls = (kMaxDegree + 1) * (kMaxDegree + 1);
+
+/// What a patch is, apart from its control points.
+///
+/// kind      degrees  control points    parameters
+/// point     –        1                 –
+/// curve     n        n+1               u in [0,1]
+/// triangle  n        (n+1)(n+2)/2      u, v ≥ 0, u+v ≤ 1; the third barycentric is w = 1−u−v
+/// tensor    n, m     (n+1)(m+1)        u, v in [0,1]
+///
+/// Control points are ordered i = 0..n (power of u), within it j = 0..n−i (triangle) or 0..m
+/// (tensor) (power of v). Degrees are 1..kMaxDegree.
+struct Shape {
+  ShapeKind kind = ShapeKind::kPoint;
+  int n = 0;
+  int m = 0;  ///< tensor only, else 0
+
+  static constexpr Shape point() { return {}; }
+  static constexpr Shape curve(int n) { return {ShapeKind::kCurve, n, 0}; }
+  static constexpr Shape triangle(int n) { return {ShapeKind::kTriangle, n, 0}; }
+  static constexpr Shape tensor(int n, int m) { return {ShapeKind::kTensor, n, m}; }
+
+  constexpr int control_count() const {
+    switch (kind) {
+      case ShapeKind::kPoint:
+        return 1;
+      case ShapeKind::kCurve:
+        return n + 1;
+      case ShapeKind::kTriangle:
+        return (n + 1) * (n + 2) / 2;
+      case ShapeKind::kTensor:
+        return (n + 1) * (m + 1);
+    }
+    return 0;
+  }
+
+  /// Place of control point (i, j) in the order above.
+  constexpr int index(int i, int j) const {
+    if (kind == ShapeKind::kTriangle) return i * (n + 1) - i * (i - 1) / 2 + j;
+    return kind == ShapeKind::kTensor ? i * (m + 1) + j : i;
+  }
+
+  constexpr int parameter_count() const {
+    return kind == ShapeKind::kPoint ? 0 : kind == ShapeKind::kCurve ? 1 : 2;
+  }
+
+  /// How many congruent parts a midpoint split makes: 1, 2 or 4.
+  constexpr int child_count() const { return 1 << parameter_count(); }
+
+  /// True iff the degrees are in range for the kind.
+  constexpr bool valid() const {
+    const auto in_range = [](int d) { return 1 <= d && d <= kMaxDegree; };
+    switch (kind) {
+      case ShapeKind::kPoint:
+        return n == 0 && m == 0;
+      case ShapeKind::kCurve:
+      case ShapeKind::kTriangle:
+        return in_range(n) && m == 0;
+      case ShapeKind::kTensor:
+        return in_range(n) && in_range(m);
+    }
+    return false;
+  }
+
+  /// True iff (u, v) lies in the domain; unused parameters must be 0.
+  template <class S>
+  bool contains(const std::array<S, 2>& uv) const {
+    const S zero(0), one(1);
+    switch (kind) {
+      case ShapeKind::kPoint:
+        return uv[0] == zero && uv[1] == zero;
+      case ShapeKind::kCurve:
+        return zero <= uv[0] && uv[0] <= one && uv[1] == zero;
+      case ShapeKind::kTriangle:
+        return zero <= uv[0] && zero <= uv[1] && uv[0] <= S(one - uv[1]);
+      case ShapeKind::kTensor:
+        return zero <= uv[0] && uv[0] <= one && zero <= uv[1] && uv[1] <= one;
+    }
+    return false;
+  }
+
+  friend constexpr bool operator==(const Shape&, const Shape&) = default;
+};
+
+/// "point", "curve", "triangle", "tensor".
+const char* name_of(ShapeKind kind);
+/// "triangle(2)", "tensor(3,2)", …
+std::string to_text(const Shape& shape);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bezier/cell.hpp"
+#include "numeric/fp_guard.hpp"
+#include "query/answer.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// Limits of one query. Both budgets are deterministic; exhaustion is Undecided.
+struct SearchOptions {
+  double precision = 1e-4;              ///< parameter width at which a pair of cells is a hit
+  std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
+  std::uint64_t max_bytes = 256 << 20;  ///< memory of the queue
+};
+
+/// A closed time interval in which a pair of cells may touch; lo ≤ hi.
+struct Window {
+  double lo = 0;
+  double hi = 0;
+};
+
+/// Depth at which every cell is at most `precision` wide: the least d with 2^-d ≤ precision.
+inline int depth_for(double precision) {
+  int exponent = 0;
+  // precision = f·2^e with ½ ≤ f < 1, so 2^-d ≤ precision iff d ≥ 1 − e, for f = ½ as for f > ½.
+  std::frexp(precision, &exponent);
+  return std::clamp(1 - exponent, 0, Cell::kMaxDepth);
+}
+
+/// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline):
+/// a queue of cell pairs by ascending start of their window, deeper first on ties, older first
+/// after that; a pair whose cells are narrow enough is a hit at the start of its window; any other
+/// is split at the midpoints of all its parameters and every pair of parts is put to the inclusion
+/// test.
+///
+/// Inclusion is the method. It provides
+///   void begin(const Query&)                     once, before anything else
+///   void prepare(int side, std::span<const Cell> parts)
+///       makes the sub-patches of the parts of patch `side` that the next tests name; when the
+///       parent pair is split, and once for the whole patches
+///   std::optional<Window> test(int part_a, int part_b, Window w)
+///       the part of w in which the two parts may touch; nothing if they are separated throughout
+/// Guarantee: if test never drops a contact time of a pair that touches in w, then neither the
+/// verdict nor toi can miss or be late: toi is a lower bound of the first contact.
+template <class Inclusion>
+class Search {
+ public:
+  Answer run(const Query& query, const SearchOptions& options, Inclusion& inclusion) {
+    const FpGuard guard;
+    const auto start = std::chrono::steady_clock::now();
+    Answer answer = decide(query, options, inclusion);
+    const auto end = std::chrono::steady_clock::now();
+    answer.seconds = std::chrono::duration<double>(end - start).count();
+    return answer;
+  }
+
+ private:
+  struct Entry {
+    Window window;
+    std::array<Cell, 2> cells;
+    std::uint64_t order = 0;
+  };
+
+  /// Heap order: true iff x is to be taken after y.
+  static bool later(const Entry& x, const Entry& y) {
+    if (x.window.lo != y.window.lo) return x.window.lo > y.window.lo;
+    if (x.cells[0].depth != y.cells[0].depth) return x.cells[0].depth < y.cells[0].depth;
+    return x.order > y.order;
+  }
+
+  Answer decide(const Query& query, const SearchOptions& options, Inclusion& inclusion) {
+    const int target = depth_for(options.precision);
+    const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
+    Answer answer;
+    queue_.clear();
+    pushed_ = 0;
+
+    inclusion.begin(query);
+    std::array<std::array<Cell, 4>, 2> parts{};
+    for (int side = 0; side < 2; ++side) inclusion.prepare(side, std::span(parts[side]).first(1));
+    if (const auto w = inclusion.test(0, 0, Window{0, query.t_max})) push(*w, {});
+
+    while (!queue_.empty()) {
+      if (answer.pops == options.max_pops) return give_up(answer, "pop budget exhausted");
+      if (queue_.size() * sizeof(Entry) > options.max_bytes) {
+        return give_up(answer, "memory budget exhausted");
+      }
+      std::pop_heap(queue_.begin(), queue_.end(), later);
+      const Entry entry = queue_.back();
+      queue_.pop_back();
+      ++answer.pops;
+      if (entry.cells[0].depth >= target) {
+        answer.verdict = Verdict::kHit;
+        answer.toi = entry.window.lo;
+        for (int s = 0; s < 2; ++s) answer.uv[s] = entry.cells[s].centre(shapes[s]);
+        return answer;
+      }
+      for (int side = 0; side < 2; ++side) {
+        const int count = shapes[side].child_count();
+        for (int c = 0; c < count; ++c) parts[side][c] = entry.cells[side].child(shapes[side], c);
+        inclusion.prepare(side, std::span(parts[side]).first(static_cast<size_t>(count)));
+      }
+      for (int a = 0; a < shapes[0].child_count(); ++a) {
+        for (int b = 0; b < shapes[1].child_count(); ++b) {
+          if (const auto w = inclusion.test(a, b, entry.window))
+            push(*w, {parts[0][a], parts[1][b]});
+        }
+      }
+    }
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+
+  void push(const Window& window, const std::array<Cell, 2>& cells) {
+    queue_.push_back({window, cells, pushed_++});
+    std::push_heap(queue_.begin(), queue_.end(), later);
+  }
+
+  /// Undecided, with the earliest time at which a contact may still be.
+  Answer give_up(Answer answer, const char* why) {
+    answer.verdict = Verdict::kUndecided;
+    answer.toi = queue_.front().window.lo;
+    answer.note = why;
+    return answer;
+  }
+
+  std::vector<Entry> queue_;
+  std::uint64_t pushed_ = 0;
+};
+
+}  // namespace ccdfuzz

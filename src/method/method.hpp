@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ccd/search.hpp"
+#include "query/answer.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// A CCD method: built in, or a user's. One object serves one thread at a time and keeps its
+/// buffers between queries, but no other state: the same query gives the same answer.
+class Method {
+ public:
+  virtual ~Method() = default;
+  virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
+};
+
+/// What a family of methods is, for `ccdfuzz methods` and the judge.
+struct MethodInfo {
+  std::string spec;         ///< "tdibm-h:F": what --methods takes
+  std::string source;       ///< where it is described
+  std::string description;  ///< one line
+  bool claims_no_false_negative = false;
+};
+
+/// Every registered family, in the order of the tables.
+const std::vector<MethodInfo>& registered_methods();
+
+/// The family a concrete spec belongs to ("tdibm-h:1e-12" → "tdibm-h:F").
+Result<MethodInfo> method_info(const std::string& spec);
+
+/// A fresh method for a concrete spec. Errors: an unknown name or a bad parameter, naming it.
+Result<std::unique_ptr<Method>> make_method(const std::string& spec);
+
+/// Splits "a,b,c" and checks each spec.
+Result<std::vector<std::string>> parse_method_list(const std::string& list);
+
+}  // namespace ccdfuzz

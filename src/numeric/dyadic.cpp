@@ -1,0 +1,72 @@
+#include "numeric/dyadic.hpp"
+
+#include <cmath>
+#include <ostream>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+void Dyadic::normalise() {
+  if (m_ == 0) {
+    k_ = 0;
+    return;
+  }
+  const mp_bitcnt_t zeros = mpz_scan1(m_.get_mpz_t(), 0);
+  if (zeros == 0) return;
+  mpz_tdiv_q_2exp(m_.get_mpz_t(), m_.get_mpz_t(), zeros);
+  k_ += static_cast<long>(zeros);
+}
+
+Dyadic Dyadic::exact(double x) {
+  CCDFUZZ_VERIFY(std::isfinite(x));
+  int e = 0;
+  const double f = std::frexp(x, &e);  // x = f·2^e with f·2^53 an integer
+  return {Integer(std::ldexp(f, 53)), e - 53L};
+}
+
+std::optional<Dyadic> Dyadic::from(const Rational& x) {
+  if (!is_dyadic(x)) return std::nullopt;
+  return Dyadic(x.get_num(), -static_cast<long>(mpz_scan1(x.get_den_mpz_t(), 0)));
+}
+
+Rational Dyadic::rational() const {
+  return Rational(m_) * power_of_two(k_);
+}
+
+std::optional<double> Dyadic::to_double_exactly() const {
+  const long bits = m_ == 0 ? 0 : static_cast<long>(mpz_sizeinbase(m_.get_mpz_t(), 2));
+  if (bits > 53 || k_ < -1074 || k_ + bits > 1024) return std::nullopt;
+  return std::ldexp(m_.get_d(), static_cast<int>(k_));
+}
+
+Dyadic& Dyadic::operator+=(const Dyadic& o) {
+  if (o.m_ == 0) return *this;
+  if (m_ == 0) return *this = o;
+  if (k_ > o.k_) {
+    mpz_mul_2exp(m_.get_mpz_t(), m_.get_mpz_t(), static_cast<mp_bitcnt_t>(k_ - o.k_));
+    k_ = o.k_;
+    m_ += o.m_;
+  } else if (k_ < o.k_) {
+    Integer shifted;
+    mpz_mul_2exp(shifted.get_mpz_t(), o.m_.get_mpz_t(), static_cast<mp_bitcnt_t>(o.k_ - k_));
+    m_ += shifted;
+  } else {
+    m_ += o.m_;
+  }
+  normalise();
+  return *this;
+}
+
+Dyadic& Dyadic::operator*=(const Dyadic& o) {
+  m_ *= o.m_;
+  k_ += o.k_;
+  if (m_ == 0) k_ = 0;  // odd times odd is odd: nothing else to normalise
+  return *this;
+}
+
+std::ostream& operator<<(std::ostream& out, const Dyadic& x) {
+  return out << x.m_ << "*2^" << x.k_;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "numeric/dyadic.hpp"
+#include "numeric/rational.hpp"
+
+namespace Eigen {
+
+/// What Eigen must know of an exact scalar: no rounding, so no epsilon and no precision.
+template <class Exact>
+struct ExactNumTraits : GenericNumTraits<Exact> {
+  using Real = Exact;
+  using NonInteger = Exact;
+  using Nested = Exact;
+  using Literal = Exact;
+  enum {
+    IsInteger = 0,
+    IsSigned = 1,
+    IsComplex = 0,
+    RequireInitialization = 1,
+    ReadCost = 6,
+    AddCost = 150,
+    MulCost = 100
+  };
+  static Exact epsilon() { return Exact(0); }
+  static Exact dummy_precision() { return Exact(0); }
+  static int digits10() { return 0; }
+};
+
+template <>
+struct NumTraits<ccdfuzz::Rational> : ExactNumTraits<ccdfuzz::Rational> {};
+template <>
+struct NumTraits<ccdfuzz::Dyadic> : ExactNumTraits<ccdfuzz::Dyadic> {};
+
+}  // namespace Eigen
+
+namespace ccdfuzz {
+
+template <class S>
+using Vec3 = Eigen::Matrix<S, 3, 1>;
+
+/// a·b as ((x+y)+z): the same sequence of roundings on every compiler, which Eigen's own
+/// reduction does not promise.
+template <class S>
+S dot(const Vec3<S>& a, const Vec3<S>& b) {
+  return S(S(S(a[0] * b[0]) + S(a[1] * b[1])) + S(a[2] * b[2]));
+}
+
+template <class S>
+Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b) {
+  return {S(S(a[1] * b[2]) - S(a[2] * b[1])), S(S(a[2] * b[0]) - S(a[0] * b[2])),
+          S(S(a[0] * b[1]) - S(a[1] * b[0]))};
+}
+
+inline Vec3<Rational> exact(const Vec3<double>& v) {
+  return {exact(v[0]), exact(v[1]), exact(v[2])};
+}
+
+/// S is the number type of an exact or double computation; this is the only way a double enters.
+template <class S>
+S from_double(double x);
+template <>
+inline double from_double<double>(double x) {
+  return x;
+}
+template <>
+inline Rational from_double<Rational>(double x) {
+  return exact(x);
+}
+template <>
+inline Dyadic from_double<Dyadic>(double x) {
+  return Dyadic::exact(x);
+}
+
+}  // namespace ccdfuzz

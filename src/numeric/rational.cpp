@@ -1,0 +1,114 @@
+#include "numeric/rational.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+Rational exact(double x) {
+  CCDFUZZ_VERIFY(std::isfinite(x));
+  return Rational(x);  // mpq_set_d is exact
+}
+
+Rational power_of_two(long exponent) {
+  Rational r(1);
+  if (exponent >= 0) {
+    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return r;
+}
+
+namespace {
+
+constexpr int kMantissaBits = std::numeric_limits<double>::digits;                        // 53
+constexpr long kMinExponent = std::numeric_limits<double>::min_exponent - kMantissaBits;  // -1074
+
+/// Exponent e with 2^(e-1) ≤ |x| < 2^(e+1) for x ≠ 0: off by at most one from the true one.
+long rough_exponent(const Rational& x) {
+  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
+         static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+}
+
+/// Largest double ≤ x for x > 0.
+double floor_positive(const Rational& x) {
+  if (x > exact(std::numeric_limits<double>::max())) return std::numeric_limits<double>::max();
+  // The quotient below keeps at least 53 bits; a second look truncates it to exactly 53, or to
+  // fewer where the result is subnormal, so that ldexp is exact.
+  long shift = std::max(rough_exponent(x) - kMantissaBits - 1, kMinExponent);
+  const Rational scaled = x * power_of_two(-shift);
+  Integer q;
+  mpz_fdiv_q(q.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  const long extra = static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2)) - kMantissaBits;
+  if (extra > 0) {
+    mpz_fdiv_q_2exp(q.get_mpz_t(), q.get_mpz_t(), static_cast<mp_bitcnt_t>(extra));
+    shift += extra;
+  }
+  return std::ldexp(q.get_d(), static_cast<int>(shift));
+}
+
+/// Smallest double ≥ x for x > 0; +infinity past the range.
+double ceil_positive(const Rational& x) {
+  const double down = floor_positive(x);
+  return exact(down) == x ? down : std::nextafter(down, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+double round_down(const Rational& x) {
+  const int s = sgn(x);
+  if (s == 0) return 0.0;
+  return s > 0 ? floor_positive(x) : -ceil_positive(Rational(-x));
+}
+
+double round_up(const Rational& x) {
+  const int s = sgn(x);
+  if (s == 0) return 0.0;
+  return s > 0 ? ceil_positive(x) : -floor_positive(Rational(-x));
+}
+
+std::optional<double> to_double_exactly(const Rational& x) {
+  const double d = x.get_d();  // truncates, so an exact value survives
+  if (!std::isfinite(d) || Rational(d) != x) return std::nullopt;
+  return d;
+}
+
+bool is_dyadic(const Rational& x) {
+  return mpz_popcount(x.get_den_mpz_t()) == 1;
+}
+
+std::string to_text(const Rational& x) {
+  return x.get_str();
+}
+
+Result<Rational> parse_rational(std::string_view text) {
+  const auto refuse = [&] {
+    return input_error("",
+                       fmt::format("\"{}\" is not a rational \"p\" or \"p/q\" with q > 0", text));
+  };
+  const auto digits = [](std::string_view s) {
+    return !s.empty() &&
+           std::all_of(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  const size_t slash = text.find('/');
+  std::string_view p = text.substr(0, slash);
+  if (!p.empty() && p.front() == '-') p.remove_prefix(1);
+  if (!digits(p)) return refuse();
+  if (slash != std::string_view::npos && !digits(text.substr(slash + 1))) return refuse();
+  Rational r;
+  if (r.set_str(std::string(text), 10) != 0 || sgn(r.get_den()) == 0) return refuse();
+  r.canonicalize();
+  return r;
+}
+
+std::string to_hex(double x) {
+  return fmt::format("{:a}", x);
+}
+
+}  // namespace ccdfuzz

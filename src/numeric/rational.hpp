@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gmpxx.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "numeric/result.hpp"
+
+namespace ccdfuzz {
+
+using Integer = mpz_class;
+using Rational = mpq_class;
+
+/// The exact value of a finite double. There is no way back that rounds silently.
+Rational exact(double x);
+
+/// The double equal to x, if there is one (the round trip of Section 5.4).
+std::optional<double> to_double_exactly(const Rational& x);
+
+/// The largest double ≤ x and the smallest double ≥ x; ±infinity past the ends of the range.
+double round_down(const Rational& x);
+double round_up(const Rational& x);
+
+/// True iff the denominator is a power of two.
+bool is_dyadic(const Rational& x);
+
+/// 2^exponent, exactly.
+Rational power_of_two(long exponent);
+
+/// Canonical text: "p/q" in lowest terms with q > 1, or "p".
+std::string to_text(const Rational& x);
+
+/// Reads "p/q" or "p": decimal integers of any size, optional leading minus, q > 0.
+/// The result is canonical. Errors: anything else, naming the text.
+Result<Rational> parse_rational(std::string_view text);
+
+/// Canonical hex-float text of a double, e.g. "0x1.8p-3"; for messages and for files.
+std::string to_hex(double x);
+
+}  // namespace ccdfuzz

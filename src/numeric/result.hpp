@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+namespace ccdfuzz {
+
+/// Why outside data was refused: where it stands and what is wrong with it.
+struct InputError {
+  std::string where;  ///< file and JSON path, or option name; may be empty
+  std::string what;   ///< the complaint, with the offending value
+
+  std::string message() const { return where.empty() ? what : where + ": " + what; }
+};
+
+/// A value, or the reason why outside data does not give one.
+template <class T>
+using Result = tl::expected<T, InputError>;
+
+inline tl::unexpected<InputError> input_error(std::string where, std::string what) {
+  return tl::unexpected<InputError>({std::move(where), std::move(what)});
+}
+
+}  // namespace ccdfuzz

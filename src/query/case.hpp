@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "numeric/rational.hpp"
+#include "query/outcome.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// An exact contact: patch 1 at uv[0] and patch 2 at uv[1] coincide at time t.
+struct Witness {
+  Rational t;
+  std::array<Uv<Rational>, 2> uv;
+
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+
+/// What is known of a query, and by what proof.
+struct Truth {
+  std::optional<bool> collides;         ///< absent: unknown
+  std::optional<Witness> witness;       ///< needed if collides
+  std::optional<Rational> clear_until;  ///< no contact for 0 ≤ t < clear_until is proven
+  std::optional<std::string> proof;     ///< how absence is known: "P", "T" or "rational-tdibm"
+
+  friend bool operator==(const Truth&, const Truth&) = default;
+};
+
+/// Where a case comes from. Free text but for seed; nothing is derived from it but table rows.
+struct Origin {
+  std::string contact;    ///< contact class, "FF" … or a further class
+  std::string kind;       ///< "RP", "RN", …
+  std::string generator;  ///< which construction
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> index;
+  std::string ccdfuzz;  ///< version
+  std::string name;     ///< of a named corpus entry
+  std::string note;     ///< for readers
+
+  friend bool operator==(const Origin&, const Origin&) = default;
+};
+
+/// A query with its truth.
+struct Case {
+  Query query;
+  Truth truth;
+  Origin origin;
+  std::map<std::string, Outcome> expect;  ///< method spec → outcome that replay must find
+
+  friend bool operator==(const Case&, const Case&) = default;
+};
+
+}  // namespace ccdfuzz

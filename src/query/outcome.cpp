@@ -1,0 +1,32 @@
+#include "query/outcome.hpp"
+
+namespace ccdfuzz {
+
+std::string_view name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kCorrect:
+      return "correct";
+    case Outcome::kMissed:
+      return "missed";
+    case Outcome::kLate:
+      return "late";
+    case Outcome::kFalsePositive:
+      return "false_positive";
+    case Outcome::kUndecided:
+      return "undecided";
+    case Outcome::kUnknown:
+      return "unknown";
+    case Outcome::kError:
+      return "error";
+  }
+  return "?";
+}
+
+std::optional<Outcome> outcome_named(std::string_view name) {
+  for (const Outcome o : kAllOutcomes) {
+    if (name_of(o) == name) return o;
+  }
+  return std::nullopt;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "bezier/patch.hpp"
+#include "numeric/result.hpp"
+
+namespace ccdfuzz {
+
+/// A CCD query: do two moving patches touch at some t in the closed [0, t_max], and when first?
+/// (Eq. 1). All numbers finite, t_max ≥ 0.
+struct Query {
+  std::array<MovingPatch<double>, 2> patches;
+  double t_max = 1;
+
+  friend bool operator==(const Query&, const Query&) = default;
+};
+
+/// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
+Result<void> validate(const Query& query, const std::string& where);
+
+}  // namespace ccdfuzz
