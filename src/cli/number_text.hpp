@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "numeric/result.hpp"
+
+namespace ccdfuzz {
+
+/// A number as people write one on a command line: terms joined by + and −, each a decimal
+/// ("1e-6", "1.5"), a hex-float ("0x1p-20") or a power of two ("2^-20"); "1+2^-30" is one number.
+/// Each term is read to the nearest double and they are added from the left.
+/// Errors: anything else, or a value that is not finite; `where` is the option's name.
+Result<double> parse_number(const std::string& where, const std::string& text);
+
+/// A list of them, separated by commas.
+Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text);
+
+/// The exponent e of a value 2^e. Errors: the value is no power of two.
+Result<int> parse_power_of_two(const std::string& where, const std::string& text);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,37 @@
+#include "cli/output.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace ccdfuzz {
+
+namespace {
+
+int first_errno = 0;
+
+}  // namespace
+
+void print_out(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && first_errno == 0) {
+    first_errno = errno;
+  }
+}
+
+void print_json(const nlohmann::ordered_json& object) {
+  // File names need not be UTF-8; whatever is not is shown, not refused.
+  print_out(object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+Result<void> flush_stdout() {
+  errno = 0;
+  if (std::fflush(stdout) != 0 && first_errno == 0) first_errno = errno;
+  if (first_errno == 0 && std::ferror(stdout) == 0) return {};
+  return input_error("stdout", fmt::format("cannot write: {}",
+                                           std::strerror(first_errno == 0 ? EIO : first_errno)));
+}
+
+}  // namespace ccdfuzz

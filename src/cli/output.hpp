@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "numeric/result.hpp"
+
+namespace ccdfuzz {
+
+/// Writes text to stdout. A failure (a full disk, /dev/full) is remembered for flush_stdout.
+void print_out(const std::string& text);
+
+/// One JSON object on a line of its own.
+void print_json(const nlohmann::ordered_json& object);
+
+/// Errors: something that was printed did not reach its destination.
+Result<void> flush_stdout();
+
+}  // namespace ccdfuzz

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <mutex>
+#include <string>
+
+namespace ccdfuzz {
+
+/// True iff colour is wanted on the stream: it is a terminal, NO_COLOR is unset or empty, and TERM
+/// is not "dumb".
+bool wants_colour(std::FILE* stream);
+
+/// One line on stderr that is rewritten in place, at most ten times a second; nothing at all if
+/// stderr is no terminal. Safe to call from several threads.
+class Progress {
+ public:
+  Progress();
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// share: how much is done, in [0, 1]. note: what to show beside the bar, of one line.
+  void show(double share, const std::string& note);
+  /// Wipes the line, so that other output may follow.
+  void clear();
+
+  bool enabled() const { return enabled_; }
+
+ private:
+  std::mutex mutex_;
+  bool enabled_ = false;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point next_{};
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,158 @@
+#include "eval/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Code points of UTF-8 text: every byte but the continuation bytes 10xxxxxx.
+size_t width(const std::string& text) {
+  return static_cast<size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string padded(const std::string& text, size_t to, Align align) {
+  const std::string blanks(to - std::min(to, width(text)), ' ');
+  return align == Align::kLeft ? text + blanks : blanks + text;
+}
+
+const char* escape_for(Emphasis emphasis) {
+  switch (emphasis) {
+    case Emphasis::kPlain:
+      return "";
+    case Emphasis::kBad:
+      return "\x1b[1;31m";
+    case Emphasis::kFaint:
+      return "\x1b[2m";
+  }
+  return "";
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string markdown_field(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+void strip_trailing_blanks(std::string& line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+}
+
+}  // namespace
+
+void Table::add_row(std::vector<TableCell> cells) {
+  CCDFUZZ_VERIFY(cells.size() == columns_.size());
+  rows_.push_back({std::move(cells), std::exchange(group_pending_, false)});
+}
+
+void Table::start_group() {
+  group_pending_ = !rows_.empty();
+}
+
+std::string Table::to_text(bool colour) const {
+  std::vector<size_t> widths;
+  for (size_t c = 0; c < columns_.size(); ++c) {
+    widths.push_back(width(columns_[c].title));
+    for (const Row& row : rows_) widths[c] = std::max(widths[c], width(row.cells[c].text));
+  }
+  std::string header;
+  for (size_t c = 0; c < columns_.size(); ++c) {
+    if (c > 0) header += "  ";
+    header += padded(columns_[c].title, widths[c], columns_[c].align);
+  }
+  strip_trailing_blanks(header);
+  std::string out = colour ? "\x1b[1m" + header + "\x1b[0m\n" : header + "\n";
+  for (const Row& row : rows_) {
+    if (row.starts_group) out += "\n";
+    std::string line;
+    for (size_t c = 0; c < columns_.size(); ++c) {
+      if (c > 0) line += "  ";
+      const std::string cell = padded(row.cells[c].text, widths[c], columns_[c].align);
+      const Emphasis emphasis = row.cells[c].emphasis;
+      line +=
+          colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
+    }
+    strip_trailing_blanks(line);
+    out += line + "\n";
+  }
+  return out;
+}
+
+std::string Table::to_csv() const {
+  std::string out;
+  const auto add_line = [&](const auto& items, const auto& text_of) {
+    for (size_t c = 0; c < items.size(); ++c) {
+      if (c > 0) out += ',';
+      out += csv_field(text_of(items[c]));
+    }
+    out += '\n';
+  };
+  add_line(columns_, [](const Column& column) { return column.title; });
+  for (const Row& row : rows_) {
+    add_line(row.cells, [](const TableCell& cell) { return cell.text; });
+  }
+  return out;
+}
+
+std::string Table::to_markdown() const {
+  std::string out = "|";
+  for (const Column& column : columns_) out += fmt::format(" {} |", markdown_field(column.title));
+  out += "\n|";
+  for (const Column& column : columns_) out += column.align == Align::kLeft ? ":--|" : "--:|";
+  out += "\n";
+  for (const Row& row : rows_) {
+    out += "|";
+    for (const TableCell& cell : row.cells) out += fmt::format(" {} |", markdown_field(cell.text));
+    out += "\n";
+  }
+  return out;
+}
+
+std::string duration_text(double seconds) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
+  constexpr std::array<Unit, 4> units = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}};
+  if (!(seconds > 0)) return "0 s";
+  // Rounding to three digits must not carry 999.9 into four: choose the unit after rounding.
+  for (const Unit& unit : units) {
+    const double value = seconds / unit.size;
+    if (value >= 0.9995 || unit.size == units.back().size) {
+      const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
+      return fmt::format("{:.{}f} {}", value, decimals, unit.name);
+    }
+  }
+  return "0 s";
+}
+
+std::string count_text(std::uint64_t count, std::uint64_t total) {
+  if (count == 0 || total == 0) return fmt::format("{}", count);
+  const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(total);
+  // Two digits below 1 %, so that a count above 0 never reads as 0.0 %.
+  return percent >= 1 ? fmt::format("{} ({:.1f} %)", count, percent)
+                      : fmt::format("{} ({:.1g} %)", count, percent);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ccdfuzz {
+
+enum class Align { kLeft, kRight };
+
+/// How strongly a cell asks to be seen; only terminals show it.
+enum class Emphasis { kPlain, kBad, kFaint };
+
+struct TableCell {
+  std::string text;
+  Emphasis emphasis = Emphasis::kPlain;
+};
+
+/// A table of texts: people read it aligned, programs as CSV, documents as Markdown.
+class Table {
+ public:
+  struct Column {
+    std::string title;
+    Align align = Align::kRight;
+  };
+
+  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+  /// Requires as many cells as columns.
+  void add_row(std::vector<TableCell> cells);
+  /// The next row starts a new group: a blank line in aligned text, nothing elsewhere.
+  void start_group();
+
+  size_t row_count() const { return rows_.size(); }
+
+  /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes.
+  std::string to_text(bool colour) const;
+  /// RFC 4180: a cell with a comma, a quote or a line break is quoted. Lines end in \n.
+  std::string to_csv() const;
+  std::string to_markdown() const;
+
+ private:
+  struct Row {
+    std::vector<TableCell> cells;
+    bool starts_group = false;
+  };
+
+  std::vector<Column> columns_;
+  std::vector<Row> rows_;
+  bool group_pending_ = false;
+};
+
+/// A time with three digits in the unit that fits it: "1.23 ms".
+std::string duration_text(double seconds);
+
+/// "12" or, with a share, "12 (1.2 %)" of a total > 0.
+std::string count_text(std::uint64_t count, std::uint64_t total);
+
+}  // namespace ccdfuzz

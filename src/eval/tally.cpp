@@ -1,0 +1,38 @@
+#include "eval/tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+void Tally::add(const Answer& answer, Outcome outcome, std::optional<bool> collides) {
+  ++n;
+  if (collides) ++(*collides ? positives : negatives);
+  ++by_outcome[static_cast<size_t>(outcome)];
+  pops += answer.pops;
+  seconds += answer.seconds;
+}
+
+void Tally::merge(const Tally& other) {
+  n += other.n;
+  positives += other.positives;
+  negatives += other.negatives;
+  for (size_t i = 0; i < by_outcome.size(); ++i) by_outcome[i] += other.by_outcome[i];
+  pops += other.pops;
+  seconds += other.seconds;
+}
+
+double Timings::quantile(double q) const {
+  CCDFUZZ_VERIFY(0 < q && q <= 1);
+  if (seconds_.empty()) return 0;
+  std::vector<double> sorted = seconds_;
+  const auto n = static_cast<double>(sorted.size());
+  const auto rank = static_cast<size_t>(std::clamp(std::ceil(q * n), 1.0, n)) - 1;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank),
+                   sorted.end());
+  return sorted[rank];
+}
+
+}  // namespace ccdfuzz

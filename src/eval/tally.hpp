@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "query/answer.hpp"
+#include "query/outcome.hpp"
+
+namespace ccdfuzz {
+
+/// What one method did on one group of queries, in counts. Merging and adding commute, so the
+/// counts do not depend on the order of the answers; only `seconds` may, in its last bits.
+struct Tally {
+  std::uint64_t n = 0;          ///< queries answered
+  std::uint64_t positives = 0;  ///< of them, those whose truth is a contact
+  std::uint64_t negatives = 0;  ///< of them, those whose truth is absence
+  std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
+  std::uint64_t pops = 0;
+  double seconds = 0;
+
+  void add(const Answer& answer, Outcome outcome, std::optional<bool> collides);
+  void merge(const Tally& other);
+
+  std::uint64_t count(Outcome outcome) const { return by_outcome[static_cast<size_t>(outcome)]; }
+  std::uint64_t false_negatives() const { return count(Outcome::kMissed) + count(Outcome::kLate); }
+  /// 0 if there was no query.
+  double mean_seconds() const { return n == 0 ? 0 : seconds / static_cast<double>(n); }
+};
+
+/// The running times of a group, kept one by one for their quantiles.
+class Timings {
+ public:
+  void add(double seconds) { seconds_.push_back(seconds); }
+
+  /// Nearest rank: the least sample that at least ⌈q·n⌉ of the n samples do not exceed.
+  /// 0 < q ≤ 1; 0 if there is no sample.
+  double quantile(double q) const;
+  double median() const { return quantile(0.5); }
+  double p99() const { return quantile(0.99); }
+
+ private:
+  std::vector<double> seconds_;
+};
+
+}  // namespace ccdfuzz

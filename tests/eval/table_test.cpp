@@ -1,0 +1,79 @@
+#include "eval/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+Table sample() {
+  Table table({{"name", Align::kLeft}, {"n"}, {"note", Align::kLeft}});
+  table.add_row({{"a"}, {"1", Emphasis::kBad}, {"µs"}});
+  table.start_group();
+  table.add_row({{"long name"}, {"1000"}, {"x"}});
+  return table;
+}
+
+TEST(Table, TextAlignsByCodePointsAndLeavesNoTrailingBlanks) {
+  EXPECT_EQ(sample().to_text(false),
+            "name          n  note\n"
+            "a             1  µs\n"
+            "\n"
+            "long name  1000  x\n");
+}
+
+TEST(Table, ColourOnlyAddsEscapes) {
+  std::string coloured = sample().to_text(true);
+  EXPECT_NE(coloured, sample().to_text(false));
+  for (size_t at; (at = coloured.find('\x1b')) != std::string::npos;) {
+    coloured.erase(at, coloured.find('m', at) - at + 1);
+  }
+  EXPECT_EQ(coloured, sample().to_text(false));
+}
+
+TEST(Table, CsvQuotesWhatNeedsIt) {
+  Table table({{"a"}, {"b"}});
+  table.add_row({{"1,5"}, {"say \"x\""}});
+  table.add_row({{"two\nlines"}, {"plain"}});
+  EXPECT_EQ(table.to_csv(), "a,b\n\"1,5\",\"say \"\"x\"\"\"\n\"two\nlines\",plain\n");
+}
+
+TEST(Table, MarkdownKeepsBarsInsideTheirCell) {
+  Table table({{"a", Align::kLeft}, {"b"}});
+  table.add_row({{"x|y"}, {"2"}});
+  EXPECT_EQ(table.to_markdown(), "| a | b |\n|:--|--:|\n| x\\|y | 2 |\n");
+}
+
+TEST(Table, RefusesARowOfTheWrongLength) {
+  Table table({{"a"}, {"b"}});
+  EXPECT_THROW(table.add_row({{"1"}}), InternalError);
+}
+
+TEST(Duration, HasThreeDigitsInTheUnitThatFits) {
+  EXPECT_EQ(duration_text(0), "0 s");
+  EXPECT_EQ(duration_text(1.5e-9), "1.50 ns");
+  EXPECT_EQ(duration_text(1e-12), "0.00 ns");
+  EXPECT_EQ(duration_text(0.0123456), "12.3 ms");
+  EXPECT_EQ(duration_text(0.5), "500 ms");
+  EXPECT_EQ(duration_text(151.2), "151 s");
+  EXPECT_EQ(duration_text(std::nan("")), "0 s");
+}
+
+TEST(Duration, RoundingUpNeverLeavesFourDigitsOfTheSmallerUnit) {
+  EXPECT_EQ(duration_text(0.9996e-3), "1.00 ms");
+  EXPECT_EQ(duration_text(0.09996), "100 ms");
+  EXPECT_EQ(duration_text(9.996e-6), "10.0 µs");
+}
+
+TEST(Count, AShareAboveZeroNeverReadsAsZero) {
+  EXPECT_EQ(count_text(0, 1000), "0");
+  EXPECT_EQ(count_text(1, 6003), "1 (0.02 %)");
+  EXPECT_EQ(count_text(223, 1000), "223 (22.3 %)");
+  EXPECT_EQ(count_text(3, 0), "3");
+}
+
+}  // namespace
+}  // namespace ccdfuzz
