@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bezier/cell.hpp"
+#include "ccd/line.hpp"
 #include "numeric/fp_guard.hpp"
 #include "query/answer.hpp"
 #include "query/query.hpp"
@@ -24,10 +25,7 @@ struct SearchOptions {
 };
 
 /// A closed time interval in which a pair of cells may touch; lo ≤ hi.
-struct Window {
-  double lo = 0;
-  double hi = 0;
-};
+using Window = TimeWindow<double>;
 
 /// Depth at which every cell is at most `precision` wide: the least d with 2^-d ≤ precision.
 inline int depth_for(double precision) {

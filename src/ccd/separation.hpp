@@ -1,0 +1,124 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "ccd/envelope.hpp"
+
+namespace ccdfuzz {
+
+/// An interval of time in which an axis separates two patches. It holds an end only if it was cut
+/// off there by the window: elsewhere the end is a root, at which the boxes touch.
+template <class S>
+struct Separation {
+  S lo;
+  S hi;
+  bool has_lo = false;
+  bool has_hi = false;
+
+  bool contains(const S& t) const {
+    return (lo < t || (has_lo && lo == t)) && (t < hi || (has_hi && t == hi));
+  }
+  bool empty() const { return hi < lo || (lo == hi && !(has_lo && has_hi)); }
+};
+
+namespace detail {
+
+/// Does line i of f cross line j of g (f + g = 0) before f's own turn to its next line, or before
+/// the window ends? Eqs. 8 and 9, which differ only in which envelope is f.
+/// step is +1 on the way from the left (f + g falls, end = tU) and −1 on the way back (f + g rises,
+/// end = tL).
+template <int step, class Policy, class S>
+bool crosses_within(const Policy& policy, const Lines<S>& f, int i, const Line<S>& g,
+                    const S& end) {
+  const S slope(f[i].slope + g.slope), intercept(f[i].intercept + g.intercept);
+  const int next = i + step;
+  if (next < 0 || next == f.size()) return policy.negative(EndValue<S>{slope, intercept, end});
+  const S next_slope(f[next].slope + g.slope), next_intercept(f[next].intercept + g.intercept);
+  // The sign of slope turns with the direction, and the predicate with it.
+  if constexpr (step > 0) {
+    return policy.negative(ProductDifference<S>{next_slope, intercept, slope, next_intercept});
+  } else {
+    return policy.negative(ProductDifference<S>{slope, next_intercept, next_slope, intercept});
+  }
+}
+
+}  // namespace detail
+
+/// Where f + g < 0 on w (Step III, Eqs. 7–10, and its mirror image for the right end): f the upper
+/// envelope of patch 1's lines, g that of patch 2's negated ones, so f + g < 0 where patch 1 lies
+/// wholly below patch 2. f + g is convex, so the set is an interval.
+/// Requires envelopes as upper_envelope leaves them, at least one line each.
+/// Safe, for exact S: equal to that set. For double it is Policy's claim that it is a subset.
+/// Nothing is returned where an end is not found.
+template <class Policy, class S>
+std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f, const Lines<S>& g,
+                                        const TimeWindow<S>& w) {
+  const auto sum_at = [](const Line<S>& x, const Line<S>& y, const S& t) {
+    return EndValue<S>{S(x.slope + y.slope), S(x.intercept + y.intercept), t};
+  };
+  Separation<S> found{w.lo, w.hi, true, true};
+  if (!policy.negative(sum_at(f[0], g[0], w.lo))) {  // Eq. 7
+    int i = 0, j = 0;
+    for (;;) {
+      if (!(f[i].slope + g[j].slope < 0)) return std::nullopt;  // f + g no longer falls
+      if (!detail::crosses_within<1>(policy, f, i, g[j], w.hi)) {
+        if (++i == f.size()) return std::nullopt;
+      } else if (!detail::crosses_within<1>(policy, g, j, f[i], w.hi)) {
+        if (++j == g.size()) return std::nullopt;
+      } else {
+        break;
+      }
+    }
+    found.lo = policy.left_root(f, g, i, j, w);
+    found.has_lo = false;
+  }
+  int i = f.size() - 1, j = g.size() - 1;
+  if (!policy.negative(sum_at(f[i], g[j], w.hi))) {
+    for (;;) {
+      if (!(f[i].slope + g[j].slope > 0)) return std::nullopt;
+      if (!detail::crosses_within<-1>(policy, f, i, g[j], w.lo)) {
+        if (--i < 0) return std::nullopt;
+      } else if (!detail::crosses_within<-1>(policy, g, j, f[i], w.lo)) {
+        if (--j < 0) return std::nullopt;
+      } else {
+        break;
+      }
+    }
+    found.hi = policy.right_root(f, g, i, j, w);
+    found.has_hi = false;
+  }
+  if (found.empty()) return std::nullopt;
+  return found;
+}
+
+/// What is left of w once the separations are taken out: the closed hull, or nothing if they cover
+/// w. Intervals merge only where they share a point: between two that end in the same root, that
+/// root is a touch and stays.
+template <class S>
+std::optional<TimeWindow<S>> remaining_window(std::span<const Separation<S>> separations,
+                                              const TimeWindow<S>& w) {
+  S lo = w.lo;
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const Separation<S>& s : separations) {
+      if (!s.contains(lo)) continue;
+      // A rounded root may lie past the window, where Policy does not clamp it.
+      if (s.has_hi || w.hi < s.hi) return std::nullopt;
+      lo = s.hi;
+      moved = true;
+    }
+  }
+  S hi = w.hi;
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (const Separation<S>& s : separations) {
+      if (!s.contains(hi)) continue;
+      hi = s.lo;  // s does not hold its start: then it would hold the feasible lo
+      moved = true;
+    }
+  }
+  return TimeWindow<S>{lo, hi};
+}
+
+}  // namespace ccdfuzz
