@@ -1,0 +1,58 @@
+#include "generators/finalize.hpp"
+
+#include "certify/checker/check_witness.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+std::optional<Points<double>> to_doubles(const Points<Dyadic>& points) {
+  Points<double> out;
+  out.reserve(points.size());
+  for (const Vec3<Dyadic>& p : points) {
+    Vec3<double> q;
+    for (int k = 0; k < 3; ++k) {
+      const std::optional<double> d = p[k].to_double_exactly();
+      if (!d) return std::nullopt;
+      q[k] = *d;
+    }
+    out.push_back(q);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<Case> finalize(const Scene& scene, const GeneratorOptions& options) {
+  Case result;
+  for (size_t s = 0; s < 2; ++s) {
+    const MovingPatch<Dyadic>& patch = scene.patches[s];
+    const auto positions = to_doubles(patch.positions);
+    const auto velocities = to_doubles(patch.velocities);
+    if (!positions || !velocities) return std::nullopt;
+    result.query.patches[s] = {patch.shape, *positions, *velocities};
+  }
+  const Dyadic clear_until = scene.contact.t - Dyadic(1, options.eps_t_exponent);
+  const std::optional<double> contact_time = scene.contact.t.to_double_exactly();
+  const std::optional<double> clear_time = clear_until.to_double_exactly();
+  if (!contact_time || !clear_time) return std::nullopt;
+
+  // Both kinds stand or fall with the contact, so the checker sees it before either is let out.
+  result.query.t_max = *contact_time;
+  const Witness witness{scene.contact.t.rational(),
+                        {uv_of(scene.contact.x[0]), uv_of(scene.contact.x[1])}};
+  CCDFUZZ_VERIFY(check_witness(result.query, witness));
+  const bool collides = options.kind == CaseKind::kRP;
+  result.truth.collides = collides;
+  result.truth.clear_until = clear_until.rational();
+  if (collides) {
+    result.truth.witness = witness;
+  } else {
+    result.query.t_max = *clear_time;
+    result.truth.proof = "rational-tdibm";
+  }
+  return result;
+}
+
+}  // namespace ccdfuzz

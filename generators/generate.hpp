@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <string_view>
+
+#include "query/case.hpp"
+#include "query/taxonomy.hpp"
+
+namespace ccdfuzz {
+
+/// How the patches are made at the moment of contact.
+enum class Construction : std::uint8_t {
+  kPaper,     ///< Section 5: random patches that obey the contact's linear constraints, filtered
+  kOneSided,  ///< each patch on its own side of a plane: nothing to filter, proven by that plane
+};
+
+/// What is wanted of the cases beyond contact class and kind.
+enum class Family : std::uint8_t {
+  kRegular,
+};
+
+struct GeneratorOptions {
+  ContactClass contact = ContactClass::kFF;
+  CaseKind kind = CaseKind::kRP;
+  Construction construction = Construction::kPaper;
+  Family family = Family::kRegular;
+  std::uint64_t seed = 0;
+  /// No contact is proven up to t* − 2^eps_t_exponent, where a negative case also ends.
+  int eps_t_exponent = -20;
+};
+
+/// Why a construction was thrown away and begun anew.
+enum class Discard : std::uint8_t {
+  kStaticCheck,   ///< Appendix D: the patches penetrate at t* near the contact
+  kFirstContact,  ///< Step V: no proof that nothing touches before t* − eps_T
+  kRoundTrip,     ///< Section 5.4: a number is not a double
+};
+inline constexpr std::array kDiscards = {Discard::kStaticCheck, Discard::kFirstContact,
+                                         Discard::kRoundTrip};
+std::string_view name_of(Discard reason);
+
+/// How often a construction was begun, and why some were thrown away.
+struct DiscardCounts {
+  std::uint64_t attempts = 0;
+  std::array<std::uint64_t, kDiscards.size()> discarded{};
+
+  std::uint64_t operator[](Discard reason) const { return discarded[static_cast<size_t>(reason)]; }
+  std::uint64_t accepted() const {
+    return attempts - std::accumulate(discarded.begin(), discarded.end(), std::uint64_t{0});
+  }
+  DiscardCounts& operator+=(const DiscardCounts& o) {
+    attempts += o.attempts;
+    for (size_t i = 0; i < discarded.size(); ++i) discarded[i] += o.discarded[i];
+    return *this;
+  }
+  friend bool operator==(const DiscardCounts&, const DiscardCounts&) = default;
+};
+
+/// A case with exact truth, and what it cost.
+struct Generated {
+  Case value;
+  DiscardCounts discards;
+};
+
+/// Errors: options outside what is generated, naming the option and its value.
+Result<void> validate(const GeneratorOptions& options);
+
+/// Case number `index` of the endless data set that `options` describe (Section 5, Steps I–VI):
+/// two triangular quadratic patches that touch at t* in a point of the given class.
+/// RP: t_max = t*, truth: collides, with the exact witness. RN: the same patches with
+/// t_max = t* − eps_T, truth: no contact. Both carry clear_until = t* − eps_T, proven.
+/// The result depends on (options, index) alone: not on the compiler, on threads or on other calls.
+/// Requires valid options. Begins anew until a construction is accepted.
+Generated generate(const GeneratorOptions& options, std::uint64_t index);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,46 @@
+#include "generators/prescribe.hpp"
+
+#include <algorithm>
+
+namespace ccdfuzz {
+
+std::array<Feature, 2> features_of(ContactClass contact) {
+  using enum Feature;
+  constexpr std::array<std::array<Feature, 2>, 6> features = {{{kFace, kFace},
+                                                               {kEdge, kFace},
+                                                               {kEdge, kEdge},
+                                                               {kCorner, kFace},
+                                                               {kCorner, kEdge},
+                                                               {kCorner, kCorner}}};
+  return features.at(static_cast<size_t>(contact));
+}
+
+Barycentric prescribe_anywhere(Feature feature, Random& random) {
+  constexpr int kBits = 6, kSteps = 1 << kBits;
+  std::array<int, 3> x{};
+  const size_t corner = random.below(3);
+  if (feature == Feature::kFace) {
+    // The first corner gets 1..62, and the others what is left, at least 1 each.
+    x[corner] = static_cast<int>(random.between(1, kSteps - 2));
+    x[(corner + 1) % 3] = static_cast<int>(random.between(1, kSteps - x[corner] - 1));
+  } else if (feature == Feature::kEdge) {
+    x[(corner + 1) % 3] = static_cast<int>(random.between(1, kSteps - 1));
+  } else {
+    x[(corner + 1) % 3] = kSteps;
+  }
+  x[(corner + 2) % 3] = kSteps - x[corner] - x[(corner + 1) % 3];
+  return {Dyadic(x[0], -kBits), Dyadic(x[1], -kBits), Dyadic(x[2], -kBits)};
+}
+
+Feature feature_at(const Barycentric& x) {
+  switch (std::count(x.begin(), x.end(), Dyadic())) {
+    case 0:
+      return Feature::kFace;
+    case 1:
+      return Feature::kEdge;
+    default:
+      return Feature::kCorner;
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "generators/random.hpp"
+#include "generators/scene.hpp"
+#include "query/taxonomy.hpp"
+
+namespace ccdfuzz {
+
+/// Which part of its patch a contact lies on: the interior, a boundary edge or a corner.
+enum class Feature : std::uint8_t { kFace, kEdge, kCorner };
+
+/// The features of patch 1 and patch 2 (Section 5.3: the lower-dimensional one comes first).
+std::array<Feature, 2> features_of(ContactClass contact);
+
+/// Step I of the one-sided family: any parameters in steps of 2^-6 on a random edge or corner, or
+/// in the interior.
+Barycentric prescribe_anywhere(Feature feature, Random& random);
+
+/// The feature that a point lies on.
+Feature feature_at(const Barycentric& x);
+
+}  // namespace ccdfuzz

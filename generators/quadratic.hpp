@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "bezier/patch.hpp"
+
+namespace ccdfuzz {
+
+/// The triangular quadratic patch in barycentric terms, as the generators need it. The corners are
+/// 0, 1, 2 where u, v, w = 1; a control point belongs to a pair of corners {a, b}, and the patch is
+/// Σ x_a x_b c_ab over all ordered pairs: a quadratic form in x = (u, v, w) with the control points
+/// as its symmetric 3×3 matrix.
+
+inline constexpr Shape kQuadratic = Shape::triangle(2);
+
+using Barycentric = std::array<Dyadic, 3>;
+
+/// The two corners of each control point, in Shape's order: w², vw, v², uw, uv, u².
+inline constexpr std::array<std::array<int, 2>, 6> kCornerPairs = {
+    {{2, 2}, {1, 2}, {1, 1}, {0, 2}, {0, 1}, {0, 0}}};
+
+/// Place in Shape's order of the control point of corners a and b.
+constexpr size_t control_of(int a, int b) {
+  constexpr std::array<std::array<size_t, 3>, 3> place = {{{5, 4, 3}, {4, 2, 1}, {3, 1, 0}}};
+  return place[static_cast<size_t>(a)][static_cast<size_t>(b)];
+}
+
+/// The Bernstein weights of the six control points at x; they sum to 1.
+inline std::array<Dyadic, 6> bernstein_weights(const Barycentric& x) {
+  std::array<Dyadic, 6> weights;
+  for (size_t i = 0; i < 6; ++i) {
+    const auto [a, b] = kCornerPairs[i];
+    weights[i] = (x[a] * x[b]).scaled(a == b ? 0 : 1);
+  }
+  return weights;
+}
+
+inline Vec3<Dyadic> weighted_sum(const std::array<Dyadic, 6>& weights,
+                                 const Points<Dyadic>& points) {
+  Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
+  for (size_t i = 0; i < 6; ++i) sum += points[i] * weights[i];
+  return sum;
+}
+
+inline Uv<Rational> uv_of(const Barycentric& x) {
+  return {x[0].rational(), x[1].rational()};
+}
+
+}  // namespace ccdfuzz

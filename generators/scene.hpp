@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+
+#include "generators/quadratic.hpp"
+
+namespace ccdfuzz {
+
+/// The prescribed solution of the query (Step I).
+struct Contact {
+  Dyadic t;                      ///< t*
+  std::array<Barycentric, 2> x;  ///< where on each patch
+};
+
+/// A construction under way: a contact and two moving quadratic patches.
+struct Scene {
+  Contact contact;
+  std::array<MovingPatch<Dyadic>, 2> patches;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,137 @@
+#include "generators/generate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "certify/checker/check_witness.hpp"
+#include "generators/prescribe.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr int kCasesPerClass = 20;
+
+std::string describe(const GeneratorOptions& options, std::uint64_t index) {
+  return std::string(name_of(options.contact)) + " " + std::string(name_of(options.kind)) +
+         " seed " + std::to_string(options.seed) + " index " + std::to_string(index);
+}
+
+/// Every regular kind of case, a few of each.
+template <class Check>
+void for_each_case(const Check& check) {
+  for (const Construction construction : {Construction::kOneSided}) {
+    for (const ContactClass contact : kContactClasses) {
+      for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+        GeneratorOptions options;
+        options.contact = contact;
+        options.kind = kind;
+        options.construction = construction;
+        for (std::uint64_t index = 0; index < kCasesPerClass; ++index) {
+          SCOPED_TRACE(describe(options, index));
+          check(options, index, generate(options, index));
+        }
+      }
+    }
+  }
+}
+
+Feature feature_of(const Uv<Rational>& uv) {
+  const Rational w = 1 - uv[0] - uv[1];
+  const int zeros = (uv[0] == 0) + (uv[1] == 0) + (w == 0);
+  return zeros == 0 ? Feature::kFace : zeros == 1 ? Feature::kEdge : Feature::kCorner;
+}
+
+TEST(Generate, GivesValidQueriesOfTriangularQuadratics) {
+  for_each_case([](const GeneratorOptions&, std::uint64_t, const Generated& made) {
+    const Case& c = made.value;
+    EXPECT_TRUE(validate(c.query, ""));
+    for (const MovingPatch<double>& patch : c.query.patches) {
+      EXPECT_EQ(patch.shape, Shape::triangle(2));
+    }
+  });
+}
+
+TEST(Generate, PositivesCarryAWitnessAtTheEndOfTheirHorizon) {
+  for_each_case([](const GeneratorOptions& options, std::uint64_t, const Generated& made) {
+    if (options.kind != CaseKind::kRP) return;
+    const Case& c = made.value;
+    ASSERT_EQ(c.truth.collides, true);
+    ASSERT_TRUE(c.truth.witness);
+    const Result<void> checked = check_witness(c.query, *c.truth.witness);
+    EXPECT_TRUE(checked) << checked.error().message();
+    EXPECT_EQ(c.truth.witness->t, exact(c.query.t_max));
+    EXPECT_EQ(c.truth.clear_until, Rational(c.truth.witness->t - power_of_two(-20)));
+  });
+}
+
+TEST(Generate, NegativesEndEpsTBeforeTheContactOfTheirPositive) {
+  for_each_case([](const GeneratorOptions& options, std::uint64_t index, const Generated& made) {
+    if (options.kind != CaseKind::kRN) return;
+    GeneratorOptions positive = options;
+    positive.kind = CaseKind::kRP;
+    const Case& n = made.value;
+    const Case p = generate(positive, index).value;
+    EXPECT_EQ(n.query.patches, p.query.patches);
+    EXPECT_EQ(exact(n.query.t_max), Rational(p.truth.witness->t - power_of_two(-20)));
+    EXPECT_EQ(n.truth.collides, false);
+    EXPECT_EQ(n.truth.proof, "rational-tdibm");
+    EXPECT_EQ(n.truth.clear_until, exact(n.query.t_max));
+    EXPECT_FALSE(n.truth.witness);
+  });
+}
+
+TEST(Generate, TheContactLiesOnTheFeaturesThatItsClassNames) {
+  for_each_case([](const GeneratorOptions& options, std::uint64_t, const Generated& made) {
+    if (options.kind != CaseKind::kRP) return;
+    const std::array<Feature, 2> wanted = features_of(options.contact);
+    for (size_t s = 0; s < 2; ++s) {
+      EXPECT_EQ(feature_of(made.value.truth.witness->uv[s]), wanted[s]) << "patch " << s;
+    }
+  });
+}
+
+TEST(Generate, FillsTheOrigin) {
+  for_each_case([](const GeneratorOptions& options, std::uint64_t index, const Generated& made) {
+    const Origin& origin = made.value.origin;
+    EXPECT_EQ(origin.contact, name_of(options.contact));
+    EXPECT_EQ(origin.kind, name_of(options.kind));
+    EXPECT_EQ(origin.generator, "one-sided");
+    EXPECT_EQ(origin.seed, options.seed);
+    EXPECT_EQ(origin.index, index);
+    EXPECT_FALSE(origin.ccdfuzz.empty());
+  });
+}
+
+TEST(Generate, TheOneSidedFamilyDiscardsNothing) {
+  for_each_case([](const GeneratorOptions& options, std::uint64_t, const Generated& made) {
+    if (options.construction != Construction::kOneSided) return;
+    DiscardCounts none;
+    none.attempts = 1;
+    EXPECT_EQ(made.discards, none);
+  });
+}
+
+TEST(Generate, DependsOnOptionsAndIndexAlone) {
+  for_each_case([](const GeneratorOptions& options, std::uint64_t index, const Generated& made) {
+    EXPECT_EQ(generate(options, index).value, made.value);
+    EXPECT_NE(generate(options, index + 1).value.query, made.value.query);
+    GeneratorOptions other = options;
+    other.seed = 1;
+    EXPECT_NE(generate(other, index).value.query, made.value.query);
+  });
+}
+
+TEST(Generate, RefusesWhatItDoesNotMake) {
+  GeneratorOptions options;
+  options.kind = CaseKind::kNHP;
+  const Result<void> kind = validate(options);
+  ASSERT_FALSE(kind);
+  EXPECT_EQ(kind.error().message(), "--kind: NHP is not generated");
+  options = {};
+  options.eps_t_exponent = 0;
+  const Result<void> eps = validate(options);
+  ASSERT_FALSE(eps);
+  EXPECT_EQ(eps.error().message(), "--eps-t: exponent 0 is not between -40 and -1");
+}
+
+}  // namespace
+}  // namespace ccdfuzz
