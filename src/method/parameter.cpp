@@ -41,11 +41,4 @@ Result<double> parse_pull_apart(const std::string& spec) {
   return value;
 }
 
-Result<void> expect_no_argument(const std::string& spec) {
-  const SplitSpec split = split_spec(spec);
-  if (!split.argument) return {};
-  return input_error(kWhere, fmt::format("{} takes no parameter, but \"{}\" names \"{}\"",
-                                         split.name, spec, *split.argument));
-}
-
 }  // namespace ccdfuzz

@@ -20,7 +20,4 @@ SplitSpec split_spec(const std::string& spec);
 /// with nothing before or after it. Errors: anything else, naming spec and value.
 Result<double> parse_pull_apart(const std::string& spec);
 
-/// Errors: the spec has an argument, which is named.
-Result<void> expect_no_argument(const std::string& spec);
-
 }  // namespace ccdfuzz

@@ -1,22 +1,94 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
+#include "ccd/tdibm.hpp"
 #include "method/method.hpp"
+#include "method/parameter.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct Family {
-  MethodInfo info;
-  /// Makes the method; the argument is what stands after ':', empty if nothing does.
-  std::function<Result<std::unique_ptr<Method>>(const std::string& argument)> make;
+/// Any class with `Answer answer(const Query&, const SearchOptions&)` as a Method.
+template <class Solver>
+class BuiltIn : public Method {
+ public:
+  template <class... Args>
+  explicit BuiltIn(Args&&... args) : solver_(std::forward<Args>(args)...) {}
+
+  Answer answer(const Query& query, const SearchOptions& options) override {
+    return solver_.answer(query, options);
+  }
+
+ private:
+  Solver solver_;
 };
 
+using MadeMethod = Result<std::unique_ptr<Method>>;
+
+struct Family {
+  MethodInfo info;
+  std::function<MadeMethod(const std::string& spec)> make;
+};
+
+template <class Solver, class... Args>
+Family family(MethodInfo info, Args... args) {
+  return {std::move(info), [args...](const std::string&) -> MadeMethod {
+            return std::make_unique<BuiltIn<Solver>>(args...);
+          }};
+}
+
+/// A family whose spec ends in ":F", a pull-apart factor.
+template <class Policy>
+Family pull_apart_family(MethodInfo info) {
+  return {std::move(info), [](const std::string& spec) {
+            return parse_pull_apart(spec).and_then([](double factor) -> MadeMethod {
+              return std::make_unique<BuiltIn<Tdibm<Policy>>>(Policy(factor));
+            });
+          }};
+}
+
 const std::vector<Family>& families() {
-  static const std::vector<Family> all = {};
+  constexpr const char* kChen = "Chen et al. 2024";
+  constexpr const char* kErrorBounds =
+      "Floating-Point Robustness in Parametric Surface CCD, Section 4.6";
+  static const std::vector<Family> all = {
+      family<Tdibm<Plain>>(
+          {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false}),
+      pull_apart_family<PullApart>(
+          {"tdibm-h:F", kChen, "tdibm with its envelopes pulled apart by the length F", false}),
+      pull_apart_family<RelativePullApart>(
+          {"tdibm-h-rel:F", "released code of Chen et al. 2024",
+           "tdibm with its envelopes pulled apart by F times each intercept", false}),
+      family<Tdibm<ErrorBoundIntended>>(
+          {"tdibm-e", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
+           true}),
+      family<Tdibm<ErrorBoundPrinted>>({"tdibm-e-literal", kErrorBounds,
+                                        "tdibm with error bounds, eps_Phi's sign as printed",
+                                        true}),
+  };
   return all;
+}
+
+std::string known_specs() {
+  std::string specs;
+  for (const Family& f : families()) {
+    if (!specs.empty()) specs += ", ";
+    specs += f.info.spec;
+  }
+  return specs;
+}
+
+/// The family with this very spec, or the one that takes a parameter under its name.
+Result<const Family*> find_family(const std::string& spec) {
+  const std::string with_parameter = split_spec(spec).name + ":F";
+  for (const Family& f : families()) {
+    if (f.info.spec == spec || f.info.spec == with_parameter) return &f;
+  }
+  return input_error("--methods",
+                     fmt::format("unknown method \"{}\"; known are {}", spec, known_specs()));
 }
 
 }  // namespace
@@ -30,37 +102,24 @@ const std::vector<MethodInfo>& registered_methods() {
   return infos;
 }
 
-namespace {
-
-/// The family whose name stands before ':' in spec, and the argument after it.
-Result<std::pair<const Family*, std::string>> find_family(const std::string& spec) {
-  const size_t colon = spec.find(':');
-  const std::string name = spec.substr(0, colon);
-  for (const Family& f : families()) {
-    if (f.info.spec.substr(0, f.info.spec.find(':')) == name) {
-      return std::pair(&f, colon == std::string::npos ? "" : spec.substr(colon + 1));
-    }
-  }
-  return input_error("--methods", fmt::format("unknown method \"{}\"", spec));
-}
-
-}  // namespace
-
 Result<MethodInfo> method_info(const std::string& spec) {
-  return find_family(spec).map([](const auto& found) { return found.first->info; });
+  return find_family(spec).map([](const Family* found) { return found->info; });
 }
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
-  return find_family(spec).and_then(
-      [](const auto& found) { return found.first->make(found.second); });
+  return find_family(spec).and_then([&](const Family* found) { return found->make(spec); });
 }
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {
   std::vector<std::string> specs;
   for (size_t begin = 0; begin <= list.size();) {
     const size_t end = std::min(list.find(',', begin), list.size());
-    specs.push_back(list.substr(begin, end - begin));
-    if (auto method = make_method(specs.back()); !method) return tl::unexpected(method.error());
+    const std::string spec = list.substr(begin, end - begin);
+    if (auto method = make_method(spec); !method) return tl::unexpected(method.error());
+    if (std::ranges::find(specs, spec) != specs.end()) {
+      return input_error("--methods", fmt::format("\"{}\" is named twice", spec));
+    }
+    specs.push_back(spec);
     begin = end + 1;
   }
   return specs;

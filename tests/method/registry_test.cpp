@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "method/method.hpp"
+#include "method/parameter.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// The registered spec with its parameter, if it has one, made concrete.
+std::string concrete(const std::string& spec) {
+  const size_t parameter = spec.rfind(":F");
+  return parameter == std::string::npos ? spec : spec.substr(0, parameter) + ":1e-12";
+}
+
+/// Two points that meet at t = 1/2: every method must report it, at no later time.
+Query head_on_points() {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
+  query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
+  return query;
+}
+
+TEST(Registry, EveryFamilyIsMadeAnswersAndIsFoundAgain) {
+  ASSERT_FALSE(registered_methods().empty());
+  for (const MethodInfo& info : registered_methods()) {
+    const std::string spec = concrete(info.spec);
+    const auto method = make_method(spec);
+    ASSERT_TRUE(method) << spec << ": " << method.error().message();
+    const Answer answer = (*method)->answer(head_on_points(), {});
+    EXPECT_EQ(answer.verdict, Verdict::kHit) << spec;
+    EXPECT_LE(answer.toi.value_or(2), 0.5) << spec;
+    EXPECT_EQ(method_info(spec)->spec, info.spec);
+    EXPECT_FALSE(info.source.empty());
+    EXPECT_FALSE(info.description.empty());
+  }
+}
+
+TEST(Registry, OnlyMethodsThatClaimItAreFreeOfFalseNegatives) {
+  for (const char* spec : {"tdibm-e", "tdibm-e-literal"}) {
+    EXPECT_TRUE(method_info(spec)->claims_no_false_negative) << spec;
+  }
+  for (const char* spec : {"tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12"}) {
+    EXPECT_FALSE(method_info(spec)->claims_no_false_negative) << spec;
+  }
+}
+
+TEST(Registry, BadSpecsAreRefusedAndNamed) {
+  for (const char* spec : {"",
+                           "nonsense",
+                           "TDIBM",
+                           "tdibm ",
+                           " tdibm",
+                           "tdibm:",
+                           "tdibm:1",
+                           "tdibm-e:1e-12",
+                           "tdibm-h",
+                           "tdibm-h:",
+                           "tdibm-h:abc",
+                           "tdibm-h:-1",
+                           "tdibm-h:-0",
+                           "tdibm-h:+1",
+                           "tdibm-h:nan",
+                           "tdibm-h:inf",
+                           "tdibm-h:1e999",
+                           "tdibm-h:1e-12x",
+                           "tdibm-h: 1e-12",
+                           "tdibm-h:1e-12:2",
+                           "tdibm-h-rel",
+                           "tdibm-h-rel:",
+                           "tdibm-h-rel:zero"}) {
+    const auto method = make_method(spec);
+    ASSERT_FALSE(method) << spec;
+    const std::string message = method.error().message();
+    EXPECT_NE(message.find(fmt::format("\"{}\"", spec)), std::string::npos)
+        << spec << " is not named in: " << message;
+    EXPECT_FALSE(parse_method_list(fmt::format("tdibm,{}", spec))) << spec;
+  }
+}
+
+TEST(Registry, AnUnknownMethodNamesTheKnownOnes) {
+  const std::string message = make_method("tdibm-x").error().message();
+  for (const MethodInfo& info : registered_methods()) {
+    EXPECT_NE(message.find(info.spec), std::string::npos) << message;
+  }
+}
+
+TEST(PullApart, ReadsDecimalsAndHexFloats) {
+  EXPECT_EQ(parse_pull_apart("tdibm-h:1e-12"), 1e-12);
+  EXPECT_EQ(parse_pull_apart("tdibm-h:0"), 0.0);
+  EXPECT_EQ(parse_pull_apart("tdibm-h:.5"), 0.5);
+  EXPECT_EQ(parse_pull_apart("tdibm-h-rel:0x1p-40"), 0x1p-40);
+}
+
+TEST(MethodList, KeepsTheOrderAndRefusesDuplicates) {
+  EXPECT_EQ(parse_method_list("tdibm-e,tdibm,tdibm-h:1e-8"),
+            (std::vector<std::string>{"tdibm-e", "tdibm", "tdibm-h:1e-8"}));
+  EXPECT_FALSE(parse_method_list("tdibm,tdibm"));
+  EXPECT_FALSE(parse_method_list("tdibm,,tdibm-e"));
+  EXPECT_FALSE(parse_method_list("tdibm,"));
+}
+
+}  // namespace
+}  // namespace ccdfuzz
