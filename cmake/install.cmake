@@ -4,9 +4,6 @@ include(CMakePackageConfigHelpers)
 
 get_property(ccdfuzz_libraries GLOBAL PROPERTY CCDFUZZ_LIBRARIES)
 install(TARGETS ccdfuzz_base ${ccdfuzz_libraries} EXPORT ccdfuzz_targets)
-if(TARGET ccdfuzz)
-  install(TARGETS ccdfuzz)
-endif()
 
 foreach(folder src/ generators properties)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}
