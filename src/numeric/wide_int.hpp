@@ -1,0 +1,115 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+
+namespace ccdfuzz {
+
+/// A two's complement integer of Bits bits, on the stack. Arithmetic is modulo 2^Bits and
+/// therefore exact whenever the true result x satisfies −2^(Bits−1) ≤ x < 2^(Bits−1): whoever
+/// chooses Bits proves that (intermediate sums may leave the range as long as the result does
+/// not). Only what exact predicates over small multipliers need; for anything else use Integer.
+template <int Bits>
+class WideInt {
+  static_assert(Bits >= 128 && Bits % 64 == 0);
+  static constexpr int kLimbs = Bits / 64;
+  __extension__ using Double = unsigned __int128;  // product of two limbs
+  using Limb = std::uint64_t;
+
+ public:
+  static constexpr int kBits = Bits;
+
+  WideInt() = default;  // uninitialised, as a built-in integer is
+  constexpr explicit WideInt(std::int64_t x) {
+    limbs_.fill(x < 0 ? ~Limb{0} : 0);
+    limbs_[0] = static_cast<Limb>(x);
+  }
+
+  /// −1, 0 or 1.
+  constexpr int sign() const {
+    if (negative()) return -1;
+    Limb any = 0;
+    for (const Limb limb : limbs_) any |= limb;
+    return any != 0 ? 1 : 0;
+  }
+
+  /// Limb i, least significant first.
+  constexpr std::uint64_t limb(int i) const { return limbs_[static_cast<std::size_t>(i)]; }
+
+  friend constexpr WideInt operator+(WideInt a, const WideInt& b) { return a += b; }
+  friend constexpr WideInt operator-(WideInt a, const WideInt& b) { return a -= b; }
+  friend constexpr WideInt operator*(WideInt a, std::int64_t b) { return a *= b; }
+  friend constexpr WideInt operator<<(WideInt a, int shift) { return a <<= shift; }
+  constexpr WideInt operator-() const { return WideInt(0) - *this; }
+
+  constexpr WideInt& operator+=(const WideInt& o) {
+    Limb carry = 0;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+      const Double sum = Double{limbs_[i]} + o.limbs_[i] + carry;
+      limbs_[i] = static_cast<Limb>(sum);
+      carry = static_cast<Limb>(sum >> 64);
+    }
+    return *this;
+  }
+
+  constexpr WideInt& operator-=(const WideInt& o) {
+    Limb borrow = 0;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+      const Double difference = Double{limbs_[i]} - o.limbs_[i] - borrow;
+      limbs_[i] = static_cast<Limb>(difference);
+      borrow = static_cast<Limb>(difference >> 64) & 1;
+    }
+    return *this;
+  }
+
+  /// Modulo 2^Bits a negative b is b + 2^64 − 2^64: the product with its bits read as unsigned,
+  /// less 2^64 times this number.
+  constexpr WideInt& operator*=(std::int64_t b) {
+    const WideInt before = *this;
+    Limb carry = 0;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+      const Double product = Double{limbs_[i]} * static_cast<Limb>(b) + carry;
+      limbs_[i] = static_cast<Limb>(product);
+      carry = static_cast<Limb>(product >> 64);
+    }
+    if (b < 0) {
+      Limb borrow = 0;
+      for (std::size_t i = 1; i < kLimbs; ++i) {
+        const Double difference = Double{limbs_[i]} - before.limbs_[i - 1] - borrow;
+        limbs_[i] = static_cast<Limb>(difference);
+        borrow = static_cast<Limb>(difference >> 64) & 1;
+      }
+    }
+    return *this;
+  }
+
+  /// Requires 0 ≤ shift < Bits.
+  constexpr WideInt& operator<<=(int shift) {
+    const auto limbs = static_cast<std::size_t>(shift / 64);
+    const int bits = shift % 64;
+    for (std::size_t i = kLimbs; i-- > 0;) {
+      const Limb high = i >= limbs ? limbs_[i - limbs] : 0;
+      const Limb low = i >= limbs + 1 ? limbs_[i - limbs - 1] : 0;
+      limbs_[i] = bits == 0 ? high : high << bits | low >> (64 - bits);
+    }
+    return *this;
+  }
+
+  friend constexpr bool operator==(const WideInt&, const WideInt&) = default;
+  friend constexpr std::strong_ordering operator<=>(const WideInt& a, const WideInt& b) {
+    if (a.negative() != b.negative()) return b.negative() <=> a.negative();
+    for (std::size_t i = kLimbs; i-- > 0;) {
+      if (a.limbs_[i] != b.limbs_[i]) return a.limbs_[i] <=> b.limbs_[i];
+    }
+    return std::strong_ordering::equal;
+  }
+
+ private:
+  constexpr bool negative() const { return limbs_[kLimbs - 1] >> 63 != 0; }
+
+  std::array<Limb, kLimbs> limbs_;
+};
+
+}  // namespace ccdfuzz
