@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "numeric/eigen_traits.hpp"
+
+namespace ccdfuzz::exact_ccd {
+
+/// A separating axis with few-bit integer components: not unit, and exact by definition, since any
+/// vector serves as an axis (if h < 0 on it, the hulls are disjoint).
+struct Axis {
+  std::array<std::int32_t, 3> l{};
+
+  /// |l|_1.
+  std::int64_t norm1() const {
+    std::int64_t sum = 0;
+    for (const std::int64_t x : l) sum += x < 0 ? -x : x;
+    return sum;
+  }
+
+  friend bool operator==(const Axis&, const Axis&) = default;
+};
+
+/// The integer vector closest in direction to `direction` with components of magnitude ≤ 2^bits,
+/// the largest ≥ 2^(bits−1). Nothing if direction is zero or not finite. Requires 1 ≤ bits ≤ 30.
+std::optional<Axis> round_to_axis(const Vec3<double>& direction, int bits);
+
+}  // namespace ccdfuzz::exact_ccd

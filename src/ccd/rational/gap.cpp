@@ -1,0 +1,164 @@
+#include "ccd/rational/gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ccdfuzz::exact_ccd {
+
+namespace {
+
+double max_magnitude(const Points<double>& points) {
+  double m = 0;
+  for (const Vec3<double>& p : points) {
+    for (int k = 0; k < 3; ++k) m = std::max(m, std::abs(p[k]));
+  }
+  return m;
+}
+
+/// (point − origin)·2^shift for all points, each operation rounded once.
+Points<double> normalised(const Points<double>& points, const Vec3<double>& origin, int shift) {
+  Points<double> out(points.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      out[i][k] = std::ldexp(points[i][k], shift) - std::ldexp(origin[k], shift);
+    }
+  }
+  return out;
+}
+
+/// The exponent e with m < 2^e, or the least int for m = 0.
+int top_of(double m) {
+  return m == 0 ? std::numeric_limits<int>::min() / 2 : parts_of(m).top();
+}
+
+}  // namespace
+
+// The error bound. u = 2^-53, eta = 2^-1074, gamma_k = k·u/(1 − k·u). M is the largest magnitude of
+// a normalised coordinate of position plus that of velocity; times are in [0, 1].
+//  1. Normalised coordinates: scaling is exact or, where it underflows, off by ≤ eta/2; the
+//     difference rounds once: u·M + eta.
+//  2. restrict_to<double>: each blossom step is a combination with exact non-negative weights of
+//     sum 1, of three products summed from the left for a triangle (gamma_3), of two else
+//     (gamma_2). With s steps: gamma_{3s} for a triangle, gamma_{2s} else; s ≤ 16. Products may
+//     underflow, ≤ eta/2 each: ≤ 1.5·s·eta in all.
+//  3. Projection, three products summed: gamma_3·|l|_1·M + 1.5·eta.
+//  4. Line at t: gamma_2 + eta/2.
+//  5. The difference of two extremes, each of magnitude ≤ |l|_1·M·(1 + gamma): u of each.
+// Both extremes together: 2·gamma_{K+7}·|l|_1·M with K = 3s or 2s, plus underflow of at most
+// 2·|l|_1·2·(1 + 1.5·16) eta + 2·(2·1.5 + 0.5) eta < 128·|l|_1·eta (step 1 and 2 for positions and
+// velocities; |l|_1 ≥ 1). K + 8 ≤ 40 in place of gamma's K + 7 exceeds it by the factor 1 + 1/39,
+// which covers 1/(1 − k·u) and the three roundings of the bound itself; where 2·(K+8)·u·M would
+// itself underflow, M < 2^-1000 and 256 eta in place of 128 eta covers it: 2·39·u·M < eta.
+void Gap::begin(const Query& query) {
+  query_ = &query;
+  units_ = Units::of(query);
+  gmp_.loaded = false;
+
+  int top = std::numeric_limits<int>::min() / 2;
+  for (const MovingPatch<double>& patch : query.patches) {
+    top = std::max(top, top_of(max_magnitude(patch.positions)));
+    top = std::max(top, top_of(max_magnitude(patch.velocities)) + units_.horizon);
+  }
+  const bool at_rest_at_origin = top < -10000;  // every coordinate is zero
+  const int shift = at_rest_at_origin ? 0 : -top;
+  const Vec3<double> origin = query.patches[0].positions[0];
+  const Vec3<double> drift = query.patches[0].velocities[0];
+  double m_position = 0, m_velocity = 0;
+  int rounded_operations = 0;
+  for (size_t side = 0; side < 2; ++side) {
+    const MovingPatch<double>& patch = query.patches[side];
+    const Points<double> positions = normalised(patch.positions, origin, shift);
+    const Points<double> velocities = normalised(patch.velocities, drift, shift + units_.horizon);
+    m_position = std::max(m_position, max_magnitude(positions));
+    m_velocity = std::max(m_velocity, max_magnitude(velocities));
+    const int a_step = patch.shape.kind == ShapeKind::kTriangle ? 3 : 2;
+    rounded_operations = std::max(rounded_operations, a_step * blossom_steps(patch.shape));
+    cache_[side].begin(patch.shape, positions, velocities);
+  }
+  constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+  constexpr double eta = std::numeric_limits<double>::denorm_min();
+  error_per_norm_ = 2 * (rounded_operations + 8) * u * (m_position + m_velocity) + 256 * eta;
+}
+
+void Gap::prepare(int side, std::span<const Cell> parts) {
+  const auto s = static_cast<size_t>(side);
+  std::copy(parts.begin(), parts.end(), parts_[s].begin());
+  families_[s] = cache_[s].family(parts);
+}
+
+void Gap::select(int part_a, int part_b) {
+  cells_ = {parts_[0][static_cast<size_t>(part_a)], parts_[1][static_cast<size_t>(part_b)]};
+  selected_ = {points(0, part_a), points(1, part_b)};
+}
+
+void Gap::project(const Axis& axis, int bits) {
+  axis_ = axis;
+  axis_bits_ = bits;
+  error_ = error_per_norm_ * static_cast<double>(axis.norm1());
+  const double x = axis.l[0], y = axis.l[1], z = axis.l[2];
+  for (size_t side = 0; side < 2; ++side) {
+    const CellPoints& p = selected_[side];
+    const auto dots = [&](const double* px, const double* py, const double* pz, double* out) {
+      for (int i = 0; i < p.count; ++i) out[i] = (x * px[i] + y * py[i]) + z * pz[i];
+    };
+    dots(p.position(0), p.position(1), p.position(2), intercepts_[side].data());
+    dots(p.velocity(0), p.velocity(1), p.velocity(2), slopes_[side].data());
+  }
+}
+
+Extremes Gap::extremes(double t) const {
+  Extremes e;
+  for (size_t side = 0; side < 2; ++side) {
+    const double* a = slopes_[side].data();
+    const double* b = intercepts_[side].data();
+    double max = a[0] * t + b[0], min = max;
+    for (int i = 1; i < selected_[side].count; ++i) {
+      const double value = a[i] * t + b[i];
+      max = value > max ? value : max;
+      min = value < min ? value : min;
+    }
+    e.max[side] = max;
+    e.min[side] = min;
+  }
+  return e;
+}
+
+double Gap::slope(int below, double t) const {
+  const auto lower = static_cast<size_t>(below), upper = 1 - lower;
+  int max = 0, min = 0;
+  const auto value = [&](size_t side, int i) {
+    const auto k = static_cast<size_t>(i);
+    return slopes_[side][k] * t + intercepts_[side][k];
+  };
+  for (int i = 1; i < selected_[lower].count; ++i) {
+    if (value(lower, i) > value(lower, max)) max = i;
+  }
+  for (int i = 1; i < selected_[upper].count; ++i) {
+    if (value(upper, i) < value(upper, min)) min = i;
+  }
+  return slopes_[lower][static_cast<size_t>(max)] - slopes_[upper][static_cast<size_t>(min)];
+}
+
+int Gap::exact_sign(int below, double t, const Extremes& at) {
+  // A control point whose projection lies more than error_ inside the extreme does not attain it:
+  // each projection is off by less than error_ / 2.
+  std::array<std::array<std::uint8_t, kMaxControls>, 2> marks;
+  for (size_t side = 0; side < 2; ++side) {
+    const bool maximum = static_cast<int>(side) == below;
+    for (int i = 0; i < selected_[side].count; ++i) {
+      const auto k = static_cast<size_t>(i);
+      const double value = slopes_[side][k] * t + intercepts_[side][k];
+      const double behind = maximum ? at.max[side] - value : value - at.min[side];
+      marks[side][k] = behind <= 2 * error_ ? 1 : 0;
+    }
+  }
+  const std::array<std::span<const std::uint8_t>, 2> candidates = {
+      std::span(marks[0]).first(static_cast<size_t>(selected_[0].count)),
+      std::span(marks[1]).first(static_cast<size_t>(selected_[1].count))};
+  const double time = unscaled(t);
+  ++counts_.gmp;
+  return load(gmp_).gap_sign(below, cells_, axis_, time, candidates);
+}
+
+}  // namespace ccdfuzz::exact_ccd

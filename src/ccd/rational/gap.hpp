@@ -1,0 +1,109 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "ccd/rational/axis.hpp"
+#include "ccd/rational/cell_points.hpp"
+#include "ccd/rational/exact_scene.hpp"
+#include "ccd/rational/units.hpp"
+
+namespace ccdfuzz::exact_ccd {
+
+/// How often each tier decided a predicate. Tests assert that each is reached.
+struct TierCounts {
+  std::uint64_t filter = 0;  ///< double arithmetic with its error bound
+  std::uint64_t int128 = 0;
+  std::uint64_t int256 = 0;
+  std::uint64_t int512 = 0;
+  std::uint64_t gmp = 0;
+
+  friend bool operator==(const TierCounts&, const TierCounts&) = default;
+};
+
+/// Largest and smallest projections of both cells at one time, in double precision.
+struct Extremes {
+  std::array<double, 2> max{}, min{};
+
+  /// The gap along the axis if `below` is the lower side.
+  double gap(int below) const {
+    return max[static_cast<size_t>(below)] - min[static_cast<size_t>(1 - below)];
+  }
+};
+
+/// The gap function h(t) = max_{below} − min_{above} of two cells along an axis: convex and
+/// piecewise linear in t, negative iff the axis separates. Its sign is exact: double arithmetic
+/// where the error bound allows, the narrowest sufficient integers where it does not.
+///
+/// The doubles are those of a normalised scene: positions and velocities relative to control point
+/// 0 of patch 1, lengths scaled by a power of two to magnitude ≤ 2, times to [0, 1]. Neither
+/// changes the sign of a gap. All times in this interface are scaled: t·2^-horizon.
+class Gap {
+ public:
+  void begin(const Query& query);
+
+  const Units& units() const { return units_; }
+  double scaled(double t) const { return std::ldexp(t, -units_.horizon); }
+  double unscaled(double t) const { return std::ldexp(t, units_.horizon); }
+
+  /// Makes the control points of the parts that select() will name.
+  void prepare(int side, std::span<const Cell> parts);
+  void select(int part_a, int part_b);
+  /// The control points of a prepared part.
+  CellPoints points(int side, int part) const {
+    return CellPointsCache::member(families_[static_cast<size_t>(side)], part);
+  }
+
+  /// Projects the selected cells on an axis with components of magnitude ≤ 2^bits.
+  void project(const Axis& axis, int bits);
+  Extremes extremes(double t) const;
+  /// |gap − exact gap| ≤ error(), at any t in [0, 1].
+  double error() const { return error_; }
+  /// d gap/dt of the lines that attain it at t.
+  double slope(int below, double t) const;
+
+  /// The exact sign of h(t). `at` is extremes(t). t must be a scaled window end.
+  int sign(int below, double t, const Extremes& at) {
+    const double gap = at.gap(below);
+    if (gap < -error_ || gap > error_) {
+      ++counts_.filter;
+      return gap < 0 ? -1 : 1;
+    }
+    return exact_sign(below, t, at);
+  }
+
+  const TierCounts& counts() const { return counts_; }
+
+ private:
+  int exact_sign(int below, double t, const Extremes& at);
+
+  template <class Int>
+  struct Tier {
+    ExactScene<Int> scene;
+    bool loaded = false;
+  };
+  template <class Int>
+  ExactScene<Int>& load(Tier<Int>& tier) {
+    if (!tier.loaded) tier.scene.load(*query_, units_);
+    tier.loaded = true;
+    return tier.scene;
+  }
+
+  const Query* query_ = nullptr;
+  Units units_;
+  std::array<CellPointsCache, 2> cache_;
+  std::array<CellPoints, 2> families_;
+  std::array<std::array<Cell, 4>, 2> parts_;
+
+  std::array<Cell, 2> cells_;
+  std::array<CellPoints, 2> selected_;
+  Axis axis_;
+  int axis_bits_ = 0;
+  std::array<std::array<double, kMaxControls>, 2> slopes_, intercepts_;
+  double error_per_norm_ = 0, error_ = 0;
+
+  Tier<Integer> gmp_;
+  TierCounts counts_;
+};
+
+}  // namespace ccdfuzz::exact_ccd

@@ -1,0 +1,82 @@
+#include "ccd/rational/pair_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ccdfuzz::exact_ccd {
+
+namespace {
+
+/// v over its largest component; zero if that is zero or the quotient overflows.
+Vec3<double> normalised(const Vec3<double>& v) {
+  const double m = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (!(m > 0)) return {0, 0, 0};
+  return {v[0] / m, v[1] / m, v[2] / m};
+}
+
+bool is_zero(const Vec3<double>& v) {
+  return v[0] == 0 && v[1] == 0 && v[2] == 0;
+}
+
+/// A direction across v: the unit vector of v's smallest component.
+Vec3<double> across(const Vec3<double>& v) {
+  const double x = std::abs(v[0]), y = std::abs(v[1]), z = std::abs(v[2]);
+  if (x <= y && x <= z) return {1, 0, 0};
+  return y <= z ? Vec3<double>(0, 1, 0) : Vec3<double>(0, 0, 1);
+}
+
+/// Two directions that the cell spans at t; zero where it spans fewer.
+std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points, double t) {
+  const auto at = [&](int i) {
+    Vec3<double> p;
+    for (int k = 0; k < 3; ++k) p[k] = points.position(k)[i] + t * points.velocity(k)[i];
+    return p;
+  };
+  const auto between = [&](int i, int j) {
+    const Vec3<double> p = at(i), q = at(j);
+    return normalised({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
+  };
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      break;
+    case ShapeKind::kCurve:  // the chord, and the middle control point from its start
+      return {between(0, shape.n), between(0, (shape.n + 1) / 2)};
+    case ShapeKind::kTriangle:
+      return {between(0, shape.index(shape.n, 0)), between(0, shape.index(0, shape.n))};
+    case ShapeKind::kTensor:
+      return {between(0, shape.index(shape.n, 0)), between(0, shape.index(0, shape.m))};
+  }
+  return {Vec3<double>(0, 0, 0), Vec3<double>(0, 0, 0)};
+}
+
+}  // namespace
+
+Frame frame_of(const Shape& shape, const CellPoints& points, double t) {
+  auto [u, v] = spanned(shape, points, t);
+  if (is_zero(u)) std::swap(u, v);
+  if (is_zero(u)) return {Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1)};
+  Vec3<double> normal = normalised(cross(u, v));
+  if (is_zero(normal)) normal = normalised(cross(u, across(u)));
+  return {u, normal, normalised(cross(u, normal))};
+}
+
+Vec3<double> pair_axis(const Frame& a, const Frame& b, int r) {
+  switch (r) {
+    case 0:
+      return a[1];
+    case 1:
+      return b[1];
+    case 2:
+      return a[0];
+    case 3:
+      return b[0];
+    case 4:
+      return a[2];
+    case 5:
+      return b[2];
+    default:
+      return cross(a[static_cast<size_t>((r - 6) / 3)], b[static_cast<size_t>((r - 6) % 3)]);
+  }
+}
+
+}  // namespace ccdfuzz::exact_ccd

@@ -1,0 +1,63 @@
+#include "ccd/rational/pair_test.hpp"
+
+#include <algorithm>
+
+namespace ccdfuzz::exact_ccd {
+
+namespace {
+
+/// Bits of an axis for cells of a given depth. A cell of width 2^-d has a thickness of the order
+/// of 2^-2d, so an axis off by 2^-d blurs it by its own thickness; a few bits more lose nothing.
+int axis_bits(int depth) {
+  constexpr int kSpare = 4, kLeast = 8, kMost = 30;
+  return std::clamp(depth + kSpare, kLeast, kMost);
+}
+
+}  // namespace
+
+void PairTest::begin(const Query& query) {
+  gap_.begin(query);
+  shapes_ = {query.patches[0].shape, query.patches[1].shape};
+}
+
+void PairTest::prepare(int side, std::span<const Cell> parts) {
+  gap_.prepare(side, parts);
+  axis_bits_ = axis_bits(parts[0].depth);
+  for (auto& frame : frames_[static_cast<size_t>(side)]) frame.reset();
+}
+
+const Frame& PairTest::frame(int side, int part, double t) {
+  const auto s = static_cast<size_t>(side);
+  std::optional<Frame>& frame = frames_[s][static_cast<size_t>(part)];
+  if (!frame) frame = frame_of(shapes_[s], gap_.points(side, part), t);
+  return *frame;
+}
+
+std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window) {
+  ScaledWindow w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
+  const Frame& a = frame(0, part_a, w.lo);
+  const Frame& b = frame(1, part_b, w.lo);
+  gap_.select(part_a, part_b);
+  // Round and round the axes until none of them has shortened the window in a whole round: an axis
+  // may separate at an end that another has uncovered.
+  constexpr int kMaxRounds = 4;
+  int unchanged = 0;
+  for (int n = 0; n < kMaxRounds * kPairAxes && unchanged < kPairAxes; ++n) {
+    ++unchanged;
+    const std::optional<Axis> axis = round_to_axis(pair_axis(a, b, n % kPairAxes), axis_bits_);
+    if (!axis) continue;
+    gap_.project(*axis, axis_bits_);
+    switch (cut_window(gap_, w)) {
+      case Cut::kAll:
+        return std::nullopt;
+      case Cut::kShorter:
+        unchanged = 0;
+        break;
+      case Cut::kNothing:
+        break;
+    }
+  }
+  return Window{gap_.unscaled(w.lo), gap_.unscaled(w.hi)};
+}
+
+}  // namespace ccdfuzz::exact_ccd

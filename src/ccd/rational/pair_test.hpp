@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "ccd/rational/gap.hpp"
+#include "ccd/rational/pair_axes.hpp"
+#include "ccd/rational/window.hpp"
+#include "ccd/search.hpp"
+
+namespace ccdfuzz::exact_ccd {
+
+/// The inclusion test of TdibmRational: the part of a window in which no axis of the pair
+/// separates two cells.
+class PairTest {
+ public:
+  void begin(const Query& query);
+  void prepare(int side, std::span<const Cell> parts);
+  std::optional<Window> test(int part_a, int part_b, const Window& window);
+
+  Gap& gap() { return gap_; }
+
+ private:
+  const Frame& frame(int side, int part, double t);
+
+  Gap gap_;
+  std::array<Shape, 2> shapes_;
+  /// Frames of the prepared parts at the start of the first window tested.
+  std::array<std::array<std::optional<Frame>, 4>, 2> frames_;
+  int axis_bits_ = 0;
+};
+
+}  // namespace ccdfuzz::exact_ccd

@@ -1,0 +1,22 @@
+#include "ccd/rational/proves_clear.hpp"
+
+#include <cmath>
+
+#include "ccd/rational/tdibm_rational.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+bool proves_clear(const Query& query, const Rational& until) {
+  CCDFUZZ_VERIFY(sgn(until) >= 0);
+  Query horizon = query;
+  horizon.t_max = round_up(until);  // proves at least what was asked
+  if (!std::isfinite(horizon.t_max)) return false;
+  SearchOptions options;
+  options.precision = 0x1p-30;
+  options.max_pops = 100'000;
+  thread_local TdibmRational method;
+  return method.answer(horizon, options).verdict == Verdict::kMiss;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+
+#include "ccd/search.hpp"
+#include "query/answer.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+namespace exact_ccd {
+class PairTest;
+struct TierCounts;
+}  // namespace exact_ccd
+
+/// TDIBM (Section 3) decided in exact arithmetic: the same boxes, axes, subdivision and convergence
+/// width as the double methods, with every inequality decided by its exact sign. Axes are rounded
+/// to few-bit integers (any vector is a valid axis) and ends of windows to a dyadic grid, outward,
+/// so that numbers stay short and the search ends.
+///
+/// Guarantee: a miss has no contact in the closed [0, t_max]; a hit's toi is no later than the
+/// first contact. No false negative of either kind, for any finite input. A hit may be early or
+/// false, as with any inclusion test, by the size of the last cells.
+/// Keeps its buffers between queries and no other state. One thread at a time.
+class TdibmRational {
+ public:
+  TdibmRational();
+  ~TdibmRational();
+  TdibmRational(TdibmRational&&) noexcept;
+  TdibmRational& operator=(TdibmRational&&) noexcept;
+
+  Answer answer(const Query& query, const SearchOptions& options);
+
+  /// How often each arithmetic tier decided, over the life of the object.
+  const exact_ccd::TierCounts& tiers() const;
+
+ private:
+  std::unique_ptr<exact_ccd::PairTest> test_;
+  Search<exact_ccd::PairTest> search_;
+};
+
+}  // namespace ccdfuzz

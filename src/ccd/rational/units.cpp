@@ -1,0 +1,62 @@
+#include "ccd/rational/units.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "numeric/double_parts.hpp"
+
+namespace ccdfuzz::exact_ccd {
+
+namespace {
+
+/// Exponents of the lowest bit and above the highest bit of some doubles; empty if all are zero.
+struct BitRange {
+  int low = std::numeric_limits<int>::max();
+  int top = std::numeric_limits<int>::min();
+
+  bool empty() const { return low > top; }
+  void include(double x) {
+    const DoubleParts parts = parts_of(x);
+    if (parts.mantissa == 0) return;
+    low = std::min(low, parts.exponent);
+    top = std::max(top, parts.top());
+  }
+  void include(const Points<double>& points) {
+    for (const Vec3<double>& p : points) {
+      for (int k = 0; k < 3; ++k) include(p[k]);
+    }
+  }
+};
+
+}  // namespace
+
+Units Units::of(const Query& query) {
+  constexpr int kLowest = -1074;  // exponent of the least positive double
+  Units u;
+  BitRange time, position, velocity;
+  time.include(query.t_max);
+  u.horizon = time.empty() ? 0 : time.top;
+  u.grid = std::max(u.horizon - kGridBits, kLowest);
+  u.time = time.empty() ? u.grid : std::min(u.grid, time.low);
+
+  for (const MovingPatch<double>& patch : query.patches) {
+    position.include(patch.positions);
+    velocity.include(patch.velocities);
+    u.degree_sum = std::max(u.degree_sum, blossom_steps(patch.shape));
+  }
+  if (position.empty() && velocity.empty()) return u;
+  const int velocity_low = velocity.low + u.time, velocity_top = velocity.top + u.horizon;
+  if (velocity.empty()) {
+    u.length = position.low;
+    u.magnitude_bits = position.top - u.length;
+  } else if (position.empty()) {
+    u.length = velocity_low;
+    u.magnitude_bits = velocity_top - u.length;
+  } else {
+    u.length = std::min(position.low, velocity_low);
+    u.magnitude_bits = std::max(position.top, velocity_top) - u.length + 1;
+  }
+  return u;
+}
+
+}  // namespace ccdfuzz::exact_ccd
