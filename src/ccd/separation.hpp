@@ -62,10 +62,10 @@ std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f,
     int i = 0, j = 0;
     for (;;) {
       if (!(f[i].slope + g[j].slope < 0)) return std::nullopt;  // f + g no longer falls
-      if (!detail::crosses_within<1>(policy, f, i, g[j], w.hi)) {
-        if (++i == f.size()) return std::nullopt;
-      } else if (!detail::crosses_within<1>(policy, g, j, f[i], w.hi)) {
+      if (!detail::crosses_within<1>(policy, g, j, f[i], w.hi)) {
         if (++j == g.size()) return std::nullopt;
+      } else if (!detail::crosses_within<1>(policy, f, i, g[j], w.hi)) {
+        if (++i == f.size()) return std::nullopt;
       } else {
         break;
       }
@@ -77,10 +77,10 @@ std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f,
   if (!policy.negative(sum_at(f[i], g[j], w.hi))) {
     for (;;) {
       if (!(f[i].slope + g[j].slope > 0)) return std::nullopt;
-      if (!detail::crosses_within<-1>(policy, f, i, g[j], w.lo)) {
-        if (--i < 0) return std::nullopt;
-      } else if (!detail::crosses_within<-1>(policy, g, j, f[i], w.lo)) {
+      if (!detail::crosses_within<-1>(policy, g, j, f[i], w.lo)) {
         if (--j < 0) return std::nullopt;
+      } else if (!detail::crosses_within<-1>(policy, f, i, g[j], w.lo)) {
+        if (--i < 0) return std::nullopt;
       } else {
         break;
       }
