@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,6 +49,8 @@ inline int depth_for(double precision) {
 ///       parent pair is split, and once for the whole patches
 ///   std::optional<Window> test(int part_a, int part_b, Window w)
 ///       the part of w in which the two parts may touch; nothing if they are separated throughout
+/// An Inclusion with kSplitsTime has each window halved too, before the test: then a hit is as
+/// narrow in time, relative to the time step, as in the parameters.
 /// Guarantee: if test never drops a contact time of a pair that touches in w, then neither the
 /// verdict nor toi can miss or be late: toi is a lower bound of the first contact.
 template <class Inclusion>
@@ -108,15 +111,25 @@ class Search {
         for (int c = 0; c < count; ++c) parts[side][c] = entry.cells[side].child(shapes[side], c);
         inclusion.prepare(side, std::span(parts[side]).first(static_cast<size_t>(count)));
       }
-      for (int a = 0; a < shapes[0].child_count(); ++a) {
-        for (int b = 0; b < shapes[1].child_count(); ++b) {
-          if (const auto w = inclusion.test(a, b, entry.window))
-            push(*w, {parts[0][a], parts[1][b]});
+      for (const Window& window : time_parts(entry.window)) {
+        for (int a = 0; a < shapes[0].child_count(); ++a) {
+          for (int b = 0; b < shapes[1].child_count(); ++b) {
+            if (const auto w = inclusion.test(a, b, window)) push(*w, {parts[0][a], parts[1][b]});
+          }
         }
       }
     }
     answer.verdict = Verdict::kMiss;
     return answer;
+  }
+
+  static auto time_parts(const Window& w) {
+    if constexpr (requires { requires Inclusion::kSplitsTime; }) {
+      const double middle = std::midpoint(w.lo, w.hi);
+      return std::array{Window{w.lo, middle}, Window{middle, w.hi}};
+    } else {
+      return std::array{w};
+    }
   }
 
   void push(const Window& window, const std::array<Cell, 2>& cells) {

@@ -1,0 +1,51 @@
+#include "ccd/traditional.hpp"
+
+#include <algorithm>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The range of points on an axis.
+std::array<double, 2> range_on(const Vec3<double>& axis, std::span<const Vec3<double>> points) {
+  std::array<double, 2> range = {dot(axis, points[0]), dot(axis, points[0])};
+  for (const Vec3<double>& p : points.subspan(1)) {
+    const double height = dot(axis, p);
+    range = {std::min(range[0], height), std::max(range[1], height)};
+  }
+  return range;
+}
+
+}  // namespace
+
+void TraditionalInclusion::sweep(const ControlNet& net, const Window& window, Sweep& out) {
+  out.size = 0;
+  for (const double t : {window.lo, window.hi}) {
+    for (size_t i = 0; i < net.positions.size(); ++i) {
+      const Vec3<double>&p = net.positions[i], &v = net.velocities[i];
+      out.points[out.size++] = {p[0] + t * v[0], p[1] + t * v[1], p[2] + t * v[2]};
+    }
+  }
+}
+
+std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const Window& window) {
+  const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
+  for (int side = 0; side < 2; ++side) sweep(nets[side], window, sweeps_[side]);
+  const auto points = [this](int side) {
+    return std::span<const Vec3<double>>(sweeps_[side].points.data(),
+                                         static_cast<size_t>(sweeps_[side].size));
+  };
+  const Axes axes =
+      kind_ == BoxKind::kOriented ? obb_axes(nets[0], nets[1], window.lo) : aabb_axes();
+  for (const Axis& axis : axes) {
+    const auto p = range_on(axis.direction, points(0)), q = range_on(axis.direction, points(1));
+    if (p[1] < q[0] || q[1] < p[0]) return std::nullopt;  // Eqs. 3a, 3b negated
+  }
+  return window;
+}
+
+Answer Traditional::answer(const Query& query, const SearchOptions& options) {
+  return search_.run(query, options, inclusion_);
+}
+
+}  // namespace ccdfuzz

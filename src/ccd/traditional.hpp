@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "ccd/search.hpp"
+#include "ccd/sub_patches.hpp"
+
+namespace ccdfuzz {
+
+/// How the boxes of the traditional method are aligned.
+enum class BoxKind {
+  kOriented,     ///< as obb_axes at the start of the window
+  kAxisAligned,  ///< with the coordinate axes
+};
+
+/// The traditional inclusion test (Section 6 (1); Snyder 1992, Von Herzen et al. 1990): over a
+/// window each sub-patch stays within the hull of its control points at both ends, so two of them
+/// may touch only if the boxes of those hulls overlap. Nothing guards the rounding.
+/// Safe in exact arithmetic: never drops a window with a contact.
+class TraditionalInclusion {
+ public:
+  /// Time is the fifth parameter that is subdivided.
+  static constexpr bool kSplitsTime = true;
+
+  explicit TraditionalInclusion(BoxKind kind) : kind_(kind) {}
+
+  void begin(const Query& query) { parts_.begin(query); }
+  void prepare(int side, std::span<const Cell> parts) { parts_.prepare(side, parts); }
+  std::optional<Window> test(int part_a, int part_b, const Window& window);
+
+ private:
+  /// The control points of a part at both ends of the window.
+  struct Sweep {
+    std::array<Vec3<double>, 2 * kMaxControls> points;
+    int size = 0;
+  };
+  static void sweep(const ControlNet& net, const Window& window, Sweep& out);
+
+  BoxKind kind_;
+  SubPatches parts_;
+  std::array<Sweep, 2> sweeps_;
+};
+
+/// `trad` (oriented boxes, as the paper uses it) and `trad:aabb`.
+class Traditional {
+ public:
+  explicit Traditional(BoxKind kind = BoxKind::kOriented) : inclusion_(kind) {}
+
+  /// Requires a valid query. toi is the start of the first window that was narrow enough.
+  Answer answer(const Query& query, const SearchOptions& options);
+
+ private:
+  TraditionalInclusion inclusion_;
+  Search<TraditionalInclusion> search_;
+};
+
+}  // namespace ccdfuzz
