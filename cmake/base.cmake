@@ -8,20 +8,6 @@ target_compile_options(ccdfuzz_base INTERFACE -ffp-contract=off)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
-# The rules are checked, not assumed: the probe fails if the flags that this build really uses
-# contract a*b+c, evaluate in extended precision, flush subnormals or allow reassociation.
-include(CheckCXXSourceRuns)
-set(CMAKE_REQUIRED_FLAGS "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_RELEASE} -std=c++20 -ffp-contract=off")
-file(READ ${CMAKE_CURRENT_LIST_DIR}/fp_probe.cpp ccdfuzz_fp_probe)
-check_cxx_source_runs("${ccdfuzz_fp_probe}" CCDFUZZ_FP_RULES_HOLD)
-unset(CMAKE_REQUIRED_FLAGS)
-if(NOT CCDFUZZ_FP_RULES_HOLD)
-  message(FATAL_ERROR
-    "The compiler's flags (CMAKE_CXX_FLAGS='${CMAKE_CXX_FLAGS}') break the floating-point rules that "
-    "ccdfuzz proves its bounds on: no contraction, no extended precision, no flush to zero, no "
-    "-ffast-math. Remove the offending flag; cmake/fp_probe.cpp says what is checked.")
-endif()
-
 add_library(ccdfuzz_warnings INTERFACE)
 target_compile_options(ccdfuzz_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wdouble-promotion
@@ -32,10 +18,20 @@ if(CCDFUZZ_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
+if(CCDFUZZ_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "CCDFUZZ_FUZZ needs clang for libFuzzer, not ${CMAKE_CXX_COMPILER_ID}; "
+                        "use the preset: cmake --preset fuzz")
+  endif()
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
+endif()
 if(CCDFUZZ_COVERAGE)
   add_compile_options(--coverage)
   add_link_options(--coverage)
 endif()
+
+include(cmake/fp_rules.cmake)
 
 # ccdfuzz_library(NAME SOURCES ... DEPENDS ...): one library a folder, so that the layers of the
 # design are also the links of the build.
@@ -54,6 +50,7 @@ function(ccdfuzz_library name)
   target_include_directories(ccdfuzz_${name} ${scope}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz>)
   target_link_libraries(ccdfuzz_${name} ${scope} ccdfuzz::base ${ARG_DEPENDS})
   set_property(GLOBAL APPEND PROPERTY CCDFUZZ_LIBRARIES ccdfuzz_${name})

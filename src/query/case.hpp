@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "numeric/rational.hpp"
 #include "query/outcome.hpp"
@@ -19,12 +21,20 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
-/// What is known of a query, and by what proof.
+/// How absence of contact may be known: by a moving plane, by a tree of separating axes, or by a
+/// run of the rational method that `ccdfuzz verify` repeats.
+inline constexpr std::array<std::string_view, 3> kProofWords = {"P", "T", "rational-tdibm"};
+constexpr bool is_proof_word(std::string_view word) {
+  return std::find(kProofWords.begin(), kProofWords.end(), word) != kProofWords.end();
+}
+
+/// What is known of a query, up to its t_max or, by clear_until and witness, beyond; and by what
+/// proof.
 struct Truth {
   std::optional<bool> collides;         ///< absent: unknown
   std::optional<Witness> witness;       ///< needed if collides
   std::optional<Rational> clear_until;  ///< no contact for 0 ≤ t < clear_until is proven
-  std::optional<std::string> proof;     ///< how absence is known: "P", "T" or "rational-tdibm"
+  std::optional<std::string> proof;     ///< one of kProofWords; needed if not collides
 
   friend bool operator==(const Truth&, const Truth&) = default;
 };
@@ -39,6 +49,8 @@ struct Origin {
   std::string ccdfuzz;  ///< version
   std::string name;     ///< of a named corpus entry
   std::string note;     ///< for readers
+  /// Any further keys of the file, each with its string or number as JSON text; kept as they are.
+  std::map<std::string, std::string> more;
 
   friend bool operator==(const Origin&, const Origin&) = default;
 };

@@ -1,0 +1,197 @@
+#include "query/case_files.hpp"
+
+#include <fmt/format.h>
+#include <zstd.h>
+
+#include "numeric/verify.hpp"
+#include "query/case_json.hpp"
+#include "query/input_bytes.hpp"
+#include "query/output_file.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr size_t kPiece = 1 << 16;
+constexpr std::string_view kBlank = " \t\r\n";
+
+}  // namespace
+
+struct CaseReader::State {
+  std::string path;
+  CaseFileKind kind = CaseFileKind::kJson;
+  std::unique_ptr<InputBytes> bytes;
+  std::string buffer;  ///< read, and from `at` on not yet given out
+  size_t at = 0;
+  size_t line = 0;
+  bool ended = false;  ///< no more bytes beyond the buffer
+  bool any = false;    ///< gave a case
+
+  /// The text up to the next newline, or up to the end of the file if `whole`; nothing if no text
+  /// is left. Valid until the next call.
+  Result<std::optional<std::string_view>> take(bool whole) {
+    size_t searched = at;
+    for (;;) {
+      const size_t newline = whole ? std::string::npos : buffer.find('\n', searched);
+      if (newline != std::string::npos || ended) {
+        if (newline == std::string::npos && at == buffer.size()) return std::nullopt;
+        const size_t end = std::min(newline, buffer.size());
+        const std::string_view text = std::string_view(buffer).substr(at, end - at);
+        at = std::min(end + 1, buffer.size());
+        ++line;
+        return text;
+      }
+      if (buffer.size() - at > kMaxCaseBytes) {
+        return input_error(whole ? path : fmt::format("{}:{}", path, line + 1),
+                           fmt::format("is longer than {} bytes", kMaxCaseBytes));
+      }
+      buffer.erase(0, at);
+      at = 0;
+      searched = buffer.size();
+      auto more = bytes->read(kPiece);
+      if (!more) return tl::unexpected(more.error());
+      ended = more->empty();
+      buffer += *more;
+    }
+  }
+
+  Result<std::optional<NamedCase>> next() {
+    const bool whole = kind == CaseFileKind::kJson;
+    if (whole && any) return std::nullopt;
+    for (;;) {
+      const auto text = take(whole);
+      if (!text) return tl::unexpected(text.error());
+      const bool blank = !*text || (*text)->find_first_not_of(kBlank) == std::string_view::npos;
+      if (blank && (whole || !*text)) {
+        if (any) return std::nullopt;
+        return input_error(path, line == 0 || whole ? "is empty" : "holds no case");
+      }
+      if (blank) continue;
+      const std::string id = whole ? path : fmt::format("{}:{}", path, line);
+      auto value = parse_case(**text, id);
+      if (!value) return tl::unexpected(value.error());
+      any = true;
+      return NamedCase{id, *std::move(value)};
+    }
+  }
+};
+
+CaseReader::CaseReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CaseReader::CaseReader(CaseReader&&) noexcept = default;
+CaseReader& CaseReader::operator=(CaseReader&&) noexcept = default;
+CaseReader::~CaseReader() = default;
+
+Result<CaseReader> CaseReader::open(const std::string& path) {
+  auto state = std::make_unique<State>();
+  state->path = path;
+  // A wrong name is told as such before a wrong ending.
+  auto bytes = open_input(path, path.ends_with(".zst"));
+  if (!bytes) return tl::unexpected(bytes.error());
+  state->bytes = *std::move(bytes);
+  const auto kind = case_file_kind(path);
+  if (!kind) return tl::unexpected(kind.error());
+  state->kind = *kind;
+  return CaseReader(std::move(state));
+}
+
+Result<std::optional<NamedCase>> CaseReader::next() {
+  return state_->next();
+}
+
+Result<void> for_each_case(const std::string& path,
+                           const std::function<Result<void>(NamedCase)>& visit) {
+  auto reader = CaseReader::open(path);
+  if (!reader) return tl::unexpected(reader.error());
+  for (;;) {
+    auto next = reader->next();
+    if (!next) return tl::unexpected(next.error());
+    if (!*next) return {};
+    if (auto visited = visit(**std::move(next)); !visited) return visited;
+  }
+}
+
+Result<std::vector<NamedCase>> read_cases(const std::string& path) {
+  std::vector<NamedCase> cases;
+  const auto read = for_each_case(path, [&](NamedCase c) -> Result<void> {
+    cases.push_back(std::move(c));
+    return {};
+  });
+  if (!read) return tl::unexpected(read.error());
+  return cases;
+}
+
+struct CaseWriter::State {
+  struct FreeContext {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+  };
+
+  std::string path;
+  CaseFileKind kind;
+  OutputFile file;
+  std::string pending;
+  size_t written = 0;
+  std::unique_ptr<ZSTD_CCtx, FreeContext> zstd;
+
+  /// Hands the pending text on, compressed where that is asked for.
+  Result<void> flush(bool last) {
+    if (!zstd) {
+      auto done = file.write(pending);
+      pending.clear();
+      return done;
+    }
+    std::string out(ZSTD_CStreamOutSize(), '\0');
+    ZSTD_inBuffer in = {pending.data(), pending.size(), 0};
+    for (bool done = false; !done;) {
+      ZSTD_outBuffer packed = {out.data(), out.size(), 0};
+      const size_t left =
+          ZSTD_compressStream2(zstd.get(), &packed, &in, last ? ZSTD_e_end : ZSTD_e_continue);
+      CCDFUZZ_VERIFY(ZSTD_isError(left) == 0);
+      if (auto r = file.write(std::string_view(out).substr(0, packed.pos)); !r) return r;
+      done = last ? left == 0 : in.pos == in.size;
+    }
+    pending.clear();
+    return {};
+  }
+};
+
+CaseWriter::CaseWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CaseWriter::CaseWriter(CaseWriter&&) noexcept = default;
+CaseWriter& CaseWriter::operator=(CaseWriter&&) noexcept = default;
+CaseWriter::~CaseWriter() = default;
+
+Result<CaseWriter> CaseWriter::open(const std::string& path) {
+  const auto kind = case_file_kind(path);
+  if (!kind) return tl::unexpected(kind.error());
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  auto state = std::make_unique<State>(State{path, *kind, *std::move(file), {}, 0, {}});
+  if (*kind == CaseFileKind::kJsonLinesZstd) {
+    state->zstd.reset(ZSTD_createCCtx());
+    CCDFUZZ_VERIFY(state->zstd != nullptr);
+    ZSTD_CCtx_setParameter(state->zstd.get(), ZSTD_c_checksumFlag, 1);
+  }
+  return CaseWriter(std::move(state));
+}
+
+Result<void> CaseWriter::write(const Case& value) {
+  State& s = *state_;
+  if (s.kind == CaseFileKind::kJson && s.written == 1) {
+    return input_error(s.path, "a .json file holds one case; .jsonl holds many");
+  }
+  ++s.written;
+  s.pending +=
+      to_json(value, s.kind == CaseFileKind::kJson ? JsonLayout::kReadable : JsonLayout::kOneLine);
+  s.pending += '\n';
+  return s.pending.size() < kPiece ? Result<void>() : s.flush(false);
+}
+
+Result<void> CaseWriter::finish() {
+  State& s = *state_;
+  if (s.kind == CaseFileKind::kJson && s.written == 0) {
+    return input_error(s.path, "no case to write");
+  }
+  if (auto flushed = s.flush(true); !flushed) return flushed;
+  return s.file.commit();
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "numeric/result.hpp"
+
+namespace ccdfuzz {
+
+/// A file that appears whole or not at all: written under a temporary name in the same folder,
+/// flushed to the disk and renamed over its path by commit(). Until then, and for ever if commit
+/// is never reached, what stood at the path stays. A path that is a device or a pipe is written
+/// directly. Errors: what the system says, naming the path.
+class OutputFile {
+ public:
+  static Result<OutputFile> create(const std::string& path);
+  OutputFile(OutputFile&& other) noexcept { *this = std::move(other); }
+  OutputFile& operator=(OutputFile&& other) noexcept;
+  ~OutputFile() { abandon(); }
+
+  Result<void> write(std::string_view bytes);
+  Result<void> commit();
+
+ private:
+  OutputFile() = default;
+  void abandon();
+  tl::unexpected<InputError> failed(const char* doing, int error);
+
+  std::string path_;       ///< as the caller named it, for messages
+  std::string target_;     ///< what to rename to; empty if written directly
+  std::string temporary_;  ///< empty if written directly or nothing is left to remove
+  int descriptor_ = -1;
+};
+
+/// Writes a whole file so.
+Result<void> write_file(const std::string& path, std::string_view bytes);
+
+/// True iff a file of this name is one that OutputFile writes to; it is a leftover if its writer
+/// was killed.
+bool is_temporary_name(std::string_view file_name);
+
+/// "path: cannot DOING: what the system says of this errno".
+tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error);
+
+}  // namespace ccdfuzz

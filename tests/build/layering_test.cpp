@@ -1,0 +1,144 @@
+// The rooms of the project and which of them each may include (a room may always include itself).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Room → the rooms directly below it; what those may include, it may too.
+const std::map<std::string, std::vector<std::string>> kBelow = {
+    {"numeric", {}},
+    {"bezier", {"numeric"}},
+    {"query", {"bezier"}},
+    {"ccd", {"query"}},
+    {"certify/checker", {"query"}},
+    {"certify/oracle", {"ccd", "certify/checker"}},
+    {"method", {"ccd", "query"}},
+    {"eval", {"method", "certify/checker"}},
+    {"generators", {"ccd", "certify/checker", "certify/oracle"}},
+    {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
+    {"corpus", {"method", "certify/checker", "properties"}},
+    {"hunt", {"generators", "corpus", "eval"}},
+    {"cli", {"hunt"}},
+    {"fuzz", {"properties", "corpus"}},
+};
+
+/// Headers that only some rooms may use: those that run properties, not those that state them.
+const std::map<std::string, std::set<std::string>> kDriversOnly = {
+    {"gtest/", {}}, {"gmock/", {}}, {"rapidcheck", {"generators/rc"}}, {"benchmark/", {}}};
+
+std::set<std::string> allowed(const std::string& room) {
+  std::set<std::string> all = {room};
+  for (const std::string& below : kBelow.at(room)) all.merge(allowed(below));
+  return all;
+}
+
+/// The room of a path relative to the source folder or to src: the longest one it stands in.
+std::string room_of(std::string path) {
+  if (path.starts_with("src/")) path.erase(0, 4);
+  std::string found;
+  for (const auto& [room, below] : kBelow) {
+    if (path.starts_with(room + "/") && room.size() > found.size()) found = room;
+  }
+  return found;
+}
+
+struct Include {
+  std::string name;
+  bool quoted = false;
+};
+
+std::vector<Include> includes_of(std::istream& in) {
+  std::vector<Include> found;
+  for (std::string line; std::getline(in, line);) {
+    const size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string::npos || line[hash] != '#') continue;
+    const size_t word = line.find_first_not_of(" \t", hash + 1);
+    if (word == std::string::npos || line.compare(word, 7, "include") != 0) continue;
+    const size_t open = line.find_first_of("\"<", word);
+    if (open == std::string::npos) continue;
+    const bool quoted = line[open] == '"';
+    const size_t close = line.find(quoted ? '"' : '>', open + 1);
+    found.push_back({line.substr(open + 1, close - open - 1), quoted});
+  }
+  return found;
+}
+
+/// What is wrong with one include of the file at `path`; empty if nothing is.
+std::string complaint(const fs::path& root, const std::string& path, const Include& include) {
+  const std::string room = room_of(path);
+  for (const auto& [header, rooms] : kDriversOnly) {
+    if (!include.name.starts_with(header)) continue;
+    const bool excepted = std::any_of(rooms.begin(), rooms.end(),
+                                      [&](const auto& r) { return path.starts_with(r + "/"); });
+    if (!excepted) return room + " may not use <" + include.name + ">";
+  }
+  if (!include.quoted) return "";
+  if (!fs::exists(root / include.name) && !fs::exists(root / "src" / include.name)) {
+    return "\"" + include.name + "\" is not a path from src or from the top";
+  }
+  const std::string used = room_of(include.name);
+  if (used.empty()) return "\"" + include.name + "\" belongs to no room";
+  return allowed(room).contains(used) ? "" : room + " may not include " + used;
+}
+
+std::vector<std::string> source_files(const fs::path& root) {
+  std::vector<std::string> files;
+  for (const char* top : {"src", "generators", "properties", "fuzz"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      const std::string extension = entry.path().extension();
+      if (extension == ".hpp" || extension == ".cpp" || extension == ".h") {
+        files.push_back(fs::relative(entry.path(), root));
+      }
+    }
+  }
+  return files;
+}
+
+TEST(Layering, EveryIncludeGoesDownwards) {
+  const fs::path root = CCDFUZZ_SOURCE_DIR;
+  const std::vector<std::string> files = source_files(root);
+  EXPECT_GT(files.size(), 20U);
+  for (const std::string& path : files) {
+    ASSERT_NE(room_of(path), "") << path << " stands in no room that the layers know";
+    std::ifstream in(root / path);
+    ASSERT_TRUE(in) << path;
+    for (const Include& include : includes_of(in)) {
+      EXPECT_EQ(complaint(root, path, include), "") << path;
+    }
+  }
+}
+
+TEST(Layering, TheCheckerIsIndependentOfTheMethods) {
+  EXPECT_THAT(allowed("certify/checker"),
+              testing::UnorderedElementsAre("certify/checker", "query", "bezier", "numeric"));
+}
+
+TEST(Layering, RefusesWhatGoesUpwards) {
+  const fs::path root = CCDFUZZ_SOURCE_DIR;
+  const auto refused = [&](const std::string& path, const Include& include) {
+    return complaint(root, path, include);
+  };
+  EXPECT_EQ(refused("src/certify/checker/x.cpp", {"ccd/search.hpp", true}),
+            "certify/checker may not include ccd");
+  EXPECT_EQ(refused("src/numeric/x.cpp", {"bezier/patch.hpp", true}),
+            "numeric may not include bezier");
+  EXPECT_EQ(refused("properties/x.hpp", {"gtest/gtest.h", false}),
+            "properties may not use <gtest/gtest.h>");
+  EXPECT_NE(refused("src/query/x.hpp", {"query.hpp", true}), "");
+  EXPECT_EQ(refused("src/query/x.hpp", {"query/query.hpp", true}), "");
+  EXPECT_EQ(refused("src/query/x.hpp", {"vector", false}), "");
+}
+
+}  // namespace
+}  // namespace ccdfuzz

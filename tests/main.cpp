@@ -1,0 +1,68 @@
+// The main of every test executable: RapidCheck draws the same cases in every run, unless told
+// otherwise, and a failure prints the one command that shows it again.
+//   CCDFUZZ_SEED     seed of RapidCheck, default 1; "random" draws one (and prints it)
+//   CCDFUZZ_EFFORT   whole factor on the number of cases, default 1
+//   RC_PARAMS        RapidCheck's own, instead of both
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace {
+
+constexpr unsigned long kCasesPerProperty = 100;
+
+std::string from_environment(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value == nullptr || *value == '\0' ? otherwise : value;
+}
+
+unsigned long number(const std::string& name, const std::string& text) {
+  if (text.empty() || text.size() > 18 ||
+      text.find_first_not_of("0123456789") != std::string::npos) {
+    std::cerr << name << ": \"" << text << "\" is not a whole number\n";
+    std::exit(2);
+  }
+  return std::stoul(text);
+}
+
+/// What a run depends on, as the assignments that stand before its command.
+std::string fix_random_cases() {
+  const std::string own = from_environment("RC_PARAMS", "");
+  if (!own.empty()) return "RC_PARAMS='" + own + "' ";
+  const std::string asked = from_environment("CCDFUZZ_SEED", "1");
+  const unsigned long seed =
+      asked == "random" ? std::random_device{}() : number("CCDFUZZ_SEED", asked);
+  const unsigned long effort = number("CCDFUZZ_EFFORT", from_environment("CCDFUZZ_EFFORT", "1"));
+  const std::string params =
+      "seed=" + std::to_string(seed) + " max_success=" + std::to_string(kCasesPerProperty * effort);
+  setenv("RC_PARAMS", params.c_str(), 1);  // before RapidCheck reads it, at the first property
+  return "CCDFUZZ_SEED=" + std::to_string(seed) + " CCDFUZZ_EFFORT=" + std::to_string(effort) + " ";
+}
+
+class PrintsHowToReproduce : public testing::EmptyTestEventListener {
+ public:
+  explicit PrintsHowToReproduce(std::string command) : command_(std::move(command)) {}
+
+ private:
+  void OnTestEnd(const testing::TestInfo& info) override {
+    if (info.result()->Passed() || info.result()->Skipped()) return;
+    std::cout << "reproduce: " << command_ << " --gtest_filter='" << info.test_suite_name() << '.'
+              << info.name() << "'" << std::endl;
+  }
+
+  std::string command_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string assignments = fix_random_cases();
+  testing::InitGoogleMock(&argc, argv);
+  testing::UnitTest::GetInstance()->listeners().Append(
+      new PrintsHowToReproduce(assignments + argv[0]));
+  return RUN_ALL_TESTS();
+}
