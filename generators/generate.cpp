@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include "generators/finalize.hpp"
-#include "generators/moving_plane.hpp"
+#include "generators/first_contact.hpp"
 #include "generators/one_sided.hpp"
+#include "generators/paper.hpp"
 
 namespace ccdfuzz {
 
@@ -25,24 +26,43 @@ Result<void> validate(const GeneratorOptions& options) {
   return {};
 }
 
+namespace {
+
+std::string_view name_of(Construction construction) {
+  return construction == Construction::kPaper ? "paper" : "one-sided";
+}
+
+/// Steps I to IV; nullopt if the static check refused the result.
+std::optional<Scene> construct(const GeneratorOptions& options, Random& random) {
+  if (options.construction == Construction::kPaper) return paper_scene(options.contact, random);
+  return one_sided_scene(options.contact, random);
+}
+
+}  // namespace
+
 Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   CCDFUZZ_VERIFY(validate(options));
   // Neither kind nor eps_T is part of the key: a negative case has the patches of the positive one.
   Random random = Random::keyed({options.seed, index, static_cast<std::uint64_t>(options.contact),
                                  static_cast<std::uint64_t>(options.construction),
                                  static_cast<std::uint64_t>(options.family)});
+  const Dyadic eps_t(1, options.eps_t_exponent);
   Generated out;
   const auto discard = [&out](Discard reason) {
     ++out.discards.discarded[static_cast<size_t>(reason)];
   };
   for (;;) {
     ++out.discards.attempts;
-    const PlanarScene planar = one_sided_scene(options.contact, random);
-    if (!moving_plane_separates(planar.scene, planar.normal)) {
+    const std::optional<Scene> scene = construct(options, random);
+    if (!scene) {
+      discard(Discard::kStaticCheck);
+      continue;
+    }
+    if (!first_contact_is_proven(*scene, scene->contact.t - eps_t)) {
       discard(Discard::kFirstContact);
       continue;
     }
-    std::optional<Case> made = finalize(planar.scene, options);
+    std::optional<Case> made = finalize(*scene, options);
     if (!made) {
       discard(Discard::kRoundTrip);
       continue;
@@ -53,7 +73,7 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   Origin& origin = out.value.origin;
   origin.contact = name_of(options.contact);
   origin.kind = name_of(options.kind);
-  origin.generator = "one-sided";
+  origin.generator = name_of(options.construction);
   origin.seed = options.seed;
   origin.index = index;
   origin.ccdfuzz = CCDFUZZ_VERSION;

@@ -156,11 +156,12 @@ Vec3<Dyadic> upward_velocity(const Vec3<Dyadic>& normal, Random& random) {
 
 }  // namespace
 
-PlanarScene one_sided_scene(ContactClass contact, Random& random) {
+Scene one_sided_scene(ContactClass contact, Random& random) {
   const std::array<Feature, 2> features = features_of(contact);
   Scene scene;
   scene.contact.t = Dyadic(1);
   const Frame frame = random_frame(random);
+  scene.normal = frame.normal;
   const Vec3<Dyadic> point = random.vector(kContactBits, kContactUnit);
   const Vec3<Dyadic> common = random.vector(kVelocityBits, kVelocityUnit);
   for (size_t s = 0; s < 2; ++s) {
@@ -180,7 +181,7 @@ PlanarScene one_sided_scene(ContactClass contact, Random& random) {
       patch.positions[i] = at_contact - patch.velocities[i] * scene.contact.t;
     }
   }
-  return {scene, frame.normal};
+  return scene;
 }
 
 }  // namespace ccdfuzz

@@ -6,12 +6,6 @@
 
 namespace ccdfuzz {
 
-/// A scene and the normal of the plane that proves its first contact.
-struct PlanarScene {
-  Scene scene;
-  Vec3<Dyadic> normal;  ///< from patch 2 to patch 1
-};
-
 /// The one-sided family: Steps I, II and IV in one go, without solving or discarding anything.
 ///
 /// At t* the control points are c + Σ τ·T + h·m: c is the contact point, T1 and T2 span the contact
@@ -22,6 +16,6 @@ struct PlanarScene {
 /// All velocities of patch 1 have a smaller normal part than all of patch 2: moving_plane_separates
 /// holds by construction.
 /// Sizes: patches about 2^2 across, contact point and velocities up to 2^5 and 2^3 a coordinate.
-PlanarScene one_sided_scene(ContactClass contact, Random& random);
+Scene one_sided_scene(ContactClass contact, Random& random);
 
 }  // namespace ccdfuzz

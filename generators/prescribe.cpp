@@ -15,6 +15,27 @@ std::array<Feature, 2> features_of(ContactClass contact) {
   return features.at(static_cast<size_t>(contact));
 }
 
+Barycentric prescribe_in_parent(Feature feature, Random& random) {
+  const Dyadic zero, quarter(1, -2), half(1, -1), one(1);
+  const size_t odd_one = random.below(3);
+  Barycentric x;
+  switch (feature) {
+    case Feature::kFace:
+      x.fill(quarter);
+      x[odd_one] = half;
+      break;
+    case Feature::kEdge:
+      x.fill(half);
+      x[odd_one] = zero;
+      break;
+    case Feature::kCorner:
+      x.fill(zero);
+      x[odd_one] = one;
+      break;
+  }
+  return x;
+}
+
 Barycentric prescribe_anywhere(Feature feature, Random& random) {
   constexpr int kBits = 6, kSteps = 1 << kBits;
   std::array<int, 3> x{};

@@ -12,6 +12,10 @@ enum class Feature : std::uint8_t { kFace, kEdge, kCorner };
 /// The features of patch 1 and patch 2 (Section 5.3: the lower-dimensional one comes first).
 std::array<Feature, 2> features_of(ContactClass contact);
 
+/// Step I as the paper has it (Appendix E.2): a permutation of (1/2, 1/4, 1/4) in the interior, the
+/// midpoint of an edge, or a corner.
+Barycentric prescribe_in_parent(Feature feature, Random& random);
+
 /// Step I of the one-sided family: any parameters in steps of 2^-6 on a random edge or corner, or
 /// in the interior.
 Barycentric prescribe_anywhere(Feature feature, Random& random);

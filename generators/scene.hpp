@@ -12,10 +12,11 @@ struct Contact {
   std::array<Barycentric, 2> x;  ///< where on each patch
 };
 
-/// A construction under way: a contact and two moving quadratic patches.
+/// A construction under way: a contact and two moving quadratic patches that make it.
 struct Scene {
   Contact contact;
   std::array<MovingPatch<Dyadic>, 2> patches;
+  Vec3<Dyadic> normal;  ///< of the contact plane, from patch 2 to patch 1
 };
 
 }  // namespace ccdfuzz

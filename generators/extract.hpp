@@ -1,0 +1,25 @@
+#pragma once
+
+#include "generators/random.hpp"
+#include "generators/scene.hpp"
+
+namespace ccdfuzz {
+
+/// A part of a parent patch, and where a point of the parent lies on it.
+struct LocalPatch {
+  std::array<Barycentric, 3> corners;  ///< of the part, on the parent
+  Barycentric x;                       ///< on the part
+};
+
+/// Step III, the choice (Appendix E.4): a random sub-triangle around x, corners on the grid of
+/// 2^-kGridBits, 2^-3 to 2^-6 of the parent in size. x must be as prescribe_in_parent gives it, and
+/// lies on the part as it does on the parent: inside, on an edge that is part of the parent's edge,
+/// or at a corner that is the parent's corner. The corners are chosen so that the coordinates of x
+/// on the part are dyadic too, multiples of 1/8.
+LocalPatch choose_local_patch(const Barycentric& x, Random& random);
+inline constexpr int kGridBits = 13;
+
+/// Step III, the control points of the part: the parent's blossom at pairs of corners, exactly.
+Points<Dyadic> extract(const Points<Dyadic>& parent, const LocalPatch& part);
+
+}  // namespace ccdfuzz

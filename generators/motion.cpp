@@ -1,0 +1,43 @@
+#include "generators/motion.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+// Velocities are as large as a local patch: up to 2^2, in steps of 2^-15. Coordinates of x are
+// eighths, so the weighted mean of a deformation is a multiple of 2^-21.
+constexpr int kSpeedBits = 17;
+constexpr long kSpeedUnit = -15;
+constexpr int kMaxStiffness = 5;
+
+Points<Dyadic> deformation(const Barycentric& x, Random& random) {
+  const int stiffness = static_cast<int>(random.between(0, kMaxStiffness));
+  Points<Dyadic> rates;
+  for (size_t i = 0; i < 6; ++i) rates.push_back(random.vector(kSpeedBits - stiffness, kSpeedUnit));
+  const Vec3<Dyadic> mean = weighted_sum(bernstein_weights(x), rates);
+  for (Vec3<Dyadic>& r : rates) r -= mean;
+  return rates;
+}
+
+}  // namespace
+
+std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
+                                                 const Contact& contact, const Vec3<Dyadic>& normal,
+                                                 ContactClass kind, Random& random) {
+  const bool restricted = kind != ContactClass::kVE && kind != ContactClass::kVV;
+  std::array<MovingPatch<Dyadic>, 2> patches;
+  for (size_t s = 0; s < 2; ++s) {
+    Vec3<Dyadic> speed = random.vector(kSpeedBits, kSpeedUnit);
+    const int wanted = s == 0 ? -1 : 1;
+    if (restricted && dot(normal, speed).sign() * wanted < 0) speed = -speed;
+    MovingPatch<Dyadic>& patch = patches[s];
+    patch = {kQuadratic, points[s], deformation(contact.x[s], random)};
+    for (size_t i = 0; i < 6; ++i) {
+      patch.velocities[i] += speed;
+      patch.positions[i] -= patch.velocities[i] * contact.t;
+    }
+  }
+  return patches;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "generators/random.hpp"
+#include "generators/scene.hpp"
+#include "query/taxonomy.hpp"
+
+namespace ccdfuzz {
+
+/// Step IV: gives the patches velocities under which they are at `points` at t*, and traces their
+/// control points back to t = 0.
+///
+/// The velocity of each contact point is drawn first, on its side of the contact plane: patch 1
+/// moves against the normal and patch 2 along it (FF, EF, EE, VF; no restriction for VE and VV, as
+/// in Section 5.3). Control velocities are that plus a deformation of random strength whose
+/// weighted mean at the contact is zero, so Σ β v is the velocity drawn.
+std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
+                                                 const Contact& contact, const Vec3<Dyadic>& normal,
+                                                 ContactClass kind, Random& random);
+
+}  // namespace ccdfuzz

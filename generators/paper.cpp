@@ -1,0 +1,33 @@
+#include "generators/paper.hpp"
+
+#include "generators/extract.hpp"
+#include "generators/motion.hpp"
+#include "generators/prescribe.hpp"
+#include "generators/static_check.hpp"
+#include "generators/static_contact.hpp"
+
+namespace ccdfuzz {
+
+std::optional<Scene> paper_scene(ContactClass contact, Random& random) {
+  const std::array<Feature, 2> features = features_of(contact);
+  std::array<Barycentric, 2> x;
+  for (size_t s = 0; s < 2; ++s) x[s] = prescribe_in_parent(features[s], random);
+
+  const std::array<Points<Dyadic>, 2> parents = static_contact(x, random);
+  const std::optional<Vec3<Dyadic>> normal = static_check(parents, x);
+  if (!normal) return std::nullopt;
+
+  Scene scene;
+  scene.contact.t = Dyadic(1);
+  scene.normal = *normal;
+  std::array<Points<Dyadic>, 2> points;
+  for (size_t s = 0; s < 2; ++s) {
+    const LocalPatch part = choose_local_patch(x[s], random);
+    scene.contact.x[s] = part.x;
+    points[s] = extract(parents[s], part);
+  }
+  scene.patches = set_in_motion(points, scene.contact, scene.normal, contact, random);
+  return scene;
+}
+
+}  // namespace ccdfuzz

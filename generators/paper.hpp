@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+
+#include "generators/random.hpp"
+#include "generators/scene.hpp"
+#include "query/taxonomy.hpp"
+
+namespace ccdfuzz {
+
+/// Steps I to IV as the paper has them: parameters, two random patches in (tangential) contact, the
+/// static check, local parts of them, velocities. nullopt if the static check discards it. Nothing
+/// is known yet of the time before t*.
+/// Every number is a multiple of 2^-41 below 2^11, which a double holds.
+std::optional<Scene> paper_scene(ContactClass contact, Random& random);
+
+}  // namespace ccdfuzz
