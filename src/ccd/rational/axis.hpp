@@ -23,8 +23,8 @@ struct Axis {
   friend bool operator==(const Axis&, const Axis&) = default;
 };
 
-/// The integer vector closest in direction to `direction` with components of magnitude ≤ 2^bits,
-/// the largest ≥ 2^(bits−1). Nothing if direction is zero or not finite. Requires 1 ≤ bits ≤ 30.
+/// The integer vector with a largest component of magnitude 2^bits that is nearest in direction to
+/// `direction`. Nothing if direction is zero or not finite. Requires 1 ≤ bits ≤ 30.
 std::optional<Axis> round_to_axis(const Vec3<double>& direction, int bits);
 
 }  // namespace ccdfuzz::exact_ccd

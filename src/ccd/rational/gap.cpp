@@ -53,7 +53,7 @@ int top_of(double m) {
 void Gap::begin(const Query& query) {
   query_ = &query;
   units_ = Units::of(query);
-  gmp_.loaded = false;
+  std::apply([](auto&... tier) { ((tier.loaded = false), ...); }, tiers_);
 
   int top = std::numeric_limits<int>::min() / 2;
   for (const MovingPatch<double>& patch : query.patches) {
@@ -156,9 +156,17 @@ int Gap::exact_sign(int below, double t, const Extremes& at) {
   const std::array<std::span<const std::uint8_t>, 2> candidates = {
       std::span(marks[0]).first(static_cast<size_t>(selected_[0].count)),
       std::span(marks[1]).first(static_cast<size_t>(selected_[1].count))};
-  const double time = unscaled(t);
-  ++counts_.gmp;
-  return load(gmp_).gap_sign(below, cells_, axis_, time, candidates);
+  const auto ask = [&]<class Int>(std::uint64_t& count) {
+    ++count;
+    return std::get<Tier<Int>>(tiers_)
+        .of(*query_, units_)
+        .gap_sign(below, cells_, axis_, unscaled(t), candidates);
+  };
+  const int bits = units_.bits_needed(axis_bits_, cells_[0].depth);
+  if (bits <= 128) return ask.operator()<WideInt<128>>(counts_.int128);
+  if (bits <= 256) return ask.operator()<WideInt<256>>(counts_.int256);
+  if (bits <= 512) return ask.operator()<WideInt<512>>(counts_.int512);
+  return ask.operator()<Integer>(counts_.gmp);
 }
 
 }  // namespace ccdfuzz::exact_ccd

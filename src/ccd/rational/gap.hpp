@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <tuple>
 
 #include "ccd/rational/axis.hpp"
 #include "ccd/rational/cell_points.hpp"
@@ -77,17 +78,18 @@ class Gap {
  private:
   int exact_sign(int below, double t, const Extremes& at);
 
+  /// The query in integers of one size, made when first needed.
   template <class Int>
   struct Tier {
     ExactScene<Int> scene;
     bool loaded = false;
+
+    ExactScene<Int>& of(const Query& query, const Units& units) {
+      if (!loaded) scene.load(query, units);
+      loaded = true;
+      return scene;
+    }
   };
-  template <class Int>
-  ExactScene<Int>& load(Tier<Int>& tier) {
-    if (!tier.loaded) tier.scene.load(*query_, units_);
-    tier.loaded = true;
-    return tier.scene;
-  }
 
   const Query* query_ = nullptr;
   Units units_;
@@ -102,7 +104,7 @@ class Gap {
   std::array<std::array<double, kMaxControls>, 2> slopes_, intercepts_;
   double error_per_norm_ = 0, error_ = 0;
 
-  Tier<Integer> gmp_;
+  std::tuple<Tier<WideInt<128>>, Tier<WideInt<256>>, Tier<WideInt<512>>, Tier<Integer>> tiers_;
   TierCounts counts_;
 };
 

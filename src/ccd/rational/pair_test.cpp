@@ -6,10 +6,11 @@ namespace ccdfuzz::exact_ccd {
 
 namespace {
 
-/// Bits of an axis for cells of a given depth. A cell of width 2^-d has a thickness of the order
-/// of 2^-2d, so an axis off by 2^-d blurs it by its own thickness; a few bits more lose nothing.
+/// Bits of an axis for cells of a given depth. A cell of width 2^-d is about 2^-2d thick, so an
+/// axis that is off by 2^-d blurs it by its own thickness. Flat patches are thinner, and need the
+/// rest.
 int axis_bits(int depth) {
-  constexpr int kSpare = 4, kLeast = 8, kMost = 30;
+  constexpr int kSpare = 16, kLeast = 8, kMost = 30;
   return std::clamp(depth + kSpare, kLeast, kMost);
 }
 
