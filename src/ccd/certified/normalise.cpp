@@ -1,0 +1,114 @@
+#include "ccd/certified/normalise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ccdfuzz::certified {
+
+namespace {
+
+constexpr double kEta = std::numeric_limits<double>::denorm_min();
+
+/// The least e with |x| < 2^e for every x given so far.
+struct ExponentRange {
+  int top = std::numeric_limits<int>::min() / 4;  // nothing but zeros so far
+  void add(double x) {
+    if (x == 0) return;
+    int e = 0;
+    std::frexp(x, &e);
+    top = std::max(top, e);
+  }
+  bool empty() const { return top < -5000; }
+};
+
+/// Past this exponent p − c could overflow, so all is first scaled down by 2^-2.
+constexpr int kLargestSafeExponent = 1022;
+
+/// Subtracts the centre of each component's range, after scaling by 2^-shift.
+/// One rounding each, u·|x − c|: gradual underflow makes a subnormal difference exact.
+void centre(std::array<std::vector<std::array<double, 6>>, 2>& controls, int first, int shift) {
+  for (int k = first; k < first + 3; ++k) {
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (auto& side : controls) {
+      for (auto& x : side) {
+        if (shift != 0) x[k] = std::ldexp(x[k], -shift);
+        lo = std::min(lo, x[k]);
+        hi = std::max(hi, x[k]);
+      }
+    }
+    const double c = lo / 2 + hi / 2;  // any finite c is right
+    for (auto& side : controls) {
+      for (auto& x : side) x[k] -= c;
+    }
+  }
+}
+
+}  // namespace
+
+NormalisedQuery normalise(const Query& query) {
+  NormalisedQuery out;
+  ExponentRange positions, velocities;
+  for (size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>& patch = query.patches[s];
+    out.shapes[s] = patch.shape;
+    out.controls[s].resize(patch.positions.size());
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        out.controls[s][i][k] = patch.positions[i][k];
+        // With t_max = 0 only positions count.
+        out.controls[s][i][k + 3] = query.t_max == 0 ? 0.0 : patch.velocities[i][k];
+        positions.add(out.controls[s][i][k]);
+        velocities.add(out.controls[s][i][k + 3]);
+      }
+    }
+  }
+  out.t_max = std::frexp(query.t_max, &out.time);
+
+  // Stage 1 and 2: away from overflow, then to the centre.
+  const int shift_p = positions.top > kLargestSafeExponent ? 2 : 0;
+  const int shift_v = velocities.top > kLargestSafeExponent ? 2 : 0;
+  centre(out.controls, 0, shift_p);
+  centre(out.controls, 3, shift_v);
+
+  // Stage 3: the larger of positions and of the ways covered in [0, t_max] to magnitude 1.
+  ExponentRange p, v;
+  for (const auto& side : out.controls) {
+    for (const auto& x : side) {
+      for (int k = 0; k < 3; ++k) {
+        p.add(x[k]);
+        v.add(x[k + 3]);
+      }
+    }
+  }
+  int top = std::numeric_limits<int>::min() / 4;
+  if (!p.empty()) top = std::max(top, p.top + shift_p);
+  if (!v.empty()) top = std::max(top, v.top + shift_v + out.time);
+  if (p.empty() && v.empty()) top = 0;
+  const int scale_p = shift_p - top, scale_v = shift_v + out.time - top;
+  std::array<double, 2> largest_p{}, largest_v{};
+  for (size_t s = 0; s < 2; ++s) {
+    for (auto& x : out.controls[s]) {
+      for (int k = 0; k < 3; ++k) {
+        x[k] = std::ldexp(x[k], scale_p);
+        x[k + 3] = std::ldexp(x[k + 3], scale_v);
+        largest_p[s] = std::max(largest_p[s], std::abs(x[k]));
+        largest_v[s] = std::max(largest_v[s], std::abs(x[k + 3]));
+      }
+    }
+  }
+  out.magnitude = (largest_p[0] + largest_v[0]) + (largest_p[1] + largest_v[1]);
+  // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3; in stage 1 too, on x and on c's
+  // behalf once, magnified by stage 3.
+  out.absolute = kEta;
+  if (shift_p != 0) out.absolute += std::ldexp(kEta, std::max(scale_p, 0));
+  if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0));
+  return out;
+}
+
+double original_time(double t, int time) {
+  const double scaled = std::ldexp(t, time);
+  return std::ldexp(scaled, -time) > t ? std::nextafter(scaled, 0.0) : scaled;
+}
+
+}  // namespace ccdfuzz::certified

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "query/query.hpp"
+
+namespace ccdfuzz::certified {
+
+/// A query brought to magnitude 1 by steps whose rounding is known, so that no finite input under-
+/// or overflows later and the error bound scales with the scene, not with its distance from the
+/// origin.
+///
+/// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
+/// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component
+///   |p' − p''| ≤ u·|p''| + absolute,   |v' − v''| ≤ u·|v''| + absolute,   u = 2^-53.
+/// Time is t' = t / 2^time in [0, t_max]; t_max in [½, 1), or 0. A common c + t·w moves both
+/// patches alike, so contacts and their times are those of the query.
+struct NormalisedQuery {
+  std::array<Shape, 2> shapes;
+  /// Component k = 0..2 of position i at [side][i][k], of velocity at [side][i][k + 3].
+  std::array<std::vector<std::array<double, 6>>, 2> controls;
+  double t_max = 0;
+  int time = 0;          ///< t = t'·2^time
+  double magnitude = 0;  ///< ≥ Σ over sides of max|p'| + max|v'| (the M of DERIVATION.md)
+  double absolute = 0;   ///< the absolute part of the error above
+};
+
+NormalisedQuery normalise(const Query& query);
+
+/// The largest double ≤ t'·2^time.
+double original_time(double t, int time);
+
+}  // namespace ccdfuzz::certified

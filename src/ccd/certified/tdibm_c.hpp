@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ccd/certified/cell_tree.hpp"
+#include "ccd/certified/normalise.hpp"
+#include "ccd/certified/window_trim.hpp"
+#include "ccd/search.hpp"
+#include "query/answer.hpp"
+
+namespace ccdfuzz {
+
+/// tdibm-c: the certified method (DERIVATION.md, "tdibm-c").
+///
+/// Never misses: a pair of cells is dropped, and a window shortened, only where an axis separates
+/// the two control nets with a margin above the error bound at both ends of the dropped time
+/// interval; by convexity it then separates them throughout. So
+///   miss       no contact in [0, t_max], for every finite input;
+///   hit        a pair of cells no wider than `precision` could not be separated at toi; every
+///   contact
+///              is at toi or later;
+///   undecided  a budget ran out; every contact is at toi or later.
+/// How early toi can be: no later time is certified clear for that pair, so it is early by at most
+/// the time in which the pair's hulls, of diameter O(precision), approach each other.
+class TdibmC {
+ public:
+  Answer answer(const Query& query, const SearchOptions& options);
+
+ private:
+  using Node = certified::CellTree::Node;
+
+  struct Entry {
+    Window window;
+    certified::Axis hint;  ///< the axis that did most for the parent
+    std::uint64_t key;     ///< start of the window in steps of kTimeSteps, then order of arrival
+    Node cells[2];
+    std::uint32_t steps;
+    std::uint16_t depth;
+  };
+
+  struct Child {
+    Node node;
+    certified::RangePair coordinate[3];
+    certified::RangePair shared[3];
+    bool has_shared;
+  };
+
+  static bool later(const Entry& x, const Entry& y);
+  Answer decide(const Query& query, const SearchOptions& options);
+  void push(const Window& window, const certified::Axis& hint, Node a, Node b, int depth);
+  void expand(const Entry& entry);
+  bool narrow(const Child& a, const Child& b, const double bound[6],
+              const certified::ErrorBound& error, Window& w, certified::Axis& hint);
+  double earliest(double so_far) const;
+  size_t bytes() const;
+
+  certified::NormalisedQuery query_;
+  certified::CellTree trees_[2];
+  std::vector<Entry> queue_;
+  std::uint64_t pushed_ = 0;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "ccd/certified/projection.hpp"
+#include "ccd/search.hpp"
+
+namespace ccdfuzz::certified {
+
+/// Two nets whose separation on one axis is in question. h(t) = max of one − min of the other is
+/// convex in t, so that h certified negative at two times is negative between them.
+struct NetPair {
+  const double* net[2];
+  int width[2];
+};
+
+/// fl(h) at both window ends, for side 0 below side 1 (sign 0) and above it (sign 1).
+struct Gaps {
+  double at_lo[2], at_hi[2];
+
+  Gaps(const RangePair& a, const RangePair& b)
+      : at_lo{a.at_lo.max - b.at_lo.min, b.at_lo.max - a.at_lo.min},
+        at_hi{a.at_hi.max - b.at_hi.min, b.at_hi.max - a.at_hi.min} {}
+
+  /// Separated throughout the window, certainly.
+  bool separated(double bound) const {
+    return (at_lo[0] < -bound && at_hi[0] < -bound) || (at_lo[1] < -bound && at_hi[1] < -bound);
+  }
+
+  /// Separated at one end at least, certainly.
+  bool separated_at_an_end(double bound) const {
+    return at_lo[0] < -bound || at_hi[0] < -bound || at_lo[1] < -bound || at_hi[1] < -bound;
+  }
+};
+
+/// Where the chord through (t0, h0) and (t1, h1), h0 < 0 ≤ h1, reaches zero, rounded towards t0.
+/// h0 and h1 are upper bounds of h: by convexity h < 0 from t0 up to, but without, the result.
+/// The quotient is in [0, 1] with three roundings, the product and the sum add two; t1 may be < t0.
+inline double chord_root(double t0, double h0, double t1, double h1) {
+  const double share = (-h0 / (h1 - h0)) * (1 - 0x1p-50);  // five roundings ≤ 5·2^-53 < 2^-50
+  const double t = t0 + (t1 - t0) * share;
+  // The last sum rounds by half an ulp of t: one step back covers it.
+  const double safe = std::nextafter(t, t0);
+  return t0 < t1 ? std::max(t0, safe) : std::min(t0, safe);
+}
+
+/// Moves the ends of w inward by what the chord of each end allows; free of further evaluation.
+inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
+  const Window whole = w;
+  for (int sign = 0; sign < 2; ++sign) {
+    const double h_lo = gaps.at_lo[sign] + bound, h_hi = gaps.at_hi[sign] + bound;
+    // fl(gap + bound) is an upper bound of h up to one rounding, which the slack in bound covers.
+    if (gaps.at_lo[sign] < -bound && h_hi >= 0) {
+      w.lo = std::max(w.lo, chord_root(whole.lo, h_lo, whole.hi, h_hi));
+    } else if (gaps.at_hi[sign] < -bound && h_lo >= 0) {
+      w.hi = std::min(w.hi, chord_root(whole.hi, h_hi, whole.lo, h_lo));
+    }
+  }
+}
+
+/// Moves one end of w inward to a time at which separation is certified again, by Newton's
+/// iteration from the other end. sign: which side is below. Returns false if no step was certified.
+bool trim_by_newton(const NetPair& nets, const Axis& axis, double bound, int sign, bool low_end,
+                    Window& w);
+
+}  // namespace ccdfuzz::certified

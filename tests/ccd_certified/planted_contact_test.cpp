@@ -1,0 +1,60 @@
+#include "bezier/blossom.hpp"
+#include "bezier/random_patch.hpp"
+#include "ccd/certified/tdibm_c.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// Two random moving patches of any shapes with an exact contact at a random dyadic time and place.
+struct Planted {
+  Query query;
+  double t = 0;
+  std::array<Uv<Dyadic>, 2> uv;
+};
+
+MovingPatch<double> to_double(const MovingPatch<Dyadic>& patch) {
+  MovingPatch<double> out{patch.shape, {}, {}};
+  const auto convert = [](const Points<Dyadic>& from, Points<double>& to) {
+    for (const Vec3<Dyadic>& p : from) {
+      to.push_back(
+          {*p[0].to_double_exactly(), *p[1].to_double_exactly(), *p[2].to_double_exactly()});
+    }
+  };
+  convert(patch.positions, out.positions);
+  convert(patch.velocities, out.velocities);
+  return out;
+}
+
+Planted any_planted() {
+  Planted out;
+  const Dyadic t(*rc::gen::inRange(0, 17), -4);
+  std::array<MovingPatch<Dyadic>, 2> patches;
+  std::array<Vec3<Dyadic>, 2> at;
+  for (size_t s = 0; s < 2; ++s) {
+    const Shape shape = *any_shape(3);
+    patches[s] = {shape, any_points(shape), any_points(shape)};
+    out.uv[s] = any_uv(shape);
+    at[s] = evaluate(patches[s], out.uv[s], t);
+  }
+  for (Vec3<Dyadic>& p : patches[1].positions) {
+    for (int k = 0; k < 3; ++k) p[k] += at[0][k] - at[1][k];
+  }
+  for (size_t s = 0; s < 2; ++s) out.query.patches[s] = to_double(patches[s]);
+  out.t = *t.to_double_exactly();
+  out.query.t_max = out.t * *rc::gen::element(1.0, 1 + 0x1p-30, 1.5, 2.0);
+  return out;
+}
+
+RC_GTEST_PROP(TdibmC, NeverMissesNorIsLateOnAPlantedContact, ()) {
+  const Planted planted = any_planted();
+  TdibmC method;
+  const Answer answer = method.answer(planted.query, {.precision = 0x1p-6, .max_pops = 2000});
+  RC_LOG() << "t = " << planted.t << ", t_max = " << planted.query.t_max << ", pops " << answer.pops
+           << std::endl;
+  RC_ASSERT(answer.verdict != Verdict::kMiss);
+  RC_ASSERT(answer.toi.has_value());
+  RC_ASSERT(*answer.toi <= planted.t);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
