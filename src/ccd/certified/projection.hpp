@@ -1,9 +1,9 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace ccdfuzz::certified {
@@ -55,50 +55,42 @@ class ErrorBound {
   double relative_ = 0;
 };
 
-using Lanes [[gnu::vector_size(32)]] = double;
+/// Four control points at once; Eigen maps them to what the target's vector unit has.
+using Lanes = Eigen::Array4d;
 
-/// Running extents at two times, four control points at once.
+inline Eigen::Map<const Lanes> load(const double* x) {
+  return Eigen::Map<const Lanes>(x);
+}
+
+/// Running extents at two times.
 class Extents {
  public:
   void add(const Lanes& a, const Lanes& b, double t0, double t1) {
     const Lanes x0 = a * t0 + b, x1 = a * t1 + b;
-    min0_ = x0 < min0_ ? x0 : min0_;
-    max0_ = x0 > max0_ ? x0 : max0_;
-    min1_ = x1 < min1_ ? x1 : min1_;
-    max1_ = x1 > max1_ ? x1 : max1_;
+    min0_ = min0_.min(x0);
+    max0_ = max0_.max(x0);
+    min1_ = min1_.min(x1);
+    max1_ = max1_.max(x1);
   }
   RangePair result() const {
-    return {{lowest(min0_), highest(max0_)}, {lowest(min1_), highest(max1_)}};
+    return {{min0_.minCoeff(), max0_.maxCoeff()}, {min1_.minCoeff(), max1_.maxCoeff()}};
   }
 
  private:
-  static double lowest(const Lanes& x) {
-    return std::min(std::min(x[0], x[1]), std::min(x[2], x[3]));
-  }
-  static double highest(const Lanes& x) {
-    return std::max(std::max(x[0], x[1]), std::max(x[2], x[3]));
-  }
   static constexpr double kInf = std::numeric_limits<double>::infinity();
-  Lanes min0_ = {kInf, kInf, kInf, kInf}, min1_ = min0_;
-  Lanes max0_ = {-kInf, -kInf, -kInf, -kInf}, max1_ = max0_;
+  Lanes min0_ = Lanes::Constant(kInf), min1_ = min0_;
+  Lanes max0_ = Lanes::Constant(-kInf), max1_ = max0_;
 };
 
 /// Extents on axis l at times t0 and t1 of a net of `width` (a multiple of 4) control points.
 /// Each value is ((l₀x + l₁y) + l₂z) for position and velocity, then fl(a·t) + b.
 inline RangePair project(const double* net, int width, const Axis& l, double t0, double t1) {
   Extents extents;
-  const auto along = [&](const double* x, Lanes& out) {
-    Lanes px, py, pz;
-    std::memcpy(&px, x, sizeof px);
-    std::memcpy(&py, x + width, sizeof py);
-    std::memcpy(&pz, x + 2 * width, sizeof pz);
-    out = (l[0] * px + l[1] * py) + l[2] * pz;
+  const auto along = [&](const double* x) -> Lanes {
+    return (l[0] * load(x) + l[1] * load(x + width)) + l[2] * load(x + 2 * width);
   };
   for (int i = 0; i < width; i += 4) {
-    Lanes a, b;
-    along(net + i, b);
-    along(net + 3 * width + i, a);
-    extents.add(a, b, t0, t1);
+    extents.add(along(net + 3 * width + i), along(net + i), t0, t1);
   }
   return extents.result();
 }
@@ -107,10 +99,7 @@ inline RangePair project(const double* net, int width, const Axis& l, double t0,
 inline RangePair project_coordinate(const double* net, int width, int k, double t0, double t1) {
   Extents extents;
   for (int i = 0; i < width; i += 4) {
-    Lanes a, b;
-    std::memcpy(&b, net + k * width + i, sizeof b);
-    std::memcpy(&a, net + (k + 3) * width + i, sizeof a);
-    extents.add(a, b, t0, t1);
+    extents.add(load(net + (k + 3) * width + i), load(net + k * width + i), t0, t1);
   }
   return extents.result();
 }
