@@ -86,6 +86,7 @@ NormalisedQuery normalise(const Query& query) {
   if (!v.empty()) top = std::max(top, v.top + shift_v + out.time);
   if (p.empty() && v.empty()) top = 0;
   const int scale_p = shift_p - top, scale_v = shift_v + out.time - top;
+  out.space = -top;
   std::array<double, 2> largest_p{}, largest_v{};
   for (size_t s = 0; s < 2; ++s) {
     for (auto& x : out.controls[s]) {

@@ -22,6 +22,7 @@ struct NormalisedQuery {
   std::array<std::vector<std::array<double, 6>>, 2> controls;
   double t_max = 0;
   int time = 0;          ///< t = t'·2^time
+  int space = 0;         ///< lengths are scaled by 2^space
   double magnitude = 0;  ///< ≥ Σ over sides of max|p'| + max|v'| (the M of DERIVATION.md)
   double absolute = 0;   ///< the absolute part of the error above
 };

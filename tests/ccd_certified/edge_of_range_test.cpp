@@ -1,0 +1,106 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "ccd/certified/tdibm_c.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+MovingPatch<double> triangle(double z, double vz, double scale) {
+  MovingPatch<double> patch{Shape::triangle(1), {{0, 0, z}, {0, 1, z}, {1, 0, z}}, {}};
+  for (auto& p : patch.positions) p *= scale;
+  patch.velocities.assign(3, {0, 0, vz * scale});
+  return patch;
+}
+
+Answer ask(const Query& query) {
+  TdibmC method;
+  return method.answer(query, {.precision = 0x1p-8, .max_pops = 20000});
+}
+
+TEST(TdibmC, KeepsAContactAtExactlyTheEndOfTime) {
+  for (const double scale : {1.0, 0x1p-1000, 0x1p-1060, 0x1p900, 0x1p1019}) {
+    const Query query{{triangle(0, 0, scale), triangle(1, -1, scale)}, 1};
+    const Answer answer = ask(query);
+    EXPECT_EQ(answer.verdict, Verdict::kHit) << to_hex(scale);
+    EXPECT_LE(answer.toi.value_or(2), 1) << to_hex(scale);
+    EXPECT_GE(answer.toi.value_or(0), 0.9) << to_hex(scale);
+  }
+}
+
+TEST(TdibmC, ProvesAMissJustBeforeTheContact) {
+  for (const double scale : {1.0, 0x1p-1000, 0x1p900, 0x1p1019}) {
+    const Query query{{triangle(0, 0, scale), triangle(1, -1, scale)}, 1 - 0x1p-30};
+    EXPECT_EQ(ask(query).verdict, Verdict::kMiss) << to_hex(scale);
+  }
+}
+
+TEST(TdibmC, KeepsContactsAtTimeZeroAndStaticOnes) {
+  for (const double vz : {0.0, 1.0, -1.0}) {
+    const Query query{{triangle(0, 0, 1), triangle(0, vz, 1)}, 1};
+    const Answer answer = ask(query);
+    EXPECT_NE(answer.verdict, Verdict::kMiss) << vz;
+    EXPECT_EQ(answer.toi, 0.0) << vz;
+  }
+}
+
+TEST(TdibmC, DecidesAtTMaxZero) {
+  EXPECT_EQ(ask({{triangle(0, 5, 1), triangle(1, -5, 1)}, 0}).verdict, Verdict::kMiss);
+  EXPECT_NE(ask({{triangle(0, 5, 1), triangle(0, -5, 1)}, 0}).verdict, Verdict::kMiss);
+}
+
+TEST(TdibmC, KeepsAContactBetweenTwoSeparatedIntervals) {
+  // A point sweeps through the tip of a flat triangle and out again: contact at t = ½ alone.
+  const MovingPatch<double> point{Shape::point(), {{-1, 0, 0}}, {{2, 0, 0}}};
+  const MovingPatch<double> tip{
+      Shape::triangle(1), {{0, 0, 0}, {-1, 1, 0}, {1, 1, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  for (const double t_max : {0.5, 0.5 + 0x1p-30, 1.0, 2.0}) {
+    const Answer answer = ask({{point, tip}, t_max});
+    EXPECT_EQ(answer.verdict, Verdict::kHit) << t_max;
+    EXPECT_LE(answer.toi.value_or(2), 0.5) << t_max;
+  }
+}
+
+TEST(TdibmC, TimesAreRoundedDownWhereTheyAreSubnormal) {
+  const double tiny = 3 * std::numeric_limits<double>::denorm_min();
+  const Query query{{triangle(0, 0, 1), triangle(1, -0x1p1000, 1)}, tiny};
+  EXPECT_EQ(ask(query).verdict, Verdict::kMiss);
+  const Query touching{{triangle(0, 0, 1), triangle(0, 1, 1)}, tiny};
+  EXPECT_EQ(ask(touching).toi, 0.0);
+}
+
+TEST(TdibmC, GivesUpWithALowerBoundWhenABudgetEnds) {
+  MovingPatch<double> curved{
+      Shape::triangle(2),
+      {{0, 0, 0}, {0, .5, .2}, {0, 1, 0}, {.5, 0, .2}, {.5, .5, .3}, {1, 0, 0}},
+      std::vector<Vec3<double>>(6, {0, 0, 0})};
+  TdibmC method;
+  for (const SearchOptions& options :
+       {SearchOptions{.precision = 1e-6, .max_pops = 50},
+        SearchOptions{.precision = 1e-6, .max_pops = 1'000'000, .max_bytes = 1 << 16}}) {
+    const Answer answer = method.answer({{curved, curved}, 1}, options);
+    if (answer.verdict == Verdict::kHit)
+      continue;  // the first vertices touch: that is a right answer
+    EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+    EXPECT_EQ(answer.toi, 0.0);
+    EXPECT_FALSE(answer.note.empty());
+  }
+}
+
+TEST(TdibmC, KeepsNoStateBetweenQueries) {
+  TdibmC used;
+  const Query far{{triangle(0, 0, 1), triangle(3, -1, 1)}, 1};
+  const Query near{{triangle(0, 0, 0x1p-40), triangle(1, -1, 0x1p-40)}, 1};
+  const Answer fresh = ask(near);
+  used.answer(far, {});
+  const Answer again = used.answer(near, {.precision = 0x1p-8, .max_pops = 20000});
+  EXPECT_EQ(again.verdict, fresh.verdict);
+  EXPECT_EQ(again.toi, fresh.toi);
+  EXPECT_EQ(again.uv, fresh.uv);
+  EXPECT_EQ(again.pops, fresh.pops);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
