@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "ccd/certified/tdibm_c.hpp"
 #include "ccd/tdibm.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
@@ -68,6 +69,8 @@ const std::vector<Family>& families() {
       family<Tdibm<ErrorBoundPrinted>>({"tdibm-e-literal", kErrorBounds,
                                         "tdibm with error bounds, eps_Phi's sign as printed",
                                         true}),
+      family<TdibmC>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
+                      "ours: separation certified at both ends of a window", true}),
   };
   return all;
 }
