@@ -1,0 +1,125 @@
+#include "ccd/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "ccd/tdibm.hpp"
+#include "ccd/traditional.hpp"
+#include "named_queries.hpp"
+#include "planted.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// The same patch twice, at rest: every pair of parts that touch does so at all times.
+Query identical_static_patches() {
+  Random random = Random::keyed({12});
+  Query query = plant_contact(random, Shape::triangle(2), Shape::triangle(2)).query;
+  for (Vec3<double>& v : query.patches[0].velocities) v = {0, 0, 0};
+  query.patches[1] = query.patches[0];
+  return query;
+}
+
+TEST(Search, DepthIsTheLeastThatMeetsThePrecision) {
+  for (const double precision : {1., .5, .3, .25, 1e-2, 1e-4, 0x1p-20, 1e-6}) {
+    const int depth = depth_for(precision);
+    EXPECT_LE(std::ldexp(1.0, -depth), precision);
+    EXPECT_GT(std::ldexp(1.0, 1 - depth), precision);
+  }
+  EXPECT_EQ(depth_for(1e-300), Cell::kMaxDepth);
+}
+
+TEST(Search, PopBudgetGivesUndecidedWithTheFrontiersLowestTime) {
+  Tdibm<ErrorBoundIntended> method;
+  SearchOptions options;
+  options.precision = 1e-2;
+  const Query query = twin_shield();
+  const Answer decided = method.answer(query, options);
+  ASSERT_EQ(decided.verdict, Verdict::kHit);
+  double last = 0;
+  for (std::uint64_t pops = 0; pops < decided.pops; ++pops) {
+    options.max_pops = pops;
+    const Answer answer = method.answer(query, options);
+    ASSERT_EQ(answer.verdict, Verdict::kUndecided) << pops;
+    EXPECT_EQ(answer.pops, pops);
+    EXPECT_GE(answer.toi.value(), last) << "the frontier only moves on";
+    EXPECT_LE(answer.toi.value(), decided.toi.value());
+    EXPECT_FALSE(answer.note.empty());
+    last = answer.toi.value();
+  }
+  EXPECT_GT(last, 0);
+}
+
+TEST(Search, MemoryBudgetGivesUndecided) {
+  Tdibm<ErrorBoundIntended> method;
+  SearchOptions options;
+  options.max_bytes = 1000;
+  const Answer answer = method.answer(identical_static_patches(), options);
+  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_EQ(answer.toi, 0);
+}
+
+template <class Method>
+void expect_no_miss(Method&& method, const Query& query) {
+  SearchOptions options;
+  options.max_pops = 2000;
+  const Answer answer = method.answer(query, options);
+  EXPECT_NE(answer.verdict, Verdict::kMiss);
+  EXPECT_EQ(answer.toi, 0);
+}
+
+TEST(Search, IdenticalStaticPatchesAreNeverMissed) {
+  expect_no_miss(Tdibm<Plain>(), identical_static_patches());
+  expect_no_miss(Tdibm<PullApart>(PullApart(1e-12)), identical_static_patches());
+  expect_no_miss(Tdibm<RelativePullApart>(RelativePullApart(1e-12)), identical_static_patches());
+  expect_no_miss(Tdibm<ErrorBoundIntended>(), identical_static_patches());
+  expect_no_miss(Tdibm<ErrorBoundPrinted>(), identical_static_patches());
+  expect_no_miss(Traditional(), identical_static_patches());
+  expect_no_miss(Traditional(BoxKind::kAxisAligned), identical_static_patches());
+}
+
+TEST(Search, PatchesWithoutAnyAxisAreNeverMissed) {
+  Query query = identical_static_patches();
+  for (MovingPatch<double>& patch : query.patches) {
+    patch.positions.assign(6, patch.positions[0]);
+  }
+  expect_no_miss(Tdibm<Plain>(), query);
+  expect_no_miss(Tdibm<ErrorBoundIntended>(), query);
+  expect_no_miss(Traditional(), query);
+}
+
+/// Two points that approach along x and meet at t = 1/2 exactly.
+Query meeting_points(double t_max) {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
+  query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
+  query.t_max = t_max;
+  return query;
+}
+
+TEST(Search, TheStepIsClosedAtItsEnd) {
+  Tdibm<Plain> plain;
+  Tdibm<ErrorBoundIntended> error_bound;
+  for (const double t_max : {.5, std::nextafter(.5, 1.), 1.}) {
+    EXPECT_EQ(plain.answer(meeting_points(t_max), {}).verdict, Verdict::kHit) << t_max;
+    EXPECT_EQ(plain.answer(meeting_points(t_max), {}).toi, .5) << t_max;
+    EXPECT_EQ(error_bound.answer(meeting_points(t_max), {}).verdict, Verdict::kHit) << t_max;
+  }
+  EXPECT_EQ(plain.answer(meeting_points(std::nextafter(.5, 0.)), {}).verdict, Verdict::kMiss);
+}
+
+TEST(Search, TheStepIsClosedAtItsStart) {
+  Query query;  // touching at t = 0, parting after
+  query.patches[0] = {Shape::point(), {{1, 2, 3}}, {{1, 0, 0}}};
+  query.patches[1] = {Shape::point(), {{1, 2, 3}}, {{-1, 0, 0}}};
+  for (const double t_max : {0., 1.}) {
+    query.t_max = t_max;
+    EXPECT_EQ(Tdibm<Plain>().answer(query, {}).toi, 0) << t_max;
+    EXPECT_EQ(Tdibm<ErrorBoundIntended>().answer(query, {}).toi, 0) << t_max;
+    EXPECT_EQ(Traditional().answer(query, {}).toi, 0) << t_max;
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
