@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -34,8 +35,14 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-bool is_temporary_name(std::string_view file_name) {
-  return file_name.starts_with(kTemporaryPrefix);
+std::optional<int> temporary_writer(std::string_view file_name) {
+  if (!file_name.starts_with(kTemporaryPrefix)) return std::nullopt;
+  file_name.remove_prefix(kTemporaryPrefix.size());
+  int process = 0;
+  const char* const end = file_name.data() + file_name.size();
+  const auto [rest, status] = std::from_chars(file_name.data(), end, process);
+  if (status != std::errc() || rest == end || *rest != '-' || process <= 0) return std::nullopt;
+  return process;
 }
 
 tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error) {

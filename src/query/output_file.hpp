@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -35,9 +36,9 @@ class OutputFile {
 /// Writes a whole file so.
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
-/// True iff a file of this name is one that OutputFile writes to; it is a leftover if its writer
-/// was killed.
-bool is_temporary_name(std::string_view file_name);
+/// The process that writes to a temporary file of this name, if it is one of OutputFile's. The file
+/// is a leftover once that process is no more.
+std::optional<int> temporary_writer(std::string_view file_name);
 
 /// "path: cannot DOING: what the system says of this errno".
 tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error);
