@@ -6,14 +6,16 @@
 
 namespace ccdfuzz {
 
-Result<void> check_witness(const Query& query, const Witness& witness) {
-  const auto refuse = [](const char* field, const std::string& what) {
-    return input_error(fmt::format("truth.witness.{}", field), what);
-  };
+namespace {
+
+tl::unexpected<InputError> refuse(const char* field, std::string what) {
+  return input_error(fmt::format("truth.witness.{}", field), std::move(what));
+}
+
+}  // namespace
+
+Result<void> check_contact(const Query& query, const Witness& witness) {
   if (witness.t < 0) return refuse("t", fmt::format("{} is negative", to_text(witness.t)));
-  if (witness.t > exact(query.t_max)) {
-    return refuse("t", fmt::format("{} is after t_max = {}", to_text(witness.t), query.t_max));
-  }
   std::array<Vec3<Rational>, 2> at;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
@@ -31,6 +33,13 @@ Result<void> check_witness(const Query& query, const Witness& witness) {
     }
   }
   return {};
+}
+
+Result<void> check_witness(const Query& query, const Witness& witness) {
+  if (witness.t > exact(query.t_max)) {
+    return refuse("t", fmt::format("{} is after t_max = {}", to_text(witness.t), query.t_max));
+  }
+  return check_contact(query, witness);
 }
 
 }  // namespace ccdfuzz

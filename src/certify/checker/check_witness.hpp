@@ -4,9 +4,12 @@
 
 namespace ccdfuzz {
 
-/// Certificate W: checks in exact arithmetic that the witness lies in both domains and in
-/// [0, t_max], and that both patches are at the same point there. Shares no code with src/ccd.
-/// Errors: what is wrong, naming the field.
+/// Certificate W: checks in exact arithmetic that the witness lies in both domains and at a time
+/// t ≥ 0, and that both patches are at the same point there. t may lie past t_max.
+/// Shares no code with src/ccd. Requires a valid query. Errors: what is wrong, naming the field.
+Result<void> check_contact(const Query& query, const Witness& witness);
+
+/// check_contact, and t ≤ t_max: the query's answer is "hit", no later than t.
 Result<void> check_witness(const Query& query, const Witness& witness);
 
 }  // namespace ccdfuzz

@@ -1,0 +1,151 @@
+#include "certify/checker/check_truth.hpp"
+
+#include "bezier/blossom.hpp"
+#include "bezier/random_patch.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "query/case_json.hpp"
+#include "scratch_folder.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// A triangle that rises to meet the tip of a second one: first contact at t = 1/2, at the inner
+/// point u = v = 1/4 of the one and the corner u = v = 0 of the other.
+Case rising_triangle() {
+  Case c;
+  const Vec3<double> up = {0, 0, 1}, still = {0, 0, 0};
+  c.query.patches[0] = {Shape::triangle(1), {{-1, -1, 0}, {-1, 3, 0}, {3, -1, 0}}, {up, up, up}};
+  c.query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0.5}, {1, 0, 1}, {0, 1, 1}}, {still, still, still}};
+  c.truth.collides = true;
+  c.truth.witness =
+      Witness{Rational(1, 2), {Uv<Rational>{Rational(1, 4), Rational(1, 4)}, Uv<Rational>{0, 0}}};
+  c.truth.clear_until = Rational(1, 2);
+  return c;
+}
+
+std::string refusal(const Case& c) {
+  const auto checked = check_truth(c);
+  return checked ? "accepted" : checked.error().message();
+}
+
+template <class Change>
+std::string refusal_after(const Change& change) {
+  Case c = rising_triangle();
+  change(c);
+  return refusal(c);
+}
+
+TEST(CheckTruth, AcceptsWhatIsTrue) {
+  EXPECT_EQ(refusal(rising_triangle()), "accepted");
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth = {}; }), "accepted");
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.collides.reset(); }), "accepted");
+  EXPECT_EQ(refusal_after([](Case& c) { c.query.t_max = 0.5; }), "accepted");
+  EXPECT_EQ(refusal_after([](Case& c) {
+              c.query.t_max = 0.25;  // before the contact, which the witness still tells of
+              c.truth.collides = false;
+              c.truth.proof = "rational-tdibm";
+            }),
+            "accepted");
+}
+
+TEST(CheckTruth, RefusesAWitnessThatIsNone) {
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.witness->t = Rational(-1, 2); }),
+            "truth.witness.t: -1/2 is negative");
+  EXPECT_EQ(refusal_after([](Case& c) { c.query.t_max = 0.25; }),
+            "truth.witness.t: 1/2 is after t_max = 0.25");
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.witness->t = Rational(1, 3); }),
+            "truth.witness.uv: the patches do not touch there: coordinate z is 1/3 and 1/2");
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.witness->uv[0][1] = Rational("1/3"); }),
+            "truth.witness.uv: the patches do not touch there: coordinate y is 1/3 and 0");
+  EXPECT_EQ(refusal_after([](Case& c) {
+              c.truth.witness->uv[0] = {Rational(3, 4), Rational("1/2")};
+            }),
+            "truth.witness.uv: (3/4, 1/2) lies outside the domain of patches[0], triangle(1)");
+  EXPECT_EQ(refusal_after([](Case& c) {
+              c.truth.witness->uv[1] = {Rational(0), Rational(-1)};
+            }),
+            "truth.witness.uv: (0, -1) lies outside the domain of patches[1], triangle(1)");
+  // One last bit off.
+  EXPECT_EQ(
+      refusal_after([](Case& c) { c.query.patches[1].positions[0][2] = std::nextafter(0.5, 1); }),
+      "truth.witness.uv: the patches do not touch there: coordinate z is 1/2 and "
+      "4503599627370497/9007199254740992");
+}
+
+TEST(CheckTruth, RefusesAContradiction) {
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.witness.reset(); }),
+            "truth.witness: missing, though collides is true");
+  EXPECT_EQ(refusal_after([](Case& c) {
+              c.truth.collides = false;
+              c.truth.proof = "P";
+            }),
+            "truth.collides: false, but the witness proves a contact at t = 1/2 ≤ t_max");
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.clear_until = Rational("500001/1000000"); }),
+            "truth.clear_until: 500001/1000000, but the witness proves a contact at t = 1/2 before "
+            "it");
+  EXPECT_EQ(refusal_after([](Case& c) { c.truth.clear_until = Rational(-1); }),
+            "truth.clear_until: -1 is negative");
+}
+
+TEST(CheckTruth, RefusesAnInvalidQuery) {
+  EXPECT_EQ(refusal_after([](Case& c) { c.query.patches[0].positions.pop_back(); }),
+            "patches[0].positions: triangle(1) needs 3 control points, not 2");
+  EXPECT_EQ(refusal_after([](Case& c) { c.query.patches[1].velocities[2][1] = INFINITY; }),
+            "patches[1].velocities[2][1]: inf is not finite");
+}
+
+/// The patch through the same point at the same time is touched there, whatever else it does; and
+/// moved by any amount it is not.
+RC_GTEST_PROP(CheckWitness, AcceptsContactsByConstructionAndNothingNearby, ()) {
+  Query query;
+  Witness witness;
+  witness.t = any_coordinate().rational();
+  if (witness.t < 0) witness.t = -witness.t;
+  std::array<Vec3<Rational>, 2> at;
+  for (size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = *any_shape();
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (const Vec3<Dyadic>& p : any_points(patch.shape)) {
+        points->push_back(
+            {*p[0].to_double_exactly(), *p[1].to_double_exactly(), *p[2].to_double_exactly()});
+      }
+    }
+    const Uv<Dyadic> uv = any_uv(patch.shape);
+    witness.uv[s] = {uv[0].rational(), uv[1].rational()};
+    at[s] = evaluate(exact_patch<Rational>(patch), witness.uv[s], witness.t);
+  }
+  query.t_max = 64;
+  for (auto& p : query.patches[1].positions) {
+    for (int k = 0; k < 3; ++k) {
+      const auto moved = to_double_exactly(Rational(exact(p[k]) + at[0][k] - at[1][k]));
+      RC_PRE(moved.has_value());
+      p[k] = *moved;
+    }
+  }
+  const auto checked = check_witness(query, witness);
+  if (!checked) RC_FAIL(checked.error().message());
+  const auto k = *rc::gen::inRange(0, 3);
+  for (auto& p : query.patches[1].positions) p[k] += 0x1p-30;
+  RC_ASSERT(!check_witness(query, witness));
+}
+
+TEST(ReadCheckedCases, NamesFileLineAndField) {
+  const ScratchFolder folder;
+  Case bad = rising_triangle();
+  bad.truth.witness->t = Rational(1, 3);
+  bad.truth.clear_until = Rational(1, 3);
+  write_text(folder / "c.jsonl", to_json(rising_triangle()) + "\n" + to_json(bad) + "\n");
+  const auto cases = read_checked_cases(folder / "c.jsonl");
+  ASSERT_FALSE(cases);
+  EXPECT_EQ(cases.error().message(),
+            folder /
+                "c.jsonl:2: truth.witness.uv: the patches do not touch there: coordinate z is "
+                "1/3 and 1/2");
+  write_text(folder / "c.jsonl", to_json(rising_triangle()) + "\n");
+  EXPECT_EQ(read_checked_cases(folder / "c.jsonl")->size(), 1U);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
