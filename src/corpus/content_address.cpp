@@ -1,0 +1,69 @@
+#include "corpus/content_address.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Calls visit on every coordinate, in the order of the file.
+template <class Visit>
+void for_each_coordinate(const MovingPatch<double>& patch, const Visit& visit) {
+  for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
+    for (const Vec3<double>& p : *points) {
+      for (int k = 0; k < 3; ++k) visit(p[k]);
+    }
+  }
+}
+
+void append_bits(std::string& bytes, double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);
+}
+
+}  // namespace
+
+std::string content_address(const Query& query) {
+  std::string bytes;
+  for (const MovingPatch<double>& patch : query.patches) {
+    // Kind and degrees fix the number of coordinates, so that no two queries have equal bytes.
+    bytes += static_cast<char>(patch.shape.kind);
+    bytes += static_cast<char>(patch.shape.n);
+    bytes += static_cast<char>(patch.shape.m);
+    for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
+  }
+  append_bits(bytes, query.t_max);
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+CaseSize size_of(const Query& query) {
+  CaseSize size;
+  int lowest = std::numeric_limits<int>::max(), highest = std::numeric_limits<int>::min();
+  const auto count_bits = [&](double x) {
+    if (x == 0) return;
+    constexpr int kMantissaBits = std::numeric_limits<double>::digits;
+    int exponent = 0;
+    const double fraction = std::frexp(std::abs(x), &exponent);  // in [1/2, 1)
+    const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, kMantissaBits));
+    size.significant_bits += static_cast<unsigned>(kMantissaBits - std::countr_zero(mantissa));
+  };
+  const auto count = [&](double x) {
+    count_bits(x);
+    if (x == 0) return;
+    lowest = std::min(lowest, std::ilogb(x));
+    highest = std::max(highest, std::ilogb(x));
+  };
+  for (const MovingPatch<double>& patch : query.patches) for_each_coordinate(patch, count);
+  count_bits(query.t_max);
+  if (lowest <= highest) size.exponent_spread = highest - lowest;
+  return size;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// The address of a query in a corpus: 32 hex digits, the 128-bit XXH3 hash of its shapes, the
+/// bits of its control points and its t_max, and of nothing else. Equal on every machine. −0 and 0
+/// differ: a method may take them apart.
+std::string content_address(const Query& query);
+
+/// How large a query is to a reader, first field first.
+struct CaseSize {
+  /// Over all coordinates of positions and velocities and t_max: bits from the highest to the
+  /// lowest that is set; none for 0.
+  std::uint64_t significant_bits = 0;
+  /// Between the largest and the smallest coordinate that is not 0: the difference of the
+  /// exponents.
+  int exponent_spread = 0;
+
+  friend auto operator<=>(const CaseSize&, const CaseSize&) = default;
+};
+
+CaseSize size_of(const Query& query);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,48 @@
+#include "corpus/entries.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "certify/checker/check_truth.hpp"
+#include "query/output_file.hpp"
+
+namespace ccdfuzz {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::string>> list_entries(const std::string& folder) {
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (auto it = fs::recursive_directory_iterator(folder, error);
+       !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+    std::error_code vanished;
+    const bool hidden = it->path().filename().string().starts_with('.');
+    if (hidden) it.disable_recursion_pending();
+    if (!hidden && it->path().extension() == ".json" && it->is_regular_file(vanished)) {
+      paths.push_back(it->path().string());
+    }
+  }
+  if (error) return system_error(folder, "read", error.value());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) {
+    return read_checked_cases(path);
+  }
+  const auto paths = list_entries(path);
+  if (!paths) return tl::unexpected(paths.error());
+  std::vector<NamedCase> entries;
+  for (const std::string& entry : *paths) {
+    auto cases = read_checked_cases(entry);
+    if (!cases && !fs::exists(entry, ignored)) continue;
+    if (!cases) return cases;
+    entries.push_back(std::move(cases->front()));
+  }
+  if (entries.empty()) return input_error(path, "the corpus is empty: no .json entry in it");
+  return entries;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "query/case_files.hpp"
+
+namespace ccdfuzz {
+
+/// The paths of all entries (every .json whose name does not start with a dot) of a folder and its
+/// sub-folders, in order. Errors: the folder or a sub-folder cannot be read, naming it.
+Result<std::vector<std::string>> list_entries(const std::string& folder);
+
+/// All entries of a folder, each with its path as id, ordered by path; or the cases of one file.
+/// Entries that a running hunt removes meanwhile are left out.
+/// Errors: an entry that cannot be read or whose truth is refuted, naming it; a corpus without any
+/// entry.
+Result<std::vector<NamedCase>> load_corpus(const std::string& path);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,46 @@
+#include "corpus/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "corpus/entries.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+
+size_t ReplayReport::changed() const {
+  return static_cast<size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const ReplayRow& row) { return row.changed(); }));
+}
+
+std::string to_text(const ReplayRow& row) {
+  return fmt::format("{}: {}: expected {}, got {}", row.id, row.method, name_of(row.expected),
+                     name_of(row.got));
+}
+
+Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AnswerFunction& answer) {
+  if (entries.empty()) return input_error("", "the corpus is empty");
+  ReplayReport report;
+  for (const NamedCase& entry : entries) {
+    ++report.entries;
+    if (entry.value.expect.empty()) ++report.without_expectation;
+    for (const auto& [method, expected] : entry.value.expect) {
+      auto answered = answer(method, entry.value);
+      if (!answered) {
+        return input_error(fmt::format("{}: expect[\"{}\"]", entry.id, method),
+                           answered.error().message());
+      }
+      const Outcome got = judge(entry.value.query, entry.value.truth, *answered);
+      report.rows.push_back({entry.id, method, expected, got, *std::move(answered)});
+    }
+  }
+  return report;
+}
+
+Result<ReplayReport> replay(const std::string& corpus, const AnswerFunction& answer) {
+  return load_corpus(corpus).and_then(
+      [&](const std::vector<NamedCase>& entries) { return replay(entries, answer); });
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,229 @@
+#include "corpus/store.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <filesystem>
+#include <mutex>
+
+#include "certify/checker/check_truth.hpp"
+#include "corpus/folder_lock.hpp"
+#include "corpus/store_index.hpp"
+#include "query/case_json.hpp"
+#include "query/output_file.hpp"
+
+namespace ccdfuzz {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Letters, digits and ._- so that the name is a file name everywhere and never hidden.
+Result<void> check_name(const std::string& name) {
+  constexpr size_t kLongest = 100;
+  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return c < 128 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
+  });
+  if (plain && !name.starts_with('.') && name.size() <= kLongest) return {};
+  return input_error("origin.name",
+                     fmt::format("\"{}\" is not a file name of at most {} letters, digits, '.', "
+                                 "'_' and '-'",
+                                 name, kLongest));
+}
+
+Result<void> remove_file(const std::string& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) return system_error(path, "remove", error.value());
+  return {};
+}
+
+Result<void> write_entry(const std::string& path, const Case& value) {
+  return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
+}
+
+}  // namespace
+
+bool is_failure(Outcome outcome) {
+  return is_false_negative(outcome) || outcome == Outcome::kFalsePositive ||
+         outcome == Outcome::kError;
+}
+
+std::string failure_signature(Outcome outcome, const Origin& origin) {
+  return fmt::format("{} {} {}", name_of(outcome), origin.kind, origin.generator);
+}
+
+struct Store::State {
+  std::string folder;
+  std::string home;  ///< where entries are written; locked while that is done
+  std::mutex mutex;
+  StoreIndex index;
+
+  std::string path_of(const Case& value, const std::string& address) const {
+    const std::string& name = value.origin.name;
+    return fmt::format("{}/{}.json", home, name.empty() ? address : name);
+  }
+
+  Result<Added> add(const Case& find);
+  bool surely_known(const Case& find, const Rank& rank) const;
+  Result<void> take_away(const std::string& path, const std::set<FailureKey>& keys);
+  Result<void> tidy();
+};
+
+/// True if what is known already tells that nothing would be written: entries of other processes
+/// only ever make more finds superfluous.
+bool Store::State::surely_known(const Case& find, const Rank& rank) const {
+  if (const std::string* path = index.find(rank.second)) {
+    const Case& known = index.entries().at(*path).value;
+    return (find.origin.name.empty() || find.origin.name == known.origin.name) &&
+           std::all_of(find.expect.begin(), find.expect.end(),
+                       [&](const auto& e) { return known.expect.contains(e.first); });
+  }
+  const auto failures = failures_of(find);
+  return !failures.empty() && find.origin.name.empty() &&
+         std::all_of(failures.begin(), failures.end(), [&](const FailureKey& key) {
+           const Rank* smallest = index.smallest(key, rank.second);
+           return smallest != nullptr && *smallest < rank;
+         });
+}
+
+Result<Store::Added> Store::State::add(const Case& find) {
+  if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
+  if (auto named = check_name(find.origin.name); !named) return tl::unexpected(named.error());
+  const Rank rank = {size_of(find.query), content_address(find.query)};
+  const std::string& address = rank.second;
+  const std::lock_guard one_at_a_time(mutex);
+  if (surely_known(find, rank)) return Added::kKnown;
+  const auto lock = FolderLock::take(home);
+  if (!lock) return tl::unexpected(lock.error());
+  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
+
+  const std::string* at = index.find(address);
+  const std::string old_path = at == nullptr ? "" : *at;
+  Case out = at == nullptr ? find : index.entries().at(old_path).value;
+  if (at == nullptr) out.expect.clear();
+  if (out.origin.name.empty() && !find.origin.name.empty()) out.origin = find.origin;
+
+  // A failure of which a smaller entry tells stays out, unless this one is kept by its name.
+  bool superfluous = false, displaces = false;
+  for (const auto& [method, outcome] : find.expect) {
+    if (out.expect.contains(method)) continue;
+    const FailureKey key = {method, out.origin.contact, failure_signature(outcome, out.origin)};
+    const Rank* rival = is_failure(outcome) ? index.smallest(key, address) : nullptr;
+    if (rival != nullptr && *rival < rank && out.origin.name.empty()) {
+      superfluous = true;
+      continue;
+    }
+    displaces = displaces || rival != nullptr;
+    out.expect[method] = outcome;
+  }
+  if (at == nullptr && superfluous && failures_of(out).empty()) return Added::kKnown;
+  const bool stays = at != nullptr && !(index.entries().at(old_path).value.origin.name.empty() &&
+                                        !out.origin.name.empty());
+  const std::string path = stays ? old_path : path_of(out, address);
+  if (at != nullptr && stays && out == index.entries().at(old_path).value) return Added::kKnown;
+  if (path != old_path && fs::exists(path)) {
+    return input_error(path, "holds another case of this name");
+  }
+
+  if (auto written = write_entry(path, out); !written) return tl::unexpected(written.error());
+  if (at != nullptr && path != old_path) {
+    if (auto removed = remove_file(old_path); !removed) return tl::unexpected(removed.error());
+  }
+  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
+  if (auto tidied = tidy(); !tidied) return tl::unexpected(tidied.error());
+  return at != nullptr ? Added::kMerged : displaces ? Added::kSmaller : Added::kNew;
+}
+
+/// Makes the entry at `path` stand for these failures no more, and removes it if it then stands for
+/// none.
+Result<void> Store::State::take_away(const std::string& path, const std::set<FailureKey>& keys) {
+  Case value = index.entries().at(path).value;
+  std::erase_if(value.expect, [&](const auto& e) {
+    return is_failure(e.second) && keys.contains({e.first, value.origin.contact,
+                                                  failure_signature(e.second, value.origin)});
+  });
+  return failures_of(value).empty() ? remove_file(path) : write_entry(path, value);
+}
+
+/// Establishes law 3. Requires the lock and a fresh index; leaves the index fresh.
+Result<void> Store::State::tidy() {
+  std::map<std::string, std::set<FailureKey>> superfluous;
+  for (const FailureKey& key : index.held_twice()) {
+    const std::vector<std::string> holders = index.holders(key);
+    for (size_t i = 1; i < holders.size(); ++i) {
+      if (!index.entries().at(holders[i]).fixed) superfluous[holders[i]].insert(key);
+    }
+  }
+  if (superfluous.empty()) return {};
+  for (const auto& [path, keys] : superfluous) {
+    if (auto taken = take_away(path, keys); !taken) return taken;
+  }
+  return index.refresh(folder, home);
+}
+
+namespace {
+
+/// Removes what killed writers left behind. A temporary file of a process that lives is somebody
+/// else's, who writes into this folder by other ways than a store.
+void remove_leftovers(const std::string& home) {
+  std::error_code ignored;
+  for (const auto& file : fs::directory_iterator(home, ignored)) {
+    const auto writer = temporary_writer(file.path().filename().string());
+    if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(file.path(), ignored);
+  }
+}
+
+}  // namespace
+
+Result<Store> Store::open(const std::string& folder) {
+  auto state = std::make_unique<State>();
+  // One spelling of each path, so that paths can be compared.
+  state->folder = fs::path(folder).lexically_normal().string();
+  if (state->folder.size() > 1 && state->folder.ends_with('/')) state->folder.pop_back();
+  if (state->folder.empty()) return input_error("", "the name of the corpus folder is empty");
+  std::error_code error;
+  fs::create_directories(state->folder, error);
+  if (error) return system_error(folder, "make the folder", error.value());
+  state->home = state->folder + "/regressions";
+  if (!fs::is_directory(state->home, error)) state->home = state->folder;
+
+  const auto lock = FolderLock::take(state->home);
+  if (!lock) return tl::unexpected(lock.error());
+  remove_leftovers(state->home);
+  // Whoever cannot write should learn it now, and not when the first find is to be kept.
+  if (auto probe = OutputFile::create(state->home + "/.probe"); !probe) {
+    return input_error(state->home, probe.error().what);
+  }
+  if (auto read = state->index.refresh(state->folder, state->home); !read) {
+    return tl::unexpected(read.error());
+  }
+  if (auto tidied = state->tidy(); !tidied) return tl::unexpected(tidied.error());
+  return Store(std::move(state));
+}
+
+Store::Store(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Store::Store(Store&&) noexcept = default;
+Store& Store::operator=(Store&&) noexcept = default;
+Store::~Store() = default;
+
+Result<Store::Added> Store::add(const Case& find) {
+  return state_->add(find);
+}
+
+Result<std::vector<NamedCase>> Store::load() const {
+  const std::lock_guard one_at_a_time(state_->mutex);
+  const auto lock = FolderLock::take(state_->home);
+  if (!lock) return tl::unexpected(lock.error());
+  if (auto read = state_->index.refresh(state_->folder, state_->home); !read) {
+    return tl::unexpected(read.error());
+  }
+  std::vector<NamedCase> entries;
+  for (const auto& [path, entry] : state_->index.entries()) entries.push_back({path, entry.value});
+  return entries;
+}
+
+}  // namespace ccdfuzz

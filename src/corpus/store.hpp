@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "corpus/content_address.hpp"
+#include "corpus/entries.hpp"
+#include "query/case_files.hpp"
+
+namespace ccdfuzz {
+
+/// True iff an expectation of this outcome is of a failure: missed, late, false_positive, error.
+bool is_failure(Outcome outcome);
+
+/// What sets failures of one method in one contact class apart: the outcome, and kind and generator
+/// of the case.
+std::string failure_signature(Outcome outcome, const Origin& origin);
+
+/// A folder of counterexamples, one readable .json file each, named by content_address, or by
+/// origin.name where it has one.
+///
+/// Laws, with any number of threads and processes adding to one folder, and after SIGKILL at any
+/// moment:
+///  1. Every entry is whole.
+///  2. For each (method, contact class, failure signature) the folder holds the smallest case that
+///     was added, by CaseSize and then by address; so what is kept does not depend on the order.
+///  3. It holds no other for the same three, but for named entries, which are never taken away. (A
+///     killed writer may leave the larger one beside the smaller; the next open takes it away.)
+///  4. No entry's expectation is ever changed by another find.
+class Store {
+ public:
+  enum class Added {
+    kNew,      ///< first of at least one (method, class, signature)
+    kSmaller,  ///< took the place of a larger entry for at least one
+    kMerged,   ///< the query was there, and now holds further expectations
+    kKnown,    ///< nothing new, nothing written
+  };
+
+  /// Opens a folder, making it if need be. If it has a sub-folder `regressions`, entries are
+  /// written there, and those of all its sub-folders count as known.
+  /// Errors: the folder cannot be made, read, written or locked; an entry in it cannot be read.
+  static Result<Store> open(const std::string& folder);
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+  ~Store();
+
+  /// Adds a case with its expectations. A failure that a smaller entry stands for is dropped from
+  /// it; a case without failures is known by its address alone. Safe from several threads.
+  /// Errors: a refuted truth; a full disk or any other refusal of the system, after which the
+  /// entries so far stand; an origin.name that is no file name or names another case.
+  Result<Added> add(const Case& find);
+
+  /// All entries, ordered by path; none is no error.
+  Result<std::vector<NamedCase>> load() const;
+
+ private:
+  struct State;
+  explicit Store(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ccdfuzz
