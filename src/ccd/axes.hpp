@@ -7,30 +7,6 @@
 
 namespace ccdfuzz {
 
-/// A unit vector, and how many cross products deep it is in Appendix A (c): component errors are
-/// bounded by B = 2^stage·A^(stage+1) with k = 2·stage, and A ≤ 1 for unit vectors.
-struct Axis {
-  Vec3<double> direction;
-  int stage = 0;
-};
-
-/// The separating axes of a pair of oriented boxes.
-class Axes {
- public:
-  static constexpr int kMax = 15;
-
-  const Axis* begin() const { return axes_.data(); }
-  const Axis* end() const { return axes_.data() + size_; }
-  int size() const { return size_; }
-
-  /// Adds the direction of v, unless v is zero or not finite: such an axis separates nothing.
-  void add(const Vec3<double>& v, int stage);
-
- private:
-  std::array<Axis, kMax> axes_;
-  int size_ = 0;
-};
-
 /// A moving sub-patch: control points in Shape's order.
 struct ControlNet {
   Shape shape;
@@ -38,15 +14,42 @@ struct ControlNet {
   std::span<const Vec3<double>> velocities;
 };
 
-/// The OBB axes of Appendix A (c), each of unit length, for boxes aligned with the directions that
-/// the sub-patches span at time t: l1, l2, l3 of patch 1, l4, l5, l6 of patch 2, then l_i ×
-/// l_{j+3}. A curve spans one direction; the coordinate axis it is least aligned with stands in for
-/// the other. A point spans none, and its box is a point in any frame. Where neither patch is a
-/// surface and no axis is left, the coordinate axes are used. Safe: any vector is a valid axis, so
-/// no rounding here can separate what touches.
-Axes obb_axes(const ControlNet& patch1, const ControlNet& patch2, double t);
+/// A separating axis of unit length, or zero: such an axis separates nothing and is skipped.
+/// stage is how many cross products deep it is: by Appendix A (c) the errors of its components are
+/// bounded by B = 2^stage·A^(stage+1) with k = 2·stage, and A ≤ 1 for unit vectors.
+struct Axis {
+  Vec3<double> direction;
+  int stage = 0;
 
-/// The coordinate axes.
-Axes aabb_axes();
+  bool is_zero() const { return direction[0] == 0 && direction[1] == 0 && direction[2] == 0; }
+};
+
+/// A box's own axes, each of unit length or zero.
+using Frame = std::array<Vec3<double>, 3>;
+
+/// The OBB frame of Appendix A (c) from the directions l_u, l_v that a sub-patch spans at time t:
+/// l_u, l_u × l_v, l_u × (l_u × l_v). A curve spans one direction; the coordinate axis it is least
+/// aligned with stands in for the other. A point spans none: its frame is zero.
+Frame obb_frame(const ControlNet& net, double t);
+
+/// e_x, e_y, e_z.
+Frame coordinate_frame();
+
+/// The separating axes of two oriented boxes (Appendix A (c)), each made when it is asked for:
+/// l1, l2, l3 of box 1, l4, l5, l6 of box 2, then l_{3i+j+3} = l_i × l_{j+3}. Where neither patch
+/// is a surface and both frames are zero, the coordinate axes stand in. Safe: any vector is a valid
+/// axis, so no rounding here can separate what touches.
+class ObbAxes {
+ public:
+  static constexpr int kCount = 15;
+
+  ObbAxes(const ControlNet& net1, const ControlNet& net2, double t);
+
+  /// l_{r+1}, 0 ≤ r < kCount.
+  Axis operator[](int r) const;
+
+ private:
+  std::array<Frame, 2> frames_;
+};
 
 }  // namespace ccdfuzz

@@ -80,9 +80,12 @@ void TdibmInclusion<Policy>::project(const ControlNet& net, const Axis& axis, co
 template <class Policy>
 std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const Window& window) {
   const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
-  std::array<Separation<double>, 2 * Axes::kMax> separations;
+  std::array<Separation<double>, 2 * ObbAxes::kCount> separations;
   size_t count = 0;
-  for (const Axis& axis : obb_axes(nets[0], nets[1], window.lo)) {
+  const ObbAxes axes(nets[0], nets[1], window.lo);
+  for (int r = 0; r < ObbAxes::kCount; ++r) {
+    const Axis axis = axes[r];
+    if (axis.is_zero()) continue;
     for (int side = 0; side < 2; ++side) {
       project(nets[side], axis, extents_[side], window.hi, projections_[side]);
     }

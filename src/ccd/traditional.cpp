@@ -35,11 +35,18 @@ std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const W
     return std::span<const Vec3<double>>(sweeps_[side].points.data(),
                                          static_cast<size_t>(sweeps_[side].size));
   };
-  const Axes axes =
-      kind_ == BoxKind::kOriented ? obb_axes(nets[0], nets[1], window.lo) : aabb_axes();
-  for (const Axis& axis : axes) {
-    const auto p = range_on(axis.direction, points(0)), q = range_on(axis.direction, points(1));
-    if (p[1] < q[0] || q[1] < p[0]) return std::nullopt;  // Eqs. 3a, 3b negated
+  const auto separates = [&](const Vec3<double>& axis) {  // Eqs. 3a, 3b negated
+    const auto p = range_on(axis, points(0)), q = range_on(axis, points(1));
+    return p[1] < q[0] || q[1] < p[0];
+  };
+  if (kind_ == BoxKind::kAxisAligned) {
+    const Frame axes = coordinate_frame();
+    if (std::any_of(axes.begin(), axes.end(), separates)) return std::nullopt;
+    return window;
+  }
+  const ObbAxes axes(nets[0], nets[1], window.lo);
+  for (int r = 0; r < ObbAxes::kCount; ++r) {
+    if (separates(axes[r].direction)) return std::nullopt;  // a zero axis never does
   }
   return window;
 }

@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 /// How the boxes of the traditional method are aligned.
 enum class BoxKind {
-  kOriented,     ///< as obb_axes at the start of the window
+  kOriented,     ///< as ObbAxes at the start of the window
   kAxisAligned,  ///< with the coordinate axes
 };
 
