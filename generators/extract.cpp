@@ -1,6 +1,7 @@
 #include "generators/extract.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "generators/differential.hpp"
 #include "generators/prescribe.hpp"
@@ -59,14 +60,16 @@ LocalPatch around_interior_point(const Barycentric& x, Random& random) {
   return part;
 }
 
-/// x is the midpoint of an edge; the part's edge reaches j/8 of its length to one side of x and
-/// (8−j)/8 to the other.
+/// x is the midpoint of an edge; it divides the part's edge as j : 2^b − j.
 LocalPatch around_edge_point(const Barycentric& x, Random& random) {
   const int k = corner_opposite(x), a = (k + 1) % 3, b = (k + 2) % 3;
   const std::int64_t reach = random_reach(random);
-  const std::int64_t eighth = random.between(1, reach / 8);
-  const int j = static_cast<int>(random.between(1, 7));
-  const std::int64_t inward = random.between(1, reach), along = random.between(-reach, reach);
+  const int bits = static_cast<int>(random.between(1, std::bit_width(std::uint64_t(reach)) - 1));
+  const std::int64_t steps = std::int64_t{1} << bits;
+  const std::int64_t step = random.between(1, reach / steps);
+  const std::int64_t j = random.between(1, steps - 1);
+  const std::int64_t inward = random.between(1, reach);
+  const std::int64_t along = random.between(-reach, reach);
   LocalPatch part;
   const auto on_edge = [&](std::int64_t to_a) {
     std::array<std::int64_t, 3> d{};
@@ -74,14 +77,14 @@ LocalPatch around_edge_point(const Barycentric& x, Random& random) {
     d[b] = -to_a;
     return offset(x, d);
   };
-  part.corners[0] = on_edge((8 - j) * eighth);
-  part.corners[1] = on_edge(-j * eighth);
+  part.corners[0] = on_edge((steps - j) * step);
+  part.corners[1] = on_edge(-j * step);
   std::array<std::int64_t, 3> d{};
   d[k] = inward;
   d[a] = along;
   d[b] = -along - inward;
   part.corners[2] = offset(x, d);  // inside: x_a = x_b = 1/2 and the reach is at most 1/8
-  part.x = {Dyadic(j, -3), Dyadic(8 - j, -3), Dyadic()};
+  part.x = {Dyadic(Integer(j), -bits), Dyadic(Integer(steps - j), -bits), Dyadic()};
   return part;
 }
 

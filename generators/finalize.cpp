@@ -24,7 +24,8 @@ std::optional<Points<double>> to_doubles(const Points<Dyadic>& points) {
 
 }  // namespace
 
-std::optional<Case> finalize(const Scene& scene, const GeneratorOptions& options) {
+std::optional<Case> finalize(const Scene& scene, CaseKind kind,
+                             const std::optional<Dyadic>& clear_until) {
   Case result;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Dyadic>& patch = scene.patches[s];
@@ -33,22 +34,22 @@ std::optional<Case> finalize(const Scene& scene, const GeneratorOptions& options
     if (!positions || !velocities) return std::nullopt;
     result.query.patches[s] = {patch.shape, *positions, *velocities};
   }
-  const Dyadic clear_until = scene.contact.t - Dyadic(1, options.eps_t_exponent);
-  const std::optional<double> contact_time = scene.contact.t.to_double_exactly();
-  const std::optional<double> clear_time = clear_until.to_double_exactly();
-  if (!contact_time || !clear_time) return std::nullopt;
+  const std::optional<double> t_max = scene.t_max.to_double_exactly();
+  if (!t_max) return std::nullopt;
 
   // Both kinds stand or fall with the contact, so the checker sees it before either is let out.
-  result.query.t_max = *contact_time;
+  result.query.t_max = *t_max;
   const Witness witness{scene.contact.t.rational(),
                         {uv_of(scene.contact.x[0]), uv_of(scene.contact.x[1])}};
   CCDFUZZ_VERIFY(check_witness(result.query, witness));
-  const bool collides = options.kind == CaseKind::kRP;
-  result.truth.collides = collides;
-  result.truth.clear_until = clear_until.rational();
-  if (collides) {
+  if (clear_until) result.truth.clear_until = clear_until->rational();
+  result.truth.collides = kind == CaseKind::kRP;
+  if (kind == CaseKind::kRP) {
     result.truth.witness = witness;
   } else {
+    CCDFUZZ_VERIFY(clear_until);
+    const std::optional<double> clear_time = clear_until->to_double_exactly();
+    if (!clear_time) return std::nullopt;
     result.query.t_max = *clear_time;
     result.truth.proof = "rational-tdibm";
   }

@@ -2,14 +2,17 @@
 
 #include <optional>
 
-#include "generators/generate.hpp"
 #include "generators/scene.hpp"
+#include "query/case.hpp"
+#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 
 /// Step VI: the case of a validated scene, with the truth its kind has. Every exact number is
 /// turned to the double equal to it; nullopt if one has none (the round trip of Section 5.4).
-/// clear_until = t* − eps_T must have been proven.
-std::optional<Case> finalize(const Scene& scene, const GeneratorOptions& options);
+/// clear_until: the time before which it has been proven that nothing touches, if it has been.
+/// RP ends at scene.t_max. RN ends at clear_until, which it needs.
+std::optional<Case> finalize(const Scene& scene, CaseKind kind,
+                             const std::optional<Dyadic>& clear_until);
 
 }  // namespace ccdfuzz

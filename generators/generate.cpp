@@ -6,6 +6,7 @@
 #include "generators/first_contact.hpp"
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
+#include "generators/stress.hpp"
 
 namespace ccdfuzz {
 
@@ -15,9 +16,19 @@ std::string_view name_of(Discard reason) {
   return names.at(static_cast<size_t>(reason));
 }
 
+std::string_view name_of(Family family) {
+  constexpr std::array<std::string_view, kFamilies.size()> names = {
+      "regular", "flat-grazing", "common-velocity", "scaled", "twins", "interior-time"};
+  return names.at(static_cast<size_t>(family));
+}
+
 Result<void> validate(const GeneratorOptions& options) {
   if (options.kind != CaseKind::kRP && options.kind != CaseKind::kRN) {
     return input_error("--kind", fmt::format("{} is not generated", name_of(options.kind)));
+  }
+  if (options.family != Family::kRegular && options.kind != CaseKind::kRP) {
+    return input_error("--kind", fmt::format("{} is not generated in the family {}",
+                                             name_of(options.kind), name_of(options.family)));
   }
   if (options.eps_t_exponent < -40 || options.eps_t_exponent > -1) {
     return input_error(
@@ -28,14 +39,18 @@ Result<void> validate(const GeneratorOptions& options) {
 
 namespace {
 
-std::string_view name_of(Construction construction) {
-  return construction == Construction::kPaper ? "paper" : "one-sided";
+std::string_view generator_name(const GeneratorOptions& options) {
+  if (options.family != Family::kRegular) return name_of(options.family);
+  return options.construction == Construction::kPaper ? "paper" : "one-sided";
 }
 
 /// Steps I to IV; nullopt if the static check refused the result.
 std::optional<Scene> construct(const GeneratorOptions& options, Random& random) {
+  if (options.family != Family::kRegular) {
+    return stress_scene(options.family, options.contact, random);
+  }
   if (options.construction == Construction::kPaper) return paper_scene(options.contact, random);
-  return one_sided_scene(options.contact, random);
+  return one_sided_scene(options.contact, {}, random);
 }
 
 }  // namespace
@@ -58,11 +73,15 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
       discard(Discard::kStaticCheck);
       continue;
     }
-    if (!first_contact_is_proven(*scene, scene->contact.t - eps_t)) {
-      discard(Discard::kFirstContact);
-      continue;
+    std::optional<Dyadic> clear_until;
+    if (options.family == Family::kRegular) {
+      clear_until = scene->contact.t - eps_t;
+      if (!first_contact_is_proven(*scene, *clear_until)) {
+        discard(Discard::kFirstContact);
+        continue;
+      }
     }
-    std::optional<Case> made = finalize(*scene, options);
+    std::optional<Case> made = finalize(*scene, options.kind, clear_until);
     if (!made) {
       discard(Discard::kRoundTrip);
       continue;
@@ -73,7 +92,7 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   Origin& origin = out.value.origin;
   origin.contact = name_of(options.contact);
   origin.kind = name_of(options.kind);
-  origin.generator = name_of(options.construction);
+  origin.generator = generator_name(options);
   origin.seed = options.seed;
   origin.index = index;
   origin.ccdfuzz = CCDFUZZ_VERSION;

@@ -16,10 +16,28 @@ enum class Construction : std::uint8_t {
   kOneSided,  ///< each patch on its own side of a plane: nothing to filter, proven by that plane
 };
 
-/// What is wanted of the cases beyond contact class and kind.
+/// What is wanted of the cases beyond contact class and kind. All but the first are stress
+/// families: positives with an exact witness, whatever the construction asked for, made to bring
+/// out one weakness each. Of the time before the contact they claim nothing.
 enum class Family : std::uint8_t {
   kRegular,
+  /// Patches that are nearly flat, far from the origin on a plane through it, and slide along each
+  /// other: they touch at t* ≤ t_max and at no other time. Against absolute pull-apart.
+  kFlatGrazing,
+  /// Both patches have the same velocity of 2^8 to 2^20 on top of their own. Against pull-apart
+  /// relative to the intercept.
+  kCommonVelocity,
+  /// All numbers times 2^k, k from −1000 to 900, most near where products of two underflow.
+  kScaled,
+  /// Two control points with positions and velocities a few ulps apart hide under a third.
+  kTwins,
+  /// t* < t_max, a dyadic rational.
+  kInteriorTime,
 };
+inline constexpr std::array kFamilies = {Family::kRegular,        Family::kFlatGrazing,
+                                         Family::kCommonVelocity, Family::kScaled,
+                                         Family::kTwins,          Family::kInteriorTime};
+std::string_view name_of(Family family);
 
 struct GeneratorOptions {
   ContactClass contact = ContactClass::kFF;

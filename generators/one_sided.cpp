@@ -1,93 +1,23 @@
 #include "generators/one_sided.hpp"
 
+#include "generators/frame.hpp"
 #include "generators/prescribe.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-// Units. All draws are integers times these powers of two; the resulting bits of a position are
-// counted from the finest one to show that a double holds them:
-//   contact point     2^-41 .. 2^5
-//   T · τ             T integers < 2^5 times τ: 2^-13 .. 2^-2 with Σβτ = 0 to 2^-25 (β has 12 bits)
-//   height · m        m integers < 2^5 times 2^-16-f·(integers), contact parameters squared 2^-12:
-//                     finest 2^-40 for flatness f ≤ 12
-// so that every position is a multiple of 2^-41 below 2^7: 48 bits, one more after − t*·v.
-constexpr int kContactBits = 46;
-constexpr long kContactUnit = -41;
-constexpr int kFrameBound = 31;
-constexpr int kTangentBits = 11;
+// Units. All draws are integers times these powers of two; the finest bit of a regular case:
+//   contact point     2^-41, up to 2^5
+//   T · τ             T integers < 2^5 times τ: 2^-13 .. 2^-1 with Σβτ = 0 to 2^-37 (β has 24 bits)
+//   height · m        m integers < 2^5 times 2^-8-f · (integers < 2^7 to 2^-24, as parameters are
+//                     squared): 2^-44 for flatness f ≤ 12
+// so that every position is a multiple of 2^-44 below 2^8: 52 of a double's 53 bits.
 constexpr long kTangentUnit = -13;
-constexpr int kSlopeBits = 6;  // of the linear factors of a height
-constexpr long kHeightUnit = -16;
-constexpr int kMaxFlatness = 12;
+constexpr int kSlopeBits = 2;  // of the linear factors of a height
+constexpr long kHeightUnit = -8;
 constexpr int kVelocityBits = 17;
 constexpr long kVelocityUnit = -15;
-
-/// The contact plane and a direction out of it.
-struct Frame {
-  std::array<Vec3<Dyadic>, 2> tangent;
-  Vec3<Dyadic> out;
-  Vec3<Dyadic> normal;  ///< tangent[0] × tangent[1]; normal·out > 0
-};
-
-Vec3<Dyadic> integer_vector(Random& random) {
-  Vec3<Dyadic> v;
-  for (int k = 0; k < 3; ++k) {
-    v[k] = Dyadic(static_cast<int>(random.between(-kFrameBound, kFrameBound)));
-  }
-  return v;
-}
-
-Frame random_frame(Random& random) {
-  Frame frame;
-  const Vec3<Dyadic> zero = {Dyadic(), Dyadic(), Dyadic()};
-  do {
-    for (Vec3<Dyadic>& t : frame.tangent) t = integer_vector(random);
-    frame.normal = cross(frame.tangent[0], frame.tangent[1]);
-  } while (frame.normal == zero);
-  int side = 0;
-  while (side == 0) {
-    frame.out = integer_vector(random);
-    side = dot(frame.normal, frame.out).sign();
-  }
-  if (side < 0) frame.out = -frame.out;
-  return frame;
-}
-
-using Planar = std::array<Dyadic, 2>;
-
-/// a·b' − a'·b
-Dyadic area(const Planar& a, const Planar& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-Planar difference(const Planar& a, const Planar& b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-
-/// Tangential control points: a triangle that is not degenerate, mid controls off its edge
-/// midpoints by up to an eighth, shifted so that Σ β τ = 0.
-std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, Random& random) {
-  std::array<Planar, 3> corner;
-  do {
-    for (Planar& p : corner) {
-      for (Dyadic& x : p) x = random.dyadic(kTangentBits, kTangentUnit);
-    }
-  } while (area(difference(corner[1], corner[0]), difference(corner[2], corner[0])).sign() == 0);
-  std::array<Planar, 6> tau;
-  Planar mean;
-  for (size_t i = 0; i < 6; ++i) {
-    const auto [a, b] = kCornerPairs[i];
-    for (size_t k = 0; k < 2; ++k) {
-      tau[i][k] = (corner[a][k] + corner[b][k]).scaled(-1);
-      if (a != b) tau[i][k] += random.dyadic(kTangentBits - 3, kTangentUnit);
-      mean[k] += weights[i] * tau[i][k];
-    }
-  }
-  for (Planar& p : tau) p = difference(p, mean);
-  return tau;
-}
 
 /// A linear function on the triangle that is 0 at x, by its values at the corners.
 Barycentric linear_through(const Barycentric& x, Random& random) {
@@ -110,9 +40,12 @@ bool is_zero_on(const Barycentric& r, const Barycentric& x) {
 
 /// Heights that are 0 at x and positive elsewhere on the triangle:
 ///   face    p² + q² for independent linear functions p, q through x
-///   edge    p² along the edge, p linear through x, and positive coefficients off it
+///   edge    p² along the edge, p linear through x (0 if it is a flat edge), and positive
+///           coefficients off it
 ///   corner  0 at the corner, positive coefficients elsewhere
-std::array<Dyadic, 6> one_sided_heights(const Barycentric& x, Random& random) {
+/// All times 2^unit.
+std::array<Dyadic, 6> one_sided_heights(const Barycentric& x, bool flat_edge, long unit,
+                                        Random& random) {
   const Feature feature = feature_at(x);
   Barycentric p, q;
   if (feature == Feature::kFace) {
@@ -122,12 +55,11 @@ std::array<Dyadic, 6> one_sided_heights(const Barycentric& x, Random& random) {
       q = linear_through(x, random);
       independent = p[0] * q[1] - p[1] * q[0];  // both vanish at x, where no coordinate is 0
     }
-  } else if (feature == Feature::kEdge) {
+  } else if (feature == Feature::kEdge && !flat_edge) {
     do {
       p = linear_through(x, random);
     } while (is_zero_on(p, x));
   }
-  const long unit = kHeightUnit - static_cast<long>(random.between(0, kMaxFlatness));
   std::array<Dyadic, 6> heights;
   for (size_t i = 0; i < 6; ++i) {
     const auto [a, b] = kCornerPairs[i];
@@ -138,7 +70,7 @@ std::array<Dyadic, 6> one_sided_heights(const Barycentric& x, Random& random) {
     } else if (feature == Feature::kEdge && on_feature) {
       h = p[a] * p[b];
     } else if (!on_feature) {
-      h = Dyadic(static_cast<int>(random.between(1, std::int64_t{1} << (2 * kSlopeBits))));
+      h = Dyadic(static_cast<int>(random.between(1, 1 << (2 * kSlopeBits + 2))));
     }
     heights[i] = h.scaled(unit);
   }
@@ -154,31 +86,47 @@ Vec3<Dyadic> upward_velocity(const Vec3<Dyadic>& normal, Random& random) {
   }
 }
 
+Vec3<Dyadic> tangential_velocity(const Frame& frame, Random& random) {
+  Vec3<Dyadic> v = {Dyadic(), Dyadic(), Dyadic()};
+  for (const Vec3<Dyadic>& t : frame.tangent) v += t * random.dyadic(kTangentBits, kTangentUnit);
+  return v;
+}
+
 }  // namespace
 
-Scene one_sided_scene(ContactClass contact, Random& random) {
+Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Random& random) {
   const std::array<Feature, 2> features = features_of(contact);
-  Scene scene;
-  scene.contact.t = Dyadic(1);
   const Frame frame = random_frame(random);
+  Scene scene;
+  scene.contact.t = style.t;
+  scene.t_max = style.t_max;
   scene.normal = frame.normal;
-  const Vec3<Dyadic> point = random.vector(kContactBits, kContactUnit);
-  const Vec3<Dyadic> common = random.vector(kVelocityBits, kVelocityUnit);
+  Vec3<Dyadic> point = random.vector(style.contact_bits, style.contact_unit);
+  if (style.plane_through_origin) {
+    point = Vec3<Dyadic>(frame.tangent[0] * point[0] + frame.tangent[1] * point[1]);
+  }
+  const Vec3<Dyadic> common = style.grazing ? tangential_velocity(frame, random)
+                                            : random.vector(kVelocityBits, kVelocityUnit);
   for (size_t s = 0; s < 2; ++s) {
-    const Barycentric x = prescribe_anywhere(features[s], random);
+    const int bits = static_cast<int>(random.between(2, style.max_parameter_bits));
+    const Barycentric x = prescribe_anywhere(features[s], bits, random);
     scene.contact.x[s] = x;
-    const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), random);
-    const std::array<Dyadic, 6> heights = one_sided_heights(x, random);
+    const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), kTangentUnit, random);
+    // An edge of EE and VE may lie in the contact plane, where it crosses the other's contact
+    // point.
+    const bool flat_edge = features[1] == Feature::kEdge && random.below(4) != 0;
+    const std::int64_t flatness = random.between(style.min_flatness, style.max_flatness);
+    const std::array<Dyadic, 6> heights =
+        one_sided_heights(x, flat_edge, kHeightUnit - static_cast<long>(flatness), random);
     MovingPatch<Dyadic>& patch = scene.patches[s];
     patch = {kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
     for (size_t i = 0; i < 6; ++i) {
-      const Vec3<Dyadic> upward = upward_velocity(frame.normal, random);
       const Dyadic side(s == 0 ? 1 : -1);
-      const Vec3<Dyadic> at_contact = point + frame.tangent[0] * tau[i][0] +
-                                      frame.tangent[1] * tau[i][1] +
-                                      frame.out * (side * heights[i]);
-      patch.velocities[i] = common - upward * side;
-      patch.positions[i] = at_contact - patch.velocities[i] * scene.contact.t;
+      const Vec3<Dyadic> away = style.grazing ? tangential_velocity(frame, random)
+                                              : upward_velocity(frame.normal, random);
+      const Vec3<Dyadic> at_contact = point + point_of(frame, tau[i], side * heights[i]);
+      patch.velocities[i] = common - away * side;
+      patch.positions[i] = at_contact - patch.velocities[i] * style.t;
     }
   }
   return scene;

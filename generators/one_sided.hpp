@@ -6,16 +6,37 @@
 
 namespace ccdfuzz {
 
+/// What is asked of a one-sided scene; the defaults are the regular cases'.
+struct OneSidedStyle {
+  Dyadic t = 1;      ///< t*
+  Dyadic t_max = 1;  ///< end of the query
+  /// The contact point's coordinates are multiples of 2^contact_unit up to
+  /// 2^(contact_unit + contact_bits); if it is to lie on a plane through the origin that is the
+  /// contact plane, they are up to 64 times larger.
+  int contact_bits = 46;
+  long contact_unit = -41;
+  bool plane_through_origin = false;
+  /// Parameters are multiples of 2^-b for a random b from 2 to this. The more bits they have, the
+  /// longer a subdivision keeps the contact inside one cell, off the corners of cells.
+  int max_parameter_bits = 12;
+  /// Heights above the contact plane are 2^-flatness times about the size of the patch.
+  int min_flatness = 0;
+  int max_flatness = 12;
+  /// All velocities lie in the contact plane: the patches graze each other at t*, and touch at no
+  /// other time if their contact points' velocities differ. The moving plane proves nothing then.
+  bool grazing = false;
+};
+
 /// The one-sided family: Steps I, II and IV in one go, without solving or discarding anything.
 ///
 /// At t* the control points are c + Σ τ·T + h·m: c is the contact point, T1 and T2 span the contact
 /// plane, m points out of it. The tangential coordinates τ are arbitrary but for Σ β τ = 0, β the
 /// Bernstein weights at the contact, which puts the contact at c. The heights h are the polar form
-/// of a quadratic that is 0 at the contact and positive elsewhere on the patch; patch 1 takes them
-/// upwards, patch 2 downwards. So the patches touch at c alone, whatever the rest.
-/// All velocities of patch 1 have a smaller normal part than all of patch 2: moving_plane_separates
-/// holds by construction.
-/// Sizes: patches about 2^2 across, contact point and velocities up to 2^5 and 2^3 a coordinate.
-Scene one_sided_scene(ContactClass contact, Random& random);
+/// of a quadratic that is 0 at the contact and positive elsewhere on the patch, but that the
+/// contact edges of EE and VE may be flat; patch 1 takes them upwards, patch 2 downwards. So the
+/// patches touch nowhere but in the plane. All velocities of patch 1 have a smaller normal part
+/// than all of patch 2: moving_plane_separates holds by construction. Sizes: patches and velocities
+/// are up to about 2^3.
+Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Random& random);
 
 }  // namespace ccdfuzz

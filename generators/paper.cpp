@@ -18,7 +18,7 @@ std::optional<Scene> paper_scene(ContactClass contact, Random& random) {
   if (!normal) return std::nullopt;
 
   Scene scene;
-  scene.contact.t = Dyadic(1);
+  scene.contact.t = scene.t_max = Dyadic(1);
   scene.normal = *normal;
   std::array<Points<Dyadic>, 2> points;
   for (size_t s = 0; s < 2; ++s) {

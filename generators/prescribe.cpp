@@ -36,21 +36,22 @@ Barycentric prescribe_in_parent(Feature feature, Random& random) {
   return x;
 }
 
-Barycentric prescribe_anywhere(Feature feature, Random& random) {
-  constexpr int kBits = 6, kSteps = 1 << kBits;
+Barycentric prescribe_anywhere(Feature feature, int bits, Random& random) {
+  CCDFUZZ_ASSERT(2 <= bits && bits <= 20);
+  const int steps = 1 << bits;
   std::array<int, 3> x{};
   const size_t corner = random.below(3);
   if (feature == Feature::kFace) {
     // The first corner gets 1..62, and the others what is left, at least 1 each.
-    x[corner] = static_cast<int>(random.between(1, kSteps - 2));
-    x[(corner + 1) % 3] = static_cast<int>(random.between(1, kSteps - x[corner] - 1));
+    x[corner] = static_cast<int>(random.between(1, steps - 2));
+    x[(corner + 1) % 3] = static_cast<int>(random.between(1, steps - x[corner] - 1));
   } else if (feature == Feature::kEdge) {
-    x[(corner + 1) % 3] = static_cast<int>(random.between(1, kSteps - 1));
+    x[(corner + 1) % 3] = static_cast<int>(random.between(1, steps - 1));
   } else {
-    x[(corner + 1) % 3] = kSteps;
+    x[(corner + 1) % 3] = steps;
   }
-  x[(corner + 2) % 3] = kSteps - x[corner] - x[(corner + 1) % 3];
-  return {Dyadic(x[0], -kBits), Dyadic(x[1], -kBits), Dyadic(x[2], -kBits)};
+  x[(corner + 2) % 3] = steps - x[corner] - x[(corner + 1) % 3];
+  return {Dyadic(x[0], -bits), Dyadic(x[1], -bits), Dyadic(x[2], -bits)};
 }
 
 Feature feature_at(const Barycentric& x) {

@@ -16,9 +16,9 @@ std::array<Feature, 2> features_of(ContactClass contact);
 /// midpoint of an edge, or a corner.
 Barycentric prescribe_in_parent(Feature feature, Random& random);
 
-/// Step I of the one-sided family: any parameters in steps of 2^-6 on a random edge or corner, or
-/// in the interior.
-Barycentric prescribe_anywhere(Feature feature, Random& random);
+/// Step I of the one-sided family: any multiples of 2^-bits in the interior, on a random edge or at
+/// a random corner; bits ≥ 2.
+Barycentric prescribe_anywhere(Feature feature, int bits, Random& random);
 
 /// The feature that a point lies on.
 Feature feature_at(const Barycentric& x);

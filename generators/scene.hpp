@@ -17,6 +17,7 @@ struct Scene {
   Contact contact;
   std::array<MovingPatch<Dyadic>, 2> patches;
   Vec3<Dyadic> normal;  ///< of the contact plane, from patch 2 to patch 1
+  Dyadic t_max;         ///< end of the query that is to find the contact; t* ≤ t_max
 };
 
 }  // namespace ccdfuzz

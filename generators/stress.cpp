@@ -1,0 +1,85 @@
+#include "generators/stress.hpp"
+
+#include "generators/one_sided.hpp"
+#include "generators/twins.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// A multiple of 1/8 in (0, 1).
+Dyadic interior_time(Random& random) {
+  return {Integer(static_cast<long>(random.between(1, 7))), -3};
+}
+
+Scene flat_grazing(ContactClass contact, Random& random) {
+  OneSidedStyle style;
+  if (random.coin()) style.t = interior_time(random);
+  // Coordinates up to 2^10 .. 2^16. Finest bit: 2^-8-20-4 from the heights, 2^-3 more from t*.
+  style.contact_bits = static_cast<int>(random.between(36, 42));
+  style.contact_unit = -32;
+  style.plane_through_origin = true;
+  style.max_parameter_bits = 2;
+  style.min_flatness = style.max_flatness = 20;
+  style.grazing = true;
+  return one_sided_scene(contact, style, random);
+}
+
+Scene common_velocity(ContactClass contact, Random& random) {
+  OneSidedStyle style;
+  Scene scene = one_sided_scene(contact, style, random);
+  const long exponent = static_cast<long>(random.between(8, 20));
+  const Vec3<Dyadic> common = random.vector(10, exponent - 10);
+  // Positions stay: the contact, as seen from the patches, is the same, and lies far away.
+  for (MovingPatch<Dyadic>& patch : scene.patches) {
+    for (Vec3<Dyadic>& v : patch.velocities) v += common;
+  }
+  return scene;
+}
+
+Scene scaled(ContactClass contact, Random& random) {
+  OneSidedStyle style;
+  style.t_max = 2;
+  Scene scene = one_sided_scene(contact, style, random);
+  // Coordinates are about 2^5 to 2^7 before. The products of two projections that Steps II and III
+  // take underflow from 2^-537 down; a subnormal has no room for 52 bits, hence the end at 2^-1000.
+  const long exponent = random.below(4) != 0 ? static_cast<long>(random.between(-547, -530))
+                                             : static_cast<long>(random.between(-1000, 900));
+  for (MovingPatch<Dyadic>& patch : scene.patches) {
+    for (Points<Dyadic>* points : {&patch.positions, &patch.velocities}) {
+      for (Vec3<Dyadic>& p : *points) {
+        for (int k = 0; k < 3; ++k) p[k] = p[k].scaled(exponent);
+      }
+    }
+  }
+  return scene;
+}
+
+Scene interior_contact(ContactClass contact, Random& random) {
+  OneSidedStyle style;
+  style.t = interior_time(random);
+  return one_sided_scene(contact, style, random);
+}
+
+}  // namespace
+
+Scene stress_scene(Family family, ContactClass contact, Random& random) {
+  CCDFUZZ_VERIFY(family != Family::kRegular);
+  switch (family) {
+    case Family::kRegular:
+      break;
+    case Family::kFlatGrazing:
+      return flat_grazing(contact, random);
+    case Family::kCommonVelocity:
+      return common_velocity(contact, random);
+    case Family::kScaled:
+      return scaled(contact, random);
+    case Family::kTwins:
+      return twin_scene(contact, random);
+    case Family::kInteriorTime:
+      return interior_contact(contact, random);
+  }
+  return {};
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,148 @@
+#include "generators/twins.hpp"
+
+#include "generators/differential.hpp"
+#include "generators/frame.hpp"
+#include "generators/prescribe.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// What a control point of patch 1 does on the normal.
+enum class Role { kSlow, kTwin, kFast };
+
+/// The unit in the last place of x as a double; 0 for 0.
+Dyadic ulp(const Dyadic& x) {
+  if (x.sign() == 0) return {};
+  const long bits = static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2));
+  return {1, x.exponent() + bits - 53};
+}
+
+/// The corner whose two mid controls are the twins. The contact's own controls are fast, but for a
+/// contact inside the patch, where all are its own.
+int twin_corner(const Barycentric& x, Random& random) {
+  switch (feature_at(x)) {
+    case Feature::kFace:
+      return static_cast<int>(random.below(3));
+    case Feature::kEdge:
+      return corner_opposite(x);
+    case Feature::kCorner:
+      return corner_of(x);
+  }
+  return 0;
+}
+
+Role role_of(int a, int b, int twin_corner, bool corner_is_fast) {
+  if (a == twin_corner && b == twin_corner) return corner_is_fast ? Role::kFast : Role::kSlow;
+  if (a == twin_corner || b == twin_corner) return Role::kTwin;
+  return corner_is_fast ? Role::kSlow : Role::kFast;
+}
+
+// Heights at t* and speeds along m, in units of 2^-4. With s = t − t* the lines are
+//   slow   −1 + [0, .1]·s       twin   −[1, 1.25] + [.2, .5]·s       fast   [2, 4]·s
+// The fast one overtakes the slow ones at s = −1/[1.9, 4] > −t*, where the twins are below both.
+// Patch 2's line [8, 16]·s crosses the slow ones at s ≈ −1/8, the fast one at s = 0.
+constexpr long kHeightUnit = -4;
+constexpr long kStep = kHeightUnit - 6;
+
+struct NormalMotion {
+  Dyadic height, speed;
+};
+
+NormalMotion normal_motion(Role role, Random& random) {
+  const auto draw = [&random](int lo, int hi) {
+    return Dyadic(Integer(static_cast<long>(random.between(lo, hi))), kStep);
+  };
+  NormalMotion motion;
+  switch (role) {
+    case Role::kSlow:
+      motion.height = Dyadic(-1, kHeightUnit);
+      motion.speed = draw(0, 6);
+      break;
+    case Role::kTwin:
+      motion.height = draw(-80, -64);
+      motion.speed = draw(13, 32);
+      break;
+    case Role::kFast:
+      motion.speed = draw(128, 256);
+      break;
+  }
+  return motion;
+}
+
+/// Moves twin a few ulps away from what it is a copy of. If it has a share in the contact, its
+/// place at t* stays; else that may change too.
+void nudge(Vec3<Dyadic>& position, Vec3<Dyadic>& velocity, const Dyadic& t, bool in_contact,
+           Random& random) {
+  for (int k = 0; k < 3; ++k) {
+    const Dyadic coarser = std::max(ulp(position[k]), ulp(velocity[k]));
+    if (in_contact) {
+      // t is a multiple of 1/2 then, so both changes are whole ulps.
+      const Dyadic change = coarser * Dyadic(2 * static_cast<int>(random.between(-1, 1)));
+      velocity[k] += change;
+      position[k] -= change * t;
+    } else {
+      velocity[k] += ulp(velocity[k]) * Dyadic(static_cast<int>(random.between(-4, 4)));
+      position[k] += ulp(position[k]) * Dyadic(static_cast<int>(random.between(-4, 4)));
+    }
+  }
+}
+
+MovingPatch<Dyadic> twin_patch(const Frame& frame, const Barycentric& x, const Dyadic& t,
+                               Random& random) {
+  const int corner = twin_corner(x, random);
+  const bool in_contact = feature_at(x) == Feature::kFace;
+  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -14, random);
+  const Vec3<Dyadic> origin = random.vector(12, -8);
+  const NormalMotion slow = normal_motion(Role::kSlow, random);
+  const NormalMotion twin = normal_motion(Role::kTwin, random);
+  const NormalMotion fast = normal_motion(Role::kFast, random);
+  MovingPatch<Dyadic> patch{kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
+  for (size_t i = 0; i < 6; ++i) {
+    const auto [a, b] = kCornerPairs[i];
+    const Role role = role_of(a, b, corner, feature_at(x) == Feature::kCorner);
+    const NormalMotion& m = role == Role::kSlow ? slow : role == Role::kTwin ? twin : fast;
+    patch.velocities[i] = frame.out * m.speed;
+    patch.positions[i] = origin + point_of(frame, tau[i], m.height) - patch.velocities[i] * t;
+  }
+  const size_t original = control_of(corner, (corner + 1) % 3);
+  const size_t copy = control_of(corner, (corner + 2) % 3);
+  if (!in_contact && random.coin()) patch.positions[copy] = patch.positions[original];
+  nudge(patch.positions[copy], patch.velocities[copy], t, in_contact, random);
+  return patch;
+}
+
+/// A small flat patch with one velocity, its point x at `contact` at time t.
+MovingPatch<Dyadic> sweeping_patch(const Frame& frame, const Barycentric& x, const Dyadic& t,
+                                   const Vec3<Dyadic>& contact, Random& random) {
+  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -18, random);
+  const Dyadic speed(Integer(static_cast<long>(random.between(512, 1024))), kStep);
+  MovingPatch<Dyadic> patch{kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
+  for (size_t i = 0; i < 6; ++i) {
+    patch.velocities[i] = frame.out * speed;
+    patch.positions[i] = contact + point_of(frame, tau[i], Dyadic()) - patch.velocities[i] * t;
+  }
+  return patch;
+}
+
+}  // namespace
+
+Scene twin_scene(ContactClass contact, Random& random) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const Frame frame = random_frame(random);
+  Scene scene;
+  scene.t_max = 1;
+  scene.normal = frame.normal;
+  // Late enough for all crossings above to come after 0.
+  const bool halves_only = features[0] == Feature::kFace;
+  scene.contact.t =
+      halves_only ? Dyadic(1, -1) : Dyadic(static_cast<int>(random.between(5, 7)), -3);
+  for (size_t s = 0; s < 2; ++s) scene.contact.x[s] = prescribe_in_parent(features[s], random);
+  scene.patches[0] = twin_patch(frame, scene.contact.x[0], scene.contact.t, random);
+  const Vec3<Dyadic> point =
+      weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(scene.contact.t));
+  scene.patches[1] = sweeping_patch(frame, scene.contact.x[1], scene.contact.t, point, random);
+  return scene;
+}
+
+}  // namespace ccdfuzz
