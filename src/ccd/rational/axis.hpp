@@ -24,7 +24,7 @@ struct Axis {
 };
 
 /// The integer vector with a largest component of magnitude 2^bits that is nearest in direction to
-/// `direction`. Nothing if direction is zero or not finite. Requires 1 ≤ bits ≤ 30.
+/// `direction`. Nothing if direction is not finite or smaller than 2^-900. Requires 1 ≤ bits ≤ 30.
 std::optional<Axis> round_to_axis(const Vec3<double>& direction, int bits);
 
 }  // namespace ccdfuzz::exact_ccd

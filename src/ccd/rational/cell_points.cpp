@@ -1,6 +1,9 @@
 #include "ccd/rational/cell_points.hpp"
 
+#include <algorithm>
+
 #include "bezier/restrict.hpp"
+#include "numeric/verify.hpp"
 
 namespace ccdfuzz::exact_ccd {
 
@@ -20,35 +23,74 @@ size_t hash(const Cell& cell) {
 
 void CellPointsCache::begin(const Shape& shape, const Points<double>& positions,
                             const Points<double>& velocities) {
+  if (!program_ || !(shape == shape_)) program_.emplace(shape);
   shape_ = shape;
+  width_ = padded(shape.control_count());
   positions_ = positions;
   velocities_ = velocities;
   part_.resize(positions.size());
+  controls_.resize(positions.size() + program_->steps.size());
   slots_.fill({});
-  points_.resize(kSlots * kFamily * 6 * positions.size());
+  points_.resize(kSlots * kFamily * 6 * static_cast<size_t>(width_));
+}
+
+int CellPointsCache::roundings(const Shape& shape) {
+  // From scratch, a blossom step sums three products for a triangle and two else. The averages of
+  // the midpoint split round once each, one for every argument of the blossom.
+  const int steps = shape.n + shape.m;
+  return (shape.kind == ShapeKind::kTriangle ? 3 : 2) * steps + steps;
 }
 
 CellPoints CellPointsCache::family(std::span<const Cell> parts) {
   const size_t index = hash(parts[0]) % kSlots;
-  const size_t count = positions_.size();
-  double* data = points_.data() + index * kFamily * 6 * count;
+  double* data = points_.data() + index * kFamily * 6 * static_cast<size_t>(width_);
   Slot& slot = slots_[index];
   if (slot.size != parts.size() || !(slot.first == parts[0])) {
     fill(parts, data);
     slot = {parts[0], parts.size()};
   }
-  return {data, static_cast<int>(count)};
+  return {data, shape_.control_count(), width_};
+}
+
+/// Writes the six arrays of a cell whose control point i is controls_[place(i)].
+template <class Place>
+void CellPointsCache::store(const Place& place, double* out) const {
+  const int count = shape_.control_count();
+  for (int i = 0; i < width_; ++i) {
+    const Control& c = controls_[static_cast<size_t>(place(std::min(i, count - 1)))];
+    for (int k = 0; k < 6; ++k) out[k * width_ + i] = c[static_cast<size_t>(k)];
+  }
 }
 
 void CellPointsCache::fill(std::span<const Cell> parts, double* out) {
-  for (const Cell& cell : parts) {
-    const std::array<Uv<double>, 3> corners = cell.corners(shape_);
-    for (const Points<double>* points : {&positions_, &velocities_}) {
-      restrict_to<double>(shape_, *points, corners, part_);
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        for (const Vec3<double>& p : part_) *out++ = p[k];
-      }
+  const bool root = parts[0].depth == 0;
+  CCDFUZZ_ASSERT(root || parts.size() == program_->children.size());
+  // Child 0 of a cell has its orientation, at twice its place or, if inverted, one higher.
+  const Cell& first = parts[0];
+  const Cell parent =
+      root ? first : Cell{first.i / 2, first.j / 2, first.depth - 1, first.inverted};
+  CCDFUZZ_ASSERT(root || parent.child(shape_, 0) == first);
+
+  const std::array<Uv<double>, 3> corners = parent.corners(shape_);
+  for (Eigen::Index half : {0, 3}) {
+    restrict_to<double>(shape_, half == 0 ? positions_ : velocities_, corners, part_);
+    for (size_t i = 0; i < part_.size(); ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k)
+        controls_[i][static_cast<size_t>(half + k)] = part_[i][k];
     }
+  }
+  if (root) return store([](int i) { return i; }, out);
+
+  Control* next = &controls_[part_.size()];
+  for (const auto& [left, right] : program_->steps) {
+    const Control &l = controls_[static_cast<size_t>(left)],
+                  &r = controls_[static_cast<size_t>(right)];
+    for (size_t k = 0; k < 6; ++k) (*next)[k] = 0.5 * (l[k] + r[k]);
+    ++next;
+  }
+  for (const std::vector<int>& places : program_->children) {
+    store([&](int i) { return places[static_cast<size_t>(i)]; }, out);
+    out += 6 * width_;
   }
 }
 

@@ -1,51 +1,72 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
+#include "ccd/certified/midpoint_program.hpp"
 
 namespace ccdfuzz::exact_ccd {
 
-/// Control points of one cell in double precision, as six arrays of shape.control_count() numbers:
-/// positions x, y, z, then velocities x, y, z.
+/// Control points of one cell in double precision, as six arrays: positions x, y, z, then
+/// velocities x, y, z. Each is padded to `width`, a multiple of 4, by repeating its last number, so
+/// that loops need no remainder.
 struct CellPoints {
   const double* data = nullptr;
   int count = 0;
+  int width = 0;
 
-  const double* position(int k) const { return data + k * count; }
-  const double* velocity(int k) const { return data + (3 + k) * count; }
+  const double* position(int k) const { return data + std::ptrdiff_t{k} * width; }
+  const double* velocity(int k) const { return data + std::ptrdiff_t{3 + k} * width; }
 };
 
-/// Makes the control points of cells from scratch and remembers the most recent families: the
-/// search splits the same cell against many partners. Bounded, direct mapped, no allocation after
-/// the first query of a size.
+/// Least multiple of 4 that is ≥ n.
+constexpr int padded(int n) {
+  return (n + 3) / 4 * 4;
+}
+
+/// Makes the control points of cells and remembers the most recent families: the search splits the
+/// same cell against many partners. Bounded, direct mapped, no allocation after the first query of
+/// a size.
+///
+/// Rounding: the parent is restrict_to<double> of the whole patch, its children are averages of
+/// averages; roundings() bounds how many lie behind a control point.
 class CellPointsCache {
  public:
   void begin(const Shape& shape, const Points<double>& positions, const Points<double>& velocities);
 
   /// The control points of the children of one cell (or of the root alone). Valid until the next
-  /// call. Rounding: each is restrict_to<double> of the whole patch.
+  /// call.
   CellPoints family(std::span<const Cell> parts);
 
   /// Member c of a family.
   static CellPoints member(const CellPoints& family, int c) {
-    return {family.data + std::ptrdiff_t{6} * family.count * c, family.count};
+    return {family.data + std::ptrdiff_t{6} * family.width * c, family.count, family.width};
   }
 
+  static int roundings(const Shape& shape);
+
  private:
-  static constexpr size_t kSlots = 64;
+  static constexpr size_t kSlots = 128;
 
   struct Slot {
     Cell first;
     size_t size = 0;  ///< 0: empty
   };
+  using Control = std::array<double, 6>;  ///< position, velocity
 
   void fill(std::span<const Cell> parts, double* out);
+  template <class Place>
+  void store(const Place& place, double* out) const;
 
   Shape shape_;
+  int width_ = 0;
   Points<double> positions_, velocities_, part_;
+  std::optional<certified::MidpointProgram> program_;
+  std::vector<Control> controls_;  ///< as the program numbers them
   std::array<Slot, kSlots> slots_;
   std::vector<double> points_;
 };

@@ -27,6 +27,9 @@ Points<double> normalised(const Points<double>& points, const Vec3<double>& orig
   return out;
 }
 
+/// Four control points at once; the sequence of roundings of each is that of scalar code.
+using Lanes = Eigen::Array4d;
+
 /// The exponent e with m < 2^e, or the least int for m = 0.
 int top_of(double m) {
   return m == 0 ? std::numeric_limits<int>::min() / 2 : parts_of(m).top();
@@ -38,18 +41,19 @@ int top_of(double m) {
 // a normalised coordinate of position plus that of velocity; times are in [0, 1].
 //  1. Normalised coordinates: scaling is exact or, where it underflows, off by ≤ eta/2; the
 //     difference rounds once: u·M + eta.
-//  2. restrict_to<double>: each blossom step is a combination with exact non-negative weights of
-//     sum 1, of three products summed from the left for a triangle (gamma_3), of two else
-//     (gamma_2). With s steps: gamma_{3s} for a triangle, gamma_{2s} else; s ≤ 16. Products may
-//     underflow, ≤ eta/2 each: ≤ 1.5·s·eta in all.
+//  2. Sub-patch. Each blossom step is a combination with exact non-negative weights of sum 1, of
+//     three products summed from the left for a triangle (gamma_3), of two else (gamma_2); each
+//     average rounds once, halving being exact unless it underflows. gamma_K in all, with K =
+//     CellPointsCache::roundings ≤ 64. Products and halves may underflow, ≤ eta/2 each: with
+//     s ≤ 16 steps ≤ (1.5 + 0.5)·s·eta.
 //  3. Projection, three products summed: gamma_3·|l|_1·M + 1.5·eta.
 //  4. Line at t: gamma_2 + eta/2.
 //  5. The difference of two extremes, each of magnitude ≤ |l|_1·M·(1 + gamma): u of each.
-// Both extremes together: 2·gamma_{K+7}·|l|_1·M with K = 3s or 2s, plus underflow of at most
-// 2·|l|_1·2·(1 + 1.5·16) eta + 2·(2·1.5 + 0.5) eta < 128·|l|_1·eta (step 1 and 2 for positions and
-// velocities; |l|_1 ≥ 1). K + 8 ≤ 40 in place of gamma's K + 7 exceeds it by the factor 1 + 1/39,
-// which covers 1/(1 − k·u) and the three roundings of the bound itself; where 2·(K+8)·u·M would
-// itself underflow, M < 2^-1000 and 256 eta in place of 128 eta covers it: 2·39·u·M < eta.
+// Both extremes together: 2·gamma_{K+7}·|l|_1·M, plus underflow of at most
+// 2·|l|_1·2·(1 + 2·16) eta + 2·(2·1.5 + 0.5) eta < 140·|l|_1·eta (steps 1 and 2 for positions and
+// velocities; |l|_1 ≥ 1). K + 8 in place of gamma's K + 7 exceeds it by the factor 1 + 1/71, which
+// covers 1/(1 − 71u) and the three roundings of the bound itself; where 2·(K+8)·u·M would itself
+// underflow, it is less than eta, and 256 eta in place of 140 eta covers it.
 void Gap::begin(const Query& query) {
   query_ = &query;
   units_ = Units::of(query);
@@ -65,20 +69,19 @@ void Gap::begin(const Query& query) {
   const Vec3<double> origin = query.patches[0].positions[0];
   const Vec3<double> drift = query.patches[0].velocities[0];
   double m_position = 0, m_velocity = 0;
-  int rounded_operations = 0;
+  int roundings = 0;
   for (size_t side = 0; side < 2; ++side) {
     const MovingPatch<double>& patch = query.patches[side];
     const Points<double> positions = normalised(patch.positions, origin, shift);
     const Points<double> velocities = normalised(patch.velocities, drift, shift + units_.horizon);
     m_position = std::max(m_position, max_magnitude(positions));
     m_velocity = std::max(m_velocity, max_magnitude(velocities));
-    const int a_step = patch.shape.kind == ShapeKind::kTriangle ? 3 : 2;
-    rounded_operations = std::max(rounded_operations, a_step * blossom_steps(patch.shape));
+    roundings = std::max(roundings, CellPointsCache::roundings(patch.shape));
     cache_[side].begin(patch.shape, positions, velocities);
   }
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   constexpr double eta = std::numeric_limits<double>::denorm_min();
-  error_per_norm_ = 2 * (rounded_operations + 8) * u * (m_position + m_velocity) + 256 * eta;
+  error_per_norm_ = 2 * (roundings + 8) * u * (m_position + m_velocity) + 256 * eta;
 }
 
 void Gap::prepare(int side, std::span<const Cell> parts) {
@@ -100,7 +103,7 @@ void Gap::project(const Axis& axis, int bits) {
   for (size_t side = 0; side < 2; ++side) {
     const CellPoints& p = selected_[side];
     const auto dots = [&](const double* px, const double* py, const double* pz, double* out) {
-      for (int i = 0; i < p.count; ++i) out[i] = (x * px[i] + y * py[i]) + z * pz[i];
+      for (int i = 0; i < p.width; ++i) out[i] = (x * px[i] + y * py[i]) + z * pz[i];
     };
     dots(p.position(0), p.position(1), p.position(2), intercepts_[side].data());
     dots(p.velocity(0), p.velocity(1), p.velocity(2), slopes_[side].data());
@@ -110,16 +113,18 @@ void Gap::project(const Axis& axis, int bits) {
 Extremes Gap::extremes(double t) const {
   Extremes e;
   for (size_t side = 0; side < 2; ++side) {
-    const double* a = slopes_[side].data();
-    const double* b = intercepts_[side].data();
-    double max = a[0] * t + b[0], min = max;
-    for (int i = 1; i < selected_[side].count; ++i) {
-      const double value = a[i] * t + b[i];
-      max = value > max ? value : max;
-      min = value < min ? value : min;
+    const auto values = [&](int i) -> Lanes {
+      return Eigen::Map<const Lanes>(&slopes_[side][static_cast<size_t>(i)]) * t +
+             Eigen::Map<const Lanes>(&intercepts_[side][static_cast<size_t>(i)]);
+    };
+    Lanes max = values(0), min = max;
+    for (int i = 4; i < selected_[side].width; i += 4) {
+      const Lanes v = values(i);
+      max = max.max(v);
+      min = min.min(v);
     }
-    e.max[side] = max;
-    e.min[side] = min;
+    e.max[side] = max.maxCoeff();
+    e.min[side] = min.minCoeff();
   }
   return e;
 }

@@ -101,7 +101,8 @@ class Gap {
   std::array<CellPoints, 2> selected_;
   Axis axis_;
   int axis_bits_ = 0;
-  std::array<std::array<double, kMaxControls>, 2> slopes_, intercepts_;
+  using Values = std::array<double, padded(kMaxControls)>;
+  alignas(16) std::array<Values, 2> slopes_, intercepts_;
   double error_per_norm_ = 0, error_ = 0;
 
   std::tuple<Tier<WideInt<128>>, Tier<WideInt<256>>, Tier<WideInt<512>>, Tier<Integer>> tiers_;

@@ -39,8 +39,9 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
   const Frame& a = frame(0, part_a, w.lo);
   const Frame& b = frame(1, part_b, w.lo);
   gap_.select(part_a, part_b);
-  // Round and round the axes until none of them has shortened the window in a whole round: an axis
-  // may separate at an end that another has uncovered.
+  // Round and round the axes until the window has stood a whole round: an axis may separate at an
+  // end that another has uncovered. The bound on the rounds only saves time: a longer window is
+  // safe.
   constexpr int kMaxRounds = 4;
   int unchanged = 0;
   for (int n = 0; n < kMaxRounds * kPairAxes && unchanged < kPairAxes; ++n) {
@@ -52,7 +53,7 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
       case Cut::kAll:
         return std::nullopt;
       case Cut::kShorter:
-        unchanged = 0;
+        unchanged = 1;  // as far as this axis is concerned, the window is done
         break;
       case Cut::kNothing:
         break;
