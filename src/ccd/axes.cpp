@@ -42,10 +42,6 @@ Vec3<double> span_to(const ControlNet& net, int to, double t) {
   return unit(d);
 }
 
-bool is_zero(const Frame& frame) {
-  return std::all_of(frame.begin(), frame.end(), [](const auto& l) { return Axis{l}.is_zero(); });
-}
-
 }  // namespace
 
 Frame coordinate_frame() {
@@ -75,13 +71,8 @@ Frame obb_frame(const ControlNet& net, double t) {
   return {u, normal, unit(cross(u, normal))};
 }
 
-ObbAxes::ObbAxes(const ControlNet& net1, const ControlNet& net2, double t)
-    : frames_{obb_frame(net1, t), obb_frame(net2, t)} {
-  const auto is_surface = [](const Shape& s) { return s.parameter_count() == 2; };
-  if (!is_surface(net1.shape) && !is_surface(net2.shape) && is_zero(frames_[0]) &&
-      is_zero(frames_[1])) {
-    frames_[0] = coordinate_frame();
-  }
+bool is_zero(const Frame& frame) {
+  return std::all_of(frame.begin(), frame.end(), [](const auto& l) { return Axis{l}.is_zero(); });
 }
 
 Axis ObbAxes::operator[](int r) const {

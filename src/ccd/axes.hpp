@@ -32,18 +32,19 @@ using Frame = std::array<Vec3<double>, 3>;
 /// aligned with stands in for the other. A point spans none: its frame is zero.
 Frame obb_frame(const ControlNet& net, double t);
 
+bool is_zero(const Frame& frame);
+
 /// e_x, e_y, e_z.
 Frame coordinate_frame();
 
 /// The separating axes of two oriented boxes (Appendix A (c)), each made when it is asked for:
-/// l1, l2, l3 of box 1, l4, l5, l6 of box 2, then l_{3i+j+3} = l_i × l_{j+3}. Where neither patch
-/// is a surface and both frames are zero, the coordinate axes stand in. Safe: any vector is a valid
-/// axis, so no rounding here can separate what touches.
+/// l1, l2, l3 of box 1, l4, l5, l6 of box 2, then l_{3i+j+3} = l_i × l_{j+3}.
+/// Safe: any vector is a valid axis, so no rounding here can separate what touches.
 class ObbAxes {
  public:
   static constexpr int kCount = 15;
 
-  ObbAxes(const ControlNet& net1, const ControlNet& net2, double t);
+  ObbAxes(const Frame& frame1, const Frame& frame2) : frames_{frame1, frame2} {}
 
   /// l_{r+1}, 0 ≤ r < kCount.
   Axis operator[](int r) const;

@@ -60,12 +60,16 @@ class Search {
     const FpGuard guard;
     const auto start = std::chrono::steady_clock::now();
     Answer answer = decide(query, options, inclusion);
+    // The buffer serves the next query, unless this one made it a burden.
+    if (queue_.capacity() * sizeof(Entry) > kKeptBytes) queue_ = {};
     const auto end = std::chrono::steady_clock::now();
     answer.seconds = std::chrono::duration<double>(end - start).count();
     return answer;
   }
 
  private:
+  static constexpr std::size_t kKeptBytes = 16 << 20;
+
   struct Entry {
     Window window;
     std::array<Cell, 2> cells;

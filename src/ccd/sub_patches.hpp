@@ -26,10 +26,19 @@ class SubPatches {
     return {shape, {p.positions.data(), count}, {p.velocities.data(), count}};
   }
 
+  /// The OBB axes of part a of patch 1 and part b of patch 2, aligned at time t. Where neither
+  /// patch is a surface and both frames are zero, the coordinate axes stand in.
+  ObbAxes axes(int part_a, int part_b, double t);
+
  private:
   struct Part {
     std::array<Vec3<double>, kMaxControls> positions, velocities;
+    /// The frame at frame_time, which is NaN if there is none yet.
+    Frame frame;
+    double frame_time;
   };
+  const Frame& frame(int side, int part, double t);
+
   const Query* query_ = nullptr;
   std::array<std::array<Part, 4>, 2> parts_;
 };

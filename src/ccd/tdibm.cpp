@@ -82,7 +82,7 @@ std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const
   const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
   std::array<Separation<double>, 2 * ObbAxes::kCount> separations;
   size_t count = 0;
-  const ObbAxes axes(nets[0], nets[1], window.lo);
+  const ObbAxes axes = parts_.axes(part_a, part_b, window.lo);
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;

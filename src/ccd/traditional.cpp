@@ -44,7 +44,7 @@ std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const W
     if (std::any_of(axes.begin(), axes.end(), separates)) return std::nullopt;
     return window;
   }
-  const ObbAxes axes(nets[0], nets[1], window.lo);
+  const ObbAxes axes = parts_.axes(part_a, part_b, window.lo);
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     if (separates(axes[r].direction)) return std::nullopt;  // a zero axis never does
   }

@@ -5,14 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "ccd/sub_patches.hpp"
 #include "planted.hpp"
 
 namespace ccdfuzz {
 namespace {
-
-ControlNet net_of(const MovingPatch<double>& patch) {
-  return {patch.shape, patch.positions, patch.velocities};
-}
 
 Query random_query(const Shape& a, const Shape& b, std::uint64_t key) {
   Random random = Random::keyed({key});
@@ -21,7 +18,10 @@ Query random_query(const Shape& a, const Shape& b, std::uint64_t key) {
 
 /// l_1 … l_15, without those that are zero.
 std::vector<Axis> axes_of(const Query& query) {
-  const ObbAxes all(net_of(query.patches[0]), net_of(query.patches[1]), .25);
+  SubPatches whole;
+  whole.begin(query);
+  for (int side = 0; side < 2; ++side) whole.prepare(side, std::array{Cell()});
+  const ObbAxes all = whole.axes(0, 0, .25);
   std::vector<Axis> axes;
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     if (!all[r].is_zero()) axes.push_back(all[r]);
