@@ -1,8 +1,11 @@
 #pragma once
 
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "corpus/store.hpp"
 #include "query/case_json.hpp"
 
 namespace ccdfuzz {
@@ -25,6 +28,26 @@ inline Case find_of(double x, const std::string& method = "tdibm",
   c.origin.generator = "by hand";
   c.expect[method] = outcome;
   return c;
+}
+
+inline Store open_store(const std::string& folder) {
+  auto store = Store::open(folder);
+  if (!store) throw std::runtime_error(store.error().message());
+  return *std::move(store);
+}
+
+inline Store::Added add(Store& store, const Case& find) {
+  const auto added = store.add(find);
+  if (!added) throw std::runtime_error(added.error().message());
+  return *added;
+}
+
+inline std::vector<Case> cases_in(const std::string& folder) {
+  std::vector<Case> cases;
+  const auto entries = load_corpus(folder);
+  if (!entries) throw std::runtime_error(entries.error().message());
+  for (const NamedCase& entry : *entries) cases.push_back(entry.value);
+  return cases;
 }
 
 }  // namespace ccdfuzz
