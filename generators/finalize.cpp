@@ -24,33 +24,38 @@ std::optional<Points<double>> to_doubles(const Points<Dyadic>& points) {
 
 }  // namespace
 
-std::optional<Case> finalize(const Scene& scene, CaseKind kind,
-                             const std::optional<Dyadic>& clear_until) {
-  Case result;
+std::optional<Query> to_query(const Scene& scene) {
+  Query query;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Dyadic>& patch = scene.patches[s];
     const auto positions = to_doubles(patch.positions);
     const auto velocities = to_doubles(patch.velocities);
     if (!positions || !velocities) return std::nullopt;
-    result.query.patches[s] = {patch.shape, *positions, *velocities};
+    query.patches[s] = {patch.shape, *positions, *velocities};
   }
   const std::optional<double> t_max = scene.t_max.to_double_exactly();
   if (!t_max) return std::nullopt;
+  query.t_max = *t_max;
+  return query;
+}
 
+Case finalize(const Scene& scene, const Query& query, CaseKind kind,
+              const std::optional<Dyadic>& clear_until) {
+  Case result;
+  result.query = query;
   // Both kinds stand or fall with the contact, so the checker sees it before either is let out.
-  result.query.t_max = *t_max;
   const Witness witness{scene.contact.t.rational(),
                         {uv_of(scene.contact.x[0]), uv_of(scene.contact.x[1])}};
-  CCDFUZZ_VERIFY(check_witness(result.query, witness));
+  CCDFUZZ_VERIFY(check_witness(query, witness));
   if (clear_until) result.truth.clear_until = clear_until->rational();
   result.truth.collides = kind == CaseKind::kRP;
   if (kind == CaseKind::kRP) {
     result.truth.witness = witness;
   } else {
     CCDFUZZ_VERIFY(clear_until);
-    const std::optional<double> clear_time = clear_until->to_double_exactly();
-    if (!clear_time) return std::nullopt;
-    result.query.t_max = *clear_time;
+    const std::optional<double> t_max = clear_until->to_double_exactly();
+    CCDFUZZ_VERIFY(t_max);  // t* is a multiple of 2^-3 in (0, 1], eps_T at least 2^-40
+    result.query.t_max = *t_max;
     result.truth.proof = "rational-tdibm";
   }
   return result;

@@ -8,11 +8,14 @@
 
 namespace ccdfuzz {
 
-/// Step VI: the case of a validated scene, with the truth its kind has. Every exact number is
-/// turned to the double equal to it; nullopt if one has none (the round trip of Section 5.4).
+/// The query of a scene, to scene.t_max: every exact number turned to the double equal to it.
+/// nullopt if one has none (the round trip of Section 5.4).
+std::optional<Query> to_query(const Scene& scene);
+
+/// Step VI: the case of a validated scene, with the truth its kind has. query: to_query(scene).
 /// clear_until: the time before which it has been proven that nothing touches, if it has been.
 /// RP ends at scene.t_max. RN ends at clear_until, which it needs.
-std::optional<Case> finalize(const Scene& scene, CaseKind kind,
-                             const std::optional<Dyadic>& clear_until);
+Case finalize(const Scene& scene, const Query& query, CaseKind kind,
+              const std::optional<Dyadic>& clear_until);
 
 }  // namespace ccdfuzz

@@ -1,11 +1,15 @@
 #pragma once
 
 #include "generators/scene.hpp"
+#include "query/query.hpp"
 
 namespace ccdfuzz {
 
 /// Step V: true iff it is proven that the patches do not touch at any t in [0, until], until < t*.
-/// By a moving plane through the contact.
-bool first_contact_is_proven(const Scene& scene, const Dyadic& until);
+/// By a moving plane through the contact, if one does it, which takes no search; else by
+/// tdibm-rational, once the certified double method has found nothing either: that is faster and
+/// throws out most of what touches before.
+/// query: the scene's, as doubles.
+bool first_contact_is_proven(const Scene& scene, const Query& query, const Dyadic& until);
 
 }  // namespace ccdfuzz

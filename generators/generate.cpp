@@ -73,20 +73,20 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
       discard(Discard::kStaticCheck);
       continue;
     }
+    const std::optional<Query> query = to_query(*scene);
+    if (!query) {
+      discard(Discard::kRoundTrip);
+      continue;
+    }
     std::optional<Dyadic> clear_until;
     if (options.family == Family::kRegular) {
       clear_until = scene->contact.t - eps_t;
-      if (!first_contact_is_proven(*scene, *clear_until)) {
+      if (!first_contact_is_proven(*scene, *query, *clear_until)) {
         discard(Discard::kFirstContact);
         continue;
       }
     }
-    std::optional<Case> made = finalize(*scene, options.kind, clear_until);
-    if (!made) {
-      discard(Discard::kRoundTrip);
-      continue;
-    }
-    out.value = std::move(*made);
+    out.value = finalize(*scene, *query, options.kind, clear_until);
     break;
   }
   Origin& origin = out.value.origin;
