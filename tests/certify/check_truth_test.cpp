@@ -1,5 +1,8 @@
 #include "certify/checker/check_truth.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "bezier/blossom.hpp"
 #include "bezier/random_patch.hpp"
 #include "certify/checker/check_witness.hpp"
@@ -91,7 +94,9 @@ TEST(CheckTruth, RefusesAContradiction) {
 TEST(CheckTruth, RefusesAnInvalidQuery) {
   EXPECT_EQ(refusal_after([](Case& c) { c.query.patches[0].positions.pop_back(); }),
             "patches[0].positions: triangle(1) needs 3 control points, not 2");
-  EXPECT_EQ(refusal_after([](Case& c) { c.query.patches[1].velocities[2][1] = INFINITY; }),
+  EXPECT_EQ(refusal_after([](Case& c) {
+              c.query.patches[1].velocities[2][1] = std::numeric_limits<double>::infinity();
+            }),
             "patches[1].velocities[2][1]: inf is not finite");
 }
 

@@ -4,6 +4,7 @@
 
 #include <cfenv>
 #include <clocale>
+#include <limits>
 
 #include "numeric/verify.hpp"
 #include "query/random_case.hpp"
@@ -140,7 +141,7 @@ TEST(CaseJson, WritesTheShortestTextInAFixedOrder) {
 
 TEST(CaseJson, RefusesToWriteWhatIsNotFinite) {
   Case c = *parse_case(number_case("1"), "c.json");
-  c.query.t_max = INFINITY;
+  c.query.t_max = std::numeric_limits<double>::infinity();
   EXPECT_THROW(to_json(c), InternalError);
 }
 
