@@ -37,11 +37,15 @@ Result<void> validate(const GeneratorOptions& options) {
   return {};
 }
 
+std::string_view name_of(Construction construction) {
+  return construction == Construction::kPaper ? "paper" : "one-sided";
+}
+
 namespace {
 
 std::string_view generator_name(const GeneratorOptions& options) {
-  if (options.family != Family::kRegular) return name_of(options.family);
-  return options.construction == Construction::kPaper ? "paper" : "one-sided";
+  return options.family == Family::kRegular ? name_of(options.construction)
+                                            : name_of(options.family);
 }
 
 /// Steps I to IV; nullopt if the static check refused the result.

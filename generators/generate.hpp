@@ -16,6 +16,9 @@ enum class Construction : std::uint8_t {
   kOneSided,  ///< each patch on its own side of a plane: nothing to filter, proven by that plane
 };
 
+inline constexpr std::array kConstructions = {Construction::kPaper, Construction::kOneSided};
+std::string_view name_of(Construction construction);
+
 /// What is wanted of the cases beyond contact class and kind. All but the first are stress
 /// families: positives with an exact witness, whatever the construction asked for, made to bring
 /// out one weakness each. Of the time before the contact they claim nothing.
