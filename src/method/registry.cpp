@@ -4,7 +4,9 @@
 #include <functional>
 
 #include "ccd/certified/tdibm_c.hpp"
+#include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/tdibm.hpp"
+#include "ccd/traditional.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
 
@@ -55,7 +57,14 @@ const std::vector<Family>& families() {
   constexpr const char* kChen = "Chen et al. 2024";
   constexpr const char* kErrorBounds =
       "Floating-Point Robustness in Parametric Surface CCD, Section 4.6";
+  constexpr const char* kSnyder = "Snyder 1992; Von Herzen et al. 1990";
   static const std::vector<Family> all = {
+      family<Traditional>(
+          {"trad", kSnyder,
+           "inclusion in time and parameters, oriented boxes, as Chen et al. have it", false},
+          BoxKind::kOriented),
+      family<Traditional>({"trad:aabb", kSnyder, "the same with axis-aligned boxes", false},
+                          BoxKind::kAxisAligned),
       family<Tdibm<Plain>>(
           {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false}),
       pull_apart_family<PullApart>(
@@ -69,6 +78,8 @@ const std::vector<Family>& families() {
       family<Tdibm<ErrorBoundPrinted>>({"tdibm-e-literal", kErrorBounds,
                                         "tdibm with error bounds, eps_Phi's sign as printed",
                                         true}),
+      family<TdibmRational>({"tdibm-rational", "this project",
+                             "tdibm decided in exact arithmetic, rounded only outward", true}),
       family<TdibmC>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
                       "ours: separation certified at both ends of a window", true}),
   };

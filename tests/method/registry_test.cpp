@@ -37,10 +37,10 @@ TEST(Registry, EveryFamilyIsMadeAnswersAndIsFoundAgain) {
 }
 
 TEST(Registry, OnlyMethodsThatClaimItAreFreeOfFalseNegatives) {
-  for (const char* spec : {"tdibm-e", "tdibm-e-literal"}) {
+  for (const char* spec : {"tdibm-e", "tdibm-e-literal", "tdibm-rational"}) {
     EXPECT_TRUE(method_info(spec)->claims_no_false_negative) << spec;
   }
-  for (const char* spec : {"tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12"}) {
+  for (const char* spec : {"trad", "trad:aabb", "tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12"}) {
     EXPECT_FALSE(method_info(spec)->claims_no_false_negative) << spec;
   }
 }
@@ -48,6 +48,9 @@ TEST(Registry, OnlyMethodsThatClaimItAreFreeOfFalseNegatives) {
 TEST(Registry, BadSpecsAreRefusedAndNamed) {
   for (const char* spec : {"",
                            "nonsense",
+                           "trad:",
+                           "trad:obb",
+                           "trad:aabb:",
                            "TDIBM",
                            "tdibm ",
                            " tdibm",
