@@ -23,6 +23,9 @@ int run(int argc, char** argv) {
       "`ccdfuzz COMMAND --help` documents a command.\n"
       "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 internal error.");
   Chosen chosen;
+  add_query(app, chosen);
+  add_generate(app, chosen);
+  add_evaluate(app, chosen);
   add_methods(app, chosen);
   try {
     app.parse(argc, argv);

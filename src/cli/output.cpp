@@ -29,6 +29,10 @@ void print_json(const nlohmann::ordered_json& object) {
 Result<void> flush_stdout() {
   errno = 0;
   if (std::fflush(stdout) != 0 && first_errno == 0) first_errno = errno;
+  return check_stdout();
+}
+
+Result<void> check_stdout() {
   if (first_errno == 0 && std::ferror(stdout) == 0) return {};
   return input_error("stdout", fmt::format("cannot write: {}",
                                            std::strerror(first_errno == 0 ? EIO : first_errno)));

@@ -14,7 +14,9 @@ void print_out(const std::string& text);
 /// One JSON object on a line of its own.
 void print_json(const nlohmann::ordered_json& object);
 
-/// Errors: something that was printed did not reach its destination.
+/// Errors: something that was printed did not reach its destination. check_stdout looks only at
+/// what was tried so far, flush_stdout tries all of it.
+Result<void> check_stdout();
 Result<void> flush_stdout();
 
 }  // namespace ccdfuzz

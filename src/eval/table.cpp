@@ -36,16 +36,6 @@ const char* escape_for(Emphasis emphasis) {
   return "";
 }
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 std::string markdown_field(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -127,6 +117,16 @@ std::string Table::to_markdown() const {
     out += "\n";
   }
   return out;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
 }
 
 std::string duration_text(double seconds) {

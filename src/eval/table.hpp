@@ -35,7 +35,7 @@ class Table {
 
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes.
   std::string to_text(bool colour) const;
-  /// RFC 4180: a cell with a comma, a quote or a line break is quoted. Lines end in \n.
+  /// A line for each row, the titles first; cells as csv_field.
   std::string to_csv() const;
   std::string to_markdown() const;
 
@@ -49,6 +49,9 @@ class Table {
   std::vector<Row> rows_;
   bool group_pending_ = false;
 };
+
+/// RFC 4180: a text with a comma, a quote or a line break is quoted.
+std::string csv_field(const std::string& text);
 
 /// A time with three digits in the unit that fits it: "1.23 ms".
 std::string duration_text(double seconds);

@@ -1,0 +1,34 @@
+#include "cli/answer_row.hpp"
+
+namespace ccdfuzz {
+
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kHit:
+      return "hit";
+    case Verdict::kMiss:
+      return "miss";
+    case Verdict::kUndecided:
+      return "undecided";
+  }
+  return "?";
+}
+
+nlohmann::ordered_json answer_row(const std::string& case_id, const std::string& method,
+                                  const Judged& judged) {
+  const Answer& answer = judged.answer;
+  nlohmann::ordered_json row = {{"case", case_id},
+                                {"method", method},
+                                {"verdict", name_of(answer.verdict)},
+                                {"toi", nullptr},
+                                {"uv", nullptr},
+                                {"outcome", name_of(judged.outcome)},
+                                {"pops", answer.pops},
+                                {"seconds", answer.seconds}};
+  if (answer.toi && answer.verdict != Verdict::kMiss) row["toi"] = *answer.toi;
+  if (answer.verdict == Verdict::kHit) row["uv"] = answer.uv;
+  if (!answer.note.empty()) row["note"] = answer.note;
+  return row;
+}
+
+}  // namespace ccdfuzz

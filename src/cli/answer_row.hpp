@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "eval/ask.hpp"
+
+namespace ccdfuzz {
+
+/// An answer as the row of the JSON output. toi is null after a miss, uv unless it is a hit; note
+/// is there if there is something to say.
+nlohmann::ordered_json answer_row(const std::string& case_id, const std::string& method,
+                                  const Judged& judged);
+
+std::string_view name_of(Verdict verdict);  ///< "hit", "miss", "undecided"
+
+}  // namespace ccdfuzz

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ccd/search.hpp"
+#include "numeric/result.hpp"
+#include "query/case_files.hpp"
+
+namespace ccdfuzz {
+
+/// The methods that answer in seconds, whatever the case; `trad` takes minutes where patches are
+/// nearly parallel and runs where it is named or its budget is small.
+inline constexpr const char* kDefaultMethods =
+    "tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-h-rel:1e-12,tdibm-e,tdibm-e-literal,tdibm-rational";
+
+/// --precision, --max-pops and --max-mb, the limits of one query.
+struct SearchFlags {
+  std::string precision = "1e-4";
+  std::uint64_t max_pops = SearchOptions().max_pops;
+  std::uint64_t max_mb = SearchOptions().max_bytes >> 20;
+
+  void add_to(CLI::App& command);
+  /// Errors: a precision that is no number in [2^-50, 1].
+  Result<SearchOptions> parse() const;
+};
+
+/// --threads, by default as many as there are cores.
+void add_threads(CLI::App& command, int& threads);
+int default_threads();
+
+/// The value whose name the text is. Errors: none is; all are listed.
+template <class Enum, size_t N>
+Result<Enum> parse_choice(const std::string& where, const std::string& text,
+                          const std::array<Enum, N>& all) {
+  std::string names;
+  for (const Enum e : all) {
+    if (name_of(e) == text) return e;
+    if (!names.empty()) names += ", ";
+    names += name_of(e);
+  }
+  return input_error(where, fmt::format("\"{}\" is not one of {}", text, names));
+}
+
+/// The checked cases of several files, in the order given. Errors: of the first bad file.
+Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths);
+
+}  // namespace ccdfuzz

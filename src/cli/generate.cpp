@@ -1,0 +1,150 @@
+#include "generators/generate.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/number_text.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/in_order.hpp"
+#include "eval/table.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Options {
+  std::string contact, kind;
+  std::string construction = "paper";
+  std::uint64_t seed = 0;
+  std::string eps_t = "2^-20";
+  std::uint64_t count = 0;
+  std::uint64_t first = 0;
+  std::string output;
+  int threads = 1;
+};
+
+/// Where the cases go: a file that appears whole or not at all, or stdout.
+class Destination {
+ public:
+  static Result<Destination> open(const std::string& path) {
+    Destination destination;
+    if (!path.empty() && path != "-") {
+      Result<CaseWriter> writer = CaseWriter::open(path);
+      if (!writer) return tl::unexpected(writer.error());
+      destination.writer_ = std::move(*writer);
+    }
+    return destination;
+  }
+
+  Result<void> write(const Case& value) {
+    if (writer_) return writer_->write(value);
+    print_out(to_json(value) + "\n");
+    return check_stdout();
+  }
+
+  Result<void> finish() { return writer_ ? writer_->finish() : flush_stdout(); }
+
+ private:
+  std::optional<CaseWriter> writer_;
+};
+
+std::string summary(const GeneratorOptions& options, const DiscardCounts& counts, double seconds) {
+  const auto made = static_cast<double>(counts.accepted());
+  std::string text =
+      fmt::format("{} {} {} cases in {}, {} each; {} begun", counts.accepted(),
+                  name_of(options.contact), name_of(options.kind), duration_text(seconds),
+                  duration_text(made > 0 ? seconds / made : 0), counts.attempts);
+  const char* separator = ", discarded: ";
+  for (const Discard reason : kDiscards) {
+    text += fmt::format("{}{} {}", separator, name_of(reason),
+                        count_text(counts[reason], counts.attempts));
+    separator = ", ";
+  }
+  return text + "\n";
+}
+
+Result<GeneratorOptions> parse(const Options& options) {
+  const auto contact = parse_choice("--contact", options.contact, kContactClasses);
+  if (!contact) return tl::unexpected(contact.error());
+  const auto kind = parse_choice("--kind", options.kind, kCaseKinds);
+  if (!kind) return tl::unexpected(kind.error());
+  const auto construction = parse_choice("--construction", options.construction, kConstructions);
+  if (!construction) return tl::unexpected(construction.error());
+  const Result<int> exponent = parse_power_of_two("--eps-t", options.eps_t);
+  if (!exponent) return tl::unexpected(exponent.error());
+  GeneratorOptions generator;
+  generator.contact = *contact;
+  generator.kind = *kind;
+  generator.construction = *construction;
+  generator.seed = options.seed;
+  generator.eps_t_exponent = *exponent;
+  return validate(generator).map([&] { return generator; });
+}
+
+Result<int> run(const Options& options) {
+  const Result<GeneratorOptions> generator = parse(options);
+  if (!generator) return tl::unexpected(generator.error());
+  Result<Destination> destination = Destination::open(options.output);
+  if (!destination) return tl::unexpected(destination.error());
+
+  std::atomic<bool> stop = false;
+  Result<void> written;
+  DiscardCounts counts;
+  Progress progress;
+  const auto start = std::chrono::steady_clock::now();
+  run_in_order<Generated>(
+      options.count, options.threads,
+      [&](size_t i) { return generate(*generator, options.first + i); },
+      [&](const Generated& generated) {
+        if (!written) return;
+        counts += generated.discards;
+        written = destination->write(generated.value);
+        if (!written) stop = true;
+        progress.show(static_cast<double>(counts.accepted()) / static_cast<double>(options.count),
+                      fmt::format("{} cases", counts.accepted()));
+      },
+      &stop);
+  progress.clear();
+  if (written) written = destination->finish();
+  if (!written) return tl::unexpected(written.error());
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  fmt::print(stderr, "{}", summary(*generator, counts, elapsed.count()));
+  return kDone;
+}
+
+}  // namespace
+
+void add_generate(CLI::App& app, Chosen& chosen) {
+  const auto [command, options] = add_command<Options>(
+      app, chosen, "generate", "Make cases whose truth is proven, as a data set", run);
+  command->add_option("--contact", options->contact, "Contact class: FF EF EE VF VE VV")
+      ->required();
+  command
+      ->add_option("--kind", options->kind,
+                   "RP: they touch at t_max. RN: t_max is eps-t before that")
+      ->required();
+  command
+      ->add_option(
+          "--construction", options->construction,
+          "paper: as the paper makes them. one-sided: each patch on its own side of a plane")
+      ->capture_default_str();
+  command->add_option("--count", options->count, "How many cases")
+      ->check(CLI::PositiveNumber)
+      ->required();
+  command->add_option("--first", options->first, "Index of the first one")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the data set")->capture_default_str();
+  command
+      ->add_option("--eps-t", options->eps_t,
+                   "No contact is proven up to this long before t*; a power of two")
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output,
+                      "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
+  add_threads(*command, options->threads);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include "cli/answer_row.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/in_order.hpp"
+#include "eval/table.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string methods = kDefaultMethods;
+  SearchFlags search;
+  int threads = 1;
+  bool json = false;
+};
+
+std::vector<TableCell> table_row(const std::string& case_id, const std::string& method,
+                                 const Judged& judged) {
+  const Answer& answer = judged.answer;
+  const bool bad = is_false_negative(judged.outcome) || judged.outcome == Outcome::kError;
+  const bool has_toi = answer.toi && answer.verdict != Verdict::kMiss;
+  return {{case_id},
+          {method},
+          {std::string(name_of(answer.verdict))},
+          {has_toi ? fmt::format("{}", *answer.toi) : ""},
+          {std::string(name_of(judged.outcome)), bad ? Emphasis::kBad : Emphasis::kPlain},
+          {fmt::format("{}", answer.pops)},
+          {duration_text(answer.seconds)},
+          {answer.note}};
+}
+
+Result<int> run(const Options& options) {
+  const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
+  if (!methods) return tl::unexpected(methods.error());
+  const Result<SearchOptions> search = options.search.parse();
+  if (!search) return tl::unexpected(search.error());
+  const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
+  if (!cases) return tl::unexpected(cases.error());
+
+  Table table({{"case", Align::kLeft},
+               {"method", Align::kLeft},
+               {"verdict", Align::kLeft},
+               {"toi", Align::kLeft},
+               {"outcome", Align::kLeft},
+               {"pops"},
+               {"time"},
+               {"note", Align::kLeft}});
+  Progress progress;
+  tbb::enumerable_thread_specific<MethodSet> method_sets;
+  const size_t total = cases->size() * methods->size();
+  size_t done = 0;
+  run_in_order<Judged>(
+      total, options.threads,
+      [&](size_t i) {
+        return ask(method_sets.local()[(*methods)[i % methods->size()]],
+                   (*cases)[i / methods->size()].value, *search);
+      },
+      [&](const Judged& judged) {
+        const std::string& id = (*cases)[done / methods->size()].id;
+        const std::string& method = (*methods)[done % methods->size()];
+        ++done;
+        if (options.json) {
+          print_json(answer_row(id, method, judged));
+        } else {
+          if (done % methods->size() == 1 % methods->size()) table.start_group();
+          table.add_row(table_row(id, method, judged));
+        }
+        progress.show(static_cast<double>(done) / static_cast<double>(total), id);
+      });
+  progress.clear();
+  if (!options.json) print_out(table.to_text(wants_colour(stdout)));
+  return kDone;
+}
+
+}  // namespace
+
+void add_query(CLI::App& app, Chosen& chosen) {
+  const auto [command, options] =
+      add_command<Options>(app, chosen, "query", "Answer and judge single cases", run);
+  command->add_option("case", options->files, "Case files: .json, .jsonl or .jsonl.zst")
+      ->required();
+  command->add_option("--methods", options->methods, "Methods to ask, separated by commas")
+      ->capture_default_str();
+  options->search.add_to(*command);
+  add_threads(*command, options->threads);
+  command->add_flag("--json", options->json, "One JSON object per answer and line");
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,18 @@
+#include "eval/horizons.hpp"
+
+#include <cmath>
+
+#include "numeric/verify.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+
+std::optional<Case> at_horizon(const Case& known, double factor) {
+  CCDFUZZ_VERIFY(factor >= 1);
+  if (!known.truth.witness) return std::nullopt;
+  const double t_max = round_up(Rational(known.truth.witness->t * exact(factor)));
+  if (!std::isfinite(t_max)) return std::nullopt;
+  return with_t_max(known, t_max);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// How far past a known contact queries look, as multiples of its time: just at it, just past it
+/// and well past it. A query that ends at the contact hides every toi that is late.
+inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
+
+/// The case asked up to factor · t* instead, t* the witness's time, rounded up; factor ≥ 1.
+/// nullopt if it has no witness, or the product is no finite double.
+std::optional<Case> at_horizon(const Case& known, double factor);
+
+}  // namespace ccdfuzz

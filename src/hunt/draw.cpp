@@ -1,0 +1,62 @@
+#include "hunt/draw.hpp"
+
+#include "eval/horizons.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// What the draws go round.
+struct Ground {
+  Construction construction;
+  Family family;
+  const char* name;
+};
+
+constexpr std::array kGrounds = {
+    Ground{Construction::kOneSided, Family::kRegular, "one-sided"},
+};
+
+/// One draw in this many is a negative case. It costs one query, a positive one costs four.
+constexpr std::uint64_t kNegativeEvery = 5;
+
+}  // namespace
+
+Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
+  const Ground& ground = kGrounds[index % kGrounds.size()];
+  const std::uint64_t round = index / kGrounds.size();
+  GeneratorOptions options;
+  options.contact = contact;
+  options.kind = round % kNegativeEvery == kNegativeEvery - 1 ? CaseKind::kRN : CaseKind::kRP;
+  options.construction = ground.construction;
+  options.family = ground.family;
+  options.seed = seed;
+  Case known = generate(options, round).value;
+  Draw drawn{{}, ground.name};
+  if (options.kind == CaseKind::kRN) {
+    drawn.asked.push_back(std::move(known));
+  } else {
+    for (const double factor : kHorizonFactors) {
+      if (auto asked = at_horizon(known, factor)) drawn.asked.push_back(std::move(*asked));
+    }
+  }
+  return drawn;
+}
+
+std::shared_ptr<const Draw> DrawCache::get(ContactClass contact, std::uint64_t index) {
+  std::vector<Slot>& slots = slots_[static_cast<size_t>(contact)];
+  {
+    const std::lock_guard lock(mutex_);
+    slots.resize(kKept);
+    const Slot& slot = slots[index % kKept];
+    if (slot.draw && slot.index == index) return slot.draw;
+  }
+  // Made outside the lock: two threads may make the same draw, and then it is the same draw.
+  auto made = std::make_shared<const Draw>(draw(contact, seed_, index));
+  const std::lock_guard lock(mutex_);
+  // A straggler's old draw must not evict the one that the others are about to need.
+  if (Slot& slot = slots[index % kKept]; !slot.draw || slot.index < index) slot = {index, made};
+  return made;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "generators/generate.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// One draw of the hunt: a case with exact truth, as it is put to the methods.
+struct Draw {
+  /// A positive case at t* and past it (kHorizonFactors), so that late answers show; a negative one
+  /// as it stands.
+  std::vector<Case> asked;
+  /// "one-sided", "one-sided/flat grazing", …: where the case comes from.
+  std::string source;
+};
+
+/// Draw number `index` of a contact class. The draws go round all constructions and families, four
+/// positive cases to one negative. Depends on the arguments alone.
+Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index);
+
+/// The latest draws of each class, kept because the methods of a class walk the same sequence and
+/// most of them stay close together. Safe to call from several threads.
+class DrawCache {
+ public:
+  explicit DrawCache(std::uint64_t seed) : seed_(seed) {}
+
+  std::shared_ptr<const Draw> get(ContactClass contact, std::uint64_t index);
+
+ private:
+  static constexpr size_t kKept = 512;  ///< a class: a few MB in all
+
+  struct Slot {
+    std::uint64_t index = 0;
+    std::shared_ptr<const Draw> draw;
+  };
+
+  std::uint64_t seed_;
+  std::mutex mutex_;
+  std::array<std::vector<Slot>, kContactClasses.size()> slots_;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+std::vector<std::string> generate(const std::string& contact, const std::string& kind,
+                                  std::vector<std::string> more) {
+  std::vector<std::string> arguments = {"generate", "--contact", contact, "--kind", kind};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+TEST(Generate, SameSeedSameBytesOnAnyNumberOfThreads) {
+  for (const char* construction : {"paper", "one-sided"}) {
+    for (const char* contact : {"FF", "VV"}) {
+      std::vector<std::string> outputs;
+      for (const char* threads : {"1", "2", "7"}) {
+        const Finished made = ccdfuzz(generate(contact, "RP",
+                                               {"--count", "10", "--seed", "5", "--construction",
+                                                construction, "--threads", threads}));
+        EXPECT_EQ(made.code, 0) << made.err;
+        outputs.push_back(made.out);
+      }
+      EXPECT_EQ(json_lines(outputs[0]).size(), 10U);
+      EXPECT_EQ(outputs[0], outputs[1]) << construction << " " << contact;
+      EXPECT_EQ(outputs[0], outputs[2]) << construction << " " << contact;
+    }
+  }
+}
+
+TEST(Generate, AnyCaseOfARunCanBeMadeAlone) {
+  const std::string all = ccdfuzz(generate("VE", "RP", {"--count", "6"})).out;
+  const std::string alone = ccdfuzz(generate("VE", "RP", {"--count", "1", "--first", "4"})).out;
+  EXPECT_FALSE(alone.empty());
+  EXPECT_EQ(json_lines(all).at(4).dump(), json_lines(alone).at(0).dump());
+}
+
+TEST(Generate, AnotherSeedGivesOtherCases) {
+  const std::string a = ccdfuzz(generate("VV", "RP", {"--count", "1", "--seed", "1"})).out;
+  const std::string b = ccdfuzz(generate("VV", "RP", {"--count", "1", "--seed", "2"})).out;
+  EXPECT_NE(json_lines(a).at(0).at("patches"), json_lines(b).at(0).at("patches"));
+}
+
+TEST(Generate, FilesHoldWhatStdoutShows) {
+  const ScratchFolder folder;
+  const std::string path = folder / "set.jsonl";
+  const std::string shown = ccdfuzz(generate("EE", "RN", {"--count", "3"})).out;
+  EXPECT_EQ(ccdfuzz(generate("EE", "RN", {"--count", "3", "-o", path})).code, 0);
+  EXPECT_EQ(read_text(path), shown);
+}
+
+TEST(Generate, EpsTIsWhereANegativeCaseEnds) {
+  const auto rows =
+      json_lines(ccdfuzz(generate("VV", "RN", {"--count", "1", "--eps-t", "2^-10"})).out);
+  const auto positive = json_lines(ccdfuzz(generate("VV", "RP", {"--count", "1"})).out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].at("t_max").get<double>(), positive[0].at("t_max").get<double>() - 0x1p-10);
+  EXPECT_EQ(rows[0].at("truth").at("collides"), false);
+}
+
+TEST(Generate, SaysWhatItDiscardedOnStderr) {
+  const Finished made = ccdfuzz(generate("FF", "RP", {"--count", "2"}));
+  for (const char* reason : {"static check", "first contact", "round trip", "each"}) {
+    EXPECT_NE(made.err.find(reason), std::string::npos) << made.err;
+  }
+}
+
+TEST(Generate, AFullDiskLeavesNothingBehind) {
+  const Finished made = ccdfuzz(generate("VV", "RP", {"--count", "5", "-o", "/dev/full"}));
+  EXPECT_EQ(made.code, 2);
+  EXPECT_NE(made.err.find("/dev/full"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("No space left on device"), std::string::npos) << made.err;
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "scratch_folder.hpp"
+
+namespace ccdfuzz {
+
+/// What a program left behind: its exit code, or 128 + the signal that ended it.
+struct Finished {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// The real ccdfuzz, started as a user would.
+class Process {
+ public:
+  /// stdout and stderr go to files of the scratch folder unless a path is given.
+  explicit Process(std::vector<std::string> arguments, const std::string& out_path = "",
+                   const std::string& err_path = "")
+      : out_path_(out_path.empty() ? scratch_ / "out" : out_path),
+        err_path_(err_path.empty() ? scratch_ / "err" : err_path) {
+    arguments.insert(arguments.begin(), CCDFUZZ_EXECUTABLE);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    constexpr int kWrite = O_WRONLY | O_CREAT | O_TRUNC;
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out_path_.c_str(), kWrite, 0600);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err_path_.c_str(), kWrite, 0600);
+    const int failed = posix_spawn(&pid_, argv[0], &files, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (failed != 0) throw std::runtime_error("cannot start " CCDFUZZ_EXECUTABLE);
+  }
+  ~Process() {
+    if (pid_ <= 0) return;
+    signal(SIGKILL);
+    wait();
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  void signal(int number) { ::kill(pid_, number); }
+
+  Finished wait() {
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out_path_),
+            contents(err_path_)};
+  }
+
+ private:
+  /// Nothing of a device: /dev/full can be read for ever.
+  static std::string contents(const std::string& path) {
+    return std::filesystem::is_regular_file(path) ? read_text(path) : "";
+  }
+
+  ScratchFolder scratch_;
+  std::string out_path_, err_path_;
+  pid_t pid_ = -1;
+};
+
+inline Finished ccdfuzz(std::vector<std::string> arguments, const std::string& out_path = "") {
+  return Process(std::move(arguments), out_path).wait();
+}
+
+/// Each line of the text as JSON; a failure if one is not.
+inline std::vector<nlohmann::ordered_json> json_lines(const std::string& text) {
+  std::vector<nlohmann::ordered_json> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    rows.push_back(nlohmann::ordered_json::parse(line, nullptr, false));
+    EXPECT_FALSE(rows.back().is_discarded()) << line;
+  }
+  return rows;
+}
+
+/// Makes a data set; its path.
+inline std::string generated(const ScratchFolder& folder, const std::string& contact,
+                             const std::string& kind, int count) {
+  const std::string path = folder / (contact + kind + ".jsonl");
+  const Finished made = ccdfuzz({"generate", "--contact", contact, "--kind", kind, "--count",
+                                 std::to_string(count), "--construction", "one-sided", "-o", path});
+  EXPECT_EQ(made.code, 0) << made.err;
+  return path;
+}
+
+}  // namespace ccdfuzz

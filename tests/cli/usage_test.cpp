@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+const std::vector<std::string> kCommands = {"query", "generate", "evaluate", "methods"};
+
+TEST(Usage, EveryCommandHasItsHelp) {
+  for (const std::string& command : kCommands) {
+    const Finished help = ccdfuzz({command, "--help"});
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_NE(help.out.find("Usage: ccdfuzz " + command), std::string::npos) << help.out;
+    EXPECT_EQ(help.err, "") << command;
+  }
+}
+
+TEST(Usage, TheGeneralHelpNamesEveryCommand) {
+  const Finished help = ccdfuzz({"--help"});
+  EXPECT_EQ(help.code, 0);
+  for (const std::string& command : kCommands) {
+    EXPECT_NE(help.out.find("\n  " + command), std::string::npos) << command << "\n" << help.out;
+  }
+}
+
+TEST(Usage, VersionIsPrinted) {
+  const Finished version = ccdfuzz({"--version"});
+  EXPECT_EQ(version.code, 0);
+  EXPECT_EQ(version.out.find_first_not_of("0123456789.\n"), std::string::npos) << version.out;
+}
+
+struct BadUsage {
+  std::vector<std::string> arguments;
+  std::string named;  ///< what the message must name
+};
+
+TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
+  const std::vector<std::string> generate = {"generate", "--contact", "VV", "--kind", "RP"};
+  const auto with = [](std::vector<std::string> base, const std::vector<std::string>& more) {
+    base.insert(base.end(), more.begin(), more.end());
+    return base;
+  };
+  const std::vector<BadUsage> table = {
+      {{}, "no command"},
+      {{"nonsense"}, "nonsense"},
+      {{"--nonsense"}, "--nonsense"},
+      {{"methods", "--nonsense"}, "--nonsense"},
+      {{"query"}, "case"},
+      {{"query", "no-such-file.json"}, "no-such-file.json"},
+      {{"query", "x.json", "--methods", "tdibm-h:nan"}, "\"nan\""},
+      {{"query", "x.json", "--methods", "tdibm,tdibm"}, "twice"},
+      {{"query", "x.json", "--methods", ""}, "unknown method \"\""},
+      {{"query", "x.json", "--precision", "0"}, "0 is not in"},
+      {{"query", "x.json", "--precision", "2"}, "2 is not in"},
+      {{"query", "x.json", "--precision", "-1"}, "-1"},
+      {{"query", "x.json", "--precision", "nan"}, "nan"},
+      {{"query", "x.json", "--max-pops", "0"}, "--max-pops"},
+      {{"query", "x.json", "--max-mb", "0"}, "--max-mb"},
+      {{"query", "x.json", "--threads", "0"}, "--threads"},
+      {{"query", "x.json", "--threads", "two"}, "two"},
+      {{"generate"}, "required"},
+      {{"generate", "--contact", "XX", "--kind", "RP", "--count", "1"}, "\"XX\""},
+      {{"generate", "--contact", "VV", "--kind", "rp", "--count", "1"}, "\"rp\""},
+      {with(generate, {"--count", "0"}), "--count"},
+      {with(generate, {"--count", "-1"}), "--count"},
+      {with(generate, {"--count", "1.5"}), "--count"},
+      {with(generate, {"--count", "1", "--seed", "x"}), "--seed"},
+      {with(generate, {"--count", "1", "--eps-t", "1e-6"}), "\"1e-6\""},
+      {with(generate, {"--count", "1", "--eps-t", "2^-x"}), "\"2^-x\""},
+      {with(generate, {"--count", "1", "--construction", "best"}), "\"best\""},
+      {with(generate, {"--count", "1", "-o", "x.txt"}), "x.txt"},
+      {with(generate, {"--count", "2", "-o", "/tmp/no-such-folder/x.jsonl"}), "no-such-folder"},
+      {{"evaluate"}, "dataset"},
+      {{"evaluate", "x.jsonl", "--t-max-factors", "0.5"}, "0.5"},
+      {{"evaluate", "x.jsonl", "--t-max-factors", "1,,2"}, "\"\""},
+  };
+  for (const BadUsage& bad : table) {
+    const Finished finished = ccdfuzz(bad.arguments);
+    const std::string shown = testing::PrintToString(bad.arguments);
+    EXPECT_EQ(finished.code, 2) << shown << "\n" << finished.err;
+    EXPECT_NE(finished.err.find(bad.named), std::string::npos) << shown << "\n" << finished.err;
+    EXPECT_EQ(finished.out, "") << shown;
+  }
+}
+
+TEST(Usage, AFullDiskUnderStdoutIsAnErrorForEveryCommandThatPrints) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "VV", "RP", 3);
+  const std::vector<std::vector<std::string>> commands = {
+      {"methods"},       {"methods", "--json"},
+      {"query", set},    {"query", set, "--json"},
+      {"evaluate", set}, {"generate", "--contact", "VV", "--kind", "RP", "--count", "3"},
+  };
+  for (const auto& command : commands) {
+    const Finished finished = ccdfuzz(command, "/dev/full");
+    EXPECT_EQ(finished.code, 2) << testing::PrintToString(command);
+    EXPECT_NE(finished.err.find("No space left on device"), std::string::npos) << finished.err;
+  }
+}
+
+TEST(Methods, ListsAllAsTableAndAsJson) {
+  const Finished table = ccdfuzz({"methods"});
+  EXPECT_EQ(table.code, 0);
+  const auto rows = json_lines(ccdfuzz({"methods", "--json"}).out);
+  EXPECT_GE(rows.size(), 8U);
+  for (const auto& row : rows) {
+    const std::string spec = row.at("method");
+    EXPECT_NE(table.out.find(spec), std::string::npos) << spec;
+    EXPECT_TRUE(row.at("claims_no_false_negative").is_boolean());
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
