@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace ccdfuzz {
+
+/// What every libFuzzer target does: checks the named property on the choices that the bytes are.
+/// A failure is printed with its operands and ends the process, so that libFuzzer keeps the input.
+int check_bytes(std::string_view property, const std::uint8_t* data, std::size_t size);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "ccd/line.hpp"
+#include "properties/choices.hpp"
+
+namespace ccdfuzz {
+
+/// The lines of two patches on one axis: f of patch 1, g of patch 2 negated, so that the axis
+/// separates the patches where max f + max g < 0 (patch 1 below patch 2).
+struct LinePairs {
+  std::vector<Line<double>> f;
+  std::vector<Line<double>> g;
+  TimeWindow<double> window;
+};
+
+/// Lines that are hard to order: concurrent up to a few floats, twins of each other up to a few
+/// floats, and others between them; often max f + max g is about 0 at some time of the window.
+/// 1 to 10 lines a side. Slopes and intercepts are 0 or between 2^-60 and 2^9, so that no product of
+/// two of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
+LinePairs draw_line_pairs(ChoiceSource& choices);
+
+/// For failure texts.
+std::string to_hex_text(const std::vector<Line<double>>& lines);
+std::string to_hex_text(const TimeWindow<double>& window);
+
+}  // namespace ccdfuzz

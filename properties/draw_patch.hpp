@@ -1,0 +1,26 @@
+#pragma once
+
+#include "bezier/cell.hpp"
+#include "bezier/patch.hpp"
+#include "properties/choices.hpp"
+
+namespace ccdfuzz {
+
+/// Any of the four shapes, of degree at most max_degree.
+Shape draw_shape(ChoiceSource& choices, int max_degree);
+
+/// Control points on the lattice of multiples of 2^exponent with |m| < 2^bits.
+Points<Dyadic> draw_points(ChoiceSource& choices, const Shape& shape, int bits, long exponent);
+
+/// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
+Uv<Dyadic> draw_uv(ChoiceSource& choices, const Shape& shape, int bits);
+
+/// A cell of depth at most max_depth.
+Cell draw_cell(ChoiceSource& choices, const Shape& shape, int max_depth);
+
+/// For failure texts.
+std::string to_hex_text(const Points<double>& points);
+std::string to_text(const Points<Dyadic>& points);
+std::string to_text(const Uv<Dyadic>& uv);
+
+}  // namespace ccdfuzz

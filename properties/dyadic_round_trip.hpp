@@ -1,0 +1,13 @@
+#pragma once
+
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// Going to exact numbers and back loses nothing: for x as Dyadic and as Rational, and Dyadic
+/// arithmetic agrees with Rational on x, y.
+Check dyadic_round_trip(double x, double y);
+
+Check check_dyadic_round_trip(ChoiceSource& choices);
+
+}  // namespace ccdfuzz

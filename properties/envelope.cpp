@@ -1,0 +1,121 @@
+#include "properties/envelope.hpp"
+
+#include <fmt/format.h>
+
+namespace ccdfuzz {
+
+namespace {
+
+using ExactLines = std::vector<Line<Dyadic>>;
+
+Line<Dyadic> exact_line(const Line<double>& line) {
+  return {Dyadic::exact(line.slope), Dyadic::exact(line.intercept)};
+}
+
+template <class List>
+ExactLines exact_lines(const List& lines) {
+  ExactLines out;
+  for (const Line<double>& line : lines) out.push_back(exact_line(line));
+  return out;
+}
+
+Dyadic maximum(const ExactLines& lines, const Dyadic& t) {
+  Dyadic greatest = lines.front().at(t);
+  for (const Line<Dyadic>& line : lines) {
+    const Dyadic value = line.at(t);
+    if (greatest < value) greatest = value;
+  }
+  return greatest;
+}
+
+/// Sorted, selected and raised, as TdibmInclusion does it.
+template <class Policy>
+Lines<double> envelope_of(const Policy& policy, const std::vector<Line<double>>& lines,
+                          const TimeWindow<double>& window) {
+  Lines<double> sorted, envelope;
+  for (const Line<double>& line : lines) {
+    sorted.push_back({line.slope, policy.pulled(line.intercept)});
+  }
+  sort_lines(sorted);
+  upper_envelope(policy, sorted, window, envelope);
+  policy.raise(envelope, policy.envelope_error(sorted, CoefficientError{}, window.hi));
+  return envelope;
+}
+
+}  // namespace
+
+template <class Policy>
+Check envelope_is_never_below_the_maximum(const Policy& policy,
+                                          const std::vector<Line<double>>& lines,
+                                          const TimeWindow<double>& window) {
+  const ExactLines all = exact_lines(lines);
+  const ExactLines kept = exact_lines(envelope_of(policy, lines, window));
+  const Dyadic lo = Dyadic::exact(window.lo), hi = Dyadic::exact(window.hi);
+  // A line minus the maximum of the kept ones is concave and linear between the crossings of these,
+  // so it is greatest at such a crossing or at an end. At the crossing t = −p/q of i and j, all is
+  // multiplied by q > 0 to stay dyadic.
+  const auto below_at = [&](const Dyadic& p, const Dyadic& q) {
+    const auto greatest = [&](const ExactLines& from) {
+      Dyadic most;
+      bool first = true;
+      for (const Line<Dyadic>& line : from) {
+        const Dyadic value = line.intercept * q - line.slope * p;
+        if (first || most < value) most = value;
+        first = false;
+      }
+      return most;
+    };
+    return greatest(kept) < greatest(all);
+  };
+  const auto failure = [&](const Rational& t) {
+    return Check::fails(fmt::format("lines {} on {}: below the maximum at t = {}",
+                                    to_hex_text(lines), to_hex_text(window), to_text(t)));
+  };
+  for (const Dyadic& end : {lo, hi}) {
+    if (below_at(-end, Dyadic(1))) return failure(end.rational());
+  }
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    for (std::size_t j = 0; j < kept.size(); ++j) {
+      const Dyadic q = kept[i].slope - kept[j].slope, p = kept[i].intercept - kept[j].intercept;
+      if (q.sign() <= 0 || -p < lo * q || hi * q < -p) continue;
+      if (below_at(p, q)) return failure(Rational(-p.rational() / q.rational()));
+    }
+  }
+  return Check::holds();
+}
+
+template <class Policy>
+Check separation_is_true(const Policy& policy, const LinePairs& pairs) {
+  const Lines<double> f = envelope_of(policy, pairs.f, pairs.window);
+  const Lines<double> g = envelope_of(policy, pairs.g, pairs.window);
+  const auto found = separation(policy, f, g, pairs.window);
+  if (!found) return Check::holds();
+  const auto failure = [&](const char* what) {
+    return Check::fails(
+        fmt::format("f {} g {} on {}: said to be separated on {}{}, {}{}, but max f + max g {}",
+                    to_hex_text(pairs.f), to_hex_text(pairs.g), to_hex_text(pairs.window),
+                    found->has_lo ? '[' : '(', to_hex(found->lo), to_hex(found->hi),
+                    found->has_hi ? ']' : ')', what));
+  };
+  const ExactLines all_f = exact_lines(pairs.f), all_g = exact_lines(pairs.g);
+  const auto sign_at = [&](const Dyadic& t) {
+    return (maximum(all_f, t) + maximum(all_g, t)).sign();
+  };
+  // max f + max g is convex: ≤ 0 at both ends and < 0 between them once means < 0 between them.
+  const Dyadic lo = Dyadic::exact(found->lo), hi = Dyadic::exact(found->hi);
+  if (sign_at(lo) > (found->has_lo ? -1 : 0)) return failure("is not negative at the start");
+  if (sign_at(hi) > (found->has_hi ? -1 : 0)) return failure("is not negative at the end");
+  if (lo != hi && sign_at((lo + hi).scaled(-1)) >= 0) return failure("is 0 between the ends");
+  return Check::holds();
+}
+
+#define CCDFUZZ_INSTANTIATE(Policy)                                                \
+  template Check envelope_is_never_below_the_maximum(                              \
+      const Policy&, const std::vector<Line<double>>&, const TimeWindow<double>&); \
+  template Check separation_is_true(const Policy&, const LinePairs&);
+CCDFUZZ_INSTANTIATE(Plain)
+CCDFUZZ_INSTANTIATE(ErrorBoundIntended)
+CCDFUZZ_INSTANTIATE(ErrorBoundPrinted)
+#undef CCDFUZZ_INSTANTIATE
+
+}  // namespace ccdfuzz

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ccd/separation.hpp"
+#include "properties/draw_lines.hpp"
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// Step II under a policy: the maximum of the lines that it selects, raised by eps_constr, is
+/// nowhere on the window below the exact maximum of all lines. Lines and window are exact inputs.
+/// Requires 1 ≤ lines.size() ≤ kMaxControls, all finite, 0 ≤ lo ≤ hi.
+template <class Policy>
+Check envelope_is_never_below_the_maximum(const Policy& policy,
+                                          const std::vector<Line<double>>& lines,
+                                          const TimeWindow<double>& window);
+
+/// Step III under a policy: where it says that max f + max g < 0, that is so in exact arithmetic.
+template <class Policy>
+Check separation_is_true(const Policy& policy, const LinePairs& pairs);
+
+template <class Policy>
+Check check_envelope(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  return envelope_is_never_below_the_maximum(Policy(), pairs.f, pairs.window);
+}
+
+template <class Policy>
+Check check_separation(ChoiceSource& choices) {
+  return separation_is_true(Policy(), draw_line_pairs(choices));
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "properties/choices.hpp"
+
+namespace ccdfuzz {
+
+/// What one input showed of a property.
+struct Check {
+  enum class Status : std::uint8_t {
+    kHolds,
+    kFails,
+    kDiscarded,  ///< the input is outside what the claim speaks of
+  };
+  Status status = Status::kHolds;
+  /// Fails: what was claimed, what was found, and every operand as hex floats, so that the text
+  /// alone gives the input back. Discarded: why.
+  std::string text;
+
+  static Check holds() { return {}; }
+  static Check discarded(std::string why) { return {Status::kDiscarded, std::move(why)}; }
+  static Check fails(std::string text) { return {Status::kFails, std::move(text)}; }
+};
+
+/// What is known of a claim. A claim that is false stays as it was made, and is marked.
+enum class Expectation : std::uint8_t {
+  kHolds,  ///< no counterexample is known; one is a finding
+  kFails,  ///< counterexamples are known, and not to find one means that the harness is broken
+};
+
+/// One claim, checked by any driver: GoogleTest's examples and RapidCheck (tests/properties),
+/// libFuzzer and replay (fuzz), none of which it knows.
+struct Property {
+  std::string_view name;   ///< "subject.claim", unique
+  std::string_view claim;  ///< in words, one sentence
+  std::string_view source;
+  Expectation expected = Expectation::kHolds;
+  /// Draws an input and checks the claim on it. The same choices give the same result.
+  Check (*check)(ChoiceSource&) = nullptr;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,71 @@
+// RapidCheck as the driver of every registered property: it makes and shrinks the choices.
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "properties/registry.hpp"
+#include "rapidcheck.hpp"
+
+namespace ccdfuzz {
+
+/// How GoogleTest names the parameter of a test.
+static void PrintTo(const Property& property, std::ostream* out) {
+  *out << property.name;
+}
+
+namespace {
+
+/// The one command that shows a failure again, whatever becomes of RapidCheck's seeds.
+std::string replay_command(const Property& property, const ChoiceSource& choices) {
+  return fmt::format("reproduce: {} {} --hex {}", CCDFUZZ_CHECK_PROPERTY, property.name,
+                     to_hex_bytes(choices.bytes()));
+}
+
+class EveryProperty : public testing::TestWithParam<Property> {};
+
+/// Mostly small numbers: what breaks geometry are coincidences.
+rc::Gen<std::vector<std::uint64_t>> any_choices() {
+  const auto number =
+      rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 8), rc::gen::inRange<std::uint64_t>(0, 256),
+                     rc::gen::arbitrary<std::uint64_t>());
+  return rc::gen::resize(300, rc::gen::container<std::vector<std::uint64_t>>(number));
+}
+
+TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
+  const Property& property = GetParam();
+  if (property.expected == Expectation::kHolds) {
+    const bool held = rc::check(std::string(property.claim), [&] {
+      StoredChoices choices(*any_choices());
+      const Check check = property.check(choices);
+      RC_PRE(check.status != Check::Status::kDiscarded);
+      if (check.status == Check::Status::kFails) {
+        RC_FAIL(check.text + "\n" + replay_command(property, choices));
+      }
+    });
+    EXPECT_TRUE(held);
+    return;
+  }
+  // A claim that is known to be false: a harness that cannot show it is blind.
+  constexpr std::uint64_t kTries = 20'000;
+  for (std::uint64_t i = 0; i < kTries; ++i) {
+    RandomChoices choices{Random::keyed({1, i})};
+    const Check check = property.check(choices);
+    if (check.status != Check::Status::kFails) continue;
+    std::cout << "found as expected, case " << i << ": " << check.text << '\n'
+              << replay_command(property, choices) << '\n';
+    return;
+  }
+  FAIL() << "no counterexample to \"" << property.claim << "\" in " << kTries << " tries";
+}
+
+INSTANTIATE_TEST_SUITE_P(Registered, EveryProperty, testing::ValuesIn(properties()),
+                         [](const auto& test) {
+                           std::string name(test.param.name);
+                           for (char& c : name) {
+                             if (c == '.' || c == '-') c = '_';
+                           }
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace ccdfuzz
