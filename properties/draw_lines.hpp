@@ -17,8 +17,8 @@ struct LinePairs {
 
 /// Lines that are hard to order: concurrent up to a few floats, twins of each other up to a few
 /// floats, and others between them; often max f + max g is about 0 at some time of the window.
-/// 1 to 10 lines a side. Slopes and intercepts are 0 or between 2^-60 and 2^9, so that no product of
-/// two of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
+/// 1 to 10 lines a side. Slopes and intercepts are 0 or between 2^-60 and 2^9, so that no product
+/// of two of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
 LinePairs draw_line_pairs(ChoiceSource& choices);
 
 /// For failure texts.

@@ -1,4 +1,5 @@
 // GoogleTest as the driver: the same claims on named inputs.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -33,14 +34,18 @@ TEST(SubPatch, OfAnInvertedTriangle) {
   EXPECT_EQ(check.status, Status::kHolds) << check.text;
 }
 
-/// Three lines almost through one point, the middle one below by less than a float can tell: the
-/// printed sign keeps it, and a fourth line then hides behind its twin.
+/// t − 7/8 and its twin lie below the maximum of 0 and 2t − 13/8 by 1/16 and more. The printed sign
+/// keeps the first because Phi cannot tell it from its twin, then both because the twin shields it
+/// from the last line; so the sweep believes in t − 7/8 where 0 is higher, and takes the patches to
+/// be separated up to 25/32, where they touch at 3/4.
 TEST(Separation, TwinShieldMisleadsTheSignAsPrinted) {
-  // f: 0·t − 0.5 against a chain of twins; see below.
-  const LinePairs pairs{{{0, -1}, {1, -0x1p-1}, {1 + 0x1p-52, -0x1p-1 - 0x1p-54}, {2, 0.25}},
-                        {{-0.5, -0.25}},
-                        {0, 1}};
+  const LinePairs pairs{
+      {{0, 0}, {1, -0.875}, {1 + 0x1p-52, -0.875}, {2, -1.625}}, {{2, -1.5}}, {0, 1}};
+  EXPECT_EQ(separation_is_true(Plain(), pairs).status, Status::kHolds);
   EXPECT_EQ(separation_is_true(ErrorBoundIntended(), pairs).status, Status::kHolds);
+  const Check printed = separation_is_true(ErrorBoundPrinted(), pairs);
+  EXPECT_EQ(printed.status, Status::kFails);
+  EXPECT_THAT(printed.text, testing::HasSubstr("(0x1.0000000000001p+0, -0x1.cp-1)"));
 }
 
 }  // namespace
