@@ -17,6 +17,9 @@ enum ExitCode : int {
   kInternal = 3,
 };
 
+/// How the user called this program, so that the commands we print work when pasted.
+std::string& program_name();
+
 /// The command the user chose: run it for its exit code. Errors: input errors, exit code 2.
 using Chosen = std::function<Result<int>()>;
 

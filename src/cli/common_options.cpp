@@ -5,6 +5,7 @@
 #include <iterator>
 #include <thread>
 
+#include "certify/checker/check_truth.hpp"
 #include "cli/number_text.hpp"
 
 namespace ccdfuzz {
@@ -47,7 +48,7 @@ void add_threads(CLI::App& command, int& threads) {
 Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths) {
   std::vector<NamedCase> all;
   for (const std::string& path : paths) {
-    Result<std::vector<NamedCase>> cases = read_cases(path);
+    Result<std::vector<NamedCase>> cases = read_checked_cases(path);
     if (!cases) return cases;
     all.insert(all.end(), std::make_move_iterator(cases->begin()),
                std::make_move_iterator(cases->end()));

@@ -8,6 +8,11 @@
 
 namespace ccdfuzz {
 
+std::string& program_name() {
+  static std::string name = "ccdfuzz";
+  return name;
+}
+
 namespace {
 
 int complain(const std::string& message, int code) {
@@ -22,10 +27,14 @@ int run(int argc, char** argv) {
   app.footer(
       "`ccdfuzz COMMAND --help` documents a command.\n"
       "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 internal error.");
+  program_name() = argv[0];
   Chosen chosen;
+  add_hunt(app, chosen);
   add_query(app, chosen);
   add_generate(app, chosen);
   add_evaluate(app, chosen);
+  add_verify(app, chosen);
+  add_replay(app, chosen);
   add_methods(app, chosen);
   try {
     app.parse(argc, argv);

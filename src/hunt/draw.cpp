@@ -6,18 +6,23 @@ namespace ccdfuzz {
 
 namespace {
 
-/// What the draws go round.
+/// What the draws go round: both constructions, and each stress family.
 struct Ground {
   Construction construction;
   Family family;
-  const char* name;
 };
 
-constexpr std::array kGrounds = {
-    Ground{Construction::kOneSided, Family::kRegular, "one-sided"},
-};
+constexpr auto kGrounds = [] {
+  std::array<Ground, kConstructions.size() + kFamilies.size() - 1> grounds{};
+  size_t next = 0;
+  for (const Construction c : kConstructions) grounds[next++] = {c, Family::kRegular};
+  for (const Family f : kFamilies) {
+    if (f != Family::kRegular) grounds[next++] = {Construction::kOneSided, f};
+  }
+  return grounds;
+}();
 
-/// One draw in this many is a negative case. It costs one query, a positive one costs four.
+/// One regular draw in this many is a negative case.
 constexpr std::uint64_t kNegativeEvery = 5;
 
 }  // namespace
@@ -27,12 +32,15 @@ Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
   const std::uint64_t round = index / kGrounds.size();
   GeneratorOptions options;
   options.contact = contact;
-  options.kind = round % kNegativeEvery == kNegativeEvery - 1 ? CaseKind::kRN : CaseKind::kRP;
   options.construction = ground.construction;
   options.family = ground.family;
+  // The stress families have positive cases only.
+  const bool negative =
+      ground.family == Family::kRegular && round % kNegativeEvery == kNegativeEvery - 1;
+  options.kind = negative ? CaseKind::kRN : CaseKind::kRP;
   options.seed = seed;
   Case known = generate(options, round).value;
-  Draw drawn{{}, ground.name};
+  Draw drawn;
   if (options.kind == CaseKind::kRN) {
     drawn.asked.push_back(std::move(known));
   } else {

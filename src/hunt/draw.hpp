@@ -16,12 +16,10 @@ struct Draw {
   /// A positive case at t* and past it (kHorizonFactors), so that late answers show; a negative one
   /// as it stands.
   std::vector<Case> asked;
-  /// "one-sided", "one-sided/flat grazing", …: where the case comes from.
-  std::string source;
 };
 
-/// Draw number `index` of a contact class. The draws go round all constructions and families, four
-/// positive cases to one negative. Depends on the arguments alone.
+/// Draw number `index` of a contact class. The draws go round both constructions and all stress
+/// families. Depends on the arguments alone.
 Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index);
 
 /// The latest draws of each class, kept because the methods of a class walk the same sequence and

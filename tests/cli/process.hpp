@@ -23,15 +23,14 @@ struct Finished {
   std::string err;
 };
 
-/// The real ccdfuzz, started as a user would.
+/// A running program; by default the real ccdfuzz, as a user would start it.
 class Process {
  public:
-  /// stdout and stderr go to files of the scratch folder unless a path is given.
+  /// stdout and stderr go to files of a scratch folder unless a path is given.
   explicit Process(std::vector<std::string> arguments, const std::string& out_path = "",
-                   const std::string& err_path = "")
-      : out_path_(out_path.empty() ? scratch_ / "out" : out_path),
-        err_path_(err_path.empty() ? scratch_ / "err" : err_path) {
-    arguments.insert(arguments.begin(), CCDFUZZ_EXECUTABLE);
+                   const std::string& program = CCDFUZZ_EXECUTABLE)
+      : out_path_(out_path.empty() ? scratch_ / "out" : out_path), err_path_(scratch_ / "err") {
+    arguments.insert(arguments.begin(), program);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -43,7 +42,7 @@ class Process {
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, err_path_.c_str(), kWrite, 0600);
     const int failed = posix_spawn(&pid_, argv[0], &files, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&files);
-    if (failed != 0) throw std::runtime_error("cannot start " CCDFUZZ_EXECUTABLE);
+    if (failed != 0) throw std::runtime_error("cannot start " + program);
   }
   ~Process() {
     if (pid_ <= 0) return;
@@ -76,6 +75,12 @@ class Process {
 
 inline Finished ccdfuzz(std::vector<std::string> arguments, const std::string& out_path = "") {
   return Process(std::move(arguments), out_path).wait();
+}
+
+/// Runs a line of shell, in which $ccdfuzz is the program.
+inline Finished shell(const std::string& line) {
+  return Process({"-c", fmt::format("ccdfuzz='{}'; {}", CCDFUZZ_EXECUTABLE, line)}, "", "/bin/sh")
+      .wait();
 }
 
 /// Each line of the text as JSON; a failure if one is not.

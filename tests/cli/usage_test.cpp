@@ -5,7 +5,8 @@
 namespace ccdfuzz {
 namespace {
 
-const std::vector<std::string> kCommands = {"query", "generate", "evaluate", "methods"};
+const std::vector<std::string> kCommands = {"hunt",   "query",  "generate", "evaluate",
+                                            "verify", "replay", "methods"};
 
 TEST(Usage, EveryCommandHasItsHelp) {
   for (const std::string& command : kCommands) {
@@ -71,6 +72,17 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {with(generate, {"--count", "1", "--construction", "best"}), "\"best\""},
       {with(generate, {"--count", "1", "-o", "x.txt"}), "x.txt"},
       {with(generate, {"--count", "2", "-o", "/tmp/no-such-folder/x.jsonl"}), "no-such-folder"},
+      {{"hunt", "--seconds", "0"}, "--seconds"},
+      {{"hunt", "--seconds", "soon"}, "soon"},
+      {{"hunt", "--cases", "0"}, "--cases"},
+      {{"hunt", "--cases", "1", "--seconds", "1"}, "--seconds"},
+      {{"hunt", "--fail-on", "most"}, "most"},
+      {{"hunt", "--methods", "tdibm-h:abc"}, "\"abc\""},
+      {{"hunt", "--corpus", "/proc/no-such-folder"}, "/proc/no-such-folder"},
+      {{"hunt", "--corpus", "/dev/null/finds"}, "/dev/null/finds"},
+      {{"verify"}, "case"},
+      {{"verify", "no-such-file.jsonl"}, "no-such-file.jsonl"},
+      {{"replay", "no-such-folder"}, "no-such-folder"},
       {{"evaluate"}, "dataset"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "0.5"}, "0.5"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,,2"}, "\"\""},
@@ -88,9 +100,16 @@ TEST(Usage, AFullDiskUnderStdoutIsAnErrorForEveryCommandThatPrints) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "VV", "RP", 3);
   const std::vector<std::vector<std::string>> commands = {
-      {"methods"},       {"methods", "--json"},
-      {"query", set},    {"query", set, "--json"},
-      {"evaluate", set}, {"generate", "--contact", "VV", "--kind", "RP", "--count", "3"},
+      {"methods"},
+      {"methods", "--json"},
+      {"query", set},
+      {"query", set, "--json"},
+      {"evaluate", set},
+      {"verify", set},
+      {"verify", set, "--json"},
+      {"hunt", "--cases", "1", "--methods", "tdibm", "--max-pops", "10", "--corpus",
+       folder / "finds"},
+      {"generate", "--contact", "VV", "--kind", "RP", "--count", "3"},
   };
   for (const auto& command : commands) {
     const Finished finished = ccdfuzz(command, "/dev/full");

@@ -1,0 +1,225 @@
+#include "hunt/hunt.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/table.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// What TDIBM needs stays far below; trad alone reaches it, after about a second.
+constexpr std::uint64_t kDefaultPops = 10'000;
+
+struct Options {
+  std::string methods = std::string("trad,") + kDefaultMethods;
+  double seconds = 60;
+  std::uint64_t cases = 0;
+  std::uint64_t seed = 1;
+  std::string corpus = "finds";
+  std::string fail_on = "none";
+  SearchFlags search;
+  int threads = 1;
+  bool json = false;
+};
+
+Result<HuntOptions> parse(const Options& options) {
+  Result<std::vector<std::string>> methods = parse_method_list(options.methods);
+  if (!methods) return tl::unexpected(methods.error());
+  const Result<SearchOptions> search = options.search.parse();
+  if (!search) return tl::unexpected(search.error());
+  HuntOptions parsed;
+  parsed.methods = std::move(*methods);
+  parsed.seed = options.seed;
+  parsed.threads = options.threads;
+  parsed.seconds = options.seconds;
+  if (options.cases > 0) parsed.cases = options.cases;
+  parsed.search = *search;
+  return parsed;
+}
+
+Table cell_table(const HuntReport& report) {
+  Table table({{"class", Align::kLeft},
+               {"method", Align::kLeft},
+               {"n"},
+               {"mean"},
+               {"FN missed"},
+               {"FN late"},
+               {"FP"},
+               {"undecided"},
+               {"error"}});
+  const HuntCell* previous = nullptr;
+  for (const HuntCell& cell : report.cells) {
+    if (previous && previous->contact != cell.contact) table.start_group();
+    previous = &cell;
+    const Tally& tally = cell.tally;
+    const auto count = [&](Outcome outcome, std::uint64_t of) -> TableCell {
+      const bool bad = is_false_negative(outcome) || outcome == Outcome::kError;
+      const std::uint64_t n = tally.count(outcome);
+      return {count_text(n, of), n == 0 ? Emphasis::kFaint
+                                 : bad  ? Emphasis::kBad
+                                        : Emphasis::kPlain};
+    };
+    const double mean = tally.n == 0 ? 0 : cell.cpu_seconds / static_cast<double>(tally.n);
+    table.add_row({{std::string(name_of(cell.contact))},
+                   {cell.method},
+                   {fmt::format("{}", tally.n)},
+                   {duration_text(mean)},
+                   count(Outcome::kMissed, tally.positives),
+                   count(Outcome::kLate, tally.positives),
+                   count(Outcome::kFalsePositive, tally.negatives),
+                   count(Outcome::kUndecided, tally.n),
+                   count(Outcome::kError, tally.n)});
+  }
+  return table;
+}
+
+/// The command that shows a find again.
+std::string reproduction(const HuntFind& find, const Options& options) {
+  std::string methods;
+  for (const std::string& method : find.failures) methods += (methods.empty() ? "" : ",") + method;
+  std::string command = fmt::format("{} query {} --methods {}", program_name(), find.path, methods);
+  if (options.search.precision != SearchFlags().precision) {
+    command += " --precision " + options.search.precision;
+  }
+  return command;
+}
+
+/// "missed by tdibm, tdibm-e (claims none); late by tdibm-h-rel:1e-12".
+std::string failures_text(const HuntFind& find) {
+  std::map<Outcome, std::string> by_outcome;
+  for (const std::string& method : find.failures) {
+    std::string& methods = by_outcome[find.value.expect.at(method)];
+    if (!methods.empty()) methods += ", ";
+    methods += method;
+    if (breaks_claim(method, find.value.expect.at(method))) methods += " (claims none)";
+  }
+  std::string text;
+  for (const auto& [outcome, methods] : by_outcome) {
+    if (!text.empty()) text += "; ";
+    text += fmt::format("{} by {}", name_of(outcome), methods);
+  }
+  return text;
+}
+
+std::uint64_t query_count(const HuntReport& report) {
+  std::uint64_t count = 0;
+  for (const HuntCell& cell : report.cells) count += cell.tally.n;
+  return count;
+}
+
+void print_report(const HuntReport& report, const Options& options) {
+  print_out(cell_table(report).to_text(wants_colour(stdout)));
+  print_out(
+      fmt::format("\n{} queries about {} cases in {:.1f} s; {:.1f} s of CPU time went into "
+                  "making the cases\n",
+                  query_count(report), report.cases, report.seconds, report.draw_cpu_seconds));
+  print_out(fmt::format("{} new counterexamples in {}{}\n", report.finds.size(), options.corpus,
+                        report.finds.empty() ? "" : ", each with the command that shows it:"));
+  for (const HuntFind& find : report.finds) {
+    const Origin& origin = find.value.origin;
+    print_out(fmt::format("{} {} {}: {}\n    {}\n", origin.contact, origin.kind, origin.generator,
+                          failures_text(find), reproduction(find, options)));
+  }
+}
+
+void print_report_json(const HuntReport& report, const Options& options) {
+  for (const HuntCell& cell : report.cells) {
+    const Tally& tally = cell.tally;
+    nlohmann::ordered_json row = {
+        {"row", "cell"}, {"class", name_of(cell.contact)}, {"method", cell.method},
+        {"n", tally.n},  {"positives", tally.positives},   {"negatives", tally.negatives}};
+    for (const Outcome o : kAllOutcomes) row[std::string(name_of(o))] = tally.count(o);
+    row["cpu_seconds"] = cell.cpu_seconds;
+    print_json(row);
+  }
+  for (const HuntFind& find : report.finds) {
+    nlohmann::ordered_json expect = nlohmann::ordered_json::object();
+    for (const auto& [method, outcome] : find.value.expect) expect[method] = name_of(outcome);
+    print_json({{"row", "find"},
+                {"path", find.path},
+                {"class", find.value.origin.contact},
+                {"kind", find.value.origin.kind},
+                {"generator", find.value.origin.generator},
+                {"failures", find.failures},
+                {"breaks_claim", find.breaks_claim},
+                {"expect", expect},
+                {"reproduce", reproduction(find, options)}});
+  }
+  print_json({{"row", "summary"},
+              {"queries", query_count(report)},
+              {"cases", report.cases},
+              {"finds", report.finds.size()},
+              {"seconds", report.seconds}});
+}
+
+bool fails(const HuntReport& report, const std::string& fail_on) {
+  if (fail_on == "any") return !report.finds.empty();
+  return fail_on == "claims" &&
+         std::ranges::any_of(report.finds, [](const HuntFind& f) { return f.breaks_claim; });
+}
+
+Result<int> run(const Options& options) {
+  const Result<HuntOptions> parsed = parse(options);
+  if (!parsed) return tl::unexpected(parsed.error());
+  Result<Store> store = Store::open(options.corpus);
+  if (!store) return tl::unexpected(store.error());
+
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  Progress progress;
+  const HuntReport report = hunt(
+      *parsed, *store,
+      [&](const HuntProgress& p) {
+        progress.show(p.share, fmt::format("{} queries, {} counterexamples", p.queries, p.finds));
+      },
+      interrupted);
+  progress.clear();
+  options.json ? print_report_json(report, options) : print_report(report, options);
+  if (report.error) return tl::unexpected(*report.error);
+  if (interrupted) return interrupted_exit_code();
+  return fails(report, options.fail_on) ? kCheckFailed : kDone;
+}
+
+}  // namespace
+
+void add_hunt(CLI::App& app, Chosen& chosen) {
+  const auto [command, options] = add_command<Options>(
+      app, chosen, "hunt", "Find, prove and store inputs on which methods fail (the main job)",
+      run);
+  CLI::Option* const seconds =
+      command->add_option("--seconds", options->seconds, "How long to hunt")
+          ->check(CLI::PositiveNumber)
+          ->capture_default_str();
+  command
+      ->add_option("--cases", options->cases,
+                   "Instead: this many cases of each class, each put to every method; repeats "
+                   "exactly")
+      ->check(CLI::PositiveNumber)
+      ->excludes(seconds);
+  command->add_option("--methods", options->methods, "Methods to ask, separated by commas")
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the cases")->capture_default_str();
+  command
+      ->add_option("--corpus", options->corpus,
+                   "Folder to store counterexamples in; `corpus` promotes them to regressions")
+      ->capture_default_str();
+  command
+      ->add_option("--fail-on", options->fail_on,
+                   "Exit with 1 after new finds: none, claims (a false negative of a method that "
+                   "claims to have none) or any")
+      ->check(CLI::IsMember({"none", "claims", "any"}))
+      ->capture_default_str();
+  options->search.max_pops = kDefaultPops;
+  options->search.add_to(*command);
+  add_threads(*command, options->threads);
+  command->add_flag("--json", options->json, "One JSON object per cell and per find");
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,148 @@
+#include "corpus/replay.hpp"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <map>
+
+#include "cli/answer_row.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/number_text.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "corpus/entries.hpp"
+#include "eval/in_order.hpp"
+#include "eval/table.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Options {
+  std::string corpus = "corpus";
+  SearchFlags search;
+  int threads = 1;
+  bool json = false;
+};
+
+/// An entry may have been found at a precision of its own.
+Result<SearchOptions> search_for(const NamedCase& entry, SearchOptions search) {
+  const auto& more = entry.value.origin.more;
+  if (const auto found = more.find("precision"); found != more.end()) {
+    SearchFlags own;
+    own.precision = found->second;
+    const Result<SearchOptions> parsed = own.parse();
+    if (!parsed) {
+      return input_error(entry.id + ": origin.precision", parsed.error().what);
+    }
+    search.precision = parsed->precision;
+  }
+  return search;
+}
+
+struct Question {
+  const NamedCase* entry;
+  std::string method;
+  SearchOptions search;
+};
+
+Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries,
+                                           const SearchOptions& search) {
+  std::vector<Question> questions;
+  for (const NamedCase& entry : entries) {
+    const Result<SearchOptions> own = search_for(entry, search);
+    if (!own) return tl::unexpected(own.error());
+    for (const auto& [method, outcome] : entry.value.expect) {
+      if (const auto made = make_method(method); !made) {
+        return input_error(entry.id + ": expect", made.error().what);
+      }
+      questions.push_back({&entry, method, *own});
+    }
+  }
+  return questions;
+}
+
+/// What a method that threw said, in the judge's terms: nonsense, a hit at no time.
+Answer answer_of(const Judged& judged) {
+  if (judged.outcome != Outcome::kError) return judged.answer;
+  Answer nonsense = judged.answer;
+  nonsense.verdict = Verdict::kHit;
+  nonsense.toi.reset();
+  return nonsense;
+}
+
+nlohmann::ordered_json row_json(const ReplayRow& row) {
+  nlohmann::ordered_json json = answer_row(row.id, row.method, {row.answer, row.got});
+  json["expected"] = name_of(row.expected);
+  return json;
+}
+
+void print_report(const ReplayReport& report) {
+  Table table({{"entry", Align::kLeft},
+               {"method", Align::kLeft},
+               {"expected", Align::kLeft},
+               {"got", Align::kLeft}});
+  for (const ReplayRow& row : report.rows) {
+    if (!row.changed()) continue;
+    table.add_row({{row.id},
+                   {row.method},
+                   {std::string(name_of(row.expected))},
+                   {std::string(name_of(row.got)), Emphasis::kBad}});
+  }
+  if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+  print_out(fmt::format("{} entries, {} expectations: {} as expected, {} changed\n", report.entries,
+                        report.rows.size(), report.rows.size() - report.changed(),
+                        report.changed()));
+}
+
+Result<int> run(const Options& options) {
+  const Result<SearchOptions> search = options.search.parse();
+  if (!search) return tl::unexpected(search.error());
+  const Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
+  if (!entries) return tl::unexpected(entries.error());
+  const Result<std::vector<Question>> questions = questions_of(*entries, *search);
+  if (!questions) return tl::unexpected(questions.error());
+
+  std::map<std::pair<const Case*, std::string>, Answer> answers;
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  Progress progress;
+  run_in_order<Answer>(
+      questions->size(), options.threads,
+      [&](size_t i) {
+        const Question& q = (*questions)[i];
+        return answer_of(ask(methods.local()[q.method], q.entry->value, q.search));
+      },
+      [&](Answer answer) {
+        const Question& q = (*questions)[answers.size()];
+        progress.show(static_cast<double>(answers.size()) / static_cast<double>(questions->size()),
+                      q.entry->id);
+        answers.emplace(std::pair(&q.entry->value, q.method), std::move(answer));
+      });
+  progress.clear();
+  const Result<ReplayReport> report =
+      replay(*entries, [&](const std::string& method, const Case& entry) -> Result<Answer> {
+        return answers.at({&entry, method});
+      });
+  if (!report) return tl::unexpected(report.error());
+  if (options.json) {
+    for (const ReplayRow& row : report->rows) print_json(row_json(row));
+  } else {
+    print_report(*report);
+  }
+  return report->changed() == 0 ? kDone : kCheckFailed;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Chosen& chosen) {
+  const auto [command, options] = add_command<Options>(
+      app, chosen, "replay", "Judge every entry of a corpus again, against its expectations", run);
+  command->add_option("corpus", options->corpus, "Folder, or a file of cases")
+      ->capture_default_str();
+  options->search.add_to(*command);
+  add_threads(*command, options->threads);
+  command->add_flag("--json", options->json, "One JSON object per expectation");
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,113 @@
+#include <fmt/format.h>
+
+#include "ccd/rational/proves_clear.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/in_order.hpp"
+#include "eval/table.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  int threads = 1;
+  bool json = false;
+};
+
+enum class Standing {
+  kHolds,
+  kRefuted,   ///< exact arithmetic contradicts the case
+  kUnproven,  ///< the absence of contact that it claims could not be proven again
+};
+
+std::string name_of(Standing standing) {
+  switch (standing) {
+    case Standing::kHolds:
+      return "holds";
+    case Standing::kRefuted:
+      return "refuted";
+    case Standing::kUnproven:
+      return "unproven";
+  }
+  return "?";
+}
+
+struct Verified {
+  Standing standing = Standing::kHolds;
+  std::string note;
+};
+
+/// Everything the case claims: its witness by the checker, absence of contact by the exact method.
+Verified verify(const Case& value) {
+  if (const Result<void> checked = check_truth(value); !checked) {
+    return {Standing::kRefuted, checked.error().message()};
+  }
+  const Truth& truth = value.truth;
+  Rational clear_until = 0;
+  if (truth.collides == false) clear_until = exact(value.query.t_max);
+  // A later claim includes an earlier one, also at the very end: [0, c) lies in [0, c].
+  if (truth.clear_until && *truth.clear_until > clear_until) clear_until = *truth.clear_until;
+  const bool claims_absence = truth.collides == false || clear_until > 0;
+  if (claims_absence && !proves_clear(value.query, clear_until)) {
+    return {Standing::kUnproven,
+            fmt::format("no proof found that nothing touches up to t = {}", to_text(clear_until))};
+  }
+  return {};
+}
+
+Result<int> run(const Options& options) {
+  std::vector<NamedCase> cases;
+  for (const std::string& file : options.files) {
+    Result<std::vector<NamedCase>> read = read_cases(file);
+    if (!read) return tl::unexpected(read.error());
+    std::ranges::move(*read, std::back_inserter(cases));
+  }
+  std::array<std::uint64_t, 3> counts{};
+  Table table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
+  Progress progress;
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  size_t done = 0;
+  run_in_order<Verified>(
+      cases.size(), options.threads, [&](size_t i) { return verify(cases[i].value); },
+      [&](const Verified& verified) {
+        const std::string& id = cases[done++].id;
+        ++counts[static_cast<size_t>(verified.standing)];
+        if (options.json) {
+          nlohmann::ordered_json row = {{"case", id}, {"truth", name_of(verified.standing)}};
+          if (!verified.note.empty()) row["note"] = verified.note;
+          print_json(row);
+        } else if (verified.standing != Standing::kHolds) {
+          table.add_row({{id}, {name_of(verified.standing), Emphasis::kBad}, {verified.note}});
+        }
+        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id);
+      },
+      &interrupted);
+  progress.clear();
+  const auto [hold, refuted, unproven] = counts;
+  if (!options.json) {
+    if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+    print_out(
+        fmt::format("{} cases: {} hold, {} refuted, {} unproven\n", done, hold, refuted, unproven));
+  }
+  if (interrupted) return interrupted_exit_code();
+  return hold == done ? kDone : kCheckFailed;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Chosen& chosen) {
+  const auto [command, options] = add_command<Options>(
+      app, chosen, "verify", "Prove the truth of cases again, in exact arithmetic", run);
+  command->add_option("case", options->files, "Case files: .json, .jsonl or .jsonl.zst")
+      ->required();
+  add_threads(*command, options->threads);
+  command->add_flag("--json", options->json, "One JSON object per case");
+}
+
+}  // namespace ccdfuzz

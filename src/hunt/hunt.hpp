@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "corpus/store.hpp"
+#include "eval/ask.hpp"
+#include "eval/tally.hpp"
+#include "query/taxonomy.hpp"
+
+namespace ccdfuzz {
+
+struct HuntOptions {
+  std::vector<std::string> methods;  ///< parsed specs
+  std::uint64_t seed = 1;
+  int threads = 1;
+  double seconds = 60;
+  /// This many draws of each class, every one put to every method, instead of a time: then the
+  /// hunt depends on nothing but these options, and finds the same things in every run.
+  std::optional<std::uint64_t> cases;
+  SearchOptions search;
+};
+
+/// What one method did on one contact class.
+struct HuntCell {
+  std::string method;
+  ContactClass contact = ContactClass::kFF;
+  Tally tally;
+  double cpu_seconds = 0;
+};
+
+/// True iff the outcome is a false negative and the method claims to have none.
+bool breaks_claim(const std::string& method, Outcome outcome);
+
+/// A counterexample that this hunt put into the store.
+struct HuntFind {
+  std::string path;
+  Case value;                         ///< as it stands in the store, with its expectations
+  std::vector<std::string> failures;  ///< methods that are expected to fail on it
+  bool breaks_claim = false;          ///< of one of them
+};
+
+struct HuntReport {
+  std::vector<HuntCell> cells;  ///< class by class, within it method by method
+  std::vector<HuntFind> finds;  ///< ordered by class, then by path
+  std::uint64_t cases = 0;      ///< different draws
+  double seconds = 0;
+  double draw_cpu_seconds = 0;  ///< spent on making cases
+  /// The store failed: the hunt ended there, and what was stored before stands.
+  std::optional<InputError> error;
+};
+
+/// What to show while the hunt runs.
+struct HuntProgress {
+  double share = 0;
+  std::uint64_t queries = 0;
+  std::uint64_t finds = 0;
+};
+
+/// The main job: draws cases of all six contact classes, puts them to the methods, judges, and
+/// stores the smallest counterexample of each (method, class, failure signature).
+/// By time, each (method, class) cell gets an equal share of CPU time, and all methods of a class
+/// walk the same sequence of draws. stop ends the hunt early, with what it has.
+/// Requires at least one method.
+HuntReport hunt(const HuntOptions& options, Store& store,
+                const std::function<void(const HuntProgress&)>& on_progress,
+                const std::atomic<bool>& stop);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,105 @@
+#include "hunt/trophies.hpp"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+
+#include "eval/in_order.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Enough for what TDIBM needs on most entries; what is undecided after as many is left out.
+constexpr std::uint64_t kCompletionPops = 2000;
+
+std::string address_of(const NamedCase& entry) {
+  return content_address(entry.value.query);
+}
+
+}  // namespace
+
+bool breaks_claim(const std::string& method, Outcome outcome) {
+  if (!is_false_negative(outcome)) return false;
+  const Result<MethodInfo> info = method_info(method);
+  return info && info->claims_no_false_negative;
+}
+
+Result<void> Trophies::offer(const std::string& method, const Case& asked, Outcome outcome) {
+  const Key key = {method, asked.origin.contact, failure_signature(outcome, asked.origin)};
+  const Rank rank = {size_of(asked.query), content_address(asked.query)};
+  const std::lock_guard lock(mutex_);
+  const auto [known, is_first] = smallest_.emplace(key, rank);
+  if (!is_first && !(rank < known->second)) return {};
+  known->second = rank;
+  Case find = asked;
+  find.expect = {{method, outcome}};
+  if (options_.search.precision != SearchOptions().precision) {
+    find.origin.more["precision"] = fmt::format("{}", options_.search.precision);
+  }
+  const Result<Store::Added> added = store_.add(find);
+  if (!added) return tl::unexpected(added.error());
+  if (*added != Store::Added::kKnown) added_.insert(rank.second);
+  return {};
+}
+
+size_t Trophies::count() const {
+  const std::lock_guard lock(mutex_);
+  std::set<std::string> standing;
+  for (const auto& [key, rank] : smallest_) {
+    if (added_.contains(rank.second)) standing.insert(rank.second);
+  }
+  return standing.size();
+}
+
+Result<void> Trophies::complete(const std::atomic<bool>& stop) {
+  Result<std::vector<NamedCase>> entries = store_.load();
+  if (!entries) return tl::unexpected(entries.error());
+  std::erase_if(*entries, [this](const NamedCase& e) { return !added_.contains(address_of(e)); });
+  SearchOptions search = options_.search;
+  search.max_pops = std::min(search.max_pops, kCompletionPops);
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  Result<void> stored;
+  run_in_order<Case>(
+      entries->size(), options_.threads,
+      [&](size_t i) {
+        Case entry = (*entries)[i].value;
+        for (const std::string& method : options_.methods) {
+          if (entry.expect.contains(method)) continue;
+          const Judged judged = ask(methods.local()[method], entry, search);
+          // A larger budget may decide it, so that it is no expectation.
+          if (judged.outcome == Outcome::kUndecided) continue;
+          entry.expect.emplace(method, judged.outcome);
+        }
+        return entry;
+      },
+      [&](const Case& entry) {
+        if (!stored) return;
+        if (auto added = store_.add(entry); !added) stored = tl::unexpected(added.error());
+      },
+      &stop);
+  return stored;
+}
+
+Result<std::vector<HuntFind>> Trophies::finds() const {
+  Result<std::vector<NamedCase>> entries = store_.load();
+  if (!entries) return tl::unexpected(entries.error());
+  std::vector<HuntFind> finds;
+  for (NamedCase& entry : *entries) {
+    if (!added_.contains(address_of(entry))) continue;
+    HuntFind find{entry.id, std::move(entry.value), {}, false};
+    for (const auto& [method, outcome] : find.value.expect) {
+      if (!is_failure(outcome)) continue;
+      find.failures.push_back(method);
+      find.breaks_claim = find.breaks_claim || breaks_claim(method, outcome);
+    }
+    finds.push_back(std::move(find));
+  }
+  std::ranges::stable_sort(finds, {}, [](const HuntFind& f) {
+    return contact_class_named(f.value.origin.contact).value_or(ContactClass::kVV);
+  });
+  return finds;
+}
+
+}  // namespace ccdfuzz

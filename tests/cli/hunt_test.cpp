@@ -1,0 +1,184 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <thread>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Plain TDIBM fails on the first draws; few pops keep the flat classes short.
+const std::vector<std::string> kQuick = {"--methods", "tdibm,tdibm-h:1e-16", "--max-pops", "100"};
+
+std::vector<std::string> hunt(const std::string& corpus, std::vector<std::string> more) {
+  std::vector<std::string> arguments = {"hunt", "--corpus", corpus};
+  arguments.insert(arguments.end(), kQuick.begin(), kQuick.end());
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// File name → contents, of everything in a folder.
+std::map<std::string, std::string> files_in(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  if (!fs::exists(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    files[entry.path().filename()] = read_text(entry.path());
+  }
+  return files;
+}
+
+/// A whole find, not one that is being written.
+bool has_entry(const std::string& folder) {
+  const auto files = files_in(folder);
+  return std::ranges::any_of(files, [](const auto& file) {
+    return file.first.ends_with(".json") && !file.first.starts_with('.');
+  });
+}
+
+/// Starts a long hunt and waits until it has stored something.
+std::unique_ptr<Process> hunting(const std::string& corpus) {
+  auto process = std::make_unique<Process>(hunt(corpus, {"--seconds", "600"}));
+  while (!has_entry(corpus)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  return process;
+}
+
+TEST(Hunt, ByCasesRepeatsExactlyOnAnyNumberOfThreads) {
+  std::vector<std::string> tables;
+  std::vector<std::map<std::string, std::string>> finds;
+  for (const char* threads : {"1", "2"}) {
+    const ScratchFolder folder;
+    const Finished finished =
+        ccdfuzz(hunt(folder / "finds", {"--cases", "14", "--threads", threads, "--json"}));
+    EXPECT_EQ(finished.code, 0) << finished.err;
+    std::string table;
+    for (auto& row : json_lines(finished.out)) {
+      for (const char* varies : {"cpu_seconds", "seconds", "path", "reproduce"}) row.erase(varies);
+      table += row.dump() + "\n";
+    }
+    tables.push_back(table);
+    finds.push_back(files_in(folder / "finds"));
+  }
+  EXPECT_EQ(tables[0], tables[1]);
+  EXPECT_EQ(finds[0], finds[1]);
+  EXPECT_FALSE(finds[0].empty());
+}
+
+TEST(Hunt, EveryMethodAnswersEveryCaseAndCellsSumUp) {
+  const ScratchFolder folder;
+  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", "7", "--json"}));
+  std::map<std::string, int> per_class;
+  int queries = 0, cells = 0;
+  for (const auto& row : json_lines(finished.out)) {
+    if (row.at("row") == "cell") {
+      ++cells;
+      const int n = row.at("n");
+      queries += n;
+      const auto [known, first] = per_class.emplace(row.at("class"), n);
+      EXPECT_EQ(n, known->second) << row;
+      EXPECT_EQ(row.at("positives").get<int>() + row.at("negatives").get<int>(), n) << row;
+    }
+    if (row.at("row") == "summary") {
+      EXPECT_EQ(row.at("queries"), queries);
+      EXPECT_EQ(row.at("cases"), 6 * 7);
+    }
+  }
+  EXPECT_EQ(cells, 6 * 2);
+}
+
+TEST(Hunt, FindsReplayAndTheirCommandsShowTheFailure) {
+  const ScratchFolder folder;
+  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", "7", "--json"}));
+  int finds = 0;
+  for (const auto& row : json_lines(finished.out)) {
+    if (row.at("row") != "find" || ++finds > 3) continue;
+    const Finished again = shell(row.at("reproduce").get<std::string>() + " --json");
+    EXPECT_EQ(again.code, 0) << again.err;
+    for (const auto& answer : json_lines(again.out)) {
+      EXPECT_EQ(answer.at("outcome"), row.at("expect").at(answer.at("method").get<std::string>()));
+      EXPECT_NE(answer.at("outcome"), "correct");
+    }
+  }
+  EXPECT_GT(finds, 0);
+  const Finished replayed = ccdfuzz({"replay", folder / "finds"});
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+}
+
+TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtNewFindsOnly) {
+  const ScratchFolder folder;
+  const std::string finds = folder / "finds";
+  EXPECT_EQ(ccdfuzz(hunt(finds, {"--cases", "7", "--fail-on", "any"})).code, 1);
+  const auto before = files_in(finds);
+  const Finished second = ccdfuzz(hunt(finds, {"--cases", "7", "--fail-on", "any"}));
+  EXPECT_EQ(second.code, 0) << second.out;
+  EXPECT_NE(second.out.find("0 new counterexamples"), std::string::npos) << second.out;
+  EXPECT_EQ(files_in(finds), before);
+  // Neither method claims to be free of false negatives.
+  EXPECT_EQ(ccdfuzz(hunt(folder / "other", {"--cases", "7", "--fail-on", "claims"})).code, 0);
+}
+
+TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
+  const ScratchFolder folder;
+  const Finished finished =
+      ccdfuzz({"hunt", "--cases", "70", "--methods", "tdibm-e-literal", "--max-pops", "40",
+               "--corpus", folder / "finds", "--fail-on", "claims"});
+  EXPECT_EQ(finished.code, 1) << finished.out;
+  EXPECT_NE(finished.out.find("tdibm-e-literal (claims none)"), std::string::npos) << finished.out;
+}
+
+TEST(Hunt, CtrlCPrintsTheTableKeepsTheFindsAndExits130) {
+  const ScratchFolder folder;
+  const std::string finds = folder / "finds";
+  const auto process = hunting(finds);
+  process->signal(SIGINT);
+  const Finished finished = process->wait();
+  EXPECT_EQ(finished.code, 130) << finished.err;
+  for (const char* contact : {"FF", "EF", "EE", "VF", "VE", "VV"}) {
+    EXPECT_NE(finished.out.find(fmt::format("\n{}  ", contact)), std::string::npos) << contact;
+  }
+  EXPECT_NE(finished.out.find("new counterexamples"), std::string::npos) << finished.out;
+  EXPECT_EQ(ccdfuzz({"replay", finds}).code, 0);
+}
+
+TEST(Hunt, KilledAtAnyMomentItLeavesFindsThatLoadAndReplay) {
+  const ScratchFolder folder;
+  const std::string finds = folder / "finds";
+  for (int round = 0; round < 5; ++round) {
+    {
+      const auto process = hunting(finds);
+      std::this_thread::sleep_for(std::chrono::milliseconds(23 * round));
+      process->signal(SIGKILL);
+      EXPECT_EQ(process->wait().code, 128 + SIGKILL);
+    }
+    const Finished replayed = ccdfuzz({"replay", finds});
+    EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  }
+}
+
+TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
+  const ScratchFolder folder;
+  const std::string finds = folder / "finds";
+  // One block of 512 or 1,024 bytes a file stops the write of a case in its middle, as a full disk
+  // does; the pipe keeps stdout out of the limit.
+  const Finished finished = shell(fmt::format(
+      "{{ trap '' XFSZ; ulimit -f 1; $ccdfuzz hunt --cases 7 --methods tdibm --max-pops 100 "
+      "--corpus {} 2>&1; echo \"exit code $?\"; }} | cat",
+      finds));
+  EXPECT_NE(finished.out.find("exit code 2"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("ccdfuzz: " + finds), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("File too large"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("FN missed"), std::string::npos) << finished.out;
+  EXPECT_TRUE(files_in(finds).empty());
+}
+
+TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
+  const ScratchFolder folder;
+  EXPECT_EQ(ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err, "");
+}
+
+}  // namespace
+}  // namespace ccdfuzz

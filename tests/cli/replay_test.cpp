@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "process.hpp"
+#include "query/case_files.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// A corpus of one VV contact with these expectations.
+std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, Outcome>& expect,
+                      const std::string& precision = "") {
+  Case value = read_cases(generated(folder, "VV", "RP", 1))->at(0).value;
+  value.expect = expect;
+  if (!precision.empty()) value.origin.more["precision"] = precision;
+  const std::string corpus = folder / "corpus";
+  std::filesystem::create_directories(corpus);
+  write_text(corpus + "/entry.json", to_json(value));
+  return corpus;
+}
+
+TEST(Replay, NoChangeExits0) {
+  const ScratchFolder folder;
+  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}});
+  const Finished finished = ccdfuzz({"replay", corpus});
+  EXPECT_EQ(finished.code, 0) << finished.err;
+  EXPECT_EQ(finished.out, "1 entries, 1 expectations: 1 as expected, 0 changed\n");
+}
+
+TEST(Replay, AnyChangeExits1AlsoForTheBetter) {
+  const ScratchFolder folder;
+  const std::string corpus =
+      corpus_of(folder, {{"tdibm-e", Outcome::kMissed}, {"tdibm-rational", Outcome::kCorrect}});
+  const Finished finished = ccdfuzz({"replay", corpus});
+  EXPECT_EQ(finished.code, 1) << finished.err;
+  EXPECT_NE(finished.out.find("entry.json  tdibm-e  missed    correct"), std::string::npos)
+      << finished.out;
+  const auto rows = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("method"), "tdibm-e");
+  EXPECT_EQ(rows[0].at("expected"), "missed");
+  EXPECT_EQ(rows[0].at("outcome"), "correct");
+  EXPECT_EQ(rows[1].at("expected"), rows[1].at("outcome"));
+}
+
+TEST(Replay, AnEmptyCorpusIsAnError) {
+  const ScratchFolder folder;
+  const Finished finished = ccdfuzz({"replay", folder.path()});
+  EXPECT_EQ(finished.code, 2);
+  EXPECT_NE(finished.err.find(folder.path()), std::string::npos) << finished.err;
+}
+
+TEST(Replay, AnExpectationOfAMethodThatThereIsNotIsAnErrorThatNamesTheEntry) {
+  const ScratchFolder folder;
+  const std::string corpus = corpus_of(folder, {{"tdibm-x", Outcome::kMissed}});
+  const Finished finished = ccdfuzz({"replay", corpus});
+  EXPECT_EQ(finished.code, 2);
+  EXPECT_NE(finished.err.find("entry.json"), std::string::npos) << finished.err;
+  EXPECT_NE(finished.err.find("\"tdibm-x\""), std::string::npos) << finished.err;
+}
+
+TEST(Replay, AnEntrysOwnPrecisionCounts) {
+  const ScratchFolder folder;
+  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, "1e-2");
+  const auto coarse = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
+  corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}});
+  const auto fine = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
+  EXPECT_LT(coarse.at(0).at("pops").get<int>(), fine.at(0).at("pops").get<int>());
+  corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, "2");
+  const Finished refused = ccdfuzz({"replay", corpus});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("entry.json: origin.precision"), std::string::npos) << refused.err;
+}
+
+}  // namespace
+}  // namespace ccdfuzz

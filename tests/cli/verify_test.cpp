@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+#include "query/case_files.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+TEST(Verify, ProvesWhatTheGeneratorClaims) {
+  const ScratchFolder folder;
+  const std::string rp = generated(folder, "VV", "RP", 5), rn = generated(folder, "VE", "RN", 5);
+  const Finished finished = ccdfuzz({"verify", rp, rn});
+  EXPECT_EQ(finished.code, 0) << finished.out << finished.err;
+  EXPECT_EQ(finished.out, "10 cases: 10 hold, 0 refuted, 0 unproven\n");
+}
+
+/// The first generated case, changed, in a file of its own.
+template <class Change>
+std::string changed_case(const ScratchFolder& folder, const std::string& kind,
+                         const Change& change) {
+  auto cases = read_cases(generated(folder, "VV", kind, 1));
+  Case value = cases->at(0).value;
+  change(value);
+  const std::string path = folder / "changed.json";
+  write_text(path, to_json(value));
+  return path;
+}
+
+TEST(Verify, ReadsOnPastARefutedTruthAndExits1) {
+  const ScratchFolder folder;
+  const std::string wrong =
+      changed_case(folder, "RP", [](Case& c) { c.query.patches[0].positions[0][0] += 0x1p-40; });
+  const std::string good = generated(folder, "VV", "RN", 2);
+  const Finished finished = ccdfuzz({"verify", wrong, good, "--json"});
+  EXPECT_EQ(finished.code, 1) << finished.err;
+  const auto rows = json_lines(finished.out);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].at("case"), wrong);
+  EXPECT_EQ(rows[0].at("truth"), "refuted");
+  EXPECT_NE(rows[0].at("note").get<std::string>().find("witness"), std::string::npos);
+  EXPECT_EQ(rows[1].at("truth"), "holds");
+  EXPECT_EQ(rows[2].at("truth"), "holds");
+  // Every other command refuses it.
+  EXPECT_EQ(ccdfuzz({"query", wrong}).code, 2);
+}
+
+TEST(Verify, AnAbsenceThatDoesNotHoldIsUnproven) {
+  const ScratchFolder folder;
+  // Asked past the contact, the negative case collides; its witness was never in the file.
+  const std::string wrong = changed_case(folder, "RN", [](Case& c) {
+    c.query.t_max = 1.5;
+    c.truth.clear_until.reset();
+  });
+  const Finished finished = ccdfuzz({"verify", wrong});
+  EXPECT_EQ(finished.code, 1) << finished.out;
+  EXPECT_NE(finished.out.find("unproven"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("1 cases: 0 hold, 0 refuted, 1 unproven"), std::string::npos);
+}
+
+TEST(Verify, AClearUntilPastTheContactIsNotBelieved) {
+  const ScratchFolder folder;
+  const std::string wrong = changed_case(folder, "RP", [](Case& c) { c.truth.clear_until = 2; });
+  EXPECT_EQ(ccdfuzz({"verify", wrong}).code, 1);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
