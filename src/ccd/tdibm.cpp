@@ -1,74 +1,24 @@
 #include "ccd/tdibm.hpp"
 
-#include <cmath>
-
 #include "ccd/separation.hpp"
 
 namespace ccdfuzz {
 
-namespace {
-
-double largest_component(const Points<double>& points) {
-  double largest = 0;
-  for (const Vec3<double>& p : points) {
-    for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
-  }
-  return largest;
-}
-
-/// (B_cp / P, k_cp) of Appendix A (b), as Appendix A (d) uses them: 2^n and 6n, with 3(n+m) for
-/// the 6n of a tensor patch whose degrees differ, and 3n for a curve.
-struct Growth {
-  double factor;
-  int roundings;
-};
-
-Growth growth_of(const Shape& shape) {
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      return {1, 0};
-    case ShapeKind::kCurve:
-      return {std::ldexp(1.0, shape.n), 3 * shape.n};
-    case ShapeKind::kTriangle:
-      return {std::ldexp(1.0, shape.n), 6 * shape.n};
-    case ShapeKind::kTensor:
-      return {std::ldexp(1.0, std::max(shape.n, shape.m)), 3 * (shape.n + shape.m)};
-  }
-  return {};
-}
-
-/// eps of Appendix A (d), 3·2^n·B_l·P·[(1+eps)^(k_cp + k_l + 3) − 1], per unit of P.
-double projection_error(const Shape& shape, const Axis& axis) {
-  const Growth growth = growth_of(shape);
-  const double magnitude = 3 * growth.factor * std::ldexp(1.0, axis.stage);
-  return ErrorBoundIntended::bound(magnitude, growth.roundings + 2 * axis.stage + 3);
-}
-
-}  // namespace
-
 template <class Policy>
 void TdibmInclusion<Policy>::begin(const Query& query) {
   parts_.begin(query);
-  for (int side = 0; side < 2; ++side) {
-    const MovingPatch<double>& patch = query.patches[side];
-    extents_[side] = {largest_component(patch.positions), largest_component(patch.velocities)};
-  }
+  for (int side = 0; side < 2; ++side) extents_[side] = extent_of(query.patches[side]);
 }
 
 template <class Policy>
-void TdibmInclusion<Policy>::project(const ControlNet& net, const Axis& axis, const Extent& extent,
-                                     double t_hi, Projection& out) const {
-  out.upper.clear();
-  for (size_t i = 0; i < net.positions.size(); ++i) {
-    out.upper.push_back(
-        {dot(axis.direction, net.velocities[i]), dot(axis.direction, net.positions[i])});
-  }
-  sort_lines(out.upper);
+void TdibmInclusion<Policy>::project_side(int side, const ControlNet& net, const Axis& axis,
+                                          double t_hi) {
+  Projection& out = projections_[side];
+  project(net, axis, out.upper);
   negate_lines(out.upper, out.lower);
   if constexpr (Policy::kBoundsErrors) {
-    const double error = projection_error(net.shape, axis);
-    out.error =
-        policy_.envelope_error(out.upper, {error * extent.velocity, error * extent.position}, t_hi);
+    const CoefficientError error = coefficient_error(net.shape, extents_[side], axis);
+    out.error = policy_.envelope_error(out.upper, error, t_hi);
   }
   for (Lines<double>* lines : {&out.upper, &out.lower}) {
     for (int i = 0; i < lines->size(); ++i) {
@@ -86,9 +36,7 @@ std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;
-    for (int side = 0; side < 2; ++side) {
-      project(nets[side], axis, extents_[side], window.hi, projections_[side]);
-    }
+    for (int side = 0; side < 2; ++side) project_side(side, nets[side], axis, window.hi);
     for (int below = 0; below < 2; ++below) {  // which patch is below the other
       const Projection &f = projections_[below], &g = projections_[1 - below];
       upper_envelope(policy_, f.upper, window, envelopes_[0]);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "ccd/robustness.hpp"
+#include "ccd/projection.hpp"
 #include "ccd/search.hpp"
 #include "ccd/sub_patches.hpp"
 
@@ -23,11 +23,6 @@ class TdibmInclusion {
   std::optional<Window> test(int part_a, int part_b, const Window& window);
 
  private:
-  /// The largest control point and velocity components of a patch, P and Ṗ of Appendix A.
-  struct Extent {
-    double position = 0;
-    double velocity = 0;
-  };
   /// The lines of one part on one axis, ready for Step II: as they are for its maximum, negated
   /// for its minimum; and eps_constr.
   struct Projection {
@@ -35,8 +30,7 @@ class TdibmInclusion {
     double error = 0;
   };
 
-  void project(const ControlNet& net, const Axis& axis, const Extent& extent, double t_hi,
-               Projection& out) const;
+  void project_side(int side, const ControlNet& net, const Axis& axis, double t_hi);
 
   Policy policy_;
   SubPatches parts_;

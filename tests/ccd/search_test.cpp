@@ -38,7 +38,7 @@ TEST(Search, PopBudgetGivesUndecidedWithTheFrontiersLowestTime) {
   const Answer decided = method.answer(query, options);
   ASSERT_EQ(decided.verdict, Verdict::kHit);
   double last = 0;
-  for (std::uint64_t pops = 0; pops < decided.pops; ++pops) {
+  for (std::uint64_t pops = 0; pops < decided.pops; pops += 1 + pops / 8) {
     options.max_pops = pops;
     const Answer answer = method.answer(query, options);
     ASSERT_EQ(answer.verdict, Verdict::kUndecided) << pops;
