@@ -1,8 +1,8 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <string>
+#include <tuple>
 
 #include "query/query.hpp"
 
@@ -22,7 +22,11 @@ struct CaseSize {
   /// exponents.
   int exponent_spread = 0;
 
-  friend auto operator<=>(const CaseSize&, const CaseSize&) = default;
+  friend bool operator==(const CaseSize&, const CaseSize&) = default;
+  friend bool operator<(const CaseSize& a, const CaseSize& b) {
+    return std::tie(a.significant_bits, a.exponent_spread) <
+           std::tie(b.significant_bits, b.exponent_spread);
+  }
 };
 
 CaseSize size_of(const Query& query);

@@ -62,13 +62,16 @@ struct Store::State {
   std::mutex mutex;
   StoreIndex index;
 
-  std::string path_of(const Case& value, const std::string& address) const {
-    const std::string& name = value.origin.name;
-    return fmt::format("{}/{}.json", home, name.empty() ? address : name);
-  }
+  struct Plan {
+    Added added = Added::kKnown;
+    Case entry;            ///< what to write
+    std::string path;      ///< where to
+    std::string old_path;  ///< where its query stands already; may be empty
+  };
 
   Result<Added> add(const Case& find);
   bool surely_known(const Case& find, const Rank& rank) const;
+  Result<Plan> plan(const Case& find, const Rank& rank) const;
   Result<void> take_away(const std::string& path, const std::set<FailureKey>& keys);
   Result<void> tidy();
 };
@@ -90,52 +93,72 @@ bool Store::State::surely_known(const Case& find, const Rank& rank) const {
          });
 }
 
+/// What becomes of a find. Requires a fresh index.
+Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank) const {
+  Plan plan;
+  const std::string* at = index.find(rank.second);
+  if (at != nullptr) plan.old_path = *at;
+  const Case before = at != nullptr ? index.entries().at(*at).value : Case();
+  plan.entry = at != nullptr ? before : find;
+  if (at == nullptr) plan.entry.expect.clear();
+  const bool gets_a_name = before.origin.name.empty() && !find.origin.name.empty();
+  if (gets_a_name) plan.entry.origin = find.origin;
+
+  // A failure of which a smaller entry tells stays out, unless this one is kept by its name.
+  const Origin& origin = plan.entry.origin;
+  bool superfluous = false, smaller = false;
+  for (const auto& [method, outcome] : find.expect) {
+    if (plan.entry.expect.contains(method)) continue;
+    const FailureKey key = {method, origin.contact, failure_signature(outcome, origin)};
+    const Rank* rival = is_failure(outcome) ? index.smallest(key, rank.second) : nullptr;
+    if (rival != nullptr && *rival < rank && origin.name.empty()) {
+      superfluous = true;
+      continue;
+    }
+    smaller = smaller || rival != nullptr;
+    plan.entry.expect[method] = outcome;
+  }
+
+  if (at != nullptr) {
+    plan.added = plan.entry == before ? Added::kKnown : Added::kMerged;
+  } else if (superfluous && failures_of(plan.entry).empty()) {
+    plan.added = Added::kKnown;
+  } else {
+    plan.added = smaller ? Added::kSmaller : Added::kNew;
+  }
+  plan.path =
+      at != nullptr && !gets_a_name
+          ? plan.old_path
+          : fmt::format("{}/{}.json", home, origin.name.empty() ? rank.second : origin.name);
+  if (plan.path != plan.old_path && fs::exists(plan.path)) {
+    return input_error(plan.path, "holds another case of this name");
+  }
+  return plan;
+}
+
 Result<Store::Added> Store::State::add(const Case& find) {
   if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
   if (auto named = check_name(find.origin.name); !named) return tl::unexpected(named.error());
   const Rank rank = {size_of(find.query), content_address(find.query)};
-  const std::string& address = rank.second;
   const std::lock_guard one_at_a_time(mutex);
   if (surely_known(find, rank)) return Added::kKnown;
   const auto lock = FolderLock::take(home);
   if (!lock) return tl::unexpected(lock.error());
   if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
 
-  const std::string* at = index.find(address);
-  const std::string old_path = at == nullptr ? "" : *at;
-  Case out = at == nullptr ? find : index.entries().at(old_path).value;
-  if (at == nullptr) out.expect.clear();
-  if (out.origin.name.empty() && !find.origin.name.empty()) out.origin = find.origin;
-
-  // A failure of which a smaller entry tells stays out, unless this one is kept by its name.
-  bool superfluous = false, displaces = false;
-  for (const auto& [method, outcome] : find.expect) {
-    if (out.expect.contains(method)) continue;
-    const FailureKey key = {method, out.origin.contact, failure_signature(outcome, out.origin)};
-    const Rank* rival = is_failure(outcome) ? index.smallest(key, address) : nullptr;
-    if (rival != nullptr && *rival < rank && out.origin.name.empty()) {
-      superfluous = true;
-      continue;
-    }
-    displaces = displaces || rival != nullptr;
-    out.expect[method] = outcome;
-  }
-  if (at == nullptr && superfluous && failures_of(out).empty()) return Added::kKnown;
-  const bool stays = at != nullptr && !(index.entries().at(old_path).value.origin.name.empty() &&
-                                        !out.origin.name.empty());
-  const std::string path = stays ? old_path : path_of(out, address);
-  if (at != nullptr && stays && out == index.entries().at(old_path).value) return Added::kKnown;
-  if (path != old_path && fs::exists(path)) {
-    return input_error(path, "holds another case of this name");
-  }
-
-  if (auto written = write_entry(path, out); !written) return tl::unexpected(written.error());
-  if (at != nullptr && path != old_path) {
-    if (auto removed = remove_file(old_path); !removed) return tl::unexpected(removed.error());
-  }
-  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
-  if (auto tidied = tidy(); !tidied) return tl::unexpected(tidied.error());
-  return at != nullptr ? Added::kMerged : displaces ? Added::kSmaller : Added::kNew;
+  const auto todo = plan(find, rank);
+  if (!todo) return tl::unexpected(todo.error());
+  if (todo->added == Added::kKnown) return Added::kKnown;
+  const auto done = write_entry(todo->path, todo->entry)
+                        .and_then([&]() -> Result<void> {
+                          const bool moved =
+                              !todo->old_path.empty() && todo->old_path != todo->path;
+                          return moved ? remove_file(todo->old_path) : Result<void>();
+                        })
+                        .and_then([&] { return index.refresh(folder, home); })
+                        .and_then([&] { return tidy(); });
+  if (!done) return tl::unexpected(done.error());
+  return todo->added;
 }
 
 /// Makes the entry at `path` stand for these failures no more, and removes it if it then stands for

@@ -49,7 +49,7 @@ Result<std::vector<NamedCase>> read_cases(const std::string& path);
 
 /// Writes cases to a file, which appears whole with finish() or, if that is not reached, not at
 /// all. Endings as for reading; a .json takes one case. Errors: another ending, a full disk, a
-/// read-only folder, naming the path.
+/// read-only folder, naming the path. No writing on after an error.
 class CaseWriter {
  public:
   static Result<CaseWriter> open(const std::string& path);

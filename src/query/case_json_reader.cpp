@@ -218,8 +218,9 @@ std::map<std::string, Outcome> read_expect(const Node& node) {
     const Node word = *node.member(method);
     const auto outcome = outcome_named(word.string());
     if (!outcome) {
-      std::vector<std::string_view> names;
-      for (const Outcome o : kAllOutcomes) names.push_back(name_of(o));
+      std::array<std::string_view, kAllOutcomes.size()> names;
+      std::transform(kAllOutcomes.begin(), kAllOutcomes.end(), names.begin(),
+                     [](Outcome o) { return name_of(o); });
       word.refuse_value(fmt::format("is not an outcome ({})", fmt::join(names, ", ")));
     }
     expect[method] = *outcome;

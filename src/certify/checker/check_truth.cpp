@@ -13,8 +13,8 @@ Result<void> check_truth(const Case& value) {
     return input_error("truth.witness", "missing, though collides is true");
   }
   if (truth.witness) {
-    const auto checked = truth.collides == true ? check_witness(value.query, *truth.witness)
-                                                : check_contact(value.query, *truth.witness);
+    auto checked = truth.collides == true ? check_witness(value.query, *truth.witness)
+                                          : check_contact(value.query, *truth.witness);
     if (!checked) return checked;
     if (truth.collides == false && truth.witness->t <= exact(value.query.t_max)) {
       return input_error("truth.collides",
