@@ -65,15 +65,16 @@ void Gap::begin(const Query& query) {
     top = std::max(top, top_of(max_magnitude(patch.velocities)) + units_.horizon);
   }
   const bool at_rest_at_origin = top < -10000;  // every coordinate is zero
-  const int shift = at_rest_at_origin ? 0 : -top;
+  length_shift_ = at_rest_at_origin ? 0 : -top;
   const Vec3<double> origin = query.patches[0].positions[0];
   const Vec3<double> drift = query.patches[0].velocities[0];
   double m_position = 0, m_velocity = 0;
   int roundings = 0;
   for (size_t side = 0; side < 2; ++side) {
     const MovingPatch<double>& patch = query.patches[side];
-    const Points<double> positions = normalised(patch.positions, origin, shift);
-    const Points<double> velocities = normalised(patch.velocities, drift, shift + units_.horizon);
+    const Points<double> positions = normalised(patch.positions, origin, length_shift_);
+    const Points<double> velocities =
+        normalised(patch.velocities, drift, length_shift_ + units_.horizon);
     m_position = std::max(m_position, max_magnitude(positions));
     m_velocity = std::max(m_velocity, max_magnitude(velocities));
     roundings = std::max(roundings, CellPointsCache::roundings(patch.shape));

@@ -58,7 +58,7 @@ class Gap {
   /// Projects the selected cells on an axis with components of magnitude ≤ 2^bits.
   void project(const Axis& axis, int bits);
   Extremes extremes(double t) const;
-  /// |gap − exact gap| ≤ error(), at any t in [0, 1].
+  /// |gap − exact gap·2^length_shift| ≤ error(), at any t in [0, 1].
   double error() const { return error_; }
   /// d gap/dt of the lines that attain it at t.
   double slope(int below, double t) const;
@@ -72,6 +72,9 @@ class Gap {
     }
     return exact_sign(below, t, at);
   }
+
+  /// The normalised scene is the query's, its lengths times 2^length_shift.
+  int length_shift() const { return length_shift_; }
 
   const TierCounts& counts() const { return counts_; }
 
@@ -103,6 +106,7 @@ class Gap {
   int axis_bits_ = 0;
   using Values = std::array<double, padded(kMaxControls)>;
   alignas(16) std::array<Values, 2> slopes_, intercepts_;
+  int length_shift_ = 0;
   double error_per_norm_ = 0, error_ = 0;
 
   std::tuple<Tier<WideInt<128>>, Tier<WideInt<256>>, Tier<WideInt<512>>, Tier<Integer>> tiers_;
