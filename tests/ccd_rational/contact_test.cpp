@@ -20,7 +20,8 @@ struct Contact {
 /// and dyadic parameters; t_max at the contact or past it.
 Contact any_contact() {
   Contact c;
-  const RandomCoordinates coordinates{*rc::gen::inRange(0, 2)};
+  const RandomCoordinates coordinates{
+      *rc::gen::element(RandomCoordinates::kLattice, RandomCoordinates::kDyadic)};
   c.query = any_query(3, coordinates);
   if (*rc::gen::inRange(0, 4) == 0) {  // zero relative velocity: contact all the time
     for (MovingPatch<double>& patch : c.query.patches) {

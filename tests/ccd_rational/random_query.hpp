@@ -8,32 +8,45 @@
 
 namespace ccdfuzz {
 
-/// Coordinates of one kind: a small lattice (ties and touches abound), dyadics, full mantissas,
-/// and magnitudes all over the range within one patch.
+/// Coordinates of one kind.
 struct RandomCoordinates {
-  int kind = 0;
+  enum Kind {
+    kLattice,      ///< {−2..2}: ties and touches abound
+    kDyadic,       ///< multiples of 2^-6
+    kFull,         ///< full mantissas
+    kLarge,        ///< full mantissas, all magnitudes near 1: every rounding error counts
+    kAnyExponent,  ///< magnitudes all over the range within one patch
+    kSubnormal     ///< x = 1, the rest a few least doubles: nothing but underflow
+  } kind = kLattice;
 
-  static RandomCoordinates any() { return {*rc::gen::inRange(0, 4)}; }
+  static RandomCoordinates any() {
+    return {*rc::gen::element(kLattice, kDyadic, kFull, kLarge, kAnyExponent, kSubnormal)};
+  }
 
   double draw() const {
     const auto bits = *rc::gen::arbitrary<std::uint64_t>() * 0x9e3779b97f4a7c15ULL;
     const double full = std::ldexp(static_cast<double>(static_cast<std::int64_t>(bits)), -63);
     switch (kind) {
-      case 0:
+      case kLattice:
         return *rc::gen::inRange(-2, 3);
-      case 1:
+      case kDyadic:
         return std::ldexp(*rc::gen::inRange(-4096, 4097), -6);
-      case 2:
+      case kFull:
         return full;
-      default:
+      case kLarge:
+        return (*rc::gen::inRange(0, 8) == 0 ? -1 : 1) * (0.75 + full / 4);
+      case kAnyExponent:
         return std::ldexp(full, *rc::gen::inRange(-1074, 1001));
+      case kSubnormal:
+        return std::ldexp(*rc::gen::inRange(-3, 4), -1074);
     }
+    return 0;
   }
 
   Points<double> points(const Shape& shape) const {
     Points<double> out;
     for (int i = 0; i < shape.control_count(); ++i) {
-      const double x = draw(), y = draw(), z = draw();
+      const double x = kind == kSubnormal ? 1 : draw(), y = draw(), z = draw();
       out.push_back({x, y, z});
     }
     return out;

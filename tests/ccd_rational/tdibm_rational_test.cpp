@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "ccd/rational/gap.hpp"
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd_rational/points.hpp"
 #include "generators/generate.hpp"
@@ -108,6 +109,61 @@ TEST(TdibmRational, IsTheSameAtEveryScale) {
     Query before = scaled(query, k);
     before.t_max = 1 - 0x1p-20;
     EXPECT_EQ(ask(before).verdict, Verdict::kMiss) << "2^" << k;
+  }
+}
+
+TEST(ProvesClear, CoversATimeThatIsNotADouble) {
+  const Query query{{moving_point({0.25, 0.25, 1}, {0, 0, -3}), flat_triangle(0, {0, 0, 0})}, 1};
+  const Rational contact(1, 3);
+  EXPECT_FALSE(proves_clear(query, contact));
+  EXPECT_TRUE(proves_clear(query, Rational(contact - power_of_two(-50))));
+}
+
+/// The tiers that decide a query which touches at t = 1.
+exact_ccd::TierCounts tiers_of(const Query& query, double precision) {
+  TdibmRational method;
+  SearchOptions options;
+  options.precision = precision;
+  const Answer answer = method.answer(query, options);
+  EXPECT_EQ(answer.verdict, Verdict::kHit);
+  EXPECT_EQ(*answer.toi, 1.0);
+  return method.tiers();
+}
+
+/// A point that comes down on the corner of a flat patch at t = 1.
+Query touching(const Shape& shape, double unit) {
+  MovingPatch<double> flat{shape, {}, {}};
+  for (int i = 0; i <= shape.n; ++i) {
+    const int columns = shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
+    for (int j = 0; j <= columns; ++j) flat.positions.push_back({i * unit, j * unit, 0});
+  }
+  flat.velocities.assign(flat.positions.size(), {0, 0, 0});
+  return {{moving_point({0, 0, 1}, {0, 0, -1}), flat}, 1};
+}
+
+TEST(TdibmRational, UsesTheNarrowestTierThatSuffices) {
+  const auto in_128 = tiers_of(touching(Shape::triangle(2), 1), 1e-4);
+  EXPECT_GT(in_128.filter, 0U);
+  EXPECT_GT(in_128.int128, 0U);
+  EXPECT_EQ(in_128.int256 + in_128.int512 + in_128.gmp, 0U);
+  const auto in_256 = tiers_of(touching(Shape::triangle(5), 1), 1e-4);
+  EXPECT_GT(in_256.int256, 0U);
+  EXPECT_EQ(in_256.int512 + in_256.gmp, 0U);
+  const auto in_512 = tiers_of(touching(Shape::tensor(8, 8), 1), 1e-5);
+  EXPECT_GT(in_512.int512, 0U);
+  EXPECT_EQ(in_512.gmp, 0U);
+  const auto in_gmp = tiers_of(touching(Shape::triangle(2), 0x1p-600), 1e-4);
+  EXPECT_GT(in_gmp.gmp, 0U);
+}
+
+TEST(TdibmRational, DecidesExponentsFromOneEndOfTheRangeToTheOther) {
+  // A gap of the least double, or none, under a triangle of size 2^1000.
+  for (const double height : {0.0, 0x1p-1074, -0x1p-1074}) {
+    Query query = {{moving_point({0x1p998, 0x1p998, height}, {0, 0, 0}), {}}, 1};
+    query.patches[1] = {Shape::triangle(1),
+                        {{0, 0, 0}, {0, 0x1p1000, 0}, {0x1p1000, 0, 0}},
+                        Points<double>(3, {0, 0, 0})};
+    EXPECT_EQ(ask(query).verdict, height == 0 ? Verdict::kHit : Verdict::kMiss) << to_hex(height);
   }
 }
 

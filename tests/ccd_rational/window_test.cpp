@@ -86,7 +86,8 @@ RC_GTEST_PROP(Window, IsEmptyWhereverOneAxisSeparatesThroughout, ()) {
 
 RC_GTEST_PROP(Window, EndsWithinTwoStepsOfTheRoot, ()) {
   Setting s;
-  s.query = any_query(3, RandomCoordinates{*rc::gen::inRange(0, 2)});
+  s.query = any_query(3, RandomCoordinates{*rc::gen::element(RandomCoordinates::kLattice,
+                                                             RandomCoordinates::kDyadic)});
   s.query.t_max = *rc::gen::element(1.0, 2.0, 0.1, 1 + 0x1p-30, 3.0);
   const int depth = *rc::gen::inRange(0, 6);
   for (size_t side = 0; side < 2; ++side) {

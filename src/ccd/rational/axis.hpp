@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,14 @@ struct Axis {
 
   friend bool operator==(const Axis&, const Axis&) = default;
 };
+
+/// Bits of an axis for cells of a given depth. A cell of width 2^-d is about 2^-2d thick, so an
+/// axis that is off by 2^-d blurs it by its own thickness. Flat patches are thinner, and need the
+/// rest.
+constexpr int axis_bits(int depth) {
+  constexpr int kSpare = 16, kMost = 30;
+  return std::min(depth + kSpare, kMost);
+}
 
 /// The integer vector with a largest component of magnitude 2^bits that is nearest in direction to
 /// `direction`. Nothing if direction is not finite or smaller than 2^-900. Requires 1 ≤ bits ≤ 30.

@@ -1,20 +1,6 @@
 #include "ccd/rational/pair_test.hpp"
 
-#include <algorithm>
-
 namespace ccdfuzz::exact_ccd {
-
-namespace {
-
-/// Bits of an axis for cells of a given depth. A cell of width 2^-d is about 2^-2d thick, so an
-/// axis that is off by 2^-d blurs it by its own thickness. Flat patches are thinner, and need the
-/// rest.
-int axis_bits(int depth) {
-  constexpr int kSpare = 16, kLeast = 8, kMost = 30;
-  return std::clamp(depth + kSpare, kLeast, kMost);
-}
-
-}  // namespace
 
 void PairTest::begin(const Query& query) {
   gap_.begin(query);
