@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <ctime>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct Options {
   std::string contact, kind;
   std::string construction = "paper";
+  std::string family = "regular";
   std::uint64_t seed = 0;
   std::string eps_t = "2^-20";
   std::uint64_t count = 0;
@@ -53,12 +55,17 @@ class Destination {
   std::optional<CaseWriter> writer_;
 };
 
+/// CPU time that all threads of this program have used.
+double process_cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 std::string summary(const GeneratorOptions& options, const DiscardCounts& counts, double seconds) {
   const auto made = static_cast<double>(counts.accepted());
   std::string text =
-      fmt::format("{} {} {} cases in {}, {} each; {} begun", counts.accepted(),
+      fmt::format("{} {} {} cases in {}, {} of CPU time each; {} begun", counts.accepted(),
                   name_of(options.contact), name_of(options.kind), duration_text(seconds),
-                  duration_text(made > 0 ? seconds / made : 0), counts.attempts);
+                  duration_text(process_cpu_seconds() / made), counts.attempts);
   const char* separator = ", discarded: ";
   for (const Discard reason : kDiscards) {
     text += fmt::format("{}{} {}", separator, name_of(reason),
@@ -75,12 +82,15 @@ Result<GeneratorOptions> parse(const Options& options) {
   if (!kind) return tl::unexpected(kind.error());
   const auto construction = parse_choice("--construction", options.construction, kConstructions);
   if (!construction) return tl::unexpected(construction.error());
+  const auto family = parse_choice("--family", options.family, kFamilies);
+  if (!family) return tl::unexpected(family.error());
   const Result<int> exponent = parse_power_of_two("--eps-t", options.eps_t);
   if (!exponent) return tl::unexpected(exponent.error());
   GeneratorOptions generator;
   generator.contact = *contact;
   generator.kind = *kind;
   generator.construction = *construction;
+  generator.family = *family;
   generator.seed = options.seed;
   generator.eps_t_exponent = *exponent;
   return validate(generator).map([&] { return generator; });
@@ -132,6 +142,13 @@ void add_generate(CLI::App& app, Chosen& chosen) {
       ->add_option(
           "--construction", options->construction,
           "paper: as the paper makes them. one-sided: each patch on its own side of a plane")
+      ->capture_default_str();
+  std::string families;
+  for (const Family f : kFamilies) {
+    families += families.empty() ? "" : ", ";
+    families += name_of(f);
+  }
+  command->add_option("--family", options->family, "What the cases are made to stress: " + families)
       ->capture_default_str();
   command->add_option("--count", options->count, "How many cases")
       ->check(CLI::PositiveNumber)

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// Everything that a line of shell shows on a terminal, as util-linux's script(1) records it.
+std::string on_a_terminal(const std::string& line) {
+  const ScratchFolder folder;
+  write_text(folder / "line.sh", fmt::format("ccdfuzz='{}'\n{}\n", CCDFUZZ_EXECUTABLE, line));
+  return shell(fmt::format("script -qec 'sh {}' /dev/null", folder / "line.sh")).out;
+}
+
+constexpr const char* kProgress = "\r\x1b[K[";
+constexpr const char* kBold = "\x1b[1m";
+
+std::string small_hunt(const ScratchFolder& folder, const std::string& redirection) {
+  return fmt::format("$ccdfuzz hunt --cases 1 --methods tdibm --max-pops 10 --corpus {} {}",
+                     folder / "finds", redirection);
+}
+
+TEST(Terminal, ShowsProgressAndColour) {
+  const ScratchFolder folder;
+  const std::string shown = on_a_terminal("unset NO_COLOR; TERM=xterm " + small_hunt(folder, ""));
+  EXPECT_NE(shown.find(kProgress), std::string::npos) << shown;
+  EXPECT_NE(shown.find(kBold), std::string::npos) << shown;
+  // The progress line is wiped before the table.
+  EXPECT_LT(shown.rfind(kProgress), shown.rfind("\r\x1b[K"));
+  EXPECT_LT(shown.rfind("\r\x1b[K"), shown.find("FN missed"));
+}
+
+TEST(Terminal, NoColorTakesTheColourAndLeavesTheProgress) {
+  const ScratchFolder folder;
+  const std::string shown = on_a_terminal("NO_COLOR=1 TERM=xterm " + small_hunt(folder, ""));
+  EXPECT_NE(shown.find(kProgress), std::string::npos) << shown;
+  EXPECT_EQ(shown.find(kBold), std::string::npos) << shown;
+}
+
+TEST(Terminal, OnlyTheStreamThatIsATerminalIsDressed) {
+  const ScratchFolder folder;
+  const std::string err_only =
+      on_a_terminal("unset NO_COLOR; TERM=xterm " + small_hunt(folder, "> /dev/null"));
+  EXPECT_NE(err_only.find(kProgress), std::string::npos) << err_only;
+  EXPECT_EQ(err_only.find(kBold), std::string::npos) << err_only;
+  const std::string out_only =
+      on_a_terminal("unset NO_COLOR; TERM=xterm " + small_hunt(folder, "2> /dev/null"));
+  EXPECT_EQ(out_only.find(kProgress), std::string::npos) << out_only;
+  EXPECT_NE(out_only.find(kBold), std::string::npos) << out_only;
+}
+
+}  // namespace
+}  // namespace ccdfuzz
