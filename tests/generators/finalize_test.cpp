@@ -1,0 +1,66 @@
+#include "generators/finalize.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generators/one_sided.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+Scene some_scene() {
+  Random random(1);
+  return one_sided_scene(ContactClass::kVE, {}, random);
+}
+
+TEST(Finalize, EveryNumberSurvivesTheRoundTrip) {
+  const Scene scene = some_scene();
+  const std::optional<Query> query = to_query(scene);
+  ASSERT_TRUE(query);
+  for (size_t s = 0; s < 2; ++s) {
+    const MovingPatch<Dyadic> back = exact_patch<Dyadic>(query->patches[s]);
+    EXPECT_EQ(back.positions, scene.patches[s].positions);
+    EXPECT_EQ(back.velocities, scene.patches[s].velocities);
+  }
+}
+
+TEST(Finalize, ANumberThatNoDoubleHoldsIsRefused) {
+  const Dyadic too_long = Dyadic(1) + Dyadic(1, -53);
+  for (const Dyadic& bad : {too_long, Dyadic(1, -1075), Dyadic(1, 1024)}) {
+    Scene scene = some_scene();
+    scene.patches[1].positions[3][2] = bad;
+    EXPECT_FALSE(to_query(scene)) << bad;
+    scene = some_scene();
+    scene.patches[0].velocities[5][0] = bad;
+    EXPECT_FALSE(to_query(scene)) << bad;
+    scene = some_scene();
+    scene.t_max = bad;
+    EXPECT_FALSE(to_query(scene)) << bad;
+  }
+}
+
+// A construction that is wrong does not get out, whatever the kind.
+TEST(Finalize, AContactThatIsNoneIsABrokenInvariant) {
+  Scene scene = some_scene();
+  for (Vec3<Dyadic>& p : scene.patches[0].positions) p[0] += Dyadic(1, -40);
+  const Query query = to_query(scene).value();
+  for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+    EXPECT_THROW(finalize(scene, query, kind, Dyadic(1, -1)), InternalError);
+  }
+}
+
+TEST(Finalize, PositivesEndAtTheHorizonNegativesWhereNothingTouchesYet) {
+  const Scene scene = some_scene();
+  const Query query = to_query(scene).value();
+  const Dyadic clear = Dyadic(1) - Dyadic(1, -20);
+  const Case positive = finalize(scene, query, CaseKind::kRP, clear);
+  EXPECT_EQ(positive.query.t_max, 1);
+  EXPECT_EQ(positive.truth.collides, true);
+  const Case negative = finalize(scene, query, CaseKind::kRN, clear);
+  EXPECT_EQ(negative.query.t_max, 1 - 0x1p-20);
+  EXPECT_EQ(negative.truth.collides, false);
+  EXPECT_EQ(negative.truth.clear_until, clear.rational());
+  EXPECT_FALSE(finalize(scene, query, CaseKind::kRP, std::nullopt).truth.clear_until);
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,85 @@
+#include "generators/prescribe.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace ccdfuzz {
+namespace {
+
+constexpr std::array kFeatures = {Feature::kFace, Feature::kEdge, Feature::kCorner};
+
+std::vector<Barycentric> both_kinds(Feature feature, Random& random) {
+  std::vector<Barycentric> points = {prescribe_in_parent(feature, random)};
+  for (int bits = 2; bits <= 12; ++bits) {
+    points.push_back(prescribe_anywhere(feature, bits, random));
+  }
+  return points;
+}
+
+TEST(Prescribe, NamesTheFeaturesInTheOrderOfTheClassName) {
+  for (const ContactClass contact : kContactClasses) {
+    const std::string_view name = name_of(contact);
+    for (size_t s = 0; s < 2; ++s) {
+      const Feature feature = features_of(contact)[s];
+      const char letter = feature == Feature::kFace ? 'F' : feature == Feature::kEdge ? 'E' : 'V';
+      EXPECT_EQ(letter, name[s]) << name;
+    }
+  }
+}
+
+TEST(Prescribe, PointsLieOnTheirFeatureAndInTheTriangle) {
+  Random random(1);
+  for (const Feature feature : kFeatures) {
+    for (int i = 0; i < 200; ++i) {
+      for (const Barycentric& x : both_kinds(feature, random)) {
+        EXPECT_EQ(feature_at(x), feature);
+        EXPECT_EQ(x[0] + x[1] + x[2], Dyadic(1));
+        for (const Dyadic& c : x) EXPECT_GE(c.sign(), 0);
+      }
+    }
+  }
+}
+
+TEST(Prescribe, ReachesEveryEdgeAndEveryCorner) {
+  Random random(2);
+  for (const Feature feature : {Feature::kEdge, Feature::kCorner}) {
+    std::set<int> zeros_in_parent, zeros_anywhere;
+    const auto zeros = [](const Barycentric& x) {
+      return (x[0].sign() == 0 ? 1 : 0) + (x[1].sign() == 0 ? 2 : 0) + (x[2].sign() == 0 ? 4 : 0);
+    };
+    for (int i = 0; i < 100; ++i) {
+      zeros_in_parent.insert(zeros(prescribe_in_parent(feature, random)));
+      zeros_anywhere.insert(zeros(prescribe_anywhere(feature, 6, random)));
+    }
+    EXPECT_EQ(zeros_in_parent.size(), 3u);
+    EXPECT_EQ(zeros_anywhere.size(), 3u);
+  }
+}
+
+// Appendix E.2, and the minors of such parameters being powers of two, stand on these very values.
+TEST(Prescribe, ParentParametersArePowersOfTwo) {
+  Random random(3);
+  for (const Feature feature : kFeatures) {
+    for (int i = 0; i < 50; ++i) {
+      for (const Dyadic& c : prescribe_in_parent(feature, random)) {
+        EXPECT_TRUE(c.sign() == 0 || c.mantissa() == 1) << c;
+        EXPECT_GE(c.exponent(), -2) << c;
+      }
+    }
+  }
+}
+
+TEST(Prescribe, AnywhereHonoursItsBits) {
+  Random random(4);
+  for (const Feature feature : kFeatures) {
+    for (int bits = 2; bits <= 12; ++bits) {
+      for (const Dyadic& c : prescribe_anywhere(feature, bits, random)) {
+        EXPECT_GE(c.exponent(), -bits) << c;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
