@@ -7,6 +7,7 @@
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/stress.hpp"
+#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 
@@ -48,6 +49,10 @@ std::string_view generator_name(const GeneratorOptions& options) {
                                             : name_of(options.family);
 }
 
+/// Even where but one construction in 20 is accepted (none is that rare), so many refusals have a
+/// probability below 2^-140: the construction is broken.
+constexpr std::uint64_t kMaxAttempts = 2000;
+
 /// Steps I to IV; nullopt if the static check refused the result.
 std::optional<Scene> construct(const GeneratorOptions& options, Random& random) {
   if (options.family != Family::kRegular) {
@@ -71,6 +76,7 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
     ++out.discards.discarded[static_cast<size_t>(reason)];
   };
   for (;;) {
+    CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);
     ++out.discards.attempts;
     const std::optional<Scene> scene = construct(options, random);
     if (!scene) {

@@ -34,9 +34,9 @@ const Dyadic kZero, kQuarter(1, -2), kHalf(1, -1), kOne(1);
 Placed face(const Height& h) {
   return {graph({{{2, 0}, {0, 2}, {-1, -1}}}, h), {kQuarter, kQuarter, kHalf}};
 }
-/// The same surfaces on another triangle: the parameters of the two faces must not matter.
+/// The same surfaces on another, larger triangle: the parameters of the two faces must not matter.
 Placed other_face(const Height& h) {
-  return {graph({{{-1, -1}, {4, 2}, {-2, 0}}}, h), {kHalf, kQuarter, kQuarter}};
+  return {graph({{{-1, -1}, {8, 4}, {-6, -2}}}, h), {kHalf, kQuarter, kQuarter}};
 }
 /// An edge along the x axis, with the patch at y ≥ 0.
 Placed edge_along_x(const Height& h) {
