@@ -105,6 +105,7 @@ std::vector<EvaluatedGroup> evaluate(
       stop);
 
   std::vector<EvaluatedGroup> ordered;
+  ordered.reserve(groups.size());
   for (auto& [key, group] : groups) ordered.push_back(std::move(group));
   return ordered;
 }

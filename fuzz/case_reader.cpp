@@ -1,0 +1,6 @@
+// The bytes are a case file. Seeds: the corpus.
+#include "fuzz/target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return ccdfuzz::check_bytes("case_file.any_bytes", data, size);
+}

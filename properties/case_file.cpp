@@ -1,0 +1,142 @@
+#include "properties/case_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "properties/draw_contact.hpp"
+#include "properties/draw_patch.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr std::array kLayouts = {JsonLayout::kOneLine, JsonLayout::kReadable};
+
+/// Any finite numbers at all, in any two shapes.
+Case draw_any_case(ChoiceSource& choices) {
+  Case drawn;
+  for (MovingPatch<double>& patch : drawn.query.patches) {
+    patch.shape = draw_shape(choices, 2);
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      points->resize(static_cast<std::size_t>(patch.shape.control_count()));
+      for (Vec3<double>& p : *points) {
+        for (int k = 0; k < 3; ++k) p[k] = choices.finite_double();
+      }
+    }
+  }
+  drawn.query.t_max = std::abs(choices.finite_double());
+  if (choices.coin()) drawn.origin.seed = choices.choose(~std::uint64_t{0});
+  if (choices.coin()) drawn.origin.note = "\"\\\n\x01\xc3\xa4/ ";
+  const Outcome expected = choices.pick(kAllOutcomes);
+  if (choices.coin()) drawn.expect["tdibm-h:1e-12"] = expected;
+  return drawn;
+}
+
+Case draw_case(ChoiceSource& choices) {
+  if (choices.coin()) return draw_any_case(choices);
+  const Result<Case> contact = draw_contact(choices, {});
+  return contact ? *contact : draw_any_case(choices);
+}
+
+/// What tends to confuse readers.
+constexpr std::array<std::string_view, 22> kTokens = {"\"",
+                                                      "{",
+                                                      "}",
+                                                      "[",
+                                                      "]",
+                                                      ",",
+                                                      ":",
+                                                      "null",
+                                                      "1e999",
+                                                      "-0",
+                                                      "-1",
+                                                      "\\u0",
+                                                      "NaN",
+                                                      "true",
+                                                      "\"1/0\"",
+                                                      "0x1p-1080",
+                                                      "\"0x1.8p1\"",
+                                                      "1e-400",
+                                                      "\"t_max\":0,",
+                                                      "\xff",
+                                                      "[[[[[[[[",
+                                                      "99999999999999999999"};
+
+void mutate(ChoiceSource& choices, std::string& text) {
+  const std::size_t at = choices.choose(text.size());
+  switch (choices.choose(3)) {
+    case 0:
+      text.insert(at, choices.pick(kTokens));
+      break;
+    case 1: {
+      const std::size_t count = choices.choose(40);
+      text.erase(at, count);
+      break;
+    }
+    case 2:
+      if (at < text.size()) text[at] = static_cast<char>(choices.choose(255));
+      break;
+    default: {
+      const std::size_t from = choices.choose(text.size());
+      const std::string copied = text.substr(from, choices.choose(60));
+      text.insert(at, copied);
+    }
+  }
+}
+
+}  // namespace
+
+Check reader_takes_any_text(const std::string& text) {
+  const auto failure = [&](const char* what) {
+    return Check::fails(fmt::format(
+        "{} on the text (as hex bytes) {}", what,
+        to_hex_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})));
+  };
+  const Result<Case> first = parse_case(text, "input");
+  if (!first) {
+    const bool says_where = first.error().where.find("input") != std::string::npos;
+    return says_where && !first.error().what.empty() ? Check::holds()
+                                                     : failure("an error without place or reason");
+  }
+  for (const JsonLayout layout : kLayouts) {
+    const std::string written = to_json(*first, layout);
+    const Result<Case> again = parse_case(written, "written");
+    if (!again) return failure("what was written is refused");
+    if (!(*again == *first)) return failure("what was written reads as another case");
+    if (to_json(*again, layout) != written) return failure("it is written in another way again");
+  }
+  return Check::holds();
+}
+
+Check case_round_trip(const Case& value) {
+  for (const JsonLayout layout : kLayouts) {
+    const std::string written = to_json(value, layout);
+    const Result<Case> read = parse_case(written, "written");
+    if (!read) return Check::fails(read.error().message() + "\n" + written);
+    if (!(*read == value)) return Check::fails("it reads as another case: " + written);
+  }
+  return Check::holds();
+}
+
+Check check_reader_on_bytes(ChoiceSource& choices) {
+  constexpr std::size_t kLongest = 1 << 16;
+  return reader_takes_any_text(choices.text(kLongest));
+}
+
+Check check_reader_on_mutants(ChoiceSource& choices) {
+  const std::uint64_t mutations = choices.choose(4);
+  const auto layout = choices.pick(kLayouts);
+  std::string text = to_json(draw_case(choices), layout);
+  for (std::uint64_t i = 0; i < mutations; ++i) mutate(choices, text);
+  return reader_takes_any_text(text);
+}
+
+Check check_case_round_trip(ChoiceSource& choices) {
+  return case_round_trip(draw_case(choices));
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "properties/property.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// Reading any text gives an error that says something, or a case; what was read is written as a
+/// text that reads as the same case, and then as the same text, in both layouts.
+Check reader_takes_any_text(const std::string& text);
+
+/// Writing a valid case and reading it gives the case back.
+Check case_round_trip(const Case& value);
+
+Check check_reader_on_bytes(ChoiceSource& choices);
+Check check_reader_on_mutants(ChoiceSource& choices);
+Check check_case_round_trip(ChoiceSource& choices);
+
+}  // namespace ccdfuzz

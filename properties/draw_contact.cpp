@@ -1,0 +1,149 @@
+#include "properties/draw_contact.hpp"
+
+#include "bezier/blossom.hpp"
+#include "properties/draw_patch.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr int kDegree = 3;
+constexpr int kUvBits = 2;
+constexpr int kTwinUlps = 2;
+
+/// Columns: two directions of the contact plane, and one out of it.
+using Frame = std::array<Vec3<Dyadic>, 3>;
+
+Frame draw_frame(ChoiceSource& choices) {
+  Frame frame;
+  for (int c = 0; c < 3; ++c) {
+    for (int k = 0; k < 3; ++k) {
+      frame[static_cast<std::size_t>(c)][k] =
+          Dyadic((c == k ? 1 : 0) + static_cast<int>(choices.integer(-2, 2)));
+    }
+  }
+  return frame;
+}
+
+Vec3<Dyadic> in_frame(const Frame& frame, const Vec3<Dyadic>& local) {
+  Vec3<Dyadic> out = {Dyadic(), Dyadic(), Dyadic()};
+  for (int c = 0; c < 3; ++c) {
+    for (int k = 0; k < 3; ++k) out[k] += frame[static_cast<std::size_t>(c)][k] * local[c];
+  }
+  return out;
+}
+
+/// For each control point, whether its Bernstein weight at uv is not 0.
+std::vector<bool> bearing_controls(const Shape& shape, const Uv<Dyadic>& uv) {
+  const Dyadic zero, one(1);
+  std::vector<bool> bears(static_cast<std::size_t>(shape.control_count()));
+  const auto weighs = [&](int i, const Dyadic& x) { return i == 0 || zero < x; };
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  const int rows = shape.kind == ShapeKind::kPoint ? 0 : shape.n;
+  for (int i = 0; i <= rows; ++i) {
+    const int columns = triangle ? shape.n - i : shape.kind == ShapeKind::kTensor ? shape.m : 0;
+    for (int j = 0; j <= columns; ++j) {
+      bool bearing = weighs(i, uv[0]) && weighs(j, uv[1]);
+      if (triangle) {
+        bearing = bearing && weighs(shape.n - i - j, one - uv[0] - uv[1]);
+      } else {
+        bearing = bearing && weighs(rows - i, one - uv[0]) && weighs(columns - j, one - uv[1]);
+      }
+      bears[static_cast<std::size_t>(shape.index(i, j))] = bearing;
+    }
+  }
+  return bears;
+}
+
+Result<double> as_double(const Dyadic& x) {
+  if (const auto d = x.to_double_exactly()) return *d;
+  return input_error("", "a number is not a double");
+}
+
+/// Control points at the moment of contact and velocities, in the frame and relative to the
+/// contact.
+struct Side {
+  Shape shape;
+  Uv<Dyadic> uv;
+  std::vector<bool> bearing;
+  Points<Dyadic> local;
+  Points<Dyadic> velocity;
+};
+
+/// direction: +1 if the side is to lie above the plane, −1 if below.
+Side draw_side(ChoiceSource& choices, int direction) {
+  constexpr int kBits = 5;
+  constexpr long kUnit = -2, kSpeedUnit = -3;
+  const Dyadic outward(direction);
+  Side side;
+  side.shape = draw_shape(choices, kDegree);
+  side.uv = draw_uv(choices, side.shape, kUvBits);
+  side.bearing = bearing_controls(side.shape, side.uv);
+  side.local = draw_points(choices, side.shape, kBits, kUnit);
+  side.velocity = draw_points(choices, side.shape, kBits, kSpeedUnit);
+  const bool one_sided = !choices.coin();
+  for (std::size_t i = 0; one_sided && i < side.local.size(); ++i) {
+    side.local[i][2] = side.bearing[i] ? Dyadic() : outward * abs(side.local[i][2]);
+    side.velocity[i][2] = -outward * abs(side.velocity[i][2]);
+  }
+  const Vec3<Dyadic> at_contact = evaluate<Dyadic>(side.shape, side.local, side.uv);
+  for (Vec3<Dyadic>& p : side.local) p -= at_contact;
+  return side;
+}
+
+/// Makes some control points that do not bear on the contact almost equal to the one before.
+void draw_twins(ChoiceSource& choices, const Side& side, MovingPatch<double>& patch) {
+  for (std::size_t i = 1; i < patch.positions.size(); ++i) {
+    if (side.bearing[i] || !choices.coin()) continue;
+    for (int k = 0; k < 3; ++k) {
+      patch.positions[i][k] = choices.nudged(patch.positions[i - 1][k], kTwinUlps);
+      patch.velocities[i][k] = choices.nudged(patch.velocities[i - 1][k], kTwinUlps);
+    }
+  }
+}
+
+}  // namespace
+
+Result<Case> draw_contact(ChoiceSource& choices, const ScaleRange& scales) {
+  const long scale = static_cast<long>(choices.integer(scales.lowest, scales.highest));
+  const Frame frame = draw_frame(choices);
+  Vec3<Dyadic> contact, common;
+  for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
+  const long common_exponent = static_cast<long>(choices.integer(-3, 12));
+  for (int k = 0; k < 3; ++k) common[k] = choices.dyadic(3, common_exponent);
+  const Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
+
+  Case drawn;
+  drawn.truth.collides = true;
+  drawn.truth.witness.emplace();
+  drawn.truth.witness->t = t.rational();
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Side side = draw_side(choices, s == 0 ? 1 : -1);
+    MovingPatch<double>& patch = drawn.query.patches[s];
+    patch.shape = side.shape;
+    for (std::size_t i = 0; i < side.local.size(); ++i) {
+      const Vec3<Dyadic> v = common + in_frame(frame, side.velocity[i]);
+      const Vec3<Dyadic> p = contact + in_frame(frame, side.local[i]) - v * t;
+      Vec3<double> position, velocity;
+      for (int k = 0; k < 3; ++k) {
+        const auto x = as_double(p[k].scaled(scale));
+        const auto dx = as_double(v[k].scaled(scale));
+        if (!x) return tl::unexpected(x.error());
+        if (!dx) return tl::unexpected(dx.error());
+        position[k] = *x;
+        velocity[k] = *dx;
+      }
+      patch.positions.push_back(position);
+      patch.velocities.push_back(velocity);
+    }
+    if (choices.coin()) draw_twins(choices, side, patch);
+    drawn.truth.witness->uv[s] = {side.uv[0].rational(), side.uv[1].rational()};
+  }
+  const double t_contact = *t.to_double_exactly();
+  drawn.query.t_max =
+      choices.pick(std::array{t_contact, t_contact + 0x1p-30, t_contact + 0.5, 2.0});
+  drawn.origin.generator = "draw_contact";
+  return drawn;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,42 @@
+#include "properties/no_false_negative.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "method/method.hpp"
+#include "query/case_json.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+
+Check no_false_negative(const std::string& method, const Case& value,
+                        const SearchOptions& options) {
+  if (!value.truth.witness || value.truth.collides != true) {
+    return Check::discarded("no contact is proven");
+  }
+  const auto solver = make_method(method);
+  CCDFUZZ_VERIFY(solver);
+  const Answer answer = (*solver)->answer(value.query, options);
+  const Outcome outcome = judge(value.query, value.truth, answer);
+  if (!is_false_negative(outcome) && outcome != Outcome::kError) return Check::holds();
+  const std::string toi = answer.toi ? fmt::format(" at toi {}", to_hex(*answer.toi)) : "";
+  return Check::fails(fmt::format("{} is {}{} at precision {}, contact at t = {}\n{}", method,
+                                  name_of(outcome), toi, options.precision,
+                                  to_text(value.truth.witness->t), to_json(value)));
+}
+
+Check check_no_false_negative(const std::string& method, const ScaleRange& scales,
+                              ChoiceSource& choices) {
+  const Result<Case> drawn = draw_contact(choices, scales);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  if (const auto checked = check_truth(*drawn); !checked) {
+    return Check::fails("the drawn case is wrong: " + checked.error().message() + "\n" +
+                        to_json(*drawn));
+  }
+  SearchOptions options;
+  options.precision = 0x1p-6;
+  options.max_pops = 300;
+  return no_false_negative(method, *drawn, options);
+}
+
+}  // namespace ccdfuzz

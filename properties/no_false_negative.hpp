@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "ccd/search.hpp"
+#include "properties/draw_contact.hpp"
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// The method neither says "no contact" (missed) nor names a time after a proven contact (late).
+/// Undecided is no failure. Discarded: the truth of the case proves no contact.
+/// Requires a known method spec, and a case whose truth the checker accepts.
+Check no_false_negative(const std::string& method, const Case& value, const SearchOptions& options);
+
+/// On drawn contacts, with coarse precision and few pops.
+Check check_no_false_negative(const std::string& method, const ScaleRange& scales,
+                              ChoiceSource& choices);
+
+}  // namespace ccdfuzz
