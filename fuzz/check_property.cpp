@@ -37,7 +37,7 @@ class Checker {
       : property_(property), program_(std::move(program)) {}
 
   void check(ChoiceSource& choices, const std::string& input) {
-    const Check result = property_.check(choices);
+    const Check result = run(property_, choices);
     ++checked_;
     if (result.status == Check::Status::kDiscarded) ++discarded_;
     if (result.status != Check::Status::kFails) return;
@@ -71,7 +71,7 @@ std::vector<std::string> files_at(const std::string& path) {
   return files;
 }
 
-int run(const Options& options) {
+int check_all(const Options& options) {
   const auto property = property_named(options.property);
   if (!property) return refuse(property.error().message());
   Checker checker(*property, options.program);
@@ -123,5 +123,5 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return run(options);
+  return check_all(options);
 }

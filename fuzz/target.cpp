@@ -16,7 +16,7 @@ int check_bytes(std::string_view property, const std::uint8_t* data, std::size_t
     std::abort();
   }
   ByteChoices choices(std::span(data, size));
-  const Check check = target->check(choices);
+  const Check check = run(*target, choices);
   if (check.status == Check::Status::kDiscarded) return -1;  // not for the corpus
   if (check.status == Check::Status::kFails) {
     std::cerr << fmt::format("{} fails: {}\nreproduce: {} {} --hex {}\n", property, check.text,

@@ -42,4 +42,7 @@ struct Property {
   Check (*check)(ChoiceSource&) = nullptr;
 };
 
+/// property.check, where an exception is a failure: what drivers call.
+Check run(const Property& property, ChoiceSource& choices);
+
 }  // namespace ccdfuzz

@@ -2,27 +2,47 @@
 
 #include <fmt/format.h>
 
+#include "properties/case_file.hpp"
 #include "properties/dyadic_round_trip.hpp"
 #include "properties/envelope.hpp"
+#include "properties/no_false_negative.hpp"
 #include "properties/sub_patch.hpp"
 
 namespace ccdfuzz {
 
+namespace {
+
+/// All products of two coordinates and then some stay normal.
+constexpr ScaleRange kOrdinary;
+/// The products of two coordinates are subnormal or 0.
+constexpr ScaleRange kTiny{-545, -530};
+
+constexpr auto kHolds = Expectation::kHolds;
+constexpr auto kFails = Expectation::kFails;
+
+}  // namespace
+
 const std::vector<Property>& properties() {
-  constexpr auto kHolds = Expectation::kHolds;
-  constexpr auto kFails = Expectation::kFails;
   static const std::vector<Property> all = {
       {"dyadic.round_trip",
-       "A double goes to exact numbers and back without loss, and both exact "
-       "number types agree on every sum, difference, product and order",
+       "A double goes to exact numbers and back without loss, and both exact number types agree on "
+       "every sum, difference, product and order",
        "Section 5.4", kHolds, check_dyadic_round_trip},
       {"sub_patch.is_the_restriction", "The sub-patch over a cell equals the patch there, exactly",
        "Appendix A (b)", kHolds, check_sub_patch_is_the_restriction},
+      {"case_file.round_trip", "A case that is written and read is the same case",
+       "the case format", kHolds, check_case_round_trip},
+      {"case_file.any_bytes",
+       "The reader refuses any text with a reason, or reads a case that it writes and reads again",
+       "the case format", kHolds, check_reader_on_bytes},
+      {"case_file.mutants", "The same of texts that are almost case files", "the case format",
+       kHolds, check_reader_on_mutants},
+
       {"tdibm.envelope", "The envelope of Step II is nowhere below the exact maximum of its lines",
        "Section 3, Eqs. 5-6, in double arithmetic", kFails, check_envelope<Plain>},
       {"tdibm-e.envelope",
-       "The envelope of Step II, raised by eps_constr, is nowhere below the "
-       "exact maximum of its lines",
+       "The envelope of Step II, raised by eps_constr, is nowhere below the exact maximum of its "
+       "lines",
        "Section 4.4, Eqs. 11-16", kHolds, check_envelope<ErrorBoundIntended>},
       {"tdibm.separation", "Where Step III finds two patches separated, they are",
        "Section 3, Eqs. 7-10, in double arithmetic", kFails, check_separation<Plain>},
@@ -30,8 +50,34 @@ const std::vector<Property>& properties() {
        "Section 4.5, Eqs. 17-18, with eps_Phi's sign as Fig. 2 means it", kHolds,
        check_separation<ErrorBoundIntended>},
       {"tdibm-e-literal.separation", "Where Step III finds two patches separated, they are",
-       "Sections 4.4 and 4.5 with eps_Phi's sign as printed", kFails,
+       "Sections 4.4 and 4.5, with eps_Phi's sign as printed", kFails,
        check_separation<ErrorBoundPrinted>},
+
+      {"tdibm.no_false_negative", "No proven contact is missed, and none reported late",
+       "Section 3, in double arithmetic", kFails,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm", kOrdinary, c); }},
+      {"tdibm-e.no_false_negative",
+       "No proven contact is missed, and none reported late, where nothing underflows",
+       "Section 4.6", kHolds,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-e", kOrdinary, c); }},
+      {"tdibm-e.no_false_negative_underflow",
+       "No proven contact is missed, and none reported late, for coordinates about 2^-535",
+       "Section 4.6, which does not exclude underflow", kFails,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-e", kTiny, c); }},
+      {"tdibm-e-literal.no_false_negative",
+       "No proven contact is missed, and none reported late, where nothing underflows",
+       "Section 4.6, with eps_Phi's sign as printed", kFails,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-e-literal", kOrdinary, c); }},
+      {"tdibm-rational.no_false_negative", "No proven contact is missed, and none reported late",
+       "exact arithmetic", kHolds,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-rational", kOrdinary, c); }},
+      {"tdibm-c.no_false_negative", "No proven contact is missed, and none reported late",
+       "src/ccd/certified/DERIVATION.md", kHolds,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kOrdinary, c); }},
+      {"tdibm-c.no_false_negative_underflow",
+       "No proven contact is missed, and none reported late, for coordinates about 2^-535",
+       "src/ccd/certified/DERIVATION.md", kHolds,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kTiny, c); }},
   };
   return all;
 }

@@ -36,7 +36,7 @@ TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
   if (property.expected == Expectation::kHolds) {
     const bool held = rc::check(std::string(property.claim), [&] {
       StoredChoices choices(*any_choices());
-      const Check check = property.check(choices);
+      const Check check = run(property, choices);
       RC_PRE(check.status != Check::Status::kDiscarded);
       if (check.status == Check::Status::kFails) {
         RC_FAIL(check.text + "\n" + replay_command(property, choices));
@@ -49,7 +49,7 @@ TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
   constexpr std::uint64_t kTries = 20'000;
   for (std::uint64_t i = 0; i < kTries; ++i) {
     RandomChoices choices{Random::keyed({1, i})};
-    const Check check = property.check(choices);
+    const Check check = run(property, choices);
     if (check.status != Check::Status::kFails) continue;
     std::cout << "found as expected, case " << i << ": " << check.text << '\n'
               << replay_command(property, choices) << '\n';
