@@ -1,5 +1,6 @@
 #include "cli/number_text.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace ccdfuzz {
@@ -26,7 +27,7 @@ TEST(NumberText, RefusesTheRestNamingOptionAndText) {
     const auto number = parse_number("--option", text);
     ASSERT_FALSE(number) << text << " was read as " << *number;
     EXPECT_EQ(number.error().where, "--option");
-    EXPECT_NE(number.error().what.find("\"" + std::string(text) + "\""), std::string::npos);
+    EXPECT_NE(number.error().what.find(fmt::format("\"{}\"", text)), std::string::npos);
   }
   for (const char* text : {"", ",", "1,", ",1", "1,,2", "1;2"}) {
     EXPECT_FALSE(parse_numbers("--option", text)) << text;
