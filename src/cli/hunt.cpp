@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <map>
 
 #include "cli/command.hpp"
@@ -39,6 +40,9 @@ Result<HuntOptions> parse(const Options& options) {
   parsed.methods = std::move(*methods);
   parsed.seed = options.seed;
   parsed.threads = options.threads;
+  if (!std::isfinite(options.seconds)) {
+    return input_error("--seconds", fmt::format("{} is not a length of time", options.seconds));
+  }
   parsed.seconds = options.seconds;
   if (options.cases > 0) parsed.cases = options.cases;
   parsed.search = *search;
@@ -81,11 +85,22 @@ Table cell_table(const HuntReport& report) {
   return table;
 }
 
+/// The text as one word of a shell's command line.
+std::string shell_word(const std::string& text) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+:,=@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) c == '\'' ? quoted += "'\\''" : quoted += c;
+  return quoted + "'";
+}
+
 /// The command that shows a find again.
 std::string reproduction(const HuntFind& find, const Options& options) {
   std::string methods;
   for (const std::string& method : find.failures) methods += (methods.empty() ? "" : ",") + method;
-  std::string command = fmt::format("{} query {} --methods {}", program_name(), find.path, methods);
+  std::string command = fmt::format("{} query {} --methods {}", shell_word(program_name()),
+                                    shell_word(find.path), methods);
   if (options.search.precision != SearchFlags().precision) {
     command += " --precision " + options.search.precision;
   }

@@ -24,6 +24,7 @@ enum class Standing {
   kHolds,
   kRefuted,   ///< exact arithmetic contradicts the case
   kUnproven,  ///< the absence of contact that it claims could not be proven again
+  kNoClaim,   ///< the case says neither that there is a contact nor until when there is none
 };
 
 std::string name_of(Standing standing) {
@@ -34,6 +35,8 @@ std::string name_of(Standing standing) {
       return "refuted";
     case Standing::kUnproven:
       return "unproven";
+    case Standing::kNoClaim:
+      return "no claim";
   }
   return "?";
 }
@@ -49,6 +52,7 @@ Verified verify(const Case& value) {
     return {Standing::kRefuted, checked.error().message()};
   }
   const Truth& truth = value.truth;
+  if (!truth.collides && !truth.clear_until) return {Standing::kNoClaim, "the case has no truth"};
   Rational clear_until = 0;
   if (truth.collides == false) clear_until = exact(value.query.t_max);
   // A later claim includes an earlier one, also at the very end: [0, c) lies in [0, c].
@@ -68,7 +72,7 @@ Result<int> run(const Options& options) {
     if (!read) return tl::unexpected(read.error());
     std::ranges::move(*read, std::back_inserter(cases));
   }
-  std::array<std::uint64_t, 3> counts{};
+  std::array<std::uint64_t, 4> counts{};
   Table table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
   Progress progress;
   const std::atomic<bool>& interrupted = catch_interrupts();
@@ -89,14 +93,16 @@ Result<int> run(const Options& options) {
       },
       &interrupted);
   progress.clear();
-  const auto [hold, refuted, unproven] = counts;
+  const auto [hold, refuted, unproven, no_claim] = counts;
   if (!options.json) {
     if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
-    print_out(
-        fmt::format("{} cases: {} hold, {} refuted, {} unproven\n", done, hold, refuted, unproven));
+    std::string summary =
+        fmt::format("{} cases: {} hold, {} refuted, {} unproven", done, hold, refuted, unproven);
+    if (no_claim > 0) summary += fmt::format(", {} without a truth", no_claim);
+    print_out(summary + "\n");
   }
   if (interrupted) return interrupted_exit_code();
-  return hold == done ? kDone : kCheckFailed;
+  return refuted + unproven == 0 ? kDone : kCheckFailed;
 }
 
 }  // namespace

@@ -108,6 +108,23 @@ TEST(Hunt, FindsReplayAndTheirCommandsShowTheFailure) {
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
 }
 
+TEST(Hunt, RefusesATimeThatIsNone) {
+  const ScratchFolder folder;
+  for (const char* seconds : {"nan", "inf", "0", "-1"}) {
+    const Finished finished = ccdfuzz(hunt(folder / "finds", {"--seconds", seconds}));
+    EXPECT_EQ(finished.code, 2) << seconds << finished.out;
+    EXPECT_NE(finished.err.find("--seconds"), std::string::npos) << finished.err;
+  }
+}
+
+TEST(Hunt, QuotesAFolderWithASpaceInTheCommandThatShowsAFind) {
+  const ScratchFolder folder;
+  const std::string corpus = folder / "two words";
+  const Finished finished = ccdfuzz(hunt(corpus, {"--cases", "4"}));
+  ASSERT_TRUE(has_entry(corpus)) << finished.out << finished.err;
+  EXPECT_NE(finished.out.find(" query '" + corpus), std::string::npos) << finished.out;
+}
+
 TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtNewFindsOnly) {
   const ScratchFolder folder;
   const std::string finds = folder / "finds";

@@ -45,6 +45,16 @@ TEST(Verify, ReadsOnPastARefutedTruthAndExits1) {
   EXPECT_EQ(ccdfuzz({"query", wrong}).code, 2);
 }
 
+TEST(Verify, ACaseWithoutATruthDoesNotCountAsOneThatHolds) {
+  const ScratchFolder folder;
+  const std::string bare = changed_case(folder, "RP", [](Case& c) { c.truth = Truth(); });
+  const Finished finished = ccdfuzz({"verify", bare});
+  EXPECT_EQ(finished.code, 0) << finished.err;
+  EXPECT_NE(finished.out.find("1 cases: 0 hold, 0 refuted, 0 unproven, 1 without a truth\n"),
+            std::string::npos)
+      << finished.out;
+}
+
 TEST(Verify, AnAbsenceThatDoesNotHoldIsUnproven) {
   const ScratchFolder folder;
   // Asked past the contact, the negative case collides; its witness was never in the file.
