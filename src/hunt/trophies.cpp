@@ -96,8 +96,9 @@ Result<std::vector<HuntFind>> Trophies::finds() const {
     }
     finds.push_back(std::move(find));
   }
-  std::ranges::stable_sort(finds, {}, [](const HuntFind& f) {
-    return contact_class_named(f.value.origin.contact).value_or(ContactClass::kVV);
+  std::ranges::sort(finds, {}, [](const HuntFind& f) {
+    return std::pair(contact_class_named(f.value.origin.contact).value_or(ContactClass::kVV),
+                     f.path);
   });
   return finds;
 }
