@@ -41,7 +41,7 @@ TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
 TEST(Draw, GoesRoundAllConstructionsAndFamiliesAndBothKinds) {
   std::set<std::string> seen;
   for (std::uint64_t index = 0; index < 35; ++index) {
-    const Origin& origin = draw(ContactClass::kVV, 1, index).asked[0].origin;
+    const Origin origin = draw(ContactClass::kVV, 1, index).asked[0].origin;
     seen.insert(origin.generator + " " + origin.kind);
   }
   EXPECT_EQ(seen, (std::set<std::string>{"paper RP", "paper RN", "one-sided RP", "one-sided RN",
