@@ -13,6 +13,10 @@ namespace ccdfuzz {
 void SearchFlags::add_to(CLI::App& command) {
   command.add_option("--precision", precision, "Parameter width at which a pair of boxes is a hit")
       ->capture_default_str();
+  add_budget_to(command);
+}
+
+void SearchFlags::add_budget_to(CLI::App& command) {
   command
       .add_option("--max-pops", max_pops,
                   "Pairs of boxes to look at before a method gives up as undecided")

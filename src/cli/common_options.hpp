@@ -27,6 +27,8 @@ struct SearchFlags {
   std::uint64_t max_mb = SearchOptions().max_bytes >> 20;
 
   void add_to(CLI::App& command);
+  /// Without --precision.
+  void add_budget_to(CLI::App& command);
   /// Errors: a precision that is no number in [2^-50, 1].
   Result<SearchOptions> parse() const;
 };

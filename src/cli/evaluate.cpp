@@ -45,6 +45,11 @@ Result<EvaluateOptions> parse(const Options& options) {
                            fmt::format("{} is below 1: the contact would be out of reach", factor));
       }
     }
+    std::vector<double> sorted = *factors;
+    std::ranges::sort(sorted);
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
+      return input_error("--t-max-factors", fmt::format("{} stands there twice", *twice));
+    }
     parsed.horizon_factors = std::move(*factors);
   }
   return parsed;

@@ -28,6 +28,7 @@ struct Options {
   std::uint64_t first = 0;
   std::string output;
   int threads = 1;
+  bool json = false;
 };
 
 /// Where the cases go: a file that appears whole or not at all, or stdout.
@@ -73,6 +74,19 @@ std::string summary(const GeneratorOptions& options, const DiscardCounts& counts
     separator = ", ";
   }
   return text + "\n";
+}
+
+nlohmann::ordered_json summary_json(const GeneratorOptions& options, const DiscardCounts& counts,
+                                    double seconds) {
+  nlohmann::ordered_json row = {{"contact", name_of(options.contact)},
+                                {"kind", name_of(options.kind)},
+                                {"cases", counts.accepted()},
+                                {"begun", counts.attempts}};
+  for (const Discard reason : kDiscards) {
+    row["discarded"][std::string(name_of(reason))] = counts[reason];
+  }
+  row.update({{"seconds", seconds}, {"cpu_seconds", process_cpu_seconds()}});
+  return row;
 }
 
 Result<GeneratorOptions> parse(const Options& options) {
@@ -123,7 +137,11 @@ Result<int> run(const Options& options) {
   if (written) written = destination->finish();
   if (!written) return tl::unexpected(written.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  fmt::print(stderr, "{}", summary(*generator, counts, elapsed.count()));
+  if (options.json) {
+    print_json(summary_json(*generator, counts, elapsed.count()));
+  } else {
+    fmt::print(stderr, "{}", summary(*generator, counts, elapsed.count()));
+  }
   return kDone;
 }
 
@@ -159,9 +177,14 @@ void add_generate(CLI::App& app, Chosen& chosen) {
       ->add_option("--eps-t", options->eps_t,
                    "No contact is proven up to this long before t*; a power of two")
       ->capture_default_str();
-  command->add_option("-o,--output", options->output,
-                      "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
+  CLI::Option* const output = command->add_option(
+      "-o,--output", options->output,
+      "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
   add_threads(*command, options->threads);
+  command
+      ->add_flag("--json", options->json,
+                 "The summary as a JSON object on stdout; the cases go to a file then")
+      ->needs(output);
 }
 
 }  // namespace ccdfuzz

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "eval/table.hpp"
@@ -21,7 +21,7 @@ constexpr std::uint64_t kDefaultPops = 10'000;
 
 struct Options {
   std::string methods = std::string("trad,") + kDefaultMethods;
-  double seconds = 60;
+  std::string seconds = "60";
   std::uint64_t cases = 0;
   std::uint64_t seed = 1;
   std::string corpus = "finds";
@@ -36,14 +36,16 @@ Result<HuntOptions> parse(const Options& options) {
   if (!methods) return tl::unexpected(methods.error());
   const Result<SearchOptions> search = options.search.parse();
   if (!search) return tl::unexpected(search.error());
+  const Result<double> seconds = parse_number("--seconds", options.seconds);
+  if (!seconds) return tl::unexpected(seconds.error());
+  if (*seconds <= 0) {
+    return input_error("--seconds", fmt::format("{} is not above 0", options.seconds));
+  }
   HuntOptions parsed;
   parsed.methods = std::move(*methods);
   parsed.seed = options.seed;
   parsed.threads = options.threads;
-  if (!std::isfinite(options.seconds)) {
-    return input_error("--seconds", fmt::format("{} is not a length of time", options.seconds));
-  }
-  parsed.seconds = options.seconds;
+  parsed.seconds = *seconds;
   if (options.cases > 0) parsed.cases = options.cases;
   parsed.search = *search;
   return parsed;
@@ -96,15 +98,9 @@ std::string shell_word(const std::string& text) {
 }
 
 /// The command that shows a find again.
-std::string reproduction(const HuntFind& find, const Options& options) {
-  std::string methods;
-  for (const std::string& method : find.failures) methods += (methods.empty() ? "" : ",") + method;
-  std::string command = fmt::format("{} query {} --methods {}", shell_word(program_name()),
-                                    shell_word(find.path), methods);
-  if (options.search.precision != SearchFlags().precision) {
-    command += " --precision " + options.search.precision;
-  }
-  return command;
+std::string reproduction(const HuntFind& find) {
+  return fmt::format("{} query {} --methods {}", shell_word(program_name()), shell_word(find.path),
+                     fmt::join(find.failures, ","));
 }
 
 /// "missed by tdibm, tdibm-e (claims none); late by tdibm-h-rel:1e-12".
@@ -141,7 +137,7 @@ void print_report(const HuntReport& report, const Options& options) {
   for (const HuntFind& find : report.finds) {
     const Origin& origin = find.value.origin;
     print_out(fmt::format("{} {} {}: {}\n    {}\n", origin.contact, origin.kind, origin.generator,
-                          failures_text(find), reproduction(find, options)));
+                          failures_text(find), reproduction(find)));
   }
 }
 
@@ -166,7 +162,7 @@ void print_report_json(const HuntReport& report, const Options& options) {
                 {"failures", find.failures},
                 {"breaks_claim", find.breaks_claim},
                 {"expect", expect},
-                {"reproduce", reproduction(find, options)}});
+                {"reproduce", reproduction(find)}});
   }
   print_json({{"row", "summary"},
               {"queries", query_count(report)},
@@ -209,9 +205,7 @@ void add_hunt(CLI::App& app, Chosen& chosen) {
       app, chosen, "hunt", "Find, prove and store inputs on which methods fail (the main job)",
       run);
   CLI::Option* const seconds =
-      command->add_option("--seconds", options->seconds, "How long to hunt")
-          ->check(CLI::PositiveNumber)
-          ->capture_default_str();
+      command->add_option("--seconds", options->seconds, "How long to hunt")->capture_default_str();
   command
       ->add_option("--cases", options->cases,
                    "Instead: this many cases of each class, each put to every method; repeats "
@@ -232,7 +226,7 @@ void add_hunt(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"none", "claims", "any"}))
       ->capture_default_str();
   options->search.max_pops = kDefaultPops;
-  options->search.add_to(*command);
+  options->search.add_budget_to(*command);
   add_threads(*command, options->threads);
   command->add_flag("--json", options->json, "One JSON object per cell and per find");
 }

@@ -204,7 +204,8 @@ class Hunt {
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,
                 const std::atomic<bool>& stop) {
-  CCDFUZZ_VERIFY(!options.methods.empty() && options.threads >= 1);
+  CCDFUZZ_VERIFY(!options.methods.empty() && options.threads >= 1 &&
+                 options.search.precision == SearchOptions().precision);
   return Hunt(options, store, on_progress, stop).run();
 }
 

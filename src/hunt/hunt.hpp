@@ -21,6 +21,7 @@ struct HuntOptions {
   /// This many draws of each class, every one put to every method, instead of a time: then the
   /// hunt depends on nothing but these options, and finds the same things in every run.
   std::optional<std::uint64_t> cases;
+  /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
 };
 

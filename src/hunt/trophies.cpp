@@ -1,6 +1,5 @@
 #include "hunt/trophies.hpp"
 
-#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -35,22 +34,24 @@ Result<void> Trophies::offer(const std::string& method, const Case& asked, Outco
   known->second = rank;
   Case find = asked;
   find.expect = {{method, outcome}};
-  if (options_.search.precision != SearchOptions().precision) {
-    find.origin.more["precision"] = fmt::format("{}", options_.search.precision);
-  }
   const Result<Store::Added> added = store_.add(find);
   if (!added) return tl::unexpected(added.error());
   if (*added != Store::Added::kKnown) added_.insert(rank.second);
+  standing_ = standing();
   return {};
+}
+
+size_t Trophies::standing() const {
+  std::set<std::string> addresses;
+  for (const auto& [key, rank] : smallest_) {
+    if (added_.contains(rank.second)) addresses.insert(rank.second);
+  }
+  return addresses.size();
 }
 
 size_t Trophies::count() const {
   const std::lock_guard lock(mutex_);
-  std::set<std::string> standing;
-  for (const auto& [key, rank] : smallest_) {
-    if (added_.contains(rank.second)) standing.insert(rank.second);
-  }
-  return standing.size();
+  return standing_;
 }
 
 Result<void> Trophies::complete(const std::atomic<bool>& stop) {

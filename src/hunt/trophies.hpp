@@ -35,6 +35,9 @@ class Trophies {
   Result<std::vector<HuntFind>> finds() const;
 
  private:
+  /// How many of the added entries are the smallest of a signature.
+  size_t standing() const;
+
   using Key = std::tuple<std::string, std::string, std::string>;  // method, class, signature
   using Rank = std::pair<CaseSize, std::string>;
 
@@ -43,6 +46,7 @@ class Trophies {
   mutable std::mutex mutex_;
   std::map<Key, Rank> smallest_;
   std::set<std::string> added_;  ///< addresses
+  size_t standing_ = 0;
 };
 
 }  // namespace ccdfuzz

@@ -67,6 +67,31 @@ TEST(Generate, SaysWhatItDiscardedOnStderr) {
   }
 }
 
+TEST(Generate, JsonGivesTheSummaryWhereTheCasesGoToAFile) {
+  const ScratchFolder folder;
+  const Finished made =
+      ccdfuzz(generate("FF", "RP", {"--count", "2", "--json", "-o", folder / "set.jsonl"}));
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_EQ(made.err, "");
+  const auto rows = json_lines(made.out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].at("cases"), 2);
+  std::uint64_t begun = 2;
+  for (const auto& [reason, count] : rows[0].at("discarded").items()) {
+    begun += count.get<std::uint64_t>();
+  }
+  EXPECT_EQ(rows[0].at("begun"), begun);
+  EXPECT_EQ(ccdfuzz(generate("FF", "RP", {"--count", "2", "--json"})).code, 2);
+}
+
+TEST(Generate, AStressFamilyIsMadeByItsName) {
+  const auto rows =
+      json_lines(ccdfuzz(generate("VV", "RP", {"--count", "2", "--family", "twins"})).out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("origin").at("generator"), "twins");
+  EXPECT_EQ(ccdfuzz(generate("VV", "RN", {"--count", "2", "--family", "twins"})).code, 2);
+}
+
 TEST(Generate, AFullDiskLeavesNothingBehind) {
   const Finished made = ccdfuzz(generate("VV", "RP", {"--count", "5", "-o", "/dev/full"}));
   EXPECT_EQ(made.code, 2);

@@ -74,6 +74,8 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {with(generate, {"--count", "2", "-o", "/tmp/no-such-folder/x.jsonl"}), "no-such-folder"},
       {{"hunt", "--seconds", "0"}, "--seconds"},
       {{"hunt", "--seconds", "soon"}, "soon"},
+      {{"hunt", "--seconds", "nan"}, "nan"},
+      {{"hunt", "--precision", "1e-2"}, "--precision"},
       {{"hunt", "--cases", "0"}, "--cases"},
       {{"hunt", "--cases", "1", "--seconds", "1"}, "--seconds"},
       {{"hunt", "--fail-on", "most"}, "most"},
@@ -86,6 +88,7 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"evaluate"}, "dataset"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "0.5"}, "0.5"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,,2"}, "\"\""},
+      {{"evaluate", "x.jsonl", "--t-max-factors", "1,2,1"}, "twice"},
   };
   for (const BadUsage& bad : table) {
     const Finished finished = ccdfuzz(bad.arguments);
