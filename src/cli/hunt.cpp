@@ -141,7 +141,7 @@ void print_report(const HuntReport& report, const Options& options) {
   }
 }
 
-void print_report_json(const HuntReport& report, const Options& options) {
+void print_report_json(const HuntReport& report) {
   for (const HuntCell& cell : report.cells) {
     const Tally& tally = cell.tally;
     nlohmann::ordered_json row = {
@@ -192,7 +192,7 @@ Result<int> run(const Options& options) {
       },
       interrupted);
   progress.clear();
-  options.json ? print_report_json(report, options) : print_report(report, options);
+  options.json ? print_report_json(report) : print_report(report, options);
   if (report.error) return tl::unexpected(*report.error);
   if (interrupted) return interrupted_exit_code();
   return fails(report, options.fail_on) ? kCheckFailed : kDone;
