@@ -36,6 +36,41 @@ inline int depth_for(double precision) {
   return std::clamp(1 - exponent, 0, Cell::kMaxDepth);
 }
 
+/// The parts that one split of a pair of cells makes; at first, both patches whole.
+struct PairParts {
+  std::array<std::array<Cell, 4>, 2> cells{};
+  std::array<int, 2> count = {1, 1};
+
+  /// The children of each cell, in the order of their places.
+  void split(const std::array<Shape, 2>& shapes, const std::array<Cell, 2>& parents) {
+    for (size_t side = 0; side < 2; ++side) {
+      count[side] = shapes[side].child_count();
+      for (int c = 0; c < count[side]; ++c) {
+        cells[side][static_cast<size_t>(c)] = parents[side].child(shapes[side], c);
+      }
+    }
+  }
+
+  template <class Inclusion>
+  void prepare(Inclusion& inclusion) const {
+    for (size_t side = 0; side < 2; ++side) {
+      inclusion.prepare(static_cast<int>(side),
+                        std::span(cells[side]).first(static_cast<size_t>(count[side])));
+    }
+  }
+};
+
+/// The windows in which the parts of a pair with window w are tested.
+template <class Inclusion>
+auto time_parts(const Window& w) {
+  if constexpr (requires { requires Inclusion::kSplitsTime; }) {
+    const double middle = std::midpoint(w.lo, w.hi);
+    return std::array{Window{w.lo, middle}, Window{middle, w.hi}};
+  } else {
+    return std::array{w};
+  }
+}
+
 /// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline):
 /// a queue of cell pairs by ascending start of their window, deeper first on ties, older first
 /// after that; a pair whose cells are narrow enough is a hit at the start of its window; any other
@@ -91,8 +126,8 @@ class Search {
     pushed_ = 0;
 
     inclusion.begin(query);
-    std::array<std::array<Cell, 4>, 2> parts{};
-    for (int side = 0; side < 2; ++side) inclusion.prepare(side, std::span(parts[side]).first(1));
+    PairParts parts;
+    parts.prepare(inclusion);
     if (const auto w = inclusion.test(0, 0, Window{0, query.t_max})) push(*w, {});
 
     while (!queue_.empty()) {
@@ -110,30 +145,20 @@ class Search {
         for (int s = 0; s < 2; ++s) answer.uv[s] = entry.cells[s].centre(shapes[s]);
         return answer;
       }
-      for (int side = 0; side < 2; ++side) {
-        const int count = shapes[side].child_count();
-        for (int c = 0; c < count; ++c) parts[side][c] = entry.cells[side].child(shapes[side], c);
-        inclusion.prepare(side, std::span(parts[side]).first(static_cast<size_t>(count)));
-      }
-      for (const Window& window : time_parts(entry.window)) {
-        for (int a = 0; a < shapes[0].child_count(); ++a) {
-          for (int b = 0; b < shapes[1].child_count(); ++b) {
-            if (const auto w = inclusion.test(a, b, window)) push(*w, {parts[0][a], parts[1][b]});
+      parts.split(shapes, entry.cells);
+      parts.prepare(inclusion);
+      for (const Window& window : time_parts<Inclusion>(entry.window)) {
+        for (int a = 0; a < parts.count[0]; ++a) {
+          for (int b = 0; b < parts.count[1]; ++b) {
+            if (const auto w = inclusion.test(a, b, window)) {
+              push(*w, {parts.cells[0][a], parts.cells[1][b]});
+            }
           }
         }
       }
     }
     answer.verdict = Verdict::kMiss;
     return answer;
-  }
-
-  static auto time_parts(const Window& w) {
-    if constexpr (requires { requires Inclusion::kSplitsTime; }) {
-      const double middle = std::midpoint(w.lo, w.hi);
-      return std::array{Window{w.lo, middle}, Window{middle, w.hi}};
-    } else {
-      return std::array{w};
-    }
   }
 
   void push(const Window& window, const std::array<Cell, 2>& cells) {

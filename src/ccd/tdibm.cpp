@@ -29,6 +29,21 @@ void TdibmInclusion<Policy>::project_side(int side, const ControlNet& net, const
 
 template <class Policy>
 std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const Window& window) {
+  Unobserved nobody;
+  return test_for(nobody, part_a, part_b, window);
+}
+
+template <class Policy>
+std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const Window& window,
+                                                   ExclusionObserver& observer) {
+  return test_for(observer, part_a, part_b, window);
+}
+
+template <class Policy>
+template <class Observer>
+std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer& observer,
+                                                       int part_a, int part_b,
+                                                       const Window& window) {
   const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
   std::array<Separation<double>, 2 * ObbAxes::kCount> separations;
   size_t count = 0;
@@ -45,6 +60,7 @@ std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const
       policy_.raise(envelopes_[1], g.error);
       const auto found = separation(policy_, envelopes_[0], envelopes_[1], window);
       if (!found) continue;
+      if constexpr (Observer::kListens) observer.excluded({r, axis.direction, below, *found});
       if (found->has_lo && found->has_hi) return std::nullopt;
       separations[count++] = *found;
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "ccd/exclusion.hpp"
 #include "ccd/projection.hpp"
 #include "ccd/search.hpp"
 #include "ccd/sub_patches.hpp"
@@ -21,6 +22,8 @@ class TdibmInclusion {
   void begin(const Query& query);
   void prepare(int side, std::span<const Cell> parts) { parts_.prepare(side, parts); }
   std::optional<Window> test(int part_a, int part_b, const Window& window);
+  std::optional<Window> test(int part_a, int part_b, const Window& window,
+                             ExclusionObserver& observer);
 
  private:
   /// The lines of one part on one axis, ready for Step II: as they are for its maximum, negated
@@ -31,6 +34,8 @@ class TdibmInclusion {
   };
 
   void project_side(int side, const ControlNet& net, const Axis& axis, double t_hi);
+  template <class Observer>
+  std::optional<Window> test_for(Observer& observer, int part_a, int part_b, const Window& window);
 
   Policy policy_;
   SubPatches parts_;

@@ -1,6 +1,8 @@
 #include "ccd/traditional.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ccdfuzz {
 
@@ -16,6 +18,21 @@ std::array<double, 2> range_on(const Vec3<double>& axis, std::span<const Vec3<do
   return range;
 }
 
+/// What an axis on which the two parts range like this says of a window.
+void tell(ExclusionObserver& observer, int axis, const Vec3<double>& direction,
+          const std::array<std::array<double, 2>, 2>& ranges, const Window& window) {
+  if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) return;
+  for (int below = 0; below < 2; ++below) {
+    const double top = ranges[below][1], bottom = ranges[1 - below][0];
+    const double height = std::max(std::abs(top), std::abs(bottom)), gap = top - bottom;
+    const double ulp = std::nextafter(height, std::numeric_limits<double>::infinity()) - height;
+    observer.compared({axis, direction, below, window, gap, gap, ulp});
+    if (top < bottom) {
+      observer.excluded({axis, direction, below, {window.lo, window.hi, true, true}});
+    }
+  }
+}
+
 }  // namespace
 
 void TraditionalInclusion::sweep(const ControlNet& net, const Window& window, Sweep& out) {
@@ -29,24 +46,39 @@ void TraditionalInclusion::sweep(const ControlNet& net, const Window& window, Sw
 }
 
 std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const Window& window) {
+  Unobserved nobody;
+  return test_for(nobody, part_a, part_b, window);
+}
+
+std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const Window& window,
+                                                 ExclusionObserver& observer) {
+  return test_for(observer, part_a, part_b, window);
+}
+
+template <class Observer>
+std::optional<Window> TraditionalInclusion::test_for([[maybe_unused]] Observer& observer,
+                                                     int part_a, int part_b, const Window& window) {
   const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
   for (int side = 0; side < 2; ++side) sweep(nets[side], window, sweeps_[side]);
   const auto points = [this](int side) {
     return std::span<const Vec3<double>>(sweeps_[side].points.data(),
                                          static_cast<size_t>(sweeps_[side].size));
   };
-  const auto separates = [&](const Vec3<double>& axis) {  // Eqs. 3a, 3b negated
+  const auto separates = [&](int r, const Vec3<double>& axis) {  // Eqs. 3a, 3b negated
     const auto p = range_on(axis, points(0)), q = range_on(axis, points(1));
+    if constexpr (Observer::kListens) tell(observer, r, axis, {p, q}, window);
     return p[1] < q[0] || q[1] < p[0];
   };
   if (kind_ == BoxKind::kAxisAligned) {
     const Frame axes = coordinate_frame();
-    if (std::any_of(axes.begin(), axes.end(), separates)) return std::nullopt;
+    for (int r = 0; r < 3; ++r) {
+      if (separates(r, axes[static_cast<size_t>(r)])) return std::nullopt;
+    }
     return window;
   }
   const ObbAxes axes = parts_.axes(part_a, part_b, window.lo);
   for (int r = 0; r < ObbAxes::kCount; ++r) {
-    if (separates(axes[r].direction)) return std::nullopt;  // a zero axis never does
+    if (separates(r, axes[r].direction)) return std::nullopt;  // a zero axis never does
   }
   return window;
 }

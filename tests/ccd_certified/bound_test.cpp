@@ -72,7 +72,8 @@ RC_GTEST_PROP(ErrorBound, CoversEveryRoundingOfAGap, ()) {
   query.t_max = std::abs(any_double(0));
   RC_PRE(query.t_max > 0);
 
-  const NormalisedQuery n = normalise(query);
+  NormalisedQuery n;
+  normalise(query, n);
   CellTree trees[2];
   CellTree::Node nodes[2] = {0, 0};
   const int depth = *rc::gen::inRange(0, 12);

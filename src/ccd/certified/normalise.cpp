@@ -46,8 +46,7 @@ void centre(std::array<std::vector<std::array<double, 6>>, 2>& controls, int fir
 
 }  // namespace
 
-NormalisedQuery normalise(const Query& query) {
-  NormalisedQuery out;
+void normalise(const Query& query, NormalisedQuery& out) {
   ExponentRange positions, velocities;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
@@ -104,7 +103,6 @@ NormalisedQuery normalise(const Query& query) {
   out.absolute = kEta;
   if (shift_p != 0) out.absolute += std::ldexp(kEta, std::max(scale_p, 0));
   if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0));
-  return out;
 }
 
 double original_time(double t, int time) {

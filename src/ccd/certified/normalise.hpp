@@ -27,7 +27,8 @@ struct NormalisedQuery {
   double absolute = 0;   ///< the absolute part of the error above
 };
 
-NormalisedQuery normalise(const Query& query);
+/// Keeps the memory of `out`.
+void normalise(const Query& query, NormalisedQuery& out);
 
 /// The largest double ≤ t'·2^time.
 double original_time(double t, int time);

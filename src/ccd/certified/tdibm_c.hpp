@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ccd/certified/cell_tree.hpp"
-#include "ccd/certified/normalise.hpp"
-#include "ccd/certified/window_trim.hpp"
+#include "ccd/certified/pair_split.hpp"
 #include "ccd/search.hpp"
 #include "query/answer.hpp"
 
@@ -28,35 +26,22 @@ class TdibmC {
   Answer answer(const Query& query, const SearchOptions& options);
 
  private:
-  using Node = certified::CellTree::Node;
-
   struct Entry {
     Window window;
     certified::Axis hint;  ///< the axis that did most for the parent
     std::uint64_t key;     ///< start of the window in steps of kTimeSteps, then order of arrival
-    Node cells[2];
+    std::array<certified::PairSplit::Node, 2> cells;
     std::uint32_t steps;
     std::uint16_t depth;
   };
 
-  struct Child {
-    Node node;
-    certified::RangePair coordinate[3];
-    certified::RangePair shared[3];
-    bool has_shared;
-  };
-
   static bool later(const Entry& x, const Entry& y);
   Answer decide(const Query& query, const SearchOptions& options);
-  void push(const Window& window, const certified::Axis& hint, Node a, Node b, int depth);
-  void expand(const Entry& entry);
-  bool narrow(const Child& a, const Child& b, const double bound[6],
-              const certified::ErrorBound& error, Window& w, certified::Axis& hint);
+  void push(const certified::PairSplit::Kept& pair, int depth);
   double earliest(double so_far) const;
   size_t bytes() const;
 
-  certified::NormalisedQuery query_;
-  certified::CellTree trees_[2];
+  certified::PairSplit split_;
   std::vector<Entry> queue_;
   std::uint64_t pushed_ = 0;
 };

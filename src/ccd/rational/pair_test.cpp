@@ -20,7 +20,35 @@ const Frame& PairTest::frame(int side, int part, double t) {
   return *frame;
 }
 
+void PairTest::tell(ExclusionObserver& observer, int axis, const Axis& direction,
+                    const ScaledWindow& before, Cut cut, const ScaledWindow& after) const {
+  const auto exclude = [&](double lo, double hi, bool has_lo, bool has_hi) {
+    // The lower side is the one with the lesser gap at the excluded end: the gaps of the two sides
+    // add up to the widths of both cells on the axis, so they are not both negative.
+    const Extremes at_end = gap_.extremes(has_lo ? lo : hi);
+    observer.excluded({axis,
+                       Vec3<double>(direction.l[0], direction.l[1], direction.l[2]),
+                       at_end.gap(0) < at_end.gap(1) ? 0 : 1,
+                       {gap_.unscaled(lo), gap_.unscaled(hi), has_lo, has_hi}});
+  };
+  if (before.lo < after.lo) exclude(before.lo, after.lo, true, false);
+  if (after.hi < before.hi) exclude(after.hi, before.hi, false, true);
+  if (cut == Cut::kAll) exclude(after.lo, after.hi, true, true);
+}
+
 std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window) {
+  Unobserved nobody;
+  return test_for(nobody, part_a, part_b, window);
+}
+
+std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window,
+                                     ExclusionObserver& observer) {
+  return test_for(observer, part_a, part_b, window);
+}
+
+template <class Observer>
+std::optional<Window> PairTest::test_for([[maybe_unused]] Observer& observer, int part_a,
+                                         int part_b, const Window& window) {
   ScaledWindow w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
   const Frame& a = frame(0, part_a, w.lo);
   const Frame& b = frame(1, part_b, w.lo);
@@ -35,7 +63,10 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
     const std::optional<Axis> axis = round_to_axis(pair_axis(a, b, n % kPairAxes), axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);
-    switch (cut_window(gap_, w)) {
+    [[maybe_unused]] const ScaledWindow before = w;
+    const Cut cut = cut_window(gap_, w);
+    if constexpr (Observer::kListens) tell(observer, n % kPairAxes, *axis, before, cut, w);
+    switch (cut) {
       case Cut::kAll:
         return std::nullopt;
       case Cut::kShorter:

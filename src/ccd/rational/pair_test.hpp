@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "ccd/exclusion.hpp"
 #include "ccd/rational/gap.hpp"
 #include "ccd/rational/pair_axes.hpp"
 #include "ccd/rational/window.hpp"
@@ -18,11 +19,18 @@ class PairTest {
   void begin(const Query& query);
   void prepare(int side, std::span<const Cell> parts);
   std::optional<Window> test(int part_a, int part_b, const Window& window);
+  std::optional<Window> test(int part_a, int part_b, const Window& window,
+                             ExclusionObserver& observer);
 
   Gap& gap() { return gap_; }
 
  private:
   const Frame& frame(int side, int part, double t);
+  template <class Observer>
+  std::optional<Window> test_for(Observer& observer, int part_a, int part_b, const Window& window);
+  /// What cut_window did to a window with the axis that the gap is projected on.
+  void tell(ExclusionObserver& observer, int axis, const Axis& direction,
+            const ScaledWindow& before, Cut cut, const ScaledWindow& after) const;
 
   Gap gap_;
   std::array<Shape, 2> shapes_;

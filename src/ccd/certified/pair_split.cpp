@@ -1,0 +1,10 @@
+#include "ccd/certified/pair_split.hpp"
+
+namespace ccdfuzz::certified {
+
+void PairSplit::begin(const Query& query) {
+  normalise(query, query_);
+  for (int s = 0; s < 2; ++s) trees_[s].reset(query_.shapes[s], query_.controls[s]);
+}
+
+}  // namespace ccdfuzz::certified

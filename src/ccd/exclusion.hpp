@@ -1,0 +1,49 @@
+#pragma once
+
+#include "ccd/line.hpp"
+#include "ccd/separation.hpp"
+#include "numeric/eigen_traits.hpp"
+
+namespace ccdfuzz {
+
+/// What one axis takes from a pair of parts in an inclusion test: the times at which, so the method
+/// claims, it separates the two. Times are the method's own: tdibm-c scales them by a power of two.
+struct Exclusion {
+  int axis = -1;  ///< place among the axes that the method tries, from 0
+  Vec3<double> direction = Vec3<double>(0, 0, 0);  ///< of the axis, any length
+  int below = 0;  ///< which patch is the lower one along it, 0 or 1
+  Separation<double> times;
+};
+
+/// How far an axis is from excluding a window, at both its ends: the upper end of the lower part
+/// less the lower end of the upper part, plus what the method allows for rounding, in `unit`s. The
+/// axis excludes an end at which this is negative.
+struct AxisGap {
+  int axis = -1;
+  Vec3<double> direction = Vec3<double>(0, 0, 0);
+  int below = 0;
+  TimeWindow<double> window{};
+  double at_lo = 0, at_hi = 0;
+  double unit = 1;  ///< of the gaps: the error bound of tdibm-c, an ulp of the heights for trad
+};
+
+/// Told by an inclusion test what each axis does. Inclusion tests are made for a listener and for
+/// none (Unobserved), from the same code; what only a listener needs stands in `if constexpr`.
+class ExclusionObserver {
+ public:
+  static constexpr bool kListens = true;
+
+  virtual void excluded(const Exclusion& exclusion) = 0;
+  /// By the methods that compare at the ends of a window: trad and tdibm-c.
+  virtual void compared(const AxisGap& gap) = 0;
+
+ protected:
+  ~ExclusionObserver() = default;
+};
+
+/// The full search: nobody listens, and nothing is spent on it.
+struct Unobserved {
+  static constexpr bool kListens = false;
+};
+
+}  // namespace ccdfuzz
