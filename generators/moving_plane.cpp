@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "generators/copositive.hpp"
+#include "certify/checker/copositive.hpp"
 
 namespace ccdfuzz {
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "numeric/rational.hpp"
+#include "query/certificate.hpp"
 #include "query/outcome.hpp"
 #include "query/query.hpp"
 
@@ -32,9 +33,18 @@ constexpr bool is_proof_word(std::string_view word) {
 /// proof.
 struct Truth {
   std::optional<bool> collides;         ///< absent: unknown
-  std::optional<Witness> witness;       ///< needed if collides
+  std::optional<Witness> witness;       ///< this or contact_box is needed if collides
   std::optional<Rational> clear_until;  ///< no contact for 0 ≤ t < clear_until is proven
   std::optional<std::string> proof;     ///< one of kProofWords; needed if not collides
+  std::optional<ContactBox> contact_box;
+  std::optional<Clearance> clearance;  ///< needed if proof is "P" or "T", and of that kind
+
+  /// The earliest time by which a contact is known to have come, whatever t_max is.
+  std::optional<Rational> contact_by() const {
+    if (!contact_box) return witness ? std::optional(witness->t) : std::nullopt;
+    const Rational until = contact_box->until();
+    return witness && witness->t < until ? witness->t : until;
+  }
 
   friend bool operator==(const Truth&, const Truth&) = default;
 };
@@ -54,6 +64,11 @@ struct Origin {
 
   friend bool operator==(const Origin&, const Origin&) = default;
 };
+
+/// The proof word of a clearance.
+inline std::string_view proof_word(const Clearance& clearance) {
+  return std::holds_alternative<MovingPlane>(clearance) ? kProofWords[0] : kProofWords[1];
+}
 
 /// A query with its truth.
 struct Case {

@@ -157,8 +157,77 @@ Witness read_witness(const Node& node) {
   return witness;
 }
 
+template <class T, size_t N, class Read>
+std::array<T, N> read_array(const Node& node, const char* of_what, const Read& read) {
+  node.array(N, of_what);
+  std::array<T, N> out;
+  for (size_t i = 0; i < N; ++i) out[i] = read(node.at(i));
+  return out;
+}
+
+ContactBox read_contact_box(const Node& node) {
+  node.object({"centre", "dependent", "varied", "radius", "inverse"});
+  const auto real = [](const Node& n) { return n.real(); };
+  ContactBox box;
+  box.centre = read_array<double, 5>(node.required("centre"), "unknowns", real);
+  box.dependent = read_array<int, 2>(node.required("dependent"), "barycentrics, one a patch",
+                                     [](const Node& n) { return n.integer(0, 2); });
+  const Node varied = node.required("varied");
+  box.varied = read_array<int, 3>(varied, "unknowns",
+                                  [](const Node& n) { return n.integer(0, ContactBox::kTime); });
+  if (box.varied[0] >= box.varied[1] || box.varied[1] >= box.varied[2]) {
+    varied.refuse("an array that is not ascending");
+  }
+  box.radius = read_array<double, 3>(node.required("radius"), "radii", [](const Node& n) {
+    const double radius = n.real();
+    if (radius <= 0) n.refuse_value("is not > 0");
+    return radius;
+  });
+  box.inverse = read_array<std::array<double, 3>, 3>(
+      node.required("inverse"), "rows",
+      [&](const Node& row) { return read_array<double, 3>(row, "columns", real); });
+  return box;
+}
+
+TreeRef read_tree_ref(const Node& node) {
+  node.object({"offset", "length", "xxh3"});
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
+  TreeRef tree;
+  tree.offset = node.required("offset").integer<std::uint64_t>(0, kMost);
+  tree.length = node.required("length").integer<std::uint64_t>(1, kMost);
+  const Node hash = node.required("xxh3");
+  tree.xxh3 = hash.string();
+  if (tree.xxh3.size() != 32 ||
+      tree.xxh3.find_first_not_of("0123456789abcdef") != std::string::npos) {
+    hash.refuse_value("is not 32 lower-case hexadecimal digits");
+  }
+  return tree;
+}
+
+Clearance read_clearance(const Node& node) {
+  const Node kind = node.required("kind");
+  if (kind.string() == "P") {
+    node.object({"kind", "until", "normal", "offset"});
+    return MovingPlane{node.required("until").rational(),
+                       read_array<Rational, 3>(node.required("normal"), "components",
+                                               [](const Node& n) { return n.rational(); }),
+                       node.required("offset").rational()};
+  }
+  if (kind.string() == "T") {
+    node.object({"kind", "until", "tree"});
+    return MissTree{node.required("until").rational(), read_tree_ref(node.required("tree"))};
+  }
+  kind.refuse_value("is not a certificate of absence (P, T)");
+}
+
+void read_certificate(const Node& node, Truth& truth) {
+  node.object({"contact", "clear"});
+  if (const auto contact = node.member("contact")) truth.contact_box = read_contact_box(*contact);
+  if (const auto clear = node.member("clear")) truth.clearance = read_clearance(*clear);
+}
+
 Truth read_truth(const Node& node) {
-  node.object({"collides", "witness", "clear_until", "proof"});
+  node.object({"collides", "witness", "clear_until", "proof", "certificate"});
   Truth truth;
   if (const auto collides = node.member("collides"); collides && !collides->is_null()) {
     collides->expect(JsonKind::kBool, "true, false or null");
@@ -172,7 +241,15 @@ Truth read_truth(const Node& node) {
       proof->refuse_value(fmt::format("is not a proof ({})", fmt::join(kProofWords, ", ")));
     }
   }
-  if (truth.collides == true) node.required("witness", ", though collides is true");
+  if (const auto certificate = node.member("certificate")) read_certificate(*certificate, truth);
+  if (truth.proof && *truth.proof != kProofWords[2]) {
+    if (!truth.clearance || proof_word(*truth.clearance) != *truth.proof) {
+      node.required("proof").refuse_value("has no certificate.clear of that kind");
+    }
+  }
+  if (truth.collides == true && !truth.contact_box) {
+    node.required("witness", ", though collides is true");
+  }
   if (truth.collides == false) node.required("proof", ", though collides is false");
   return truth;
 }

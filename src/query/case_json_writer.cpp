@@ -95,12 +95,57 @@ void write_witness(Writer& w, const Witness& witness) {
   w.close('}');
 }
 
+template <class Items, class Write>
+void write_array(Writer& w, const Items& items, const Write& write) {
+  w.open('[');
+  for (const auto& item : items) write(w.item(), item);
+  w.close(']');
+}
+
+void write_contact_box(Writer& w, const ContactBox& box) {
+  const auto real = [](Writer& to, double x) { to.real(x); };
+  const auto integer = [](Writer& to, int x) { to.raw(fmt::format("{}", x)); };
+  w.open('{', true);
+  write_array(w.key("centre"), box.centre, real);
+  write_array(w.key("dependent"), box.dependent, integer);
+  write_array(w.key("varied"), box.varied, integer);
+  write_array(w.key("radius"), box.radius, real);
+  write_array(w.key("inverse"), box.inverse,
+              [&](Writer& to, const auto& row) { write_array(to, row, real); });
+  w.close('}');
+}
+
+void write_clearance(Writer& w, const Clearance& clearance) {
+  w.open('{', true);
+  w.key("kind").string(proof_word(clearance));
+  w.key("until").rational(until_of(clearance));
+  if (const auto* plane = std::get_if<MovingPlane>(&clearance)) {
+    write_array(w.key("normal"), plane->normal,
+                [](Writer& to, const Rational& x) { to.rational(x); });
+    w.key("offset").rational(plane->offset);
+  } else {
+    const TreeRef& tree = std::get<MissTree>(clearance).tree;
+    w.key("tree").open('{');
+    w.key("offset").raw(fmt::format("{}", tree.offset));
+    w.key("length").raw(fmt::format("{}", tree.length));
+    w.key("xxh3").string(tree.xxh3);
+    w.close('}');
+  }
+  w.close('}');
+}
+
 void write_truth(Writer& w, const Truth& truth) {
   w.open('{', true);
   w.key("collides").raw(!truth.collides ? "null" : *truth.collides ? "true" : "false");
   if (truth.witness) write_witness(w.key("witness"), *truth.witness);
   if (truth.clear_until) w.key("clear_until").rational(*truth.clear_until);
   if (truth.proof) w.key("proof").string(*truth.proof);
+  if (truth.contact_box || truth.clearance) {
+    w.key("certificate").open('{', true);
+    if (truth.contact_box) write_contact_box(w.key("contact"), *truth.contact_box);
+    if (truth.clearance) write_clearance(w.key("clear"), *truth.clearance);
+    w.close('}');
+  }
   w.close('}');
 }
 

@@ -25,8 +25,11 @@ bool is_nonsense(const Query& query, const Answer& answer) {
   return true;
 }
 
-bool witness_counts(const Truth& truth, double t_max) {
-  return truth.witness && truth.witness->t <= exact(t_max);
+/// The time by which a contact has come, if that is in [0, t_max].
+std::optional<Rational> proven_contact(const Truth& truth, double t_max) {
+  std::optional<Rational> by = truth.contact_by();
+  if (by && *by > exact(t_max)) by.reset();
+  return by;
 }
 
 }  // namespace
@@ -35,9 +38,9 @@ Outcome judge(const Query& query, const Truth& truth, const Answer& answer) {
   if (is_nonsense(query, answer)) return Outcome::kError;
   if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
   const bool hit = answer.verdict == Verdict::kHit;
-  if (witness_counts(truth, query.t_max)) {
+  if (const std::optional<Rational> contact = proven_contact(truth, query.t_max)) {
     if (!hit) return Outcome::kMissed;
-    return exact(*answer.toi) > truth.witness->t ? Outcome::kLate : Outcome::kCorrect;
+    return exact(*answer.toi) > *contact ? Outcome::kLate : Outcome::kCorrect;
   }
   const bool clear =
       truth.collides == false || (truth.clear_until && *truth.clear_until > exact(query.t_max));
@@ -54,7 +57,7 @@ Case with_t_max(const Case& value, double t_max) {
   const bool still_absent = value.truth.collides == false && t_max <= value.query.t_max;
   out.truth.collides.reset();
   if (still_absent) out.truth.collides = false;
-  if (witness_counts(value.truth, t_max)) out.truth.collides = true;
+  if (proven_contact(value.truth, t_max)) out.truth.collides = true;
   return out;
 }
 

@@ -7,25 +7,11 @@
 #include "bezier/random_patch.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "query/case_json.hpp"
+#include "rising_triangle.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {
 namespace {
-
-/// A triangle that rises to meet the tip of a second one: first contact at t = 1/2, at the inner
-/// point u = v = 1/4 of the one and the corner u = v = 0 of the other.
-Case rising_triangle() {
-  Case c;
-  const Vec3<double> up = {0, 0, 1}, still = {0, 0, 0};
-  c.query.patches[0] = {Shape::triangle(1), {{-1, -1, 0}, {-1, 3, 0}, {3, -1, 0}}, {up, up, up}};
-  c.query.patches[1] = {
-      Shape::triangle(1), {{0, 0, 0.5}, {1, 0, 1}, {0, 1, 1}}, {still, still, still}};
-  c.truth.collides = true;
-  c.truth.witness =
-      Witness{Rational(1, 2), {Uv<Rational>{Rational(1, 4), Rational(1, 4)}, Uv<Rational>{0, 0}}};
-  c.truth.clear_until = Rational(1, 2);
-  return c;
-}
 
 std::string refusal(const Case& c) {
   const auto checked = check_truth(c);

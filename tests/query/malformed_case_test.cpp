@@ -22,7 +22,14 @@ constexpr std::string_view kGood = R"({
   "t_max": 2.0,
   "truth": {"collides": true,
             "witness": {"t": "1", "uv": [["0","0"], ["0","0"]]},
-            "clear_until": "1/2"},
+            "clear_until": "1/2",
+            "certificate": {
+              "contact": {"centre": [0.25, 0.5, 0, 0, 1], "dependent": [1, 0], "varied": [0, 1, 4],
+                          "radius": [0.125, 0.0625, 1e-3],
+                          "inverse": [[1, 0, 0], [0, 1, 0], [0, 0, -2]]},
+              "clear": {"kind": "T", "until": "3/4",
+                        "tree": {"offset": 12, "length": 34,
+                                 "xxh3": "0123456789abcdef0123456789abcdef"}}}},
   "origin": {"contact": "VV", "kind": "RP", "generator": "by hand", "seed": 7, "precision": 1e-2},
   "expect": {"tdibm": "missed", "tdibm-h:1e-12": "correct"}
 })";
@@ -48,7 +55,7 @@ const std::vector<Row> kTable = {
     {"Unclosed", "", "{\"format\": \"ccdfuzz-case\"",
      "column 26: syntax error while parsing object - unexpected end of input; expected '}'"},
     {"TrailingGarbage", "\"correct\"}\n}", "\"correct\"}\n} x",
-     "line 16, column 3: syntax error while parsing value - invalid literal; last read: "
+     "line 23, column 3: syntax error while parsing value - invalid literal; last read: "
      "'\"correct\"}<U+000A>} x'; "
      "expected end of input"},
     {"TrailingComma", "\"t_max\": 2.0,", "\"t_max\": 2.0,,",
@@ -91,7 +98,8 @@ const std::vector<Row> kTable = {
     {"NoVelocities", "\"velocities\": [[0,0,0]", "\"velocity\": [[0,0,0]",
      "patches[1].velocity: unknown key (known here: shape, degree, positions, velocities)"},
     {"UnknownTruthKey", "\"clear_until\"", "\"clear until\"",
-     "truth[\"clear until\"]: unknown key (known here: collides, witness, clear_until, proof)"},
+     "truth[\"clear until\"]: unknown key (known here: collides, witness, clear_until, proof, "
+     "certificate)"},
     {"UnknownWitnessKey", "{\"t\": \"1\",", "{\"t\": \"1\", \"s\": \"1\",",
      "truth.witness.s: unknown key (known here: t, uv)"},
     {"NoWitnessTime", "{\"t\": \"1\", ", "{", "truth.witness.t: missing"},
@@ -190,8 +198,50 @@ const std::vector<Row> kTable = {
      "truth.collides: \"yes\" is not true, false or null"},
     {"CollidesAsNumber", "\"collides\": true", "\"collides\": 1",
      "truth.collides: 1 is not true, false or null"},
-    {"NoWitness", "\"witness\": {\"t\": \"1\", \"uv\": [[\"0\",\"0\"], [\"0\",\"0\"]]},", "",
+    {"NoWitness", "",
+     R"({"format":"ccdfuzz-case","version":1,"patches":[
+         {"shape":"point","positions":[[0,0,0]],"velocities":[[0,0,0]]},
+         {"shape":"point","positions":[[0,0,0]],"velocities":[[0,0,0]]}],
+         "t_max":1,"truth":{"collides":true}})",
      "truth.witness: missing, though collides is true"},
+    // Certificates.
+    {"CertificateOfWrongType", "\"origin\"", "\"certificate\": 1, \"origin\"",
+     "certificate: unknown key (known here: format, version, patches, t_max, truth, origin, "
+     "expect)"},
+    {"UnknownCertificate", "\"contact\": {", "\"hit\": {",
+     "truth.certificate.hit: unknown key (known here: contact, clear)"},
+    {"FourUnknowns", "[0.25, 0.5, 0, 0, 1]", "[0.25, 0.5, 0, 1]",
+     "truth.certificate.contact.centre: needs 5 unknowns, not 4"},
+    {"CentreNotFinite", "[0.25,", "[\"nan\",",
+     "truth.certificate.contact.centre[0]: \"nan\" is not finite"},
+    {"DependentThree", "\"dependent\": [1, 0]", "\"dependent\": [3, 0]",
+     "truth.certificate.contact.dependent[0]: 3 is outside 0..2"},
+    {"VariedFive", "[0, 1, 4]", "[0, 1, 5]",
+     "truth.certificate.contact.varied[2]: 5 is outside 0..4"},
+    {"VariedTwice", "[0, 1, 4]", "[0, 4, 4]",
+     "truth.certificate.contact.varied: an array that is not ascending"},
+    {"RadiusZero", "0.0625", "0", "truth.certificate.contact.radius[1]: 0 is not > 0"},
+    {"RadiusNegative", "1e-3", "-1e-3", "truth.certificate.contact.radius[2]: -1e-3 is not > 0"},
+    {"TwoRows", ", [0, 0, -2]]", "]", "truth.certificate.contact.inverse: needs 3 rows, not 2"},
+    {"TwoColumns", "[0, 0, -2]", "[0, 0]",
+     "truth.certificate.contact.inverse[2]: needs 3 columns, not 2"},
+    {"UnknownClearance", "\"kind\": \"T\"", "\"kind\": \"Q\"",
+     "truth.certificate.clear.kind: \"Q\" is not a certificate of absence (P, T)"},
+    {"PlaneWithATree", "\"kind\": \"T\"", "\"kind\": \"P\"",
+     "truth.certificate.clear.tree: unknown key (known here: kind, until, normal, offset)"},
+    {"NoTree", "\"tree\": {\"offset\"", "\"trees\": {\"offset\"",
+     "truth.certificate.clear.trees: unknown key (known here: kind, until, tree)"},
+    {"UntilAsNumber", "\"3/4\"", "0.75",
+     "truth.certificate.clear.until: 0.75 is not a string \"p\" or \"p/q\""},
+    {"NegativeOffset", "\"offset\": 12", "\"offset\": -12",
+     "truth.certificate.clear.tree.offset: -12 is outside 0..4611686018427387904"},
+    {"EmptyTree", "\"length\": 34", "\"length\": 0",
+     "truth.certificate.clear.tree.length: 0 is outside 1..4611686018427387904"},
+    {"ShortHash", "0123456789abcdef0123", "123456789abcdef0123",
+     "truth.certificate.clear.tree.xxh3: \"123456789abcdef0123456789abcdef\" is not 32 lower-case "
+     "hexadecimal digits"},
+    {"ProofWithoutItsCertificate", "\"collides\": true", "\"proof\": \"P\", \"collides\": true",
+     "truth.proof: \"P\" has no certificate.clear of that kind"},
     {"NoProof", "\"collides\": true", "\"collides\": false",
      "truth.proof: missing, though collides is false"},
     {"UnknownProof", "\"collides\": true", "\"proof\": \"trust me\", \"collides\": false",
@@ -262,7 +312,7 @@ TEST(MalformedCase, ByteOutsideUtf8IsNamed) {
   const auto parsed = parse_case(text, "c.json");
   ASSERT_FALSE(parsed);
   EXPECT_THAT(parsed.error().message(),
-              testing::AllOf(testing::StartsWith("c.json: line 14, column "),
+              testing::AllOf(testing::StartsWith("c.json: line 21, column "),
                              testing::HasSubstr("ill-formed UTF-8")));
 }
 

@@ -60,10 +60,35 @@ inline Case any_case() {
     for (Uv<Rational>& uv : c.truth.witness->uv) uv = {any_rational(), any_rational()};
   }
   if (maybe()) c.truth.clear_until = any_rational();
-  if (maybe()) c.truth.proof = *rc::gen::elementOf(std::vector<std::string>{"P", "T"});
+  if (maybe()) {
+    ContactBox& box = c.truth.contact_box.emplace();
+    for (double& x : box.centre) x = any_finite_double();
+    box.dependent = {*rc::gen::inRange(0, 3), *rc::gen::inRange(0, 3)};
+    box.varied = *rc::gen::element(std::array{0, 1, 2}, std::array{0, 3, 4}, std::array{2, 3, 4});
+    for (double& x : box.radius) {
+      x = std::abs(any_finite_double());
+      if (x == 0) x = 1;
+    }
+    for (auto& row : box.inverse) {
+      for (double& x : row) x = any_finite_double();
+    }
+  }
+  if (maybe()) {
+    if (maybe()) {
+      c.truth.clearance = MovingPlane{
+          any_rational(), {any_rational(), any_rational(), any_rational()}, any_rational()};
+    } else {
+      c.truth.clearance = MissTree{
+          any_rational(),
+          {*rc::gen::inRange<std::uint64_t>(0, 1 << 30),
+           *rc::gen::inRange<std::uint64_t>(1, 1 << 30), "00112233445566778899aabbccddeeff"}};
+    }
+    if (maybe()) c.truth.proof = proof_word(*c.truth.clearance);
+  }
+  if (!c.truth.proof && maybe()) c.truth.proof = "rational-tdibm";
   if (maybe()) {
     const bool collides = maybe();
-    if (collides ? c.truth.witness.has_value() : c.truth.proof.has_value()) {
+    if (collides ? c.truth.witness || c.truth.contact_box : c.truth.proof.has_value()) {
       c.truth.collides = collides;
     }
   }

@@ -2,38 +2,83 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_box.hpp"
+#include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
 Result<void> check_truth(const Case& value) {
   const Truth& truth = value.truth;
   if (auto valid = validate(value.query, ""); !valid) return valid;
-  if (truth.collides == true && !truth.witness) {
+  if (truth.collides == true && !truth.witness && !truth.contact_box) {
     return input_error("truth.witness", "missing, though collides is true");
   }
   if (truth.witness) {
-    auto checked = truth.collides == true ? check_witness(value.query, *truth.witness)
-                                          : check_contact(value.query, *truth.witness);
+    auto checked = truth.collides == true && !truth.contact_box
+                       ? check_witness(value.query, *truth.witness)
+                       : check_contact(value.query, *truth.witness);
     if (!checked) return checked;
-    if (truth.collides == false && truth.witness->t <= exact(value.query.t_max)) {
-      return input_error("truth.collides",
-                         fmt::format("false, but the witness proves a contact at t = {} ≤ t_max",
-                                     to_text(truth.witness->t)));
-    }
+  }
+  if (truth.contact_box) {
+    if (auto checked = check_box(value.query, *truth.contact_box); !checked) return checked;
+  }
+  const std::optional<Rational> by = truth.contact_by();
+  const char* const proof = truth.witness && truth.witness->t == by ? "witness" : "contact box";
+  if (truth.collides == true && *by > exact(value.query.t_max)) {
+    return input_error(
+        "truth.collides",
+        fmt::format("true, but the contact is proven only by t = {} > t_max", to_text(*by)));
+  }
+  if (truth.collides == false && by && *by <= exact(value.query.t_max)) {
+    return input_error(
+        "truth.collides",
+        fmt::format("false, but the {} proves a contact at t = {} ≤ t_max", proof, to_text(*by)));
   }
   if (truth.clear_until) {
     const std::string until = to_text(*truth.clear_until);
     if (*truth.clear_until < 0) {
       return input_error("truth.clear_until", fmt::format("{} is negative", until));
     }
-    if (truth.witness && truth.witness->t < *truth.clear_until) {
+    if (by && *by < *truth.clear_until) {
       return input_error("truth.clear_until",
-                         fmt::format("{}, but the witness proves a contact at t = {} before it",
-                                     until, to_text(truth.witness->t)));
+                         fmt::format("{}, but the {} proves a contact at t = {} before it", until,
+                                     proof, to_text(*by)));
     }
   }
   return {};
+}
+
+Result<void> check_clearance(const Query& query, const Clearance& clearance,
+                             std::string_view tree) {
+  if (const auto* plane = std::get_if<MovingPlane>(&clearance)) return check_plane(query, *plane);
+  return check_tree(query, until_of(clearance), tree).map([](std::uint64_t) {});
+}
+
+Result<void> check_absence(const Case& value, const std::string& trees) {
+  const Truth& truth = value.truth;
+  if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
+  const std::string until = to_text(until_of(*truth.clearance));
+  if (truth.collides == false && !covers(*truth.clearance, exact(value.query.t_max))) {
+    return input_error("truth.certificate.clear.until",
+                       fmt::format("{} does not reach past t_max = {}", until, value.query.t_max));
+  }
+  if (truth.clear_until && *truth.clear_until > until_of(*truth.clearance)) {
+    return input_error(
+        "truth.certificate.clear.until",
+        fmt::format("{} is before clear_until = {}", until, to_text(*truth.clear_until)));
+  }
+  std::string bytes;
+  if (const auto* tree = std::get_if<MissTree>(&*truth.clearance)) {
+    auto read = read_tree(trees, tree->tree);
+    if (!read) {
+      return input_error("truth.certificate.clear.tree", read.error().message());
+    }
+    bytes = *std::move(read);
+  }
+  return check_clearance(value.query, *truth.clearance, bytes);
 }
 
 Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {

@@ -1,21 +1,30 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "query/case_files.hpp"
 
 namespace ccdfuzz {
 
-/// Checks what a case says of itself against exact arithmetic, as far as that is possible without
-/// a CCD method:
+/// Checks what a case says of itself against exact arithmetic, but for what takes long:
 ///   the query is valid;
-///   a witness is a contact (check_contact);
-///   collides = true has a witness with t ≤ t_max, collides = false none;
-///   clear_until ≥ 0, and no witness lies before it.
-/// Not checked here: that absence of contact, by `proof`, really holds; `ccdfuzz verify` repeats
-/// that proof. Errors: what is refuted, naming JSON path and value.
+///   a witness is a contact (check_contact), and a contact box holds one (check_box);
+///   collides = true has one of them with a time ≤ t_max, collides = false none;
+///   clear_until ≥ 0, and no contact is proven before it.
+/// Not checked here: that absence of contact really holds, which is check_absence. Errors: what is
+/// refuted, naming JSON path and value.
 Result<void> check_truth(const Case& value);
+
+/// Checks a certificate of absence of contact: check_plane, or check_tree of these bytes.
+Result<void> check_clearance(const Query& query, const Clearance& clearance, std::string_view tree);
+
+/// Checks that the case's clearance holds and proves all that the case says of absence: no contact
+/// in the closed [0, t_max] if collides is false, none in the half-open [0, clear_until). trees:
+/// the file of trees beside the case, read if the clearance is a tree. Errors: what is missing or
+/// refuted, naming JSON path, or the file.
+Result<void> check_absence(const Case& value, const std::string& trees);
 
 /// Reads all cases of a file and refuses the first whose truth the checker refutes.
 /// Errors: as read_cases and check_truth, naming path and line.

@@ -1,7 +1,8 @@
-#include "generators/copositive.hpp"
+#include "certify/checker/copositive.hpp"
 
 #include <fmt/format.h>
 
+#include "generators/quadratic.hpp"
 #include "rapidcheck.hpp"
 
 namespace ccdfuzz {

@@ -1,0 +1,95 @@
+#include "certify/checker/check_box.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/taylor.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+tl::unexpected<InputError> refuse(std::string what) {
+  return input_error("truth.certificate.contact", std::move(what));
+}
+
+/// True iff x ± radius, y ± radius lie in the shape's domain; 0 for parameters that it lacks.
+bool in_domain(const Shape& shape, const std::array<Dyadic, 2>& x,
+               const std::array<Dyadic, 2>& radius, int dependent) {
+  const Dyadic one(1), zero(0);
+  if (dependent != 0 && shape.kind != ShapeKind::kTriangle) return false;
+  for (int k = 0; k < 2; ++k) {
+    if (k < shape.parameter_count()) {
+      if (x[k] - radius[k] < zero || x[k] + radius[k] > one) return false;
+    } else if (x[k] != zero || radius[k] != zero) {
+      return false;
+    }
+  }
+  return shape.kind != ShapeKind::kTriangle || x[0] + radius[0] + x[1] + radius[1] <= one;
+}
+
+using Matrix = std::array<std::array<Dyadic, 3>, 3>;
+
+Dyadic determinant(const Matrix& m) {
+  Dyadic det;
+  for (size_t k = 0; k < 3; ++k) {
+    const size_t i = (k + 1) % 3, j = (k + 2) % 3;
+    det += m[0][k] * (m[1][i] * m[2][j] - m[1][j] * m[2][i]);
+  }
+  return det;
+}
+
+}  // namespace
+
+Result<void> check_box(const Query& query, const ContactBox& box) {
+  std::array<Dyadic, 5> centre, radius;
+  for (size_t i = 0; i < 5; ++i) centre[i] = Dyadic::exact(box.centre[i]);
+  std::array<Dyadic, 3> rho;
+  for (size_t i = 0; i < 3; ++i) {
+    const int unknown = box.varied[i];
+    if (unknown < 0 || unknown > ContactBox::kTime || (i > 0 && unknown <= box.varied[i - 1])) {
+      return refuse("varied: not three unknowns in ascending order");
+    }
+    rho[i] = radius[static_cast<size_t>(unknown)] = Dyadic::exact(box.radius[i]);
+    if (rho[i].sign() <= 0) return refuse(fmt::format("radius: {} is not > 0", box.radius[i]));
+  }
+  for (size_t s = 0; s < 2; ++s) {
+    if (box.dependent[s] < 0 || box.dependent[s] > 2 ||
+        !in_domain(query.patches[s].shape, {centre[2 * s], centre[2 * s + 1]},
+                   {radius[2 * s], radius[2 * s + 1]}, box.dependent[s])) {
+      return refuse(fmt::format("the box reaches out of the domain of patches[{}], {}", s,
+                                to_text(query.patches[s].shape)));
+    }
+  }
+  if (centre[4] - radius[4] < Dyadic(0)) return refuse("the box reaches before t = 0");
+
+  Matrix inverse;
+  for (size_t i = 0; i < 3; ++i) {
+    for (size_t j = 0; j < 3; ++j) inverse[i][j] = Dyadic::exact(box.inverse[i][j]);
+  }
+  if (determinant(inverse).sign() == 0) return refuse("inverse: is singular");
+
+  std::array<Dyadic, 3> remainder;
+  for (const TaylorTerm<Dyadic>& term : taylor_terms<Dyadic>(query, box)) {
+    Dyadic size(1);
+    for (size_t i = 0; i < 3; ++i) {
+      for (int p = 0; p < term.power[i]; ++p) size *= rho[i];
+    }
+    for (size_t i = 0; i < 3; ++i) {
+      Dyadic value;
+      for (size_t k = 0; k < 3; ++k) {
+        value += inverse[i][k] * term.coefficient[static_cast<Eigen::Index>(k)];
+      }
+      if (term.degree() == 1 && term.power[i] == 1) value -= Dyadic(1);
+      remainder[i] += abs(value) * size;
+    }
+  }
+  for (size_t i = 0; i < 3; ++i) {
+    if (remainder[i] > rho[i]) {
+      return refuse(fmt::format("component {} may not change its sign across a radius of {}", i,
+                                box.radius[i]));
+    }
+  }
+  return {};
+}
+
+}  // namespace ccdfuzz

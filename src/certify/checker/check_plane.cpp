@@ -1,0 +1,57 @@
+#include "certify/checker/check_plane.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "certify/checker/copositive.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+tl::unexpected<InputError> refuse(std::string what) {
+  return input_error("truth.certificate.clear", std::move(what));
+}
+
+std::vector<Rational> along(const std::array<Rational, 3>& normal, const Points<Rational>& points) {
+  std::vector<Rational> out;
+  for (const Vec3<Rational>& p : points) {
+    out.emplace_back(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]);
+  }
+  return out;
+}
+
+/// By the coefficients, or for a quadratic triangle exactly.
+bool is_nonnegative(const Shape& shape, const std::vector<Rational>& heights) {
+  if (shape == Shape::triangle(2)) {
+    std::array<Rational, 6> six;
+    std::copy(heights.begin(), heights.end(), six.begin());
+    return nonnegative_on_triangle(six);
+  }
+  return std::all_of(heights.begin(), heights.end(), [](const Rational& h) { return h >= 0; });
+}
+
+}  // namespace
+
+Result<void> check_plane(const Query& query, const MovingPlane& plane) {
+  if (plane.until < 0) return refuse(fmt::format("until: {} is negative", to_text(plane.until)));
+  std::array<std::vector<Rational>, 2> rates;
+  for (size_t s = 0; s < 2; ++s) {
+    const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
+    rates[s] = along(plane.normal, patch.velocities);
+    std::vector<Rational> heights = along(plane.normal, patch.at(plane.until));
+    for (Rational& h : heights)
+      h = s == 0 ? Rational(h - plane.offset) : Rational(plane.offset - h);
+    if (!is_nonnegative(patch.shape, heights)) {
+      return refuse(fmt::format("patches[{}] is not known to be on its side of the plane", s));
+    }
+  }
+  if (*std::max_element(rates[0].begin(), rates[0].end()) >=
+      *std::min_element(rates[1].begin(), rates[1].end())) {
+    return refuse("the patches do not both approach the plane");
+  }
+  return {};
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,220 @@
+#include "certify/checker/check_tree.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/miss_tree.hpp"
+#include "certify/checker/polar.hpp"
+#include "numeric/double_parts.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Refusal {
+  std::string what;
+};
+
+/// A part of a patch: its control points times 2^(depth·steps), a step for each blossom argument.
+struct Part {
+  const MovingNet<Integer>* net;
+  int depth = 0;
+  std::uint64_t id = 0;  ///< no two parts of a side have the same
+};
+
+/// Makes the parts of one patch. Holds one family of siblings a depth, which is what a walk in
+/// pre-order needs; the family stays as long as no other part of its parent's depth is split.
+class Parts {
+ public:
+  void load(const Shape& shape, MovingNet<Integer> net) {
+    shape_ = shape;
+    root_ = std::move(net);
+  }
+  Part root() const { return {&root_, 0, 0}; }
+  int steps() const { return shape_.n + shape_.m; }
+  int count() const { return shape_.child_count(); }
+
+  Part child(const Part& parent, int c) {
+    const auto level = static_cast<size_t>(parent.depth);
+    if (families_.size() <= level) families_.resize(level + 1);
+    Family& family = families_[level];
+    if (family.parent != parent.id || family.nets.empty()) fill(*parent.net, parent.id, family);
+    return {&family.nets[static_cast<size_t>(c)], parent.depth + 1,
+            family.first_id + static_cast<std::uint64_t>(c)};
+  }
+
+ private:
+  struct Family {
+    std::uint64_t parent = 0, first_id = 0;
+    std::vector<MovingNet<Integer>> nets;
+  };
+
+  /// Doubled corners (origin, u end, v end) of a triangle's children as weights of w, u, v.
+  static const Weights<Integer>& corner(int c, int which) {
+    static const Weights<Integer> w = {2, 0, 0}, u = {0, 2, 0}, v = {0, 0, 2}, wu = {1, 1, 0},
+                                  wv = {1, 0, 1}, uv = {0, 1, 1};
+    static const std::array<std::array<const Weights<Integer>*, 3>, 4> children = {
+        {{&w, &wu, &wv}, {&wu, &u, &uv}, {&wv, &uv, &v}, {&uv, &wv, &wu}}};
+    return *children[static_cast<size_t>(c)][static_cast<size_t>(which)];
+  }
+  /// Doubled ends of the lower or upper half of a parameter as weights of its ends.
+  static const Weights<Integer>& end(bool upper_half, bool upper_end) {
+    static const std::array<Weights<Integer>, 3> at = {{{2, 0, 0}, {1, 1, 0}, {0, 2, 0}}};
+    return at[static_cast<size_t>(upper_half) + static_cast<size_t>(upper_end)];
+  }
+
+  void fill(const MovingNet<Integer>& net, std::uint64_t parent, Family& family) {
+    family.parent = parent;
+    family.first_id = next_id_;
+    next_id_ += static_cast<std::uint64_t>(count());
+    family.nets.resize(static_cast<size_t>(count()));
+    const bool triangle = shape_.kind == ShapeKind::kTriangle;
+    std::vector<Weights<Integer>> first(static_cast<size_t>(shape_.n)),
+        second(static_cast<size_t>(shape_.m));
+    for (int c = 0; c < count(); ++c) {
+      MovingNet<Integer>& child = family.nets[static_cast<size_t>(c)];
+      child.resize(net.size());
+      for (int i = 0; i <= shape_.n; ++i) {
+        for (int j = 0; j <= (triangle ? shape_.n - i : shape_.m); ++j) {
+          for (int k = 0; k < shape_.n; ++k) {
+            first[static_cast<size_t>(k)] = triangle ? corner(c, k < i       ? 1
+                                                                 : k < i + j ? 2
+                                                                             : 0)
+                                                     : end((c & 1) != 0, k < i);
+          }
+          for (int k = 0; k < shape_.m; ++k) {
+            second[static_cast<size_t>(k)] = end((c & 2) != 0, k < j);
+          }
+          child[static_cast<size_t>(shape_.index(i, j))] = polar_(shape_, net, {first, second});
+        }
+      }
+    }
+  }
+
+  Shape shape_;
+  MovingNet<Integer> root_;
+  std::vector<Family> families_;
+  std::uint64_t next_id_ = 1;
+  Polar<Integer> polar_;
+};
+
+class Walk {
+ public:
+  /// With until = a/b and every double a multiple of 2^unit, b·kTimeSteps·position·2^-unit and
+  /// a·velocity·2^-unit are integers P and V, and P + m·V is a positive multiple of the control
+  /// point at time m.
+  Walk(const Query& query, const Rational& until, std::string_view tree) : reader_(tree) {
+    int unit = 0;
+    for (const MovingPatch<double>& patch : query.patches) {
+      moving_net<int>(patch,
+                      [&](double x, bool) { return unit = std::min(unit, parts_of(x).exponent); });
+    }
+    for (size_t s = 0; s < 2; ++s) {
+      const auto integer = [&](double x, bool velocity) {
+        const DoubleParts parts = parts_of(x);
+        Integer value(static_cast<long>(parts.mantissa));
+        value <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
+        return velocity ? Integer(value * until.get_num())
+                        : Integer(value * until.get_den() * Integer(kTimeSteps));
+      };
+      sides_[s].load(query.patches[s].shape, moving_net<Integer>(query.patches[s], integer));
+    }
+  }
+
+  std::uint64_t run() {
+    node(sides_[0].root(), sides_[1].root(), 0, kTimeSteps, 0);
+    if (!reader_.at_end()) throw Refusal{"goes on after its last node"};
+    return nodes_;
+  }
+
+ private:
+  void node(const Part& a, const Part& b, std::uint64_t lo, std::uint64_t hi, int depth) {
+    if (depth > kMaxTreeDepth) throw Refusal{fmt::format("is deeper than {} nodes", kMaxTreeDepth)};
+    const std::optional<TreeNode> here = reader_.next();
+    if (!here) throw Refusal{fmt::format("ends within node {}", nodes_)};
+    const std::uint64_t number = nodes_++;
+    switch (here->kind) {
+      case TreeNodeKind::kLeaf:
+        if (!separates(here->axis, a, b, lo, hi)) {
+          throw Refusal{fmt::format("node {}: axis ({}, {}, {}) does not separate", number,
+                                    here->axis[0], here->axis[1], here->axis[2])};
+        }
+        return;
+      case TreeNodeKind::kTime:
+        if (!(lo < here->time && here->time < hi)) {
+          throw Refusal{
+              fmt::format("node {}: time {} is not inside ({}, {})", number, here->time, lo, hi)};
+        }
+        node(a, b, lo, here->time, depth + 1);
+        node(a, b, here->time, hi, depth + 1);
+        return;
+      case TreeNodeKind::kSplit:
+        break;
+    }
+    Parts& side = sides_[static_cast<size_t>(here->side)];
+    if (side.count() == 1) throw Refusal{fmt::format("node {}: a point has no parts", number)};
+    for (int c = 0; c < side.count(); ++c) {
+      if (here->side == 0) node(side.child(a, c), b, lo, hi, depth + 1);
+      if (here->side == 1) node(a, side.child(b, c), lo, hi, depth + 1);
+    }
+  }
+
+  /// True iff max l·p < min l·q over the control points of a and b, at both times.
+  bool separates(const TreeAxis& axis, const Part& a, const Part& b, std::uint64_t lo,
+                 std::uint64_t hi) {
+    extremes(axis, a, lo, hi, 1, max_);
+    extremes(axis, b, lo, hi, -1, min_);
+    const int up_a = sides_[1].steps() * b.depth, up_b = sides_[0].steps() * a.depth;
+    for (size_t end = 0; end < 2; ++end) {
+      if (up_a > up_b) max_[end] <<= static_cast<mp_bitcnt_t>(up_a - up_b);
+      if (up_b > up_a) min_[end] <<= static_cast<mp_bitcnt_t>(up_b - up_a);
+      if (max_[end] >= min_[end]) return false;
+    }
+    return true;
+  }
+
+  /// The largest (sign 1) or smallest (sign −1) l·(P + m·V) at m = lo and m = hi.
+  void extremes(const TreeAxis& axis, const Part& part, std::uint64_t lo, std::uint64_t hi,
+                int sign, std::array<Integer, 2>& out) {
+    bool first = true;
+    for (const Moving<Integer>& p : *part.net) {
+      position_ = 0, velocity_ = 0;
+      for (size_t k = 0; k < 3; ++k) {
+        add_product(position_, p[k], axis[k]);
+        add_product(velocity_, p[k + 3], axis[k]);
+      }
+      for (const size_t end : {size_t{0}, size_t{1}}) {
+        value_ = position_;
+        mpz_addmul_ui(value_.get_mpz_t(), velocity_.get_mpz_t(), end == 0 ? lo : hi);
+        if (first || (sign > 0 ? value_ > out[end] : value_ < out[end])) out[end] = value_;
+      }
+      first = false;
+    }
+  }
+
+  static void add_product(Integer& sum, const Integer& x, std::int64_t y) {
+    if (y >= 0) mpz_addmul_ui(sum.get_mpz_t(), x.get_mpz_t(), static_cast<unsigned long>(y));
+    if (y < 0) mpz_submul_ui(sum.get_mpz_t(), x.get_mpz_t(), static_cast<unsigned long>(-y));
+  }
+
+  TreeReader reader_;
+  std::array<Parts, 2> sides_;
+  std::uint64_t nodes_ = 0;
+  std::array<Integer, 2> max_, min_;
+  Integer position_, velocity_, value_;
+};
+
+}  // namespace
+
+Result<std::uint64_t> check_tree(const Query& query, const Rational& until, std::string_view tree) {
+  if (until < 0) {
+    return input_error("truth.certificate.clear.until",
+                       fmt::format("{} is negative", to_text(until)));
+  }
+  try {
+    return Walk(query, until, tree).run();
+  } catch (const Refusal& refusal) {
+    return input_error("truth.certificate.clear.tree", refusal.what);
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "bezier/patch.hpp"
+
+namespace ccdfuzz {
+
+/// A control point that moves: its position x, y, z, then its velocity.
+template <class S>
+using Moving = std::array<S, 6>;
+
+template <class S>
+using MovingNet = std::vector<Moving<S>>;
+
+/// Weights of the corners w, u, v of a triangle; of the ends 0 and 1 of a parameter, and nothing.
+template <class S>
+using Weights = std::array<S, 3>;
+
+/// Where the blossom of a patch is taken: one weight vector an argument. A triangle or a curve of
+/// degree n takes n in `first`, a tensor patch n in `first` (u) and m in `second` (v). Weights that
+/// sum to 1 are points, those that sum to 0 directions, and the blossom is linear in each.
+template <class S>
+struct PolarArguments {
+  std::span<const Weights<S>> first, second;
+};
+
+/// Blossoms of moving patches in any number type, exact if S is; keeps its scratch.
+template <class S>
+class Polar {
+ public:
+  /// net: shape.control_count() control points in Shape's order. Valid until the next call.
+  const Moving<S>& operator()(const Shape& shape, const MovingNet<S>& net,
+                              const PolarArguments<S>& at) {
+    net_ = net;
+    if (shape.kind == ShapeKind::kTriangle) {
+      for (int left = shape.n; left > 0; --left) {
+        const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
+        for (int i = 0; i < left; ++i) {
+          for (int j = 0; j < left - i; ++j) {  // to.index ≤ from.index of all later reads
+            combine(at.first[left - 1],
+                    {from.index(i, j), from.index(i + 1, j), from.index(i, j + 1)}, to.index(i, j));
+          }
+        }
+      }
+      return net_[0];
+    }
+    for (int i = 0; i <= shape.n; ++i) {
+      for (int left = shape.m; left > 0; --left) {
+        for (int j = 0; j < left; ++j) {
+          const int here = shape.index(i, j);
+          combine(at.second[left - 1], {here, here + 1, -1}, here);
+        }
+      }
+    }
+    for (int left = shape.n; left > 0; --left) {
+      for (int i = 0; i < left; ++i) {
+        combine(at.first[left - 1], {shape.index(i, 0), shape.index(i + 1, 0), -1},
+                shape.index(i, 0));
+      }
+    }
+    return net_[0];
+  }
+
+ private:
+  void combine(const Weights<S>& weights, const std::array<int, 3>& from, int to) {
+    for (S& x : sum_) x = 0;
+    for (size_t c = 0; c < 3; ++c) {
+      if (from[c] < 0 || weights[c] == 0) continue;
+      const Moving<S>& p = net_[from[c]];
+      for (size_t k = 0; k < 6; ++k) sum_[k] += weights[c] * p[k];
+    }
+    std::swap(net_[to], sum_);
+  }
+
+  MovingNet<S> net_;
+  Moving<S> sum_;
+};
+
+/// The control points of a patch, each number converted by `convert`.
+template <class S, class Convert>
+MovingNet<S> moving_net(const MovingPatch<double>& patch, const Convert& convert) {
+  MovingNet<S> net(patch.positions.size());
+  for (size_t i = 0; i < net.size(); ++i) {
+    for (size_t k = 0; k < 3; ++k) {
+      net[i][k] = convert(patch.positions[i][k], false);
+      net[i][k + 3] = convert(patch.velocities[i][k], true);
+    }
+  }
+  return net;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "certify/checker/polar.hpp"
+#include "query/certificate.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// coefficient · Π δ_i^power_i, δ the offsets of the three varied unknowns of a contact box.
+template <class S>
+struct TaylorTerm {
+  Vec3<S> coefficient;
+  std::array<int, 3> power{};
+
+  int degree() const { return power[0] + power[1] + power[2]; }
+};
+
+namespace taylor_detail {
+
+/// One weight vector for a patch's parameter at the centre, and one along each of its unknowns.
+template <class S>
+struct Directions {
+  Weights<S> at, along_x, along_y;
+};
+
+template <class S>
+Directions<S> triangle_directions(const S& x, const S& y, int dependent) {
+  const auto z = static_cast<size_t>(dependent);
+  const size_t i = (z + 1) % 3, j = (z + 2) % 3;
+  Directions<S> d{{S(0), S(0), S(0)}, {S(0), S(0), S(0)}, {S(0), S(0), S(0)}};
+  d.at[i] = x, d.at[j] = y, d.at[z] = S(1) - x - y;
+  d.along_x[i] = S(1), d.along_x[z] = S(-1);
+  d.along_y[j] = S(1), d.along_y[z] = S(-1);
+  return d;
+}
+
+template <class S>
+S binomial(int n, int k) {
+  int c = 1;
+  for (int i = 0; i < k; ++i) c = c * (n - i) / (i + 1);
+  return S(c);
+}
+
+/// count copies of `along`, the rest `at`.
+template <class S>
+std::vector<Weights<S>> arguments(int degree, const Weights<S>& at, int count,
+                                  const Weights<S>& along, int more = 0,
+                                  const Weights<S>& other = {}) {
+  std::vector<Weights<S>> out(static_cast<size_t>(degree), at);
+  std::fill_n(out.begin(), count, along);
+  std::fill_n(out.begin() + count, more, other);
+  return out;
+}
+
+}  // namespace taylor_detail
+
+/// The expansion of S1 − S2 about the centre of a contact box in its varied unknowns, the others
+/// fixed; all terms up to max_degree. The blossom is multilinear, so the coefficient of x^i y^j is
+/// the blossom at i directions along x, j along y and the centre for the rest, times a multinomial.
+template <class S>
+std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& box,
+                                        int max_degree = 3 * kMaxDegree) {
+  using namespace taylor_detail;
+  /// Place of an unknown among the varied ones, or −1.
+  const auto place = [&](int unknown) {
+    const auto found = std::find(box.varied.begin(), box.varied.end(), unknown);
+    return found == box.varied.end() ? -1 : static_cast<int>(found - box.varied.begin());
+  };
+  const S time = from_double<S>(box.centre[ContactBox::kTime]);
+  const int time_place = place(ContactBox::kTime);
+  std::vector<TaylorTerm<S>> terms;
+  const auto add = [&](const std::array<int, 3>& power, const Vec3<S>& value) {
+    for (TaylorTerm<S>& term : terms) {
+      if (term.power != power) continue;
+      for (int k = 0; k < 3; ++k) term.coefficient[k] += value[k];
+      return;
+    }
+    terms.push_back({value, power});
+  };
+  Polar<S> polar;
+  for (size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>& patch = query.patches[s];
+    const Shape& shape = patch.shape;
+    const MovingNet<S> net = moving_net<S>(patch, [](double x, bool) { return from_double<S>(x); });
+    const S sign(s == 0 ? 1 : -1);
+    const int px = place(static_cast<int>(2 * s)), py = place(static_cast<int>(2 * s + 1));
+    const S x = from_double<S>(box.centre[2 * s]), y = from_double<S>(box.centre[2 * s + 1]);
+    const bool triangle = shape.kind == ShapeKind::kTriangle;
+    const int most_x = px < 0 ? 0 : std::min(shape.n, max_degree);
+    for (int i = 0; i <= most_x; ++i) {
+      const int degree_y = triangle ? shape.n - i : shape.m;
+      const int most_y = py < 0 ? 0 : std::min(degree_y, max_degree - i);
+      for (int j = 0; j <= most_y; ++j) {
+        std::vector<Weights<S>> first, second;
+        if (triangle) {
+          const Directions<S> d = triangle_directions<S>(x, y, box.dependent[s]);
+          first = arguments<S>(shape.n, d.at, i, d.along_x, j, d.along_y);
+        } else {
+          const Weights<S> along = {S(-1), S(1), S(0)};
+          first = arguments<S>(shape.n, {S(1) - x, x, S(0)}, i, along);
+          second = arguments<S>(shape.m, {S(1) - y, y, S(0)}, j, along);
+        }
+        const Moving<S>& b = polar(shape, net, {first, second});
+        const S factor = sign * binomial<S>(shape.n, i) * binomial<S>(degree_y, j);
+        std::array<int, 3> power{};
+        if (px >= 0) power[static_cast<size_t>(px)] = i;
+        if (py >= 0) power[static_cast<size_t>(py)] = j;
+        add(power, Vec3<S>(factor * (b[0] + time * b[3]), factor * (b[1] + time * b[4]),
+                           factor * (b[2] + time * b[5])));
+        if (time_place >= 0 && i + j < max_degree) {
+          ++power[static_cast<size_t>(time_place)];
+          add(power, Vec3<S>(factor * b[3], factor * b[4], factor * b[5]));
+        }
+      }
+    }
+  }
+  return terms;
+}
+
+}  // namespace ccdfuzz

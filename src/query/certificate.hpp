@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "numeric/eigen_traits.hpp"
+
+namespace ccdfuzz {
+
+/// Certificate M: a box in parameters and time that holds a contact, by Poincaré–Miranda.
+///
+/// The unknowns are (x1, y1, x2, y2, t). Those of a patch are its parameters u, v; or for a
+/// triangle with the barycentrics (w, u, v) numbered 0, 1, 2, the two that follow `dependent` in
+/// the cycle, the remaining one being 1 minus their sum: an edge of any kind is then a fixed
+/// unknown. Three unknowns vary by ±radius about the centre, the others stay there. `inverse` is
+/// any regular matrix, usually near the inverse of the Jacobian of S1 − S2 in the three; row i
+/// makes component i of inverse·(S1 − S2) change its sign from one face of unknown i to the
+/// opposite one.
+struct ContactBox {
+  std::array<double, 5> centre{};
+  std::array<int, 2> dependent{};  ///< 0..2 for a triangle, else 0
+  std::array<int, 3> varied{};     ///< ascending places in centre
+  std::array<double, 3> radius{};  ///< > 0, of the unknowns in varied
+  std::array<std::array<double, 3>, 3> inverse{};
+
+  static constexpr int kTime = 4;
+
+  /// A time by which the contact has come.
+  Rational until() const {
+    const Rational t = exact(centre[kTime]);
+    return varied[2] == kTime ? Rational(t + exact(radius[2])) : t;
+  }
+
+  friend bool operator==(const ContactBox&, const ContactBox&) = default;
+};
+
+/// Certificate P: a plane that moves along with the patches and separates them at every t in the
+/// half-open [0, until). At t = until it is normal·x = offset.
+struct MovingPlane {
+  Rational until;
+  std::array<Rational, 3> normal;  ///< towards patch 1
+  Rational offset;
+
+  friend bool operator==(const MovingPlane&, const MovingPlane&) = default;
+};
+
+/// Where a miss tree stands in the file of trees beside its case: one zstd frame.
+struct TreeRef {
+  std::uint64_t offset = 0;
+  std::uint64_t length = 0;  ///< of the frame
+  std::string xxh3;          ///< XXH3-128 of the bytes in it, 32 hexadecimal digits
+
+  friend bool operator==(const TreeRef&, const TreeRef&) = default;
+};
+
+/// Certificate T: a tree of separating axes that covers all pairs of parts of the patches at every
+/// t in the closed [0, until].
+struct MissTree {
+  Rational until;
+  TreeRef tree;
+
+  friend bool operator==(const MissTree&, const MissTree&) = default;
+};
+
+/// Proof that nothing touches for a time.
+using Clearance = std::variant<MovingPlane, MissTree>;
+
+inline const Rational& until_of(const Clearance& clearance) {
+  return std::visit([](const auto& c) -> const Rational& { return c.until; }, clearance);
+}
+
+/// True iff the clearance, if it holds, proves absence of contact in the closed [0, t].
+inline bool covers(const Clearance& clearance, const Rational& t) {
+  const Rational& until = until_of(clearance);
+  return std::holds_alternative<MissTree>(clearance) ? t <= until : t < until;
+}
+
+}  // namespace ccdfuzz

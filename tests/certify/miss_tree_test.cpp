@@ -1,0 +1,184 @@
+// Certificate T: its bytes, and what the checker says of good ones and bad ones.
+#include "certify/checker/miss_tree.hpp"
+
+#include <gmock/gmock.h>
+
+#include "certify/checker/check_tree.hpp"
+#include "rapidcheck.hpp"
+#include "rising_triangle.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr TreeAxis kUp = {0, 0, 1};
+
+std::string verdict(const Query& query, const Rational& until, const std::string& tree) {
+  const auto checked = check_tree(query, until, tree);
+  return checked ? "accepted" : checked.error().message();
+}
+
+std::string leaf(const TreeAxis& axis) {
+  TreeBits bits;
+  bits.leaf(axis);
+  return bits.bytes();
+}
+
+TEST(CheckTree, OneAxisDoesForAllTimes) {
+  const Query query = rising_triangle().query;
+  EXPECT_EQ(verdict(query, Rational(3, 8), leaf(kUp)), "accepted");
+  EXPECT_EQ(verdict(query, Rational(0), leaf(kUp)), "accepted");
+  EXPECT_EQ(verdict(query, Rational(1, 2) - Rational(1, 1000000007), leaf(kUp)), "accepted");
+}
+
+TEST(CheckTree, TheWindowIsClosed) {
+  const Query query = rising_triangle().query;
+  EXPECT_EQ(verdict(query, Rational(1, 2), leaf(kUp)),
+            "truth.certificate.clear.tree: node 0: axis (0, 0, 1) does not separate");
+  EXPECT_EQ(verdict(query, Rational(-1, 2), leaf(kUp)),
+            "truth.certificate.clear.until: -1/2 is negative");
+}
+
+TEST(CheckTree, RefusesAxesThatDoNotSeparate) {
+  const Query query = rising_triangle().query;
+  for (const TreeAxis& axis : {TreeAxis{0, 0, -1}, TreeAxis{0, 0, 0}, TreeAxis{1, 0, 0},
+                               TreeAxis{0, 1, 0}, TreeAxis{1, 0, 8}}) {
+    EXPECT_NE(verdict(query, Rational(3, 8), leaf(axis)), "accepted");
+  }
+}
+
+/// Patch 1 starts above and patch 2 moves past it: no axis separates at both ends.
+Query passing_points() {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  query.patches[1] = {Shape::curve(1), {{1, 0, -1}, {2, 0, -1}}, {{0, 0, 2}, {0, 0, 2}}};
+  return query;
+}
+
+TEST(CheckTree, BothEndsOfALeafCount) {
+  const Query query = passing_points();
+  EXPECT_EQ(verdict(query, Rational(1), leaf({1, 0, 0})), "accepted");
+  EXPECT_NE(verdict(query, Rational(1), leaf({1, 0, 1})), "accepted") << "not at t = 0";
+  EXPECT_NE(verdict(query, Rational(1), leaf({1, 0, -1})), "accepted") << "not at t = 1";
+  TreeBits bits;
+  bits.time(kTimeSteps / 2);
+  bits.leaf({2, 0, -1});
+  bits.leaf({2, 0, 1});
+  EXPECT_EQ(verdict(query, Rational(1), bits.bytes()), "accepted");
+}
+
+/// A tree of every kind of node.
+struct Mixed {
+  bool short_of_one = false, one_too_many = false;
+  std::uint64_t time = kTimeSteps / 2;
+  TreeAxis axis = {0, 0, 1};
+
+  std::string bytes() const {
+    TreeBits bits;
+    bits.time(time);
+    bits.leaf({1, 1, 20});
+    bits.split(0);
+    for (int c = 0; c < 3; ++c) bits.leaf(axis);
+    bits.split(1);
+    for (int c = 0; c < 4 + (one_too_many ? 1 : 0) - (short_of_one ? 1 : 0); ++c) bits.leaf(kUp);
+    return bits.bytes();
+  }
+};
+
+TEST(CheckTree, WalksEveryKindOfNode) {
+  const Query query = rising_triangle().query;
+  const auto says = [&](const Mixed& tree) { return verdict(query, Rational(3, 8), tree.bytes()); };
+  Mixed tree;
+  EXPECT_EQ(says(tree), "accepted");
+  EXPECT_EQ(*check_tree(query, Rational(3, 8), tree.bytes()), 11U);
+  tree.axis = {0, 0, -1};
+  EXPECT_EQ(says(tree), "truth.certificate.clear.tree: node 3: axis (0, 0, -1) does not separate");
+  tree = {};
+  tree.short_of_one = true;
+  EXPECT_EQ(says(tree), "truth.certificate.clear.tree: ends within node 10");
+  tree = {};
+  tree.one_too_many = true;
+  EXPECT_EQ(says(tree), "truth.certificate.clear.tree: goes on after its last node");
+  tree = {};
+  EXPECT_EQ(verdict(query, Rational(3, 8), tree.bytes() + '\0'),
+            "truth.certificate.clear.tree: goes on after its last node");
+  EXPECT_EQ(verdict(query, Rational(3, 8), ""), "truth.certificate.clear.tree: ends within node 0");
+}
+
+TEST(CheckTree, TimesLieInsideTheirWindow) {
+  const Query query = rising_triangle().query;
+  TreeBits bits;
+  bits.time(kTimeSteps / 2);
+  bits.time(kTimeSteps / 2);  // the end of its window
+  for (int i = 0; i < 3; ++i) bits.leaf(kUp);
+  EXPECT_THAT(verdict(query, Rational(3, 8), bits.bytes()), testing::HasSubstr("is not inside"));
+}
+
+TEST(CheckTree, APointHasNoParts) {
+  TreeBits bits;
+  bits.split(0);
+  bits.leaf({1, 0, 0});
+  EXPECT_EQ(verdict(passing_points(), Rational(1), bits.bytes()),
+            "truth.certificate.clear.tree: node 0: a point has no parts");
+}
+
+TEST(CheckTree, DepthIsBounded) {
+  TreeBits bits;
+  for (int i = 0; i < 100'000; ++i) bits.split(1);
+  EXPECT_EQ(verdict(passing_points(), Rational(1), bits.bytes()),
+            "truth.certificate.clear.tree: is deeper than 1000 nodes");
+}
+
+RC_GTEST_PROP(MissTree, ReadsBackWhatWasWritten, ()) {
+  std::vector<TreeNode> nodes;
+  TreeBits bits;
+  const int count = *rc::gen::inRange(1, 50);
+  for (int i = 0; i < count; ++i) {
+    TreeNode node;
+    node.kind = *rc::gen::element(TreeNodeKind::kLeaf, TreeNodeKind::kSplit, TreeNodeKind::kTime);
+    const auto mark = bits.mark();
+    const int tries = *rc::gen::inRange(1, 3);  // the last one counts
+    for (int n = 0; n < tries; ++n) {
+      bits.rewind(mark);
+      switch (node.kind) {
+        case TreeNodeKind::kLeaf: {
+          const int size = *rc::gen::inRange(0, 32);
+          for (auto& x : node.axis) {
+            const std::int64_t most = (std::int64_t{1} << std::min(size, 31)) - 1;
+            x = *rc::gen::inRange<std::int64_t>(-most, most + 1);
+          }
+          bits.leaf(node.axis);
+          break;
+        }
+        case TreeNodeKind::kSplit:
+          node.side = *rc::gen::inRange(0, 2);
+          bits.split(node.side);
+          break;
+        case TreeNodeKind::kTime:
+          node.time = *rc::gen::inRange<std::uint64_t>(1, kTimeSteps);
+          node.time = std::max<std::uint64_t>(1, node.time >> *rc::gen::inRange(0, 32));
+          bits.time(node.time);
+          break;
+      }
+    }
+    nodes.push_back(node);
+  }
+  TreeReader reader(bits.bytes());
+  for (const TreeNode& node : nodes) {
+    const auto read = reader.next();
+    RC_ASSERT(read.has_value());
+    RC_ASSERT(read->kind == node.kind);
+    RC_ASSERT(read->side == node.side);
+    RC_ASSERT(read->time == node.time);
+    RC_ASSERT(read->axis == node.axis);
+  }
+  RC_ASSERT(reader.at_end());
+}
+
+/// No bytes make the checker do anything but answer.
+RC_GTEST_PROP(CheckTree, AnyBytesAreAnswered, ()) {
+  const auto bytes = *rc::gen::arbitrary<std::vector<char>>();
+  (void)check_tree(rising_triangle().query, Rational(3, 8), {bytes.data(), bytes.size()});
+}
+
+}  // namespace
+}  // namespace ccdfuzz
