@@ -1,11 +1,21 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
+#include <initializer_list>
+#include <limits>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "numeric/result.hpp"
+
+// CLI11's headers cost seconds in each file that includes them: command.cpp alone does.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace ccdfuzz {
 
@@ -18,29 +28,81 @@ enum ExitCode : int {
 };
 
 /// How the user called this program, so that the commands we print work when pasted.
-std::string& program_name();
+const std::string& program_name();
 
-/// The command the user chose: run it for its exit code. Errors: input errors, exit code 2.
-using Chosen = std::function<Result<int>()>;
+/// One option of a command, for what more is to be said of it.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
 
-/// Adds a command whose options live as long as the program and which runs as run(options).
-/// Returns the subcommand and its options, for the caller to bind.
-template <class Options>
-std::pair<CLI::App*, Options*> add_command(CLI::App& app, Chosen& chosen, const std::string& name,
-                                           const std::string& description,
-                                           Result<int> (*run)(const Options&)) {
-  CLI::App* const command = app.add_subcommand(name, description);
-  const auto options = std::make_shared<Options>();
-  command->callback([options, run, &chosen] { chosen = [options, run] { return run(*options); }; });
-  return {command, options.get()};
-}
+  Option& required();
+  Option& excludes(const Option& other);
+  Option& needs(const Option& other);
+  Option& one_of(std::initializer_list<const char*> words);
+  /// Help does not show the value that it has without the option.
+  Option& without_default();
 
-void add_evaluate(CLI::App& app, Chosen& chosen);
-void add_generate(CLI::App& app, Chosen& chosen);
-void add_hunt(CLI::App& app, Chosen& chosen);
-void add_methods(CLI::App& app, Chosen& chosen);
-void add_query(CLI::App& app, Chosen& chosen);
-void add_replay(CLI::App& app, Chosen& chosen);
-void add_verify(CLI::App& app, Chosen& chosen);
+ private:
+  CLI::Option* option_;
+};
+
+/// The options of one command. Values are bound: each must outlive the parsing, and what it holds
+/// before is its default.
+class Command {
+ public:
+  explicit Command(CLI::App* app) : app_(app) {}
+
+  Option text(const std::string& name, std::string& value, const std::string& description);
+  /// One or more, without an option's name in front.
+  Option texts(const std::string& name, std::vector<std::string>& values,
+               const std::string& description);
+  Option flag(const std::string& name, bool& value, const std::string& description);
+  /// A whole number of [least, most], in decimal (parse_whole).
+  Option whole(const std::string& name, std::uint64_t& value, const std::string& description,
+               std::uint64_t least = 0,
+               std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
+  Option whole(const std::string& name, int& value, const std::string& description, int least,
+               int most);
+
+ private:
+  CLI::App* app_;
+};
+
+/// The commands of this program.
+class CommandLine {
+ public:
+  CommandLine();
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// Adds a command that runs as run(options) and returns its exit code; an input error of it ends
+  /// the program with kBadInput. Returns the command and its options, for the caller to bind.
+  template <class Options>
+  std::pair<Command, Options*> add(const std::string& name, const std::string& description,
+                                   Result<int> (*run)(const Options&)) {
+    const auto options = std::make_shared<Options>();
+    return {add_command(name, description, [options, run] { return run(*options); }),
+            options.get()};
+  }
+
+  /// Parses, runs the chosen command, and reports what went wrong. Returns the exit code.
+  int parse_and_run(int argc, char** argv);
+
+ private:
+  Command add_command(const std::string& name, const std::string& description,
+                      std::function<Result<int>()> run);
+
+  std::unique_ptr<CLI::App> app_;
+  std::function<Result<int>()> chosen_;
+};
+
+void add_evaluate(CommandLine& line);
+void add_generate(CommandLine& line);
+void add_hunt(CommandLine& line);
+void add_methods(CommandLine& line);
+void add_query(CommandLine& line);
+void add_replay(CommandLine& line);
+void add_verify(CommandLine& line);
 
 }  // namespace ccdfuzz

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <thread>
 
@@ -10,43 +11,55 @@
 
 namespace ccdfuzz {
 
-void SearchFlags::add_to(CLI::App& command) {
-  command.add_option("--precision", precision, "Parameter width at which a pair of boxes is a hit")
-      ->capture_default_str();
+namespace {
+
+Result<double> parse_precision(const std::string& where, const std::string& text) {
+  return parse_number(where, text).and_then([&](double width) -> Result<double> {
+    // 2^-50 is where Cell::kMaxDepth ends.
+    if (width < 0x1p-50 || width > 1) {
+      return input_error(where, fmt::format("{} is not in [2^-50, 1]", text));
+    }
+    return width;
+  });
+}
+
+}  // namespace
+
+void SearchFlags::add_to(Command& command) {
+  command.text("--precision", precision,
+               "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
+               "case was found at");
   add_budget_to(command);
 }
 
-void SearchFlags::add_budget_to(CLI::App& command) {
-  command
-      .add_option("--max-pops", max_pops,
-                  "Pairs of boxes to look at before a method gives up as undecided")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command.add_option("--max-mb", max_mb, "Memory of a method's queue before it gives up, in MiB")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 20))
-      ->capture_default_str();
+void SearchFlags::add_budget_to(Command& command) {
+  command.whole("--max-pops", max_pops,
+                "Pairs of boxes to look at before a method gives up as undecided", 1);
+  command.whole("--max-mb", max_mb, "Memory of a method's queue before it gives up, in MiB", 1,
+                std::uint64_t{1} << 20);
 }
 
 Result<SearchOptions> SearchFlags::parse() const {
-  return parse_number("--precision", precision)
-      .and_then([this](double width) -> Result<SearchOptions> {
-        // 2^-50 is where Cell::kMaxDepth ends.
-        if (width < 0x1p-50 || width > 1) {
-          return input_error("--precision", fmt::format("{} is not in [2^-50, 1]", precision));
-        }
-        return SearchOptions{width, max_pops, max_mb << 20};
-      });
+  const SearchOptions defaults;
+  const Result<double> width =
+      precision.empty() ? defaults.precision : parse_precision("--precision", precision);
+  return width.map([this](double w) { return SearchOptions{w, max_pops, max_mb << 20}; });
 }
 
-int default_threads() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+Result<SearchOptions> SearchFlags::parse_for(const NamedCase& named) const {
+  Result<SearchOptions> search = parse();
+  const auto& more = named.value.origin.more;
+  const auto own = more.find("precision");
+  if (!search || !precision.empty() || own == more.end()) return search;
+  const Result<double> width = parse_precision(named.id + ": origin.precision", own->second);
+  if (!width) return tl::unexpected(width.error());
+  search->precision = *width;
+  return search;
 }
 
-void add_threads(CLI::App& command, int& threads) {
-  threads = default_threads();
-  command.add_option("--threads", threads, "Threads to work on; results do not depend on it")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+void add_threads(Command& command, int& threads) {
+  threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  command.whole("--threads", threads, "Threads to work on; results do not depend on it", 1, 1024);
 }
 
 Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths) {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "ccd/search.hpp"
+#include "cli/command.hpp"
 #include "numeric/result.hpp"
 #include "query/case_files.hpp"
 
@@ -22,20 +22,22 @@ inline constexpr const char* kDefaultMethods =
 
 /// --precision, --max-pops and --max-mb, the limits of one query.
 struct SearchFlags {
-  std::string precision = "1e-4";
+  std::string precision;  ///< empty: 1e-4, or what a case's origin.precision says
   std::uint64_t max_pops = SearchOptions().max_pops;
   std::uint64_t max_mb = SearchOptions().max_bytes >> 20;
 
-  void add_to(CLI::App& command);
+  void add_to(Command& command);
   /// Without --precision.
-  void add_budget_to(CLI::App& command);
+  void add_budget_to(Command& command);
   /// Errors: a precision that is no number in [2^-50, 1].
   Result<SearchOptions> parse() const;
+  /// The same for one case, which may have been found at a precision of its own.
+  /// Errors: naming that case, where the fault is its own.
+  Result<SearchOptions> parse_for(const NamedCase& named) const;
 };
 
 /// --threads, by default as many as there are cores.
-void add_threads(CLI::App& command, int& threads);
-int default_threads();
+void add_threads(Command& command, int& threads);
 
 /// The value whose name the text is. Errors: none is; all are listed.
 template <class Enum, size_t N>

@@ -177,22 +177,19 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_evaluate(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] =
-      add_command<Options>(app, chosen, "evaluate",
-                           "Time and judge methods on data sets (the paper's Tables 1 and 2)", run);
-  command->add_option("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst")
-      ->required();
-  command->add_option("--methods", options->methods, "Methods to ask, separated by commas")
-      ->capture_default_str();
-  command->add_option("--t-max-factors", options->horizons,
-                      "Ask positive cases up to these multiples of the contact's time instead of "
-                      "their own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show");
-  options->search.add_to(*command);
-  command->add_option("-o,--output", options->folder,
-                      "Folder for answers.csv, performance.csv, groups.jsonl and tables.md");
-  add_threads(*command, options->threads);
-  command->add_flag("--json", options->json, "One JSON object per class and method");
+void add_evaluate(CommandLine& line) {
+  auto [command, options] = line.add<Options>(
+      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 and 2)", run);
+  command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command.text("--methods", options->methods, "Methods to ask, separated by commas");
+  command.text("--t-max-factors", options->horizons,
+               "Ask positive cases up to these multiples of the contact's time instead of their "
+               "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show");
+  options->search.add_to(command);
+  command.text("-o,--output", options->folder,
+               "Folder for answers.csv, performance.csv, groups.jsonl and tables.md");
+  add_threads(command, options->threads);
+  command.flag("--json", options->json, "One JSON object per class and method");
 }
 
 }  // namespace ccdfuzz

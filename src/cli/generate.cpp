@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <ctime>
+#include <limits>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
@@ -113,6 +115,11 @@ Result<GeneratorOptions> parse(const Options& options) {
 Result<int> run(const Options& options) {
   const Result<GeneratorOptions> generator = parse(options);
   if (!generator) return tl::unexpected(generator.error());
+  if (options.first > std::numeric_limits<std::uint64_t>::max() - options.count) {
+    return input_error("--first", fmt::format("{} leaves no room for {} cases before 2^64",
+                                              options.first, options.count));
+  }
+  const std::atomic<bool>& interrupted = catch_interrupts();  // from here on a file may be left
   Result<Destination> destination = Destination::open(options.output);
   if (!destination) return tl::unexpected(destination.error());
 
@@ -125,7 +132,8 @@ Result<int> run(const Options& options) {
       options.count, options.threads,
       [&](size_t i) { return generate(*generator, options.first + i); },
       [&](const Generated& generated) {
-        if (!written) return;
+        if (interrupted) stop = true;
+        if (!written || stop) return;
         counts += generated.discards;
         written = destination->write(generated.value);
         if (!written) stop = true;
@@ -134,6 +142,11 @@ Result<int> run(const Options& options) {
       },
       &stop);
   progress.clear();
+  if (interrupted) {
+    fmt::print(stderr, "ccdfuzz: interrupted after {} cases{}\n", counts.accepted(),
+               options.output.empty() ? "" : "; " + options.output + " was not written");
+    return interrupted_exit_code();
+  }
   if (written) written = destination->finish();
   if (!written) return tl::unexpected(written.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -147,44 +160,33 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_generate(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] = add_command<Options>(
-      app, chosen, "generate", "Make cases whose truth is proven, as a data set", run);
-  command->add_option("--contact", options->contact, "Contact class: FF EF EE VF VE VV")
-      ->required();
-  command
-      ->add_option("--kind", options->kind,
-                   "RP: they touch at t_max. RN: t_max is eps-t before that")
-      ->required();
-  command
-      ->add_option(
-          "--construction", options->construction,
-          "paper: as the paper makes them. one-sided: each patch on its own side of a plane")
-      ->capture_default_str();
+void add_generate(CommandLine& line) {
+  auto [command, options] =
+      line.add<Options>("generate", "Make cases whose truth is proven, as a data set", run);
+  command.text("--contact", options->contact, "Contact class: FF EF EE VF VE VV").required();
+  command.text("--kind", options->kind, "RP: they touch at t_max. RN: t_max is eps-t before that")
+      .required();
+  command.text("--construction", options->construction,
+               "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
   std::string families;
   for (const Family f : kFamilies) {
     families += families.empty() ? "" : ", ";
     families += name_of(f);
   }
-  command->add_option("--family", options->family, "What the cases are made to stress: " + families)
-      ->capture_default_str();
-  command->add_option("--count", options->count, "How many cases")
-      ->check(CLI::PositiveNumber)
-      ->required();
-  command->add_option("--first", options->first, "Index of the first one")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the data set")->capture_default_str();
+  command.text("--family", options->family, "What the cases are made to stress: " + families);
+  command.whole("--count", options->count, "How many cases", 1).required().without_default();
+  command.whole("--first", options->first, "Index of the first one");
+  command.whole("--seed", options->seed, "Seed of the data set");
+  command.text("--eps-t", options->eps_t,
+               "No contact is proven up to this long before t*; a power of two");
+  const Option output =
+      command.text("-o,--output", options->output,
+                   "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
+  add_threads(command, options->threads);
   command
-      ->add_option("--eps-t", options->eps_t,
-                   "No contact is proven up to this long before t*; a power of two")
-      ->capture_default_str();
-  CLI::Option* const output = command->add_option(
-      "-o,--output", options->output,
-      "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
-  add_threads(*command, options->threads);
-  command
-      ->add_flag("--json", options->json,
-                 "The summary as a JSON object on stdout; the cases go to a file then")
-      ->needs(output);
+      .flag("--json", options->json,
+            "The summary as a JSON object on stdout; the cases go to a file then")
+      .needs(output);
 }
 
 }  // namespace ccdfuzz

@@ -73,16 +73,16 @@ Table cell_table(const HuntReport& report) {
                                  : bad  ? Emphasis::kBad
                                         : Emphasis::kPlain};
     };
-    const double mean = tally.n == 0 ? 0 : cell.cpu_seconds / static_cast<double>(tally.n);
-    table.add_row({{std::string(name_of(cell.contact))},
-                   {cell.method},
-                   {fmt::format("{}", tally.n)},
-                   {duration_text(mean)},
-                   count(Outcome::kMissed, tally.positives),
-                   count(Outcome::kLate, tally.positives),
-                   count(Outcome::kFalsePositive, tally.negatives),
-                   count(Outcome::kUndecided, tally.n),
-                   count(Outcome::kError, tally.n)});
+    table.add_row(
+        {{std::string(name_of(cell.contact))},
+         {cell.method},
+         {fmt::format("{}", tally.n)},
+         {tally.n == 0 ? "-" : duration_text(cell.cpu_seconds / static_cast<double>(tally.n))},
+         count(Outcome::kMissed, tally.positives),
+         count(Outcome::kLate, tally.positives),
+         count(Outcome::kFalsePositive, tally.negatives),
+         count(Outcome::kUndecided, tally.n),
+         count(Outcome::kError, tally.n)});
   }
   return table;
 }
@@ -200,35 +200,28 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_hunt(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] = add_command<Options>(
-      app, chosen, "hunt", "Find, prove and store inputs on which methods fail (the main job)",
-      run);
-  CLI::Option* const seconds =
-      command->add_option("--seconds", options->seconds, "How long to hunt")->capture_default_str();
+void add_hunt(CommandLine& line) {
+  auto [command, options] = line.add<Options>(
+      "hunt", "Find, prove and store inputs on which methods fail (the main job)", run);
+  const Option seconds = command.text("--seconds", options->seconds, "How long to hunt");
   command
-      ->add_option("--cases", options->cases,
-                   "Instead: this many cases of each class, each put to every method; repeats "
-                   "exactly")
-      ->check(CLI::PositiveNumber)
-      ->excludes(seconds);
-  command->add_option("--methods", options->methods, "Methods to ask, separated by commas")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of the cases")->capture_default_str();
+      .whole("--cases", options->cases,
+             "Instead: this many cases of each class, each put to every method; repeats exactly", 1)
+      .excludes(seconds)
+      .without_default();
+  command.text("--methods", options->methods, "Methods to ask, separated by commas");
+  command.whole("--seed", options->seed, "Seed of the cases");
+  command.text("--corpus", options->corpus,
+               "Folder to store counterexamples in; `corpus` promotes them to regressions");
   command
-      ->add_option("--corpus", options->corpus,
-                   "Folder to store counterexamples in; `corpus` promotes them to regressions")
-      ->capture_default_str();
-  command
-      ->add_option("--fail-on", options->fail_on,
-                   "Exit with 1 after new finds: none, claims (a false negative of a method that "
-                   "claims to have none) or any")
-      ->check(CLI::IsMember({"none", "claims", "any"}))
-      ->capture_default_str();
+      .text("--fail-on", options->fail_on,
+            "Exit with 1 after new finds: none, claims (a false negative of a method that claims "
+            "to have none) or any")
+      .one_of({"none", "claims", "any"});
   options->search.max_pops = kDefaultPops;
-  options->search.add_budget_to(*command);
-  add_threads(*command, options->threads);
-  command->add_flag("--json", options->json, "One JSON object per cell and per find");
+  options->search.add_budget_to(command);
+  add_threads(command, options->threads);
+  command.flag("--json", options->json, "One JSON object per cell and per find");
 }
 
 }  // namespace ccdfuzz

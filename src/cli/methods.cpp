@@ -40,10 +40,10 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_methods(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] = add_command<Options>(
-      app, chosen, "methods", "List the registered methods, with the source of each", run);
-  command->add_flag("--json", options->json, "One JSON object per line");
+void add_methods(CommandLine& line) {
+  auto [command, options] =
+      line.add<Options>("methods", "List the registered methods, with the source of each", run);
+  command.flag("--json", options->json, "One JSON object per line");
 }
 
 }  // namespace ccdfuzz

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ Result<std::vector<double>> parse_numbers(const std::string& where, const std::s
 
 /// The exponent e of a value 2^e. Errors: the value is no power of two.
 Result<int> parse_power_of_two(const std::string& where, const std::string& text);
+
+/// "7" is a whole number; "-1", "+7", "010", " 7", "0x7" and what exceeds 64 bits are none.
+Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text);
 
 }  // namespace ccdfuzz

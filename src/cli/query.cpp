@@ -39,10 +39,15 @@ std::vector<TableCell> table_row(const std::string& case_id, const std::string& 
 Result<int> run(const Options& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
-  const Result<SearchOptions> search = options.search.parse();
-  if (!search) return tl::unexpected(search.error());
+  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
   if (!cases) return tl::unexpected(cases.error());
+  std::vector<SearchOptions> searches;
+  for (const NamedCase& named : *cases) {
+    const Result<SearchOptions> own = options.search.parse_for(named);
+    if (!own) return tl::unexpected(own.error());
+    searches.push_back(*own);
+  }
 
   Table table({{"case", Align::kLeft},
                {"method", Align::kLeft},
@@ -60,7 +65,7 @@ Result<int> run(const Options& options) {
       total, options.threads,
       [&](size_t i) {
         return ask(method_sets.local()[(*methods)[i % methods->size()]],
-                   (*cases)[i / methods->size()].value, *search);
+                   (*cases)[i / methods->size()].value, searches[i / methods->size()]);
       },
       [&](const Judged& judged) {
         const std::string& id = (*cases)[done / methods->size()].id;
@@ -81,16 +86,13 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_query(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] =
-      add_command<Options>(app, chosen, "query", "Answer and judge single cases", run);
-  command->add_option("case", options->files, "Case files: .json, .jsonl or .jsonl.zst")
-      ->required();
-  command->add_option("--methods", options->methods, "Methods to ask, separated by commas")
-      ->capture_default_str();
-  options->search.add_to(*command);
-  add_threads(*command, options->threads);
-  command->add_flag("--json", options->json, "One JSON object per answer and line");
+void add_query(CommandLine& line) {
+  auto [command, options] = line.add<Options>("query", "Answer and judge single cases", run);
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command.text("--methods", options->methods, "Methods to ask, separated by commas");
+  options->search.add_to(command);
+  add_threads(command, options->threads);
+  command.flag("--json", options->json, "One JSON object per answer and line");
 }
 
 }  // namespace ccdfuzz

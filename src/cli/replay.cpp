@@ -26,21 +26,6 @@ struct Options {
   bool json = false;
 };
 
-/// An entry may have been found at a precision of its own.
-Result<SearchOptions> search_for(const NamedCase& entry, SearchOptions search) {
-  const auto& more = entry.value.origin.more;
-  if (const auto found = more.find("precision"); found != more.end()) {
-    SearchFlags own;
-    own.precision = found->second;
-    const Result<SearchOptions> parsed = own.parse();
-    if (!parsed) {
-      return input_error(entry.id + ": origin.precision", parsed.error().what);
-    }
-    search.precision = parsed->precision;
-  }
-  return search;
-}
-
 struct Question {
   const NamedCase* entry;
   std::string method;
@@ -48,10 +33,10 @@ struct Question {
 };
 
 Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries,
-                                           const SearchOptions& search) {
+                                           const SearchFlags& flags) {
   std::vector<Question> questions;
   for (const NamedCase& entry : entries) {
-    const Result<SearchOptions> own = search_for(entry, search);
+    const Result<SearchOptions> own = flags.parse_for(entry);
     if (!own) return tl::unexpected(own.error());
     for (const auto& [method, outcome] : entry.value.expect) {
       if (const auto made = make_method(method); !made) {
@@ -97,11 +82,10 @@ void print_report(const ReplayReport& report) {
 }
 
 Result<int> run(const Options& options) {
-  const Result<SearchOptions> search = options.search.parse();
-  if (!search) return tl::unexpected(search.error());
+  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   const Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
   if (!entries) return tl::unexpected(entries.error());
-  const Result<std::vector<Question>> questions = questions_of(*entries, *search);
+  const Result<std::vector<Question>> questions = questions_of(*entries, options.search);
   if (!questions) return tl::unexpected(questions.error());
 
   std::map<std::pair<const Case*, std::string>, Answer> answers;
@@ -135,14 +119,13 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] = add_command<Options>(
-      app, chosen, "replay", "Judge every entry of a corpus again, against its expectations", run);
-  command->add_option("corpus", options->corpus, "Folder, or a file of cases")
-      ->capture_default_str();
-  options->search.add_to(*command);
-  add_threads(*command, options->threads);
-  command->add_flag("--json", options->json, "One JSON object per expectation");
+void add_replay(CommandLine& line) {
+  auto [command, options] = line.add<Options>(
+      "replay", "Judge every entry of a corpus again, against its expectations", run);
+  command.text("corpus", options->corpus, "Folder, or a file of cases");
+  options->search.add_to(command);
+  add_threads(command, options->threads);
+  command.flag("--json", options->json, "One JSON object per expectation");
 }
 
 }  // namespace ccdfuzz

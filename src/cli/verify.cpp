@@ -107,13 +107,12 @@ Result<int> run(const Options& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, Chosen& chosen) {
-  const auto [command, options] = add_command<Options>(
-      app, chosen, "verify", "Prove the truth of cases again, in exact arithmetic", run);
-  command->add_option("case", options->files, "Case files: .json, .jsonl or .jsonl.zst")
-      ->required();
-  add_threads(*command, options->threads);
-  command->add_flag("--json", options->json, "One JSON object per case");
+void add_verify(CommandLine& line) {
+  auto [command, options] =
+      line.add<Options>("verify", "Prove the truth of cases again, in exact arithmetic", run);
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  add_threads(command, options->threads);
+  command.flag("--json", options->json, "One JSON object per case");
 }
 
 }  // namespace ccdfuzz

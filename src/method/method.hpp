@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "ccd/search.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "query/answer.hpp"
-#include "query/query.hpp"
+#include "query/case.hpp"
 
 namespace ccdfuzz {
 
@@ -16,6 +17,17 @@ class Method {
  public:
   virtual ~Method() = default;
   virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
+};
+
+/// Follows a witness through the inclusion tests of a method, the code that its queries run. One
+/// object serves one thread and keeps its buffers: once warm, a trace allocates nothing.
+class Tracer {
+ public:
+  virtual ~Tracer() = default;
+  /// Requires a valid query and a witness of it (check_witness). The result is valid until the next
+  /// call.
+  virtual const Trace& trace(const Query& query, const Witness& witness,
+                             const TraceOptions& options) = 0;
 };
 
 /// What a family of methods is, for `ccdfuzz methods` and the judge.
@@ -34,6 +46,9 @@ Result<MethodInfo> method_info(const std::string& spec);
 
 /// A fresh method for a concrete spec. Errors: an unknown name or a bad parameter, naming it.
 Result<std::unique_ptr<Method>> make_method(const std::string& spec);
+
+/// A fresh tracer of the method of a concrete spec. Errors: as make_method.
+Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec);
 
 /// Splits "a,b,c" and checks each spec.
 Result<std::vector<std::string>> parse_method_list(const std::string& list);

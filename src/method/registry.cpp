@@ -4,9 +4,12 @@
 #include <functional>
 
 #include "ccd/certified/tdibm_c.hpp"
+#include "ccd/rational/pair_test.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/tdibm.hpp"
 #include "ccd/traditional.hpp"
+#include "ccd/witness_trace/certified_tracer.hpp"
+#include "ccd/witness_trace/inclusion_tracer.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
 
@@ -29,26 +32,62 @@ class BuiltIn : public Method {
   Solver solver_;
 };
 
+/// Any class with `const Trace& trace(const Query&, const Witness&, const TraceOptions&)` as a
+/// Tracer.
+template <class Follower>
+class BuiltInTracer : public Tracer {
+ public:
+  template <class... Args>
+  explicit BuiltInTracer(Args&&... args) : follower_(std::forward<Args>(args)...) {}
+
+  const Trace& trace(const Query& query, const Witness& witness,
+                     const TraceOptions& options) override {
+    return follower_.trace(query, witness, options);
+  }
+
+ private:
+  Follower follower_;
+};
+
 using MadeMethod = Result<std::unique_ptr<Method>>;
+using MadeTracer = Result<std::unique_ptr<Tracer>>;
 
 struct Family {
   MethodInfo info;
   std::function<MadeMethod(const std::string& spec)> make;
+  std::function<MadeTracer(const std::string& spec)> make_tracer;
 };
 
-template <class Solver, class... Args>
+/// Solver answers, Follower traces; both are made of the same arguments.
+template <class Solver, class Follower, class... Args>
 Family family(MethodInfo info, Args... args) {
-  return {std::move(info), [args...](const std::string&) -> MadeMethod {
+  return {std::move(info),
+          [args...](const std::string&) -> MadeMethod {
             return std::make_unique<BuiltIn<Solver>>(args...);
+          },
+          [args...](const std::string&) -> MadeTracer {
+            return std::make_unique<BuiltInTracer<Follower>>(args...);
           }};
+}
+
+template <class Policy>
+Family tdibm_family(MethodInfo info) {
+  return family<Tdibm<Policy>, InclusionTracer<TdibmInclusion<Policy>>>(std::move(info), Policy());
 }
 
 /// A family whose spec ends in ":F", a pull-apart factor.
 template <class Policy>
 Family pull_apart_family(MethodInfo info) {
-  return {std::move(info), [](const std::string& spec) {
+  return {std::move(info),
+          [](const std::string& spec) {
             return parse_pull_apart(spec).and_then([](double factor) -> MadeMethod {
               return std::make_unique<BuiltIn<Tdibm<Policy>>>(Policy(factor));
+            });
+          },
+          [](const std::string& spec) {
+            return parse_pull_apart(spec).and_then([](double factor) -> MadeTracer {
+              using Follower = InclusionTracer<TdibmInclusion<Policy>>;
+              return std::make_unique<BuiltInTracer<Follower>>(Policy(factor));
             });
           }};
 }
@@ -59,29 +98,30 @@ const std::vector<Family>& families() {
       "Floating-Point Robustness in Parametric Surface CCD, Section 4.6";
   constexpr const char* kSnyder = "Snyder 1992; Von Herzen et al. 1990";
   static const std::vector<Family> all = {
-      family<Traditional>(
+      family<Traditional, InclusionTracer<TraditionalInclusion>>(
           {"trad", kSnyder,
            "inclusion in time and parameters, oriented boxes, as Chen et al. have it", false},
           BoxKind::kOriented),
-      family<Traditional>({"trad:aabb", kSnyder, "the same with axis-aligned boxes", false},
-                          BoxKind::kAxisAligned),
-      family<Tdibm<Plain>>(
+      family<Traditional, InclusionTracer<TraditionalInclusion>>(
+          {"trad:aabb", kSnyder, "the same with axis-aligned boxes", false}, BoxKind::kAxisAligned),
+      tdibm_family<Plain>(
           {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false}),
       pull_apart_family<PullApart>(
           {"tdibm-h:F", kChen, "tdibm with its envelopes pulled apart by the length F", false}),
       pull_apart_family<RelativePullApart>(
           {"tdibm-h-rel:F", "released code of Chen et al. 2024",
            "tdibm with its envelopes pulled apart by F times each intercept", false}),
-      family<Tdibm<ErrorBoundIntended>>(
-          {"tdibm-e", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
-           true}),
-      family<Tdibm<ErrorBoundPrinted>>({"tdibm-e-literal", kErrorBounds,
-                                        "tdibm with error bounds, eps_Phi's sign as printed",
+      tdibm_family<ErrorBoundIntended>({"tdibm-e", kErrorBounds,
+                                        "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
                                         true}),
-      family<TdibmRational>({"tdibm-rational", "this project",
-                             "tdibm decided in exact arithmetic, rounded only outward", true}),
-      family<TdibmC>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
-                      "ours: separation certified at both ends of a window", true}),
+      tdibm_family<ErrorBoundPrinted>({"tdibm-e-literal", kErrorBounds,
+                                       "tdibm with error bounds, eps_Phi's sign as printed", true}),
+      family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
+          {"tdibm-rational", "this project",
+           "tdibm decided in exact arithmetic, rounded only outward", true}),
+      family<TdibmC, CertifiedTracer>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
+                                       "ours: separation certified at both ends of a window",
+                                       true}),
   };
   return all;
 }
@@ -122,6 +162,10 @@ Result<MethodInfo> method_info(const std::string& spec) {
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
   return find_family(spec).and_then([&](const Family* found) { return found->make(spec); });
+}
+
+Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
+  return find_family(spec).and_then([&](const Family* found) { return found->make_tracer(spec); });
 }
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {

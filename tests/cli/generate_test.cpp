@@ -92,6 +92,17 @@ TEST(Generate, AStressFamilyIsMadeByItsName) {
   EXPECT_EQ(ccdfuzz(generate("VV", "RN", {"--count", "2", "--family", "twins"})).code, 2);
 }
 
+TEST(Generate, CtrlCLeavesNoFileBehind) {
+  const ScratchFolder folder;
+  Process process(generate("VV", "RP", {"--count", "1000000000", "-o", folder / "set.jsonl"}));
+  while (std::filesystem::is_empty(folder.path())) std::this_thread::yield();
+  process.signal(SIGINT);
+  const Finished finished = process.wait();
+  EXPECT_EQ(finished.code, 128 + SIGINT);
+  EXPECT_NE(finished.err.find("set.jsonl was not written"), std::string::npos) << finished.err;
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 TEST(Generate, AFullDiskLeavesNothingBehind) {
   const Finished made = ccdfuzz(generate("VV", "RP", {"--count", "5", "-o", "/dev/full"}));
   EXPECT_EQ(made.code, 2);

@@ -53,7 +53,7 @@ TEST(Hunt, ByCasesRepeatsExactlyOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"}) {
     const ScratchFolder folder;
     const Finished finished =
-        ccdfuzz(hunt(folder / "finds", {"--cases", "14", "--threads", threads, "--json"}));
+        ccdfuzz(hunt(folder / "finds", {"--cases", "8", "--threads", threads, "--json"}));
     EXPECT_EQ(finished.code, 0) << finished.err;
     std::string table;
     for (auto& row : json_lines(finished.out)) {
@@ -141,7 +141,7 @@ TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtNewFindsOnly) {
 TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
   const ScratchFolder folder;
   const Finished finished =
-      ccdfuzz({"hunt", "--cases", "70", "--methods", "tdibm-e-literal", "--max-pops", "40",
+      ccdfuzz({"hunt", "--cases", "5", "--methods", "tdibm-e-literal", "--max-pops", "40",
                "--corpus", folder / "finds", "--fail-on", "claims"});
   EXPECT_EQ(finished.code, 1) << finished.out;
   EXPECT_NE(finished.out.find("tdibm-e-literal (claims none)"), std::string::npos) << finished.out;
@@ -159,6 +159,15 @@ TEST(Hunt, CtrlCPrintsTheTableKeepsTheFindsAndExits130) {
   }
   EXPECT_NE(finished.out.find("new counterexamples"), std::string::npos) << finished.out;
   EXPECT_EQ(ccdfuzz({"replay", finds}).code, 0);
+}
+
+TEST(Hunt, AClosedTerminalEndsItLikeCtrlC) {
+  const ScratchFolder folder;
+  const auto process = hunting(folder / "finds");
+  process->signal(SIGHUP);
+  const Finished finished = process->wait();
+  EXPECT_EQ(finished.code, 128 + SIGHUP) << finished.err;
+  EXPECT_NE(finished.out.find("new counterexamples"), std::string::npos) << finished.out;
 }
 
 TEST(Hunt, KilledAtAnyMomentItLeavesFindsThatLoadAndReplay) {

@@ -44,5 +44,16 @@ TEST(NumberText, PowersOfTwoGiveTheirExponent) {
   }
 }
 
+TEST(NumberText, WholeNumbersAreDecimalAndFit64Bits) {
+  EXPECT_EQ(parse_whole("--x", "0"), 0U);
+  EXPECT_EQ(parse_whole("--x", "10"), 10U);
+  EXPECT_EQ(parse_whole("--x", "18446744073709551615"), 18446744073709551615U);
+  for (const char* text : {"", " ", "-1", "+1", "010", "00", "1.0", "1e3", "0x7", " 5", "5 ",
+                           "18446744073709551616", "five"}) {
+    EXPECT_FALSE(parse_whole("--x", text)) << text;
+  }
+  EXPECT_LT(parse_whole("--x", std::string(300, '7')).error().what.size(), 120U);
+}
+
 }  // namespace
 }  // namespace ccdfuzz

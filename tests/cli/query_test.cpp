@@ -56,6 +56,25 @@ TEST(Query, AnUndecidedAnswerSaysWhyAndExits0) {
   EXPECT_NE(rows[0].at("note").get<std::string>().find("budget"), std::string::npos);
 }
 
+TEST(Query, ACaseIsAskedAtThePrecisionThatItWasFoundAt) {
+  const ScratchFolder folder;
+  const std::string path = folder / "single.json";
+  const auto pops = [&](const std::string& origin, const std::vector<std::string>& flags) {
+    std::string text = head_on("1");
+    text.insert(text.rfind('}'), origin);
+    write_text(path, text);
+    std::vector<std::string> arguments = {"query", path, "--methods", "tdibm", "--json"};
+    arguments.insert(arguments.end(), flags.begin(), flags.end());
+    const Finished finished = ccdfuzz(arguments);
+    EXPECT_EQ(finished.code, 0) << finished.err;
+    const auto rows = json_lines(finished.out);
+    return rows.empty() ? 0 : rows[0].at("pops").get<int>();
+  };
+  const std::string coarse = R"(,"origin":{"precision":0.25})";
+  EXPECT_LT(pops(coarse, {}), pops("", {}));
+  EXPECT_EQ(pops(coarse, {"--precision", "1e-4"}), pops("", {}));
+}
+
 TEST(Query, PrintsNoRowIfAnyInputIsBad) {
   const ScratchFolder folder;
   const std::string good = folder / "good.json", bad = folder / "bad.json";

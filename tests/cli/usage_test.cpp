@@ -67,6 +67,11 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {with(generate, {"--count", "-1"}), "--count"},
       {with(generate, {"--count", "1.5"}), "--count"},
       {with(generate, {"--count", "1", "--seed", "x"}), "--seed"},
+      {with(generate, {"--count", "1", "--seed", "010"}), "\"010\""},
+      {with(generate, {"--count", "1", "--seed", "-1"}), "\"-1\""},
+      {with(generate, {"--count", "1", "--seed", " 5"}), "\" 5\""},
+      {with(generate, {"--count", "1", "--seed", "18446744073709551616"}), "18446744073709551616"},
+      {with(generate, {"--count", "2", "--first", "18446744073709551615"}), "--first"},
       {with(generate, {"--count", "1", "--eps-t", "1e-6"}), "\"1e-6\""},
       {with(generate, {"--count", "1", "--eps-t", "2^-x"}), "\"2^-x\""},
       {with(generate, {"--count", "1", "--construction", "best"}), "\"best\""},
@@ -113,6 +118,8 @@ TEST(Usage, AFullDiskUnderStdoutIsAnErrorForEveryCommandThatPrints) {
       {"hunt", "--cases", "1", "--methods", "tdibm", "--max-pops", "10", "--corpus",
        folder / "finds"},
       {"generate", "--contact", "VV", "--kind", "RP", "--count", "3"},
+      {"--help"},
+      {"hunt", "--help"},
   };
   for (const auto& command : commands) {
     const Finished finished = ccdfuzz(command, "/dev/full");

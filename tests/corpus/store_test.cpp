@@ -194,6 +194,9 @@ TEST(LoadCorpus, AnEmptyOrMissingCorpusIsAnError) {
             folder.path() + ": the corpus is empty: no .json entry in it");
   EXPECT_EQ(load_corpus(folder / "none").error().message(),
             folder / "none: cannot read: No such file or directory");
+  std::filesystem::create_symlink("nowhere", folder / "entry.json");
+  EXPECT_EQ(load_corpus(folder.path()).error().message(),
+            folder / "entry.json: cannot read: No such file or directory");
   write_text(folder / "file", "");
   EXPECT_EQ(Store::open(folder / "file").error().message(),
             folder / "file: cannot make the folder: Not a directory");

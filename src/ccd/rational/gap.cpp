@@ -17,14 +17,14 @@ double max_magnitude(const Points<double>& points) {
 }
 
 /// (point − origin)·2^shift for all points, each operation rounded once.
-Points<double> normalised(const Points<double>& points, const Vec3<double>& origin, int shift) {
-  Points<double> out(points.size());
+void normalise(const Points<double>& points, const Vec3<double>& origin, int shift,
+               Points<double>& out) {
+  out.resize(points.size());
   for (size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
       out[i][k] = std::ldexp(points[i][k], shift) - std::ldexp(origin[k], shift);
     }
   }
-  return out;
 }
 
 /// Four control points at once; the sequence of roundings of each is that of scalar code.
@@ -72,13 +72,12 @@ void Gap::begin(const Query& query) {
   int roundings = 0;
   for (size_t side = 0; side < 2; ++side) {
     const MovingPatch<double>& patch = query.patches[side];
-    const Points<double> positions = normalised(patch.positions, origin, length_shift_);
-    const Points<double> velocities =
-        normalised(patch.velocities, drift, length_shift_ + units_.horizon);
-    m_position = std::max(m_position, max_magnitude(positions));
-    m_velocity = std::max(m_velocity, max_magnitude(velocities));
+    normalise(patch.positions, origin, length_shift_, positions_);
+    normalise(patch.velocities, drift, length_shift_ + units_.horizon, velocities_);
+    m_position = std::max(m_position, max_magnitude(positions_));
+    m_velocity = std::max(m_velocity, max_magnitude(velocities_));
     roundings = std::max(roundings, CellPointsCache::roundings(patch.shape));
-    cache_[side].begin(patch.shape, positions, velocities);
+    cache_[side].begin(patch.shape, positions_, velocities_);
   }
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   constexpr double eta = std::numeric_limits<double>::denorm_min();

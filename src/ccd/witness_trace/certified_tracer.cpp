@@ -1,0 +1,80 @@
+#include "ccd/witness_trace/certified_tracer.hpp"
+
+#include "numeric/fp_guard.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// From the method's time scale to the query's.
+void unscale(Window& w, int exponent) {
+  w = {std::ldexp(w.lo, exponent), std::ldexp(w.hi, exponent)};
+}
+void unscale(Exclusion& e, int exponent) {
+  e.times.lo = std::ldexp(e.times.lo, exponent);
+  e.times.hi = std::ldexp(e.times.hi, exponent);
+}
+void unscale(Trace& trace, int exponent) {
+  if (trace.loss) {
+    unscale(trace.loss->place.window, exponent);
+    unscale(trace.loss->by, exponent);
+    if (trace.loss->left) unscale(*trace.loss->left, exponent);
+  }
+  if (trace.margin) {
+    unscale(trace.margin->place.window, exponent);
+    unscale(trace.margin->by, exponent);
+  }
+  if (trace.slack) {
+    unscale(trace.slack->place.window, exponent);
+    unscale(trace.slack->gap.window, exponent);
+  }
+}
+
+}  // namespace
+
+const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
+                                    const TraceOptions& options) {
+  const FpGuard guard;
+  split_.begin(query);
+  const int exponent = split_.query().time;
+  path_.assign(split_.query().shapes, witness, exponent);
+  CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
+  watch_.begin(path_.time());
+  const int target = depth_for(options.precision);
+  now_.clear();
+  now_.push_back({{0, split_.query().t_max}, {}, {}, 0});
+  for (int level = 0; level < target && !now_.empty(); ++level) {
+    next_.clear();
+    for (const Pair& pair : now_) split(pair, options);
+    std::swap(now_, next_);
+  }
+  unscale(watch_.trace(), exponent);
+  return watch_.trace();
+}
+
+void CertifiedTracer::split(const Pair& pair, const TraceOptions& options) {
+  PairParts parts;
+  const std::array<Cell, 2> cells = {split_.tree(0).cell(pair.cells[0]),
+                                     split_.tree(1).cell(pair.cells[1])};
+  parts.split(split_.query().shapes, cells);
+  for (const std::array<int, 2>& children : ChildChoices(path_, parts, options.all)) {
+    const std::array<Cell, 2> tested = {parts.cells[0][static_cast<size_t>(children[0])],
+                                        parts.cells[1][static_cast<size_t>(children[1])]};
+    watch_.look_at({pair.depth + 1, tested, pair.window});
+    std::optional<Window> left;
+    split_.expand(
+        pair, [&](int side, int child) { return child == children[static_cast<size_t>(side)]; },
+        watch_,
+        [&](const certified::PairSplit::Kept& kept) {
+          left = kept.window;
+          // A pair whose window lost the witness is not followed further.
+          if (watch_.holds(kept.window)) {
+            next_.push_back({kept.window, kept.hint, kept.cells, pair.depth + 1});
+          }
+        });
+    watch_.judge(left);
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ccd/certified/pair_split.hpp"
+#include "ccd/witness_trace/frontier.hpp"
+#include "ccd/witness_trace/watch.hpp"
+
+namespace ccdfuzz {
+
+/// Follows a witness through the splits of tdibm-c. That method does not test the whole patches, so
+/// the first level is 1. Margins are counted, and gaps given, in its own time scale, t* and t_max
+/// divided by a power of two; places and exclusions are given in the query's.
+class CertifiedTracer {
+ public:
+  /// As InclusionTracer::trace.
+  const Trace& trace(const Query& query, const Witness& witness, const TraceOptions& options);
+
+ private:
+  struct Pair {
+    Window window;
+    certified::Axis hint;
+    std::array<certified::PairSplit::Node, 2> cells;
+    int depth;
+  };
+
+  void split(const Pair& pair, const TraceOptions& options);
+
+  certified::PairSplit split_;
+  WitnessPath path_;
+  WitnessWatch watch_;
+  Frontier<Pair> now_, next_;
+};
+
+}  // namespace ccdfuzz

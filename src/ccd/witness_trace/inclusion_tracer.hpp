@@ -1,0 +1,71 @@
+#pragma once
+
+#include "ccd/witness_trace/frontier.hpp"
+#include "ccd/witness_trace/watch.hpp"
+#include "numeric/fp_guard.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+/// Follows a witness through the inclusion test that a Search would run: the same splits, windows
+/// and tests, of those pairs alone that contain the witness. One object serves one thread; it keeps
+/// its buffers, so that tracing allocates nothing once it is warm.
+template <class Inclusion>
+class InclusionTracer {
+ public:
+  template <class... Args>
+  explicit InclusionTracer(Args&&... args) : inclusion_(std::forward<Args>(args)...) {}
+
+  /// Requires a valid query and a witness of it (check_witness): t* ≤ t_max.
+  const Trace& trace(const Query& query, const Witness& witness, const TraceOptions& options) {
+    const FpGuard guard;
+    const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
+    path_.assign(shapes, witness);
+    CCDFUZZ_VERIFY(path_.time().hi <= query.t_max);
+    watch_.begin(path_.time());
+    const int target = depth_for(options.precision);
+
+    inclusion_.begin(query);
+    PairParts parts;
+    parts.prepare(inclusion_);
+    now_.clear();
+    test(parts, {0, 0}, Window{0, query.t_max}, now_);
+    for (int level = 0; level < target && !now_.empty(); ++level) {
+      next_.clear();
+      for (const Pair& pair : now_) {
+        parts.split(shapes, pair.cells);
+        parts.prepare(inclusion_);
+        const ChildChoices choices(path_, parts, options.all);
+        for (const Window& window : time_parts<Inclusion>(pair.window)) {
+          if (!path_.time().within(window)) continue;
+          for (const std::array<int, 2>& children : choices) test(parts, children, window, next_);
+          if (!options.all) break;
+        }
+      }
+      std::swap(now_, next_);
+    }
+    return watch_.trace();
+  }
+
+ private:
+  struct Pair {
+    Window window;
+    std::array<Cell, 2> cells;
+  };
+
+  void test(const PairParts& parts, const std::array<int, 2>& children, const Window& window,
+            Frontier<Pair>& kept) {
+    const std::array<Cell, 2> cells = {parts.cells[0][static_cast<size_t>(children[0])],
+                                       parts.cells[1][static_cast<size_t>(children[1])]};
+    watch_.look_at({cells[0].depth, cells, window});
+    const auto left = inclusion_.test(children[0], children[1], window, watch_);
+    if (watch_.judge(left)) kept.push_back({*left, cells});
+  }
+
+  Inclusion inclusion_;
+  WitnessPath path_;
+  WitnessWatch watch_;
+  Frontier<Pair> now_, next_;
+};
+
+}  // namespace ccdfuzz

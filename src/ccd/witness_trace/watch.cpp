@@ -1,0 +1,68 @@
+#include "ccd/witness_trace/watch.hpp"
+
+#include <bit>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Steps from one double to the next between 0 ≤ x ≤ y, or x < 0 ≤ y.
+std::uint64_t steps_between(double x, double y) {
+  const auto place = [](double d) { return std::bit_cast<std::uint64_t>(std::abs(d)); };
+  return x < 0 ? place(x) + place(y) : place(y) - place(x);
+}
+
+}  // namespace
+
+void WitnessWatch::begin(const TimeBounds& time) {
+  time_ = time;
+  trace_ = {};
+}
+
+void WitnessWatch::look_at(const TracePlace& place) {
+  place_ = place;
+  claim_.reset();
+  ++trace_.pairs;
+  trace_.levels = place.level;
+}
+
+bool WitnessWatch::judge(const std::optional<Window>& left) {
+  if (left && holds(*left)) return true;
+  ++trace_.lost_pairs;
+  if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(Exclusion{}), left};
+  trace_.lost = true;
+  return false;
+}
+
+void WitnessWatch::excluded(const Exclusion& exclusion) {
+  std::uint64_t ulps = 0;
+  if (time_.within(exclusion.times)) {
+    ++trace_.false_claims;
+    if (!claim_) claim_ = exclusion;
+  } else if (exclusion.times.hi <= time_.lo) {
+    ulps = steps_between(exclusion.times.hi, time_.lo);
+  } else if (exclusion.times.lo >= time_.hi) {
+    ulps = steps_between(time_.hi, exclusion.times.lo);
+  } else {
+    return;  // an end that is no number excludes nothing
+  }
+  if (!trace_.margin || ulps < trace_.margin->ulps) {
+    trace_.margin = Trace::Margin{ulps, place_, exclusion};
+  }
+}
+
+void WitnessWatch::compared(const AxisGap& gap) {
+  const Window& w = gap.window;
+  double at_t = gap.at_lo;
+  if (time_.lo == w.hi) {
+    at_t = gap.at_hi;
+  } else if (w.lo < time_.lo) {
+    at_t += (gap.at_hi - gap.at_lo) * ((time_.lo - w.lo) / (w.hi - w.lo));
+  }
+  const double slack = at_t / gap.unit;
+  if (trace_.slack ? slack < trace_.slack->value : slack == slack) {
+    trace_.slack = Trace::Slack{slack, place_, gap};
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,144 @@
+#include "cli/command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+
+#include "cli/number_text.hpp"
+#include "cli/output.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+std::string called_as = "ccdfuzz";
+
+int complain(const std::string& message, int code) {
+  fmt::print(stderr, "ccdfuzz: {}\n", message);
+  return code;
+}
+
+/// CLI11's own conversion takes "010" for 8 and "-1" for 2^64 - 1.
+CLI::Validator whole_number_in(std::uint64_t least, std::uint64_t most) {
+  const auto check = [least, most](const std::string& text) -> std::string {
+    const Result<std::uint64_t> number = parse_whole("", text);
+    if (!number) return number.error().what;
+    if (least <= *number && *number <= most) return "";
+    return fmt::format("{} is not in [{}, {}]", text, least, most);
+  };
+  return {check, ""};
+}
+
+}  // namespace
+
+const std::string& program_name() {
+  return called_as;
+}
+
+Option& Option::required() {
+  option_->required();
+  return *this;
+}
+
+Option& Option::excludes(const Option& other) {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Option& Option::needs(const Option& other) {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Option& Option::one_of(std::initializer_list<const char*> words) {
+  option_->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
+  return *this;
+}
+
+Option& Option::without_default() {
+  option_->default_str("");
+  return *this;
+}
+
+Option Command::text(const std::string& name, std::string& value, const std::string& description) {
+  return Option(app_->add_option(name, value, description)->capture_default_str());
+}
+
+Option Command::texts(const std::string& name, std::vector<std::string>& values,
+                      const std::string& description) {
+  return Option(app_->add_option(name, values, description)->required());
+}
+
+Option Command::flag(const std::string& name, bool& value, const std::string& description) {
+  return Option(app_->add_flag(name, value, description));
+}
+
+Option Command::whole(const std::string& name, std::uint64_t& value, const std::string& description,
+                      std::uint64_t least, std::uint64_t most) {
+  return Option(app_->add_option(name, value, description)
+                    ->check(whole_number_in(least, most))
+                    ->type_name("N")
+                    ->capture_default_str());
+}
+
+Option Command::whole(const std::string& name, int& value, const std::string& description,
+                      int least, int most) {
+  return Option(app_->add_option(name, value, description)
+                    ->check(whole_number_in(static_cast<std::uint64_t>(least),
+                                            static_cast<std::uint64_t>(most)))
+                    ->type_name("N")
+                    ->capture_default_str());
+}
+
+CommandLine::CommandLine()
+    : app_(std::make_unique<CLI::App>(
+          "Fuzzing and property testing for continuous collision detection", "ccdfuzz")) {
+  app_->set_version_flag("--version", CCDFUZZ_VERSION);
+  app_->require_subcommand(0, 1);  // 1, 1 would answer a misspelt command with "required" alone
+  app_->footer(
+      "`ccdfuzz COMMAND --help` documents a command.\n"
+      "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 internal error,\n"
+      "128 + the signal: interrupted (130 by Ctrl-C).");
+}
+
+CommandLine::~CommandLine() = default;
+
+Command CommandLine::add_command(const std::string& name, const std::string& description,
+                                 std::function<Result<int>()> run) {
+  CLI::App* const command = app_->add_subcommand(name, description);
+  command->callback([this, run = std::move(run)] { chosen_ = run; });
+  return Command(command);
+}
+
+int CommandLine::parse_and_run(int argc, char** argv) {
+  called_as = argv[0];
+  try {
+    app_->parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const bool asked_for_help = error.get_exit_code() == 0;
+    errno = 0;
+    app_->exit(error);
+    std::cout.flush();
+    if (!std::cout) {
+      return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);
+    }
+    return asked_for_help ? kDone : kBadInput;
+  }
+  if (!chosen_) {
+    fmt::print(stderr, "{}", app_->help());
+    return complain("no command given", kBadInput);
+  }
+  const Result<int> result = chosen_();
+  // What was printed before an error must be out before the complaint, and an unwritable stdout is
+  // an error of its own unless there is one already.
+  const Result<void> flushed = flush_stdout();
+  if (!result) return complain(result.error().message(), kBadInput);
+  if (!flushed) return complain(flushed.error().message(), kBadInput);
+  return *result;
+}
+
+}  // namespace ccdfuzz

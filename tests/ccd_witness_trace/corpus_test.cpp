@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "query/case_files.hpp"
+#include "traced.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+double precision_of(const Case& entry) {
+  const auto found = entry.origin.more.find("precision");
+  return found == entry.origin.more.end() ? TraceOptions().precision : std::stod(found->second);
+}
+
+// A method that answers that there is no contact has lost the witness in all its pairs, and one
+// that is late in those that it would have come to before.
+TEST(Corpus, WhereAMethodMissesItLosesTheWitnessAndTheSoundOnesKeepIt) {
+  int entries = 0, losses = 0;
+  for (const auto& file : std::filesystem::directory_iterator(CCDFUZZ_CORPUS "/regressions")) {
+    if (file.path().extension() != ".json") continue;
+    SCOPED_TRACE(file.path().filename());
+    const auto cases = read_cases(file.path());
+    ASSERT_TRUE(cases) << cases.error().message();
+    const Case& entry = cases->front().value;
+    if (!entry.truth.witness) continue;
+    ++entries;
+    const TraceOptions options{precision_of(entry), true};
+    for (const auto& [spec, outcome] : entry.expect) {
+      if (outcome != Outcome::kMissed && outcome != Outcome::kLate) continue;
+      const Trace trace = tracer_of(spec)->trace(entry.query, *entry.truth.witness, options);
+      EXPECT_TRUE(trace.lost) << spec;
+      if (!trace.lost) continue;
+      EXPECT_GE(trace.loss->by.axis, 0) << spec << ": an axis must claim it";
+      EXPECT_GT(trace.false_claims, 0U) << spec;
+      ++losses;
+    }
+    for (const char* spec : kSound) {
+      EXPECT_FALSE(tracer_of(spec)->trace(entry.query, *entry.truth.witness, options).lost) << spec;
+    }
+  }
+  EXPECT_GT(entries, 10);
+  EXPECT_GT(losses, 20);
+}
+
+TEST(Corpus, TheNamedEntriesShowTheirFault) {
+  struct Named {
+    const char* entry;
+    const char* method;
+  };
+  for (const Named& named : {Named{"tdibm-e-underflow", "tdibm-e"},
+                             Named{"tdibm-e-literal-twin-shield", "tdibm-e-literal"},
+                             Named{"tdibm-h-rel-common-velocity", "tdibm-h-rel:1e-12"}}) {
+    const std::string path = std::string(CCDFUZZ_CORPUS "/regressions/") + named.entry + ".json";
+    const auto cases = read_cases(path);
+    ASSERT_TRUE(cases) << cases.error().message();
+    const Case& entry = cases->front().value;
+    ASSERT_TRUE(entry.expect.contains(named.method)) << path;
+    const Trace trace = tracer_of(named.method)
+                            ->trace(entry.query, *entry.truth.witness, {precision_of(entry), true});
+    EXPECT_TRUE(trace.lost) << path;
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz

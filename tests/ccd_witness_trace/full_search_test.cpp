@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <tuple>
+
+#include "ccd/rational/pair_test.hpp"
+#include "ccd/tdibm.hpp"
+#include "ccd/traditional.hpp"
+#include "ccd/witness_trace/certified_tracer.hpp"
+#include "ccd/witness_trace/inclusion_tracer.hpp"
+#include "traced.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// What an inclusion test was asked, and what it answered.
+using Asked = std::tuple<std::array<std::uint64_t, 8>, double, double>;
+using Record = std::map<Asked, std::optional<std::pair<double, double>>>;
+
+/// An inclusion test that writes down every question and answer.
+template <class Inclusion>
+class Recording {
+ public:
+  template <class... Args>
+  explicit Recording(Record& record, Args&&... args)
+      : record_(record), inner_(std::forward<Args>(args)...) {}
+
+  void begin(const Query& query) { inner_.begin(query); }
+  void prepare(int side, std::span<const Cell> parts) {
+    std::copy(parts.begin(), parts.end(), parts_[static_cast<size_t>(side)].begin());
+    inner_.prepare(side, parts);
+  }
+  std::optional<Window> test(int a, int b, const Window& w) {
+    return note(a, b, w, inner_.test(a, b, w));
+  }
+  std::optional<Window> test(int a, int b, const Window& w, ExclusionObserver& observer) {
+    return note(a, b, w, inner_.test(a, b, w, observer));
+  }
+
+ private:
+  std::optional<Window> note(int a, int b, const Window& w, const std::optional<Window>& left) {
+    const Cell &x = parts_[0][static_cast<size_t>(a)], &y = parts_[1][static_cast<size_t>(b)];
+    const auto depth = [](const Cell& c) { return static_cast<std::uint64_t>(c.depth); };
+    auto& out =
+        record_[{{x.i, x.j, depth(x), x.inverted, y.i, y.j, depth(y), y.inverted}, w.lo, w.hi}];
+    if (left) out = {left->lo, left->hi};
+    return left;
+  }
+
+  Record& record_;
+  Inclusion inner_;
+  std::array<std::array<Cell, 4>, 2> parts_;
+};
+
+// A trace asks the inclusion test nothing that a full search would not ask, and is told the same. A
+// search ends with the first hit: pairs it had not come to by then, it did not ask about.
+template <class Inclusion, class... Args>
+void expect_the_trace_within_the_search(const Args&... args) {
+  size_t same = 0;
+  for (const ContactClass contact : kContactClasses) {
+    for (std::uint64_t index = 0; index < 4; ++index) {
+      const Case known =
+          generated_case(contact, index % 2 == 0 ? Family::kRegular : Family::kInteriorTime, index);
+      constexpr double kPrecision = 0x1p-5;
+      Record searched, traced;
+      Recording<Inclusion> in_search(searched, args...);
+      SearchOptions limits;
+      limits.precision = kPrecision;
+      limits.max_pops = 20000;
+      const Answer answer = Search<Recording<Inclusion>>().run(known.query, limits, in_search);
+      InclusionTracer<Recording<Inclusion>> tracer(traced, args...);
+      const Trace& trace =
+          tracer.trace(known.query, *known.truth.witness, {.precision = kPrecision, .all = true});
+      EXPECT_EQ(trace.pairs, traced.size());
+      for (const auto& [asked, told] : traced) {
+        const auto found = searched.find(asked);
+        if (found == searched.end()) {
+          ASSERT_TRUE(answer.toi) << "a miss has asked about every pair";
+          ASSERT_GE(std::get<1>(asked), 0);
+          continue;
+        }
+        ASSERT_EQ(found->second, told) << name_of(contact) << ' ' << index;
+        ++same;
+      }
+      // The first split is always made.
+      EXPECT_TRUE(searched.contains(traced.begin()->first));
+    }
+  }
+  EXPECT_GT(same, 60U) << "too little was compared";
+}
+
+TEST(FullSearch, TestsTheTracedPairsOfThePaperMethods) {
+  expect_the_trace_within_the_search<TdibmInclusion<Plain>>(Plain());
+  expect_the_trace_within_the_search<TdibmInclusion<PullApart>>(PullApart(1e-12));
+  expect_the_trace_within_the_search<TdibmInclusion<ErrorBoundIntended>>(ErrorBoundIntended());
+}
+
+TEST(FullSearch, TestsTheTracedPairsOfTheTraditionalMethod) {
+  expect_the_trace_within_the_search<TraditionalInclusion>(BoxKind::kAxisAligned);
+}
+
+TEST(FullSearch, TestsTheTracedPairsOfTheRationalMethod) {
+  expect_the_trace_within_the_search<exact_ccd::PairTest>();
+}
+
+/// What expand() keeps of a pair's children, by their places.
+template <class Observer>
+std::map<std::array<int, 2>, certified::PairSplit::Kept> kept_of(
+    certified::PairSplit& split, const certified::PairSplit::Kept& parent, int parent_depth,
+    Observer& observer, const std::optional<std::array<int, 2>>& only) {
+  struct Pair {
+    Window window;
+    certified::Axis hint;
+    std::array<certified::PairSplit::Node, 2> cells;
+    int depth;
+  };
+  std::map<std::array<int, 2>, certified::PairSplit::Kept> out;
+  split.expand(
+      Pair{parent.window, parent.hint, parent.cells, parent_depth},
+      [&](int side, int child) { return !only || (*only)[static_cast<size_t>(side)] == child; },
+      observer, [&](const certified::PairSplit::Kept& kept) { out[kept.children] = kept; });
+  return out;
+}
+
+class Deaf : public ExclusionObserver {
+ public:
+  void excluded(const Exclusion&) override {}
+  void compared(const AxisGap&) override {}
+};
+
+// The certified method looks at all children of a pair, a trace at one of each patch.
+TEST(FullSearch, SplitsOfTheCertifiedMethodGiveEachPairTheSameWhoeverElseIsThere) {
+  size_t same = 0;
+  for (const ContactClass contact : kContactClasses) {
+    const Case known = generated_case(contact, Family::kRegular, 1);
+    certified::PairSplit split;
+    split.begin(known.query);
+    std::vector<certified::PairSplit::Kept> level = {{{0, split.query().t_max}, {}, {}, {}}};
+    for (int depth = 0; depth < 9; ++depth) {
+      std::vector<certified::PairSplit::Kept> next;
+      for (const auto& parent : level) {
+        Unobserved nobody;
+        Deaf listener;
+        const auto together = kept_of(split, parent, depth, nobody, {});
+        for (int a = 0; a < 4; ++a) {
+          for (int b = 0; b < 4; ++b) {
+            const std::array<int, 2> children = {a, b};
+            const auto alone = kept_of(split, parent, depth, listener, children);
+            ASSERT_EQ(alone.contains(children), together.contains(children));
+            if (alone.empty()) continue;
+            const auto &x = alone.at(children), &y = together.at(children);
+            ASSERT_EQ(x.window.lo, y.window.lo);
+            ASSERT_EQ(x.window.hi, y.window.hi);
+            ASSERT_EQ(x.hint, y.hint);
+            ASSERT_EQ(x.cells, y.cells);
+            ++same;
+          }
+        }
+        for (const auto& [children, kept] : together) next.push_back(kept);
+      }
+      level = std::move(next);
+    }
+  }
+  EXPECT_GT(same, 500U) << "too little was compared";
+}
+
+}  // namespace
+}  // namespace ccdfuzz

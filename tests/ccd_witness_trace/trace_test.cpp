@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "ccd/planted.hpp"
+#include "ccd/rational/pair_test.hpp"
+#include "ccd/witness_trace/inclusion_tracer.hpp"
+#include "traced.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+TEST(Trace, TheSoundMethodsLoseNoWitnessOfAnyClassAndFamily) {
+  for (const char* spec : kSound) {
+    const auto tracer = tracer_of(spec);
+    for (const ContactClass contact : kContactClasses) {
+      for (const Family family : kFamilies) {
+        for (std::uint64_t index = 0; index < 10; ++index) {
+          const Case known = generated_case(contact, family, index);
+          const Trace& trace = tracer->trace(known.query, *known.truth.witness, {.all = true});
+          ASSERT_FALSE(trace.lost)
+              << fmt::format("{}: {} {} {}, level {}, axis {}", spec, name_of(contact),
+                             name_of(family), index, trace.loss->place.level, trace.loss->by.axis);
+          EXPECT_EQ(trace.false_claims, 0U);
+          EXPECT_EQ(trace.levels, depth_for(1e-4));
+        }
+      }
+    }
+  }
+}
+
+TEST(Trace, TheSoundMethodsLoseNoPlantedWitnessOfAnyShapes) {
+  Random random = Random::keyed({3});
+  for (const char* spec : kSound) {
+    const auto tracer = tracer_of(spec);
+    for (const Shape& first : kSomeShapes) {
+      for (const Shape& second : kSomeShapes) {
+        const Planted planted = plant_contact(random, first, second);
+        const Trace& trace = tracer->trace(planted.query, planted.witness, {.all = true});
+        ASSERT_FALSE(trace.lost) << spec << ' ' << to_text(first) << ' ' << to_text(second);
+      }
+    }
+  }
+}
+
+TEST(Trace, ContactsAtTheEndsOfTheStepSurvive) {
+  Query parting = meeting_points(1);
+  parting.patches[1].positions[0] = {0, 0, 0};
+  for (const char* spec : kTraceable) {
+    const auto tracer = tracer_of(spec);
+    // Not tdibm-h-rel: what has no size is not pulled apart, but neither is it lost here.
+    EXPECT_FALSE(tracer->trace(meeting_points(.5), at_time(Rational(1, 2)), {}).lost) << spec;
+    EXPECT_FALSE(tracer->trace(parting, at_time(0), {}).lost) << spec;
+    parting.t_max = 0;
+    EXPECT_FALSE(tracer->trace(parting, at_time(0), {}).lost) << spec;
+    parting.t_max = 1;
+  }
+}
+
+/// The same patch twice, at rest: all of it touches all the time, so no pair is ever cut.
+Query twice_the_same(const Shape& shape) {
+  Random random = Random::keyed({12});
+  Query query = plant_contact(random, shape, shape).query;
+  for (Vec3<double>& v : query.patches[0].velocities) v = {0, 0, 0};
+  query.patches[1] = query.patches[0];
+  return query;
+}
+
+TEST(Trace, FollowsAllCellsThatMeetInTheWitness) {
+  struct Expected {
+    Shape shape;
+    Rational u, v;
+    std::uint64_t cells;          ///< that meet in (u, v) from level 3 on
+    std::uint64_t first, second;  ///< on levels 1 and 2
+  };
+  const std::array expected = {
+      Expected{Shape::curve(3), Rational(1, 2), 0, 2, 2, 2},
+      Expected{Shape::curve(3), Rational(1, 3), 0, 1, 1, 1},
+      Expected{Shape::tensor(2, 2), Rational(1, 2), Rational(1, 2), 4, 4, 4},
+      Expected{Shape::triangle(2), Rational(1, 2), Rational(1, 2), 3, 3, 3},
+      Expected{Shape::triangle(2), Rational(1, 4), Rational(1, 4), 6, 2, 6},
+      Expected{Shape::triangle(2), 0, 0, 1, 1, 1},
+  };
+  for (const char* spec : {"tdibm", "tdibm-e", "tdibm-rational", "tdibm-c"}) {
+    const auto tracer = tracer_of(spec);
+    for (const Expected& e : expected) {
+      SCOPED_TRACE(fmt::format("{} {} {} {}", spec, to_text(e.shape), to_text(e.u), to_text(e.v)));
+      Witness witness;
+      witness.t = Rational(1, 3);
+      witness.uv = {Uv<Rational>{e.u, e.v}, Uv<Rational>{e.u, e.v}};
+      const Query query = twice_the_same(e.shape);
+      const std::uint64_t whole = std::string(spec) == "tdibm-c" ? 0 : 1;
+      const Trace one = tracer->trace(query, witness, {.precision = 0x1p-5});
+      EXPECT_FALSE(one.lost);
+      EXPECT_EQ(one.pairs, whole + 5);
+      const Trace all = tracer->trace(query, witness, {.precision = 0x1p-5, .all = true});
+      EXPECT_FALSE(all.lost);
+      EXPECT_EQ(all.pairs, whole + e.first * e.first + e.second * e.second + 3 * e.cells * e.cells);
+    }
+  }
+}
+
+TEST(Trace, BothHalvesOfAWindowContainItsMiddle) {
+  const auto tracer = tracer_of("trad");
+  const Query query = meeting_points(1);
+  const Trace one = tracer->trace(query, at_time(Rational(1, 2)), {.precision = .25});
+  const Trace all = tracer->trace(query, at_time(Rational(1, 2)), {.precision = .25, .all = true});
+  EXPECT_FALSE(all.lost);
+  EXPECT_EQ(one.pairs, 3U);
+  EXPECT_EQ(all.pairs, 1U + 2 + 2);
+}
+
+/// The exact inclusion test with a fault: from a depth on it takes one double too much.
+class OneUlpTooMuch {
+ public:
+  static constexpr int kFrom = 4;
+
+  void begin(const Query& query) { test_.begin(query); }
+  void prepare(int side, std::span<const Cell> parts) {
+    depth_ = parts[0].depth;
+    test_.prepare(side, parts);
+  }
+  std::optional<Window> test(int a, int b, const Window& window, ExclusionObserver& observer) {
+    auto left = test_.test(a, b, window, observer);
+    if (!left || depth_ < kFrom) return left;
+    const double hi = std::nextafter(left->hi, 0.);
+    observer.excluded({77, {0, 0, 1}, 1, {hi, left->hi, false, true}});
+    return Window{left->lo, hi};
+  }
+
+ private:
+  exact_ccd::PairTest test_;
+  int depth_ = 0;
+};
+
+TEST(Trace, APlantedFaultOfOneUlpIsFoundWhereItIs) {
+  InclusionTracer<OneUlpTooMuch> tracer;
+  for (const ContactClass contact : kContactClasses) {
+    const Case known = generated_case(contact, Family::kRegular, 0);
+    const Trace& trace = tracer.trace(known.query, *known.truth.witness, {});
+    ASSERT_TRUE(trace.lost) << name_of(contact);
+    EXPECT_EQ(trace.loss->place.level, OneUlpTooMuch::kFrom);
+    EXPECT_EQ(trace.loss->by.axis, 77);
+    EXPECT_EQ(trace.loss->by.below, 1);
+    EXPECT_EQ(trace.loss->place.window.hi, known.query.t_max);
+    ASSERT_TRUE(trace.loss->left);
+    EXPECT_EQ(trace.loss->left->hi, std::nextafter(known.query.t_max, 0.));
+    EXPECT_EQ(trace.lost_pairs, 1U);
+    EXPECT_EQ(trace.margin->ulps, 0U);
+    EXPECT_GT(trace.false_claims, 0U);
+  }
+}
+
+TEST(Trace, AWitnessPastTheStepIsRefused) {
+  EXPECT_THROW(tracer_of("tdibm")->trace(meeting_points(.25), at_time(Rational(1, 2)), {}),
+               InternalError);
+  EXPECT_THROW(tracer_of("tdibm-c")->trace(meeting_points(.25), at_time(Rational(1, 2)), {}),
+               InternalError);
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "generators/generate.hpp"
+#include "method/method.hpp"
+
+namespace ccdfuzz {
+
+inline constexpr std::array kTraceable = {
+    "trad",    "trad:aabb",       "tdibm",          "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
+    "tdibm-e", "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
+/// Those whose miss is a proof, here and everywhere.
+inline constexpr std::array kSound = {"tdibm-rational", "tdibm-c"};
+
+inline std::unique_ptr<Tracer> tracer_of(const std::string& spec) {
+  auto made = make_tracer(spec);
+  if (!made) throw std::runtime_error(made.error().message());
+  return *std::move(made);
+}
+
+/// Two points that meet head on in x at t = 1/2.
+inline Query meeting_points(double t_max) {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
+  query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
+  query.t_max = t_max;
+  return query;
+}
+
+inline Witness at_time(const Rational& t) {
+  Witness witness;
+  witness.t = t;
+  return witness;
+}
+
+inline Case generated_case(ContactClass contact, Family family, std::uint64_t index) {
+  GeneratorOptions options;
+  options.contact = contact;
+  options.family = family;
+  options.construction = Construction::kOneSided;
+  options.seed = 1;
+  return generate(options, index).value;
+}
+
+}  // namespace ccdfuzz
