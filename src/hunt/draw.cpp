@@ -23,7 +23,7 @@ constexpr auto kGrounds = [] {
 }();
 
 /// One regular draw in this many is a negative case.
-constexpr std::uint64_t kNegativeEvery = 5;
+constexpr std::uint64_t kNegativeEvery = 2;
 
 }  // namespace
 
