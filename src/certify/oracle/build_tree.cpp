@@ -1,0 +1,218 @@
+#include "certify/oracle/build_tree.hpp"
+
+#include <cmath>
+
+#include "ccd/certified/normalise.hpp"
+#include "ccd/certified/pair_axes.hpp"
+#include "ccd/certified/window_trim.hpp"
+#include "certify/checker/miss_tree.hpp"
+#include "numeric/fp_guard.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+using namespace certified;  // NOLINT: the builder is made of that namespace's parts
+
+using Node = CellTree::Node;
+
+/// The direction's multiple with a largest component of 2^bits, rounded; zero stays zero.
+TreeAxis rounded(const Axis& l, int bits) {
+  const double largest = std::max({std::abs(l[0]), std::abs(l[1]), std::abs(l[2])});
+  TreeAxis out{};
+  if (!(largest > 0) || !std::isfinite(largest)) return out;
+  for (size_t k = 0; k < 3; ++k) {
+    out[k] = static_cast<std::int64_t>(std::lround(std::ldexp(l[k] / largest, bits)));
+  }
+  return out;
+}
+
+Axis to_double(const TreeAxis& l) {
+  return {static_cast<double>(l[0]), static_cast<double>(l[1]), static_cast<double>(l[2])};
+}
+
+class Builder {
+ public:
+  Builder(const Query& query, const Rational& until, std::uint64_t max_nodes)
+      : nodes_left_(max_nodes) {
+    Query horizon = query;
+    horizon.t_max = round_up(until);
+    normalise(horizon, query_);
+    until_ = query_.t_max;
+    for (int s = 0; s < 2; ++s) trees_[s].reset(query_.shapes[s], query_.controls[s]);
+  }
+
+  std::optional<std::string> run() {
+    if (!node({{0, 0}, 0, kTimeSteps, {}, 0})) return std::nullopt;
+    return bits_.bytes();
+  }
+
+ private:
+  struct Pair {
+    std::array<Node, 2> cells;
+    std::uint64_t lo, hi;
+    Axis hint;
+    int level;
+  };
+
+  /// The longest stretch at one end of a window that an axis separates.
+  struct Cut {
+    TreeAxis axis{};
+    std::uint64_t time = 0;
+    bool low = true;
+    std::uint64_t length = 0;
+  };
+
+  /// Axes are tried with few bits first: most leaves need no more.
+  static constexpr std::array<int, 5> kBits = {4, 8, 13, 19, 28};
+  /// A shorter cut is left to the children, which cut again anyway.
+  static constexpr std::uint64_t kLeastCut = 8;  // 1/8 of the window
+
+  /// The time at m. until's rounding and this product's are two more roundings of each t.
+  double time(std::uint64_t m) const { return until_ * std::ldexp(static_cast<double>(m), -32); }
+  double bound(const Pair& pair, const Axis& l) const {
+    constexpr int kOfTime = 2;
+    int roundings = 0;
+    for (int s = 0; s < 2; ++s) {
+      const CellTree& tree = trees_[s];
+      roundings = std::max(roundings, tree.roundings(tree.cell(pair.cells[s]).depth));
+    }
+    return ErrorBound(query_.magnitude, query_.absolute, roundings + kOfTime).for_axis(norm1(l));
+  }
+  Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {
+    const auto extents = [&](int s) {
+      return project(trees_[s].net(pair.cells[s]), trees_[s].width(), l, time(lo), time(hi));
+    };
+    return {extents(0), extents(1)};
+  }
+
+  /// An axis of few bits near l that certainly separates throughout [lo, hi], patch 1 below.
+  std::optional<TreeAxis> certified_axis(const Pair& pair, const Axis& l, std::uint64_t lo,
+                                         std::uint64_t hi) const {
+    for (const int bits : kBits) {
+      TreeAxis axis = rounded(l, bits);
+      const Axis exact_axis = to_double(axis);
+      const Gaps g = gaps(pair, exact_axis, lo, hi);
+      const double e = bound(pair, exact_axis);
+      for (int sign = 0; sign < 2; ++sign) {
+        if (!(g.at_lo[sign] < -e && g.at_hi[sign] < -e)) continue;
+        if (sign == 1) {
+          for (std::int64_t& x : axis) x = -x;
+        }
+        return axis;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// What of the window's ends the axis separates, if it is more than the best so far.
+  void try_cut(const Pair& pair, const Axis& l, const Gaps& g, double e, Cut& best) const {
+    const NetPair nets = {{trees_[0].net(pair.cells[0]), trees_[1].net(pair.cells[1])},
+                          {trees_[0].width(), trees_[1].width()}};
+    for (int sign = 0; sign < 2; ++sign) {
+      const bool low = g.at_lo[sign] < -e;
+      if (!low && !(g.at_hi[sign] < -e)) continue;
+      Window w{time(pair.lo), time(pair.hi)};
+      trim_by_chord(g, e, w);  // first: the gaps are those at the ends of w
+      trim_by_newton(nets, l, e, sign, low, w);
+      const double steps = std::ldexp((low ? w.lo : w.hi) / until_, 32);
+      std::uint64_t m = static_cast<std::uint64_t>(
+          std::clamp(low ? std::floor(steps) : std::ceil(steps), static_cast<double>(pair.lo),
+                     static_cast<double>(pair.hi)));
+      // As few bits as cost no more than a 16th of the cut.
+      const std::uint64_t length = low ? m - pair.lo : pair.hi - m;
+      if (length * kLeastCut < pair.hi - pair.lo || length <= best.length) continue;
+      const std::uint64_t grid = std::bit_floor(std::max<std::uint64_t>(length / 16, 1));
+      m = low ? m / grid * grid : (m + grid - 1) / grid * grid;
+      if (m <= pair.lo || m >= pair.hi) continue;
+      const auto axis =
+          low ? certified_axis(pair, l, pair.lo, m) : certified_axis(pair, l, m, pair.hi);
+      if (axis) best = {*axis, m, low, length};
+    }
+  }
+
+  bool leaf(const TreeAxis& axis) {
+    bits_.leaf(axis);
+    return true;
+  }
+
+  bool node(Pair pair) {
+    if (nodes_left_ == 0 || pair.level > kMaxTreeDepth / 2) return false;
+    --nodes_left_;
+    Cut cut;
+    std::optional<TreeAxis> found;
+    const auto try_axis = [&](const Axis& l) {
+      const Gaps g = gaps(pair, l, pair.lo, pair.hi);
+      const double e = bound(pair, l);
+      if (g.separated(e)) {
+        found = certified_axis(pair, l, pair.lo, pair.hi);
+        if (found) return true;
+      }
+      if (pair.lo < pair.hi && g.separated_at_an_end(e) && until_ > 0) try_cut(pair, l, g, e, cut);
+      return false;
+    };
+    if (norm1(pair.hint) > 0 && try_axis(pair.hint)) return leaf(*found);
+    for (size_t k = 0; k < 3; ++k) {
+      Axis l{};
+      l[k] = 1;
+      if (try_axis(l)) return leaf(*found);
+    }
+    const double middle = 0.5 * time(pair.lo) + 0.5 * time(pair.hi);
+    const Skeleton a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
+    if (for_each_axis(a, b, try_axis)) return leaf(*found);
+
+    if (cut.length > 0) {
+      pair.hint = to_double(cut.axis);
+      Pair rest = pair;
+      ++rest.level;
+      (cut.low ? rest.lo : rest.hi) = cut.time;
+      bits_.time(cut.time);
+      if (cut.low) return leaf(cut.axis) && node(rest);
+      return node(rest) && leaf(cut.axis);
+    }
+    return split(pair, middle);
+  }
+
+  /// The larger part that can be split, is.
+  bool split(const Pair& pair, double t) {
+    int side = -1;
+    double largest = -1;
+    for (int s = 0; s < 2; ++s) {
+      const CellTree& tree = trees_[s];
+      if (tree.shape().kind == ShapeKind::kPoint) continue;
+      if (tree.cell(pair.cells[s]).depth >= Cell::kMaxDepth) continue;
+      double size = 0;
+      for (int k = 0; k < 3; ++k) {
+        const RangePair r = project_coordinate(tree.net(pair.cells[s]), tree.width(), k, t, t);
+        size = std::max(size, r.at_lo.max - r.at_lo.min);
+      }
+      if (size > largest) largest = size, side = s;
+    }
+    if (side < 0) return false;
+    bits_.split(side);
+    const Node first = trees_[side].children(pair.cells[side]);
+    for (int c = 0; c < trees_[side].shape().child_count(); ++c) {
+      Pair child = pair;
+      ++child.level;
+      child.cells[side] = first + static_cast<Node>(c);
+      if (!node(child)) return false;
+    }
+    return true;
+  }
+
+  NormalisedQuery query_;
+  CellTree trees_[2];
+  double until_ = 0;
+  TreeBits bits_;
+  std::uint64_t nodes_left_;
+};
+
+}  // namespace
+
+std::optional<std::string> build_miss_tree(const Query& query, const Rational& until,
+                                           std::uint64_t max_nodes) {
+  const FpGuard guard;
+  return Builder(query, until, max_nodes).run();
+}
+
+}  // namespace ccdfuzz

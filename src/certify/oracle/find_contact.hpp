@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// Where a method suspects a contact: near these parameters, to within about `width`, near time t.
+struct Suspicion {
+  std::array<Uv<double>, 2> uv{};
+  double t = 0;
+  double width = 0;
+};
+
+/// An exact witness (certificate W) near the suspicion, at a time ≤ t_max, or nothing. The
+/// parameters are tried as the simplest dyadic and other rationals in growing intervals about the
+/// suspicion; the time is then the exact root of a linear equation. What is returned passed
+/// check_witness.
+std::optional<Witness> find_witness(const Query& query, const Suspicion& near);
+
+/// A contact box (certificate M) near the suspicion that ends at a time ≤ t_max, the earliest of
+/// those found, or nothing. Three of the unknowns are found by Newton's method from the suspicion,
+/// for each choice of the three; the box grows until the checker accepts it. What is returned
+/// passed check_box.
+std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& near);
+
+}  // namespace ccdfuzz

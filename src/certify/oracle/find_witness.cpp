@@ -1,0 +1,100 @@
+#include <cmath>
+
+#include "bezier/blossom.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "certify/oracle/find_contact.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The multiple of the largest power of two in [lo, hi]; lo ≤ hi, of magnitude ≤ 1.
+Rational simplest_dyadic(double lo, double hi) {
+  for (int bits = 0; bits < 60; ++bits) {
+    const double m = std::ceil(std::ldexp(lo, bits));
+    if (m <= std::ldexp(hi, bits)) return exact(std::ldexp(m, -bits));
+  }
+  return exact(lo);
+}
+
+/// The rational of the least denominator in [lo, hi], 0 ≤ lo ≤ hi (by continued fractions).
+Rational simplest_rational(const Rational& lo, const Rational& hi, int steps = 40) {
+  Integer floor;
+  mpz_fdiv_q(floor.get_mpz_t(), lo.get_num_mpz_t(), lo.get_den_mpz_t());
+  if (lo == Rational(floor) || steps == 0) return lo;
+  if (Rational(floor + 1) <= hi) return Rational(floor + 1);
+  const Rational rest = simplest_rational(Rational(1 / Rational(hi - floor)),
+                                          Rational(1 / Rational(lo - floor)), steps - 1);
+  return Rational(floor + 1 / rest);
+}
+
+Rational simplest(double x, double width, bool dyadic) {
+  const double lo = std::clamp(x - width, 0.0, 1.0), hi = std::clamp(x + width, 0.0, 1.0);
+  return dyadic ? simplest_dyadic(lo, hi) : simplest_rational(exact(lo), exact(hi));
+}
+
+/// Simple parameters near uv, inside the domain.
+Uv<Rational> snapped(const Shape& shape, const Uv<double>& uv, double width, bool dyadic) {
+  Uv<Rational> out{0, 0};
+  const int parameters = shape.parameter_count();
+  for (int k = 0; k < parameters; ++k) {
+    out[static_cast<size_t>(k)] = simplest(uv[static_cast<size_t>(k)], width, dyadic);
+  }
+  if (shape.kind != ShapeKind::kTriangle) return out;
+  // The two smaller barycentrics decide, so that an edge is met exactly.
+  const double w = 1 - uv[0] - uv[1];
+  if (w < uv[0] || w < uv[1]) {
+    const Rational third = simplest(w, width, dyadic);
+    const size_t larger = uv[0] > uv[1] ? 0 : 1;
+    out[larger] = 1 - third - out[1 - larger];
+  }
+  return out;
+}
+
+/// The least t ≥ 0 at which the two points coincide, if there is one.
+std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rational>, 2>& uv) {
+  std::array<Vec3<Rational>, 2> offset;  // of position, of velocity
+  for (size_t s = 0; s < 2; ++s) {
+    const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
+    const std::array<Vec3<Rational>, 2> at = {
+        evaluate<Rational>(patch.shape, patch.positions, uv[s]),
+        evaluate<Rational>(patch.shape, patch.velocities, uv[s])};
+    for (size_t d = 0; d < 2; ++d) {
+      for (int k = 0; k < 3; ++k) {
+        offset[d][k] = s == 0 ? at[d][k] : Rational(offset[d][k] - at[d][k]);
+      }
+    }
+  }
+  for (int k = 0; k < 3; ++k) {
+    if (offset[1][k] != 0) return Rational(-offset[0][k] / offset[1][k]);
+  }
+  return Rational(0);
+}
+
+}  // namespace
+
+std::optional<Witness> find_witness(const Query& query, const Suspicion& near) {
+  std::vector<std::array<Uv<Rational>, 2>> tried;
+  for (const double factor : {1.0, 4.0, 32.0, 0x1p10, 0x1p16}) {
+    const double width = near.width * factor;
+    if (width > 0x1p-5) break;
+    for (const bool dyadic : {true, false}) {
+      std::array<Uv<Rational>, 2> uv;
+      bool inside = true;
+      for (size_t s = 0; s < 2; ++s) {
+        const Shape& shape = query.patches[s].shape;
+        uv[s] = snapped(shape, near.uv[s], width, dyadic);
+        inside = inside && shape.contains(uv[s]);
+      }
+      if (!inside || std::find(tried.begin(), tried.end(), uv) != tried.end()) continue;
+      tried.push_back(uv);
+      const auto t = meeting_time(query, uv);
+      if (!t || *t < 0) continue;
+      Witness witness{*t, uv};
+      if (check_witness(query, witness)) return witness;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,171 @@
+#include "certify/oracle/oracle.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "ccd/certified/tdibm_c.hpp"
+#include "ccd/rational/tdibm_rational.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/find_contact.hpp"
+#include "certify/oracle/find_plane.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+class Deciding {
+ public:
+  Deciding(const Query& query, const OracleOptions& options) : query_(query), options_(options) {}
+
+  Decision run() {
+    search();
+    prove_clear();
+    Truth& truth = out_.truth;
+    if (truth.witness || truth.contact_box) truth.collides = true;
+    if (truth.clearance) {
+      truth.clear_until = until_of(*truth.clearance);
+      if (covers(*truth.clearance, exact(query_.t_max))) {
+        CCDFUZZ_VERIFY(truth.collides != true);
+        truth.collides = false;
+        truth.proof = proof_word(*truth.clearance);
+      }
+    }
+    if (truth.collides) out_.note.clear();
+    if (!truth.collides && out_.note.empty()) out_.note = "no certificate found";
+    check();
+    return std::move(out_);
+  }
+
+ private:
+  /// Nothing leaves the oracle that the checker does not accept.
+  void check() const {
+    const auto checked = check_truth({query_, out_.truth, {}, {}});
+    CCDFUZZ_VERIFY(checked);
+    if (out_.truth.clearance) {
+      CCDFUZZ_VERIFY(check_clearance(query_, *out_.truth.clearance, out_.tree));
+    }
+  }
+
+  template <class Method>
+  Answer ask(double precision) {
+    thread_local Method method;
+    const Answer answer = method.answer(query_, {precision, options_.max_pops, options_.max_bytes});
+    out_.pops += answer.pops;
+    if (answer.verdict != Verdict::kMiss && answer.toi) clear_ = std::max(clear_, *answer.toi);
+    if (answer.verdict == Verdict::kUndecided) out_.note = answer.note;
+    return answer;
+  }
+
+  /// Looks for a contact, at finer and finer precision. An exact witness or a miss ends the search;
+  /// a contact box does once the precision is fine.
+  void search() {
+    for (const double precision : {0x1p-12, 0x1p-20, 0x1p-28, 0x1p-38}) {
+      const Answer answer = ask<TdibmC>(precision);
+      if (settles(answer, precision)) return;
+      if (answer.verdict == Verdict::kUndecided) break;
+    }
+    if (out_.truth.contact_box) return;
+    for (const double precision : {0x1p-14, 0x1p-24}) {
+      if (settles(ask<TdibmRational>(precision), precision)) return;
+    }
+  }
+
+  bool settles(const Answer& answer, double precision) {
+    missed_ = answer.verdict == Verdict::kMiss;
+    if (answer.verdict != Verdict::kHit) return missed_;
+    const Suspicion near{answer.uv, *answer.toi, precision};
+    Truth& truth = out_.truth;
+    truth.witness = find_witness(query_, near);
+    if (truth.witness) {
+      out_.uv = answer.uv;
+      return true;
+    }
+    const auto box = find_contact_box(query_, near);
+    if (box && (!truth.contact_box || box->until() < truth.contact_box->until())) {
+      truth.contact_box = box;
+      out_.uv = answer.uv;
+    }
+    constexpr double kFine = 0x1p-20;
+    return truth.contact_box && precision <= kFine;
+  }
+
+  bool try_tree(const Rational& until) {
+    std::optional<std::string> tree = build_miss_tree(query_, until, options_.max_tree_nodes);
+    if (!tree) return false;
+    out_.truth.clearance = MissTree{until, {}};
+    out_.tree = *std::move(tree);
+    return true;
+  }
+
+  void prove_clear() {
+    const Rational t_max = exact(query_.t_max);
+    if (missed_) {
+      if (try_tree(t_max)) return;
+      out_.note = "separated, but by too large a tree";
+      clear_ = query_.t_max;
+    }
+    if (const auto& witness = out_.truth.witness; witness && witness->t > 0) {
+      if (auto plane = find_plane(query_, *witness)) {
+        out_.truth.clearance = *plane;
+        return;
+      }
+    }
+    const std::optional<Rational> contact = out_.truth.contact_by();
+    const auto& wanted = options_.wanted_clear;
+    if (wanted && *wanted > 0 && !(contact && *contact <= *wanted) && *wanted <= exact(clear_)) {
+      if (try_tree(*wanted)) return;
+    }
+    // The nearer the contact, the larger the tree: what is too large is tried earlier.
+    for (const double slack : {0x1p-20, 0x1p-14, 0x1p-10, 0x1p-7, 0x1p-4, 0x1p-2}) {
+      const double until = clear_ - slack * query_.t_max;
+      if (until <= 0) return;
+      if (try_tree(few_bits(until))) return;
+    }
+  }
+
+  /// x rounded down to 32 bits.
+  static Rational few_bits(double x) {
+    int exponent = 0;
+    const double fraction = std::frexp(x, &exponent);
+    return exact(std::ldexp(std::floor(std::ldexp(fraction, 32)), exponent - 32));
+  }
+
+  const Query& query_;
+  const OracleOptions& options_;
+  Decision out_;
+  double clear_ = 0;  ///< the searches found no contact before
+  bool missed_ = false;
+};
+
+}  // namespace
+
+Decision decide(const Query& query, const OracleOptions& options) {
+  return Deciding(query, options).run();
+}
+
+Answer Oracle::answer(const Query& query, const SearchOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  OracleOptions limits;
+  limits.max_pops = options.max_pops;
+  limits.max_bytes = options.max_bytes;
+  const Decision decision = decide(query, limits);
+  Answer answer;
+  answer.pops = decision.pops;
+  answer.note = decision.note;
+  const auto& collides = decision.truth.collides;
+  if (collides != false) {
+    answer.verdict = collides ? Verdict::kHit : Verdict::kUndecided;
+    answer.toi = round_down(decision.truth.clear_until.value_or(0));
+    answer.uv = decision.uv;
+  } else {
+    answer.verdict = Verdict::kMiss;
+  }
+  const auto end = std::chrono::steady_clock::now();
+  answer.seconds = std::chrono::duration<double>(end - start).count();
+  return answer;
+}
+
+}  // namespace ccdfuzz

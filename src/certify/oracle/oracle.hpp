@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "ccd/search.hpp"
+#include "query/answer.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// Limits of one decision. All are counts, so that a decision does not depend on the machine.
+struct OracleOptions {
+  std::uint64_t max_pops = 100'000;       ///< of each search
+  std::uint64_t max_bytes = 256 << 20;    ///< of each search's queue
+  std::uint64_t max_tree_nodes = 60'000;  ///< of a miss tree
+  /// A time up to which absence of contact is wanted, if it can be had: an earlier claim, say.
+  std::optional<Rational> wanted_clear;
+};
+
+/// What the oracle found out. Every statement in truth has its certificate there, which the checker
+/// accepted: collides = true a witness or contact box, collides = false a clearance that covers
+/// [0, t_max], clear_until a clearance. Where collides is absent it is undecided at this
+/// resolution.
+struct Decision {
+  Truth truth;
+  /// The tree of truth.clearance, if that is a tree; its place in a file is for the writer to fill
+  /// in.
+  std::string tree;
+  std::array<Uv<double>, 2> uv{};  ///< collides: of the contact
+  std::uint64_t pops = 0;
+  std::string note;  ///< why it is undecided
+};
+
+/// Decides a query and proves the decision: tdibm-c finds what is to be proven, tdibm-rational
+/// where that stays undecided; a contact is proven by W or M, absence by P or T. Requires a valid
+/// query. Both are always sought: the earliest contact, and the latest time before it that is
+/// clear.
+Decision decide(const Query& query, const OracleOptions& options = {});
+
+/// decide as a method. toi is the certified clear time: no contact comes before it.
+class Oracle {
+ public:
+  Answer answer(const Query& query, const SearchOptions& options);
+};
+
+}  // namespace ccdfuzz

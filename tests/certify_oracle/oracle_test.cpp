@@ -1,0 +1,119 @@
+#include "certify/oracle/oracle.hpp"
+
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/find_contact.hpp"
+#include "certify/oracle/find_plane.hpp"
+#include "mixed_cases.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// What of a case's own truth the decision contradicts; empty if nothing.
+std::string contradiction(const Case& known, const Truth& found) {
+  const auto by = known.truth.contact_by();
+  const Rational t_max = exact(known.query.t_max);
+  if (by && *by <= t_max && found.collides == false) return "a miss, but there is a contact";
+  if (by && found.clear_until && *found.clear_until > *by) return "clear for too long";
+  if (known.truth.collides == false && found.collides == true) return "a hit, but there is none";
+  if (known.truth.clear_until && found.contact_by() &&
+      *found.contact_by() < *known.truth.clear_until) {
+    return "a contact too early";
+  }
+  return "";
+}
+
+TEST(Oracle, DecidesMixedCasesInAgreementWithTheirTruth) {
+  std::map<std::string, int> count;
+  for_each_mixed_case(2, 1, [&](const MixedCase& c) {
+    Decision decision;
+    ASSERT_NO_THROW(decision = decide(c.value.query)) << c.name << "\n" << to_json(c.value);
+    const Truth& truth = decision.truth;
+    EXPECT_EQ(contradiction(c.value, truth), "") << c.name << "\n" << to_json(c.value);
+    if (c.transversal) {
+      EXPECT_TRUE(truth.collides) << c.name << ": " << decision.note << "\n" << to_json(c.value);
+    }
+    if (c.value.truth.collides) {
+      ++count[truth.collides ? "known and decided" : "known and undecided"];
+    }
+    ++count[!truth.collides ? "undecided" : *truth.collides ? "hit" : "miss"];
+    if (truth.witness) ++count["W"];
+    if (truth.contact_box) ++count["M"];
+    if (truth.clearance) ++count[std::string(proof_word(*truth.clearance))];
+  });
+  // Every certificate is in use, and what the generator proves the oracle nearly always proves too.
+  for (const char* kind : {"hit", "miss", "W", "M", "T", "P"}) EXPECT_GE(count[kind], 8) << kind;
+  EXPECT_GE(count["known and decided"], 9 * count["known and undecided"]);
+}
+
+TEST(Oracle, BracketsACrossingClosely) {
+  RandomQueries random(3);
+  int brackets = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Query query = random.query(3, true);
+    const Truth truth = decide(query).truth;
+    if (truth.collides != true || !truth.clear_until) continue;
+    ++brackets;
+    EXPECT_LT(*truth.clear_until, *truth.contact_by());
+    EXPECT_LT(Rational(*truth.contact_by() - *truth.clear_until), exact(query.t_max * 0x1p-10))
+        << to_json({query, truth, {}, {}});
+  }
+  EXPECT_GE(brackets, 3);
+}
+
+TEST(Oracle, SaysTheSameAgain) {
+  for_each_mixed_case(1, 5, [&](const MixedCase& c) {
+    if (c.name != "lattice" && c.name != "random surfaces") return;
+    const Decision first = decide(c.value.query), second = decide(c.value.query);
+    EXPECT_EQ(first.truth, second.truth) << to_json(c.value);
+    EXPECT_EQ(first.tree, second.tree) << to_json(c.value);
+  });
+}
+
+TEST(Oracle, IsUndecidedWithinTooSmallABudget) {
+  GeneratorOptions o;
+  o.contact = ContactClass::kFF, o.kind = CaseKind::kRN;
+  const Case known = generate(o, 0).value;
+  OracleOptions options;
+  options.max_pops = 3;
+  options.max_tree_nodes = 3;
+  const Decision decision = decide(known.query, options);
+  EXPECT_EQ(decision.truth.collides, std::nullopt);
+  EXPECT_NE(decision.note, "");
+}
+
+TEST(Oracle, AnswersAsAMethod) {
+  GeneratorOptions o;
+  o.contact = ContactClass::kVF;
+  Oracle oracle;
+  const Case positive = generate(o, 0).value;
+  const Answer hit = oracle.answer(positive.query, {});
+  EXPECT_EQ(hit.verdict, Verdict::kHit);
+  EXPECT_LE(exact(*hit.toi), positive.truth.witness->t);
+  o.kind = CaseKind::kRN;
+  EXPECT_EQ(oracle.answer(generate(o, 0).value.query, {}).verdict, Verdict::kMiss);
+}
+
+/// Static patches that touch: the contact is there at once.
+TEST(Oracle, FindsContactsAtTheBeginning) {
+  Query query;
+  const Vec3<double> o = {0, 0, 0};
+  query.patches[0] = {Shape::triangle(1), {{-1, -1, 0}, {-1, 3, 0}, {3, -1, 0}}, {o, o, o}};
+  query.patches[1] = {Shape::curve(1), {{0.1, 0.2, -1}, {0.3, 0.1, 1.25}}, {o, o}};
+  for (const double t_max : {0.0, 1.0}) {
+    query.t_max = t_max;
+    const Truth truth = decide(query).truth;
+    EXPECT_EQ(truth.collides, true);
+    EXPECT_EQ(*truth.contact_by(), 0);
+  }
+  query.patches[1].positions[1] = {0.3, 0.1, -0x1p-30};
+  EXPECT_EQ(decide(query).truth.collides, false);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
