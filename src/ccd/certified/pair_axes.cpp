@@ -5,12 +5,23 @@ namespace ccdfuzz::certified {
 Skeleton::Skeleton(const CellTree& tree, CellTree::Node node, double t) {
   const double* net = tree.net(node);
   const int width = tree.width();
-  const Shape& shape = tree.shape();
-  const auto at = [&](int i) {
+  build(tree.shape(), [&](int i) {
     Axis p;
     for (int k = 0; k < 3; ++k) p[k] = net[k * width + i] + t * net[(k + 3) * width + i];
     return p;
-  };
+  });
+}
+
+Skeleton::Skeleton(const Shape& shape, const Snapshot& snapshot) {
+  build(shape, [&](int i) {
+    Axis p;
+    for (int k = 0; k < 3; ++k) p[k] = 0.5 * snapshot.at(0, k, i) + 0.5 * snapshot.at(1, k, i);
+    return p;
+  });
+}
+
+template <class PointAt>
+void Skeleton::build(const Shape& shape, const PointAt& at) {
   const Axis origin = at(0);
   switch (shape.kind) {
     case ShapeKind::kPoint:
@@ -42,6 +53,33 @@ Skeleton::Skeleton(const CellTree& tree, CellTree::Node node, double t) {
   }
   normal = cross(edges[0], edges[1]);
   has_normal = true;
+}
+
+CandidateAxes::CandidateAxes(const Skeleton& a, const Skeleton& b) : a_(a), b_(b) {
+  if (a.has_normal) add(a.normal);
+  if (b.has_normal) add(b.normal);
+  if (a.edge_count > 0 && b.edge_count > 0) add(cross(a.edges[0], b.edges[0]));
+  if (a.has_normal) add(cross(a.normal, a.edges[0]));
+  if (count_ < kLanes) add_rest();
+}
+
+void CandidateAxes::add_rest() {
+  complete_ = true;
+  for (int i = 0; i < a_.edge_count; ++i) {
+    for (int j = 0; j < b_.edge_count; ++j) {
+      if (i + j > 0) add(cross(a_.edges[i], b_.edges[j]));
+    }
+  }
+  for (const Skeleton* s : {&a_, &b_}) {
+    if (!s->has_normal) continue;
+    for (int i = s == &a_ ? 1 : 0; i < s->edge_count; ++i) add(cross(s->normal, s->edges[i]));
+  }
+  if (a_.has_normal && b_.has_normal) return;
+  const Axis offset = minus(a_.middle, b_.middle);
+  add(offset);
+  for (const Skeleton* s : {&a_, &b_}) {
+    for (int i = 0; i < s->edge_count; ++i) add(cross(s->edges[i], cross(offset, s->edges[i])));
+  }
 }
 
 }  // namespace ccdfuzz::certified

@@ -27,38 +27,45 @@ struct Skeleton {
   Axis middle{};
 
   Skeleton() = default;
+  /// Of a cell at time t.
   Skeleton(const CellTree& tree, CellTree::Node node, double t);
+  /// Of a net halfway between both times of its snapshot.
+  Skeleton(const Shape& shape, const Snapshot& snapshot);
+
+ private:
+  template <class PointAt>
+  void build(const Shape& shape, const PointAt& point_at);
 };
 
-/// Candidate separating axes of two flat shapes: the complete set for two triangles (both normals,
-/// every cross product of edges, every in-plane edge normal), its analogue for tensor patches, and
-/// for curves and points also the offset of the middles and its parts across each edge. Calls
-/// visit(axis) until it returns true; returns whether it did. Zero vectors are skipped.
-template <class Visit>
-bool for_each_axis(const Skeleton& a, const Skeleton& b, const Visit& visit) {
-  const auto try_axis = [&](const Axis& l) { return norm1(l) > 0 && visit(l); };
-  if (a.has_normal && try_axis(a.normal)) return true;
-  if (b.has_normal && try_axis(b.normal)) return true;
-  for (int i = 0; i < a.edge_count; ++i) {
-    for (int j = 0; j < b.edge_count; ++j) {
-      if (try_axis(cross(a.edges[i], b.edges[j]))) return true;
-    }
+/// Candidate separating axes of two flat shapes, in batches: the complete set for two triangles
+/// (both normals, every cross product of edges, every in-plane edge normal), its analogue for
+/// tensor patches, and for curves and points also the offset of the middles and its parts across
+/// each edge. Those that separate most often come first, and the rest is made only if the first
+/// batch leaves the pair together.
+class CandidateAxes {
+ public:
+  CandidateAxes(const Skeleton& a, const Skeleton& b);
+
+  /// Batch i from 0 on; nothing after the last.
+  const AxisBatch* batch(int i) {
+    if (i > 0 && !complete_) add_rest();
+    return i * kLanes < count_ ? &batches_[i] : nullptr;
   }
-  for (const Skeleton* s : {&a, &b}) {
-    if (!s->has_normal) continue;
-    for (int i = 0; i < s->edge_count; ++i) {
-      if (try_axis(cross(s->normal, s->edges[i]))) return true;
-    }
+
+ private:
+  /// Two triangles: 2 normals, 9 cross products, 6 in-plane normals. All else is fewer.
+  static constexpr int kMost = 17;
+
+  void add(const Axis& l) {
+    for (int k = 0; k < 3; ++k) batches_[count_ / kLanes].axes[k][count_ % kLanes] = l[k];
+    ++count_;
   }
-  if (a.has_normal && b.has_normal) return false;
-  const Axis offset = minus(a.middle, b.middle);
-  if (try_axis(offset)) return true;
-  for (const Skeleton* s : {&a, &b}) {
-    for (int i = 0; i < s->edge_count; ++i) {
-      if (try_axis(cross(s->edges[i], cross(offset, s->edges[i])))) return true;
-    }
-  }
-  return false;
-}
+  void add_rest();
+
+  const Skeleton &a_, &b_;
+  std::array<AxisBatch, (kMost + kLanes - 1) / kLanes> batches_{};
+  int count_ = 0;
+  bool complete_ = false;
+};
 
 }  // namespace ccdfuzz::certified

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "ccd/certified/kernels.hpp"
 
 namespace ccdfuzz::certified {
 
@@ -55,72 +54,14 @@ class ErrorBound {
   double relative_ = 0;
 };
 
-/// Four control points at once; Eigen maps them to what the target's vector unit has.
-using Lanes = Eigen::Array4d;
-
-inline Eigen::Map<const Lanes> load(const double* x) {
-  return Eigen::Map<const Lanes>(x);
+/// One lane of a batch.
+inline RangePair lane(const RangeBatch& ranges, int i) {
+  return {{ranges.min_lo[i], ranges.max_lo[i]}, {ranges.min_hi[i], ranges.max_hi[i]}};
 }
 
-/// Running extents at two times.
-class Extents {
- public:
-  void add(const Lanes& a, const Lanes& b, double t0, double t1) {
-    const Lanes x0 = a * t0 + b, x1 = a * t1 + b;
-    min0_ = min0_.min(x0);
-    max0_ = max0_.max(x0);
-    min1_ = min1_.min(x1);
-    max1_ = max1_.max(x1);
-  }
-  RangePair result() const {
-    return {{min0_.minCoeff(), max0_.maxCoeff()}, {min1_.minCoeff(), max1_.maxCoeff()}};
-  }
-
- private:
-  static constexpr double kInf = std::numeric_limits<double>::infinity();
-  Lanes min0_ = Lanes::Constant(kInf), min1_ = min0_;
-  Lanes max0_ = Lanes::Constant(-kInf), max1_ = max0_;
-};
-
-/// Extents on axis l at times t0 and t1 of a net of `width` (a multiple of 4) control points.
-/// Each value is ((l₀x + l₁y) + l₂z) for position and velocity, then fl(a·t) + b.
-inline RangePair project(const double* net, int width, const Axis& l, double t0, double t1) {
-  Extents extents;
-  const auto along = [&](const double* x) -> Lanes {
-    return (l[0] * load(x) + l[1] * load(x + width)) + l[2] * load(x + 2 * width);
-  };
-  for (int i = 0; i < width; i += 4) {
-    extents.add(along(net + 3 * width + i), along(net + i), t0, t1);
-  }
-  return extents.result();
-}
-
-/// The same on coordinate axis k, where no product with the axis is needed.
-inline RangePair project_coordinate(const double* net, int width, int k, double t0, double t1) {
-  Extents extents;
-  for (int i = 0; i < width; i += 4) {
-    extents.add(load(net + (k + 3) * width + i), load(net + k * width + i), t0, t1);
-  }
-  return extents.result();
-}
-
-/// Extent at time t and the slope of the control point that attains each end.
-struct SlopedRange {
-  double min, max, slope_of_min, slope_of_max;
-};
-
-inline SlopedRange project_with_slopes(const double* net, int width, const Axis& l, double t) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  SlopedRange r{inf, -inf, 0, 0};
-  const double *p = net, *v = net + 3 * width;
-  for (int i = 0; i < width; ++i) {
-    const double b = (l[0] * p[i] + l[1] * p[i + width]) + l[2] * p[i + 2 * width];
-    const double a = (l[0] * v[i] + l[1] * v[i + width]) + l[2] * v[i + 2 * width];
-    const double x = a * t + b;
-    if (x < r.min) r.min = x, r.slope_of_min = a;
-    if (x > r.max) r.max = x, r.slope_of_max = a;
-  }
-  return r;
+/// Component k.
+inline RangePair component(const ComponentRanges& ranges, int k) {
+  return {{ranges.min[k], ranges.max[k]}, {ranges.min[k + 3], ranges.max[k + 3]}};
 }
 
 }  // namespace ccdfuzz::certified

@@ -1,25 +1,44 @@
 #include "ccd/certified/window_trim.hpp"
 
+#include <limits>
+
 namespace ccdfuzz::certified {
 
-bool trim_by_newton(const NetPair& nets, const Axis& axis, double bound, int sign, bool low_end,
-                    Window& w) {
+HeightLines::HeightLines(const NetPair& nets, const Axis& axis) {
+  for (int s = 0; s < 2; ++s) {
+    widths_[s] = nets.width[s];
+    project_lines(nets.net[s], nets.width[s], axis, slopes_[s].data(), intercepts_[s].data());
+  }
+}
+
+HeightLines::Gap HeightLines::gap(int below, double t) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double most = -kInfinity, least = kInfinity, slope_of_most = 0, slope_of_least = 0;
+  for (int i = 0; i < widths_[below]; ++i) {
+    const double slope = slopes_[below][i], height = slope * t + intercepts_[below][i];
+    if (height > most) most = height, slope_of_most = slope;
+  }
+  for (int i = 0; i < widths_[1 - below]; ++i) {
+    const double slope = slopes_[1 - below][i], height = slope * t + intercepts_[1 - below][i];
+    if (height < least) least = height, slope_of_least = slope;
+  }
+  return {most - least, slope_of_most - slope_of_least};
+}
+
+bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end, Window& w) {
   constexpr int kSteps = 4;
-  const int below = sign, above = 1 - sign;
   double t = low_end ? w.hi : w.lo;
   const double end = low_end ? w.lo : w.hi;
   for (int step = 0; step < kSteps; ++step) {
-    const SlopedRange b = project_with_slopes(nets.net[below], nets.width[below], axis, t);
-    const SlopedRange a = project_with_slopes(nets.net[above], nets.width[above], axis, t);
-    const double h = b.max - a.min, slope = b.slope_of_max - a.slope_of_min;
-    if (h < -bound) {
+    const HeightLines::Gap gap = lines.gap(sign, t);
+    if (gap.height < -bound) {
       (low_end ? w.lo : w.hi) = t;
       return true;
     }
     // h rises towards the other end, so the tangent there leads back to this one. Aiming half a
     // bound past certainty makes the next evaluation likely to certify.
-    if (low_end ? slope <= 0 : slope >= 0) return false;
-    t -= (h + 1.5 * bound) / slope;
+    if (low_end ? gap.slope <= 0 : gap.slope >= 0) return false;
+    t -= (gap.height + 1.5 * bound) / gap.slope;
     if (!(low_end ? t > end : t < end)) return false;
   }
   return false;

@@ -56,9 +56,28 @@ inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
   }
 }
 
+/// h(t) of two nets on one axis, and its slope where it has one.
+class HeightLines {
+ public:
+  struct Gap {
+    double height, slope;
+  };
+
+  HeightLines(const NetPair& nets, const Axis& axis);
+
+  /// below: which side is the lower one.
+  Gap gap(int below, double t) const;
+
+ private:
+  /// One place for each padded control point.
+  using PerPoint = std::array<double, (kMaxControls + kLanes - 1) / kLanes * kLanes>;
+
+  std::array<int, 2> widths_;
+  std::array<PerPoint, 2> slopes_, intercepts_;
+};
+
 /// Moves one end of w inward to a time at which separation is certified again, by Newton's
 /// iteration from the other end. sign: which side is below. Returns false if no step was certified.
-bool trim_by_newton(const NetPair& nets, const Axis& axis, double bound, int sign, bool low_end,
-                    Window& w);
+bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end, Window& w);
 
 }  // namespace ccdfuzz::certified
