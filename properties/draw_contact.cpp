@@ -7,7 +7,6 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr int kDegree = 3;
 constexpr int kUvBits = 2;
 constexpr int kTwinUlps = 2;
 
@@ -71,12 +70,12 @@ struct Side {
 };
 
 /// direction: +1 if the side is to lie above the plane, −1 if below.
-Side draw_side(ChoiceSource& choices, int direction) {
+Side draw_side(ChoiceSource& choices, int max_degree, int direction) {
   constexpr int kBits = 5;
   constexpr long kUnit = -2, kSpeedUnit = -3;
   const Dyadic outward(direction);
   Side side;
-  side.shape = draw_shape(choices, kDegree);
+  side.shape = draw_shape(choices, max_degree);
   side.uv = draw_uv(choices, side.shape, kUvBits);
   side.bearing = bearing_controls(side.shape, side.uv);
   side.local = draw_points(choices, side.shape, kBits, kUnit);
@@ -104,8 +103,8 @@ void draw_twins(ChoiceSource& choices, const Side& side, MovingPatch<double>& pa
 
 }  // namespace
 
-Result<Case> draw_contact(ChoiceSource& choices, const ScaleRange& scales) {
-  const long scale = static_cast<long>(choices.integer(scales.lowest, scales.highest));
+Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
+  const long scale = static_cast<long>(choices.integer(range.lowest, range.highest));
   const Frame frame = draw_frame(choices);
   Vec3<Dyadic> contact, common;
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
@@ -118,7 +117,7 @@ Result<Case> draw_contact(ChoiceSource& choices, const ScaleRange& scales) {
   drawn.truth.witness.emplace();
   drawn.truth.witness->t = t.rational();
   for (std::size_t s = 0; s < 2; ++s) {
-    const Side side = draw_side(choices, s == 0 ? 1 : -1);
+    const Side side = draw_side(choices, range.max_degree, s == 0 ? 1 : -1);
     MovingPatch<double>& patch = drawn.query.patches[s];
     patch.shape = side.shape;
     for (std::size_t i = 0; i < side.local.size(); ++i) {

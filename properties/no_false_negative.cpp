@@ -25,17 +25,14 @@ Check no_false_negative(const std::string& method, const Case& value,
                                   to_text(value.truth.witness->t), to_json(value)));
 }
 
-Check check_no_false_negative(const std::string& method, const ScaleRange& scales,
-                              ChoiceSource& choices) {
-  const Result<Case> drawn = draw_contact(choices, scales);
+Check check_no_false_negative(const std::string& method, const ContactRange& range,
+                              ChoiceSource& choices, const SearchOptions& options) {
+  const Result<Case> drawn = draw_contact(choices, range);
   if (!drawn) return Check::discarded(drawn.error().message());
   if (const auto checked = check_truth(*drawn); !checked) {
     return Check::fails("the drawn case is wrong: " + checked.error().message() + "\n" +
                         to_json(*drawn));
   }
-  SearchOptions options;
-  options.precision = 0x1p-6;
-  options.max_pops = 300;
   return no_false_negative(method, *drawn, options);
 }
 

@@ -13,8 +13,11 @@ namespace ccdfuzz {
 /// Requires a known method spec, and a case whose truth the checker accepts.
 Check no_false_negative(const std::string& method, const Case& value, const SearchOptions& options);
 
-/// On drawn contacts, with coarse precision and few pops.
-Check check_no_false_negative(const std::string& method, const ScaleRange& scales,
-                              ChoiceSource& choices);
+/// What fuzzing asks with: coarse, and cheap.
+inline constexpr SearchOptions kQuickSearch = {0x1p-6, 300, SearchOptions().max_bytes};
+
+/// On drawn contacts.
+Check check_no_false_negative(const std::string& method, const ContactRange& range,
+                              ChoiceSource& choices, const SearchOptions& options = kQuickSearch);
 
 }  // namespace ccdfuzz

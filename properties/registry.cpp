@@ -13,9 +13,13 @@ namespace ccdfuzz {
 namespace {
 
 /// All products of two coordinates and then some stay normal.
-constexpr ScaleRange kOrdinary;
+constexpr ContactRange kOrdinary;
 /// The products of two coordinates are subnormal or 0.
-constexpr ScaleRange kTiny{-545, -530};
+constexpr ContactRange kTiny{-545, -530};
+/// Nothing that is drawn under- or overflows a double; products do both. Degrees up to 5.
+constexpr ContactRange kAnywhere{-1000, 900, 5};
+/// What users ask with, but for a budget that static and grazing contacts run out of.
+constexpr SearchOptions kFullSearch = {1e-4, 2000, SearchOptions().max_bytes};
 
 constexpr auto kHolds = Expectation::kHolds;
 constexpr auto kFails = Expectation::kFails;
@@ -78,6 +82,14 @@ const std::vector<Property>& properties() {
        "No proven contact is missed, and none reported late, for coordinates about 2^-535",
        "src/ccd/certified/DERIVATION.md", kHolds,
        [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kTiny, c); }},
+      {"tdibm-c.no_false_negative_anywhere",
+       "No proven contact is missed, and none reported late, for coordinates from 2^-1000 to "
+       "2^900, "
+       "degrees up to 5 and the default precision",
+       "src/ccd/certified/DERIVATION.md", kHolds,
+       [](ChoiceSource& c) {
+         return check_no_false_negative("tdibm-c", kAnywhere, c, kFullSearch);
+       }},
   };
   return all;
 }

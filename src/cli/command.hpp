@@ -56,6 +56,9 @@ class Command {
   /// One or more, without an option's name in front.
   Option texts(const std::string& name, std::vector<std::string>& values,
                const std::string& description);
+  /// The same, or none.
+  Option optional_texts(const std::string& name, std::vector<std::string>& values,
+                        const std::string& description);
   Option flag(const std::string& name, bool& value, const std::string& description);
   /// A whole number of [least, most], in decimal (parse_whole).
   Option whole(const std::string& name, std::uint64_t& value, const std::string& description,
@@ -97,10 +100,12 @@ class CommandLine {
   std::function<Result<int>()> chosen_;
 };
 
+void add_check(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_generate(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_methods(CommandLine& line);
+void add_properties(CommandLine& line);
 void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_verify(CommandLine& line);

@@ -15,6 +15,8 @@ int main(int argc, char** argv) {
     ccdfuzz::add_verify(line);
     ccdfuzz::add_replay(line);
     ccdfuzz::add_methods(line);
+    ccdfuzz::add_check(line);
+    ccdfuzz::add_properties(line);
     return line.parse_and_run(argc, argv);
   } catch (const std::exception& error) {
     fmt::print(stderr, "ccdfuzz: internal error: {}\n", error.what());

@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
     {"corpus", {"method", "certify/checker", "properties"}},
     {"hunt", {"generators", "corpus", "eval"}},
-    {"cli", {"hunt"}},
+    {"cli", {"hunt", "properties"}},
     {"fuzz", {"properties", "corpus"}},
 };
 

@@ -5,8 +5,8 @@
 namespace ccdfuzz {
 namespace {
 
-const std::vector<std::string> kCommands = {"hunt",   "query",  "generate", "evaluate",
-                                            "verify", "replay", "methods"};
+const std::vector<std::string> kCommands = {"hunt",   "query",   "generate", "evaluate",  "verify",
+                                            "replay", "methods", "check",    "properties"};
 
 TEST(Usage, EveryCommandHasItsHelp) {
   for (const std::string& command : kCommands) {
@@ -91,6 +91,10 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"verify", "no-such-file.jsonl"}, "no-such-file.jsonl"},
       {{"replay", "no-such-folder"}, "no-such-folder"},
       {{"evaluate"}, "dataset"},
+      {{"check", "dyadic"}, "no property \"dyadic\""},
+      {{"check", "--count", "1", "--seconds", "1"}, "--seconds"},
+      {{"check", "--seconds", "0"}, "--seconds"},
+      {{"check", "--count", "2", "--first", "18446744073709551615"}, "--first"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "0.5"}, "0.5"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,,2"}, "\"\""},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,2,1"}, "twice"},
