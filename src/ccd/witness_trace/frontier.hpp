@@ -1,14 +1,15 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "ccd/search.hpp"
 #include "ccd/witness_trace/witness_path.hpp"
 
 namespace ccdfuzz {
 
-/// The pairs of one level that contain a witness, in place. At most six cells of a triangle meet in
-/// a point, at most four of a tensor patch; and two halves of a window in a time.
+/// The pairs of one level that contain a witness; cheap to swap. At most six cells of a triangle
+/// meet in a point, at most four of a tensor patch; and two halves of a window in a time.
 template <class Pair>
 class Frontier {
  public:
@@ -21,7 +22,7 @@ class Frontier {
   const Pair* end() const { return pairs_.data() + size_; }
 
  private:
-  std::array<Pair, kMost> pairs_;
+  std::vector<Pair> pairs_ = std::vector<Pair>(kMost);
   size_t size_ = 0;
 };
 
