@@ -70,7 +70,7 @@ Option Command::text(const std::string& name, std::string& value, const std::str
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values,
                       const std::string& description) {
-  return Option(app_->add_option(name, values, description)->required());
+  return Option(app_->add_option(name, values, description));
 }
 
 Option Command::optional_texts(const std::string& name, std::vector<std::string>& values,

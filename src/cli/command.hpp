@@ -53,7 +53,7 @@ class Command {
   explicit Command(CLI::App* app) : app_(app) {}
 
   Option text(const std::string& name, std::string& value, const std::string& description);
-  /// One or more, without an option's name in front.
+  /// Any number of them, without an option's name in front.
   Option texts(const std::string& name, std::vector<std::string>& values,
                const std::string& description);
   /// The same, or none.
@@ -108,6 +108,7 @@ void add_methods(CommandLine& line);
 void add_properties(CommandLine& line);
 void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
+void add_trace(CommandLine& line);
 void add_verify(CommandLine& line);
 
 }  // namespace ccdfuzz

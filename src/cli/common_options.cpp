@@ -25,10 +25,14 @@ Result<double> parse_precision(const std::string& where, const std::string& text
 
 }  // namespace
 
-void SearchFlags::add_to(Command& command) {
+void SearchFlags::add_precision_to(Command& command) {
   command.text("--precision", precision,
                "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
                "case was found at");
+}
+
+void SearchFlags::add_to(Command& command) {
+  add_precision_to(command);
   add_budget_to(command);
 }
 

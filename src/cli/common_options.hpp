@@ -27,6 +27,7 @@ struct SearchFlags {
   std::uint64_t max_mb = SearchOptions().max_bytes >> 20;
 
   void add_to(Command& command);
+  void add_precision_to(Command& command);
   /// Without --precision.
   void add_budget_to(Command& command);
   /// Errors: a precision that is no number in [2^-50, 1].

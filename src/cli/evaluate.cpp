@@ -180,7 +180,7 @@ Result<int> run(const Options& options) {
 void add_evaluate(CommandLine& line) {
   auto [command, options] = line.add<Options>(
       "evaluate", "Time and judge methods on data sets (the paper's Tables 1 and 2)", run);
-  command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   command.text("--t-max-factors", options->horizons,
                "Ask positive cases up to these multiples of the contact's time instead of their "

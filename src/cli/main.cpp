@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
     ccdfuzz::CommandLine line;
     ccdfuzz::add_hunt(line);
     ccdfuzz::add_query(line);
+    ccdfuzz::add_trace(line);
     ccdfuzz::add_generate(line);
     ccdfuzz::add_evaluate(line);
     ccdfuzz::add_verify(line);

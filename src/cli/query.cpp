@@ -88,7 +88,7 @@ Result<int> run(const Options& options) {
 
 void add_query(CommandLine& line) {
   auto [command, options] = line.add<Options>("query", "Answer and judge single cases", run);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   options->search.add_to(command);
   add_threads(command, options->threads);

@@ -110,7 +110,7 @@ Result<int> run(const Options& options) {
 void add_verify(CommandLine& line) {
   auto [command, options] =
       line.add<Options>("verify", "Prove the truth of cases again, in exact arithmetic", run);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   add_threads(command, options->threads);
   command.flag("--json", options->json, "One JSON object per case");
 }

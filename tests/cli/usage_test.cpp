@@ -5,8 +5,9 @@
 namespace ccdfuzz {
 namespace {
 
-const std::vector<std::string> kCommands = {"hunt",   "query",   "generate", "evaluate",  "verify",
-                                            "replay", "methods", "check",    "properties"};
+const std::vector<std::string> kCommands = {"hunt",     "query",     "trace",  "generate",
+                                            "evaluate", "verify",    "replay", "methods",
+                                            "check",    "properties"};
 
 TEST(Usage, EveryCommandHasItsHelp) {
   for (const std::string& command : kCommands) {
