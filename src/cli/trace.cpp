@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include <limits>
+
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
+#include "cli/trace_generated.hpp"
 #include "cli/trace_row.hpp"
 #include "eval/in_order.hpp"
 #include "eval/tracer_set.hpp"
@@ -20,6 +23,9 @@ struct Options {
   int threads = 1;
   bool all = false;
   bool json = false;
+  std::uint64_t generate = 0;  ///< 0: cases from files
+  std::uint64_t seed = 0, first = 0;
+  std::string output;
 };
 
 /// How each case is traced. Errors: a case without a witness within its step, naming it.
@@ -44,7 +50,22 @@ Result<std::vector<TraceOptions>> trace_options(const Options& options,
 Result<int> run(const Options& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
-  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
+  const Result<SearchOptions> search = options.search.parse();
+  if (!search) return tl::unexpected(search.error());
+  if (options.generate > 0) {
+    if (options.first > std::numeric_limits<std::uint64_t>::max() - options.generate) {
+      return input_error("--first", fmt::format("{} leaves no room for {} cases before 2^64",
+                                                options.first, options.generate));
+    }
+    return trace_generated_cases({*methods,
+                                  options.seed,
+                                  options.first,
+                                  options.generate,
+                                  {search->precision, options.all},
+                                  options.threads},
+                                 options.output, options.json);
+  }
+  if (options.files.empty()) return input_error("", "no case to trace: name files or --generate");
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
   if (!cases) return tl::unexpected(cases.error());
   const Result<std::vector<TraceOptions>> how = trace_options(options, *cases);
@@ -85,7 +106,20 @@ Result<int> run(const Options& options) {
 void add_trace(CommandLine& line) {
   auto [command, options] = line.add<Options>(
       "trace", "Follow the witness of cases through the inclusion tests of methods", run);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  const Option files =
+      command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  Option generate = command.whole("--generate", options->generate,
+                                  "Instead of files: this many cases of all contact classes, in "
+                                  "many scales and places; exit code 1 if a method that claims to "
+                                  "have no false negative loses a witness",
+                                  1);
+  generate.excludes(files).without_default();
+  command.whole("--seed", options->seed, "Seed of generated cases").needs(generate);
+  command.whole("--first", options->first, "Number of the first generated case").needs(generate);
+  command
+      .text("-o,--output", options->output,
+            "File for the generated cases whose witness was lost: .jsonl or .jsonl.zst")
+      .needs(generate);
   command.text("--methods", options->methods, "Methods to trace, separated by commas");
   options->search.add_precision_to(command);
   command.flag("--all", options->all,

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// A change of coordinates that moves both patches alike, so that they touch where and when they
+/// did: x → 2^space·(x + t·drift + shift), t → 2^time·t.
+struct Similarity {
+  Vec3<double> shift = Vec3<double>(0, 0, 0);
+  Vec3<double> drift = Vec3<double>(0, 0, 0);  ///< a velocity common to both
+  int space = 0;
+  int time = 0;
+};
+
+/// The case in other coordinates, with the same truth. Expectations are dropped: they were of
+/// another query. nullopt if any number of it is not a double then.
+std::optional<Case> similar(const Case& value, const Similarity& change);
+
+}  // namespace ccdfuzz
