@@ -43,6 +43,7 @@ Frame coordinate_frame();
 class ObbAxes {
  public:
   static constexpr int kCount = 15;
+  static constexpr int kStages = 6;  ///< stages are 0..5
 
   ObbAxes(const Frame& frame1, const Frame& frame2) : frames_{frame1, frame2} {}
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "ccd/line.hpp"
+#include "ccd/next_double.hpp"
 
 namespace ccdfuzz {
 
@@ -119,7 +119,6 @@ struct ErrorBound {
   static constexpr bool kBoundsErrors = true;
   /// Section 4.3's machine epsilon, twice the unit roundoff.
   static constexpr double kEpsilon = 0x1p-52;
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   /// B·[(1+eps)^k − 1], overestimated as Appendix B does.
   static double bound(double magnitude, int roundings) {
@@ -152,7 +151,7 @@ struct ErrorBound {
   }
   static void raise(Lines<double>& envelope, double error) {
     for (int i = 0; i < envelope.size(); ++i) {
-      envelope[i].intercept = std::nextafter(envelope[i].intercept + error, kInfinity);
+      envelope[i].intercept = next_up(envelope[i].intercept + error);
     }
   }
 
@@ -161,12 +160,12 @@ struct ErrorBound {
   static double left_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
                           const TimeWindow<double>& w) {
     const Root root = root_of(f, g, i, j, i + j);
-    return std::clamp(std::nextafter(root.t + root.error, kInfinity), w.lo, w.hi);
+    return std::clamp(next_up(root.t + root.error), w.lo, w.hi);
   }
   static double right_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
                            const TimeWindow<double>& w) {
     const Root root = root_of(f, g, i, j, (f.size() - 1 - i) + (g.size() - 1 - j));
-    return std::clamp(std::nextafter(root.t - root.error, -kInfinity), w.lo, w.hi);
+    return std::clamp(next_down(root.t - root.error), w.lo, w.hi);
   }
 
  private:
@@ -176,7 +175,7 @@ struct ErrorBound {
 
   static Root root_of(const Lines<double>& f, const Lines<double>& g, int i, int j, int steps) {
     const double pull = steps == 0 ? 0 : steps * delta(f, g);
-    const auto pulled_up = [pull](double d) { return std::nextafter(d + pull, kInfinity); };
+    const auto pulled_up = [pull](double d) { return next_up(d + pull); };
     const double l = pulled_up(f[i].intercept) + pulled_up(g[j].intercept);
     const double r = f[i].slope + g[j].slope;
     // eps_tau = 2·|l/r|·[(1+eps)² − 1]

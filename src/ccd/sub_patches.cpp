@@ -6,16 +6,45 @@
 
 namespace ccdfuzz {
 
+namespace {
+
+size_t place_of(const Cell& cell) {
+  std::uint64_t hash = cell.i * 0x9e3779b97f4a7c15 ^ cell.j * 0xc2b2ae3d27d4eb4f;
+  hash ^= static_cast<std::uint64_t>(2 * cell.depth + (cell.inverted ? 1 : 0)) << 32;
+  hash *= 0x9e3779b97f4a7c15;
+  return (hash >> 32) % SubPatches::kSplits;
+}
+
+}  // namespace
+
+void SubPatches::begin(const Query& query) {
+  query_ = &query;
+  for (size_t side = 0; side < 2; ++side) {
+    const Shape& shape = query.patches[side].shape;
+    kept_[side].parts.fill(0);
+    kept_[side].points.resize(kSplits * static_cast<size_t>(4 * 2 * shape.control_count()));
+  }
+}
+
 void SubPatches::prepare(int side, std::span<const Cell> parts) {
   const MovingPatch<double>& patch = query_->patches[side];
   const auto count = static_cast<size_t>(patch.shape.control_count());
+  Kept& kept = kept_[side];
+  const size_t place = place_of(parts[0]);
+  const bool known = kept.parts[place] >= parts.size() && kept.first[place] == parts[0];
   for (size_t c = 0; c < parts.size(); ++c) {
-    Part& part = parts_[side][c];
-    const auto corners = parts[c].corners(patch.shape);
-    restrict_to<double>(patch.shape, patch.positions, corners, {part.positions.data(), count});
-    restrict_to<double>(patch.shape, patch.velocities, corners, {part.velocities.data(), count});
-    part.frame_time = std::numeric_limits<double>::quiet_NaN();
+    Vec3<double>* points = &kept.points[(place * 4 + c) * 2 * count];
+    if (!known) {
+      const auto corners = parts[c].corners(patch.shape);
+      restrict_to<double>(patch.shape, patch.positions, corners, {points, count});
+      restrict_to<double>(patch.shape, patch.velocities, corners, {points + count, count});
+    }
+    parts_[side][c].points = points;
+    parts_[side][c].frame_time = std::numeric_limits<double>::quiet_NaN();
   }
+  if (known) return;
+  kept.first[place] = parts[0];
+  kept.parts[place] = parts.size();
 }
 
 const Frame& SubPatches::frame(int side, int part, double t) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "bezier/cell.hpp"
 #include "ccd/axes.hpp"
@@ -9,11 +10,16 @@
 
 namespace ccdfuzz {
 
-/// The control nets of the cells that the pairs of one split are made of, in place.
+/// The control nets of the cells that the pairs of one split are made of. The nets of the last few
+/// hundred splits of each patch are kept: a cell belongs to many pairs, and its net depends on
+/// nothing but the patch and the cell. Allocates nothing once its tables have their size.
 class SubPatches {
  public:
+  /// Splits of each patch whose nets are kept.
+  static constexpr size_t kSplits = 256;
+
   /// Points at the query's patches; the query must outlive the calls of prepare.
-  void begin(const Query& query) { query_ = &query; }
+  void begin(const Query& query);
 
   /// Makes the nets of the parts of patch `side`, each from the original control points
   /// (Appendix A (b)), so that rounding errors do not add up over the levels.
@@ -22,8 +28,8 @@ class SubPatches {
   ControlNet net(int side, int part) const {
     const Shape& shape = query_->patches[side].shape;
     const auto count = static_cast<size_t>(shape.control_count());
-    const Part& p = parts_[side][part];
-    return {shape, {p.positions.data(), count}, {p.velocities.data(), count}};
+    const Vec3<double>* points = parts_[side][part].points;
+    return {shape, {points, count}, {points + count, count}};
   }
 
   /// The OBB axes of part a of patch 1 and part b of patch 2, aligned at time t. Where neither
@@ -32,15 +38,25 @@ class SubPatches {
 
  private:
   struct Part {
-    std::array<Vec3<double>, kMaxControls> positions, velocities;
+    /// The positions, then the velocities.
+    const Vec3<double>* points;
     /// The frame at frame_time, which is NaN if there is none yet.
     Frame frame;
     double frame_time;
   };
+  /// The nets of sibling cells, found again by the first of them: each new split takes the place of
+  /// an older one with the same hash.
+  struct Kept {
+    std::array<Cell, kSplits> first;
+    std::array<size_t, kSplits> parts;  ///< how many; 0 if there are none yet
+    std::vector<Vec3<double>> points;
+  };
+
   const Frame& frame(int side, int part, double t);
 
   const Query* query_ = nullptr;
   std::array<std::array<Part, 4>, 2> parts_;
+  std::array<Kept, 2> kept_;
 };
 
 }  // namespace ccdfuzz

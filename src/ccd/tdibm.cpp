@@ -1,5 +1,8 @@
 #include "ccd/tdibm.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "ccd/separation.hpp"
 
 namespace ccdfuzz {
@@ -7,24 +10,79 @@ namespace ccdfuzz {
 template <class Policy>
 void TdibmInclusion<Policy>::begin(const Query& query) {
   parts_.begin(query);
-  for (int side = 0; side < 2; ++side) extents_[side] = extent_of(query.patches[side]);
+  if constexpr (Policy::kBoundsErrors) {
+    for (size_t side = 0; side < 2; ++side) {
+      const Extent extent = extent_of(query.patches[side]);
+      for (int stage = 0; stage < ObbAxes::kStages; ++stage) {
+        stage_errors_[side][static_cast<size_t>(stage)] =
+            coefficient_error(query.patches[side].shape, extent, Axis{{0, 0, 0}, stage});
+      }
+    }
+  }
+  std::iota(order_.begin(), order_.end(), 0);
 }
 
 template <class Policy>
-void TdibmInclusion<Policy>::project_side(int side, const ControlNet& net, const Axis& axis,
-                                          double t_hi) {
-  Projection& out = projections_[side];
-  project(net, axis, out.upper);
-  negate_lines(out.upper, out.lower);
-  if constexpr (Policy::kBoundsErrors) {
-    const CoefficientError error = coefficient_error(net.shape, extents_[side], axis);
-    out.error = policy_.envelope_error(out.upper, error, t_hi);
+void TdibmInclusion<Policy>::prepare(int side, std::span<const Cell> parts) {
+  parts_.prepare(side, parts);
+  for (auto& axes : own_[static_cast<size_t>(side)]) {
+    for (OnAxis& on_axis : axes) on_axis.forget();
   }
-  for (Lines<double>* lines : {&out.upper, &out.lower}) {
+}
+
+template <class Policy>
+void TdibmInclusion<Policy>::OnAxis::project(const Policy& policy, const ControlNet& net,
+                                             const Axis& axis,
+                                             std::span<const CoefficientError> stage_errors,
+                                             double t_hi) {
+  ccdfuzz::project(net, axis, lines_);
+  negate_lines(lines_, negated_);
+  if constexpr (Policy::kBoundsErrors) {
+    error_ = policy.envelope_error(lines_, stage_errors[static_cast<size_t>(axis.stage)], t_hi);
+  }
+  for (Lines<double>* lines : {&lines_, &negated_}) {
     for (int i = 0; i < lines->size(); ++i) {
-      (*lines)[i].intercept = policy_.pulled((*lines)[i].intercept);
+      (*lines)[i].intercept = policy.pulled((*lines)[i].intercept);
     }
   }
+  direction_ = axis.direction;
+  has_upper_ = has_lower_ = false;
+}
+
+template <class Policy>
+const Lines<double>& TdibmInclusion<Policy>::OnAxis::upper(const Policy& policy, const Window& w) {
+  if (!has_upper_) {
+    upper_envelope(policy, lines_, w, upper_);
+    policy.raise(upper_, error_);
+    has_upper_ = true;
+  }
+  return upper_;
+}
+
+template <class Policy>
+const Lines<double>& TdibmInclusion<Policy>::OnAxis::lower(const Policy& policy, const Window& w) {
+  if (!has_lower_) {
+    upper_envelope(policy, negated_, w, lower_);
+    policy.raise(lower_, error_);
+    has_lower_ = true;
+  }
+  return lower_;
+}
+
+/// Part `part` of patch `side` on axis r: one of its own three, or another.
+template <class Policy>
+typename TdibmInclusion<Policy>::OnAxis& TdibmInclusion<Policy>::on_axis(int side, int part, int r,
+                                                                         const Axis& axis,
+                                                                         const Window& window) {
+  const auto s = static_cast<size_t>(side);
+  const bool own = r / 3 == side;
+  OnAxis& place =
+      own ? own_[s][static_cast<size_t>(part)][static_cast<size_t>(r % 3)] : scratch_[s];
+  // Stand-ins for zero axes depend on the other part too: an axis is known by its direction.
+  if (!own || place.direction() != axis.direction) {
+    place.project(policy_, parts_.net(side, part), axis, stage_errors_[s], window.hi);
+  }
+  return place;
 }
 
 template <class Policy>
@@ -44,24 +102,35 @@ template <class Observer>
 std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer& observer,
                                                        int part_a, int part_b,
                                                        const Window& window) {
-  const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
   std::array<Separation<double>, 2 * ObbAxes::kCount> separations;
   size_t count = 0;
+  if (window.lo != seen_.lo || window.hi != seen_.hi) {
+    for (auto& side : own_) {
+      for (auto& part : side) {
+        for (OnAxis& on_axis : part) on_axis.forget();
+      }
+    }
+    seen_ = window;
+  }
   const ObbAxes axes = parts_.axes(part_a, part_b, window.lo);
-  for (int r = 0; r < ObbAxes::kCount; ++r) {
+  for (size_t k = 0; k < order_.size(); ++k) {
+    const int r = Observer::kListens ? static_cast<int>(k) : order_[k];
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;
-    for (int side = 0; side < 2; ++side) project_side(side, nets[side], axis, window.hi);
+    OnAxis* const on[2] = {&on_axis(0, part_a, r, axis, window),
+                           &on_axis(1, part_b, r, axis, window)};
     for (int below = 0; below < 2; ++below) {  // which patch is below the other
-      const Projection &f = projections_[below], &g = projections_[1 - below];
-      upper_envelope(policy_, f.upper, window, envelopes_[0]);
-      upper_envelope(policy_, g.lower, window, envelopes_[1]);
-      policy_.raise(envelopes_[0], f.error);
-      policy_.raise(envelopes_[1], g.error);
-      const auto found = separation(policy_, envelopes_[0], envelopes_[1], window);
+      const auto found = separation(policy_, on[below]->upper(policy_, window),
+                                    on[1 - below]->lower(policy_, window), window);
       if (!found) continue;
       if constexpr (Observer::kListens) observer.excluded({r, axis.direction, below, *found});
-      if (found->has_lo && found->has_hi) return std::nullopt;
+      if (found->has_lo && found->has_hi) {
+        if constexpr (!Observer::kListens) {
+          std::rotate(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(k),
+                      order_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+        }
+        return std::nullopt;
+      }
       separations[count++] = *found;
     }
   }

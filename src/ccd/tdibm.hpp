@@ -20,28 +20,48 @@ class TdibmInclusion {
   explicit TdibmInclusion(Policy policy) : policy_(policy) {}
 
   void begin(const Query& query);
-  void prepare(int side, std::span<const Cell> parts) { parts_.prepare(side, parts); }
+  void prepare(int side, std::span<const Cell> parts);
   std::optional<Window> test(int part_a, int part_b, const Window& window);
   std::optional<Window> test(int part_a, int part_b, const Window& window,
                              ExclusionObserver& observer);
 
  private:
-  /// The lines of one part on one axis, ready for Step II: as they are for its maximum, negated
-  /// for its minimum; and eps_constr.
-  struct Projection {
-    Lines<double> upper, lower;
-    double error = 0;
+  /// One part on one axis: its lines, and their envelopes when they are asked for. `lower` stands
+  /// for the negated lines, whose upper envelope is the negated lower one.
+  class OnAxis {
+   public:
+    /// Step I. stage_errors: eps_a, eps_b by the stage of an axis.
+    void project(const Policy& policy, const ControlNet& net, const Axis& axis,
+                 std::span<const CoefficientError> stage_errors, double t_hi);
+    /// Step II. w: the window that project had the end of.
+    const Lines<double>& upper(const Policy& policy, const Window& w);
+    const Lines<double>& lower(const Policy& policy, const Window& w);
+
+    const Vec3<double>& direction() const { return direction_; }
+    /// No lines yet.
+    void forget() { direction_ = Vec3<double>(0, 0, 0); }
+
+   private:
+    Lines<double> lines_, negated_, upper_, lower_;
+    Vec3<double> direction_;
+    double error_ = 0;  ///< eps_constr
+    bool has_upper_ = false, has_lower_ = false;
   };
 
-  void project_side(int side, const ControlNet& net, const Axis& axis, double t_hi);
   template <class Observer>
   std::optional<Window> test_for(Observer& observer, int part_a, int part_b, const Window& window);
+  OnAxis& on_axis(int side, int part, int r, const Axis& axis, const Window& window);
 
   Policy policy_;
   SubPatches parts_;
-  std::array<Extent, 2> extents_;
-  std::array<Projection, 2> projections_;
-  std::array<Lines<double>, 2> envelopes_;
+  /// eps_a and eps_b of the sub-patches of each side, by the stage of the axis.
+  std::array<std::array<CoefficientError, ObbAxes::kStages>, 2> stage_errors_;
+  /// The axes that most lately separated a pair throughout come first: it may decide the next, too.
+  std::array<int, ObbAxes::kCount> order_;
+  /// Parts on their own axes in the window `seen_`, which the pairs of a split share.
+  std::array<std::array<std::array<OnAxis, 3>, 4>, 2> own_;
+  Window seen_{};
+  std::array<OnAxis, 2> scratch_;
 };
 
 extern template class TdibmInclusion<Plain>;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ccd/search.hpp"
@@ -37,6 +38,9 @@ struct MethodInfo {
   std::string description;  ///< one line
   bool claims_no_false_negative = false;
 };
+
+/// Behind the spec of a method of the paper: its form without any optimisation, for comparison.
+inline constexpr std::string_view kUnoptimised = "@unoptimised";
 
 /// Every registered family, in the order of the tables.
 const std::vector<MethodInfo>& registered_methods();

@@ -8,6 +8,7 @@
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/tdibm.hpp"
 #include "ccd/traditional.hpp"
+#include "ccd/unoptimised.hpp"
 #include "ccd/witness_trace/certified_tracer.hpp"
 #include "ccd/witness_trace/inclusion_tracer.hpp"
 #include "method/method.hpp"
@@ -56,6 +57,8 @@ struct Family {
   MethodInfo info;
   std::function<MadeMethod(const std::string& spec)> make;
   std::function<MadeTracer(const std::string& spec)> make_tracer;
+  /// The same method as one would write it down from the paper; empty if there is no such form.
+  std::function<MadeMethod(const std::string& spec)> make_unoptimised = nullptr;
 };
 
 /// Solver answers, Follower traces; both are made of the same arguments.
@@ -72,7 +75,12 @@ Family family(MethodInfo info, Args... args) {
 
 template <class Policy>
 Family tdibm_family(MethodInfo info) {
-  return family<Tdibm<Policy>, InclusionTracer<TdibmInclusion<Policy>>>(std::move(info), Policy());
+  Family made =
+      family<Tdibm<Policy>, InclusionTracer<TdibmInclusion<Policy>>>(std::move(info), Policy());
+  made.make_unoptimised = [](const std::string&) -> MadeMethod {
+    return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>();
+  };
+  return made;
 }
 
 /// A family whose spec ends in ":F", a pull-apart factor.
@@ -88,6 +96,11 @@ Family pull_apart_family(MethodInfo info) {
             return parse_pull_apart(spec).and_then([](double factor) -> MadeTracer {
               using Follower = InclusionTracer<TdibmInclusion<Policy>>;
               return std::make_unique<BuiltInTracer<Follower>>(Policy(factor));
+            });
+          },
+          [](const std::string& spec) {
+            return parse_pull_apart(spec).and_then([](double factor) -> MadeMethod {
+              return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(Policy(factor));
             });
           }};
 }
@@ -135,6 +148,17 @@ std::string known_specs() {
   return specs;
 }
 
+/// "tdibm-e@unoptimised" is {"tdibm-e", true}.
+struct Form {
+  std::string spec;
+  bool unoptimised = false;
+};
+
+Form form_of(const std::string& spec) {
+  if (!spec.ends_with(kUnoptimised)) return {spec, false};
+  return {spec.substr(0, spec.size() - kUnoptimised.size()), true};
+}
+
 /// The family with this very spec, or the one that takes a parameter under its name.
 Result<const Family*> find_family(const std::string& spec) {
   const std::string with_parameter = split_spec(spec).name + ":F";
@@ -157,15 +181,28 @@ const std::vector<MethodInfo>& registered_methods() {
 }
 
 Result<MethodInfo> method_info(const std::string& spec) {
-  return find_family(spec).map([](const Family* found) { return found->info; });
+  return find_family(form_of(spec).spec).map([](const Family* found) { return found->info; });
 }
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
-  return find_family(spec).and_then([&](const Family* found) { return found->make(spec); });
+  const Form form = form_of(spec);
+  if (!form.unoptimised) {
+    return find_family(spec).and_then([&](const Family* found) { return found->make(spec); });
+  }
+  const Result<const Family*> found = find_family(form.spec);
+  if (found && (*found)->make_unoptimised) {
+    if (MadeMethod made = (*found)->make_unoptimised(form.spec)) return made;
+  }
+  return input_error("--methods", fmt::format("\"{}\" is not the spec of a method of the paper "
+                                              "with \"{}\" after it",
+                                              spec, kUnoptimised));
 }
 
 Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
-  return find_family(spec).and_then([&](const Family* found) { return found->make_tracer(spec); });
+  // Both forms answer alike.
+  const std::string& plain = form_of(spec).spec;
+  return find_family(plain).and_then(
+      [&](const Family* found) { return found->make_tracer(plain); });
 }
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {

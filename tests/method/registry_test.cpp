@@ -71,7 +71,12 @@ TEST(Registry, BadSpecsAreRefusedAndNamed) {
                            "tdibm-h:1e-12:2",
                            "tdibm-h-rel",
                            "tdibm-h-rel:",
-                           "tdibm-h-rel:zero"}) {
+                           "tdibm-h-rel:zero",
+                           "tdibm-c@unoptimised",
+                           "trad@unoptimised",
+                           "tdibm-h@unoptimised",
+                           "tdibm@unoptimised@unoptimised",
+                           "tdibm@fast"}) {
     const auto method = make_method(spec);
     ASSERT_FALSE(method) << spec;
     const std::string message = method.error().message();

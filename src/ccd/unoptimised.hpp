@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "ccd/search.hpp"
+#include "ccd/tdibm.hpp"
+
+namespace ccdfuzz {
+
+/// TdibmInclusion as one would write it down from the paper: each pair makes its sub-patches and
+/// axes anew, and each axis and direction projects, sorts and builds its envelopes for itself. It
+/// is here to be measured and compared: it answers bit for bit what TdibmInclusion answers.
+template <class Policy>
+class UnoptimisedInclusion {
+ public:
+  explicit UnoptimisedInclusion(Policy policy) : policy_(policy) {}
+
+  void begin(const Query& query);
+  void prepare(int side, std::span<const Cell> parts);
+  std::optional<Window> test(int part_a, int part_b, const Window& window);
+
+ private:
+  Policy policy_;
+  const Query* query_ = nullptr;
+  std::array<Extent, 2> extents_;
+  std::array<std::array<Cell, 4>, 2> cells_;
+};
+
+extern template class UnoptimisedInclusion<Plain>;
+extern template class UnoptimisedInclusion<PullApart>;
+extern template class UnoptimisedInclusion<RelativePullApart>;
+extern template class UnoptimisedInclusion<ErrorBoundIntended>;
+extern template class UnoptimisedInclusion<ErrorBoundPrinted>;
+
+/// `tdibm@unoptimised` and so on.
+template <class Policy>
+class UnoptimisedTdibm {
+ public:
+  explicit UnoptimisedTdibm(Policy policy = Policy()) : inclusion_(policy) {}
+
+  /// As Tdibm::answer.
+  Answer answer(const Query& query, const SearchOptions& options) {
+    return search_.run(query, options, inclusion_);
+  }
+
+ private:
+  UnoptimisedInclusion<Policy> inclusion_;
+  Search<UnoptimisedInclusion<Policy>> search_;
+};
+
+}  // namespace ccdfuzz
