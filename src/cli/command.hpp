@@ -106,6 +106,7 @@ void add_generate(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_methods(CommandLine& line);
 void add_properties(CommandLine& line);
+void add_prove(CommandLine& line);
 void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_trace(CommandLine& line);

@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_generate(line);
     ccdfuzz::add_evaluate(line);
     ccdfuzz::add_verify(line);
+    ccdfuzz::add_prove(line);
     ccdfuzz::add_replay(line);
     ccdfuzz::add_methods(line);
     ccdfuzz::add_check(line);

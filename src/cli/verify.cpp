@@ -9,6 +9,7 @@
 #include "cli/terminal.hpp"
 #include "eval/in_order.hpp"
 #include "eval/table.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -46,13 +47,22 @@ struct Verified {
   std::string note;
 };
 
-/// Everything the case claims: its witness by the checker, absence of contact by the exact method.
-Verified verify(const Case& value) {
+/// Everything the case claims: all that has a certificate by the checker, whatever else it says of
+/// absence by the exact method.
+Verified verify(const Case& value, const std::string& trees) {
   if (const Result<void> checked = check_truth(value); !checked) {
     return {Standing::kRefuted, checked.error().message()};
   }
   const Truth& truth = value.truth;
-  if (!truth.collides && !truth.clear_until) return {Standing::kNoClaim, "the case has no truth"};
+  if (!truth.collides && !truth.clear_until && !truth.clearance) {
+    return {Standing::kNoClaim, "the case has no truth"};
+  }
+  if (truth.clearance) {
+    if (const Result<void> absent = check_absence(value, trees); !absent) {
+      return {Standing::kRefuted, absent.error().message()};
+    }
+    return {};
+  }
   Rational clear_until = 0;
   if (truth.collides == false) clear_until = exact(value.query.t_max);
   // A later claim includes an earlier one, also at the very end: [0, c) lies in [0, c].
@@ -67,9 +77,11 @@ Verified verify(const Case& value) {
 
 Result<int> run(const Options& options) {
   std::vector<NamedCase> cases;
+  std::vector<std::string> trees;  // of each case
   for (const std::string& file : options.files) {
     Result<std::vector<NamedCase>> read = read_cases(file);
     if (!read) return tl::unexpected(read.error());
+    trees.insert(trees.end(), read->size(), trees_path(file));
     std::ranges::move(*read, std::back_inserter(cases));
   }
   std::array<std::uint64_t, 4> counts{};
@@ -78,7 +90,7 @@ Result<int> run(const Options& options) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   size_t done = 0;
   run_in_order<Verified>(
-      cases.size(), options.threads, [&](size_t i) { return verify(cases[i].value); },
+      cases.size(), options.threads, [&](size_t i) { return verify(cases[i].value, trees[i]); },
       [&](const Verified& verified) {
         const std::string& id = cases[done++].id;
         ++counts[static_cast<size_t>(verified.standing)];

@@ -11,6 +11,7 @@
 #include "ccd/unoptimised.hpp"
 #include "ccd/witness_trace/certified_tracer.hpp"
 #include "ccd/witness_trace/inclusion_tracer.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
 
@@ -135,6 +136,10 @@ const std::vector<Family>& families() {
       family<TdibmC, CertifiedTracer>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
                                        "ours: separation certified at both ends of a window",
                                        true}),
+      // What it searches with is tdibm-c, so that is what a witness is followed through.
+      family<Oracle, CertifiedTracer>(
+          {"oracle", "src/certify/oracle/oracle.hpp",
+           "ours: says nothing that an independent checker has not proven; slower", true}),
   };
   return all;
 }

@@ -23,7 +23,7 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"ccd", {"query"}},
     {"certify/checker", {"query"}},
     {"certify/oracle", {"ccd", "certify/checker"}},
-    {"method", {"ccd", "query"}},
+    {"method", {"ccd", "certify/oracle", "query"}},
     {"eval", {"method", "certify/checker"}},
     {"generators", {"ccd", "certify/checker", "certify/oracle"}},
     {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},

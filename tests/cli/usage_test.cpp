@@ -5,9 +5,9 @@
 namespace ccdfuzz {
 namespace {
 
-const std::vector<std::string> kCommands = {"hunt",     "query",     "trace",  "generate",
-                                            "evaluate", "verify",    "replay", "methods",
-                                            "check",    "properties"};
+const std::vector<std::string> kCommands = {"hunt",     "query",      "trace",  "generate",
+                                            "evaluate", "verify",     "replay", "methods",
+                                            "check",    "properties", "prove"};
 
 TEST(Usage, EveryCommandHasItsHelp) {
   for (const std::string& command : kCommands) {
@@ -90,6 +90,8 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"hunt", "--corpus", "/dev/null/finds"}, "/dev/null/finds"},
       {{"verify"}, "case"},
       {{"verify", "no-such-file.jsonl"}, "no-such-file.jsonl"},
+      {{"prove", "x.jsonl"}, "--output"},
+      {{"prove", "no-such-file.jsonl", "-o", "/tmp/x.jsonl"}, "no-such-file.jsonl"},
       {{"replay", "no-such-folder"}, "no-such-folder"},
       {{"evaluate"}, "dataset"},
       {{"check", "dyadic"}, "no property \"dyadic\""},
@@ -120,6 +122,8 @@ TEST(Usage, AFullDiskUnderStdoutIsAnErrorForEveryCommandThatPrints) {
       {"evaluate", set},
       {"verify", set},
       {"verify", set, "--json"},
+      {"prove", set, "-o", folder / "proven.jsonl"},
+      {"prove", set, "-o", folder / "proven.jsonl", "--json"},
       {"hunt", "--cases", "1", "--methods", "tdibm", "--max-pops", "10", "--corpus",
        folder / "finds"},
       {"generate", "--contact", "VV", "--kind", "RP", "--count", "3"},

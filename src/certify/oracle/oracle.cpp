@@ -8,6 +8,7 @@
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
@@ -21,6 +22,10 @@ class Deciding {
   Deciding(const Query& query, const OracleOptions& options) : query_(query), options_(options) {}
 
   Decision run() {
+    if (options_.known && options_.known->t <= exact(query_.t_max)) {
+      CCDFUZZ_VERIFY(check_witness(query_, *options_.known));
+      consider(*options_.known);
+    }
     search();
     prove_clear();
     Truth& truth = out_.truth;
@@ -28,7 +33,7 @@ class Deciding {
     if (truth.clearance) {
       truth.clear_until = until_of(*truth.clearance);
       if (covers(*truth.clearance, exact(query_.t_max))) {
-        CCDFUZZ_VERIFY(truth.collides != true);
+        CCDFUZZ_VERIFY(truth.collides != true);  // else a proof of ours is wrong
         truth.collides = false;
         truth.proof = proof_word(*truth.clearance);
       }
@@ -42,8 +47,7 @@ class Deciding {
  private:
   /// Nothing leaves the oracle that the checker does not accept.
   void check() const {
-    const auto checked = check_truth({query_, out_.truth, {}, {}});
-    CCDFUZZ_VERIFY(checked);
+    CCDFUZZ_VERIFY(check_truth({query_, out_.truth, {}, {}}));
     if (out_.truth.clearance) {
       CCDFUZZ_VERIFY(check_clearance(query_, *out_.truth.clearance, out_.tree));
     }
@@ -67,7 +71,7 @@ class Deciding {
       if (settles(answer, precision)) return;
       if (answer.verdict == Verdict::kUndecided) break;
     }
-    if (out_.truth.contact_box) return;
+    if (out_.truth.contact_by()) return;
     for (const double precision : {0x1p-14, 0x1p-24}) {
       if (settles(ask<TdibmRational>(precision), precision)) return;
     }
@@ -78,18 +82,29 @@ class Deciding {
     if (answer.verdict != Verdict::kHit) return missed_;
     const Suspicion near{answer.uv, *answer.toi, precision};
     Truth& truth = out_.truth;
-    truth.witness = find_witness(query_, near);
-    if (truth.witness) {
-      out_.uv = answer.uv;
+    if (const auto witness = find_witness(query_, near)) {
+      consider(*witness);
       return true;
     }
     const auto box = find_contact_box(query_, near);
-    if (box && (!truth.contact_box || box->until() < truth.contact_box->until())) {
+    if (box && (!truth.contact_by() || box->until() < *truth.contact_by())) {
       truth.contact_box = box;
+      truth.witness.reset();
       out_.uv = answer.uv;
     }
     constexpr double kFine = 0x1p-20;
-    return truth.contact_box && precision <= kFine;
+    return truth.contact_by() && precision <= kFine;
+  }
+
+  /// Keeps a witness unless an earlier contact is known.
+  void consider(const Witness& witness) {
+    const std::optional<Rational> by = out_.truth.contact_by();
+    if (by && *by < witness.t) return;
+    out_.truth.contact_box.reset();
+    out_.truth.witness = witness;
+    for (size_t s = 0; s < 2; ++s) {
+      for (size_t k = 0; k < 2; ++k) out_.uv[s][k] = round_down(witness.uv[s][k]);
+    }
   }
 
   bool try_tree(const Rational& until) {
@@ -115,7 +130,7 @@ class Deciding {
     }
     const std::optional<Rational> contact = out_.truth.contact_by();
     const auto& wanted = options_.wanted_clear;
-    if (wanted && *wanted > 0 && !(contact && *contact <= *wanted) && *wanted <= exact(clear_)) {
+    if (wanted && *wanted > 0 && !(contact && *contact <= *wanted)) {
       if (try_tree(*wanted)) return;
     }
     // The nearer the contact, the larger the tree: what is too large is tried earlier.

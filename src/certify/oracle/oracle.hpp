@@ -14,6 +14,8 @@ struct OracleOptions {
   std::uint64_t max_pops = 100'000;       ///< of each search
   std::uint64_t max_bytes = 256 << 20;    ///< of each search's queue
   std::uint64_t max_tree_nodes = 60'000;  ///< of a miss tree
+  /// A contact that is known already.
+  std::optional<Witness> known;
   /// A time up to which absence of contact is wanted, if it can be had: an earlier claim, say.
   std::optional<Rational> wanted_clear;
 };

@@ -1,0 +1,81 @@
+#include "certify/oracle/complete_truth.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The latest time up to which the case claims that nothing touches.
+std::optional<Rational> claimed_clear(const Case& value) {
+  std::optional<Rational> until = value.truth.clear_until;
+  const Rational t_max = exact(value.query.t_max);
+  if (value.truth.collides == false && (!until || *until < t_max)) until = t_max;
+  return until;
+}
+
+/// True iff x proves absence for a longer time than y.
+bool reaches_further(const Clearance& x, const Clearance& y) {
+  return until_of(x) > until_of(y) || (until_of(x) == until_of(y) && covers(x, until_of(x)));
+}
+
+/// Takes over the case's own clearance, which holds, if it reaches further than the one found.
+void keep_better_clearance(const Case& value, const std::string& trees, Decision& found) {
+  const auto& own = value.truth.clearance;
+  if (!own) return;
+  if (found.truth.clearance && !reaches_further(*own, *found.truth.clearance)) return;
+  found.truth.clearance = own;
+  found.truth.clear_until = until_of(*own);
+  found.tree.clear();
+  if (const auto* tree = std::get_if<MissTree>(&*own)) found.tree = *read_tree(trees, tree->tree);
+  if (covers(*own, exact(value.query.t_max))) {
+    found.truth.collides = false;
+    found.truth.proof = proof_word(*own);
+  }
+}
+
+}  // namespace
+
+Completed complete_truth(const Case& value, const std::string& trees, OracleOptions options) {
+  const std::optional<Rational> claimed = claimed_clear(value);
+  options.known = value.truth.witness;
+  options.wanted_clear = claimed;
+  Decision found = decide(value.query, options);
+  Completed out{value, {}, false, found.note};
+  Truth& truth = out.value.truth;
+
+  const std::optional<Rational> contact = found.truth.contact_by();
+  if (const auto holds = truth.clearance ? check_absence(value, trees) : Result<void>(); !holds) {
+    out.refuted = true;
+    out.note = holds.error().message();
+  } else if (contact && claimed && *contact < *claimed) {
+    out.refuted = true;
+    out.note = fmt::format("claimed clear until t = {}, but there is a contact by t = {}",
+                           to_text(*claimed), to_text(*contact));
+  } else {
+    keep_better_clearance(value, trees, found);
+    const auto& until = found.truth.clear_until;
+    if (claimed && found.truth.collides != false && (!until || *until < *claimed)) {
+      // The claim stands as it is, and is still to be proven by other means.
+      found.truth.clearance.reset();
+      found.tree.clear();
+      found.truth.clear_until = truth.clear_until;
+      found.truth.proof = truth.proof;
+      if (!found.truth.collides) found.truth.collides = truth.collides;
+    }
+    // A contact after t_max is no part of a decision.
+    if (!contact || (truth.contact_by() && *truth.contact_by() < *contact)) {
+      found.truth.witness = truth.witness;
+      found.truth.contact_box = truth.contact_box;
+    }
+  }
+  truth = found.truth;
+  out.tree = std::move(found.tree);
+  CCDFUZZ_VERIFY(check_truth(out.value));
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "certify/oracle/oracle.hpp"
+
+namespace ccdfuzz {
+
+/// A case with all of its truth that could be proven.
+struct Completed {
+  Case value;
+  /// The tree of value.truth.clearance, if that is a tree; its place in a file is still the old
+  /// one.
+  std::string tree;
+  /// What the case claimed is false: its truth is replaced.
+  bool refuted = false;
+  std::string note;  ///< why it is undecided, or what was refuted
+};
+
+/// Decides the query of a case and completes its truth: contact or absence, and both certificates.
+/// A witness or clearance of the case's own stays if it proves more, and so does a claim of absence
+/// that goes beyond what could be proven here. trees: the file of trees beside the case.
+/// Requires that check_truth accepts the case.
+Completed complete_truth(const Case& value, const std::string& trees, OracleOptions options = {});
+
+}  // namespace ccdfuzz

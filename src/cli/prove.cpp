@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/complete_truth.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/in_order.hpp"
+#include "eval/table.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string output;
+  std::uint64_t max_pops = OracleOptions().max_pops;
+  std::uint64_t max_nodes = OracleOptions().max_tree_nodes;
+  int threads = 1;
+  bool json = false;
+};
+
+std::string_view verdict_of(const Completed& completed) {
+  const auto& collides = completed.value.truth.collides;
+  return !collides ? "undecided" : *collides ? "hit" : "miss";
+}
+
+/// The certificate letters of a truth, as "WP" or "MT".
+std::string certificates(const Truth& truth) {
+  std::string letters;
+  if (truth.witness) letters += 'W';
+  if (truth.contact_box) letters += 'M';
+  if (truth.clearance) letters += proof_word(*truth.clearance);
+  return letters;
+}
+
+nlohmann::ordered_json row_json(const std::string& id, const Completed& completed) {
+  const Truth& truth = completed.value.truth;
+  nlohmann::ordered_json row = {
+      {"case", id}, {"verdict", verdict_of(completed)}, {"certificates", certificates(truth)}};
+  row["contact_by"] = nullptr;
+  if (const auto by = truth.contact_by()) row["contact_by"] = to_text(*by);
+  row["clear_until"] = nullptr;
+  if (truth.clear_until) row["clear_until"] = to_text(*truth.clear_until);
+  row["tree_bytes"] = completed.tree.size();
+  row["refuted"] = completed.refuted;
+  if (!completed.note.empty()) row["note"] = completed.note;
+  return row;
+}
+
+/// The cases and their trees. The trees come first: no case ever names one that is not there.
+class Destination {
+ public:
+  static Result<Destination> open(const std::string& path) {
+    return CaseWriter::open(path).map(
+        [&](CaseWriter writer) { return Destination(std::move(writer), path); });
+  }
+
+  Result<void> write(Completed completed) {
+    if (completed.value.truth.clearance) {
+      if (auto* tree = std::get_if<MissTree>(&*completed.value.truth.clearance)) {
+        auto written = trees_.write(completed.tree);
+        if (!written) return tl::unexpected(written.error());
+        tree->tree = *written;
+      }
+    }
+    return cases_.write(completed.value);
+  }
+
+  Result<void> finish() {
+    return trees_.finish().and_then([this] { return cases_.finish(); });
+  }
+
+ private:
+  Destination(CaseWriter cases, const std::string& path) : cases_(std::move(cases)), trees_(path) {}
+
+  CaseWriter cases_;
+  TreeWriter trees_;
+};
+
+struct Counts {
+  std::uint64_t hit = 0, miss = 0, undecided = 0, refuted = 0;
+
+  void add(const Completed& completed) {
+    const auto& collides = completed.value.truth.collides;
+    ++(!collides ? undecided : *collides ? hit : miss);
+    if (completed.refuted) ++refuted;
+  }
+};
+
+Result<int> run(const Options& options) {
+  std::vector<NamedCase> cases;
+  std::vector<std::string> trees;  // of each case
+  for (const std::string& file : options.files) {
+    Result<std::vector<NamedCase>> read = read_checked_cases(file);
+    if (!read) return tl::unexpected(read.error());
+    trees.insert(trees.end(), read->size(), trees_path(file));
+    std::ranges::move(*read, std::back_inserter(cases));
+  }
+  Result<Destination> destination = Destination::open(options.output);
+  if (!destination) return tl::unexpected(destination.error());
+
+  OracleOptions oracle;
+  oracle.max_pops = options.max_pops;
+  oracle.max_tree_nodes = options.max_nodes;
+  Table table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
+  Counts counts;
+  Progress progress;
+  std::atomic<bool> stop = false;
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  Result<void> written;
+  size_t done = 0;
+  run_in_order<Completed>(
+      cases.size(), options.threads,
+      [&](size_t i) { return complete_truth(cases[i].value, trees[i], oracle); },
+      [&](Completed completed) {
+        const std::string& id = cases[done++].id;
+        counts.add(completed);
+        if (options.json) {
+          print_json(row_json(id, completed));
+        } else if (completed.refuted || !completed.value.truth.collides) {
+          table.add_row({{id},
+                         {completed.refuted ? "refuted" : "undecided", Emphasis::kBad},
+                         {completed.note}});
+        }
+        if (written) written = destination->write(std::move(completed));
+        if (!written || interrupted) stop = true;
+        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id);
+      },
+      &stop);
+  progress.clear();
+  if (!written) return tl::unexpected(written.error());
+  if (interrupted) return interrupted_exit_code();
+  if (auto finished = destination->finish(); !finished) return tl::unexpected(finished.error());
+  if (!options.json) {
+    if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+    std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", done,
+                                      counts.hit, counts.miss, counts.undecided);
+    if (counts.refuted > 0) summary += fmt::format("; {} had claimed otherwise", counts.refuted);
+    print_out(summary + "\n");
+  }
+  return counts.refuted == 0 ? kDone : kCheckFailed;
+}
+
+}  // namespace
+
+void add_prove(CommandLine& line) {
+  auto [command, options] = line.add<Options>(
+      "prove", "Decide cases, and write them with certificates that verify checks", run);
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command
+      .text("-o,--output", options->output,
+            "File to write: .jsonl, .jsonl.zst, or .json for one case; trees go beside it")
+      .required();
+  command.whole("--max-pops", options->max_pops,
+                "Pairs of cells that one search may take before it gives up", 1);
+  command.whole("--max-nodes", options->max_nodes, "Nodes that the tree of a miss may have", 1);
+  add_threads(command, options->threads);
+  command.flag("--json", options->json, "One JSON object per case");
+}
+
+}  // namespace ccdfuzz

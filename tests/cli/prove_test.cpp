@@ -1,0 +1,172 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "certify/checker/check_truth.hpp"
+#include "process.hpp"
+#include "query/case_files.hpp"
+#include "query/case_json.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+std::vector<NamedCase> cases_of(const std::string& path) {
+  auto cases = read_cases(path);
+  EXPECT_TRUE(cases) << cases.error().message();
+  return cases ? *std::move(cases) : std::vector<NamedCase>();
+}
+
+/// The cases of a set without their truth.
+std::string bare(const ScratchFolder& folder, const std::string& set) {
+  const std::string path = folder / "bare.jsonl";
+  std::string text;
+  for (NamedCase& c : cases_of(set)) {
+    c.value.truth = {};
+    text += to_json(c.value) + "\n";
+  }
+  write_text(path, text);
+  return path;
+}
+
+TEST(Prove, DecidesWhatVerifyThenChecks) {
+  const ScratchFolder folder;
+  for (const char* kind : {"RP", "RN"}) {
+    const std::string set = bare(folder, generated(folder, "EE", kind, 6));
+    for (const char* ending : {".jsonl", ".jsonl.zst"}) {
+      const std::string out = folder / (std::string("proven") + kind + ending);
+      const Finished proven = ccdfuzz({"prove", set, "-o", out});
+      EXPECT_EQ(proven.code, 0) << proven.err;
+      EXPECT_EQ(proven.out, std::string("6 cases: ") +
+                                (kind[1] == 'P' ? "6 hits, 0 misses" : "0 hits, 6 misses") +
+                                ", 0 undecided\n");
+      const Finished verified = ccdfuzz({"verify", out});
+      EXPECT_EQ(verified.code, 0) << verified.out;
+      EXPECT_EQ(verified.out, "6 cases: 6 hold, 0 refuted, 0 unproven\n");
+    }
+  }
+}
+
+TEST(Prove, KeepsEverythingButTheTruth) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "VF", "RN", 3), out = folder / "out.jsonl";
+  ASSERT_EQ(ccdfuzz({"prove", set, "-o", out, "--json"}).code, 0);
+  const auto before = cases_of(set), after = cases_of(out);
+  ASSERT_EQ(before.size(), after.size());
+  for (size_t i = 0; i < before.size(); ++i) {
+    Case a = before[i].value, b = after[i].value;
+    EXPECT_EQ(b.truth.collides, false);
+    EXPECT_EQ(b.truth.proof, "T");
+    EXPECT_GE(*b.truth.clear_until, *a.truth.clear_until);
+    a.truth = b.truth = {};
+    EXPECT_EQ(to_json(a), to_json(b));
+  }
+}
+
+TEST(Prove, ProvingAgainChangesNothing) {
+  const ScratchFolder folder;
+  for (const char* kind : {"RP", "RN"}) {
+    const std::string set = generated(folder, "VE", kind, 4);
+    const std::string first = folder / "first.jsonl", second = folder / "second.jsonl";
+    ASSERT_EQ(ccdfuzz({"prove", set, "-o", first, "--threads", "1"}).code, 0);
+    ASSERT_EQ(ccdfuzz({"prove", first, "-o", second, "--threads", "3"}).code, 0);
+    EXPECT_EQ(read_text(first), read_text(second));
+    if (std::filesystem::exists(trees_path(first))) {
+      EXPECT_EQ(read_text(trees_path(first)), read_text(trees_path(second)));
+    }
+    // In place, too.
+    ASSERT_EQ(ccdfuzz({"prove", first, "-o", first}).code, 0);
+    EXPECT_EQ(read_text(first), read_text(second));
+    EXPECT_EQ(ccdfuzz({"verify", first}).code, 0);
+  }
+}
+
+TEST(Prove, PrintsARowForEachCase) {
+  const ScratchFolder folder;
+  const std::string set = bare(folder, generated(folder, "FF", "RP", 2));
+  const auto rows = json_lines(ccdfuzz({"prove", set, "-o", folder / "out.jsonl", "--json"}).out);
+  ASSERT_EQ(rows.size(), 2U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("verdict"), "hit");
+    EXPECT_EQ(row.at("certificates").get<std::string>()[0], 'W');
+    EXPECT_EQ(row.at("contact_by"), "1");
+    EXPECT_EQ(row.at("refuted"), false);
+    EXPECT_TRUE(row.contains("clear_until") && row.contains("tree_bytes"));
+  }
+}
+
+TEST(Prove, WritesWhatIsUndecidedAsSuch) {
+  const ScratchFolder folder;
+  const std::string set = bare(folder, generated(folder, "FF", "RN", 1)), out = folder / "out.json";
+  const Finished proven = ccdfuzz({"prove", set, "-o", out, "--max-pops", "2", "--max-nodes", "2"});
+  EXPECT_EQ(proven.code, 0) << proven.err;
+  EXPECT_NE(proven.out.find("1 cases: 0 hits, 0 misses, 1 undecided\n"), std::string::npos);
+  EXPECT_EQ(cases_of(out).at(0).value.truth.collides, std::nullopt);
+}
+
+TEST(Prove, AFalseClaimIsReplacedAndExits1) {
+  const ScratchFolder folder;
+  Case wrong = cases_of(generated(folder, "VV", "RN", 1)).at(0).value;
+  wrong.query.t_max = 1.5;  // past the contact at t = 1
+  wrong.truth.clear_until.reset();
+  const std::string in = folder / "wrong.json", out = folder / "out.json";
+  write_text(in, to_json(wrong));
+  const Finished proven = ccdfuzz({"prove", in, "-o", out, "--json"});
+  EXPECT_EQ(proven.code, 1) << proven.out;
+  EXPECT_EQ(json_lines(proven.out).at(0).at("refuted"), true);
+  EXPECT_EQ(cases_of(out).at(0).value.truth.collides, true);
+  EXPECT_EQ(ccdfuzz({"verify", out}).code, 0);
+}
+
+/// What becomes of a proven set when its trees are not what they were.
+class DamagedTrees : public testing::Test {
+ protected:
+  DamagedTrees() {
+    EXPECT_EQ(ccdfuzz({"prove", generated(folder, "EF", "RN", 3), "-o", set}).code, 0);
+  }
+  void expect_refuted(const std::string& why) const {
+    const Finished verified = ccdfuzz({"verify", set, "--json"});
+    EXPECT_EQ(verified.code, 1) << verified.err;
+    const auto rows = json_lines(verified.out);
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows.back().at("truth"), "refuted");
+    EXPECT_NE(rows.back().at("note").get<std::string>().find(why), std::string::npos)
+        << rows.back();
+  }
+
+  const ScratchFolder folder;
+  const std::string set = folder / "set.jsonl", trees = folder / "set.trees.zst";
+};
+
+TEST_F(DamagedTrees, Missing) {
+  std::filesystem::remove(trees);
+  expect_refuted("cannot read");
+}
+
+TEST_F(DamagedTrees, Truncated) {
+  const std::string bytes = read_text(trees);
+  write_text(trees, bytes.substr(0, bytes.size() - 1));
+  expect_refuted("ends before byte");
+}
+
+TEST_F(DamagedTrees, Foreign) {
+  const std::string other = folder / "other.jsonl";
+  ASSERT_EQ(ccdfuzz({"prove", generated(folder, "EE", "RN", 3), "-o", other}).code, 0);
+  std::filesystem::copy_file(folder / "other.trees.zst", trees,
+                             std::filesystem::copy_options::overwrite_existing);
+  const Finished verified = ccdfuzz({"verify", set});
+  EXPECT_EQ(verified.code, 1) << verified.out;
+}
+
+TEST_F(DamagedTrees, OfAnotherCase) {
+  auto cases = cases_of(set);
+  // The hash is right, but the tree is that of the case before.
+  cases[2].value.truth.clearance = cases[1].value.truth.clearance;
+  std::string text;
+  for (const NamedCase& c : cases) text += to_json(c.value) + "\n";
+  write_text(set, text);
+  expect_refuted("truth.certificate.clear");
+}
+
+}  // namespace
+}  // namespace ccdfuzz
