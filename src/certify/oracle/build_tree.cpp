@@ -1,6 +1,7 @@
 #include "certify/oracle/build_tree.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/pair_axes.hpp"
@@ -29,6 +30,35 @@ TreeAxis rounded(const Axis& l, int bits) {
 
 Axis to_double(const TreeAxis& l) {
   return {static_cast<double>(l[0]), static_cast<double>(l[1]), static_cast<double>(l[2])};
+}
+
+/// Extents of a net on axis l at two times, each value rounded as ErrorBound assumes.
+RangePair extents(const double* net, int width, const Axis& l, double t0, double t1) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}};
+  for (int i = 0; i < width; ++i) {
+    const auto along = [&](const double* x) {
+      return (l[0] * x[i] + l[1] * x[i + width]) + l[2] * x[i + 2 * width];
+    };
+    const double position = along(net), velocity = along(net + 3 * width);
+    const double x0 = velocity * t0 + position, x1 = velocity * t1 + position;
+    r.at_lo = {std::min(r.at_lo.min, x0), std::max(r.at_lo.max, x0)};
+    r.at_hi = {std::min(r.at_hi.min, x1), std::max(r.at_hi.max, x1)};
+  }
+  return r;
+}
+
+/// Calls visit(axis) on the candidates that are not zero, until it returns true.
+template <class Visit>
+bool for_each_candidate(const Skeleton& a, const Skeleton& b, const Visit& visit) {
+  CandidateAxes candidates(a, b);
+  for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const Axis l = {batch->axes[0][lane], batch->axes[1][lane], batch->axes[2][lane]};
+      if (norm1(l) > 0 && visit(l)) return true;
+    }
+  }
+  return false;
 }
 
 class Builder {
@@ -80,10 +110,10 @@ class Builder {
     return ErrorBound(query_.magnitude, query_.absolute, roundings + kOfTime).for_axis(norm1(l));
   }
   Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {
-    const auto extents = [&](int s) {
-      return project(trees_[s].net(pair.cells[s]), trees_[s].width(), l, time(lo), time(hi));
+    const auto of = [&](int s) {
+      return extents(trees_[s].net(pair.cells[s]), trees_[s].width(), l, time(lo), time(hi));
     };
-    return {extents(0), extents(1)};
+    return {of(0), of(1)};
   }
 
   /// An axis of few bits near l that certainly separates throughout [lo, hi], patch 1 below.
@@ -109,12 +139,13 @@ class Builder {
   void try_cut(const Pair& pair, const Axis& l, const Gaps& g, double e, Cut& best) const {
     const NetPair nets = {{trees_[0].net(pair.cells[0]), trees_[1].net(pair.cells[1])},
                           {trees_[0].width(), trees_[1].width()}};
+    const HeightLines lines(nets, l);
     for (int sign = 0; sign < 2; ++sign) {
       const bool low = g.at_lo[sign] < -e;
       if (!low && !(g.at_hi[sign] < -e)) continue;
       Window w{time(pair.lo), time(pair.hi)};
       trim_by_chord(g, e, w);  // first: the gaps are those at the ends of w
-      trim_by_newton(nets, l, e, sign, low, w);
+      trim_by_newton(lines, e, sign, low, w);
       const double steps = std::ldexp((low ? w.lo : w.hi) / until_, 32);
       std::uint64_t m = static_cast<std::uint64_t>(
           std::clamp(low ? std::floor(steps) : std::ceil(steps), static_cast<double>(pair.lo),
@@ -159,7 +190,7 @@ class Builder {
     }
     const double middle = 0.5 * time(pair.lo) + 0.5 * time(pair.hi);
     const Skeleton a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
-    if (for_each_axis(a, b, try_axis)) return leaf(*found);
+    if (for_each_candidate(a, b, try_axis)) return leaf(*found);
 
     if (cut.length > 0) {
       pair.hint = to_double(cut.axis);
@@ -182,8 +213,10 @@ class Builder {
       if (tree.shape().kind == ShapeKind::kPoint) continue;
       if (tree.cell(pair.cells[s]).depth >= Cell::kMaxDepth) continue;
       double size = 0;
-      for (int k = 0; k < 3; ++k) {
-        const RangePair r = project_coordinate(tree.net(pair.cells[s]), tree.width(), k, t, t);
+      for (size_t k = 0; k < 3; ++k) {
+        Axis l{};
+        l[k] = 1;
+        const RangePair r = extents(tree.net(pair.cells[s]), tree.width(), l, t, t);
         size = std::max(size, r.at_lo.max - r.at_lo.min);
       }
       if (size > largest) largest = size, side = s;
