@@ -14,7 +14,7 @@ std::optional<Query> to_query(const Scene& scene);
 
 /// Step VI: the case of a validated scene, with the truth its kind has. query: to_query(scene).
 /// clear_until: the time before which it has been proven that nothing touches, if it has been.
-/// RP ends at scene.t_max. RN ends at clear_until, which it needs.
+/// RP and NHP end at scene.t_max. RN and NMN end at clear_until, which they need.
 Case finalize(const Scene& scene, const Query& query, CaseKind kind,
               const std::optional<Dyadic>& clear_until);
 

@@ -39,15 +39,22 @@ bool certified_clear(const Query& query, double until) {
 
 }  // namespace
 
-bool first_contact_is_proven(const Scene& scene, const Query& query, const Dyadic& until) {
+bool first_contact_is_proven(const Scene& scene, const Query& query, const Dyadic& until,
+                             bool grazing) {
   CCDFUZZ_VERIFY(until < scene.contact.t);
   if (moving_plane_separates(scene, scene.normal)) return true;
-  // Without such a normal the patches are in each other just before t*, or graze.
-  const std::optional<Vec3<Dyadic>> normal = approach_normal(scene);
-  if (!normal) return false;
-  if (moving_plane_separates(scene, *normal)) return true;
+  if (!grazing) {
+    // Without such a normal the patches are in each other just before t*.
+    const std::optional<Vec3<Dyadic>> normal = approach_normal(scene);
+    if (!normal) return false;
+    if (moving_plane_separates(scene, *normal)) return true;
+  }
   const std::optional<double> horizon = until.to_double_exactly();
   return horizon && certified_clear(query, *horizon) && proves_clear(query, until.rational());
+}
+
+bool miss_is_proven(const Query& query) {
+  return certified_clear(query, query.t_max) && proves_clear(query, exact(query.t_max));
 }
 
 }  // namespace ccdfuzz

@@ -4,6 +4,7 @@
 
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
+#include "generators/grazing.hpp"
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/stress.hpp"
@@ -23,17 +24,25 @@ std::string_view name_of(Family family) {
   return names.at(static_cast<size_t>(family));
 }
 
+namespace {
+
+bool is_grazing(CaseKind kind) {
+  return kind == CaseKind::kNHP || kind == CaseKind::kNMN;
+}
+
+int eps_t_exponent(const GeneratorOptions& options) {
+  return options.eps_t_exponent.value_or(is_grazing(options.kind) ? -10 : -20);
+}
+
+}  // namespace
+
 Result<void> validate(const GeneratorOptions& options) {
-  if (options.kind != CaseKind::kRP && options.kind != CaseKind::kRN) {
-    return input_error("--kind", fmt::format("{} is not generated", name_of(options.kind)));
-  }
   if (options.family != Family::kRegular && options.kind != CaseKind::kRP) {
     return input_error("--kind", fmt::format("{} is not generated in the family {}",
                                              name_of(options.kind), name_of(options.family)));
   }
-  if (options.eps_t_exponent < -40 || options.eps_t_exponent > -1) {
-    return input_error(
-        "--eps-t", fmt::format("exponent {} is not between -40 and -1", options.eps_t_exponent));
+  if (const int e = eps_t_exponent(options); e < -40 || e > -1) {
+    return input_error("--eps-t", fmt::format("exponent {} is not between -40 and -1", e));
   }
   return {};
 }
@@ -53,24 +62,42 @@ std::string_view generator_name(const GeneratorOptions& options) {
 /// probability below 2^-140: the construction is broken.
 constexpr std::uint64_t kMaxAttempts = 2000;
 
+/// Near-misses stay 2^-20 to 2^-8 apart.
+constexpr int kLeastGap = -20, kLargestGap = -8;
+
+/// The stream of random numbers of a case. Neither kind nor eps_T is part of its key, but that
+/// grazing ones have their own: a negative case has the patches of the positive one.
+Random stream_of(const GeneratorOptions& options, std::uint64_t index) {
+  const auto contact = static_cast<std::uint64_t>(options.contact);
+  const auto construction = static_cast<std::uint64_t>(options.construction);
+  const auto family = static_cast<std::uint64_t>(options.family);
+  if (is_grazing(options.kind)) {
+    return Random::keyed({options.seed, index, contact, construction, family, 1});
+  }
+  return Random::keyed({options.seed, index, contact, construction, family});
+}
+
 /// Steps I to IV; nullopt if the static check refused the result.
 std::optional<Scene> construct(const GeneratorOptions& options, Random& random) {
   if (options.family != Family::kRegular) {
     return stress_scene(options.family, options.contact, random);
   }
-  if (options.construction == Construction::kPaper) return paper_scene(options.contact, random);
-  return one_sided_scene(options.contact, {}, random);
+  const bool grazing = is_grazing(options.kind);
+  if (options.construction == Construction::kPaper) {
+    return paper_scene(options.contact, grazing, random);
+  }
+  OneSidedStyle style;
+  style.grazing = grazing;
+  style.flat_edges = !grazing;
+  return one_sided_scene(options.contact, style, random);
 }
 
 }  // namespace
 
 Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   CCDFUZZ_VERIFY(validate(options));
-  // Neither kind nor eps_T is part of the key: a negative case has the patches of the positive one.
-  Random random = Random::keyed({options.seed, index, static_cast<std::uint64_t>(options.contact),
-                                 static_cast<std::uint64_t>(options.construction),
-                                 static_cast<std::uint64_t>(options.family)});
-  const Dyadic eps_t(1, options.eps_t_exponent);
+  Random random = stream_of(options, index);
+  const Dyadic eps_t(1, eps_t_exponent(options));
   Generated out;
   const auto discard = [&out](Discard reason) {
     ++out.discards.discarded[static_cast<size_t>(reason)];
@@ -78,10 +105,13 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   for (;;) {
     CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);
     ++out.discards.attempts;
-    const std::optional<Scene> scene = construct(options, random);
+    std::optional<Scene> scene = construct(options, random);
     if (!scene) {
       discard(Discard::kStaticCheck);
       continue;
+    }
+    if (options.kind == CaseKind::kNMN) {
+      part(*scene, static_cast<int>(random.between(kLeastGap, kLargestGap)));
     }
     const std::optional<Query> query = to_query(*scene);
     if (!query) {
@@ -90,8 +120,12 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
     }
     std::optional<Dyadic> clear_until;
     if (options.family == Family::kRegular) {
-      clear_until = scene->contact.t - eps_t;
-      if (!first_contact_is_proven(*scene, *query, *clear_until)) {
+      const bool near_miss = options.kind == CaseKind::kNMN;
+      clear_until = near_miss ? scene->t_max : scene->contact.t - eps_t;
+      const bool proven = near_miss ? miss_is_proven(*query)
+                                    : first_contact_is_proven(*scene, *query, *clear_until,
+                                                              is_grazing(options.kind));
+      if (!proven) {
         discard(Discard::kFirstContact);
         continue;
       }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <string_view>
 
 #include "query/case.hpp"
@@ -48,8 +49,9 @@ struct GeneratorOptions {
   Construction construction = Construction::kPaper;
   Family family = Family::kRegular;
   std::uint64_t seed = 0;
-  /// No contact is proven up to t* − 2^eps_t_exponent, where a negative case also ends.
-  int eps_t_exponent = -20;
+  /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
+  /// By default 2^-20, and 2^-10 for NHP: grazing patches are only about eps_T² apart then.
+  std::optional<int> eps_t_exponent;
 };
 
 /// Why a construction was thrown away and begun anew.
@@ -92,6 +94,9 @@ Result<void> validate(const GeneratorOptions& options);
 /// two triangular quadratic patches that touch at t* in a point of the given class.
 /// RP: t_max = t*, truth: collides, with the exact witness. RN: the same patches with
 /// t_max = t* − eps_T, truth: no contact. Both carry clear_until = t* − eps_T, proven.
+/// NHP (near-hit): as RP, but at t* the patches move along each other within the contact plane.
+/// NMN (near-miss): patches as of a near-hit, one of them moved away by 2^-20 to 2^-8 along one
+/// coordinate; truth: no contact up to t_max = t*, proven for all of it.
 /// The result depends on (options, index) alone: not on the compiler, on threads or on other calls.
 /// Requires valid options. Begins anew until a construction is accepted.
 Generated generate(const GeneratorOptions& options, std::uint64_t index);

@@ -114,7 +114,8 @@ Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Random& 
     const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), kTangentUnit, random);
     // An edge of EE and VE may lie in the contact plane, where it crosses the other's contact
     // point.
-    const bool flat_edge = features[1] == Feature::kEdge && random.below(4) != 0;
+    const bool flat_edge =
+        style.flat_edges && features[1] == Feature::kEdge && random.below(4) != 0;
     const std::int64_t flatness = random.between(style.min_flatness, style.max_flatness);
     const std::array<Dyadic, 6> heights =
         one_sided_heights(x, flat_edge, kHeightUnit - static_cast<long>(flatness), random);

@@ -25,6 +25,9 @@ struct OneSidedStyle {
   /// All velocities lie in the contact plane: the patches graze each other at t*, and touch at no
   /// other time if their contact points' velocities differ. The moving plane proves nothing then.
   bool grazing = false;
+  /// The contact edges of EE and VE may lie in the contact plane. Grazing ones then touch for a
+  /// time.
+  bool flat_edges = true;
 };
 
 /// The one-sided family: Steps I, II and IV in one go, without solving or discarding anything.

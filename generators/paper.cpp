@@ -1,6 +1,7 @@
 #include "generators/paper.hpp"
 
 #include "generators/extract.hpp"
+#include "generators/grazing.hpp"
 #include "generators/motion.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/static_check.hpp"
@@ -8,7 +9,7 @@
 
 namespace ccdfuzz {
 
-std::optional<Scene> paper_scene(ContactClass contact, Random& random) {
+std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Random& random) {
   const std::array<Feature, 2> features = features_of(contact);
   std::array<Barycentric, 2> x;
   for (size_t s = 0; s < 2; ++s) x[s] = prescribe_in_parent(features[s], random);
@@ -20,13 +21,20 @@ std::optional<Scene> paper_scene(ContactClass contact, Random& random) {
   Scene scene;
   scene.contact.t = scene.t_max = Dyadic(1);
   scene.normal = *normal;
+  std::optional<GrazingPlane> plane;
+  if (grazing) {
+    plane = grazing_plane(parents, x, *normal, random);
+    if (!plane) return std::nullopt;
+    scene.normal = plane->normal;
+  }
   std::array<Points<Dyadic>, 2> points;
   for (size_t s = 0; s < 2; ++s) {
     const LocalPatch part = choose_local_patch(x[s], random);
     scene.contact.x[s] = part.x;
     points[s] = extract(parents[s], part);
   }
-  scene.patches = set_in_motion(points, scene.contact, scene.normal, contact, random);
+  scene.patches = plane ? set_grazing(points, scene.contact, *plane, random)
+                        : set_in_motion(points, scene.contact, scene.normal, contact, random);
   return scene;
 }
 

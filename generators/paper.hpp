@@ -12,6 +12,7 @@ namespace ccdfuzz {
 /// static check, local parts of them, velocities. nullopt if the static check discards it. Nothing
 /// is known yet of the time before t*.
 /// Every number is a multiple of 2^-41 below 2^11, which a double holds.
-std::optional<Scene> paper_scene(ContactClass contact, Random& random);
+/// grazing: the contact points' relative velocity lies in the contact plane.
+std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Random& random);
 
 }  // namespace ccdfuzz

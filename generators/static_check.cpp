@@ -66,7 +66,7 @@ std::optional<Vec3<Dyadic>> check_faces(const std::array<Points<Dyadic>, 2>& poi
 std::optional<Vec3<Dyadic>> check_edge_on_face(const std::array<Points<Dyadic>, 2>& points,
                                                const std::array<Barycentric, 2>& x) {
   const TangentCone edge = tangent_cone(points[0], x[0]);
-  const auto normal = separating_normal(edge, tangent_cone(points[1], x[1]));
+  auto normal = separating_normal(edge, tangent_cone(points[1], x[1]));
   if (!normal) return std::nullopt;
   const Projection project(*normal);
   const Graph face = graph_of(points[1], x[1], project);

@@ -25,7 +25,7 @@ struct Options {
   std::string construction = "paper";
   std::string family = "regular";
   std::uint64_t seed = 0;
-  std::string eps_t = "2^-20";
+  std::string eps_t;
   std::uint64_t count = 0;
   std::uint64_t first = 0;
   std::string output;
@@ -100,15 +100,17 @@ Result<GeneratorOptions> parse(const Options& options) {
   if (!construction) return tl::unexpected(construction.error());
   const auto family = parse_choice("--family", options.family, kFamilies);
   if (!family) return tl::unexpected(family.error());
-  const Result<int> exponent = parse_power_of_two("--eps-t", options.eps_t);
-  if (!exponent) return tl::unexpected(exponent.error());
   GeneratorOptions generator;
   generator.contact = *contact;
   generator.kind = *kind;
   generator.construction = *construction;
   generator.family = *family;
   generator.seed = options.seed;
-  generator.eps_t_exponent = *exponent;
+  if (!options.eps_t.empty()) {
+    const Result<int> exponent = parse_power_of_two("--eps-t", options.eps_t);
+    if (!exponent) return tl::unexpected(exponent.error());
+    generator.eps_t_exponent = *exponent;
+  }
   return validate(generator).map([&] { return generator; });
 }
 
@@ -164,7 +166,10 @@ void add_generate(CommandLine& line) {
   auto [command, options] =
       line.add<Options>("generate", "Make cases whose truth is proven, as a data set", run);
   command.text("--contact", options->contact, "Contact class: FF EF EE VF VE VV").required();
-  command.text("--kind", options->kind, "RP: they touch at t_max. RN: t_max is eps-t before that")
+  command
+      .text("--kind", options->kind,
+            "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: as RP, but they graze. "
+            "NMN: as NHP, but they just miss")
       .required();
   command.text("--construction", options->construction,
                "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
@@ -177,8 +182,10 @@ void add_generate(CommandLine& line) {
   command.whole("--count", options->count, "How many cases", 1).required().without_default();
   command.whole("--first", options->first, "Index of the first one");
   command.whole("--seed", options->seed, "Seed of the data set");
-  command.text("--eps-t", options->eps_t,
-               "No contact is proven up to this long before t*; a power of two");
+  command.text(
+      "--eps-t", options->eps_t,
+      "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
+      "2^-10 for NHP");
   const Option output =
       command.text("-o,--output", options->output,
                    "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");

@@ -14,7 +14,7 @@ namespace {
 const Dyadic kUntil = Dyadic(1) - Dyadic(1, -20);
 
 bool proven(const Scene& scene) {
-  return first_contact_is_proven(scene, to_query(scene).value(), kUntil);
+  return first_contact_is_proven(scene, to_query(scene).value(), kUntil, false);
 }
 
 // Reversed in time the patches are in each other before t*, right up to it. (Not so VE and VV: a
@@ -79,7 +79,7 @@ TEST(FirstContact, IsProvenBySearchWhereNoPlaneDoesIt) {
   int by_search = 0;
   for (std::uint64_t key = 0; key < 200 && by_search < 3; ++key) {
     Random random(key);
-    const std::optional<Scene> scene = paper_scene(ContactClass::kEF, random);
+    const std::optional<Scene> scene = paper_scene(ContactClass::kEF, false, random);
     by_search += scene && !moving_plane_separates(*scene, scene->normal) && proven(*scene);
   }
   EXPECT_EQ(by_search, 3);

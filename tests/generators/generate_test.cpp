@@ -196,9 +196,10 @@ TEST(Generate, DependsOnOptionsAndIndexAlone) {
 TEST(Generate, RefusesWhatItDoesNotMake) {
   GeneratorOptions options;
   options.kind = CaseKind::kNHP;
+  options.family = Family::kTwins;
   const Result<void> kind = validate(options);
   ASSERT_FALSE(kind);
-  EXPECT_EQ(kind.error().message(), "--kind: NHP is not generated");
+  EXPECT_EQ(kind.error().message(), "--kind: NHP is not generated in the family twins");
   options = {};
   options.eps_t_exponent = 0;
   const Result<void> eps = validate(options);
