@@ -2,13 +2,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
+#include "eval/cpu_time.hpp"
 
 namespace ccdfuzz {
 
-/// Times two ways to do the same thing turn by turn on the same inputs, so that their ratio depends
-/// little on the machine and on what else it does. Counters: the mean time of one input each, in
-/// seconds, and first/second.
+/// Times two ways to do the same thing turn by turn on the same inputs, in CPU time of the thread,
+/// so that their ratio depends little on the machine and on what else it does. Counters: the mean
+/// time of one input each, in seconds, and first/second.
 class Ratio {
  public:
   template <class Work>
@@ -30,9 +30,9 @@ class Ratio {
  private:
   template <class Work>
   static double seconds_of(const Work& work) {
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = thread_cpu_seconds();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return thread_cpu_seconds() - begin;
   }
 
   double first_ = 0, second_ = 0;

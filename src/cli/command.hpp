@@ -100,6 +100,7 @@ class CommandLine {
   std::function<Result<int>()> chosen_;
 };
 
+void add_bench(CommandLine& line);
 void add_check(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_generate(CommandLine& line);

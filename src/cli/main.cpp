@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_verify(line);
     ccdfuzz::add_prove(line);
     ccdfuzz::add_replay(line);
+    ccdfuzz::add_bench(line);
     ccdfuzz::add_methods(line);
     ccdfuzz::add_check(line);
     ccdfuzz::add_properties(line);

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <thread>
 
+#include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/scheduler.hpp"

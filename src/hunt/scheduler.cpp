@@ -1,7 +1,6 @@
 #include "hunt/scheduler.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 #include "numeric/verify.hpp"
 
@@ -27,12 +26,6 @@ void Scheduler::end(size_t cell, double seconds) {
   --c.running;
   c.used += seconds;
   c.last = seconds;
-}
-
-double thread_cpu_seconds() {
-  timespec now{};
-  CCDFUZZ_VERIFY(clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 }  // namespace ccdfuzz

@@ -35,7 +35,4 @@ class Scheduler {
   std::vector<Cell> cells_;
 };
 
-/// CPU time that the calling thread has used, in seconds.
-double thread_cpu_seconds();
-
 }  // namespace ccdfuzz

@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
 #include "eval/tracer_set.hpp"
 #include "hunt/scheduler.hpp"

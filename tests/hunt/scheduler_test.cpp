@@ -1,4 +1,5 @@
 #include "hunt/scheduler.hpp"
+#include "eval/cpu_time.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/race.hpp"
+#include "eval/table.hpp"
+#include "generators/generate.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Options {
+  std::string classes = "FF,EF,EE,VF,VE,VV";
+  std::string methods = "tdibm-c,trad,tdibm,tdibm-h:1e-12,tdibm-e,tdibm-rational";
+  std::string construction = "paper";
+  std::uint64_t count = 10;
+  std::uint64_t seed = 1;
+  /// trad takes minutes where patches are nearly parallel; its time is then a lower bound.
+  std::uint64_t trad_pops = 2'000;
+  bool unoptimised = false;
+  bool json = false;
+  SearchFlags search;
+};
+
+struct Plan {
+  std::vector<ContactClass> classes;
+  std::vector<std::string> methods;
+  Construction construction;
+  SearchOptions search, search_of_trad;
+};
+
+Result<std::vector<ContactClass>> parse_classes(const std::string& list) {
+  std::vector<ContactClass> classes;
+  for (size_t begin = 0; begin <= list.size();) {
+    const size_t end = std::min(list.find(',', begin), list.size());
+    const auto one = parse_choice("--classes", list.substr(begin, end - begin), kContactClasses);
+    if (!one) return tl::unexpected(one.error());
+    if (std::ranges::find(classes, *one) != classes.end()) {
+      return input_error("--classes", fmt::format("{} stands there twice", name_of(*one)));
+    }
+    classes.push_back(*one);
+    begin = end + 1;
+  }
+  return classes;
+}
+
+Result<Plan> parse(const Options& options) {
+  Plan plan;
+  Result<std::vector<ContactClass>> classes = parse_classes(options.classes);
+  if (!classes) return tl::unexpected(classes.error());
+  plan.classes = std::move(*classes);
+  Result<std::vector<std::string>> methods = parse_method_list(options.methods);
+  if (!methods) return tl::unexpected(methods.error());
+  plan.methods = std::move(*methods);
+  if (options.unoptimised) {
+    const std::string form = "tdibm-e" + std::string(kUnoptimised);
+    if (std::ranges::find(plan.methods, form) == plan.methods.end()) plan.methods.push_back(form);
+  }
+  const auto construction = parse_choice("--construction", options.construction, kConstructions);
+  if (!construction) return tl::unexpected(construction.error());
+  plan.construction = *construction;
+  const Result<SearchOptions> search = options.search.parse();
+  if (!search) return tl::unexpected(search.error());
+  plan.search = plan.search_of_trad = *search;
+  plan.search_of_trad.max_pops = std::min(options.trad_pops, search->max_pops);
+  return plan;
+}
+
+/// The queries of one class: `count` positives up to t*, and as many negatives up to t* − 2^-20.
+template <class OnQuery>
+void for_each_query(const Plan& plan, const Options& options, ContactClass contact,
+                    const OnQuery& on_query) {
+  for (std::uint64_t i = 0; i < options.count; ++i) {
+    for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+      GeneratorOptions generator;
+      generator.contact = contact;
+      generator.kind = kind;
+      generator.construction = plan.construction;
+      generator.seed = options.seed;
+      if (!on_query(generate(generator, i).value.query)) return;
+    }
+  }
+}
+
+/// How many times the time of the first method; ≥ where the budget cut some queries short.
+std::string ratio_text(const Race::Runner& runner, double ratio) {
+  const char* format = ratio < 10 ? "{}{:.2f}×" : "{}{:.0f}×";
+  return fmt::format(fmt::runtime(format), runner.undecided > 0 ? "≥ " : "", ratio);
+}
+
+void add_rows(Table& table, ContactClass contact, const Race& race) {
+  const Race::Runner& base = race.runners().front();
+  table.start_group();
+  for (const Race::Runner& runner : race.runners()) {
+    const auto n = static_cast<double>(race.queries());
+    table.add_row({{std::string(name_of(contact))},
+                   {runner.spec},
+                   {fmt::format("{}", race.queries())},
+                   {duration_text(runner.seconds / n)},
+                   {duration_text(runner.timings.median())},
+                   {fmt::format("{:.1f}", static_cast<double>(runner.pops) / n)},
+                   {runner.undecided > 0 ? fmt::format("{}", runner.undecided) : ""},
+                   {ratio_text(runner, runner.seconds / base.seconds)},
+                   {ratio_text(runner, runner.timings.median() / base.timings.median())}});
+  }
+}
+
+void print_rows(ContactClass contact, const Race& race) {
+  const Race::Runner& base = race.runners().front();
+  for (const Race::Runner& runner : race.runners()) {
+    print_json({{"class", name_of(contact)},
+                {"method", runner.spec},
+                {"base", base.spec},
+                {"n", race.queries()},
+                {"total_seconds", runner.seconds},
+                {"median_seconds", runner.timings.median()},
+                {"pops", runner.pops},
+                {"max_pops", runner.options.max_pops},
+                {"undecided", runner.undecided},
+                {"total_ratio", runner.seconds / base.seconds},
+                {"median_ratio", runner.timings.median() / base.timings.median()}});
+  }
+}
+
+Result<int> run(const Options& options) {
+  const Result<Plan> plan = parse(options);
+  if (!plan) return tl::unexpected(plan.error());
+  const std::string& base = plan->methods.front();
+  Table table({{"class", Align::kLeft},
+               {"method", Align::kLeft},
+               {"n"},
+               {"mean"},
+               {"median"},
+               {"pops"},
+               {"undecided"},
+               {"total / " + base},
+               {"median / " + base}});
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  Progress progress;
+  const double total =
+      static_cast<double>(plan->classes.size()) * 2 * static_cast<double>(options.count);
+  double done = 0;
+  for (const ContactClass contact : plan->classes) {
+    Race race(plan->methods, plan->search, plan->search_of_trad);
+    for_each_query(*plan, options, contact, [&](const Query& query) {
+      race.ask(query);
+      progress.show(++done / total, std::string(name_of(contact)));
+      return !interrupted;
+    });
+    if (options.json) {
+      print_rows(contact, race);
+    } else {
+      add_rows(table, contact, race);
+    }
+    if (interrupted) break;
+  }
+  progress.clear();
+  if (!options.json) {
+    print_out(table.to_text(wants_colour(stdout)));
+    print_out(
+        fmt::format("\nCPU time of one thread, the methods by turns on the same queries: positives "
+                    "up to t* and "
+                    "negatives up to t* - 2^-20. trad stops after {} pops.\n",
+                    plan->search_of_trad.max_pops));
+  }
+  return interrupted ? interrupted_exit_code() : kDone;
+}
+
+}  // namespace
+
+void add_bench(CommandLine& line) {
+  auto [command, options] = line.add<Options>(
+      "bench", "Time methods against each other in one run: ratios, not seconds", run);
+  command.whole("--count", options->count, "Cases of each class: a positive and a negative each",
+                1);
+  command.whole("--seed", options->seed, "Seed of the cases");
+  command.text("--classes", options->classes, "Contact classes, separated by commas");
+  command.text("--methods", options->methods,
+               "Methods, separated by commas; the first is what the others are divided by");
+  command.flag("--unoptimised", options->unoptimised,
+               "Time tdibm-e as written from the paper, too: tdibm-e@unoptimised");
+  command.text("--construction", options->construction,
+               "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
+  options->search.add_to(command);
+  command.whole("--trad-pops", options->trad_pops, "The budget of trad, which would take minutes",
+                1);
+  command.flag("--json", options->json, "One JSON object for each class and method");
+}
+
+}  // namespace ccdfuzz

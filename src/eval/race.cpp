@@ -1,0 +1,43 @@
+#include "eval/race.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "eval/cpu_time.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+Race::Race(const std::vector<std::string>& specs, const SearchOptions& options,
+           const SearchOptions& options_of_trad) {
+  for (const std::string& spec : specs) {
+    Result<std::unique_ptr<Method>> method = make_method(spec);
+    CCDFUZZ_VERIFY(method.has_value());
+    Runner& runner = runners_.emplace_back();
+    runner.spec = spec;
+    runner.method = std::move(*method);
+    runner.options = spec.starts_with("trad") ? options_of_trad : options;
+  }
+}
+
+void Race::ask(const Query& query) {
+  if (queries_ == 0) {
+    for (Runner& runner : runners_) runner.method->answer(query, runner.options);  // warm
+  }
+  ++queries_;
+  for (Runner& runner : runners_) {
+    double least = std::numeric_limits<double>::infinity();
+    Answer answer;
+    for (int i = 0; i < kRepeats && !(i > 0 && least > kLong); ++i) {
+      const double start = thread_cpu_seconds();
+      answer = runner.method->answer(query, runner.options);
+      least = std::min(least, thread_cpu_seconds() - start);
+    }
+    runner.seconds += least;
+    runner.timings.add(least);
+    runner.pops += answer.pops;
+    runner.undecided += answer.verdict == Verdict::kUndecided ? 1 : 0;
+  }
+}
+
+}  // namespace ccdfuzz

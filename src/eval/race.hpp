@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "eval/tally.hpp"
+#include "method/method.hpp"
+
+namespace ccdfuzz {
+
+/// Times methods against each other on the same queries, turn by turn in one thread, so that their
+/// ratios depend little on the machine and on what else it does. Times are CPU time: the least of
+/// up to kRepeats answers, of one where that took longer than kLong.
+class Race {
+ public:
+  static constexpr int kRepeats = 3;
+  static constexpr double kLong = 0.01;
+
+  struct Runner {
+    std::string spec;
+    std::unique_ptr<Method> method;
+    SearchOptions options;
+    double seconds = 0;  ///< of all queries so far
+    Timings timings;
+    std::uint64_t pops = 0;
+    std::uint64_t undecided = 0;  ///< cut short by the budget: the time is a lower bound
+  };
+
+  /// Requires specs that parse_method_list accepts. trad has a budget of its own.
+  Race(const std::vector<std::string>& specs, const SearchOptions& options,
+       const SearchOptions& options_of_trad);
+
+  /// Puts one query to all of them.
+  void ask(const Query& query);
+
+  std::uint64_t queries() const { return queries_; }
+  const std::vector<Runner>& runners() const { return runners_; }
+
+ private:
+  std::vector<Runner> runners_;
+  std::uint64_t queries_ = 0;
+};
+
+}  // namespace ccdfuzz

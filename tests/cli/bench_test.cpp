@@ -1,0 +1,55 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+TEST(Bench, EveryClassHasARowForEachMethodAndTheFirstIsTheMeasure) {
+  const Finished finished = ccdfuzz({"bench", "--classes", "VV,VE", "--count", "2", "--seed", "3",
+                                     "--methods", "tdibm-c,tdibm-e", "--unoptimised", "--json"});
+  EXPECT_EQ(finished.code, 0) << finished.err;
+  const auto rows = json_lines(finished.out);
+  ASSERT_EQ(rows.size(), 6U);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const auto& row = rows[i];
+    const char* const methods[] = {"tdibm-c", "tdibm-e", "tdibm-e@unoptimised"};
+    EXPECT_EQ(row["class"], i < 3 ? "VV" : "VE");
+    EXPECT_EQ(row["method"], methods[i % 3]);
+    EXPECT_EQ(row["base"], "tdibm-c");
+    EXPECT_EQ(row["n"], 4);  // a positive and a negative of each case
+    EXPECT_GT(row["pops"], 0);
+    const auto& base = rows[i / 3 * 3];
+    EXPECT_DOUBLE_EQ(row["total_ratio"].get<double>(),
+                     row["total_seconds"].get<double>() / base["total_seconds"].get<double>());
+  }
+  // Both forms do the same search.
+  EXPECT_EQ(rows[1]["pops"], rows[2]["pops"]);
+}
+
+TEST(Bench, TradStopsAtItsBudgetAndTheTableSaysSo) {
+  const std::vector<std::string> arguments = {
+      "bench", "--classes", "EF",           "--count",     "1", "--seed",
+      "1",     "--methods", "tdibm-c,trad", "--trad-pops", "50"};
+  const Finished finished = ccdfuzz(arguments);
+  EXPECT_EQ(finished.code, 0) << finished.err;
+  EXPECT_THAT(finished.out, testing::HasSubstr("trad stops after 50 pops"));
+  EXPECT_THAT(finished.out, testing::HasSubstr("≥ "));
+}
+
+TEST(Bench, BadListsAreRefusedByName) {
+  for (const auto& [option, value, complaint] :
+       {std::array{"--classes", "FF,XX", "\"XX\""}, std::array{"--classes", "FF,FF", "twice"},
+        std::array{"--classes", "", "\"\""},
+        std::array{"--methods", "tdibm-c@unoptimised", "--methods"},
+        std::array{"--construction", "magic", "\"magic\""},
+        std::array{"--count", "0", "--count"}}) {
+    const Finished finished = ccdfuzz({"bench", option, value});
+    EXPECT_EQ(finished.code, 2) << option << " " << value;
+    EXPECT_THAT(finished.err, testing::HasSubstr(complaint));
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
