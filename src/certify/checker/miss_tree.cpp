@@ -9,8 +9,9 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr int kCountBits = 5;  // of the numbers of bits
-constexpr int kTimeBits = 32;
+constexpr int kCountBits = 5;  // of an axis's number of bits
+constexpr int kShiftBits = 6;
+constexpr int kTimeBits = 52;
 
 }  // namespace
 
@@ -49,7 +50,7 @@ std::optional<TreeNode> TreeReader::next() {
     node.side = static_cast<int>(take(1));
   } else {
     node.kind = TreeNodeKind::kTime;
-    const int shift = static_cast<int>(take(kCountBits));
+    const int shift = static_cast<int>(take(kShiftBits));
     node.time = take(kTimeBits - shift) << shift;
   }
   if (ran_out_) return std::nullopt;
@@ -93,7 +94,7 @@ void TreeBits::time(std::uint64_t time) {
   CCDFUZZ_VERIFY(0 < time && time < kTimeSteps);
   const int shift = std::countr_zero(time);
   put(3, 2);
-  put(static_cast<std::uint64_t>(shift), kCountBits);
+  put(static_cast<std::uint64_t>(shift), kShiftBits);
   put(time >> shift, kTimeBits - shift);
 }
 

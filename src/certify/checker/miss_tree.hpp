@@ -19,8 +19,8 @@ namespace ccdfuzz {
 ///                  parameters; a child for each of its parts, in the order of Cell::child
 ///   1 1 time       two children, for [lo, time] and [time, hi]; lo < time < hi
 /// axis: 1 for that of the leaf before, or 0, then 5 bits b, then three integers of b+1 bits each,
-/// two's complement. time: 5 bits s, then 32−s bits, the time being those times 2^s.
-inline constexpr std::uint64_t kTimeSteps = std::uint64_t{1} << 32;
+/// two's complement. time: 6 bits s, then 52−s bits, the time being those times 2^s.
+inline constexpr std::uint64_t kTimeSteps = std::uint64_t{1} << 52;
 
 /// Nodes deeper than this are refused; it bounds the checker's stack.
 inline constexpr int kMaxTreeDepth = 1000;

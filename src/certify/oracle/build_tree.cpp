@@ -1,5 +1,6 @@
 #include "certify/oracle/build_tree.hpp"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -97,9 +98,12 @@ class Builder {
   static constexpr std::array<int, 5> kBits = {4, 8, 13, 19, 28};
   /// A shorter cut is left to the children, which cut again anyway.
   static constexpr std::uint64_t kLeastCut = 8;  // 1/8 of the window
+  static constexpr int kTimeBits = std::countr_zero(kTimeSteps);
 
   /// The time at m. until's rounding and this product's are two more roundings of each t.
-  double time(std::uint64_t m) const { return until_ * std::ldexp(static_cast<double>(m), -32); }
+  double time(std::uint64_t m) const {
+    return until_ * std::ldexp(static_cast<double>(m), -kTimeBits);
+  }
   double bound(const Pair& pair, const Axis& l) const {
     constexpr int kOfTime = 2;
     int roundings = 0;
@@ -146,7 +150,7 @@ class Builder {
       Window w{time(pair.lo), time(pair.hi)};
       trim_by_chord(g, e, w);  // first: the gaps are those at the ends of w
       trim_by_newton(lines, e, sign, low, w);
-      const double steps = std::ldexp((low ? w.lo : w.hi) / until_, 32);
+      const double steps = std::ldexp((low ? w.lo : w.hi) / until_, kTimeBits);
       std::uint64_t m = static_cast<std::uint64_t>(
           std::clamp(low ? std::floor(steps) : std::ceil(steps), static_cast<double>(pair.lo),
                      static_cast<double>(pair.hi)));
