@@ -1,37 +1,82 @@
 #include "generators/planted.hpp"
 
+#include "bezier/blossom.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "generators/finalize.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 
-Scene planted_scene(ContactClass contact, Random& random) {
-  // Parameters are multiples of 1/4, so weights are multiples of 1/16, and coordinates multiples of
-  // 1/16: the point of a patch is a multiple of 2^-8, and so is what moves it to the other's. The
-  // way to t*, at a velocity that is a multiple of 1/16, is a multiple of 2^-7.
-  constexpr int kBits = 8, kParameterBits = 2;
-  constexpr long kUnit = -4;
+namespace {
+
+// Parameters are multiples of 1/4, so a patch whose degrees add up to n has weights that are
+// multiples of 4^-n, n ≤ 6, and coordinates that are multiples of 1/16: its point is a multiple of
+// 2^(-2n-4), and so is what moves it to the other's. The way to t* is a multiple of 2^-7.
+constexpr int kBits = 8, kParameterBits = 2;
+constexpr long kUnit = -4;
+
+Shape any_surface(Random& random) {
+  if (random.coin()) return Shape::triangle(2);
+  const auto degree = [&](int most) { return static_cast<int>(random.between(1, most)); };
+  if (random.coin()) return Shape::triangle(degree(4));
+  const int n = degree(3);
+  return Shape::tensor(n, degree(3));
+}
+
+/// A point on a feature of the shape.
+Uv<Dyadic> any_point_on(Feature feature, const Shape& shape, Random& random) {
+  if (shape.kind == ShapeKind::kTriangle) {
+    const Barycentric x = prescribe_anywhere(feature, kParameterBits, random);
+    return {x[0], x[1]};
+  }
+  const auto end = [&] { return Dyadic(static_cast<int>(random.below(2))); };
+  const auto inner = [&] {
+    return Dyadic(Integer(static_cast<long>(random.between(1, 3))), -kParameterBits);
+  };
+  Uv<Dyadic> uv;
+  uv[0] = feature == Feature::kFace ? inner() : end();
+  uv[1] = feature == Feature::kCorner ? end() : inner();
+  if (feature == Feature::kEdge && random.coin()) std::swap(uv[0], uv[1]);
+  return uv;
+}
+
+}  // namespace
+
+Case planted_case(ContactClass contact, Random& random) {
   const std::array<Feature, 2> features = features_of(contact);
   Scene scene;
   scene.contact.t = Dyadic(Integer(static_cast<long>(random.between(1, 8))), -3);
   scene.t_max = 1;
+  Witness witness;
+  witness.t = scene.contact.t.rational();
   const Vec3<Dyadic> point = random.vector(kBits, kUnit);
   for (size_t s = 0; s < 2; ++s) {
-    const Barycentric x = prescribe_anywhere(features[s], kParameterBits, random);
-    scene.contact.x[s] = x;
+    const Shape shape = any_surface(random);
+    const Uv<Dyadic> uv = any_point_on(features[s], shape, random);
+    witness.uv[s] = {uv[0].rational(), uv[1].rational()};
     MovingPatch<Dyadic>& patch = scene.patches[s];
-    patch = {kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
-    for (size_t i = 0; i < 6; ++i) {
-      patch.positions[i] = random.vector(kBits, kUnit);
-      patch.velocities[i] = random.vector(kBits, kUnit);
+    patch.shape = shape;
+    for (int i = 0; i < shape.control_count(); ++i) {
+      patch.positions.push_back(random.vector(kBits, kUnit));
+      patch.velocities.push_back(random.vector(kBits, kUnit));
     }
-    const std::array<Dyadic, 6> weights = bernstein_weights(x);
-    const Vec3<Dyadic> at = weighted_sum(weights, patch.positions);
-    for (size_t i = 0; i < 6; ++i) {
-      patch.positions[i] += point - at;
-      patch.positions[i] -= patch.velocities[i] * scene.contact.t;
+    // What stands in positions is where they are at t*.
+    const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(shape, patch.positions, uv);
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.positions[i] += to_point - patch.velocities[i] * scene.contact.t;
     }
   }
-  return scene;
+  const std::optional<Query> query = to_query(scene);
+  CCDFUZZ_VERIFY(query && check_witness(*query, witness));
+  Case out;
+  out.query = *query;
+  out.truth.collides = true;
+  out.truth.witness = witness;
+  out.origin.contact = name_of(contact);
+  out.origin.kind = name_of(CaseKind::kRP);
+  out.origin.generator = "planted";
+  return out;
 }
 
 }  // namespace ccdfuzz

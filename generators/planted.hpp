@@ -1,14 +1,16 @@
 #pragma once
 
 #include "generators/random.hpp"
-#include "generators/scene.hpp"
+#include "query/case.hpp"
 #include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 
-/// Two patches of few bits that are at one point at t*, a multiple of 1/8, and else anything: they
-/// may cross there, and may have touched before. All numbers are multiples of 2^-8 below 2^7, so
-/// that they can be moved far away exactly. The scene has no normal.
-Scene planted_scene(ContactClass contact, Random& random);
+/// Two surface patches of few bits that are at one point at t*, a multiple of 1/8, and else
+/// anything: they may cross there, and may have touched before. Triangles of degree 1 to 4, half of
+/// them quadratic, and tensor patches of degrees 1 to 3. All numbers are multiples of 2^-16 (of
+/// 2^-8 if quadratic) below 2^7, so that they can be moved far away exactly. The truth says when
+/// they collide, and nothing of the time before.
+Case planted_case(ContactClass contact, Random& random);
 
 }  // namespace ccdfuzz

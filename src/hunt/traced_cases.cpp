@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "eval/horizons.hpp"
-#include "generators/finalize.hpp"
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
 #include "generators/similar.hpp"
@@ -15,17 +14,6 @@ namespace {
 /// Not kScaled: all are scaled here.
 constexpr std::array kGrounds = {Family::kRegular, Family::kFlatGrazing, Family::kCommonVelocity,
                                  Family::kTwins, Family::kInteriorTime};
-
-Case planted_case(ContactClass contact, Random& random) {
-  const Scene scene = planted_scene(contact, random);
-  const std::optional<Query> query = to_query(scene);
-  CCDFUZZ_VERIFY(query);  // few bits, by construction
-  Case out = finalize(scene, *query, CaseKind::kRP, std::nullopt);
-  out.origin.contact = name_of(contact);
-  out.origin.kind = name_of(CaseKind::kRP);
-  out.origin.generator = "planted";
-  return out;
-}
 
 Case construction(ContactClass contact, std::uint64_t seed, std::uint64_t round, Random& random) {
   const std::uint64_t ground = round % (kGrounds.size() + 1);

@@ -13,7 +13,7 @@ namespace ccdfuzz {
 /// exact: scaled by 2^-1000 to 2^900, with a common velocity and moved by up to 2^40 of its size,
 /// where its numbers have the bits for it, in other units of time, asked past its contact. Blocks
 /// go round the contact classes and within them round the one-sided construction, the stress
-/// families and planted scenes. Case n is in block n / kBlock.
+/// families and planted contacts. Case n is in block n / kTracedBlock.
 inline constexpr std::uint64_t kTracedBlock = 16;
 
 struct TracedBlock {

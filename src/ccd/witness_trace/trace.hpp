@@ -55,7 +55,8 @@ struct Trace {
   /// nearest time that any axis excludes from a pair that contains the witness; least over all
   /// pairs and axes. Counted from the double next to t* on the side of the exclusion, so it is 0
   /// where the exclusion ends in t* or between it and the next double; 0 too where it claims t*.
-  /// Nothing if no axis excludes a part of any window: always so for trad, which drops whole ones.
+  /// Nothing if no axis excludes a part of any window: so for trad, which drops whole ones, unless
+  /// the witness is lost.
   /// Between times of one binade a step is an ulp of t*.
   struct Margin {
     std::uint64_t ulps = 0;
