@@ -49,9 +49,10 @@ TEST(Corpus, TheNamedEntriesShowTheirFault) {
     const char* entry;
     const char* method;
   };
-  for (const Named& named : {Named{"tdibm-e-underflow", "tdibm-e"},
-                             Named{"tdibm-e-literal-twin-shield", "tdibm-e-literal"},
-                             Named{"tdibm-h-rel-common-velocity", "tdibm-h-rel:1e-12"}}) {
+  for (const Named& named :
+       {Named{"tdibm-e-underflow", "tdibm-e"}, Named{"tdibm-e-overflow", "tdibm-e"},
+        Named{"tdibm-e-literal-twin-shield", "tdibm-e-literal"},
+        Named{"tdibm-h-rel-common-velocity", "tdibm-h-rel:1e-12"}}) {
     const std::string path = std::string(CCDFUZZ_CORPUS "/regressions/") + named.entry + ".json";
     const auto cases = read_cases(path);
     ASSERT_TRUE(cases) << cases.error().message();
