@@ -55,7 +55,9 @@ Result<SearchOptions> SearchFlags::parse_for(const NamedCase& named) const {
   const auto& more = named.value.origin.more;
   const auto own = more.find("precision");
   if (!search || !precision.empty() || own == more.end()) return search;
-  const Result<double> width = parse_precision(named.id + ": origin.precision", own->second);
+  const std::string where = named.id + ": origin.precision";
+  if (own->second.starts_with('"')) return input_error(where, own->second + " is not a number");
+  const Result<double> width = parse_precision(where, own->second);
   if (!width) return tl::unexpected(width.error());
   search->precision = *width;
   return search;

@@ -122,6 +122,9 @@ Result<int> run(const Options& options) {
                                               options.first, options.count));
   }
   const std::atomic<bool>& interrupted = catch_interrupts();  // from here on a file may be left
+  if (options.json && (options.output.empty() || options.output == "-")) {
+    return input_error("--json", "stdout takes the cases already; name a file with --output");
+  }
   Result<Destination> destination = Destination::open(options.output);
   if (!destination) return tl::unexpected(destination.error());
 

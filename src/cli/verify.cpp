@@ -2,6 +2,7 @@
 
 #include "ccd/rational/proves_clear.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/checker/shown.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
@@ -70,7 +71,7 @@ Verified verify(const Case& value, const std::string& trees) {
   const bool claims_absence = truth.collides == false || clear_until > 0;
   if (claims_absence && !proves_clear(value.query, clear_until)) {
     return {Standing::kUnproven,
-            fmt::format("no proof found that nothing touches up to t = {}", to_text(clear_until))};
+            fmt::format("no proof found that nothing touches up to t = {}", shown(clear_until))};
   }
   return {};
 }

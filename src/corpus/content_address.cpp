@@ -38,7 +38,7 @@ std::string content_address(const Query& query) {
     bytes += static_cast<char>(patch.shape.m);
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
   }
-  append_bits(bytes, query.t_max);
+  append_bits(bytes, query.t_max == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }

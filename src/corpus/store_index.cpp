@@ -12,6 +12,14 @@ namespace ccdfuzz {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+bool looks_like_an_address(const std::string& stem) {
+  return stem.size() == 32 && stem.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+}  // namespace
+
 std::set<FailureKey> failures_of(const Case& value) {
   std::set<FailureKey> keys;
   for (const auto& [method, outcome] : value.expect) {
@@ -43,6 +51,11 @@ Result<void> StoreIndex::refresh(const std::string& folder, const std::string& h
     Entry entry;
     entry.value = std::move(cases->front().value);
     entry.rank = {size_of(entry.value.query), content_address(entry.value.query)};
+    const std::string stem = fs::path(path).stem();
+    if (looks_like_an_address(stem) && stem != entry.rank.second) {
+      return input_error(path, "is named by the address of another query; give it its own, " +
+                                   entry.rank.second + ", or any other name");
+    }
     entry.fixed =
         fs::path(path).stem() != entry.rank.second || fs::path(path).parent_path() != home;
     entry.stamp_ = stamp;

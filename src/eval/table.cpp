@@ -89,22 +89,6 @@ std::string Table::to_text(bool colour) const {
   return out;
 }
 
-std::string Table::to_csv() const {
-  std::string out;
-  const auto add_line = [&](const auto& items, const auto& text_of) {
-    for (size_t c = 0; c < items.size(); ++c) {
-      if (c > 0) out += ',';
-      out += csv_field(text_of(items[c]));
-    }
-    out += '\n';
-  };
-  add_line(columns_, [](const Column& column) { return column.title; });
-  for (const Row& row : rows_) {
-    add_line(row.cells, [](const TableCell& cell) { return cell.text; });
-  }
-  return out;
-}
-
 std::string Table::to_markdown() const {
   std::string out = "|";
   for (const Column& column : columns_) out += fmt::format(" {} |", markdown_field(column.title));

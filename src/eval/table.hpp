@@ -35,8 +35,6 @@ class Table {
 
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes.
   std::string to_text(bool colour) const;
-  /// A line for each row, the titles first; cells as csv_field.
-  std::string to_csv() const;
   std::string to_markdown() const;
 
  private:

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <cstdlib>
+#include <cctype>
+#include <charconv>
 
 namespace ccdfuzz {
 
@@ -11,9 +11,10 @@ namespace {
 
 constexpr const char* kWhere = "--methods";
 
-/// strtod alone would take leading blanks, signs, "nan" and "inf" as well.
+/// from_chars alone would take "-1", "nan" and "inf" as well.
 bool starts_a_number(const std::string& text) {
-  return !text.empty() && (text[0] == '.' || ('0' <= text[0] && text[0] <= '9'));
+  return !text.empty() &&
+         (text[0] == '.' || std::isxdigit(static_cast<unsigned char>(text[0])) != 0);
 }
 
 }  // namespace
@@ -31,11 +32,15 @@ Result<double> parse_pull_apart(const std::string& spec) {
         kWhere, fmt::format("\"{}\" needs a pull-apart factor, as in {}:1e-12", spec, split.name));
   }
   const std::string& text = *split.argument;
-  char* end = nullptr;
-  const double value = starts_a_number(text) ? std::strtod(text.c_str(), &end) : -1.0;
-  if (value < 0 || !std::isfinite(value) || end != text.c_str() + text.size()) {
-    return input_error(kWhere, fmt::format("the pull-apart factor \"{}\" of \"{}\" is not a finite "
-                                           "number ≥ 0",
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const bool hex = text.starts_with("0x");
+  const auto [rest, status] =
+      std::from_chars(text.data() + (hex ? 2 : 0), end, value,
+                      hex ? std::chars_format::hex : std::chars_format::general);
+  if (!starts_a_number(hex ? text.substr(2) : text) || status != std::errc() || rest != end) {
+    return input_error(kWhere, fmt::format("the pull-apart factor \"{}\" of \"{}\" is not a "
+                                           "number ≥ 0 that a double holds",
                                            text, spec));
   }
   return value;

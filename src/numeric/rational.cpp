@@ -89,8 +89,9 @@ std::string to_text(const Rational& x) {
 
 Result<Rational> parse_rational(std::string_view text) {
   const auto refuse = [&] {
-    return input_error("",
-                       fmt::format("\"{}\" is not a rational \"p\" or \"p/q\" with q > 0", text));
+    constexpr size_t kShown = 60;
+    return input_error("", fmt::format("\"{}{}\" is not a rational \"p\" or \"p/q\" with q > 0",
+                                       text.substr(0, kShown), text.size() > kShown ? "…" : ""));
   };
   const auto digits = [](std::string_view s) {
     return !s.empty() &&

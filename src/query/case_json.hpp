@@ -8,7 +8,7 @@
 
 namespace ccdfuzz {
 
-/// Reads one case from its JSON text, the format of the design's section 3.
+/// Reads one case from its JSON text, the format of corpus/README.md.
 /// Reals are JSON numbers or hex-float strings, read without loss or refused; exact values are
 /// strings "p" or "p/q". The truth is read, not believed: see certify/checker/check_truth.hpp.
 /// Errors name `file`, the JSON path and the value: not JSON, a duplicate, unknown or missing key,

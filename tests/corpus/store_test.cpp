@@ -187,6 +187,16 @@ TEST(Store, TheOrderOfFindsDoesNotMatter) {
   EXPECT_THAT(first, testing::SizeIs(testing::Ge(1U)));
 }
 
+TEST(Store, RefusesAnEntryUnderTheAddressOfAnotherAtOnce) {
+  const ScratchFolder folder;
+  const std::string path = folder / (content_address(find_of(3).query) + ".json");
+  write_text(path, to_json(find_of(4)));
+  const auto store = Store::open(folder.path());
+  ASSERT_FALSE(store);
+  EXPECT_EQ(store.error().where, path);
+  EXPECT_NE(store.error().what.find(content_address(find_of(4).query)), std::string::npos);
+}
+
 TEST(LoadCorpus, AnEmptyOrMissingCorpusIsAnError) {
   const ScratchFolder folder;
   write_text(folder / "README.md", "no entry");

@@ -98,6 +98,9 @@ TEST(PullApart, ReadsDecimalsAndHexFloats) {
   EXPECT_EQ(parse_pull_apart("tdibm-h:0"), 0.0);
   EXPECT_EQ(parse_pull_apart("tdibm-h:.5"), 0.5);
   EXPECT_EQ(parse_pull_apart("tdibm-h-rel:0x1p-40"), 0x1p-40);
+  for (const char* bad : {"tdibm-h:1e-400", "tdibm-h:1e400", "tdibm-h:0x-1", "tdibm-h:0x"}) {
+    EXPECT_FALSE(parse_pull_apart(bad)) << bad;
+  }
 }
 
 TEST(MethodList, KeepsTheOrderAndRefusesDuplicates) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "certify/checker/copositive.hpp"
+#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
@@ -35,7 +36,7 @@ bool is_nonnegative(const Shape& shape, const std::vector<Rational>& heights) {
 }  // namespace
 
 Result<void> check_plane(const Query& query, const MovingPlane& plane) {
-  if (plane.until < 0) return refuse(fmt::format("until: {} is negative", to_text(plane.until)));
+  if (plane.until < 0) return refuse(fmt::format("until: {} is negative", shown(plane.until)));
   std::array<std::vector<Rational>, 2> rates;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);

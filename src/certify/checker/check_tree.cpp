@@ -4,6 +4,7 @@
 
 #include "certify/checker/miss_tree.hpp"
 #include "certify/checker/polar.hpp"
+#include "certify/checker/shown.hpp"
 #include "numeric/double_parts.hpp"
 
 namespace ccdfuzz {
@@ -208,7 +209,7 @@ class Walk {
 Result<std::uint64_t> check_tree(const Query& query, const Rational& until, std::string_view tree) {
   if (until < 0) {
     return input_error("truth.certificate.clear.until",
-                       fmt::format("{} is negative", to_text(until)));
+                       fmt::format("{} is negative", shown(until)));
   }
   try {
     return Walk(query, until, tree).run();

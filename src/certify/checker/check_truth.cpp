@@ -6,6 +6,7 @@
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "certify/checker/shown.hpp"
 #include "query/tree_file.hpp"
 
 namespace ccdfuzz {
@@ -30,22 +31,22 @@ Result<void> check_truth(const Case& value) {
   if (truth.collides == true && *by > exact(value.query.t_max)) {
     return input_error(
         "truth.collides",
-        fmt::format("true, but the contact is proven only by t = {} > t_max", to_text(*by)));
+        fmt::format("true, but the contact is proven only by t = {} > t_max", shown(*by)));
   }
   if (truth.collides == false && by && *by <= exact(value.query.t_max)) {
     return input_error(
         "truth.collides",
-        fmt::format("false, but the {} proves a contact at t = {} ≤ t_max", proof, to_text(*by)));
+        fmt::format("false, but the {} proves a contact at t = {} ≤ t_max", proof, shown(*by)));
   }
   if (truth.clear_until) {
-    const std::string until = to_text(*truth.clear_until);
+    const std::string until = shown(*truth.clear_until);
     if (*truth.clear_until < 0) {
       return input_error("truth.clear_until", fmt::format("{} is negative", until));
     }
     if (by && *by < *truth.clear_until) {
       return input_error("truth.clear_until",
                          fmt::format("{}, but the {} proves a contact at t = {} before it", until,
-                                     proof, to_text(*by)));
+                                     proof, shown(*by)));
     }
   }
   return {};
@@ -60,7 +61,7 @@ Result<void> check_clearance(const Query& query, const Clearance& clearance,
 Result<void> check_absence(const Case& value, const std::string& trees) {
   const Truth& truth = value.truth;
   if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
-  const std::string until = to_text(until_of(*truth.clearance));
+  const std::string until = shown(until_of(*truth.clearance));
   if (truth.collides == false && !covers(*truth.clearance, exact(value.query.t_max))) {
     return input_error("truth.certificate.clear.until",
                        fmt::format("{} does not reach past t_max = {}", until, value.query.t_max));
@@ -68,7 +69,7 @@ Result<void> check_absence(const Case& value, const std::string& trees) {
   if (truth.clear_until && *truth.clear_until > until_of(*truth.clearance)) {
     return input_error(
         "truth.certificate.clear.until",
-        fmt::format("{} is before clear_until = {}", until, to_text(*truth.clear_until)));
+        fmt::format("{} is before clear_until = {}", until, shown(*truth.clear_until)));
   }
   std::string bytes;
   if (const auto* tree = std::get_if<MissTree>(&*truth.clearance)) {

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "bezier/blossom.hpp"
+#include "certify/checker/polar.hpp"
+#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
@@ -12,24 +13,41 @@ tl::unexpected<InputError> refuse(const char* field, std::string what) {
   return input_error(fmt::format("truth.witness.{}", field), std::move(what));
 }
 
+/// S(u, v) at time t, by the checker's own blossom.
+Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv,
+                        const Rational& t) {
+  const auto [u, v] = std::array{uv[0], uv[1]};
+  const Rational zero(0), rest_u(1 - u), rest_v(1 - v), rest(1 - u - v);
+  const bool triangle = patch.shape.kind == ShapeKind::kTriangle;
+  const std::vector<Weights<Rational>> first(
+      static_cast<size_t>(patch.shape.n),
+      triangle ? Weights<Rational>{rest, u, v} : Weights<Rational>{rest_u, u, zero});
+  const std::vector<Weights<Rational>> second(static_cast<size_t>(patch.shape.m),
+                                              Weights<Rational>{rest_v, v, zero});
+  const auto net = moving_net<Rational>(patch, [](double x, bool) { return exact(x); });
+  Polar<Rational> polar;
+  const Moving<Rational>& at = polar(patch.shape, net, {first, second});
+  return {Rational(at[0] + t * at[3]), Rational(at[1] + t * at[4]), Rational(at[2] + t * at[5])};
+}
+
 }  // namespace
 
 Result<void> check_contact(const Query& query, const Witness& witness) {
-  if (witness.t < 0) return refuse("t", fmt::format("{} is negative", to_text(witness.t)));
+  if (witness.t < 0) return refuse("t", fmt::format("{} is negative", shown(witness.t)));
   std::array<Vec3<Rational>, 2> at;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
     if (!patch.shape.contains(witness.uv[s])) {
       return refuse("uv", fmt::format("({}, {}) lies outside the domain of patches[{}], {}",
-                                      to_text(witness.uv[s][0]), to_text(witness.uv[s][1]), s,
+                                      shown(witness.uv[s][0]), shown(witness.uv[s][1]), s,
                                       to_text(patch.shape)));
     }
-    at[s] = evaluate(exact_patch<Rational>(patch), witness.uv[s], witness.t);
+    at[s] = point_at(patch, witness.uv[s], witness.t);
   }
   for (int k = 0; k < 3; ++k) {
     if (at[0][k] != at[1][k]) {
       return refuse("uv", fmt::format("the patches do not touch there: coordinate {} is {} and {}",
-                                      "xyz"[k], to_text(at[0][k]), to_text(at[1][k])));
+                                      "xyz"[k], shown(at[0][k]), shown(at[1][k])));
     }
   }
   return {};
@@ -37,7 +55,7 @@ Result<void> check_contact(const Query& query, const Witness& witness) {
 
 Result<void> check_witness(const Query& query, const Witness& witness) {
   if (witness.t > exact(query.t_max)) {
-    return refuse("t", fmt::format("{} is after t_max = {}", to_text(witness.t), query.t_max));
+    return refuse("t", fmt::format("{} is after t_max = {}", shown(witness.t), query.t_max));
   }
   return check_contact(query, witness);
 }
