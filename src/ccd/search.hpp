@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -18,11 +19,35 @@
 
 namespace ccdfuzz {
 
-/// Limits of one query. Both budgets are deterministic; exhaustion is Undecided.
+/// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
+/// still be. max_pops and max_bytes are deterministic. Their defaults let every generated query
+/// end, and end what cannot (patches that coincide over an area need 4^depth pairs) within about a
+/// second for tdibm-c and within 256 MiB for all: a queue that grows copies itself once, so
+/// max_bytes is half.
 struct SearchOptions {
   double precision = 1e-4;              ///< parameter width at which a pair of cells is a hit
-  std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
-  std::uint64_t max_bytes = 256 << 20;  ///< memory of the queue
+  std::uint64_t max_pops = 200'000;     ///< pairs taken from the queue
+  std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue
+  /// Wall time; looked at every kPopsBetweenLooks pops.
+  double max_seconds = std::numeric_limits<double>::infinity();
+};
+
+/// The wall-time budget of one query.
+class Deadline {
+ public:
+  static constexpr std::uint64_t kPopsBetweenLooks = 64;
+
+  explicit Deadline(double max_seconds) : seconds_(max_seconds) {}
+
+  bool passed(std::uint64_t pops) const {
+    if (std::isinf(seconds_) || pops % kPopsBetweenLooks != 0) return false;
+    return std::chrono::duration<double>(Clock::now() - start_).count() > seconds_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double seconds_;
+  Clock::time_point start_ = Clock::now();
 };
 
 /// A closed time interval in which a pair of cells may touch; lo ≤ hi.
@@ -120,6 +145,7 @@ class Search {
 
   Answer decide(const Query& query, const SearchOptions& options, Inclusion& inclusion) {
     const int target = depth_for(options.precision);
+    const Deadline deadline(options.max_seconds);
     const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
     Answer answer;
     queue_.clear();
@@ -135,6 +161,7 @@ class Search {
       if (queue_.size() * sizeof(Entry) > options.max_bytes) {
         return give_up(answer, "memory budget exhausted");
       }
+      if (deadline.passed(answer.pops)) return give_up(answer, "time budget exhausted");
       std::pop_heap(queue_.begin(), queue_.end(), later);
       const Entry entry = queue_.back();
       queue_.pop_back();

@@ -41,13 +41,24 @@ void SearchFlags::add_budget_to(Command& command) {
                 "Pairs of boxes to look at before a method gives up as undecided", 1);
   command.whole("--max-mb", max_mb, "Memory of a method's queue before it gives up, in MiB", 1,
                 std::uint64_t{1} << 20);
+  command.text("--max-seconds", max_seconds,
+               "Wall time of a query before it gives up; its answer then depends on the machine");
 }
 
 Result<SearchOptions> SearchFlags::parse() const {
   const SearchOptions defaults;
   const Result<double> width =
       precision.empty() ? defaults.precision : parse_precision("--precision", precision);
-  return width.map([this](double w) { return SearchOptions{w, max_pops, max_mb << 20}; });
+  if (!width) return tl::unexpected(width.error());
+  SearchOptions options{*width, max_pops, max_mb << 20};
+  if (max_seconds.empty()) return options;
+  const Result<double> seconds = parse_number("--max-seconds", max_seconds);
+  if (!seconds) return tl::unexpected(seconds.error());
+  if (!(*seconds > 0)) {
+    return input_error("--max-seconds", fmt::format("{} is no time above 0", max_seconds));
+  }
+  options.max_seconds = *seconds;
+  return options;
 }
 
 Result<SearchOptions> SearchFlags::parse_for(const NamedCase& named) const {

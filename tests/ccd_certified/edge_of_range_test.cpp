@@ -89,6 +89,36 @@ TEST(TdibmC, GivesUpWithALowerBoundWhenABudgetEnds) {
   }
 }
 
+/// A curved patch, and the same one unit above, coming down to lie on it at t = 1.
+Query area_contact() {
+  const MovingPatch<double> curved{
+      Shape::triangle(2),
+      {{0, 0, 0}, {0, .5, .25}, {0, 1, 0}, {.5, 0, .25}, {.5, .5, .375}, {1, 0, 0}},
+      std::vector<Vec3<double>>(6, {0, 0, 0})};
+  Query query{{curved, curved}, 1};
+  for (Vec3<double>& p : query.patches[1].positions) p[2] += 1;
+  query.patches[1].velocities.assign(6, {0, 0, -1});
+  return query;
+}
+
+TEST(TdibmC, EndsWithinTheDefaultBudgetsWherePatchesCoincideOverAnArea) {
+  TdibmC method;
+  const Answer answer = method.answer(area_contact(), {});
+  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_EQ(answer.note, "memory budget exhausted");
+  EXPECT_LE(answer.toi.value(), 1);  // a lower bound of the contact's time
+  EXPECT_GE(answer.toi.value(), 1 - 0x1p-10);
+  EXPECT_LE(answer.pops, 150'000U);
+}
+
+TEST(TdibmC, GivesUpWhenItsTimeIsOver) {
+  TdibmC method;
+  const Answer answer = method.answer(area_contact(), {.max_seconds = 1e-9});
+  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_EQ(answer.note, "time budget exhausted");
+  EXPECT_LE(answer.toi.value(), 1);
+}
+
 TEST(TdibmC, KeepsNoStateBetweenQueries) {
   TdibmC used;
   const Query far{{triangle(0, 0, 1), triangle(3, -1, 1)}, 1};

@@ -49,6 +49,7 @@ void TdibmC::push(const certified::PairSplit::Kept& pair, int depth) {
 
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   const int target = depth_for(options.precision);
+  const Deadline deadline(options.max_seconds);
   split_.begin(query);
   const certified::NormalisedQuery& normalised = split_.query();
   queue_.clear();
@@ -58,10 +59,13 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   Answer answer;
   while (!queue_.empty()) {
     const bool out_of_pops = answer.pops == options.max_pops;
-    if (out_of_pops || bytes() > options.max_bytes) {
+    const bool out_of_time = deadline.passed(answer.pops);
+    if (out_of_pops || out_of_time || bytes() > options.max_bytes) {
       answer.verdict = Verdict::kUndecided;
       answer.toi = earliest(normalised.t_max);
-      answer.note = out_of_pops ? "pop budget exhausted" : "memory budget exhausted";
+      answer.note = out_of_pops   ? "pop budget exhausted"
+                    : out_of_time ? "time budget exhausted"
+                                  : "memory budget exhausted";
       return answer;
     }
     std::pop_heap(queue_.begin(), queue_.end(), later);
