@@ -111,8 +111,8 @@ class Deciding {
     }
   }
 
-  bool try_tree(const Rational& until) {
-    std::optional<std::string> tree = build_miss_tree(query_, until, options_.max_tree_nodes);
+  bool try_tree(const Rational& until, std::uint64_t max_nodes) {
+    std::optional<std::string> tree = build_miss_tree(query_, until, max_nodes);
     if (!tree) return false;
     out_.truth.clearance = MissTree{until, {}};
     out_.tree = *std::move(tree);
@@ -122,7 +122,7 @@ class Deciding {
   void prove_clear() {
     const Rational t_max = exact(query_.t_max);
     if (missed_) {
-      if (try_tree(t_max)) return;
+      if (try_tree(t_max, options_.max_tree_nodes)) return;
       out_.note = "separated, but by too large a tree";
       clear_ = query_.t_max;
     }
@@ -135,13 +135,15 @@ class Deciding {
     const std::optional<Rational> contact = out_.truth.contact_by();
     const auto& wanted = options_.wanted_clear;
     if (wanted && *wanted > 0 && !(contact && *contact <= *wanted)) {
-      if (try_tree(*wanted)) return;
+      if (try_tree(*wanted, options_.max_tree_nodes)) return;
     }
-    // The nearer the contact, the larger the tree: what is too large is tried earlier.
+    // The nearer the contact, the larger the tree: what is too large is tried earlier. None of
+    // these decides the query, so that none may take long.
+    constexpr std::uint64_t kShare = 4;
     for (const double slack : {0x1p-20, 0x1p-14, 0x1p-10, 0x1p-7, 0x1p-4, 0x1p-2}) {
       const double until = clear_ - slack * query_.t_max;
       if (until <= 0) return;
-      if (try_tree(few_bits(until))) return;
+      if (try_tree(few_bits(until), options_.max_tree_nodes / kShare)) return;
     }
   }
 

@@ -11,9 +11,9 @@ namespace ccdfuzz {
 
 /// Limits of one decision. All are counts, so that a decision does not depend on the machine.
 struct OracleOptions {
-  std::uint64_t max_pops = 100'000;       ///< of each search
-  std::uint64_t max_bytes = 256 << 20;    ///< of each search's queue
-  std::uint64_t max_tree_nodes = 60'000;  ///< of a miss tree
+  std::uint64_t max_pops = 100'000;        ///< of each search
+  std::uint64_t max_bytes = 256 << 20;     ///< of each search's queue
+  std::uint64_t max_tree_nodes = 250'000;  ///< of a miss tree that decides; a quarter of others
   /// A contact that is known already.
   std::optional<Witness> known;
   /// A time up to which absence of contact is wanted, if it can be had: an earlier claim, say.
