@@ -22,7 +22,6 @@ constexpr auto kGrounds = [] {
   return grounds;
 }();
 
-
 }  // namespace
 
 Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
