@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+
+namespace ccdfuzz {
+
+/// Of the cases of a long test, one in this many is looked at: all where code is optimised, few
+/// under asserts and sanitizers, which take ten times as long.
+#ifdef NDEBUG
+inline constexpr std::size_t kOneIn = 1;
+#else
+inline constexpr std::size_t kOneIn = 8;
+#endif
+
+}  // namespace ccdfuzz
