@@ -186,7 +186,7 @@ Result<int> run_list(const ListOptions& options) {
 void add_check(CommandLine& line) {
   auto [command, options] = line.add<Options>(
       "check", "Check properties on random inputs, outside of the tests", run_check);
-  command.optional_texts("property", options->names, "Names of properties; by default all");
+  command.texts("property", options->names, "Names of properties; by default all");
   const Option count =
       command.whole("--count", options->count, "How many inputs of each property", 1);
   command

@@ -73,11 +73,6 @@ Option Command::texts(const std::string& name, std::vector<std::string>& values,
   return Option(app_->add_option(name, values, description));
 }
 
-Option Command::optional_texts(const std::string& name, std::vector<std::string>& values,
-                               const std::string& description) {
-  return Option(app_->add_option(name, values, description));
-}
-
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {
   return Option(app_->add_flag(name, value, description));
 }

@@ -56,9 +56,6 @@ class Command {
   /// Any number of them, without an option's name in front.
   Option texts(const std::string& name, std::vector<std::string>& values,
                const std::string& description);
-  /// The same, or none.
-  Option optional_texts(const std::string& name, std::vector<std::string>& values,
-                        const std::string& description);
   Option flag(const std::string& name, bool& value, const std::string& description);
   /// A whole number of [least, most], in decimal (parse_whole).
   Option whole(const std::string& name, std::uint64_t& value, const std::string& description,

@@ -151,7 +151,7 @@ Result<int> run(const Options& options) {
 void add_prove(CommandLine& line) {
   auto [command, options] = line.add<Options>(
       "prove", "Decide cases, and write them with certificates that verify checks", run);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command
       .text("-o,--output", options->output,
             "File to write: .jsonl, .jsonl.zst, or .json for one case; trees go beside it")

@@ -91,6 +91,7 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"verify"}, "case"},
       {{"verify", "no-such-file.jsonl"}, "no-such-file.jsonl"},
       {{"prove", "x.jsonl"}, "--output"},
+      {{"prove", "-o", "/tmp/no-case.jsonl"}, "case"},
       {{"prove", "no-such-file.jsonl", "-o", "/tmp/x.jsonl"}, "no-such-file.jsonl"},
       {{"replay", "no-such-folder"}, "no-such-folder"},
       {{"evaluate"}, "dataset"},
