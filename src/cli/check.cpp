@@ -108,14 +108,12 @@ Result<int> run_check(const Options& options) {
   if (!chosen) return tl::unexpected(chosen.error());
   std::optional<double> seconds;
   if (!options.seconds.empty()) {
-    const Result<double> parsed = parse_number("--seconds", options.seconds);
+    const Result<double> parsed = parse_seconds("--seconds", options.seconds);
     if (!parsed) return tl::unexpected(parsed.error());
-    if (*parsed <= 0) return input_error("--seconds", options.seconds + " is not above 0");
     seconds = *parsed / static_cast<double>(chosen->size());
   }
-  if (options.first > ~std::uint64_t{0} - options.count) {
-    return input_error("--first", fmt::format("{} leaves no room for {} inputs before 2^64",
-                                              options.first, options.count));
+  if (const auto room = check_room(options.first, options.count, "inputs"); !room) {
+    return tl::unexpected(room.error());
   }
   Table table({{"property", Align::kLeft},
                {"checked"},

@@ -52,11 +52,8 @@ Result<SearchOptions> SearchFlags::parse() const {
   if (!width) return tl::unexpected(width.error());
   SearchOptions options{*width, max_pops, max_mb << 20};
   if (max_seconds.empty()) return options;
-  const Result<double> seconds = parse_number("--max-seconds", max_seconds);
+  const Result<double> seconds = parse_seconds("--max-seconds", max_seconds);
   if (!seconds) return tl::unexpected(seconds.error());
-  if (!(*seconds > 0)) {
-    return input_error("--max-seconds", fmt::format("{} is no time above 0", max_seconds));
-  }
   options.max_seconds = *seconds;
   return options;
 }

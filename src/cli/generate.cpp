@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <ctime>
-#include <limits>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -117,9 +116,8 @@ Result<GeneratorOptions> parse(const Options& options) {
 Result<int> run(const Options& options) {
   const Result<GeneratorOptions> generator = parse(options);
   if (!generator) return tl::unexpected(generator.error());
-  if (options.first > std::numeric_limits<std::uint64_t>::max() - options.count) {
-    return input_error("--first", fmt::format("{} leaves no room for {} cases before 2^64",
-                                              options.first, options.count));
+  if (const auto room = check_room(options.first, options.count, "cases"); !room) {
+    return tl::unexpected(room.error());
   }
   const std::atomic<bool>& interrupted = catch_interrupts();  // from here on a file may be left
   if (options.json && (options.output.empty() || options.output == "-")) {

@@ -36,11 +36,8 @@ Result<HuntOptions> parse(const Options& options) {
   if (!methods) return tl::unexpected(methods.error());
   const Result<SearchOptions> search = options.search.parse();
   if (!search) return tl::unexpected(search.error());
-  const Result<double> seconds = parse_number("--seconds", options.seconds);
+  const Result<double> seconds = parse_seconds("--seconds", options.seconds);
   if (!seconds) return tl::unexpected(seconds.error());
-  if (*seconds <= 0) {
-    return input_error("--seconds", fmt::format("{} is not above 0", options.seconds));
-  }
   HuntOptions parsed;
   parsed.methods = std::move(*methods);
   parsed.seed = options.seed;

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -71,6 +72,13 @@ Result<double> parse_number(const std::string& where, const std::string& text) {
   return sum;
 }
 
+Result<double> parse_seconds(const std::string& where, const std::string& text) {
+  return parse_number(where, text).and_then([&](double seconds) -> Result<double> {
+    if (seconds > 0) return seconds;
+    return input_error(where, fmt::format("{} is not above 0", text));
+  });
+}
+
 Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text) {
   std::vector<double> numbers;
   for (size_t begin = 0; begin <= text.size();) {
@@ -102,6 +110,12 @@ Result<std::uint64_t> parse_whole(const std::string& where, const std::string& t
   constexpr size_t kShown = 40;
   return input_error(where, fmt::format("\"{}{}\" is not a whole number from 0 to 2^64 - 1",
                                         text.substr(0, kShown), text.size() > kShown ? "…" : ""));
+}
+
+Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things) {
+  if (first <= std::numeric_limits<std::uint64_t>::max() - count) return {};
+  return input_error("--first",
+                     fmt::format("{} leaves no room for {} {} before 2^64", first, count, things));
 }
 
 }  // namespace ccdfuzz

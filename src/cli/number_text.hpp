@@ -14,6 +14,9 @@ namespace ccdfuzz {
 /// Errors: anything else, or a value that is not finite; `where` is the option's name.
 Result<double> parse_number(const std::string& where, const std::string& text);
 
+/// One above 0: how many seconds.
+Result<double> parse_seconds(const std::string& where, const std::string& text);
+
 /// A list of them, separated by commas.
 Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text);
 
@@ -22,5 +25,8 @@ Result<int> parse_power_of_two(const std::string& where, const std::string& text
 
 /// "7" is a whole number; "-1", "+7", "010", " 7", "0x7" and what exceeds 64 bits are none.
 Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text);
+
+/// Errors: first + count is past 2^64 - 1, where the numbers of cases end. things: what is counted.
+Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things);
 
 }  // namespace ccdfuzz

@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
-#include <limits>
-
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "cli/trace_generated.hpp"
 #include "cli/trace_row.hpp"
+#include "eval/by_spec.hpp"
 #include "eval/in_order.hpp"
-#include "eval/tracer_set.hpp"
 
 namespace ccdfuzz {
 
@@ -53,9 +52,8 @@ Result<int> run(const Options& options) {
   const Result<SearchOptions> search = options.search.parse();
   if (!search) return tl::unexpected(search.error());
   if (options.generate > 0) {
-    if (options.first > std::numeric_limits<std::uint64_t>::max() - options.generate) {
-      return input_error("--first", fmt::format("{} leaves no room for {} cases before 2^64",
-                                                options.first, options.generate));
+    if (const auto room = check_room(options.first, options.generate, "cases"); !room) {
+      return tl::unexpected(room.error());
     }
     return trace_generated_cases({*methods,
                                   options.seed,

@@ -2,7 +2,6 @@
 
 #include <exception>
 
-#include "numeric/verify.hpp"
 #include "query/judge.hpp"
 
 namespace ccdfuzz {
@@ -17,16 +16,6 @@ Judged ask(Method& method, const Case& known, const SearchOptions& options) {
     answer.note = error.what();
     return {std::move(answer), Outcome::kError};
   }
-}
-
-Method& MethodSet::operator[](const std::string& spec) {
-  std::unique_ptr<Method>& method = methods_[spec];
-  if (!method) {
-    Result<std::unique_ptr<Method>> made = make_method(spec);
-    CCDFUZZ_VERIFY(made.has_value());
-    method = std::move(*made);
-  }
-  return *method;
 }
 
 }  // namespace ccdfuzz

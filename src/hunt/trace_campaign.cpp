@@ -2,9 +2,9 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "eval/by_spec.hpp"
 #include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
-#include "eval/tracer_set.hpp"
 #include "hunt/scheduler.hpp"
 #include "hunt/traced_cases.hpp"
 #include "numeric/verify.hpp"

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "method/method.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+/// One object for each spec, made when first asked for; for one thread.
+template <class T, Result<std::unique_ptr<T>> (*make)(const std::string& spec)>
+class BySpec {
+ public:
+  /// Requires a spec that parse_method_list accepted.
+  T& operator[](const std::string& spec) {
+    std::unique_ptr<T>& one = made_[spec];
+    if (!one) {
+      Result<std::unique_ptr<T>> made = make(spec);
+      CCDFUZZ_VERIFY(made.has_value());
+      one = std::move(*made);
+    }
+    return *one;
+  }
+
+ private:
+  std::map<std::string, std::unique_ptr<T>> made_;
+};
+
+using MethodSet = BySpec<Method, make_method>;
+using TracerSet = BySpec<Tracer, make_tracer>;
+
+}  // namespace ccdfuzz
