@@ -75,6 +75,14 @@ bool is_zero(const Frame& frame) {
   return std::all_of(frame.begin(), frame.end(), [](const auto& l) { return Axis{l}.is_zero(); });
 }
 
+ObbAxes ObbAxes::of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2) {
+  const bool surface = shapes[0].parameter_count() == 2 || shapes[1].parameter_count() == 2;
+  if (!surface && ccdfuzz::is_zero(frame1) && ccdfuzz::is_zero(frame2)) {
+    return {coordinate_frame(), frame2};
+  }
+  return {frame1, frame2};
+}
+
 Axis ObbAxes::operator[](int r) const {
   if (r < 6) return {frames_[r / 3][r % 3], r % 3};
   const int i = (r - 6) / 3, j = (r - 6) % 3;

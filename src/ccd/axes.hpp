@@ -46,6 +46,9 @@ class ObbAxes {
   static constexpr int kStages = 6;  ///< stages are 0..5
 
   ObbAxes(const Frame& frame1, const Frame& frame2) : frames_{frame1, frame2} {}
+  /// Of two sub-patches. Where neither is a surface and both frames are zero, the coordinate axes
+  /// stand in for the first.
+  static ObbAxes of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2);
 
   /// l_{r+1}, 0 ≤ r < kCount.
   Axis operator[](int r) const;

@@ -57,14 +57,8 @@ const Frame& SubPatches::frame(int side, int part, double t) {
 }
 
 ObbAxes SubPatches::axes(int part_a, int part_b, double t) {
-  const Frame &frame1 = frame(0, part_a, t), &frame2 = frame(1, part_b, t);
-  const auto is_surface = [this](int side) {
-    return query_->patches[side].shape.parameter_count() == 2;
-  };
-  if (!is_surface(0) && !is_surface(1) && is_zero(frame1) && is_zero(frame2)) {
-    return {coordinate_frame(), frame2};
-  }
-  return {frame1, frame2};
+  return ObbAxes::of({query_->patches[0].shape, query_->patches[1].shape}, frame(0, part_a, t),
+                     frame(1, part_b, t));
 }
 
 }  // namespace ccdfuzz

@@ -137,11 +137,6 @@ std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer
   return remaining_window<double>({separations.data(), count}, window);
 }
 
-template <class Policy>
-Answer Tdibm<Policy>::answer(const Query& query, const SearchOptions& options) {
-  return search_.run(query, options, inclusion_);
-}
-
 template class TdibmInclusion<Plain>;
 template class TdibmInclusion<PullApart>;
 template class TdibmInclusion<RelativePullApart>;

@@ -73,18 +73,20 @@ extern template class TdibmInclusion<ErrorBoundPrinted>;
 /// The paper's methods: `tdibm` (Plain), `tdibm-h:F` (PullApart), `tdibm-h-rel:F`
 /// (RelativePullApart), `tdibm-e` (ErrorBoundIntended), `tdibm-e-literal` (ErrorBoundPrinted).
 /// One object serves one thread and keeps its buffers between queries.
-template <class Policy>
+template <class Policy, class Inclusion = TdibmInclusion<Policy>>
 class Tdibm {
  public:
   explicit Tdibm(Policy policy = Policy()) : inclusion_(policy) {}
 
   /// Requires a valid query (validate). toi is the start of the first window that was narrow
   /// enough; it is as safe as Policy is.
-  Answer answer(const Query& query, const SearchOptions& options);
+  Answer answer(const Query& query, const SearchOptions& options) {
+    return search_.run(query, options, inclusion_);
+  }
 
  private:
-  TdibmInclusion<Policy> inclusion_;
-  Search<TdibmInclusion<Policy>> search_;
+  Inclusion inclusion_;
+  Search<Inclusion> search_;
 };
 
 extern template class Tdibm<Plain>;

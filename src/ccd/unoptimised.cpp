@@ -11,19 +11,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Appendix A (c): the axes of the boxes of two sub-patches.
-ObbAxes axes_of(const std::array<MovingPatch<double>, 2>& parts, double t) {
-  std::array<Frame, 2> frames;
-  bool surface = false;
-  for (size_t side = 0; side < 2; ++side) {
-    const MovingPatch<double>& part = parts[side];
-    frames[side] = obb_frame({part.shape, part.positions, part.velocities}, t);
-    surface = surface || part.shape.parameter_count() == 2;
-  }
-  if (!surface && is_zero(frames[0]) && is_zero(frames[1])) frames[0] = coordinate_frame();
-  return {frames[0], frames[1]};
-}
-
 /// Steps I and II for one patch in one direction: sign −1 stands for the lower envelope.
 template <class Policy>
 std::unique_ptr<Lines<double>> envelope(const Policy& policy, const MovingPatch<double>& part,
@@ -77,7 +64,11 @@ std::optional<Window> UnoptimisedInclusion<Policy>::test(int part_a, int part_b,
   const std::array<MovingPatch<double>, 2> parts = {
       restrict_to(patches[0], cells_[0][static_cast<size_t>(part_a)].corners(patches[0].shape)),
       restrict_to(patches[1], cells_[1][static_cast<size_t>(part_b)].corners(patches[1].shape))};
-  const ObbAxes axes = axes_of(parts, window.lo);
+  const auto frame = [&](const MovingPatch<double>& part) {
+    return obb_frame({part.shape, part.positions, part.velocities}, window.lo);
+  };
+  const ObbAxes axes =
+      ObbAxes::of({parts[0].shape, parts[1].shape}, frame(parts[0]), frame(parts[1]));
   std::vector<Separation<double>> separations;
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     const Axis axis = axes[r];

@@ -35,18 +35,6 @@ extern template class UnoptimisedInclusion<ErrorBoundPrinted>;
 
 /// `tdibm@unoptimised` and so on.
 template <class Policy>
-class UnoptimisedTdibm {
- public:
-  explicit UnoptimisedTdibm(Policy policy = Policy()) : inclusion_(policy) {}
-
-  /// As Tdibm::answer.
-  Answer answer(const Query& query, const SearchOptions& options) {
-    return search_.run(query, options, inclusion_);
-  }
-
- private:
-  UnoptimisedInclusion<Policy> inclusion_;
-  Search<UnoptimisedInclusion<Policy>> search_;
-};
+using UnoptimisedTdibm = Tdibm<Policy, UnoptimisedInclusion<Policy>>;
 
 }  // namespace ccdfuzz
