@@ -158,7 +158,9 @@ class Search {
 
     while (!queue_.empty()) {
       if (answer.pops == options.max_pops) return give_up(answer, "pop budget exhausted");
-      if (queue_.size() * sizeof(Entry) > options.max_bytes) {
+      const std::uint64_t bytes = queue_.size() * sizeof(Entry);
+      answer.bytes = std::max(answer.bytes, bytes);
+      if (bytes > options.max_bytes) {
         return give_up(answer, "memory budget exhausted");
       }
       if (deadline.passed(answer.pops)) return give_up(answer, "time budget exhausted");

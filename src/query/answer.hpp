@@ -21,6 +21,8 @@ struct Answer {
   std::array<Uv<double>, 2> uv{};
   /// Pairs of boxes taken from the queue.
   std::uint64_t pops = 0;
+  /// The most memory that the queue, and what a method keeps of the patches for it, took, in bytes.
+  std::uint64_t bytes = 0;
   double seconds = 0;
   /// Why it is undecided, or what went wrong; empty if nothing is to be said.
   std::string note;

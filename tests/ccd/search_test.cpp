@@ -57,6 +57,7 @@ TEST(Search, MemoryBudgetGivesUndecided) {
   options.max_bytes = 1000;
   const Answer answer = method.answer(identical_static_patches(), options);
   EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_GT(answer.bytes, options.max_bytes) << "what ended it";
   EXPECT_EQ(answer.toi, 0);
 }
 

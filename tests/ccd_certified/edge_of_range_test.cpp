@@ -106,6 +106,7 @@ TEST(TdibmC, EndsWithinTheDefaultBudgetsWherePatchesCoincideOverAnArea) {
   const Answer answer = method.answer(area_contact(), {});
   EXPECT_EQ(answer.verdict, Verdict::kUndecided);
   EXPECT_EQ(answer.note, "memory budget exhausted");
+  EXPECT_GT(answer.bytes, SearchOptions().max_bytes) << "what ended it";
   EXPECT_LE(answer.toi.value(), 1);  // a lower bound of the contact's time
   EXPECT_GE(answer.toi.value(), 1 - 0x1p-10);
   EXPECT_LE(answer.pops, 150'000U);

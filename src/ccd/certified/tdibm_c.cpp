@@ -60,7 +60,9 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   while (!queue_.empty()) {
     const bool out_of_pops = answer.pops == options.max_pops;
     const bool out_of_time = deadline.passed(answer.pops);
-    if (out_of_pops || out_of_time || bytes() > options.max_bytes) {
+    const std::uint64_t held = bytes();
+    answer.bytes = std::max(answer.bytes, held);
+    if (out_of_pops || out_of_time || held > options.max_bytes) {
       answer.verdict = Verdict::kUndecided;
       answer.toi = earliest(normalised.t_max);
       answer.note = out_of_pops   ? "pop budget exhausted"
