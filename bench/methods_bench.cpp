@@ -14,13 +14,13 @@
 namespace ccdfuzz {
 namespace {
 
-constexpr std::uint64_t kCases = 4;
+constexpr std::uint64_t kQueryCases = 4;
 /// trad takes minutes where patches are nearly parallel: its time is a lower bound.
 constexpr std::uint64_t kPopsOfTrad = 2'000;
 
 std::vector<Query> queries(ContactClass contact) {
   std::vector<Query> all;
-  for (std::uint64_t i = 0; i < kCases; ++i) {
+  for (std::uint64_t i = 0; i < kQueryCases; ++i) {
     for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
       GeneratorOptions options;
       options.contact = contact;
@@ -33,7 +33,8 @@ std::vector<Query> queries(ContactClass contact) {
   return all;
 }
 
-void compare(benchmark::State& state, ContactClass contact, const char* first, const char* second) {
+void compare_queries(benchmark::State& state, ContactClass contact, const char* first,
+                     const char* second) {
   const auto a = make_method(first), b = make_method(second);
   const std::vector<Query> all = queries(contact);
   SearchOptions options_of_first;
@@ -49,12 +50,12 @@ void compare(benchmark::State& state, ContactClass contact, const char* first, c
   ratio.report(state, first, second);
 }
 
-const bool kRegistered = [] {
+const bool kQueriesRegistered = [] {
   for (const ContactClass contact : kContactClasses) {
     for (const char* other :
          {"trad", "tdibm", "tdibm-h:1e-12", "tdibm-e", "tdibm-e@unoptimised", "tdibm-rational"}) {
       benchmark::RegisterBenchmark(fmt::format("{}/{}:tdibm-c", name_of(contact), other).c_str(),
-                                   compare, contact, other, "tdibm-c")
+                                   compare_queries, contact, other, "tdibm-c")
           ->Unit(benchmark::kMillisecond);
     }
   }

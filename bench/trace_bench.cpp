@@ -11,9 +11,9 @@
 namespace ccdfuzz {
 namespace {
 
-constexpr std::uint64_t kCases = 8;
+constexpr std::uint64_t kTraceCases = 8;
 
-void compare(benchmark::State& state, ContactClass contact, const char* spec) {
+void compare_traces(benchmark::State& state, ContactClass contact, const char* spec) {
   const auto method = make_method(spec);
   const auto tracer = make_tracer(spec);
   GeneratorOptions generator;
@@ -21,7 +21,7 @@ void compare(benchmark::State& state, ContactClass contact, const char* spec) {
   generator.construction = Construction::kOneSided;
   generator.seed = 1;
   std::vector<Case> cases;
-  for (std::uint64_t i = 0; i < kCases; ++i) cases.push_back(generate(generator, i).value);
+  for (std::uint64_t i = 0; i < kTraceCases; ++i) cases.push_back(generate(generator, i).value);
   const auto trace = [&](const Case& known) {
     benchmark::DoNotOptimize((*tracer)->trace(known.query, *known.truth.witness, {}).lost);
   };
@@ -36,11 +36,11 @@ void compare(benchmark::State& state, ContactClass contact, const char* spec) {
   ratio.report(state, "query", "trace");
 }
 
-const bool kRegistered = [] {
+const bool kTracesRegistered = [] {
   for (const ContactClass contact : kContactClasses) {
     for (const char* spec : {"tdibm", "tdibm-e", "tdibm-rational", "tdibm-c"}) {
       const std::string name = fmt::format("{}/{}/query:trace", name_of(contact), spec);
-      benchmark::RegisterBenchmark(name.c_str(), compare, contact, spec)
+      benchmark::RegisterBenchmark(name.c_str(), compare_traces, contact, spec)
           ->Unit(benchmark::kMillisecond);
     }
   }

@@ -33,6 +33,11 @@ if(CCDFUZZ_COVERAGE)
   add_link_options(--coverage)
 endif()
 
+# The headers of Eigen, GMP and GoogleTest take most of the time to compile: the files of a target
+# go into few translation units. Each file stands alone without it (the dev preset).
+set(CMAKE_UNITY_BUILD ${CCDFUZZ_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
 include(cmake/fp_rules.cmake)
 
 # ccdfuzz_library(NAME SOURCES ... DEPENDS ...): one library a folder, so that the layers of the

@@ -10,12 +10,12 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr long kUnit = -kGridBits;
+constexpr long kGridUnit = -kGridBits;
 
 /// x + step·d, d in grid units.
 Barycentric offset(const Barycentric& x, const std::array<std::int64_t, 3>& d) {
   Barycentric y = x;
-  for (size_t a = 0; a < 3; ++a) y[a] += Dyadic(Integer(static_cast<long>(d[a])), kUnit);
+  for (size_t a = 0; a < 3; ++a) y[a] += Dyadic(Integer(static_cast<long>(d[a])), kGridUnit);
   return y;
 }
 

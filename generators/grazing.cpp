@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "generators/motion.hpp"
 #include "generators/tangent_cone.hpp"
 
 namespace ccdfuzz {
@@ -13,8 +14,6 @@ namespace {
 constexpr int kTangentBits = 18;
 constexpr int kFactorBits = 4;
 constexpr long kFactorUnit = -3;
-constexpr int kSpeedBits = 17;
-constexpr long kSpeedUnit = -15;
 constexpr int kSmall = 7;
 constexpr int kTries = 64;
 

@@ -4,10 +4,8 @@ namespace ccdfuzz {
 
 namespace {
 
-// Velocities are as large as a local patch: up to 2^2, in steps of 2^-15. Coordinates of x have 10
-// bits or fewer, so the weighted mean of a deformation is a multiple of 2^-35.
-constexpr int kSpeedBits = 17;
-constexpr long kSpeedUnit = -15;
+// Coordinates of x have 10 bits or fewer, so the weighted mean of a deformation is a multiple of
+// 2^-35.
 constexpr int kMaxStiffness = 5;
 
 Points<Dyadic> deformation(const Barycentric& x, Random& random) {

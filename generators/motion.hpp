@@ -6,6 +6,10 @@
 
 namespace ccdfuzz {
 
+/// Velocities are as large as a local patch: up to 2^2, in steps of 2^-15.
+inline constexpr int kSpeedBits = 17;
+inline constexpr long kSpeedUnit = -15;
+
 /// Step IV: gives the patches velocities under which they are at `points` at t*, and traces their
 /// control points back to t = 0.
 ///

@@ -13,8 +13,8 @@ namespace {
 // Parameters are multiples of 1/4, so a patch whose degrees add up to n has weights that are
 // multiples of 4^-n, n ≤ 6, and coordinates that are multiples of 1/16: its point is a multiple of
 // 2^(-2n-4), and so is what moves it to the other's. The way to t* is a multiple of 2^-7.
-constexpr int kBits = 8, kParameterBits = 2;
-constexpr long kUnit = -4;
+constexpr int kPlantedBits = 8, kParameterBits = 2;
+constexpr long kPlantedUnit = -4;
 
 Shape any_surface(Random& random) {
   if (random.coin()) return Shape::triangle(2);
@@ -50,7 +50,7 @@ Case planted_case(ContactClass contact, Random& random) {
   scene.t_max = 1;
   Witness witness;
   witness.t = scene.contact.t.rational();
-  const Vec3<Dyadic> point = random.vector(kBits, kUnit);
+  const Vec3<Dyadic> point = random.vector(kPlantedBits, kPlantedUnit);
   for (size_t s = 0; s < 2; ++s) {
     const Shape shape = any_surface(random);
     const Uv<Dyadic> uv = any_point_on(features[s], shape, random);
@@ -58,8 +58,8 @@ Case planted_case(ContactClass contact, Random& random) {
     MovingPatch<Dyadic>& patch = scene.patches[s];
     patch.shape = shape;
     for (int i = 0; i < shape.control_count(); ++i) {
-      patch.positions.push_back(random.vector(kBits, kUnit));
-      patch.velocities.push_back(random.vector(kBits, kUnit));
+      patch.positions.push_back(random.vector(kPlantedBits, kPlantedUnit));
+      patch.velocities.push_back(random.vector(kPlantedBits, kPlantedUnit));
     }
     // What stands in positions is where they are at t*.
     const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(shape, patch.positions, uv);

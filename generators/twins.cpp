@@ -42,8 +42,8 @@ Role role_of(int a, int b, int twin_corner, bool corner_is_fast) {
 //   slow   −1 + [0, .1]·s       twin   −[1, 1.25] + [.2, .5]·s       fast   [2, 4]·s
 // The fast one overtakes the slow ones at s = −1/[1.9, 4] > −t*, where the twins are below both.
 // Patch 2's line [8, 16]·s crosses the slow ones at s ≈ −1/8, the fast one at s = 0.
-constexpr long kHeightUnit = -4;
-constexpr long kStep = kHeightUnit - 6;
+constexpr long kGapUnit = -4;
+constexpr long kStep = kGapUnit - 6;
 
 struct NormalMotion {
   Dyadic height, speed;
@@ -56,7 +56,7 @@ NormalMotion normal_motion(Role role, Random& random) {
   NormalMotion motion;
   switch (role) {
     case Role::kSlow:
-      motion.height = Dyadic(-1, kHeightUnit);
+      motion.height = Dyadic(-1, kGapUnit);
       motion.speed = draw(0, 6);
       break;
     case Role::kTwin:

@@ -15,7 +15,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct BenchArguments {
   std::string classes = "FF,EF,EE,VF,VE,VV";
   std::string methods = "tdibm-c,trad,tdibm,tdibm-h:1e-12,tdibm-e,tdibm-rational";
   std::string construction = "paper";
@@ -50,7 +50,7 @@ Result<std::vector<ContactClass>> parse_classes(const std::string& list) {
   return classes;
 }
 
-Result<Plan> parse(const Options& options) {
+Result<Plan> parse(const BenchArguments& options) {
   Plan plan;
   Result<std::vector<ContactClass>> classes = parse_classes(options.classes);
   if (!classes) return tl::unexpected(classes.error());
@@ -74,7 +74,7 @@ Result<Plan> parse(const Options& options) {
 
 /// The queries of one class: `count` positives up to t*, and as many negatives up to t* − 2^-20.
 template <class OnQuery>
-void for_each_query(const Plan& plan, const Options& options, ContactClass contact,
+void for_each_query(const Plan& plan, const BenchArguments& options, ContactClass contact,
                     const OnQuery& on_query) {
   for (std::uint64_t i = 0; i < options.count; ++i) {
     for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
@@ -128,7 +128,7 @@ void print_rows(ContactClass contact, const Race& race) {
   }
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_bench(const BenchArguments& options) {
   const Result<Plan> plan = parse(options);
   if (!plan) return tl::unexpected(plan.error());
   const std::string& base = plan->methods.front();
@@ -175,8 +175,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_bench(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
-      "bench", "Time methods against each other in one run: ratios, not seconds", run);
+  auto [command, options] = line.add<BenchArguments>(
+      "bench", "Time methods against each other in one run: ratios, not seconds", run_bench);
   command.whole("--count", options->count, "Cases of each class: a positive and a negative each",
                 1);
   command.whole("--seed", options->seed, "Seed of the cases");

@@ -19,7 +19,7 @@ namespace {
 /// Inputs between two looks at the clock and the signals.
 constexpr std::uint64_t kBatch = 1024;
 
-struct Options {
+struct CheckArguments {
   std::vector<std::string> names;
   std::uint64_t count = 1000;
   std::string seconds;
@@ -44,8 +44,9 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// Checks inputs first, first + 1, …: `count` of them or, if `seconds` is given, for as long.
-Tallied check(const Property& property, const Options& options, std::optional<double> seconds,
-              const std::atomic<bool>& interrupted, Progress& progress) {
+Tallied check(const Property& property, const CheckArguments& options,
+              std::optional<double> seconds, const std::atomic<bool>& interrupted,
+              Progress& progress) {
   Tallied tally;
   const Clock::time_point start = Clock::now();
   const std::uint64_t limit = seconds ? ~std::uint64_t{0} - options.first : options.count;
@@ -75,12 +76,13 @@ Tallied check(const Property& property, const Options& options, std::optional<do
   return tally;
 }
 
-std::string reproduction(const Property& property, const Options& options, const Tallied& tally) {
+std::string reproduction(const Property& property, const CheckArguments& options,
+                         const Tallied& tally) {
   return fmt::format("{} check {} --seed {} --first {} --count 1", program_name(), property.name,
                      options.seed, tally.first_failure);
 }
 
-void print_row_json(const Property& property, const Options& options, const Tallied& tally) {
+void print_row_json(const Property& property, const CheckArguments& options, const Tallied& tally) {
   nlohmann::ordered_json row = {
       {"property", property.name}, {"expected_to_fail", property.expected == Expectation::kFails},
       {"seed", options.seed},      {"first", options.first},
@@ -103,7 +105,7 @@ Result<std::vector<Property>> chosen_properties(const std::vector<std::string>& 
   return chosen;
 }
 
-Result<int> run_check(const Options& options) {
+Result<int> run_check(const CheckArguments& options) {
   const Result<std::vector<Property>> chosen = chosen_properties(options.names);
   if (!chosen) return tl::unexpected(chosen.error());
   std::optional<double> seconds;
@@ -182,7 +184,7 @@ Result<int> run_list(const ListOptions& options) {
 }  // namespace
 
 void add_check(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
+  auto [command, options] = line.add<CheckArguments>(
       "check", "Check properties on random inputs, outside of the tests", run_check);
   command.texts("property", options->names, "Names of properties; by default all");
   const Option count =

@@ -17,7 +17,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct EvaluateArguments {
   std::vector<std::string> files;
   std::string methods = kDefaultMethods;
   std::string horizons;
@@ -27,7 +27,7 @@ struct Options {
   bool json = false;
 };
 
-Result<EvaluateOptions> parse(const Options& options) {
+Result<EvaluateOptions> parse(const EvaluateArguments& options) {
   EvaluateOptions parsed;
   parsed.threads = options.threads;
   Result<std::vector<std::string>> methods = parse_method_list(options.methods);
@@ -156,7 +156,7 @@ class Report {
   Result<void> written_;
 };
 
-Result<int> run(const Options& options) {
+Result<int> run_evaluate(const EvaluateArguments& options) {
   const Result<EvaluateOptions> parsed = parse(options);
   if (!parsed) return tl::unexpected(parsed.error());
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
@@ -198,8 +198,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_evaluate(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
-      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 and 2)", run);
+  auto [command, options] = line.add<EvaluateArguments>(
+      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 and 2)", run_evaluate);
   command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   command.text("--t-max-factors", options->horizons,

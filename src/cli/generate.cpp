@@ -19,7 +19,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct GenerateArguments {
   std::string contact, kind;
   std::string construction = "paper";
   std::string family = "regular";
@@ -90,7 +90,7 @@ nlohmann::ordered_json summary_json(const GeneratorOptions& options, const Disca
   return row;
 }
 
-Result<GeneratorOptions> parse(const Options& options) {
+Result<GeneratorOptions> parse(const GenerateArguments& options) {
   const auto contact = parse_choice("--contact", options.contact, kContactClasses);
   if (!contact) return tl::unexpected(contact.error());
   const auto kind = parse_choice("--kind", options.kind, kCaseKinds);
@@ -113,7 +113,7 @@ Result<GeneratorOptions> parse(const Options& options) {
   return validate(generator).map([&] { return generator; });
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_generate(const GenerateArguments& options) {
   const Result<GeneratorOptions> generator = parse(options);
   if (!generator) return tl::unexpected(generator.error());
   if (const auto room = check_room(options.first, options.count, "cases"); !room) {
@@ -164,8 +164,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_generate(CommandLine& line) {
-  auto [command, options] =
-      line.add<Options>("generate", "Make cases whose truth is proven, as a data set", run);
+  auto [command, options] = line.add<GenerateArguments>(
+      "generate", "Make cases whose truth is proven, as a data set", run_generate);
   command.text("--contact", options->contact, "Contact class: FF EF EE VF VE VV").required();
   command
       .text("--kind", options->kind,

@@ -19,7 +19,7 @@ namespace {
 /// What TDIBM needs stays far below; trad alone reaches it, after about a second.
 constexpr std::uint64_t kDefaultPops = 10'000;
 
-struct Options {
+struct HuntArguments {
   std::string methods = std::string("trad,") + kDefaultMethods;
   std::string seconds = "60";
   std::uint64_t cases = 0;
@@ -31,7 +31,7 @@ struct Options {
   bool json = false;
 };
 
-Result<HuntOptions> parse(const Options& options) {
+Result<HuntOptions> parse(const HuntArguments& options) {
   Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
   const Result<SearchOptions> search = options.search.parse();
@@ -123,7 +123,7 @@ std::uint64_t query_count(const HuntReport& report) {
   return count;
 }
 
-void print_report(const HuntReport& report, const Options& options) {
+void print_report(const HuntReport& report, const HuntArguments& options) {
   print_out(cell_table(report).to_text(wants_colour(stdout)));
   print_out(
       fmt::format("\n{} queries about {} cases in {:.1f} s; {:.1f} s of CPU time went into "
@@ -174,7 +174,7 @@ bool fails(const HuntReport& report, const std::string& fail_on) {
          std::ranges::any_of(report.finds, [](const HuntFind& f) { return f.breaks_claim; });
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_hunt(const HuntArguments& options) {
   const Result<HuntOptions> parsed = parse(options);
   if (!parsed) return tl::unexpected(parsed.error());
   Result<Store> store = Store::open(options.corpus);
@@ -198,8 +198,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_hunt(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
-      "hunt", "Find, prove and store inputs on which methods fail (the main job)", run);
+  auto [command, options] = line.add<HuntArguments>(
+      "hunt", "Find, prove and store inputs on which methods fail (the main job)", run_hunt);
   const Option seconds = command.text("--seconds", options->seconds, "How long to hunt");
   command
       .whole("--cases", options->cases,

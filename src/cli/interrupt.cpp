@@ -6,14 +6,14 @@ namespace ccdfuzz {
 
 namespace {
 
-std::atomic<bool> interrupted = false;
+std::atomic<bool> was_interrupted = false;
 std::atomic<int> caught_signal = SIGINT;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
               "a signal handler may touch nothing else");
 
 void note_interrupt(int signal) {
   caught_signal = signal;
-  interrupted = true;
+  was_interrupted = true;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ const std::atomic<bool>& catch_interrupts() {
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
   if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
-  return interrupted;
+  return was_interrupted;
 }
 
 int interrupted_exit_code() {

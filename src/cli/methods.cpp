@@ -10,11 +10,11 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct MethodsArguments {
   bool json = false;
 };
 
-Result<int> run(const Options& options) {
+Result<int> run_methods(const MethodsArguments& options) {
   if (options.json) {
     for (const MethodInfo& info : registered_methods()) {
       print_json({{"method", info.spec},
@@ -41,8 +41,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_methods(CommandLine& line) {
-  auto [command, options] =
-      line.add<Options>("methods", "List the registered methods, with the source of each", run);
+  auto [command, options] = line.add<MethodsArguments>(
+      "methods", "List the registered methods, with the source of each", run_methods);
   command.flag("--json", options->json, "One JSON object per line");
 }
 

@@ -15,7 +15,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct ProveArguments {
   std::vector<std::string> files;
   std::string output;
   std::uint64_t max_pops = OracleOptions().max_pops;
@@ -53,11 +53,11 @@ nlohmann::ordered_json row_json(const std::string& id, const Completed& complete
 }
 
 /// The cases and their trees. The trees come first: no case ever names one that is not there.
-class Destination {
+class ProvenCases {
  public:
-  static Result<Destination> open(const std::string& path) {
+  static Result<ProvenCases> open(const std::string& path) {
     return CaseWriter::open(path).map(
-        [&](CaseWriter writer) { return Destination(std::move(writer), path); });
+        [&](CaseWriter writer) { return ProvenCases(std::move(writer), path); });
   }
 
   Result<void> write(Completed completed) {
@@ -76,7 +76,7 @@ class Destination {
   }
 
  private:
-  Destination(CaseWriter cases, const std::string& path) : cases_(std::move(cases)), trees_(path) {}
+  ProvenCases(CaseWriter cases, const std::string& path) : cases_(std::move(cases)), trees_(path) {}
 
   CaseWriter cases_;
   TreeWriter trees_;
@@ -92,7 +92,7 @@ struct Counts {
   }
 };
 
-Result<int> run(const Options& options) {
+Result<int> run_prove(const ProveArguments& options) {
   std::vector<NamedCase> cases;
   std::vector<std::string> trees;  // of each case
   for (const std::string& file : options.files) {
@@ -101,7 +101,7 @@ Result<int> run(const Options& options) {
     trees.insert(trees.end(), read->size(), trees_path(file));
     std::ranges::move(*read, std::back_inserter(cases));
   }
-  Result<Destination> destination = Destination::open(options.output);
+  Result<ProvenCases> destination = ProvenCases::open(options.output);
   if (!destination) return tl::unexpected(destination.error());
 
   OracleOptions oracle;
@@ -149,8 +149,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_prove(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
-      "prove", "Decide cases, and write them with certificates that verify checks", run);
+  auto [command, options] = line.add<ProveArguments>(
+      "prove", "Decide cases, and write them with certificates that verify checks", run_prove);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command
       .text("-o,--output", options->output,

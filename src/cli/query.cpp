@@ -13,7 +13,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct QueryArguments {
   std::vector<std::string> files;
   std::string methods = kDefaultMethods;
   SearchFlags search;
@@ -36,7 +36,7 @@ std::vector<TableCell> table_row(const std::string& case_id, const std::string& 
           {answer.note}};
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_query(const QueryArguments& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
@@ -87,7 +87,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_query(CommandLine& line) {
-  auto [command, options] = line.add<Options>("query", "Answer and judge single cases", run);
+  auto [command, options] =
+      line.add<QueryArguments>("query", "Answer and judge single cases", run_query);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   options->search.add_to(command);

@@ -19,7 +19,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct ReplayArguments {
   std::string corpus = "corpus";
   SearchFlags search;
   int threads = 1;
@@ -81,7 +81,7 @@ void print_report(const ReplayReport& report) {
                         report.changed()));
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_replay(const ReplayArguments& options) {
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   const Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
   if (!entries) return tl::unexpected(entries.error());
@@ -120,8 +120,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_replay(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
-      "replay", "Judge every entry of a corpus again, against its expectations", run);
+  auto [command, options] = line.add<ReplayArguments>(
+      "replay", "Judge every entry of a corpus again, against its expectations", run_replay);
   command.text("corpus", options->corpus, "Folder, or a file of cases");
   options->search.add_to(command);
   add_threads(command, options->threads);

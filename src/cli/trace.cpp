@@ -15,7 +15,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct TraceArguments {
   std::vector<std::string> files;
   std::string methods = kDefaultMethods;
   SearchFlags search;
@@ -28,7 +28,7 @@ struct Options {
 };
 
 /// How each case is traced. Errors: a case without a witness within its step, naming it.
-Result<std::vector<TraceOptions>> trace_options(const Options& options,
+Result<std::vector<TraceOptions>> trace_options(const TraceArguments& options,
                                                 const std::vector<NamedCase>& cases) {
   std::vector<TraceOptions> out;
   for (const NamedCase& named : cases) {
@@ -46,7 +46,7 @@ Result<std::vector<TraceOptions>> trace_options(const Options& options,
   return out;
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_trace(const TraceArguments& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
   const Result<SearchOptions> search = options.search.parse();
@@ -102,8 +102,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_trace(CommandLine& line) {
-  auto [command, options] = line.add<Options>(
-      "trace", "Follow the witness of cases through the inclusion tests of methods", run);
+  auto [command, options] = line.add<TraceArguments>(
+      "trace", "Follow the witness of cases through the inclusion tests of methods", run_trace);
   const Option files =
       command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
   Option generate = command.whole("--generate", options->generate,

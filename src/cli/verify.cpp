@@ -16,7 +16,7 @@ namespace ccdfuzz {
 
 namespace {
 
-struct Options {
+struct VerifyArguments {
   std::vector<std::string> files;
   int threads = 1;
   bool json = false;
@@ -76,7 +76,7 @@ Verified verify(const Case& value, const std::string& trees) {
   return {};
 }
 
-Result<int> run(const Options& options) {
+Result<int> run_verify(const VerifyArguments& options) {
   std::vector<NamedCase> cases;
   std::vector<std::string> trees;  // of each case
   for (const std::string& file : options.files) {
@@ -121,8 +121,8 @@ Result<int> run(const Options& options) {
 }  // namespace
 
 void add_verify(CommandLine& line) {
-  auto [command, options] =
-      line.add<Options>("verify", "Prove the truth of cases again, in exact arithmetic", run);
+  auto [command, options] = line.add<VerifyArguments>(
+      "verify", "Prove the truth of cases again, in exact arithmetic", run_verify);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   add_threads(command, options->threads);
   command.flag("--json", options->json, "One JSON object per case");

@@ -12,18 +12,19 @@ namespace ccdfuzz {
 namespace {
 
 /// Not kScaled: all are scaled here.
-constexpr std::array kGrounds = {Family::kRegular, Family::kFlatGrazing, Family::kCommonVelocity,
-                                 Family::kTwins, Family::kInteriorTime};
+constexpr std::array kTracedFamilies = {Family::kRegular, Family::kFlatGrazing,
+                                        Family::kCommonVelocity, Family::kTwins,
+                                        Family::kInteriorTime};
 
 Case construction(ContactClass contact, std::uint64_t seed, std::uint64_t round, Random& random) {
-  const std::uint64_t ground = round % (kGrounds.size() + 1);
-  if (ground == kGrounds.size()) return planted_case(contact, random);
+  const std::uint64_t ground = round % (kTracedFamilies.size() + 1);
+  if (ground == kTracedFamilies.size()) return planted_case(contact, random);
   GeneratorOptions options;
   options.contact = contact;
   options.construction = Construction::kOneSided;
-  options.family = kGrounds[ground];
+  options.family = kTracedFamilies[ground];
   options.seed = seed;
-  return generate(options, round / (kGrounds.size() + 1)).value;
+  return generate(options, round / (kTracedFamilies.size() + 1)).value;
 }
 
 /// The exponent e of the patches' size, 2^(e-1) to 2^e; 0 if both are one point.

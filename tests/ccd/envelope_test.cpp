@@ -10,9 +10,9 @@
 namespace ccdfuzz {
 namespace {
 
-constexpr int kProblems = 5'000;
+constexpr int kEnvelopeProblems = 5'000;
 
-LineProblem problem(int index) {
+LineProblem envelope_problem(int index) {
   Random random = Random::keyed({5, static_cast<std::uint64_t>(index)});
   return index % 2 == 0 ? concurrent_lines(random) : shielded_lines(random);
 }
@@ -38,8 +38,8 @@ std::vector<Rational> critical_times(const Lines<Rational>& lines, const TimeWin
 }
 
 TEST(Envelope, IsTheMaximumInExactArithmetic) {
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kEnvelopeProblems; ++i) {
+    const LineProblem p = envelope_problem(i);
     const Lines<Rational> lines = exact(p.f);
     Lines<Rational> envelope;
     upper_envelope(Plain(), lines, exact(p.w), envelope);
@@ -51,8 +51,8 @@ TEST(Envelope, IsTheMaximumInExactArithmetic) {
 
 /// In order of time, each line the maximum somewhere: slopes rise, and so do the turning points.
 TEST(Envelope, IsAConvexChainInExactArithmetic) {
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kEnvelopeProblems; ++i) {
+    const LineProblem p = envelope_problem(i);
     const TimeWindow<Rational> w = exact(p.w);
     Lines<Rational> envelope;
     upper_envelope(Plain(), exact(p.f), w, envelope);
@@ -70,8 +70,8 @@ TEST(Envelope, IsAConvexChainInExactArithmetic) {
 
 TEST(Envelope, NeverBelowExactMaxOnceRaisedByTheErrorBound) {
   const ErrorBoundIntended policy;
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kEnvelopeProblems; ++i) {
+    const LineProblem p = envelope_problem(i);
     Lines<double> envelope;
     upper_envelope(policy, p.f, p.w, envelope);
     policy.raise(envelope, policy.envelope_error(p.f, {}, p.w.hi));
@@ -90,8 +90,8 @@ TEST(Envelope, NeverBelowExactMaxOnceRaisedByTheErrorBound) {
 TEST(Envelope, DipsBelowExactMaxBeforeItIsRaised) {
   const ErrorBoundIntended policy;
   int dips = 0;
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kEnvelopeProblems; ++i) {
+    const LineProblem p = envelope_problem(i);
     Lines<double> envelope;
     upper_envelope(policy, p.f, p.w, envelope);
     const Lines<Rational> lines = exact(p.f), selected = exact(envelope);
@@ -124,7 +124,7 @@ TEST(Lines, SortAscendingInSlopeThenIntercept) {
 
 TEST(Lines, NegationIsExactAndStaysSorted) {
   for (int i = 0; i < 100; ++i) {
-    const LineProblem p = problem(i);
+    const LineProblem p = envelope_problem(i);
     Lines<double> negated, back;
     negate_lines(p.f, negated);
     for (int k = 1; k < negated.size(); ++k) {

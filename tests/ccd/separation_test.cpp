@@ -8,9 +8,9 @@
 namespace ccdfuzz {
 namespace {
 
-constexpr int kProblems = 20'000;
+constexpr int kSeparationProblems = 20'000;
 
-LineProblem problem(int index) {
+LineProblem separation_problem(int index) {
   Random random = Random::keyed({2, static_cast<std::uint64_t>(index)});
   return index % 2 == 0 ? concurrent_lines(random) : shielded_lines(random);
 }
@@ -48,14 +48,15 @@ bool excludes_too_much(const Policy& policy, const LineProblem& p) {
 template <class Policy>
 int count_failures(const Policy& policy) {
   int failures = 0;
-  for (int i = 0; i < kProblems; ++i) failures += excludes_too_much(policy, problem(i));
+  for (int i = 0; i < kSeparationProblems; ++i)
+    failures += excludes_too_much(policy, separation_problem(i));
   return failures;
 }
 
 TEST(Separation, ExactArithmeticAgreesWithAllPairs) {
   int separated = 0;
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kSeparationProblems; ++i) {
+    const LineProblem p = separation_problem(i);
     const auto f = exact(p.f), g = exact(p.g);
     const auto found = separated_times(Plain(), f, g, exact(p.w));
     const auto expected = all_pairs_separation(f, g, exact(p.w));
@@ -67,20 +68,20 @@ TEST(Separation, ExactArithmeticAgreesWithAllPairs) {
     ASSERT_EQ(found->has_lo, expected->has_lo) << to_text(p);
     ASSERT_EQ(found->has_hi, expected->has_hi) << to_text(p);
   }
-  EXPECT_GT(separated, kProblems / 10);
+  EXPECT_GT(separated, kSeparationProblems / 10);
 }
 
 TEST(Separation, ErrorBoundExcludesNothingThatMayTouch) {
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kSeparationProblems; ++i) {
+    const LineProblem p = separation_problem(i);
     ASSERT_FALSE(excludes_too_much(ErrorBoundIntended(), p)) << to_text(p);
   }
 }
 
 TEST(Separation, ErrorBoundStillExcludesMostOfWhatIsSeparated) {
   int exact_count = 0, found_count = 0;
-  for (int i = 0; i < kProblems; ++i) {
-    const LineProblem p = problem(i);
+  for (int i = 0; i < kSeparationProblems; ++i) {
+    const LineProblem p = separation_problem(i);
     exact_count += all_pairs_separation(exact(p.f), exact(p.g), exact(p.w)).has_value();
     found_count += separated_times(ErrorBoundIntended(), p.f, p.g, p.w).has_value();
   }
@@ -88,7 +89,7 @@ TEST(Separation, ErrorBoundStillExcludesMostOfWhatIsSeparated) {
 }
 
 TEST(Separation, PlainExcludesTooMuch) {
-  EXPECT_GT(count_failures(Plain()), kProblems / 100);
+  EXPECT_GT(count_failures(Plain()), kSeparationProblems / 100);
 }
 
 TEST(Separation, PrintedSignExcludesTooMuch) {

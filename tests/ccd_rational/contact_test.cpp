@@ -61,8 +61,8 @@ Contact any_contact() {
 }
 
 /// The children of `parent`, and which of them holds the parameters.
-Family children_holding(const Shape& shape, const Cell& parent, const Uv<Dyadic>& uv) {
-  Family f;
+CellFamily children_holding(const Shape& shape, const Cell& parent, const Uv<Dyadic>& uv) {
+  CellFamily f;
   f.size = static_cast<size_t>(shape.child_count());
   const Uv<Rational> at = {uv[0].rational(), uv[1].rational()};
   for (int c = 0; c < shape.child_count(); ++c) {
@@ -76,7 +76,7 @@ RC_GTEST_PROP(Contact, NoWindowExcludesItsTime, ()) {
   const Contact c = any_contact();
   exact_ccd::PairTest test;
   test.begin(c.query);
-  std::array<Family, 2> families;
+  std::array<CellFamily, 2> families;
   Window window{0, c.query.t_max};
   for (int depth = 0; depth <= 14; ++depth) {
     for (size_t side = 0; side < 2; ++side) {

@@ -23,7 +23,7 @@ Points<double> extreme_points(const Shape& shape, int bits, bool positive) {
 
 struct Limit {
   Query query;
-  std::array<Family, 2> families;
+  std::array<CellFamily, 2> families;
   int bits = 0;
 };
 

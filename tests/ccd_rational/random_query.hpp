@@ -80,7 +80,7 @@ inline Query any_query(int max_degree = 3) {
 }
 
 /// All children of one cell, and one of them.
-struct Family {
+struct CellFamily {
   std::array<Cell, 4> parts;
   size_t size = 1;
   int chosen = 0;
@@ -90,8 +90,8 @@ struct Family {
 };
 
 /// The family of a random cell at `depth` ≥ 1, or the root alone.
-inline Family any_family(const Shape& shape, int depth) {
-  Family family;
+inline CellFamily any_family(const Shape& shape, int depth) {
+  CellFamily family;
   if (depth == 0) return family;
   Cell parent;
   for (int d = 1; d < depth; ++d) {

@@ -35,7 +35,7 @@ inline double any_window_end(const Query& query, const Units& units) {
 /// A pair of cells of a query, and an axis.
 struct Setting {
   Query query;
-  std::array<Family, 2> families;
+  std::array<CellFamily, 2> families;
   Axis axis;
 
   std::vector<ExactLine> lines(size_t side) const {

@@ -7,12 +7,11 @@
 #include <set>
 
 #include "bezier/restrict.hpp"
+#include "features.hpp"
 #include "generators/prescribe.hpp"
 
 namespace ccdfuzz {
 namespace {
-
-constexpr std::array kFeatures = {Feature::kFace, Feature::kEdge, Feature::kCorner};
 
 template <class Check>
 void for_each_part(const Check& check) {
@@ -24,10 +23,6 @@ void for_each_part(const Check& check) {
       check(feature, x, choose_local_patch(x, random), random);
     }
   }
-}
-
-Uv<Dyadic> uv(const Barycentric& x) {
-  return {x[0], x[1]};
 }
 
 TEST(Extract, CornersAreOnTheGridAndInTheParent) {
@@ -71,8 +66,8 @@ TEST(Extract, ControlPointsAreTheBlossomAtTheCorners) {
     Points<Dyadic> parent;
     for (size_t i = 0; i < 6; ++i) parent.push_back(random.vector(12, -8));
     // restrict_to takes the corners in the order w, u, v.
-    const std::array<Uv<Dyadic>, 3> corners = {uv(part.corners[2]), uv(part.corners[0]),
-                                               uv(part.corners[1])};
+    const std::array<Uv<Dyadic>, 3> corners = {
+        dyadic_uv(part.corners[2]), dyadic_uv(part.corners[0]), dyadic_uv(part.corners[1])};
     Points<Dyadic> expected(6);
     restrict_to<Dyadic>(kQuadratic, parent, corners, expected);
     EXPECT_EQ(extract(parent, part), expected);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bezier/blossom.hpp"
+#include "features.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/prescribe.hpp"
 
@@ -21,12 +22,8 @@ void for_each_scene(const OneSidedStyle& style, const Check& check) {
   }
 }
 
-Uv<Dyadic> uv(const Barycentric& x) {
-  return {x[0], x[1]};
-}
-
 Vec3<Dyadic> contact_of(const Scene& scene, size_t s) {
-  return evaluate(scene.patches[s], uv(scene.contact.x[s]), scene.contact.t);
+  return evaluate(scene.patches[s], dyadic_uv(scene.contact.x[s]), scene.contact.t);
 }
 
 TEST(OneSided, ThePatchesCoincideExactlyAtTheContact) {
@@ -50,7 +47,7 @@ TEST(OneSided, RandomPointsAreOnTheirOwnSidesOfThePlaneBeforeTheContact) {
   for_each_scene({}, [](ContactClass, const Scene& scene, Random& random) {
     for (int i = 0; i < 10; ++i) {
       std::array<Uv<Dyadic>, 2> at;
-      for (Uv<Dyadic>& p : at) p = uv(prescribe_anywhere(Feature::kFace, 10, random));
+      for (Uv<Dyadic>& p : at) p = dyadic_uv(prescribe_anywhere(Feature::kFace, 10, random));
       const Dyadic before(static_cast<int>(random.between(0, 1023)), -10);
       const Vec3<Dyadic> offset =
           evaluate(scene.patches[0], at[0], before) - evaluate(scene.patches[1], at[1], before);

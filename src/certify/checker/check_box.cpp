@@ -8,7 +8,7 @@ namespace ccdfuzz {
 
 namespace {
 
-tl::unexpected<InputError> refuse(std::string what) {
+tl::unexpected<InputError> refuse_box(std::string what) {
   return input_error("truth.certificate.contact", std::move(what));
 }
 
@@ -47,26 +47,26 @@ Result<void> check_box(const Query& query, const ContactBox& box) {
   for (size_t i = 0; i < 3; ++i) {
     const int unknown = box.varied[i];
     if (unknown < 0 || unknown > ContactBox::kTime || (i > 0 && unknown <= box.varied[i - 1])) {
-      return refuse("varied: not three unknowns in ascending order");
+      return refuse_box("varied: not three unknowns in ascending order");
     }
     rho[i] = radius[static_cast<size_t>(unknown)] = Dyadic::exact(box.radius[i]);
-    if (rho[i].sign() <= 0) return refuse(fmt::format("radius: {} is not > 0", box.radius[i]));
+    if (rho[i].sign() <= 0) return refuse_box(fmt::format("radius: {} is not > 0", box.radius[i]));
   }
   for (size_t s = 0; s < 2; ++s) {
     if (box.dependent[s] < 0 || box.dependent[s] > 2 ||
         !in_domain(query.patches[s].shape, {centre[2 * s], centre[2 * s + 1]},
                    {radius[2 * s], radius[2 * s + 1]}, box.dependent[s])) {
-      return refuse(fmt::format("the box reaches out of the domain of patches[{}], {}", s,
-                                to_text(query.patches[s].shape)));
+      return refuse_box(fmt::format("the box reaches out of the domain of patches[{}], {}", s,
+                                    to_text(query.patches[s].shape)));
     }
   }
-  if (centre[4] - radius[4] < Dyadic(0)) return refuse("the box reaches before t = 0");
+  if (centre[4] - radius[4] < Dyadic(0)) return refuse_box("the box reaches before t = 0");
 
   Matrix inverse;
   for (size_t i = 0; i < 3; ++i) {
     for (size_t j = 0; j < 3; ++j) inverse[i][j] = Dyadic::exact(box.inverse[i][j]);
   }
-  if (determinant(inverse).sign() == 0) return refuse("inverse: is singular");
+  if (determinant(inverse).sign() == 0) return refuse_box("inverse: is singular");
 
   std::array<Dyadic, 3> remainder;
   for (const TaylorTerm<Dyadic>& term : taylor_terms<Dyadic>(query, box)) {
@@ -85,8 +85,8 @@ Result<void> check_box(const Query& query, const ContactBox& box) {
   }
   for (size_t i = 0; i < 3; ++i) {
     if (remainder[i] > rho[i]) {
-      return refuse(fmt::format("component {} may not change its sign across a radius of {}", i,
-                                box.radius[i]));
+      return refuse_box(fmt::format("component {} may not change its sign across a radius of {}", i,
+                                    box.radius[i]));
     }
   }
   return {};

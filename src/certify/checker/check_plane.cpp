@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 namespace {
 
-tl::unexpected<InputError> refuse(std::string what) {
+tl::unexpected<InputError> refuse_plane(std::string what) {
   return input_error("truth.certificate.clear", std::move(what));
 }
 
@@ -36,7 +36,8 @@ bool is_nonnegative(const Shape& shape, const std::vector<Rational>& heights) {
 }  // namespace
 
 Result<void> check_plane(const Query& query, const MovingPlane& plane) {
-  if (plane.until < 0) return refuse(fmt::format("until: {} is negative", shown(plane.until)));
+  if (plane.until < 0)
+    return refuse_plane(fmt::format("until: {} is negative", shown(plane.until)));
   std::array<std::vector<Rational>, 2> rates;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
@@ -45,12 +46,13 @@ Result<void> check_plane(const Query& query, const MovingPlane& plane) {
     for (Rational& h : heights)
       h = s == 0 ? Rational(h - plane.offset) : Rational(plane.offset - h);
     if (!is_nonnegative(patch.shape, heights)) {
-      return refuse(fmt::format("patches[{}] is not known to be on its side of the plane", s));
+      return refuse_plane(
+          fmt::format("patches[{}] is not known to be on its side of the plane", s));
     }
   }
   if (*std::max_element(rates[0].begin(), rates[0].end()) >=
       *std::min_element(rates[1].begin(), rates[1].end())) {
-    return refuse("the patches do not both approach the plane");
+    return refuse_plane("the patches do not both approach the plane");
   }
   return {};
 }

@@ -10,11 +10,10 @@
 #include "certify/checker/miss_tree.hpp"
 #include "numeric/fp_guard.hpp"
 
-namespace ccdfuzz {
+// The builder is made of the parts of `certified`.
+namespace ccdfuzz::certified {
 
 namespace {
-
-using namespace certified;  // NOLINT: the builder is made of that namespace's parts
 
 using Node = CellTree::Node;
 
@@ -246,10 +245,14 @@ class Builder {
 
 }  // namespace
 
+}  // namespace ccdfuzz::certified
+
+namespace ccdfuzz {
+
 std::optional<std::string> build_miss_tree(const Query& query, const Rational& until,
                                            std::uint64_t max_nodes) {
   const FpGuard guard;
-  return Builder(query, until, max_nodes).run();
+  return certified::Builder(query, until, max_nodes).run();
 }
 
 }  // namespace ccdfuzz
