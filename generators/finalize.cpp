@@ -40,7 +40,7 @@ std::optional<Query> to_query(const Scene& scene) {
 }
 
 Case finalize(const Scene& scene, const Query& query, CaseKind kind,
-              const std::optional<Dyadic>& clear_until) {
+              const std::optional<Absence>& clear) {
   Case result;
   result.query = query;
   // These kinds stand or fall with the contact, so the checker sees it before any is let out; but a
@@ -48,16 +48,19 @@ Case finalize(const Scene& scene, const Query& query, CaseKind kind,
   const Witness witness{scene.contact.t.rational(),
                         {uv_of(scene.contact.x[0]), uv_of(scene.contact.x[1])}};
   CCDFUZZ_VERIFY(kind == CaseKind::kNMN || check_witness(query, witness));
-  if (clear_until) result.truth.clear_until = clear_until->rational();
+  if (clear) {
+    result.truth.clear_until = clear->until.rational();
+    if (clear->plane) result.truth.clearance = *clear->plane;
+  }
   result.truth.collides = kind == CaseKind::kRP || kind == CaseKind::kNHP;
   if (*result.truth.collides) {
     result.truth.witness = witness;
   } else {
-    CCDFUZZ_VERIFY(clear_until);
-    const std::optional<double> t_max = clear_until->to_double_exactly();
+    CCDFUZZ_VERIFY(clear);
+    const std::optional<double> t_max = clear->until.to_double_exactly();
     CCDFUZZ_VERIFY(t_max);  // t* is a multiple of 2^-3 in (0, 1], eps_T at least 2^-40
     result.query.t_max = *t_max;
-    result.truth.proof = "rational-tdibm";
+    result.truth.proof = clear->plane ? proof_word(*result.truth.clearance) : "rational-tdibm";
   }
   return result;
 }

@@ -13,9 +13,9 @@ namespace ccdfuzz {
 std::optional<Query> to_query(const Scene& scene);
 
 /// Step VI: the case of a validated scene, with the truth its kind has. query: to_query(scene).
-/// clear_until: the time before which it has been proven that nothing touches, if it has been.
-/// RP and NHP end at scene.t_max. RN and NMN end at clear_until, which they need.
+/// clear: what has been proven of the time before, if anything has.
+/// RP and NHP end at scene.t_max. RN and NMN end at clear->until, which they need.
 Case finalize(const Scene& scene, const Query& query, CaseKind kind,
-              const std::optional<Dyadic>& clear_until);
+              const std::optional<Absence>& clear);
 
 }  // namespace ccdfuzz

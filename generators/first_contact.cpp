@@ -39,18 +39,25 @@ bool certified_clear(const Query& query, double until) {
 
 }  // namespace
 
-bool first_contact_is_proven(const Scene& scene, const Query& query, const Dyadic& until,
-                             bool grazing) {
+std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,
+                                           const Dyadic& until, bool grazing) {
   CCDFUZZ_VERIFY(until < scene.contact.t);
-  if (moving_plane_separates(scene, scene.normal)) return true;
+  const auto by_plane = [&](const Vec3<Dyadic>& normal) -> std::optional<Absence> {
+    if (!moving_plane_separates(scene, normal)) return std::nullopt;
+    return Absence{until, moving_plane(scene, normal)};
+  };
+  if (auto proof = by_plane(scene.normal)) return proof;
   if (!grazing) {
     // Without such a normal the patches are in each other just before t*.
     const std::optional<Vec3<Dyadic>> normal = approach_normal(scene);
-    if (!normal) return false;
-    if (moving_plane_separates(scene, *normal)) return true;
+    if (!normal) return std::nullopt;
+    if (auto proof = by_plane(*normal)) return proof;
   }
   const std::optional<double> horizon = until.to_double_exactly();
-  return horizon && certified_clear(query, *horizon) && proves_clear(query, until.rational());
+  if (!horizon || !certified_clear(query, *horizon) || !proves_clear(query, until.rational())) {
+    return std::nullopt;
+  }
+  return Absence{until, {}};
 }
 
 bool miss_is_proven(const Query& query) {

@@ -5,13 +5,13 @@
 
 namespace ccdfuzz {
 
-/// Step V: true iff it is proven that the patches do not touch at any t in [0, until], until < t*.
-/// By a moving plane through the contact, if one does it, which takes no search; else by
+/// Step V: a proof that the patches do not touch at any t in [0, until], until < t*, if there is
+/// one. By a moving plane through the contact, if one does it, which takes no search; else by
 /// tdibm-rational, once the certified double method has found nothing either: that is faster and
 /// throws out most of what touches before.
 /// query: the scene's, as doubles. grazing: at the contact the patches move along each other.
-bool first_contact_is_proven(const Scene& scene, const Query& query, const Dyadic& until,
-                             bool grazing);
+std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,
+                                           const Dyadic& until, bool grazing);
 
 /// True iff it is proven, by tdibm-rational, that the patches do not touch in [0, query.t_max].
 bool miss_is_proven(const Query& query);

@@ -118,19 +118,21 @@ Generated generate(const GeneratorOptions& options, std::uint64_t index) {
       discard(Discard::kRoundTrip);
       continue;
     }
-    std::optional<Dyadic> clear_until;
+    std::optional<Absence> clear;
     if (options.family == Family::kRegular) {
       const bool near_miss = options.kind == CaseKind::kNMN;
-      clear_until = near_miss ? scene->t_max : scene->contact.t - eps_t;
-      const bool proven = near_miss ? miss_is_proven(*query)
-                                    : first_contact_is_proven(*scene, *query, *clear_until,
-                                                              is_grazing(options.kind));
-      if (!proven) {
+      if (!near_miss) {
+        clear =
+            prove_first_contact(*scene, *query, scene->contact.t - eps_t, is_grazing(options.kind));
+      } else if (miss_is_proven(*query)) {
+        clear = Absence{scene->t_max, {}};
+      }
+      if (!clear) {
         discard(Discard::kFirstContact);
         continue;
       }
     }
-    out.value = finalize(*scene, *query, options.kind, clear_until);
+    out.value = finalize(*scene, *query, options.kind, clear);
     break;
   }
   Origin& origin = out.value.origin;

@@ -34,4 +34,13 @@ bool moving_plane_separates(const Scene& scene, const Vec3<Dyadic>& normal) {
   return true;
 }
 
+MovingPlane moving_plane(const Scene& scene, const Vec3<Dyadic>& normal) {
+  const Dyadic& t = scene.contact.t;
+  const Vec3<Dyadic> contact =
+      weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(t));
+  return {t.rational(),
+          {normal[0].rational(), normal[1].rational(), normal[2].rational()},
+          dot<Dyadic>(normal, contact).rational()};
+}
+
 }  // namespace ccdfuzz

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generators/scene.hpp"
+#include "query/certificate.hpp"
 
 namespace ccdfuzz {
 
@@ -13,5 +14,8 @@ namespace ccdfuzz {
 /// n·(S1(t) − c) ≥ −(t*−t)·max n·w1 and n·(S2(t) − c) ≤ −(t*−t)·min n·w2 for t ≤ t*: the plane
 /// n·(p − c) = −(t*−t)k separates the patches strictly while t < t*.
 bool moving_plane_separates(const Scene& scene, const Vec3<Dyadic>& normal);
+
+/// That plane, as a case carries it.
+MovingPlane moving_plane(const Scene& scene, const Vec3<Dyadic>& normal);
 
 }  // namespace ccdfuzz

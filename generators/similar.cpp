@@ -32,6 +32,30 @@ bool change_points(Points<double>& points, const Vec3<double>& by, int exponent)
   return true;
 }
 
+Rational along(const std::array<Rational, 3>& normal, const Vec3<double>& v) {
+  return normal[0] * exact(v[0]) + normal[1] * exact(v[1]) + normal[2] * exact(v[2]);
+}
+
+/// At `until` the plane has moved by the shift and by the drift up to then.
+void change_plane(MovingPlane& plane, const Similarity& change) {
+  plane.offset += along(plane.normal, change.shift);
+  plane.offset += plane.until * along(plane.normal, change.drift);
+  plane.offset *= power_of_two(change.space);
+  plane.until *= power_of_two(change.time);
+}
+
+/// S1 − S2 grows with space alone, as shift and drift cancel; its inverse Jacobian shrinks with it,
+/// and grows with the units of the unknowns. False if a number is rounded.
+bool change_box(ContactBox& box, const Similarity& change) {
+  bool exact = scale_exactly(box.centre[ContactBox::kTime], change.time);
+  for (size_t i = 0; i < 3; ++i) {
+    const int unit = box.varied[i] == ContactBox::kTime ? change.time : 0;
+    exact = exact && scale_exactly(box.radius[i], unit);
+    for (double& y : box.inverse[i]) exact = exact && scale_exactly(y, unit - change.space);
+  }
+  return exact;
+}
+
 }  // namespace
 
 std::optional<Case> similar(const Case& value, const Similarity& change) {
@@ -46,6 +70,16 @@ std::optional<Case> similar(const Case& value, const Similarity& change) {
   const Rational unit = power_of_two(change.time);
   if (out.truth.witness) out.truth.witness->t *= unit;
   if (out.truth.clear_until) *out.truth.clear_until *= unit;
+  if (out.truth.contact_box && !change_box(*out.truth.contact_box, change)) return std::nullopt;
+  if (auto& clearance = out.truth.clearance) {
+    if (auto* plane = std::get_if<MovingPlane>(&*clearance)) {
+      change_plane(*plane, change);
+    } else {
+      // A tree's times are multiples of a step of its own: what it proves is to be proven anew.
+      clearance.reset();
+      if (out.truth.proof) out.truth.proof = "rational-tdibm";
+    }
+  }
   out.expect.clear();
   return out;
 }

@@ -44,21 +44,21 @@ TEST(Finalize, AContactThatIsNoneIsABrokenInvariant) {
   for (Vec3<Dyadic>& p : scene.patches[0].positions) p[0] += Dyadic(1, -40);
   const Query query = to_query(scene).value();
   for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-    EXPECT_THROW(finalize(scene, query, kind, Dyadic(1, -1)), InternalError);
+    EXPECT_THROW(finalize(scene, query, kind, Absence{Dyadic(1, -1), {}}), InternalError);
   }
 }
 
 TEST(Finalize, PositivesEndAtTheHorizonNegativesWhereNothingTouchesYet) {
   const Scene scene = some_scene();
   const Query query = to_query(scene).value();
-  const Dyadic clear = Dyadic(1) - Dyadic(1, -20);
+  const Absence clear{Dyadic(1) - Dyadic(1, -20), {}};
   const Case positive = finalize(scene, query, CaseKind::kRP, clear);
   EXPECT_EQ(positive.query.t_max, 1);
   EXPECT_EQ(positive.truth.collides, true);
   const Case negative = finalize(scene, query, CaseKind::kRN, clear);
   EXPECT_EQ(negative.query.t_max, 1 - 0x1p-20);
   EXPECT_EQ(negative.truth.collides, false);
-  EXPECT_EQ(negative.truth.clear_until, clear.rational());
+  EXPECT_EQ(negative.truth.clear_until, clear.until.rational());
   EXPECT_FALSE(finalize(scene, query, CaseKind::kRP, std::nullopt).truth.clear_until);
 }
 

@@ -14,7 +14,7 @@ namespace {
 const Dyadic kUntil = Dyadic(1) - Dyadic(1, -20);
 
 bool proven(const Scene& scene) {
-  return first_contact_is_proven(scene, to_query(scene).value(), kUntil, false);
+  return prove_first_contact(scene, to_query(scene).value(), kUntil, false).has_value();
 }
 
 // Reversed in time the patches are in each other before t*, right up to it. (Not so VE and VV: a

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "ccd/rational/proves_clear.hpp"
+#include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "generators/prescribe.hpp"
 
@@ -79,10 +80,25 @@ TEST(Generate, NegativesEndEpsTBeforeTheContactOfTheirPositive) {
     EXPECT_EQ(n.query.patches, p.query.patches);
     EXPECT_EQ(exact(n.query.t_max), Rational(p.truth.witness->t - power_of_two(-20)));
     EXPECT_EQ(n.truth.collides, false);
-    EXPECT_EQ(n.truth.proof, "rational-tdibm");
+    EXPECT_EQ(n.truth.proof, n.truth.clearance ? "P" : "rational-tdibm");
     EXPECT_EQ(n.truth.clear_until, exact(n.query.t_max));
     EXPECT_FALSE(n.truth.witness);
   });
+}
+
+// One-sided patches are separated by their plane, and most of the paper's are by one of theirs.
+TEST(Generate, TheMovingPlaneThatProvesACaseIsPartOfItAndTheCheckerAcceptsIt) {
+  int with_plane = 0, all = 0;
+  for_each_case([&](const GeneratorOptions& options, std::uint64_t, const Generated& made) {
+    const Case& c = made.value;
+    ++all;
+    with_plane += c.truth.clearance.has_value();
+    if (options.construction == Construction::kPaper && !c.truth.clearance) return;
+    ASSERT_TRUE(c.truth.clearance);
+    const Result<void> checked = check_absence(c, "");
+    EXPECT_TRUE(checked) << checked.error().message();
+  });
+  EXPECT_GT(with_plane, all / 2);
 }
 
 // Also where a moving plane has proven it: two proofs that share no code must agree.

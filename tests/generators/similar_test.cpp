@@ -6,6 +6,7 @@
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
+#include "tests/certify/rising_triangle.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -72,6 +73,38 @@ TEST(Similar, KeepsTheTruthWhereTheCheckerLooks) {
   ASSERT_TRUE(scaled);
   EXPECT_TRUE(check_truth(*scaled)) << "clear_until too";
   EXPECT_EQ(*scaled->truth.clear_until * 8, *regular.truth.clear_until);
+}
+
+TEST(Similar, TakesItsCertificatesAlong) {
+  Case base = rising_triangle();
+  base.truth.contact_box = rising_box();
+  base.truth.clearance = rising_plane();
+  for (const Similarity& change :
+       {Similarity{.shift = {0x1p20, -3, 5}}, Similarity{.drift = {0x1p30, 3, -7}},
+        Similarity{.space = -900}, Similarity{.time = 60}, Similarity{.time = -60},
+        Similarity{{1, 2, 3}, {4, 5, 6}, -500, -60}, Similarity{{1, 2, 3}, {4, 5, 6}, 300, 60}}) {
+    const auto changed = similar(base, change);
+    ASSERT_TRUE(changed);
+    const auto holds = check_truth(*changed);
+    EXPECT_TRUE(holds) << holds.error().message();
+    const auto absent = check_absence(*changed, "");
+    EXPECT_TRUE(absent) << absent.error().message();
+    EXPECT_EQ(changed->truth.contact_by(),
+              Rational(*base.truth.contact_by() * power_of_two(change.time)));
+  }
+}
+
+TEST(Similar, DropsATreeAndLeavesTheClaimToASearch) {
+  Case base = rising_triangle();
+  base.query.t_max = 0.25;
+  base.truth = {};
+  base.truth.collides = false;
+  base.truth.proof = "T";
+  base.truth.clearance = MissTree{Rational(1, 4), {}};
+  const auto changed = similar(base, {.space = 3});
+  ASSERT_TRUE(changed);
+  EXPECT_FALSE(changed->truth.clearance);
+  EXPECT_EQ(changed->truth.proof, "rational-tdibm");
 }
 
 TEST(Similar, RefusesWhatIsNoDouble) {
