@@ -58,15 +58,23 @@ bool change_box(ContactBox& box, const Similarity& change) {
 
 }  // namespace
 
-std::optional<Case> similar(const Case& value, const Similarity& change) {
-  Case out = value;
-  for (MovingPatch<double>& patch : out.query.patches) {
+std::optional<Query> similar(const Query& query, const Similarity& change) {
+  Query out = query;
+  for (MovingPatch<double>& patch : out.patches) {
     if (!change_points(patch.positions, change.shift, change.space) ||
         !change_points(patch.velocities, change.drift, change.space - change.time)) {
       return std::nullopt;
     }
   }
-  if (!scale_exactly(out.query.t_max, change.time)) return std::nullopt;
+  if (!scale_exactly(out.t_max, change.time)) return std::nullopt;
+  return out;
+}
+
+std::optional<Case> similar(const Case& value, const Similarity& change) {
+  const std::optional<Query> query = similar(value.query, change);
+  if (!query) return std::nullopt;
+  Case out = value;
+  out.query = *query;
   const Rational unit = power_of_two(change.time);
   if (out.truth.witness) out.truth.witness->t *= unit;
   if (out.truth.clear_until) *out.truth.clear_until *= unit;

@@ -28,7 +28,8 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"generators", {"ccd", "certify/checker", "certify/oracle"}},
     {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
     {"corpus", {"method", "certify/checker", "properties"}},
-    {"hunt", {"generators", "corpus", "eval"}},
+    {"fuzz/mutator", {"generators"}},
+    {"hunt", {"generators", "corpus", "eval", "fuzz/mutator"}},
     {"cli", {"hunt", "properties"}},
     {"fuzz", {"properties", "corpus"}},
 };

@@ -1,0 +1,124 @@
+#include "fuzz/mutator/exact_moves.hpp"
+
+#include <cmath>
+
+#include "fuzz/mutator/reshape.hpp"
+#include "fuzz/mutator/small_vector.hpp"
+#include "generators/similar.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+int random_side(Random& random) {
+  return static_cast<int>(random.below(2));
+}
+
+Vec3<Dyadic> times(const Vec3<Dyadic>& v, const Dyadic& factor) {
+  return {v[0] * factor, v[1] * factor, v[2] * factor};
+}
+
+}  // namespace
+
+bool shift_in_null_space(WitnessedQuery& q, Random& random) {
+  const int side = random_side(random);
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  Points<double>& points = random.coin() ? patch.positions : patch.velocities;
+  const std::vector<Dyadic> weights = q.weights(side);
+  const size_t i = random.below(points.size()), j = random.below(points.size());
+  const Vec3<Dyadic> by = small_vector(points, random);
+  if (weights[i].sign() == 0) return add_exactly(points[i], by);
+  if (i == j || weights[j].sign() == 0) return false;
+  // Their common power of two serves nothing but to need bits.
+  const long unit = std::min(weights[i].exponent(), weights[j].exponent());
+  return add_exactly(points[i], times(by, weights[j].scaled(-unit))) &&
+         add_exactly(points[j], times(by, -weights[i].scaled(-unit)));
+}
+
+bool trade_position_for_velocity(WitnessedQuery& q, Random& random) {
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(random_side(random))];
+  const size_t i = random.below(patch.positions.size());
+  const Vec3<Dyadic> by = small_vector(patch.velocities, random);
+  return add_exactly(patch.velocities[i], by) && add_exactly(patch.positions[i], times(by, -q.t));
+}
+
+bool change_coordinates(WitnessedQuery& q, Random& random) {
+  constexpr int kFarthest = 40;  // 2^40 sizes of a patch away; more seldom fits into doubles
+  Similarity change;
+  const auto far_vector = [&](const Points<double>& points) {
+    const int size = size_exponent(points) + static_cast<int>(random.between(-20, kFarthest));
+    Vec3<double> v;
+    for (int k = 0; k < 3; ++k) {
+      v[k] = std::ldexp(static_cast<double>(random.between(-3, 3)), size);
+    }
+    return v;
+  };
+  switch (random.below(5)) {
+    case 0:
+      change.shift = far_vector(q.query.patches[0].positions);
+      break;
+    case 1:
+      change.drift = far_vector(q.query.patches[0].velocities);
+      break;
+    case 2:
+      change.space = static_cast<int>(random.between(-60, 60));
+      break;
+    case 3:
+      change.time = static_cast<int>(random.between(-30, 30));
+      break;
+    default:  // towards the ends of the range of doubles
+      change.space = static_cast<int>(random.between(-1000, 900));
+      break;
+  }
+  const std::optional<Query> changed = similar(q.query, change);
+  if (!changed) return false;
+  q.query = *changed;
+  q.t = q.t.scaled(change.time);
+  return true;
+}
+
+bool reparametrise(WitnessedQuery& q, Random& random) {
+  if (random.below(4) == 0) {
+    std::swap(q.query.patches[0], q.query.patches[1]);
+    std::swap(q.uv[0], q.uv[1]);
+    return true;
+  }
+  reparametrise_patch(q, random_side(random), random.next());
+  return true;
+}
+
+bool elevate_degree(WitnessedQuery& q, Random& random) {
+  const int side = random_side(random);
+  return elevate_patch(q, side, random.coin());
+}
+
+bool restrict_to_child(WitnessedQuery& q, Random& random) {
+  return restrict_patch(q, random_side(random));
+}
+
+bool splice(WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
+  const size_t to = random.below(2), from = random.below(2);
+  MovingPatch<double> patch = other.query.patches[from];
+  const Dyadic later = other.t - q.t;
+  for (size_t i = 0; i < patch.positions.size(); ++i) {
+    Vec3<Dyadic> way;
+    for (int k = 0; k < 3; ++k) way[k] = Dyadic::exact(patch.velocities[i][k]) * later;
+    if (!add_exactly(patch.positions[i], way)) return false;
+  }
+  q.query.patches[to] = std::move(patch);
+  q.uv[to] = other.uv[from];
+  return repair(q, random);
+}
+
+bool change_horizon(WitnessedQuery& q, Random& random) {
+  const double t = q.t.rational().get_d();  // towards zero
+  const double just_enough = Dyadic::exact(t) == q.t ? t : std::nextafter(t, HUGE_VAL);
+  constexpr std::array kFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0, 16.0};
+  const double t_max =
+      random.coin() ? just_enough * random.pick(kFactors) : std::nextafter(just_enough, HUGE_VAL);
+  if (!std::isfinite(t_max)) return false;
+  q.query.t_max = t_max;
+  return true;
+}
+
+}  // namespace ccdfuzz

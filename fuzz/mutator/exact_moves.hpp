@@ -1,0 +1,36 @@
+#pragma once
+
+#include "fuzz/mutator/witnessed_query.hpp"
+
+namespace ccdfuzz {
+
+/// Moves that keep the contact by what they are. Each takes a whole query to a whole query, or
+/// returns false where a number of the result would not be a double, or there is nothing to do;
+/// the query is then to be thrown away.
+
+/// Two control points of a patch move against each other, or one without weight alone: positions or
+/// velocities change in the null space of the Bernstein row.
+bool shift_in_null_space(WitnessedQuery& q, Random& random);
+
+/// A control point gets another velocity, and comes to the same place at t: p + t·v stays.
+bool trade_position_for_velocity(WitnessedQuery& q, Random& random);
+
+/// Both patches in other coordinates: moved, with a common velocity, in other units.
+bool change_coordinates(WitnessedQuery& q, Random& random);
+
+/// The same patches by other parameters: reversed, rotated, transposed, exchanged.
+bool reparametrise(WitnessedQuery& q, Random& random);
+
+/// A patch with one degree more.
+bool elevate_degree(WitnessedQuery& q, Random& random);
+
+/// A patch's child cell with the contact in place of it.
+bool restrict_to_child(WitnessedQuery& q, Random& random);
+
+/// A patch of `other` in place of one of q, moved to the contact; as it is there at its own t.
+bool splice(WitnessedQuery& q, const WitnessedQuery& other, Random& random);
+
+/// t_max at, just after, or well past the contact.
+bool change_horizon(WitnessedQuery& q, Random& random);
+
+}  // namespace ccdfuzz

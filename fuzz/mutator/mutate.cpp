@@ -1,0 +1,54 @@
+#include "fuzz/mutator/mutate.hpp"
+
+#include "fuzz/mutator/aimed_moves.hpp"
+#include "fuzz/mutator/exact_moves.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// A move that looks at nothing but the query.
+template <bool (*move)(WitnessedQuery&, Random&)>
+bool alone(WitnessedQuery& q, const WitnessedQuery&, Random& random) {
+  return move(q, random);
+}
+
+constexpr std::array kMoves = {
+    Move{"shift-in-null-space", alone<shift_in_null_space>},
+    Move{"trade-position-for-velocity", alone<trade_position_for_velocity>},
+    Move{"nudge", alone<nudge>},
+    Move{"make-twins", alone<make_twins>},
+    Move{"align-edge", alone<align_edge>},
+    Move{"flatten", alone<flatten>},
+    Move{"collapse", alone<collapse>},
+    Move{"snap-to-lattice", alone<snap_to_lattice>},
+    Move{"stop-motion", alone<stop_motion>},
+    Move{"stretch", alone<stretch>},
+    Move{"change-coordinates", alone<change_coordinates>},
+    Move{"reparametrise", alone<reparametrise>},
+    Move{"elevate-degree", alone<elevate_degree>},
+    Move{"restrict-to-child", alone<restrict_to_child>},
+    Move{"splice", splice},
+    Move{"change-horizon", alone<change_horizon>},
+};
+
+}  // namespace
+
+std::span<const Move> moves() {
+  return kMoves;
+}
+
+WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
+  constexpr int kTries = 64;
+  WitnessedQuery mutant = q;
+  std::uint64_t wanted = 1 + random.below(4);
+  for (int i = 0; i < kTries && wanted > 0; ++i) {
+    WitnessedQuery next = mutant;
+    if (!random.pick(kMoves).apply(next, other, random)) continue;
+    mutant = std::move(next);
+    --wanted;
+  }
+  return mutant;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,28 @@
+#include "fuzz/mutator/small_vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ccdfuzz {
+
+int size_exponent(const Points<double>& points) {
+  double size = 0;
+  for (const Vec3<double>& p : points) size = std::max(size, p.cwiseAbs().maxCoeff());
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return exponent;
+}
+
+Vec3<Dyadic> small_vector(const Points<double>& points, Random& random) {
+  constexpr int kBits = 3, kPrecision = 53;
+  const long unit = size_exponent(points) - kBits - static_cast<long>(random.below(kPrecision));
+  const bool along_an_axis = random.coin();
+  const std::uint64_t axis = random.below(3);
+  Vec3<Dyadic> v = random.vector(kBits, unit);
+  for (int k = 0; k < 3 && along_an_axis; ++k) {
+    if (static_cast<std::uint64_t>(k) != axis) v[k] = Dyadic();
+  }
+  return v;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,136 @@
+#include "fuzz/mutator/witnessed_query.hpp"
+
+#include "bezier/bernstein.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+bool is_zero(const Vec3<Dyadic>& v) {
+  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
+}
+
+Vec3<Dyadic> scaled(const Vec3<Dyadic>& v, long shift) {
+  return {v[0].scaled(shift), v[1].scaled(shift), v[2].scaled(shift)};
+}
+
+/// k where x = 2^k.
+std::optional<long> exponent_of_power_of_two(const Dyadic& x) {
+  if (x.mantissa() != 1) return std::nullopt;
+  return x.exponent();
+}
+
+bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
+  for (Vec3<double>& p : points) {
+    if (!add_exactly(p, by)) return false;
+  }
+  return true;
+}
+
+/// The ways to move what patch `side` has at the contact by `by`.
+bool shift_patch(WitnessedQuery& q, int side, const Vec3<Dyadic>& by) {
+  return shift_all(q.query.patches[static_cast<size_t>(side)].positions, by);
+}
+
+bool shift_velocity(WitnessedQuery& q, int side, const Vec3<Dyadic>& by) {
+  const auto k = exponent_of_power_of_two(q.t);
+  return k && shift_all(q.query.patches[static_cast<size_t>(side)].velocities, scaled(by, -*k));
+}
+
+bool shift_control(WitnessedQuery& q, int side, const Vec3<Dyadic>& by, Random& random) {
+  const std::vector<Dyadic> weights = q.weights(side);
+  std::vector<size_t> movable;
+  for (size_t i = 0; i < weights.size(); ++i) {
+    if (exponent_of_power_of_two(weights[i])) movable.push_back(i);
+  }
+  if (movable.empty()) return false;
+  const size_t i = movable[random.below(movable.size())];
+  return add_exactly(q.query.patches[static_cast<size_t>(side)].positions[i],
+                     scaled(by, -weights[i].exponent()));
+}
+
+}  // namespace
+
+std::vector<Dyadic> WitnessedQuery::weights(int side) const {
+  return bernstein_weights(query.patches[static_cast<size_t>(side)].shape,
+                           uv[static_cast<size_t>(side)]);
+}
+
+Vec3<Dyadic> WitnessedQuery::contact(int side) const {
+  const MovingPatch<double>& patch = query.patches[static_cast<size_t>(side)];
+  const std::vector<Dyadic> weight = weights(side);
+  Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
+  for (size_t i = 0; i < weight.size(); ++i) {
+    if (weight[i].sign() == 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      sum[k] += weight[i] *
+                (Dyadic::exact(patch.positions[i][k]) + t * Dyadic::exact(patch.velocities[i][k]));
+    }
+  }
+  return sum;
+}
+
+std::optional<WitnessedQuery> witnessed_query(const Case& known) {
+  const std::optional<Witness>& witness = known.truth.witness;
+  if (!witness || witness->t > exact(known.query.t_max)) return std::nullopt;
+  const std::optional<Dyadic> t = Dyadic::from(witness->t);
+  if (!t) return std::nullopt;
+  WitnessedQuery q{known.query, *t, {}};
+  for (size_t s = 0; s < 2; ++s) {
+    for (size_t k = 0; k < 2; ++k) {
+      const std::optional<Dyadic> x = Dyadic::from(witness->uv[s][k]);
+      if (!x) return std::nullopt;
+      q.uv[s][k] = *x;
+    }
+  }
+  return q;
+}
+
+Case case_of(const WitnessedQuery& q) {
+  Case out;
+  out.query = q.query;
+  out.truth.collides = true;
+  Witness& witness = out.truth.witness.emplace();
+  witness.t = q.t.rational();
+  for (size_t s = 0; s < 2; ++s) {
+    witness.uv[s] = {q.uv[s][0].rational(), q.uv[s][1].rational()};
+  }
+  return out;
+}
+
+bool add_exactly(double& x, const Dyadic& by) {
+  const std::optional<double> sum = (Dyadic::exact(x) + by).to_double_exactly();
+  if (sum) x = *sum;
+  return sum.has_value();
+}
+
+bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
+  Vec3<double> sum = x;
+  for (int k = 0; k < 3; ++k) {
+    if (!add_exactly(sum[k], by[k])) return false;
+  }
+  x = sum;
+  return true;
+}
+
+bool repair(WitnessedQuery& q, Random& random) {
+  const Vec3<Dyadic> apart = q.contact(0) - q.contact(1);
+  if (is_zero(apart)) return true;
+  constexpr std::uint64_t kWays = 6;
+  const std::uint64_t first = random.below(kWays);
+  for (std::uint64_t way = first; way < first + kWays; ++way) {
+    WitnessedQuery whole = q;
+    const int side = static_cast<int>(way % 2);
+    const Vec3<Dyadic> by = side == 0 ? Vec3<Dyadic>(-apart) : apart;
+    const std::uint64_t kind = way % kWays / 2;
+    if (kind == 0   ? shift_control(whole, side, by, random)
+        : kind == 1 ? shift_patch(whole, side, by)
+                    : shift_velocity(whole, side, by)) {
+      q = std::move(whole);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "bezier/patch.hpp"
+
+namespace ccdfuzz {
+
+/// The Bernstein weights of a shape's control points at uv, in Shape's order: the point of the
+/// patch there is the sum of weight·control point. They sum to 1. Exact for exact S.
+template <class S>
+std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
+  const auto choose = [](int n, int k) {
+    int c = 1;
+    for (int i = 0; i < k; ++i) c = c * (n - i) / (i + 1);
+    return c;  // n ≤ kMaxDegree: at most 70
+  };
+  const auto power = [](const S& x, int n) {
+    S y(1);
+    for (int i = 0; i < n; ++i) y *= x;
+    return y;
+  };
+  std::vector<S> weights;
+  weights.reserve(static_cast<size_t>(shape.control_count()));
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      weights.push_back(S(1));
+      break;
+    case ShapeKind::kCurve: {
+      const S rest(S(1) - uv[0]);
+      for (int i = 0; i <= shape.n; ++i) {
+        weights.push_back(S(choose(shape.n, i)) * power(uv[0], i) * power(rest, shape.n - i));
+      }
+      break;
+    }
+    case ShapeKind::kTriangle: {
+      const S rest(S(S(1) - uv[0]) - uv[1]);
+      for (int i = 0; i <= shape.n; ++i) {
+        for (int j = 0; j <= shape.n - i; ++j) {
+          weights.push_back(S(choose(shape.n, i) * choose(shape.n - i, j)) * power(uv[0], i) *
+                            power(uv[1], j) * power(rest, shape.n - i - j));
+        }
+      }
+      break;
+    }
+    case ShapeKind::kTensor: {
+      const std::vector<S> u = bernstein_weights<S>(Shape::curve(shape.n), {uv[0], S(0)});
+      const std::vector<S> v = bernstein_weights<S>(Shape::curve(shape.m), {uv[1], S(0)});
+      for (const S& a : u) {
+        for (const S& b : v) weights.push_back(a * b);
+      }
+      break;
+    }
+  }
+  return weights;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,88 @@
+#include "fuzz/mutator/mutate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "bases.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "query/case_json.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// What is wrong with q; empty if it is whole.
+std::string complaint_about(const WitnessedQuery& q) {
+  const Case made = case_of(q);
+  if (const auto valid = validate(q.query, "query"); !valid) return valid.error().message();
+  if (q.t.sign() < 0 || made.truth.witness->t > exact(q.query.t_max)) {
+    return "the contact is at " + to_text(made.truth.witness->t);
+  }
+  const auto checked = check_witness(q.query, *made.truth.witness);
+  return checked ? "" : checked.error().message();
+}
+
+TEST(Mutate, EveryMoveKeepsTheContactAndIsOftenPossible) {
+  const std::vector<WitnessedQuery> bases = mutation_bases();
+  std::map<std::string_view, int> made;
+  Random random = Random::keyed({6});
+  for (const Move& move : moves()) {
+    SCOPED_TRACE(move.name);
+    for (std::size_t i = 0; i < 600 / kOneIn; ++i) {
+      const size_t base = random.below(bases.size()), other = random.below(bases.size());
+      WitnessedQuery q = bases[base];
+      if (!move.apply(q, bases[other], random)) continue;
+      ++made[move.name];
+      ASSERT_EQ(complaint_about(q), "")
+          << to_json(case_of(q)) << "\nfrom " << to_json(case_of(bases[base]));
+    }
+    EXPECT_GE(made[move.name], static_cast<int>(60 / kOneIn));
+  }
+}
+
+TEST(Mutate, ChainsOfMutantsStayWholeAndGoAstray) {
+  const std::vector<WitnessedQuery> bases = mutation_bases();
+  Random random = Random::keyed({7});
+  size_t changed = 0, reshaped = 0;
+  constexpr std::size_t kChains = 100 / kOneIn, kLength = 20;
+  for (std::size_t chain = 0; chain < kChains; ++chain) {
+    const WitnessedQuery& base = bases[random.below(bases.size())];
+    WitnessedQuery q = base;
+    for (std::size_t i = 0; i < kLength; ++i) {
+      const WitnessedQuery next = mutate(q, bases[random.below(bases.size())], random);
+      changed += next.query == q.query ? 0 : 1;
+      q = next;
+      ASSERT_EQ(complaint_about(q), "") << to_json(case_of(q));
+    }
+    reshaped += q.query.patches[0].shape == base.query.patches[0].shape ? 0 : 1;
+  }
+  EXPECT_GE(changed, kChains * kLength * 9 / 10);
+  EXPECT_GE(reshaped, kChains / 4);
+}
+
+TEST(Mutate, DependsOnTheArgumentsAlone) {
+  const std::vector<WitnessedQuery> bases = mutation_bases();
+  for (std::uint64_t key = 0; key < 50 / kOneIn; ++key) {
+    Random once(key), again(key);
+    const WitnessedQuery &q = bases[key % bases.size()], &other = bases[(key + 3) % bases.size()];
+    EXPECT_EQ(mutate(q, other, once).query, mutate(q, other, again).query);
+  }
+}
+
+TEST(WitnessedQuery, IsMadeOfCasesWithADyadicWitnessWithinTheHorizon) {
+  Random random = Random::keyed({8});
+  const Case known = planted_case(ContactClass::kEF, random);
+  const auto q = witnessed_query(known);
+  ASSERT_TRUE(q);
+  EXPECT_EQ(case_of(*q).truth.witness, known.truth.witness);
+  Case early = known;
+  early.query.t_max = 0x1p-10;
+  EXPECT_FALSE(witnessed_query(early));
+  Case third = known;
+  third.truth.witness->uv[0][0] = Rational(1, 3);
+  EXPECT_FALSE(witnessed_query(third));
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,79 @@
+#include "fuzz/mutator/reshape.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bases.hpp"
+#include "bezier/bernstein.hpp"
+#include "bezier/blossom.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// A point of patch `side` at some parameters that its shape has.
+Vec3<Dyadic> point_at(const WitnessedQuery& q, size_t side, const Uv<Dyadic>& uv) {
+  return evaluate<Dyadic>(exact_patch<Dyadic>(q.query.patches[side]), uv, Dyadic(3));
+}
+
+Uv<Dyadic> parameters(const Shape& shape) {
+  Uv<Dyadic> uv;
+  for (size_t k = 0; k < static_cast<size_t>(shape.parameter_count()); ++k) {
+    uv[k] = Dyadic(Integer(k == 0 ? 1 : 3), -3);
+  }
+  return uv;
+}
+
+TEST(Reshape, ElevationKeepsEveryPoint) {
+  int elevated = 0;
+  for (const WitnessedQuery& base : mutation_bases()) {
+    for (int side = 0; side < 2; ++side) {
+      for (const bool in_v : {false, true}) {
+        WitnessedQuery q = base;
+        if (!elevate_patch(q, side, in_v)) continue;
+        ++elevated;
+        const size_t s = static_cast<size_t>(side);
+        const Uv<Dyadic> uv = parameters(base.query.patches[s].shape);
+        EXPECT_EQ(point_at(q, s, uv), point_at(base, s, uv)) << to_json(case_of(base));
+      }
+    }
+  }
+  EXPECT_GE(elevated, 20);
+}
+
+TEST(Reshape, NewParametersAndChildrenKeepTheContactWhereItWas) {
+  for (const WitnessedQuery& base : mutation_bases()) {
+    for (int side = 0; side < 2; ++side) {
+      for (std::uint64_t way = 0; way < 5; ++way) {
+        WitnessedQuery q = base;
+        reparametrise_patch(q, side, way);
+        EXPECT_EQ(q.contact(side), base.contact(side)) << to_json(case_of(base));
+      }
+      WitnessedQuery q = base;
+      if (restrict_patch(q, side)) {
+        EXPECT_EQ(q.contact(side), base.contact(side)) << to_json(case_of(base));
+      }
+    }
+  }
+}
+
+TEST(Bernstein, WeightsSumToOneAndGiveThePoint) {
+  for (const Shape& shape : {Shape::point(), Shape::curve(3), Shape::triangle(5),
+                             Shape::tensor(2, 4), Shape::tensor(8, 8)}) {
+    const Uv<Dyadic> uv = parameters(shape);
+    const std::vector<Dyadic> weights = bernstein_weights(shape, uv);
+    Points<Dyadic> points;
+    Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
+    Dyadic total;
+    Random random(9);
+    for (const Dyadic& weight : weights) {
+      points.push_back(random.vector(10, -4));
+      sum += points.back() * weight;
+      total += weight;
+    }
+    EXPECT_EQ(total, Dyadic(1)) << to_text(shape);
+    EXPECT_EQ(sum, evaluate<Dyadic>(shape, points, uv)) << to_text(shape);
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
