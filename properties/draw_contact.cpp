@@ -11,10 +11,10 @@ constexpr int kUvBits = 2;
 constexpr int kTwinUlps = 2;
 
 /// Columns: two directions of the contact plane, and one out of it.
-using Frame = std::array<Vec3<Dyadic>, 3>;
+using ContactFrame = std::array<Vec3<Dyadic>, 3>;
 
-Frame draw_frame(ChoiceSource& choices) {
-  Frame frame;
+ContactFrame draw_frame(ChoiceSource& choices) {
+  ContactFrame frame;
   for (int c = 0; c < 3; ++c) {
     for (int k = 0; k < 3; ++k) {
       frame[static_cast<std::size_t>(c)][k] =
@@ -24,7 +24,7 @@ Frame draw_frame(ChoiceSource& choices) {
   return frame;
 }
 
-Vec3<Dyadic> in_frame(const Frame& frame, const Vec3<Dyadic>& local) {
+Vec3<Dyadic> in_frame(const ContactFrame& frame, const Vec3<Dyadic>& local) {
   Vec3<Dyadic> out = {Dyadic(), Dyadic(), Dyadic()};
   for (int c = 0; c < 3; ++c) {
     for (int k = 0; k < 3; ++k) out[k] += frame[static_cast<std::size_t>(c)][k] * local[c];
@@ -105,7 +105,7 @@ void draw_twins(ChoiceSource& choices, const Side& side, MovingPatch<double>& pa
 
 Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
   const long scale = static_cast<long>(choices.integer(range.lowest, range.highest));
-  const Frame frame = draw_frame(choices);
+  const ContactFrame frame = draw_frame(choices);
   Vec3<Dyadic> contact, common;
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
   const long common_exponent = static_cast<long>(choices.integer(-3, 12));

@@ -2,31 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "properties/exact_lines.hpp"
+
 namespace ccdfuzz {
 
 namespace {
-
-using ExactLines = std::vector<Line<Dyadic>>;
-
-Line<Dyadic> exact_line(const Line<double>& line) {
-  return {Dyadic::exact(line.slope), Dyadic::exact(line.intercept)};
-}
-
-template <class List>
-ExactLines exact_lines(const List& lines) {
-  ExactLines out;
-  for (const Line<double>& line : lines) out.push_back(exact_line(line));
-  return out;
-}
-
-Dyadic maximum(const ExactLines& lines, const Dyadic& t) {
-  Dyadic greatest = lines.front().at(t);
-  for (const Line<Dyadic>& line : lines) {
-    const Dyadic value = line.at(t);
-    if (greatest < value) greatest = value;
-  }
-  return greatest;
-}
 
 /// Sorted, selected and raised, as TdibmInclusion does it.
 template <class Policy>

@@ -2,11 +2,22 @@
 
 #include <fmt/format.h>
 
+#include "properties/arithmetic.hpp"
 #include "properties/case_file.hpp"
+#include "properties/coefficients.hpp"
 #include "properties/dyadic_round_trip.hpp"
 #include "properties/envelope.hpp"
+#include "properties/generator_steps.hpp"
+#include "properties/geometry.hpp"
+#include "properties/intersection.hpp"
+#include "properties/method_answers.hpp"
+#include "properties/method_symmetry.hpp"
 #include "properties/no_false_negative.hpp"
+#include "properties/omission.hpp"
+#include "properties/predicates.hpp"
+#include "properties/rounding.hpp"
 #include "properties/sub_patch.hpp"
+#include "properties/traced.hpp"
 
 namespace ccdfuzz {
 
@@ -21,13 +32,10 @@ constexpr ContactRange kAnywhere{-1000, 900, 5};
 /// What users ask with, but for a budget that static and grazing contacts run out of.
 constexpr SearchOptions kFullSearch = {1e-4, 2000, SearchOptions().max_bytes};
 
-constexpr auto kHolds = Expectation::kHolds;
-constexpr auto kFails = Expectation::kFails;
-
-}  // namespace
-
-const std::vector<Property>& properties() {
-  static const std::vector<Property> all = {
+/// The first properties that there were, of every kind.
+std::vector<Property> mixed_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  return {
       {"dyadic.round_trip",
        "A double goes to exact numbers and back without loss, and both exact number types agree on "
        "every sum, difference, product and order",
@@ -91,6 +99,22 @@ const std::vector<Property>& properties() {
          return check_no_false_negative("tdibm-c", kAnywhere, c, kFullSearch);
        }},
   };
+}
+
+}  // namespace
+
+const std::vector<Property>& properties() {
+  static const std::vector<Property> all = [] {
+    std::vector<Property> list;
+    for (const auto& family :
+         {mixed_properties, rounding_properties, coefficient_properties, predicate_properties,
+          omission_properties, intersection_properties, geometry_properties, arithmetic_properties,
+          generator_properties, method_answer_properties, method_symmetry_properties,
+          traced_properties}) {
+      for (const Property& property : family()) list.push_back(property);
+    }
+    return list;
+  }();
   return all;
 }
 

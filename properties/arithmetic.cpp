@@ -1,0 +1,232 @@
+#include "properties/arithmetic.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ccd/line.hpp"
+#include "ccd/next_double.hpp"
+#include "certify/checker/miss_tree.hpp"
+#include "numeric/double_parts.hpp"
+#include "numeric/interval.hpp"
+#include "numeric/wide_int.hpp"
+#include "properties/draw_lines.hpp"
+#include "query/json_tree.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Any finite double, or an ordinary one.
+double draw_double(ChoiceSource& choices) {
+  if (choices.coin()) return choices.finite_double();
+  return *choices.dyadic(53, static_cast<long>(choices.integer(-60, 10))).to_double_exactly();
+}
+
+struct DrawnInterval {
+  Interval interval;
+  Rational member;
+};
+
+DrawnInterval draw_interval(ChoiceSource& choices) {
+  double a = draw_double(choices), b = draw_double(choices);
+  if (b < a) std::swap(a, b);
+  const Rational share = Rational(static_cast<long>(choices.integer(0, 8))) * power_of_two(-3);
+  return {{a, b}, Rational(exact(a) + (exact(b) - exact(a)) * share)};
+}
+
+std::string ends_text(const Interval& x) {
+  return fmt::format("[{}, {}]", to_hex(x.lo()), to_hex(x.hi()));
+}
+
+/// What operations on members give lies in what they give on intervals.
+Check check_interval(ChoiceSource& choices) {
+  const DrawnInterval a = draw_interval(choices), b = draw_interval(choices);
+  const bool enclosed = (a.interval + b.interval).contains(Rational(a.member + b.member)) &&
+                        (a.interval - b.interval).contains(Rational(a.member - b.member)) &&
+                        (a.interval * b.interval).contains(Rational(a.member * b.member)) &&
+                        (-a.interval).contains(Rational(-a.member)) &&
+                        Interval::enclosing(a.member).contains(a.member) &&
+                        hull(a.interval, b.interval).contains(b.member);
+  if (enclosed) return Check::holds();
+  return Check::fails(fmt::format("{} with {}, {} with {}", ends_text(a.interval),
+                                  to_text(a.member), ends_text(b.interval), to_text(b.member)));
+}
+
+/// Sums of single numbers are as tight as doubles allow: exact, or two neighbours.
+Check check_interval_is_tight(ChoiceSource& choices) {
+  const double a = draw_double(choices), b = draw_double(choices);
+  const Interval sum = Interval(a) + Interval(b);
+  if (!std::isfinite(sum.lo()) || !std::isfinite(sum.hi())) return Check::discarded("overflow");
+  const bool tight = sum.lo() == round_down(Rational(exact(a) + exact(b))) &&
+                     sum.hi() == round_up(Rational(exact(a) + exact(b)));
+  return tight ? Check::holds()
+               : Check::fails(fmt::format("{} + {}: {}", to_hex(a), to_hex(b), ends_text(sum)));
+}
+
+/// Rounding down and up are the neighbours of any rational, and equal where it is a double.
+Check check_rational_rounding(ChoiceSource& choices) {
+  const double x = draw_double(choices);
+  const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(choices.integer(-1100, 10)));
+  const Rational q = choices.coin() ? Rational(exact(x) + off) : exact(x);
+  const double down = round_down(q), up = round_up(q);
+  const auto fails = [&](const char* what) {
+    return Check::fails(fmt::format("{}: {}", to_text(q), what));
+  };
+  if (std::isfinite(down) && q < exact(down)) return fails("rounded down to above");
+  if (std::isfinite(up) && exact(up) < q) return fails("rounded up to below");
+  if (down != up && next_up(down) != up) return fails("not neighbours");
+  if (to_double_exactly(q).has_value() != (down == up)) return fails("exact in one way only");
+  return Check::holds();
+}
+
+Integer to_integer(const WideInt<192>& x) {
+  Integer sum = 0;
+  for (int i = 2; i >= 0; --i) {
+    sum <<= 64;
+    sum += Integer(fmt::format("{}", x.limb(i)));
+  }
+  Integer half = 1;
+  half <<= 191;
+  return sum >= half ? Integer(sum - 2 * half) : sum;
+}
+
+/// The fixed-width integers agree with GMP as long as nothing leaves their range.
+Check check_wide_int(ChoiceSource& choices) {
+  WideInt<192> sum(0);
+  Integer expected = 0;
+  std::string steps;
+  for (std::int64_t n = choices.integer(1, 5); n > 0; --n) {
+    const std::int64_t x = choices.integer(-(std::int64_t{1} << 61), std::int64_t{1} << 61);
+    const std::uint64_t operation = choices.choose(3);
+    const Integer exact_x(static_cast<long>(x));
+    steps += fmt::format(" {}{}", "+-*<"[operation], x);
+    if (operation == 0) sum += WideInt<192>(x), expected += exact_x;
+    if (operation == 1) sum -= WideInt<192>(x), expected -= exact_x;
+    if (operation == 2 && mpz_sizeinbase(expected.get_mpz_t(), 2) < 100) {
+      sum *= x, expected *= exact_x;
+    }
+    if (operation == 3 && mpz_sizeinbase(expected.get_mpz_t(), 2) < 120) sum <<= 9, expected <<= 9;
+  }
+  if (to_integer(sum) == expected && sum.sign() == sgn(expected)) return Check::holds();
+  return Check::fails("0" + steps);
+}
+
+/// A double is its parts, and next_up is nextafter.
+Check check_double_parts(ChoiceSource& choices) {
+  const double x = choices.finite_double();
+  const DoubleParts parts = parts_of(x);
+  const double again = std::ldexp(static_cast<double>(parts.mantissa), parts.exponent);
+  const bool same = again == x && (x == 0 || parts.mantissa % 2 != 0) &&
+                    next_up(x) == std::nextafter(x, HUGE_VAL) &&
+                    next_down(x) == std::nextafter(x, -HUGE_VAL);
+  return same ? Check::holds() : Check::fails(to_hex(x));
+}
+
+/// Numbers come back from their texts: shortest decimals, hex floats, "p/q".
+Check check_number_texts(ChoiceSource& choices) {
+  const double x = choices.finite_double();
+  const auto same = [&](const Result<double>& read) {
+    return read && std::bit_cast<std::uint64_t>(*read) == std::bit_cast<std::uint64_t>(x);
+  };
+  if (!same(parse_real({JsonKind::kNumber, json_number(x), {}, {}}))) {
+    return Check::fails("as a decimal: " + to_hex(x));
+  }
+  if (!same(parse_real({JsonKind::kString, to_hex(x), {}, {}}))) {
+    return Check::fails("as a hex float: " + to_hex(x));
+  }
+  const Rational q = exact(x) / Rational(static_cast<long>(choices.integer(1, 1000)));
+  const Result<Rational> read = parse_rational(to_text(q));
+  return read && *read == q ? Check::holds() : Check::fails("as a fraction: " + to_text(q));
+}
+
+/// Section 5.4: p / 2^k with |p| < 2^53 is a double, for any integers p and k.
+Check check_every_dyadic_is_a_double(ChoiceSource& choices) {
+  const Dyadic x = choices.dyadic(53, static_cast<long>(choices.integer(-2000, 2000)));
+  return x.to_double_exactly() ? Check::holds() : Check::fails(to_text(x.rational()));
+}
+
+/// Sorting lines puts the same lines in order.
+Check check_sorting(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  Lines<double> sorted;
+  for (const Line<double>& line : pairs.f) sorted.push_back(line);
+  sort_lines(sorted);
+  const auto before = [](const Line<double>& x, const Line<double>& y) {
+    return x.slope < y.slope || (x.slope == y.slope && x.intercept < y.intercept);
+  };
+  const auto same = [](const Line<double>& x, const Line<double>& y) {
+    return x.slope == y.slope && x.intercept == y.intercept;
+  };
+  const bool right =
+      std::is_sorted(sorted.begin(), sorted.end(), before) &&
+      std::is_permutation(sorted.begin(), sorted.end(), pairs.f.begin(), pairs.f.end(), same);
+  return right ? Check::holds() : Check::fails(to_hex_text(pairs.f));
+}
+
+/// The bits of a miss tree come back as the nodes that were written.
+Check check_tree_bits(ChoiceSource& choices) {
+  TreeBits bits;
+  std::vector<TreeNode> nodes;
+  std::string text;
+  for (std::int64_t n = choices.integer(1, 12); n > 0; --n) {
+    TreeNode node;
+    node.kind = static_cast<TreeNodeKind>(choices.choose(2));
+    switch (node.kind) {
+      case TreeNodeKind::kLeaf: {
+        constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
+        for (std::int64_t& x : node.axis) x = choices.integer(-kMost, kMost);
+        bits.leaf(node.axis);
+        text += fmt::format(" leaf {} {} {}", node.axis[0], node.axis[1], node.axis[2]);
+        break;
+      }
+      case TreeNodeKind::kSplit:
+        node.side = static_cast<int>(choices.choose(1));
+        bits.split(node.side);
+        text += fmt::format(" split {}", node.side);
+        break;
+      case TreeNodeKind::kTime:
+        node.time = 1 + choices.choose(kTimeSteps - 2);
+        bits.time(node.time);
+        text += fmt::format(" time {}", node.time);
+    }
+    nodes.push_back(node);
+  }
+  TreeReader reader(bits.bytes());
+  for (const TreeNode& node : nodes) {
+    const auto read = reader.next();
+    const bool same = read && read->kind == node.kind && read->side == node.side &&
+                      read->time == node.time && read->axis == node.axis;
+    if (!same) return Check::fails("nodes" + text);
+  }
+  return reader.at_end() ? Check::holds() : Check::fails("something is left after" + text);
+}
+
+}  // namespace
+
+std::vector<Property> arithmetic_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  return {
+      {"interval.encloses", "Operations on intervals contain those on their members",
+       "src/numeric/interval.hpp", kHolds, check_interval},
+      {"interval.is_tight", "The sum of two numbers is the tightest interval that holds it",
+       "src/numeric/interval.hpp", kHolds, check_interval_is_tight},
+      {"rational.rounding", "round_down and round_up are the doubles next to a rational",
+       "src/numeric/rational.hpp", kHolds, check_rational_rounding},
+      {"wide_int.is_gmp", "Fixed-width integers agree with GMP within their range",
+       "src/numeric/wide_int.hpp", kHolds, check_wide_int},
+      {"double.parts", "A double is its mantissa times its power of two, and next_up is nextafter",
+       "src/numeric/double_parts.hpp", kHolds, check_double_parts},
+      {"number.texts", "Numbers come back from the texts that files hold", "the case format",
+       kHolds, check_number_texts},
+      {"paper.every_dyadic_is_a_double", "p/2^k with |p| < 2^53 is a double for any p and k",
+       "Section 5.4, which leaves out the range of exponents", kFails,
+       check_every_dyadic_is_a_double},
+      {"lines.sorting", "Sorted lines are the same lines, by slope and intercept",
+       "Section 3, Step II", kHolds, check_sorting},
+      {"miss_tree.round_trip", "The bits of a miss tree read as the nodes that were written",
+       "the case format", kHolds, check_tree_bits},
+  };
+}
+
+}  // namespace ccdfuzz

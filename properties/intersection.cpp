@@ -1,0 +1,205 @@
+#include "properties/intersection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ccd/separation.hpp"
+#include "properties/draw_lines.hpp"
+#include "properties/error_bound.hpp"
+#include "properties/exact_lines.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Eq. 3 on heights p, q of control points: the spans of p and q have a point in common iff
+/// max p ≥ min q and max q ≥ min p; as printed, with ≤ for both ≥.
+Check overlap_is(ChoiceSource& choices, bool as_printed) {
+  std::array<std::vector<std::int64_t>, 2> heights;
+  for (auto& side : heights) {
+    for (std::int64_t n = choices.integer(1, 4); n > 0; --n) {
+      side.push_back(choices.integer(-8, 8));
+    }
+  }
+  const auto [min_p, max_p] = std::ranges::minmax(heights[0]);
+  const auto [min_q, max_q] = std::ranges::minmax(heights[1]);
+  bool common = false;
+  for (std::int64_t x = -8; x <= 8; ++x) {
+    common = common || (min_p <= x && x <= max_p && min_q <= x && x <= max_q);
+  }
+  const bool claimed =
+      as_printed ? max_p <= min_q && max_q <= min_p : max_p >= min_q && max_q >= min_p;
+  if (claimed == common) return Check::holds();
+  return Check::fails(fmt::format("p in [{}, {}], q in [{}, {}]", min_p, max_p, min_q, max_q));
+}
+
+/// Separated at two times means separated between them.
+Check check_one_interval(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  const ExactLines f = exact_lines(pairs.f), g = exact_lines(pairs.g);
+  const auto separated = [&](const Dyadic& t) {
+    return (maximum(f, t) + maximum(g, t)).sign() < 0;
+  };
+  std::array<Dyadic, 2> ends;
+  for (Dyadic& end : ends) end = choices.dyadic(8, -5);
+  if (!separated(ends[0]) || !separated(ends[1])) return Check::discarded("not separated at both");
+  const Dyadic share(Integer(static_cast<long>(choices.integer(0, 16))), -4);
+  const Dyadic t = ends[0] + (ends[1] - ends[0]) * share;
+  if (separated(t)) return Check::holds();
+  return Check::fails(fmt::format("f {} g {}: not at {} between {} and {}", to_hex_text(pairs.f),
+                                  to_hex_text(pairs.g), to_text(t.rational()),
+                                  to_text(ends[0].rational()), to_text(ends[1].rational())));
+}
+
+Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
+  Lines<Rational> out;
+  for (const Line<double>& line : lines) out.push_back({exact(line.slope), exact(line.intercept)});
+  sort_lines(out);
+  return out;
+}
+
+/// Steps II and III in exact arithmetic against all pairs of lines: f + g < 0 from the last root of
+/// a falling pair to the first root of a rising one.
+Check check_steps_are_exact(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  const TimeWindow<Rational> w{exact(pairs.window.lo), exact(pairs.window.hi)};
+  const Lines<Rational> f = exact_sorted(pairs.f), g = exact_sorted(pairs.g);
+  Lines<Rational> envelope_f, envelope_g;
+  upper_envelope(Plain(), f, w, envelope_f);
+  upper_envelope(Plain(), g, w, envelope_g);
+  const auto found = separation(Plain(), envelope_f, envelope_g, w);
+  Separation<Rational> expected{w.lo, w.hi, true, true};
+  bool none = false;
+  for (const Line<Rational>& x : f) {
+    for (const Line<Rational>& y : g) {
+      const Rational slope = x.slope + y.slope, intercept = x.intercept + y.intercept;
+      if (slope == 0) {
+        none = none || intercept >= 0;
+        continue;
+      }
+      const Rational root = -intercept / slope;
+      if (slope < 0 && root >= expected.lo) expected.lo = root, expected.has_lo = false;
+      if (slope > 0 && root <= expected.hi) expected.hi = root, expected.has_hi = false;
+    }
+  }
+  none = none || expected.empty();
+  const bool same = none ? !found
+                         : found && found->lo == expected.lo && found->hi == expected.hi &&
+                               found->has_lo == expected.has_lo && found->has_hi == expected.has_hi;
+  if (same) return Check::holds();
+  return Check::fails(fmt::format("f {} g {} on {}", to_hex_text(pairs.f), to_hex_text(pairs.g),
+                                  to_hex_text(pairs.window)));
+}
+
+/// Two lines that cross, as the operands of Eq. 10 and C.2.
+struct Crossing {
+  Line<double> f, g;
+};
+
+Crossing draw_crossing(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  return {pairs.f[choices.choose(pairs.f.size() - 1)], pairs.g[choices.choose(pairs.g.size() - 1)]};
+}
+
+Check failure(const Crossing& crossing, const char* what) {
+  return Check::fails(fmt::format("({}, {}) and ({}, {}): {}", to_hex(crossing.f.slope),
+                                  to_hex(crossing.f.intercept), to_hex(crossing.g.slope),
+                                  to_hex(crossing.g.intercept), what));
+}
+
+/// C.2: |fl(l / r) − l / r| ≤ 2·|l| / |fl(r)|·[(1 + eps)² − 1].
+Check check_eps_tau(ChoiceSource& choices) {
+  const Crossing crossing = draw_crossing(choices);
+  const double l = crossing.f.intercept + crossing.g.intercept;
+  const double r = crossing.f.slope + crossing.g.slope;
+  const Line<Dyadic> f = exact_line(crossing.f), g = exact_line(crossing.g);
+  const Dyadic exact_l = f.intercept + g.intercept, exact_r = f.slope + g.slope;
+  if (r == 0) return Check::discarded("parallel lines");
+  // Everything times |r|·|fl(r)|.
+  const Dyadic rounded_r = Dyadic::exact(r);
+  const Dyadic error = abs((Dyadic::exact(l / r) * exact_r - exact_l) * rounded_r);
+  const Dyadic bound = theorem_4_1_bound(abs(exact_l * exact_r).scaled(1), 2);
+  return error <= bound ? Check::holds() : failure(crossing, "the quotient is off");
+}
+
+/// Section 4.5: the root of one pair of exact lines, as an end of a separated interval, is moved
+/// inward and clamped to the window.
+Check check_safe_roots(ChoiceSource& choices) {
+  const Crossing crossing = draw_crossing(choices);
+  const TimeWindow<double> w{0, 4};
+  Lines<double> f, g;
+  f.push_back(crossing.f);
+  g.push_back(crossing.g);
+  const Line<Dyadic> exact_f = exact_line(crossing.f), exact_g = exact_line(crossing.g);
+  const Dyadic slope = exact_f.slope + exact_g.slope;
+  if (crossing.f.slope + crossing.g.slope == 0) return Check::discarded("parallel lines");
+  const auto height_at = [&](double t) {
+    return exact_f.at(Dyadic::exact(t)) + exact_g.at(Dyadic::exact(t));
+  };
+  const bool falls = slope.sign() < 0;
+  const double end = falls ? ErrorBoundIntended::left_root(f, g, 0, 0, w)
+                           : ErrorBoundIntended::right_root(f, g, 0, 0, w);
+  if (!(w.lo <= end && end <= w.hi)) return failure(crossing, "it is outside of the window");
+  const bool clamped = falls ? end == w.hi : end == w.lo;
+  if (clamped || height_at(end).sign() <= 0) return Check::holds();
+  return failure(crossing, "the end is before the root");
+}
+
+/// C.3 as a lemma on envelopes that count as exact: the left end that the sweep finds on envelopes
+/// pulled apart by I·delta is not before the exact one. Three lines against two that are almost
+/// parallel to the last of them.
+Check check_pull_apart_path(ChoiceSource& choices) {
+  const LinePairs pairs{
+      {{-1, .35},
+       {.5, -.25},
+       {.99, std::ldexp(static_cast<double>(choices.integer(-8, 8)), -54) - .495}},
+      {{-1 - std::ldexp(static_cast<double>(choices.integer(0, 127)), -52),
+        .5 + std::ldexp(static_cast<double>(choices.integer(0, 127)), -53)},
+       {-1, .5}},
+      {0, 1}};
+  const ErrorBoundIntended policy;
+  std::array<Lines<double>, 2> sorted, envelopes;
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const Line<double>& line : s == 0 ? pairs.f : pairs.g) sorted[s].push_back(line);
+    sort_lines(sorted[s]);
+    upper_envelope(policy, sorted[s], pairs.window, envelopes[s]);
+  }
+  const auto found = separation(policy, envelopes[0], envelopes[1], pairs.window);
+  if (!found || found->has_lo) return Check::discarded("no left end is found");
+  const Dyadic lo = Dyadic::exact(found->lo);
+  const Dyadic height =
+      maximum(exact_lines(envelopes[0]), lo) + maximum(exact_lines(envelopes[1]), lo);
+  if (height.sign() <= 0) return Check::holds();
+  return Check::fails(fmt::format("envelopes f {} g {} on {}: the end {} is too early",
+                                  to_hex_text(pairs.f), to_hex_text(pairs.g),
+                                  to_hex_text(pairs.window), to_hex(found->lo)));
+}
+
+}  // namespace
+
+std::vector<Property> intersection_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  return {
+      {"paper.overlap_as_printed", "Boxes overlap on an axis iff max p <= min q and max q <= min p",
+       "Eqs. 3a and 3b as printed", kFails, [](ChoiceSource& c) { return overlap_is(c, true); }},
+      {"paper.overlap", "Boxes overlap on an axis iff max p >= min q and max q >= min p",
+       "Eqs. 3a and 3b as Eq. 4 has them", kHolds,
+       [](ChoiceSource& c) { return overlap_is(c, false); }},
+      {"paper.one_interval", "The times at which an axis separates two patches are one interval",
+       "Section 3, Solving Eq. (3)", kHolds, check_one_interval},
+      {"paper.steps_are_exact",
+       "In exact arithmetic, Steps II and III find just the times at which all pairs of lines are "
+       "in order",
+       "Section 3, Eqs. 5-10", kHolds, check_steps_are_exact},
+      {"paper.eps_tau", "The quotient of Eq. 10 is off by at most eps_tau", "Appendix C.2", kHolds,
+       check_eps_tau},
+      {"tdibm-e.safe_roots", "An end that was moved inward and clamped is not before the root",
+       "Section 4.5, Appendices B and C.2", kHolds, check_safe_roots},
+      {"paper.pull_apart_path",
+       "Pulling envelopes apart by I delta each makes the left end that the sweep finds safe",
+       "Appendix C.3, taking the envelopes as exact", kFails, check_pull_apart_path},
+  };
+}
+
+}  // namespace ccdfuzz

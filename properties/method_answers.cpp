@@ -1,0 +1,227 @@
+#include "properties/method_answers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "bezier/blossom.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "method/method.hpp"
+#include "properties/draw_patch.hpp"
+#include "properties/no_false_negative.hpp"
+#include "query/case_json.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr std::array kEveryMethod = {
+    "trad",    "trad:aabb",       "tdibm",          "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
+    "tdibm-e", "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
+
+/// Budgets that no drawn query makes long.
+constexpr SearchOptions kShortSearch = {0x1p-4, 60, SearchOptions().max_bytes};
+
+Answer answer_of(Method& method, const Query& query, const SearchOptions& options = kShortSearch) {
+  Answer answer = method.answer(query, options);
+  answer.seconds = 0;  // the one thing that may differ
+  return answer;
+}
+
+bool same(const Answer& x, const Answer& y) {
+  return x.verdict == y.verdict && x.toi == y.toi && x.uv == y.uv && x.pops == y.pops &&
+         x.note == y.note;
+}
+
+/// A method answers as a fresh one does, whatever it was asked before.
+Check check_no_state(ChoiceSource& choices) {
+  const char* name = choices.pick(kEveryMethod);
+  const Result<Case> first = draw_contact(choices, {}), second = draw_contact(choices, {});
+  if (!first || !second) return Check::discarded("a number is not a double");
+  const auto used = *make_method(name), fresh = *make_method(name);
+  const Answer expected = answer_of(*fresh, first->query);
+  answer_of(*used, second->query);
+  if (same(answer_of(*used, first->query), expected) &&
+      same(answer_of(*fresh, first->query), expected)) {
+    return Check::holds();
+  }
+  return Check::fails(fmt::format("{} on\n{}\nafter\n{}", name, to_json(*first), to_json(*second)));
+}
+
+/// Any finite numbers in any two shapes: the answer is none that the judge calls an error, and
+/// parameters of a hit lie in the patches' domains.
+Check check_answers_make_sense(ChoiceSource& choices) {
+  const char* name = choices.pick(kEveryMethod);
+  Case drawn;
+  for (MovingPatch<double>& patch : drawn.query.patches) {
+    patch.shape = draw_shape(choices, 2);
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      points->resize(static_cast<std::size_t>(patch.shape.control_count()));
+      for (Vec3<double>& p : *points) {
+        for (int k = 0; k < 3; ++k) p[k] = choices.finite_double();
+      }
+    }
+  }
+  drawn.query.t_max = std::abs(choices.finite_double());
+  const auto method = *make_method(name);
+  const Answer answer = answer_of(*method, drawn.query);
+  bool sensible = judge(drawn.query, drawn.truth, answer) != Outcome::kError;
+  if (answer.verdict == Verdict::kHit) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      sensible = sensible && drawn.query.patches[s].shape.contains(answer.uv[s]);
+    }
+  }
+  sensible = sensible && (answer.verdict != Verdict::kMiss || !answer.toi);
+  return sensible ? Check::holds() : Check::fails(fmt::format("{} on\n{}", name, to_json(drawn)));
+}
+
+/// The optimised and the plain form of the paper's methods give the same answer, bit for bit.
+Check check_optimised(ChoiceSource& choices) {
+  constexpr std::array kPaper = {"tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12", "tdibm-e",
+                                 "tdibm-e-literal"};
+  const std::string name = choices.pick(kPaper);
+  const Result<Case> drawn = draw_contact(choices, {-1000, 900, 3});
+  if (!drawn) return Check::discarded("a number is not a double");
+  const auto fast = *make_method(name), plain = *make_method(name + std::string(kUnoptimised));
+  if (same(answer_of(*fast, drawn->query), answer_of(*plain, drawn->query))) {
+    return Check::holds();
+  }
+  return Check::fails(fmt::format("{} on\n{}", name, to_json(*drawn)));
+}
+
+/// A method that claims to miss nothing is never contradicted by what the oracle has proven of a
+/// query with no known contact.
+Check check_against_the_oracle(ChoiceSource& choices) {
+  constexpr std::array kClaim = {"tdibm-c", "tdibm-rational"};
+  const char* name = choices.pick(kClaim);
+  Result<Case> drawn = draw_contact(choices, {-2, 2, 2});
+  if (!drawn) return Check::discarded("a number is not a double");
+  for (Vec3<double>& p : drawn->query.patches[1].positions) {
+    p[2] += std::ldexp(static_cast<double>(choices.integer(-8, 8)), -6);
+  }
+  OracleOptions little;
+  little.max_pops = 200;
+  little.max_tree_nodes = 2000;
+  Decision decision = decide(drawn->query, little);
+  drawn->truth = decision.truth;
+  if (const auto checked = check_truth(*drawn); !checked) {
+    return Check::fails("the checker refuses the oracle: " + checked.error().message() + "\n" +
+                        to_json(*drawn));
+  }
+  if (decision.truth.clearance) {
+    const auto shown = check_clearance(drawn->query, *decision.truth.clearance, decision.tree);
+    if (!shown) return Check::fails(shown.error().message() + "\n" + to_json(*drawn));
+  }
+  if (decision.truth.collides != true) return Check::discarded("no contact is proven");
+  const Outcome outcome =
+      judge(drawn->query, drawn->truth, answer_of(**make_method(name), drawn->query));
+  if (!is_false_negative(outcome)) return Check::holds();
+  return Check::fails(fmt::format("{} is {} on\n{}", name, name_of(outcome), to_json(*drawn)));
+}
+
+constexpr std::array kWindowed = {"tdibm",   "tdibm-h:1e-12",   "tdibm-h-rel:1e-12",
+                                  "tdibm-e", "tdibm-e-literal", "tdibm-rational",
+                                  "tdibm-c"};
+constexpr SearchOptions kCoarseSearch = {0.5, 60, SearchOptions().max_bytes};
+
+/// Asked up to t1 ≤ t2, a hit up to t1 and a miss up to t2 do not go together.
+template <std::size_t N>
+Check monotone_in_t_max(const std::array<const char*, N>& methods, const SearchOptions& options,
+                        ChoiceSource& choices) {
+  const char* name = choices.pick(methods);
+  Result<Case> drawn = draw_contact(choices, {-2, 2, 2});
+  if (!drawn) return Check::discarded("a number is not a double");
+  for (Vec3<double>& p : drawn->query.patches[1].positions) {
+    p[2] += std::ldexp(static_cast<double>(choices.integer(-8, 8)), -6);
+  }
+  Query shorter = drawn->query;
+  shorter.t_max *= std::ldexp(static_cast<double>(choices.integer(0, 16)), -4);
+  const auto method = *make_method(name);
+  const Answer early = answer_of(*method, shorter, options);
+  const Answer late = answer_of(*method, drawn->query, options);
+  if (early.verdict != Verdict::kHit || late.verdict != Verdict::kMiss) return Check::holds();
+  return Check::fails(fmt::format("{} hits up to {} but not after, on\n{}", name,
+                                  to_hex(shorter.t_max), to_json(*drawn)));
+}
+
+/// The judge on made-up answers about a proven contact.
+Check check_judge(ChoiceSource& choices) {
+  const Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded("a number is not a double");
+  const double t = *to_double_exactly(drawn->truth.witness->t), t_max = drawn->query.t_max;
+  const auto outcome = [&](Verdict verdict, std::optional<double> toi) {
+    Answer answer;
+    answer.verdict = verdict;
+    answer.toi = toi;
+    return judge(drawn->query, drawn->truth, answer);
+  };
+  const double after = std::nextafter(t, HUGE_VAL);
+  const bool right =
+      outcome(Verdict::kMiss, {}) == Outcome::kMissed &&
+      outcome(Verdict::kHit, t) == Outcome::kCorrect &&
+      outcome(Verdict::kHit, 0) == Outcome::kCorrect &&
+      outcome(Verdict::kHit, after) == (after <= t_max ? Outcome::kLate : Outcome::kError) &&
+      outcome(Verdict::kHit, {}) == Outcome::kError &&
+      outcome(Verdict::kHit, std::nan("")) == Outcome::kError &&
+      outcome(Verdict::kHit, std::nextafter(t_max, HUGE_VAL)) == Outcome::kError &&
+      outcome(Verdict::kUndecided, {}) == Outcome::kUndecided;
+  return right ? Check::holds() : Check::fails(to_json(*drawn));
+}
+
+/// The checker refuses a witness at another time unless the patches touch there too.
+Check check_wrong_witness(ChoiceSource& choices) {
+  Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded("a number is not a double");
+  Witness& witness = *drawn->truth.witness;
+  const Rational off = Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
+  if (choices.coin()) {
+    witness.t += off;
+  } else {
+    witness.uv[choices.choose(1)][choices.choose(1)] += off;
+  }
+  std::array<Vec3<Rational>, 2> points;
+  bool inside = witness.t >= 0 && witness.t <= exact(drawn->query.t_max);
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto patch = exact_patch<Rational>(drawn->query.patches[s]);
+    inside = inside && patch.shape.contains(witness.uv[s]);
+    points[s] = evaluate<Rational>(patch, witness.uv[s], witness.t);
+  }
+  const bool is_contact = inside && points[0] == points[1];
+  if (check_truth(*drawn).has_value() == is_contact) return Check::holds();
+  return Check::fails(
+      fmt::format("{} a witness\n{}", is_contact ? "refuses" : "accepts", to_json(*drawn)));
+}
+
+}  // namespace
+
+std::vector<Property> method_answer_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  return {
+      {"methods.no_state", "A method answers as a fresh one does, whatever it was asked before",
+       "src/method/method.hpp", kHolds, check_no_state},
+      {"methods.sensible_answers",
+       "On any finite numbers, toi is within [0, t_max] and parameters are in their domains",
+       "src/query/judge.hpp", kHolds, check_answers_make_sense},
+      {"methods.optimised", "The optimised form of a method of the paper answers as the plain one",
+       "src/ccd/DERIVATION.md", kHolds, check_optimised},
+      {"methods.not_contradicted", "No claim to miss nothing is contradicted by the oracle",
+       "src/certify/oracle/oracle.hpp", kHolds, check_against_the_oracle},
+      {"methods.monotone_in_t_max",
+       "No method that narrows its windows hits up to a time and misses up to a later one",
+       "Section 3", kHolds,
+       [](ChoiceSource& c) { return monotone_in_t_max(kWindowed, kShortSearch, c); }},
+      {"trad.monotone_in_t_max",
+       "The same where windows are halved: what is narrow depends on t_max", "Section 6 (1)",
+       kFails,
+       [](ChoiceSource& c) { return monotone_in_t_max(std::array{"trad"}, kCoarseSearch, c); }},
+      {"judge.sees_misses_and_late_answers",
+       "A miss and a toi after a proven contact are false negatives, and nonsense is an error",
+       "src/query/judge.hpp", kHolds, check_judge},
+      {"checker.refuses_wrong_witnesses", "A witness is accepted iff the patches touch in it",
+       "src/certify/checker/check_witness.hpp", kHolds, check_wrong_witness},
+  };
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "properties/choices.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// Changes of a query under which the same contact stays a contact.
+enum class Symmetry : std::uint8_t {
+  kSwapPatches,
+  kReverseParameters,  ///< of one patch: u → 1 − u, u ↔ v, (w, u, v) → (u, v, w)
+  kPermuteAxes,        ///< of space
+  kMirror,             ///< one coordinate is negated
+  kScale,              ///< all lengths times a power of two
+  kScaleTime,          ///< all times times a power of two
+  kTranslate,          ///< both patches by the same vector
+  kCommonVelocity,     ///< both patches get the same velocity on top
+  kReverseTime,        ///< t → t_max − t
+  kElevate,            ///< one patch with higher degrees, both larger by the factor that takes
+  kPart,               ///< one patch cut down to a cell that holds its contact point
+};
+inline constexpr std::array kSymmetries = {Symmetry::kSwapPatches, Symmetry::kReverseParameters,
+                                           Symmetry::kPermuteAxes, Symmetry::kMirror,
+                                           Symmetry::kScale,       Symmetry::kScaleTime,
+                                           Symmetry::kTranslate,   Symmetry::kCommonVelocity,
+                                           Symmetry::kReverseTime, Symmetry::kElevate,
+                                           Symmetry::kPart};
+
+std::string_view name_of(Symmetry symmetry);
+
+/// The case after a drawn change of this kind, its truth being the witness alone. Nothing if some
+/// number of it is not a double then. Requires a witness with dyadic parameters.
+std::optional<Case> transformed(const Case& value, Symmetry symmetry, ChoiceSource& choices);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,48 @@
+#include "properties/traced.hpp"
+
+#include <fmt/format.h>
+
+#include "method/method.hpp"
+#include "properties/draw_contact.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+Check no_contact_is_lost(const char* method, const ContactRange& range, ChoiceSource& choices) {
+  const Result<Case> drawn = draw_contact(choices, range);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const auto tracer = *make_tracer(method);
+  const Trace& trace = tracer->trace(drawn->query, *drawn->truth.witness, {.precision = 0x1p-8});
+  if (!trace.lost) return Check::holds();
+  return Check::fails(fmt::format("{} loses the contact at level {}, axis {}\n{}", method,
+                                  trace.loss->place.level, trace.loss->by.axis, to_json(*drawn)));
+}
+
+constexpr ContactRange kOrdinaryTrace;
+constexpr ContactRange kTinyTrace{-545, -530};
+constexpr ContactRange kWideTrace{-1000, 900, 5};
+
+}  // namespace
+
+std::vector<Property> traced_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  constexpr const char* kClaim = "No pair of boxes that holds a contact is dropped on the way";
+  return {
+      {"tdibm.trace", kClaim, "Section 3, in double arithmetic", kFails,
+       [](ChoiceSource& c) { return no_contact_is_lost("tdibm", kOrdinaryTrace, c); }},
+      {"tdibm-e.trace", kClaim, "Section 4.6", kHolds,
+       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-e", kOrdinaryTrace, c); }},
+      {"tdibm-e.trace_underflow", kClaim, "Section 4.6, for coordinates about 2^-535", kFails,
+       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-e", kTinyTrace, c); }},
+      {"tdibm-e-literal.trace", kClaim, "Section 4.6, with eps_Phi's sign as printed", kFails,
+       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-e-literal", kOrdinaryTrace, c); }},
+      {"tdibm-rational.trace", kClaim, "exact arithmetic", kHolds,
+       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-rational", kOrdinaryTrace, c); }},
+      {"tdibm-c.trace", kClaim, "src/ccd/certified/DERIVATION.md", kHolds,
+       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-c", kWideTrace, c); }},
+  };
+}
+
+}  // namespace ccdfuzz
