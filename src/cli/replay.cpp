@@ -48,17 +48,8 @@ Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries
   return questions;
 }
 
-/// What a method that threw said, in the judge's terms: nonsense, a hit at no time.
-Answer answer_of(const Judged& judged) {
-  if (judged.outcome != Outcome::kError) return judged.answer;
-  Answer nonsense = judged.answer;
-  nonsense.verdict = Verdict::kHit;
-  nonsense.toi.reset();
-  return nonsense;
-}
-
 nlohmann::ordered_json row_json(const ReplayRow& row) {
-  nlohmann::ordered_json json = answer_row(row.id, row.method, {row.answer, row.got});
+  nlohmann::ordered_json json = answer_row(row.id, row.method, row.got);
   json["expected"] = name_of(row.expected);
   return json;
 }
@@ -73,7 +64,7 @@ void print_report(const ReplayReport& report) {
     table.add_row({{row.id},
                    {row.method},
                    {std::string(name_of(row.expected))},
-                   {std::string(name_of(row.got)), Emphasis::kBad}});
+                   {std::string(name_of(row.got.outcome)), Emphasis::kBad}});
   }
   if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
   print_out(fmt::format("{} entries, {} expectations: {} as expected, {} changed\n", report.entries,
@@ -88,24 +79,24 @@ Result<int> run_replay(const ReplayArguments& options) {
   const Result<std::vector<Question>> questions = questions_of(*entries, options.search);
   if (!questions) return tl::unexpected(questions.error());
 
-  std::map<std::pair<const Case*, std::string>, Answer> answers;
+  std::map<std::pair<const Case*, std::string>, Judged> answers;
   tbb::enumerable_thread_specific<MethodSet> methods;
   Progress progress;
-  run_in_order<Answer>(
+  run_in_order<Judged>(
       questions->size(), options.threads,
       [&](size_t i) {
         const Question& q = (*questions)[i];
-        return answer_of(ask(methods.local()[q.method], q.entry->value, q.search));
+        return ask(methods.local()[q.method], q.entry->value, q.search);
       },
-      [&](Answer answer) {
+      [&](Judged judged) {
         const Question& q = (*questions)[answers.size()];
         progress.show(static_cast<double>(answers.size()) / static_cast<double>(questions->size()),
                       q.entry->id);
-        answers.emplace(std::pair(&q.entry->value, q.method), std::move(answer));
+        answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
       });
   progress.clear();
   const Result<ReplayReport> report =
-      replay(*entries, [&](const std::string& method, const Case& entry) -> Result<Answer> {
+      replay(*entries, [&](const std::string& method, const Case& entry) -> Result<Judged> {
         return answers.at({&entry, method});
       });
   if (!report) return tl::unexpected(report.error());

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "corpus/entries.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
@@ -16,31 +15,30 @@ size_t ReplayReport::changed() const {
 
 std::string to_text(const ReplayRow& row) {
   return fmt::format("{}: {}: expected {}, got {}", row.id, row.method, name_of(row.expected),
-                     name_of(row.got));
+                     name_of(row.got.outcome));
 }
 
-Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AnswerFunction& answer) {
+Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AskFunction& ask_method) {
   if (entries.empty()) return input_error("", "the corpus is empty");
   ReplayReport report;
   for (const NamedCase& entry : entries) {
     ++report.entries;
     if (entry.value.expect.empty()) ++report.without_expectation;
     for (const auto& [method, expected] : entry.value.expect) {
-      auto answered = answer(method, entry.value);
-      if (!answered) {
+      auto judged = ask_method(method, entry.value);
+      if (!judged) {
         return input_error(fmt::format("{}: expect[\"{}\"]", entry.id, method),
-                           answered.error().message());
+                           judged.error().message());
       }
-      const Outcome got = judge(entry.value.query, entry.value.truth, *answered);
-      report.rows.push_back({entry.id, method, expected, got, *std::move(answered)});
+      report.rows.push_back({entry.id, method, expected, *std::move(judged)});
     }
   }
   return report;
 }
 
-Result<ReplayReport> replay(const std::string& corpus, const AnswerFunction& answer) {
+Result<ReplayReport> replay(const std::string& corpus, const AskFunction& ask_method) {
   return load_corpus(corpus).and_then(
-      [&](const std::vector<NamedCase>& entries) { return replay(entries, answer); });
+      [&](const std::vector<NamedCase>& entries) { return replay(entries, ask_method); });
 }
 
 }  // namespace ccdfuzz

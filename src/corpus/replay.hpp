@@ -4,23 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "query/answer.hpp"
 #include "query/case_files.hpp"
+#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
-/// Answers the query of an entry by a method. Errors: a method that there is not.
-using AnswerFunction = std::function<Result<Answer>(const std::string& method, const Case& entry)>;
+/// Puts the query of an entry to a method and judges. Errors: a method that there is not.
+using AskFunction = std::function<Result<Judged>(const std::string& method, const Case& entry)>;
 
 /// One expectation of one entry, judged again.
 struct ReplayRow {
   std::string id;  ///< of the entry
   std::string method;
   Outcome expected = Outcome::kUnknown;
-  Outcome got = Outcome::kUnknown;
-  Answer answer;
+  Judged got;
 
-  bool changed() const { return got != expected; }
+  bool changed() const { return got.outcome != expected; }
 };
 
 struct ReplayReport {
@@ -36,10 +35,10 @@ std::string to_text(const ReplayRow& row);
 
 /// Judges every entry by every method that it has an expectation of. Every change counts, one for
 /// the better too: an expectation is to be corrected in the open.
-/// Errors: no entries; an error of `answer`, naming the entry and the method.
-Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AnswerFunction& answer);
+/// Errors: no entries; an error of `ask_method`, naming the entry and the method.
+Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AskFunction& ask_method);
 
 /// The same, on the entries of a corpus. Errors: as load_corpus, too.
-Result<ReplayReport> replay(const std::string& corpus, const AnswerFunction& answer);
+Result<ReplayReport> replay(const std::string& corpus, const AskFunction& ask_method);
 
 }  // namespace ccdfuzz

@@ -47,15 +47,6 @@ Result<void> write_entry(const std::string& path, const Case& value) {
 
 }  // namespace
 
-bool is_failure(Outcome outcome) {
-  return is_false_negative(outcome) || outcome == Outcome::kFalsePositive ||
-         outcome == Outcome::kError;
-}
-
-std::string failure_signature(Outcome outcome, const Origin& origin) {
-  return fmt::format("{} {} {}", name_of(outcome), origin.kind, origin.generator);
-}
-
 struct Store::State {
   std::string folder;
   std::string home;  ///< where entries are written; locked while that is done
@@ -109,10 +100,12 @@ Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank
   bool superfluous = false, smaller = false;
   for (const auto& [method, outcome] : find.expect) {
     if (plan.entry.expect.contains(method)) continue;
-    const FailureKey key = {method, origin.contact, failure_signature(outcome, origin)};
+    set_error_name(plan.entry, method, error_name(find, method));
+    const FailureKey key = failure_key(plan.entry, method, outcome);
     const Rank* rival = is_failure(outcome) ? index.smallest(key, rank.second) : nullptr;
     if (rival != nullptr && *rival < rank && origin.name.empty()) {
       superfluous = true;
+      set_error_name(plan.entry, method, "");
       continue;
     }
     smaller = smaller || rival != nullptr;
@@ -166,8 +159,7 @@ Result<Store::Added> Store::State::add(const Case& find) {
 Result<void> Store::State::take_away(const std::string& path, const std::set<FailureKey>& keys) {
   Case value = index.entries().at(path).value;
   std::erase_if(value.expect, [&](const auto& e) {
-    return is_failure(e.second) && keys.contains({e.first, value.origin.contact,
-                                                  failure_signature(e.second, value.origin)});
+    return is_failure(e.second) && keys.contains(failure_key(value, e.first, e.second));
   });
   return failures_of(value).empty() ? remove_file(path) : write_entry(path, value);
 }

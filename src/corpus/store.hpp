@@ -6,16 +6,10 @@
 
 #include "corpus/content_address.hpp"
 #include "corpus/entries.hpp"
+#include "corpus/failure.hpp"
 #include "query/case_files.hpp"
 
 namespace ccdfuzz {
-
-/// True iff an expectation of this outcome is of a failure: missed, late, false_positive, error.
-bool is_failure(Outcome outcome);
-
-/// What sets failures of one method in one contact class apart: the outcome, and kind and generator
-/// of the case.
-std::string failure_signature(Outcome outcome, const Origin& origin);
 
 /// A folder of counterexamples, one readable .json file each, named by content_address, or by
 /// origin.name where it has one.
@@ -23,7 +17,8 @@ std::string failure_signature(Outcome outcome, const Origin& origin);
 /// Laws, with any number of threads and processes adding to one folder, and after SIGKILL at any
 /// moment:
 ///  1. Every entry is whole.
-///  2. For each (method, contact class, failure signature) the folder holds the smallest case that
+///  2. For each failure_key (method, contact class, failure signature) the folder holds the
+///  smallest case that
 ///     was added, by CaseSize and then by address; so what is kept does not depend on the order.
 ///  3. It holds no other for the same three, but for named entries, which are never taken away. (A
 ///     killed writer may leave the larger one beside the smaller; the next open takes it away.)

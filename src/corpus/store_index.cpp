@@ -20,15 +20,6 @@ bool looks_like_an_address(const std::string& stem) {
 
 }  // namespace
 
-std::set<FailureKey> failures_of(const Case& value) {
-  std::set<FailureKey> keys;
-  for (const auto& [method, outcome] : value.expect) {
-    if (!is_failure(outcome)) continue;
-    keys.emplace(method, value.origin.contact, failure_signature(outcome, value.origin));
-  }
-  return keys;
-}
-
 Result<void> StoreIndex::refresh(const std::string& folder, const std::string& home) {
   const auto paths = list_entries(folder);
   if (!paths) return tl::unexpected(paths.error());

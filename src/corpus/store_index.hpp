@@ -9,15 +9,10 @@
 #include <vector>
 
 #include "corpus/content_address.hpp"
+#include "corpus/failure.hpp"
 #include "query/case.hpp"
 
 namespace ccdfuzz {
-
-/// Method, contact class and failure signature: what a store keeps one entry for.
-using FailureKey = std::tuple<std::string, std::string, std::string>;
-
-/// The failures that a case expects.
-std::set<FailureKey> failures_of(const Case& value);
 
 /// The order of "smaller"; total, since different queries have different addresses.
 using Rank = std::pair<CaseSize, std::string>;

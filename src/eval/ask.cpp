@@ -2,19 +2,27 @@
 
 #include <exception>
 
-#include "query/judge.hpp"
-
 namespace ccdfuzz {
+
+namespace {
+
+Judged failed(const std::exception& error, std::string name) {
+  Answer answer;
+  answer.note = error.what();
+  return {std::move(answer), Outcome::kError, std::move(name)};
+}
+
+}  // namespace
 
 Judged ask(Method& method, const Case& known, const SearchOptions& options) {
   try {
     Answer answer = method.answer(known.query, options);
-    const Outcome outcome = judge(known.query, known.truth, answer);
-    return {std::move(answer), outcome};
+    const Outcome outcome = judge(known.query, known.truth, answer, method.terms());
+    return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
+  } catch (const MethodFault& fault) {
+    return failed(fault, fault.name());
   } catch (const std::exception& error) {
-    Answer answer;
-    answer.note = error.what();
-    return {std::move(answer), Outcome::kError};
+    return failed(error, "exception");
   }
 }
 

@@ -76,12 +76,16 @@ class Hunt {
   Turn take_turn(size_t cell, const Draw& drawn, MethodSet& methods) const {
     Turn turn{cell, {}, 0};
     Method& method = methods[report_.cells[cell].method];
-    const double start = thread_cpu_seconds();
+    // What answers in another process costs what we wait for it.
+    const auto cost_so_far = [&] {
+      return method.runs_elsewhere() ? elapsed() : thread_cpu_seconds();
+    };
+    const double start = cost_so_far();
     for (const Case& asked : drawn.asked) {
       if (stop_) break;
       turn.judged.push_back(ask(method, asked, options_.search));
     }
-    turn.cpu_seconds = thread_cpu_seconds() - start;
+    turn.cpu_seconds = cost_so_far() - start;
     return turn;
   }
 
@@ -90,11 +94,11 @@ class Hunt {
     HuntCell& cell = report_.cells[turn.cell];
     cell.cpu_seconds += turn.cpu_seconds;
     for (size_t q = 0; q < turn.judged.size(); ++q) {
-      const auto& [answer, outcome] = turn.judged[q];
-      cell.tally.add(answer, outcome, drawn.asked[q].truth.collides);
+      const Judged& judged = turn.judged[q];
+      cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].truth.collides);
       ++queries_;
-      if (is_failure(outcome) && !report_.error) {
-        note(trophies_.offer(cell.method, drawn.asked[q], outcome));
+      if (is_failure(judged.outcome) && !report_.error) {
+        note(trophies_.offer(cell.method, drawn.asked[q], judged));
       }
     }
   }

@@ -25,15 +25,16 @@ bool breaks_claim(const std::string& method, Outcome outcome) {
   return info && info->claims_no_false_negative;
 }
 
-Result<void> Trophies::offer(const std::string& method, const Case& asked, Outcome outcome) {
-  const Key key = {method, asked.origin.contact, failure_signature(outcome, asked.origin)};
+Result<void> Trophies::offer(const std::string& method, const Case& asked, const Judged& judged) {
+  Case find = asked;
+  find.expect = {{method, judged.outcome}};
+  set_error_name(find, method, judged.error);
+  const FailureKey key = failure_key(find, method, judged.outcome);
   const Rank rank = {size_of(asked.query), content_address(asked.query)};
   const std::lock_guard lock(mutex_);
   const auto [known, is_first] = smallest_.emplace(key, rank);
   if (!is_first && !(rank < known->second)) return {};
   known->second = rank;
-  Case find = asked;
-  find.expect = {{method, outcome}};
   const Result<Store::Added> added = store_.add(find);
   if (!added) return tl::unexpected(added.error());
   if (*added != Store::Added::kKnown) added_.insert(rank.second);
@@ -72,6 +73,7 @@ Result<void> Trophies::complete(const std::atomic<bool>& stop) {
           // A larger budget may decide it, so that it is no expectation.
           if (judged.outcome == Outcome::kUndecided) continue;
           entry.expect.emplace(method, judged.outcome);
+          set_error_name(entry, method, judged.error);
         }
         return entry;
       },

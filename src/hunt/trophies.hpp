@@ -21,7 +21,7 @@ class Trophies {
 
   /// A method failed on a case. Stores it if it is the smallest of its signature so far.
   /// Errors: of the store.
-  Result<void> offer(const std::string& method, const Case& asked, Outcome outcome);
+  Result<void> offer(const std::string& method, const Case& asked, const Judged& judged);
 
   /// How many entries this hunt has added and, as far as it knows, still stand.
   size_t count() const;
@@ -38,13 +38,12 @@ class Trophies {
   /// How many of the added entries are the smallest of a signature.
   size_t standing() const;
 
-  using Key = std::tuple<std::string, std::string, std::string>;  // method, class, signature
   using Rank = std::pair<CaseSize, std::string>;
 
   Store& store_;
   const HuntOptions& options_;
   mutable std::mutex mutex_;
-  std::map<Key, Rank> smallest_;
+  std::map<FailureKey, Rank> smallest_;
   std::set<std::string> added_;  ///< addresses
   size_t standing_ = 0;
 };

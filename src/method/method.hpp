@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "ccd/witness_trace/trace.hpp"
 #include "query/answer.hpp"
 #include "query/case.hpp"
+#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
@@ -17,7 +19,24 @@ namespace ccdfuzz {
 class Method {
  public:
   virtual ~Method() = default;
+  /// Errors: throws MethodFault, or any other exception, where it fails to answer.
   virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
+  /// What the answer given last claims; how it is to be judged.
+  virtual AnswerTerms terms() const { return {}; }
+  /// True iff it answers in another process, so that CPU time of this one says nothing of it.
+  virtual bool runs_elsewhere() const { return false; }
+};
+
+/// What a method did in place of answering: an error with a name by which like ones are told from
+/// others ("hang", "crash SIGSEGV").
+class MethodFault : public std::runtime_error {
+ public:
+  MethodFault(std::string name, const std::string& note)
+      : std::runtime_error(note), name_(std::move(name)) {}
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
 };
 
 /// Follows a witness through the inclusion tests of a method, the code that its queries run. One
@@ -42,13 +61,14 @@ struct MethodInfo {
 /// Behind the spec of a method of the paper: its form without any optimisation, for comparison.
 inline constexpr std::string_view kUnoptimised = "@unoptimised";
 
-/// Every registered family, in the order of the tables.
+/// Every registered family, in the order of the tables, without plug-ins.
 const std::vector<MethodInfo>& registered_methods();
 
 /// The family a concrete spec belongs to ("tdibm-h:1e-12" → "tdibm-h:F").
 Result<MethodInfo> method_info(const std::string& spec);
 
-/// A fresh method for a concrete spec. Errors: an unknown name or a bad parameter, naming it.
+/// A fresh method for a concrete spec, a plug-in's too (plugin_spec.hpp). Errors: an unknown name
+/// or a bad parameter, naming it.
 Result<std::unique_ptr<Method>> make_method(const std::string& spec);
 
 /// A fresh tracer of the method of a concrete spec. Errors: as make_method.

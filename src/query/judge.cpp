@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bezier/blossom.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {
@@ -32,20 +33,59 @@ std::optional<Rational> proven_contact(const Truth& truth, double t_max) {
   return by;
 }
 
+/// The contact that an answer with these terms must not miss.
+std::optional<Rational> binding_contact(const Truth& truth, double t_max,
+                                        const AnswerTerms& terms) {
+  std::optional<Rational> by = proven_contact(truth, t_max);
+  if (by && !terms.closed_t_max && *by == exact(t_max)) by.reset();
+  if (by && !terms.contact_at_zero && *by == 0) by.reset();
+  return by;
+}
+
+bool in_domain(const Shape& shape, const Uv<double>& uv) {
+  const bool in_square = 0 <= uv[0] && uv[0] <= 1 && 0 <= uv[1] && uv[1] <= 1;
+  return in_square && (shape.kind != ShapeKind::kTriangle || exact(uv[0]) + exact(uv[1]) <= 1);
+}
+
+/// Whether the two points that a hit names are at most so far apart at its toi.
+bool is_near(const Query& query, const Answer& hit, double tolerance) {
+  std::array<Vec3<Rational>, 2> points;
+  for (size_t side = 0; side < 2; ++side) {
+    const MovingPatch<double>& patch = query.patches[side];
+    const Uv<double>& uv = hit.uv[side];
+    if (!in_domain(patch.shape, uv)) return false;
+    points[side] = evaluate<Rational>(exact_patch<Rational>(patch), {exact(uv[0]), exact(uv[1])},
+                                      exact(*hit.toi));
+  }
+  Rational squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Rational d = points[0][k] - points[1][k];
+    squared += d * d;
+  }
+  return squared <= exact(tolerance) * exact(tolerance);
+}
+
 }  // namespace
 
-Outcome judge(const Query& query, const Truth& truth, const Answer& answer) {
+Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
+              const AnswerTerms& terms) {
   if (is_nonsense(query, answer)) return Outcome::kError;
   if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
   const bool hit = answer.verdict == Verdict::kHit;
-  if (const std::optional<Rational> contact = proven_contact(truth, query.t_max)) {
+  if (const auto contact = binding_contact(truth, query.t_max, terms)) {
     if (!hit) return Outcome::kMissed;
-    return exact(*answer.toi) > *contact ? Outcome::kLate : Outcome::kCorrect;
+    const bool in_time = exact(*answer.toi) <= *contact + exact(terms.time_tolerance);
+    return in_time ? Outcome::kCorrect : Outcome::kLate;
   }
   const bool clear =
       truth.collides == false || (truth.clear_until && *truth.clear_until > exact(query.t_max));
   if (!clear) return Outcome::kUnknown;
-  return hit ? Outcome::kFalsePositive : Outcome::kCorrect;
+  if (!hit) return Outcome::kCorrect;
+  if (terms.space_tolerance > 0) {
+    if (!terms.has_uv) return Outcome::kUnknown;
+    if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
+  }
+  return Outcome::kFalsePositive;
 }
 
 Case with_t_max(const Case& value, double t_max) {

@@ -1,22 +1,50 @@
 #pragma once
 
+#include <string>
+
 #include "query/answer.hpp"
 #include "query/case.hpp"
 
 namespace ccdfuzz {
 
+/// What a method claims of an answer beyond it. As they stand here: a contact counts at 0 and at
+/// t_max, and nothing is counted in its favour.
+struct AnswerTerms {
+  bool closed_t_max = true;
+  bool contact_at_zero = true;
+  /// A hit is in time so much after the contact. ≥ 0, finite.
+  double time_tolerance = 0;
+  /// A hit so near is a contact: what uv says must be this near at toi. ≥ 0, finite.
+  double space_tolerance = 0;
+  bool has_uv = true;  ///< the answer says where
+};
+
 /// How an answer stands against the truth, every comparison exact:
 ///   error           the answer is nonsense: a hit without toi, toi NaN or outside [0, t_max]
 ///   undecided       it says so
-///   missed, late    a witness or a contact box proves a contact by some t ≤ t_max; the answer is a
-///                   miss, or a hit at a later time
+///   missed, late    a witness or a contact box proves a contact by some t ≤ t_max (< t_max, and
+///                   > 0, where the terms leave an end out); the answer is a miss, or a hit later
+///                   than its time tolerance
 ///   false_positive  a hit, and absence of contact on [0, t_max] is proven: collides is false, or
-///                   clear_until > t_max
-///   unknown         the truth proves neither contact nor absence on [0, t_max]
+///                   clear_until > t_max; and the patches at uv and toi are farther apart than the
+///                   space tolerance
+///   unknown         the truth proves neither contact nor absence on [0, t_max], or the answer has
+///   a
+///                   space tolerance and does not say where
 ///   correct         anything else
 /// Requires: the truth has been checked (certify/checker), and is relative to this query's t_max;
 /// with_t_max gives the case for another one. The contact counts first.
-Outcome judge(const Query& query, const Truth& truth, const Answer& answer);
+Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
+              const AnswerTerms& terms = {});
+
+/// An answer and how it stands against its truth.
+struct Judged {
+  Answer answer;
+  Outcome outcome = Outcome::kUnknown;
+  /// Of an error: by what like ones are told from others. "exception" or "nonsense" of methods that
+  /// give it no name.
+  std::string error;
+};
 
 /// The same two patches asked up to another t_max ≥ 0, with what its truth then still says: absence
 /// of contact holds for a shorter time but says nothing of a longer one, and a contact is

@@ -10,16 +10,16 @@ namespace ccdfuzz {
 namespace {
 
 /// "miss" always misses, "hit" always hits at 0; there is no other method.
-Result<Answer> answer(const std::string& method, const Case&) {
+Result<Judged> answer(const std::string& method, const Case& entry) {
   Answer a;
-  if (method == "miss") {
-    a.verdict = Verdict::kMiss;
-    return a;
+  a.verdict = Verdict::kMiss;
+  if (method == "hit") {
+    a.verdict = Verdict::kHit;
+    a.toi = 0;
+  } else if (method != "miss") {
+    return input_error("", "unknown method \"" + method + "\"");
   }
-  if (method != "hit") return input_error("", "unknown method \"" + method + "\"");
-  a.verdict = Verdict::kHit;
-  a.toi = 0;
-  return a;
+  return Judged{a, judge(entry.query, entry.truth, a), ""};
 }
 
 TEST(Replay, ReportsWhatChangedAndWhatDidNot) {
@@ -34,7 +34,7 @@ TEST(Replay, ReportsWhatChangedAndWhatDidNot) {
   ASSERT_EQ(report->rows.size(), 2U);
   EXPECT_EQ(to_text(report->rows[0]), "a.json: hit: expected late, got correct");
   EXPECT_TRUE(report->rows[0].changed());
-  EXPECT_EQ(report->rows[1].got, Outcome::kMissed);
+  EXPECT_EQ(report->rows[1].got.outcome, Outcome::kMissed);
   EXPECT_FALSE(report->rows[1].changed());
   EXPECT_EQ(report->changed(), 1U);
 }

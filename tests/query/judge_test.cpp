@@ -49,8 +49,9 @@ Answer says(Verdict verdict, std::optional<double> toi = std::nullopt) {
   return answer;
 }
 
-std::string judged(const Truth& truth, const Answer& answer, double t_max = 1) {
-  return std::string(name_of(judge(until(t_max), truth, answer)));
+std::string judged(const Truth& truth, const Answer& answer, double t_max = 1,
+                   const AnswerTerms& terms = {}) {
+  return std::string(name_of(judge(until(t_max), truth, answer, terms)));
 }
 
 TEST(Judge, AHitIsRightUpToTheProvenContactAndLateFromThereOn) {
@@ -152,6 +153,48 @@ TEST(WithTMax, AWitnessProvesAContactFromItsTimeOn) {
 
 TEST(WithTMax, ExpectationsAreOfTheOldQuery) {
   EXPECT_TRUE(with_t_max(asked(1, contact(1)), 1.5).expect.empty());
+}
+
+TEST(JudgeByTerms, AnEndOfTimeThatIsLeftOutBindsNot) {
+  AnswerTerms open;
+  open.closed_t_max = false;
+  EXPECT_EQ(judged(contact(1), says(Verdict::kMiss), 1, open), "unknown");
+  EXPECT_EQ(judged(contact(1), says(Verdict::kMiss), 2, open), "missed");
+  AnswerTerms no_start;
+  no_start.contact_at_zero = false;
+  EXPECT_EQ(judged(contact(0), says(Verdict::kMiss), 1, no_start), "unknown");
+  EXPECT_EQ(judged(contact(0), hit(0.5), 1, no_start), "unknown");
+  EXPECT_EQ(judged(contact({1, 2}), says(Verdict::kMiss), 1, no_start), "missed");
+}
+
+TEST(JudgeByTerms, ATimeToleranceIsExact) {
+  AnswerTerms terms;
+  terms.time_tolerance = 0.25;
+  EXPECT_EQ(judged(contact({1, 2}), hit(0.75), 1, terms), "correct");
+  EXPECT_EQ(judged(contact({1, 2}), hit(std::nextafter(0.75, 1)), 1, terms), "late");
+  EXPECT_EQ(judged(contact({1, 2}), says(Verdict::kMiss), 1, terms), "missed");
+  EXPECT_EQ(judged(no_contact(), hit(0.5), 1, terms), "false_positive");
+}
+
+TEST(JudgeByTerms, AHitWithinItsToleranceInSpaceIsNotFalse) {
+  // Two points that pass each other at the distance 1/4, at t = 1/2.
+  Query query = until(1);
+  query.patches[0] = {Shape::point(), {{-1, 0, 0}}, {{2, 0, 0}}};
+  query.patches[1] = {Shape::point(), {{0, 0.25, 0}}, {{0, 0, 0}}};
+  AnswerTerms terms;
+  terms.space_tolerance = 0.25;
+  EXPECT_EQ(judge(query, no_contact(), hit(0.5), terms), Outcome::kCorrect);
+  EXPECT_EQ(judge(query, no_contact(), hit(0.5 + 0x1p-40), terms), Outcome::kFalsePositive);
+  terms.space_tolerance = std::nextafter(0.25, 0);
+  EXPECT_EQ(judge(query, no_contact(), hit(0.5), terms), Outcome::kFalsePositive);
+  terms.has_uv = false;
+  EXPECT_EQ(judge(query, no_contact(), hit(0.5), terms), Outcome::kUnknown);
+  // Parameters outside of the patch are no place on it.
+  terms = {true, true, 0, 0.25, true};
+  query.patches[1] = {Shape::curve(1), {{0, 0.25, 0}, {1, 0.25, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  Answer outside = hit(0.25);
+  outside.uv[1] = {-0.5, 0};
+  EXPECT_EQ(judge(query, no_contact(), outside, terms), Outcome::kFalsePositive);
 }
 
 }  // namespace
