@@ -27,6 +27,7 @@ nlohmann::ordered_json answer_row(const std::string& case_id, const std::string&
                                 {"seconds", answer.seconds}};
   if (answer.toi && answer.verdict != Verdict::kMiss) row["toi"] = *answer.toi;
   if (answer.verdict == Verdict::kHit) row["uv"] = answer.uv;
+  if (!judged.error.empty()) row["error"] = judged.error;
   if (!answer.note.empty()) row["note"] = answer.note;
   return row;
 }

@@ -11,12 +11,31 @@ namespace ccdfuzz {
 namespace {
 
 struct MethodsArguments {
+  std::vector<std::string> specs;
   bool json = false;
 };
 
+/// All that are registered and the two kinds of plug-ins, or those that were named.
+Result<std::vector<MethodInfo>> method_infos_of(const std::vector<std::string>& specs) {
+  std::vector<MethodInfo> infos;
+  for (const std::string& spec : specs) {
+    const Result<MethodInfo> info = method_info(spec);
+    if (!info) return tl::unexpected(info.error());
+    infos.push_back(*info);
+  }
+  if (!specs.empty()) return infos;
+  infos = registered_methods();
+  constexpr const char* kSource = "examples/plugins/README.md";
+  infos.push_back({"plugin:PATH", kSource, "yours: a shared library (ccdfuzz_plugin.h)", false});
+  infos.push_back({"plugin-exec:PATH", kSource, "yours: a program, asked by lines of JSON", false});
+  return infos;
+}
+
 Result<int> run_methods(const MethodsArguments& options) {
+  const Result<std::vector<MethodInfo>> infos = method_infos_of(options.specs);
+  if (!infos) return tl::unexpected(infos.error());
   if (options.json) {
-    for (const MethodInfo& info : registered_methods()) {
+    for (const MethodInfo& info : *infos) {
       print_json({{"method", info.spec},
                   {"source", info.source},
                   {"description", info.description},
@@ -28,7 +47,7 @@ Result<int> run_methods(const MethodsArguments& options) {
                {"claims no FN", Align::kLeft},
                {"source", Align::kLeft},
                {"description", Align::kLeft}});
-  for (const MethodInfo& info : registered_methods()) {
+  for (const MethodInfo& info : *infos) {
     table.add_row({{info.spec},
                    {info.claims_no_false_negative ? "yes" : "no"},
                    {info.source},
@@ -42,7 +61,8 @@ Result<int> run_methods(const MethodsArguments& options) {
 
 void add_methods(CommandLine& line) {
   auto [command, options] = line.add<MethodsArguments>(
-      "methods", "List the registered methods, with the source of each", run_methods);
+      "methods", "List the methods that there are, with the source of each", run_methods);
+  command.texts("method", options->specs, "Only these, as --methods takes them; plug-ins, too");
   command.flag("--json", options->json, "One JSON object per line");
 }
 

@@ -33,7 +33,7 @@ std::vector<TableCell> table_row(const std::string& case_id, const std::string& 
           {std::string(name_of(judged.outcome)), bad ? Emphasis::kBad : Emphasis::kPlain},
           {fmt::format("{}", answer.pops)},
           {duration_text(answer.seconds)},
-          {answer.note}};
+          {judged.error.empty() ? answer.note : judged.error + ": " + answer.note}};
 }
 
 Result<int> run_query(const QueryArguments& options) {

@@ -14,6 +14,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
+#include "method/plugin/plugin_method.hpp"
 
 namespace ccdfuzz {
 
@@ -150,7 +151,7 @@ std::string known_specs() {
     if (!specs.empty()) specs += ", ";
     specs += f.info.spec;
   }
-  return specs;
+  return specs + ", plugin:PATH, plugin-exec:PATH";
 }
 
 /// "tdibm-e@unoptimised" is {"tdibm-e", true}.
@@ -186,10 +187,14 @@ const std::vector<MethodInfo>& registered_methods() {
 }
 
 Result<MethodInfo> method_info(const std::string& spec) {
+  if (names_plugin(spec)) {
+    return know_plugin(spec).map([](const auto& known) { return plugin_info(*known); });
+  }
   return find_family(form_of(spec).spec).map([](const Family* found) { return found->info; });
 }
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
+  if (names_plugin(spec)) return know_plugin(spec).map(make_plugin_method);
   const Form form = form_of(spec);
   if (!form.unoptimised) {
     return find_family(spec).and_then([&](const Family* found) { return found->make(spec); });
@@ -204,6 +209,11 @@ Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
 }
 
 Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
+  if (names_plugin(spec)) {
+    return input_error("--methods", fmt::format("\"{}\" is a plug-in: what it does inside cannot "
+                                                "be traced",
+                                                spec));
+  }
   // Both forms answer alike.
   const std::string& plain = form_of(spec).spec;
   return find_family(plain).and_then(

@@ -1,0 +1,145 @@
+/* The C interface of a ccdfuzz plug-in, version 1: a shared library that answers continuous
+ * collision detection queries, for `--methods plugin:./libmine.so`.
+ *
+ * A plug-in exports one function, ccdfuzz_plugin_get, and keeps what it needs between queries in
+ * the state that its create() makes: no globals. It is loaded into a worker process of its own with
+ * limited time and memory. Whatever goes wrong there (a crash, exit(), a hang, a NaN, an exception
+ * that leaves a function) is a finding against the plug-in and harms nothing else.
+ *
+ * Versions: every struct begins with its size in bytes, set by whoever made it to its own sizeof.
+ * Later versions only append fields, so the smaller of two sizes says what both sides know. All
+ * pointers that a plug-in is given are valid during the call alone. Numbers are finite doubles.
+ */
+#ifndef CCDFUZZ_PLUGIN_H
+#define CCDFUZZ_PLUGIN_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define CCDFUZZ_PLUGIN_ABI 1u
+
+/* ccdfuzz_patch.shape */
+enum {
+  CCDFUZZ_POINT = 0,    /* 1 control point, no parameters */
+  CCDFUZZ_CURVE = 1,    /* degree_u + 1 control points, u in [0,1] */
+  CCDFUZZ_TRIANGLE = 2, /* (n+1)(n+2)/2 control points for n = degree_u; u, v >= 0, u + v <= 1 */
+  CCDFUZZ_TENSOR = 3    /* (degree_u+1)(degree_v+1) control points, u, v in [0,1] */
+};
+
+/* A moving Bezier patch: at time t control point i stands at positions[i] + t * velocities[i].
+ * Control points come by rising power i of u and within it by rising power j of v. The weight of
+ * (i,j) is n!/(i!j!k!) u^i v^j w^k, w = 1-u-v, for a triangle; a product of Bernstein polynomials
+ * otherwise. So a triangle of degree 1 has the corners (u,v) = (0,0), (0,1), (1,0), in this order.
+ */
+typedef struct ccdfuzz_patch {
+  uint32_t size;
+  uint32_t shape;
+  uint32_t degree_u; /* 0 for a point, else 1 to 8 */
+  uint32_t degree_v; /* tensor only, else 0 */
+  uint64_t count;    /* of control points */
+  const double (*positions)[3];
+  const double (*velocities)[3];
+} ccdfuzz_patch;
+
+/* Do the two patches touch at some t of the closed [0, t_max], and when first? */
+typedef struct ccdfuzz_query {
+  uint32_t size;
+  uint32_t reserved;
+  const ccdfuzz_patch* patches[2];
+  double t_max;            /* >= 0 */
+  double precision;        /* parameter width at which ccdfuzz's own methods stop */
+  uint64_t max_iterations; /* after about so many it may answer CCDFUZZ_INCONCLUSIVE */
+  double max_seconds;      /* and after this time it should; the worker is killed later */
+} ccdfuzz_query;
+
+/* ccdfuzz_answer.verdict */
+enum {
+  CCDFUZZ_HIT = 1,          /* they touch; toi_lower is needed */
+  CCDFUZZ_MISS = 2,         /* they do not touch in [0, t_max] */
+  CCDFUZZ_INCONCLUSIVE = 3, /* gave up; never counted as wrong */
+  CCDFUZZ_ERROR = 4         /* failed on a valid query: a finding; message may say why */
+};
+
+/* The host fills every field with what is no answer (verdict 0, NaN) before each call. */
+typedef struct ccdfuzz_answer {
+  uint32_t size; /* set by the host; a plug-in sets it to what it knows if that is less */
+  uint32_t verdict;
+  double toi_lower;    /* hit: the time of impact, or a lower bound of it; in [0, t_max] */
+  double toi_upper;    /* hit: an upper bound of it, or NaN if it has none */
+  double uv[2][2];     /* hit: where on each patch, or NaN if it does not know */
+  uint64_t iterations; /* boxes, Newton steps: whatever it counts */
+  double tolerance;    /* achieved, in the unit of the claimed one; NaN: as claimed */
+  char message[128];   /* for people; ends with a NUL */
+} ccdfuzz_answer;
+
+/* ccdfuzz_description.claims */
+enum {
+  CCDFUZZ_CONSERVATIVE = 1,   /* never misses a contact, and toi_lower is never after it */
+  CCDFUZZ_CLOSED_T_MAX = 2,   /* sees a contact at t = t_max, too */
+  CCDFUZZ_CONTACT_AT_ZERO = 4 /* sees a contact at t = 0, too */
+};
+
+/* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:
+ *   time: if it is not conservative, a hit so much after the contact is still in time
+ *   space: a hit where the patches are this near each other is no false positive */
+enum {
+  CCDFUZZ_TOLERANCE_TIME = 0,
+  CCDFUZZ_TOLERANCE_TIME_RELATIVE = 1, /* times t_max */
+  CCDFUZZ_TOLERANCE_SPACE = 2,
+  CCDFUZZ_TOLERANCE_SPACE_RELATIVE = 3 /* times the largest coordinate at t = 0 and t_max */
+};
+
+/* ccdfuzz_description.nan_policy: what it does with a query that is not finite. ccdfuzz asks none.
+ */
+enum { CCDFUZZ_NAN_UNDEFINED = 0, CCDFUZZ_NAN_ERROR = 1, CCDFUZZ_NAN_INCONCLUSIVE = 2 };
+
+/* A pair of shapes that it answers, up to these degrees. The host swaps the patches of a query, and
+ * uv back, where that makes them fit. */
+typedef struct ccdfuzz_pair {
+  uint32_t shapes[2];
+  uint32_t max_degrees[2];
+} ccdfuzz_pair;
+
+/* What a plug-in is and claims: how its answers are judged. */
+typedef struct ccdfuzz_description {
+  uint32_t size; /* set by the host, as in ccdfuzz_answer; all else is 0 before the call */
+  uint32_t claims;
+  const char* name;
+  const char* version;
+  const ccdfuzz_pair* pairs; /* pair_count of them; none: every shape of every degree */
+  uint64_t pair_count;
+  uint32_t tolerance_kind;
+  uint32_t nan_policy;
+  double tolerance;          /* >= 0; 0: none claimed */
+  double minimum_separation; /* >= 0; a hit where the patches are this near is no false positive */
+} ccdfuzz_description;
+
+/* A plug-in. Every function may be called from one thread at a time. None may let an exception
+ * out. */
+typedef struct ccdfuzz_plugin {
+  uint32_t size;
+  uint32_t abi; /* CCDFUZZ_PLUGIN_ABI */
+  /* A new state (0 is one, too), from what stands behind the path in
+   * `plugin:PATH:OPTIONS`; "" if nothing does. Returns 0, or not 0 if the options are wrong. */
+  int32_t (*create)(const char* options, void** state);
+  void (*destroy)(void* state);
+  int32_t (*describe)(void* state, ccdfuzz_description* description);
+  /* Returns 0 if the answer is filled, and anything else for an error. */
+  int32_t (*answer)(void* state, const ccdfuzz_query* query, ccdfuzz_answer* answer);
+} ccdfuzz_plugin;
+
+/* The one exported function. What it returns stays valid while the library is loaded. */
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
+const ccdfuzz_plugin*
+ccdfuzz_plugin_get(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* CCDFUZZ_PLUGIN_H */

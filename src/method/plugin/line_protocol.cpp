@@ -1,0 +1,295 @@
+#include "method/plugin/line_protocol.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "query/json_tree.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr const char* kFrom = "its answer";
+
+tl::unexpected<PluginFault> answer_fault(const std::string& name, const std::string& note) {
+  return tl::unexpected(PluginFault{name, note});
+}
+
+tl::unexpected<PluginFault> garbage_answer(const std::string& note) {
+  return answer_fault("garbage", note);
+}
+
+void append_points(std::string& out, const char* name, const Points<double>& points) {
+  out += fmt::format(",\"{}\":[", name);
+  for (size_t i = 0; i < points.size(); ++i) {
+    out += i == 0 ? "[" : ",[";
+    for (int k = 0; k < 3; ++k) {
+      if (k > 0) out += ',';
+      out += json_number(points[i][k]);
+    }
+    out += ']';
+  }
+  out += ']';
+}
+
+void append_patch(std::string& out, const MovingPatch<double>& patch) {
+  const Shape& shape = patch.shape;
+  out += fmt::format("{{\"shape\":\"{}\"", name_of(shape.kind));
+  if (shape.kind == ShapeKind::kTensor) {
+    out += fmt::format(",\"degree\":[{},{}]", shape.n, shape.m);
+  } else if (shape.kind != ShapeKind::kPoint) {
+    out += fmt::format(",\"degree\":{}", shape.n);
+  }
+  append_points(out, "positions", patch.positions);
+  append_points(out, "velocities", patch.velocities);
+  out += '}';
+}
+
+/// Python and others write these where JSON has no word for them.
+std::string with_quoted_non_finite(const std::string& line) {
+  std::string out;
+  bool in_string = false;
+  for (size_t i = 0; i < line.size();) {
+    if (line[i] == '"' && (i == 0 || line[i - 1] != '\\')) in_string = !in_string;
+    size_t length = 0;
+    for (const char* word : {"NaN", "-Infinity", "Infinity"}) {
+      if (!in_string && length == 0 && line.compare(i, std::strlen(word), word) == 0) {
+        length = std::strlen(word);
+      }
+    }
+    if (length > 0) {
+      out += fmt::format("\"{}\"", line.substr(i, length));
+      i += length;
+    } else {
+      out += line[i++];
+    }
+  }
+  return out;
+}
+
+tl::expected<JsonValue, PluginFault> parse_object(const std::string& line) {
+  Result<JsonValue> parsed = parse_json(line, kFrom);
+  if (!parsed) parsed = parse_json(with_quoted_non_finite(line), kFrom);
+  if (!parsed) {
+    return garbage_answer(fmt::format("{}: {}", parsed.error().message(), line.substr(0, 80)));
+  }
+  if (parsed->kind != JsonKind::kObject)
+    return garbage_answer("is no object: " + line.substr(0, 80));
+  return *std::move(parsed);
+}
+
+std::string text_of(const JsonValue& object, std::string_view key) {
+  const JsonValue* found = object.find(key);
+  return found != nullptr && found->kind == JsonKind::kString ? found->text : "";
+}
+
+/// A number that need not be finite; absent for null, for nothing and for what is none.
+std::optional<double> number_of(const JsonValue* value) {
+  if (value == nullptr) return std::nullopt;
+  if (value->kind == JsonKind::kString) {
+    std::string word = value->text;
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+    if (word == "inf" || word == "infinity") return std::numeric_limits<double>::infinity();
+    if (word == "-inf" || word == "-infinity") return -std::numeric_limits<double>::infinity();
+  }
+  const Result<double> real = parse_real(*value);
+  return real ? std::optional(*real) : std::nullopt;
+}
+
+std::uint64_t whole_of(const JsonValue* value) {
+  const std::optional<double> number = number_of(value);
+  constexpr double kMost = 0x1p63;
+  return number && *number >= 0 && *number < kMost ? static_cast<std::uint64_t>(*number) : 0;
+}
+
+bool flag_of(const JsonValue& object, std::string_view key, bool otherwise) {
+  const JsonValue* found = object.find(key);
+  return found == nullptr || found->kind != JsonKind::kBool ? otherwise : found->text == "true";
+}
+
+tl::expected<PluginDescription::Pair, PluginFault> read_pair(const JsonValue& value) {
+  PluginDescription::Pair pair{};
+  if (value.kind != JsonKind::kArray || value.items.size() != 2) {
+    return garbage_answer("accepts something that is no pair of shapes");
+  }
+  for (size_t side = 0; side < 2; ++side) {
+    const std::string shape = text_of(value.items[side], "shape");
+    constexpr std::array kKinds = {ShapeKind::kPoint, ShapeKind::kCurve, ShapeKind::kTriangle,
+                                   ShapeKind::kTensor};
+    const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
+                                   [&](ShapeKind k) { return name_of(k) == shape; });
+    if (kind == kKinds.end()) {
+      return garbage_answer(fmt::format("accepts a shape \"{}\" that there is not", shape));
+    }
+    pair.shapes[side] = *kind;
+    const JsonValue* degree = value.items[side].find("max_degree");
+    pair.max_degrees[side] =
+        degree == nullptr ? kMaxDegree
+                          : static_cast<int>(std::min<std::uint64_t>(whole_of(degree), kMaxDegree));
+  }
+  return pair;
+}
+
+/// [lower, upper], or one number.
+tl::expected<void, PluginFault> read_toi(const JsonValue* value, double t_max, PluginAnswer& out) {
+  const JsonValue* lower = value;
+  const JsonValue* upper = nullptr;
+  if (value != nullptr && value->kind == JsonKind::kArray && value->items.size() == 2) {
+    lower = &value->items[0];
+    upper = &value->items[1];
+  }
+  const std::optional<double> toi = number_of(lower);
+  if (!toi) return answer_fault("toi missing", "hit without a time of impact");
+  if (std::isnan(*toi)) return answer_fault("toi NaN", "hit at the time NaN");
+  if (std::isinf(*toi))
+    return answer_fault("toi infinite", fmt::format("hit at the time {}", *toi));
+  if (*toi < 0 || *toi > t_max) {
+    return answer_fault("toi outside",
+                        fmt::format("hit at the time {}, and t_max is {}", *toi, t_max));
+  }
+  out.answer.toi = *toi;
+  out.toi_upper = number_of(upper).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (out.toi_upper < *toi) {
+    return answer_fault("toi order", fmt::format("hit between {} and {}", *toi, out.toi_upper));
+  }
+  return {};
+}
+
+/// [[u, v], [u, v]] with numbers, or with null where it does not know.
+tl::expected<void, PluginFault> read_uv(const JsonValue* value, PluginAnswer& out) {
+  if (value == nullptr || value->kind != JsonKind::kArray) return {};
+  if (value->items.size() != 2) return garbage_answer("uv is not [[u, v], [u, v]]");
+  out.has_uv = true;
+  for (size_t side = 0; side < 2; ++side) {
+    const JsonValue& uv = value->items[side];
+    if (uv.kind != JsonKind::kArray || uv.items.size() > 2) {
+      return garbage_answer("uv is not [[u, v], [u, v]]");
+    }
+    for (size_t k = 0; k < uv.items.size(); ++k) {
+      const std::optional<double> number = number_of(&uv.items[k]);
+      if (number && std::isnan(*number)) return answer_fault("uv NaN", "hit at the parameter NaN");
+      if (!number || std::isinf(*number)) out.has_uv = false;
+      out.answer.uv[side][k] = number.value_or(0);
+    }
+  }
+  if (!out.has_uv) out.answer.uv = {};
+  return {};
+}
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
+  if (answer.verdict != other.answer.verdict) return false;
+  if (answer.verdict != Verdict::kHit) return true;
+  return same_bits(*answer.toi, *other.answer.toi) && answer.uv == other.answer.uv;
+}
+
+std::string describe_request(const std::string& options) {
+  return fmt::format("{{\"ask\":\"describe\",\"protocol\":1,\"options\":{}}}",
+                     json_string(options));
+}
+
+std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
+                          std::uint64_t id) {
+  std::string out = fmt::format("{{\"ask\":\"query\",\"id\":{},\"patches\":[", id);
+  append_patch(out, query.patches[0]);
+  out += ',';
+  append_patch(out, query.patches[1]);
+  return out + fmt::format(
+                   "],\"t_max\":{},\"precision\":{},\"max_iterations\":{},"
+                   "\"max_seconds\":{}}}",
+                   json_number(query.t_max), json_number(options.precision), options.max_pops,
+                   json_number(max_seconds));
+}
+
+Described read_description(const std::string& line) {
+  const auto object = parse_object(line);
+  if (!object) return tl::unexpected(object.error());
+  if (const JsonValue* refused = object->find("refused"); refused != nullptr) {
+    return tl::unexpected(PluginRefusal{text_of(*object, "message")});
+  }
+  if (const JsonValue* named = object->find("fault"); named != nullptr) {
+    return tl::unexpected(PluginFault{named->text, text_of(*object, "message")});
+  }
+  if (const auto version = number_of(object->find("protocol")); version != 1.0) {
+    return tl::unexpected(PluginFault{
+        "garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
+  }
+  PluginDescription out;
+  out.name = text_of(*object, "name");
+  out.version = text_of(*object, "version");
+  if (const JsonValue* accepts = object->find("accepts");
+      accepts != nullptr && accepts->kind == JsonKind::kArray) {
+    for (const JsonValue& item : accepts->items) {
+      const auto pair = read_pair(item);
+      if (!pair) return tl::unexpected(pair.error());
+      out.accepts.push_back(*pair);
+    }
+  }
+  out.conservative = flag_of(*object, "conservative", out.conservative);
+  out.closed_t_max = flag_of(*object, "closed_t_max", out.closed_t_max);
+  out.contact_at_zero = flag_of(*object, "contact_at_zero", out.contact_at_zero);
+  const std::string kind = text_of(*object, "tolerance_kind");
+  out.tolerance_kind = kind == "time_relative"    ? ToleranceKind::kTimeRelative
+                       : kind == "space"          ? ToleranceKind::kSpace
+                       : kind == "space_relative" ? ToleranceKind::kSpaceRelative
+                                                  : ToleranceKind::kTime;
+  out.tolerance = number_of(object->find("tolerance")).value_or(0);
+  out.minimum_separation = number_of(object->find("minimum_separation")).value_or(0);
+  for (const double claimed : {out.tolerance, out.minimum_separation}) {
+    if (!(claimed >= 0 && std::isfinite(claimed))) {
+      return tl::unexpected(PluginFault{
+          "garbage", fmt::format("claims a tolerance or a minimum separation of {}", claimed)});
+    }
+  }
+  if (const std::string policy = text_of(*object, "nan_policy"); !policy.empty()) {
+    out.nan_policy = policy;
+  }
+  return out;
+}
+
+tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std::uint64_t id,
+                                                    double t_max) {
+  const auto object = parse_object(line);
+  if (!object) return tl::unexpected(object.error());
+  const std::string message = text_of(*object, "message");
+  if (const JsonValue* named = object->find("fault"); named != nullptr) {
+    return answer_fault(named->text, message);
+  }
+  if (const JsonValue* echoed = object->find("id"); echoed == nullptr || whole_of(echoed) != id) {
+    return answer_fault("stale", fmt::format("answered question {} when asked question {}",
+                                             echoed == nullptr ? "none" : shown(*echoed), id));
+  }
+  PluginAnswer out;
+  out.answer.note = message;
+  out.answer.pops = whole_of(object->find("iterations"));
+  out.tolerance =
+      number_of(object->find("tolerance")).value_or(std::numeric_limits<double>::quiet_NaN());
+  const std::optional<double> seconds = number_of(object->find("seconds"));
+  out.has_seconds = seconds && *seconds >= 0;
+  if (out.has_seconds) out.answer.seconds = *seconds;
+  const std::string verdict = text_of(*object, "verdict");
+  if (verdict == "error") return answer_fault("error", "says that it failed: " + message);
+  if (verdict == "miss") {
+    out.answer.verdict = Verdict::kMiss;
+  } else if (verdict == "hit") {
+    out.answer.verdict = Verdict::kHit;
+    if (auto read = read_toi(object->find("toi"), t_max, out); !read) {
+      return tl::unexpected(read.error());
+    }
+    if (auto read = read_uv(object->find("uv"), out); !read) return tl::unexpected(read.error());
+  } else if (verdict != "inconclusive") {
+    return garbage_answer(fmt::format("gives no verdict that there is: {}", line.substr(0, 80)));
+  }
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <variant>
+#include <vector>
+
+#include "ccd/search.hpp"
+#include "method/plugin/worker_process.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+
+/// The unit of a claimed tolerance.
+enum class ToleranceKind : std::uint8_t { kTime, kTimeRelative, kSpace, kSpaceRelative };
+
+/// What a plug-in says of itself.
+struct PluginDescription {
+  /// Shapes that may be asked together, up to these degrees.
+  struct Pair {
+    std::array<ShapeKind, 2> shapes;
+    std::array<int, 2> max_degrees;
+  };
+
+  std::string name;
+  std::string version;
+  std::vector<Pair> accepts;  ///< empty: everything
+  bool conservative = false;
+  bool closed_t_max = true;
+  bool contact_at_zero = true;
+  ToleranceKind tolerance_kind = ToleranceKind::kTime;
+  double tolerance = 0;
+  double minimum_separation = 0;
+  std::string nan_policy = "undefined";
+};
+
+/// Why a plug-in cannot be used at all: it is the user who must act, it is no finding.
+struct PluginRefusal {
+  std::string what;
+};
+
+/// The line protocol: one JSON object a line each way; examples/plugins/README.md has it in words.
+std::string describe_request(const std::string& options);
+std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
+                          std::uint64_t id);
+
+/// Errors: a refusal, or anything that is not a description (a fault).
+using Described = tl::expected<PluginDescription, std::variant<PluginFault, PluginRefusal>>;
+Described read_description(const std::string& line);
+
+/// An answer, as far as it goes beyond Answer.
+struct PluginAnswer {
+  Answer answer;  ///< toi is the lower bound
+  double toi_upper = std::numeric_limits<double>::quiet_NaN();
+  bool has_uv = false;
+  double tolerance = std::numeric_limits<double>::quiet_NaN();  ///< achieved
+  bool has_seconds = false;
+
+  /// Says the same, whatever it cost.
+  bool agrees_with(const PluginAnswer& other) const;
+};
+
+/// Reads the answer to a query about [0, t_max]. Errors: whatever is no answer, each by its name:
+/// "garbage", "stale" (of another question), "toi NaN", "toi infinite", "toi outside",
+/// "toi missing", "uv NaN", "error" (it says so), and the names of worker.cpp.
+tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std::uint64_t id,
+                                                    double t_max);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,236 @@
+#include "method/plugin/plugin_method.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// After so many hangs one after the other a plug-in is asked no more, so that it cannot take all
+/// of the time of a run by cases.
+constexpr int kMostHangs = 8;
+
+/// The largest coordinate of a control point at t = 0 and t_max, in absolute value.
+double extent(const Query& query) {
+  double largest = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const double p = patch.positions[i][k];
+        largest =
+            std::max({largest, std::abs(p), std::abs(p + query.t_max * patch.velocities[i][k])});
+      }
+    }
+  }
+  return largest;
+}
+
+bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
+  return shape.kind == kind && std::max(shape.n, shape.m) <= max_degree;
+}
+
+/// The same shapes, at rest and far apart: what is asked between a query and its repetition.
+Query decoy(const Query& query) {
+  Query other = query;
+  for (size_t side = 0; side < 2; ++side) {
+    MovingPatch<double>& patch = other.patches[side];
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.positions[i] = {8.0 * static_cast<double>(side), static_cast<double>(i % 2),
+                            static_cast<double>(i % 3)};
+      patch.velocities[i] = {0, 0, 0};
+    }
+  }
+  other.t_max = 1;
+  return other;
+}
+
+class PluginMethod : public Method {
+ public:
+  explicit PluginMethod(std::shared_ptr<const KnownPlugin> plugin)
+      : plugin_(std::move(plugin)), worker_(plugin_->spec) {}
+
+  Answer answer(const Query& query, const SearchOptions& options) override {
+    if (!plugin_->description) throw_fault(plugin_->description.error());
+    if (hangs_ >= kMostHangs) {
+      Answer none;
+      none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
+      return none;
+    }
+    const std::optional<bool> swapped = order_of(query);
+    if (!swapped) {
+      Answer none;
+      none.note = fmt::format("does not take {} and {}", to_text(query.patches[0].shape),
+                              to_text(query.patches[1].shape));
+      return none;
+    }
+    Query asked = query;
+    if (*swapped) std::swap(asked.patches[0], asked.patches[1]);
+    PluginAnswer given = ask_unless_killed(asked, options);
+    if (*swapped) std::swap(given.answer.uv[0], given.answer.uv[1]);
+    terms_ = terms_of(query, given);
+    return std::move(given.answer);
+  }
+
+  AnswerTerms terms() const override { return terms_; }
+  bool runs_elsewhere() const override { return true; }
+
+ private:
+  /// Whether the patches must be swapped to be as the plug-in takes them; absent if it takes
+  /// neither.
+  std::optional<bool> order_of(const Query& query) const {
+    const auto& accepts = plugin_->description->accepts;
+    if (accepts.empty()) return false;
+    for (const bool swapped : {false, true}) {
+      for (const PluginDescription::Pair& pair : accepts) {
+        const Shape& first = query.patches[swapped ? 1 : 0].shape;
+        const Shape& second = query.patches[swapped ? 0 : 1].shape;
+        if (fits(first, pair.shapes[0], pair.max_degrees[0]) &&
+            fits(second, pair.shapes[1], pair.max_degrees[1])) {
+          return swapped;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[noreturn]] void throw_fault(const PluginFault& fault) {
+    hangs_ = fault.name == "hang" ? hangs_ + 1 : 0;
+    worker_.kill();
+    throw MethodFault(fault.name, fault.note);
+  }
+
+  std::string exchange(const std::string& line) {
+    auto reply = worker_.exchange(line, plugin_->spec.seconds);
+    if (!reply) throw_fault(reply.error());
+    return *std::move(reply);
+  }
+
+  void start() {
+    worker_.start();
+    const Described described = read_description(exchange(describe_request(plugin_->spec.options)));
+    if (described) return;
+    if (const auto* fault = std::get_if<PluginFault>(&described.error())) throw_fault(*fault);
+    throw std::runtime_error(std::get<PluginRefusal>(described.error()).what);
+  }
+
+  /// Whoever kills a worker without our doing (the system, short of memory) does so once.
+  PluginAnswer ask_unless_killed(const Query& query, const SearchOptions& options) {
+    try {
+      return ask_and_repeat(query, options);
+    } catch (const MethodFault& fault) {
+      if (fault.name() != "crash SIGKILL") throw;
+    }
+    return ask_and_repeat(query, options);
+  }
+
+  PluginAnswer ask_and_repeat(const Query& query, const SearchOptions& options) {
+    PluginAnswer given = ask_once(query, options);
+    if (!plugin_->spec.repeats) return given;
+    ask_once(decoy(query), options);
+    if (!ask_once(query, options).agrees_with(given)) {
+      throw_fault({"stale", "gave the same query two answers, asked again after another"});
+    }
+    return given;
+  }
+
+  PluginAnswer ask_once(const Query& query, const SearchOptions& options) {
+    if (!worker_.runs()) start();
+    const double max_seconds = std::min(options.max_seconds, plugin_->spec.seconds);
+    const std::string line = query_request(query, options, max_seconds, ++last_id_);
+    const auto begin = std::chrono::steady_clock::now();
+    auto given = read_answer(exchange(line), last_id_, query.t_max);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    if (!given) throw_fault(given.error());
+    hangs_ = 0;
+    if (!given->has_seconds) given->answer.seconds = elapsed.count();
+    return *std::move(given);
+  }
+
+  AnswerTerms terms_of(const Query& query, const PluginAnswer& given) const {
+    const PluginDescription& d = *plugin_->description;
+    AnswerTerms terms;
+    terms.closed_t_max = d.closed_t_max;
+    terms.contact_at_zero = d.contact_at_zero;
+    terms.has_uv = given.has_uv;
+    const bool in_space = d.tolerance_kind == ToleranceKind::kSpace ||
+                          d.tolerance_kind == ToleranceKind::kSpaceRelative;
+    double tolerance = d.tolerance;
+    if (d.tolerance > 0 && given.tolerance > tolerance && std::isfinite(given.tolerance)) {
+      tolerance = given.tolerance;
+    }
+    if (d.tolerance_kind == ToleranceKind::kTimeRelative) tolerance *= query.t_max;
+    if (d.tolerance_kind == ToleranceKind::kSpaceRelative) tolerance *= extent(query);
+    if (!std::isfinite(tolerance)) tolerance = std::numeric_limits<double>::max();
+    terms.space_tolerance = d.minimum_separation + (in_space ? tolerance : 0);
+    if (!in_space && !d.conservative) terms.time_tolerance = tolerance;
+    return terms;
+  }
+
+  std::shared_ptr<const KnownPlugin> plugin_;
+  WorkerProcess worker_;
+  AnswerTerms terms_;
+  std::uint64_t last_id_ = 0;
+  int hangs_ = 0;
+};
+
+Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& text) {
+  Result<PluginSpec> spec = parse_plugin_spec(text);
+  if (!spec) return tl::unexpected(spec.error());
+  if (const auto program = find_worker_program(); !program) {
+    return tl::unexpected(program.error());
+  }
+  const auto known = [&](auto description) {
+    return std::make_shared<const KnownPlugin>(KnownPlugin{*spec, std::move(description)});
+  };
+  WorkerProcess worker(*spec);
+  worker.start();
+  const auto line = worker.exchange(describe_request(spec->options), spec->seconds);
+  if (!line) return known(tl::expected<PluginDescription, PluginFault>(tl::unexpect, line.error()));
+  Described described = read_description(*line);
+  if (described) {
+    return known(tl::expected<PluginDescription, PluginFault>(*std::move(described)));
+  }
+  if (const auto* fault = std::get_if<PluginFault>(&described.error())) {
+    return known(tl::expected<PluginDescription, PluginFault>(tl::unexpect, *fault));
+  }
+  const std::string& why = std::get<PluginRefusal>(described.error()).what;
+  return input_error("--methods", fmt::format("\"{}\": {}", text, why));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {
+  static std::mutex mutex;
+  static std::map<std::string, std::shared_ptr<const KnownPlugin>> known;
+  const std::lock_guard lock(mutex);
+  if (const auto found = known.find(spec); found != known.end()) return found->second;
+  Result<std::shared_ptr<const KnownPlugin>> met = meet_plugin(spec);
+  if (met) known.emplace(spec, *met);
+  return met;
+}
+
+MethodInfo plugin_info(const KnownPlugin& plugin) {
+  MethodInfo info;
+  info.spec = plugin.spec.text;
+  info.source = plugin.spec.path;
+  if (!plugin.description) {
+    const PluginFault& fault = plugin.description.error();
+    info.description = fmt::format("{} when asked what it is: {}", fault.name, fault.note);
+    return info;
+  }
+  const PluginDescription& d = *plugin.description;
+  info.description = d.version.empty() ? d.name : d.name + " " + d.version;
+  info.claims_no_false_negative = d.conservative;
+  return info;
+}
+
+std::unique_ptr<Method> make_plugin_method(std::shared_ptr<const KnownPlugin> plugin) {
+  return std::make_unique<PluginMethod>(std::move(plugin));
+}
+
+}  // namespace ccdfuzz

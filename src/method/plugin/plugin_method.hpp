@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "method/method.hpp"
+#include "method/plugin/line_protocol.hpp"
+
+namespace ccdfuzz {
+
+/// A plug-in as the host knows it: what it says of itself, or how it failed to.
+struct KnownPlugin {
+  PluginSpec spec;
+  tl::expected<PluginDescription, PluginFault> description;
+};
+
+/// Asks the plug-in of a spec what it is, once in the life of this program. A plug-in that
+/// misbehaves when asked is known by that, and every answer of it is that fault.
+/// Errors: as parse_plugin_spec; no plug-in: not to be loaded or run, or of another version.
+Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec);
+
+/// What the registry says of it.
+MethodInfo plugin_info(const KnownPlugin& plugin);
+
+/// The plug-in as a Method, in a worker process that starts with the first query, and anew after
+/// each fault. A query of shapes that it does not accept is undecided. Every query is asked again
+/// after another one, unless the spec says repeat=no: an answer that changes is the fault "stale".
+/// answer() throws MethodFault for whatever the plug-in does that it may not.
+std::unique_ptr<Method> make_plugin_method(std::shared_ptr<const KnownPlugin> plugin);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,323 @@
+// ccdfuzz-plugin-worker MEGABYTES SECONDS load LIBRARY: loads a plug-in and answers for it by the
+// line protocol. ccdfuzz-plugin-worker MEGABYTES SECONDS run PROGRAM: becomes the program, which
+// speaks the line protocol itself. Both with limited memory; whoever started this limits the time.
+// It is built without sanitizers: it loads what users built.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "method/plugin/ccdfuzz_plugin.h"
+
+namespace {
+
+using Json = nlohmann::json;
+
+int reply_descriptor = STDOUT_FILENO;
+
+void send(const std::string& line) {
+  for (size_t done = 0; done < line.size();) {
+    const ssize_t n = ::write(reply_descriptor, line.data() + done, line.size() - done);
+    if (n <= 0) std::_Exit(1);
+    done += static_cast<size_t>(n);
+  }
+}
+
+void send(const Json& reply) {
+  send(reply.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+/// Says what is wrong and ends: nothing that the plug-in may have damaged is used again.
+[[noreturn]] void end_with(const char* field, const std::string& name, const std::string& note) {
+  send(Json{{field, name}, {"message", note}});
+  std::_Exit(0);
+}
+[[noreturn]] void fault(const std::string& name, const std::string& note) {
+  end_with("fault", name, note);
+}
+
+[[noreturn]] void out_of_memory() {
+  send(std::string("{\"fault\":\"memory\",\"message\":\"no more memory within its limit\"}\n"));
+  std::_Exit(0);
+}
+
+/// Calls a function of the plug-in.
+template <class Call>
+auto guarded(const Call& call) {
+  try {
+    return call();
+  } catch (const std::bad_alloc&) {
+    out_of_memory();
+  } catch (const std::exception& error) {
+    fault("exception", error.what());
+  } catch (...) {
+    fault("exception", "something that is no std::exception");
+  }
+}
+
+/// A struct that the plug-in writes to, with bytes behind it that it must not touch.
+template <class T>
+struct Fenced {
+  T value;
+  std::array<unsigned char, 256> fence;
+
+  Fenced() : value() { fence.fill(0xA5); }
+
+  void check(const char* what) const {
+    for (const unsigned char byte : fence) {
+      if (byte != 0xA5) fault("sizes", std::string("wrote past the end of its ") + what);
+    }
+    // Of version 1 there is no shorter form.
+    if (value.size != sizeof(T)) {
+      fault("sizes", std::string("says that its ") + what + " has " + std::to_string(value.size) +
+                         " bytes, not " + std::to_string(sizeof(T)));
+    }
+  }
+};
+
+const char* shape_name(std::uint32_t shape) {
+  switch (shape) {
+    case CCDFUZZ_POINT:
+      return "point";
+    case CCDFUZZ_CURVE:
+      return "curve";
+    case CCDFUZZ_TRIANGLE:
+      return "triangle";
+    case CCDFUZZ_TENSOR:
+      return "tensor";
+    default:
+      fault("sizes", "describes a shape " + std::to_string(shape) + " that there is not");
+  }
+}
+
+std::uint32_t shape_named(const std::string& name) {
+  if (name == "point") return CCDFUZZ_POINT;
+  if (name == "curve") return CCDFUZZ_CURVE;
+  return name == "triangle" ? CCDFUZZ_TRIANGLE : CCDFUZZ_TENSOR;
+}
+
+Json real(double x) {
+  if (std::isnan(x)) return "nan";
+  if (std::isinf(x)) return x > 0 ? "inf" : "-inf";
+  return x;
+}
+
+Json real_or_null(double x) {
+  return std::isnan(x) ? Json() : real(x);
+}
+
+/// The loaded library.
+class Plugin {
+ public:
+  Plugin(const char* path, const std::string& options) {
+    void* const library = ::dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) end_with("refused", "library", ::dlerror());
+    const auto get =
+        reinterpret_cast<decltype(&ccdfuzz_plugin_get)>(::dlsym(library, "ccdfuzz_plugin_get"));
+    if (get == nullptr) {
+      end_with("refused", "library", std::string(path) + " exports no ccdfuzz_plugin_get");
+    }
+    table_ = guarded(get);
+    if (table_ == nullptr) fault("sizes", "ccdfuzz_plugin_get returned a null pointer");
+    if (table_->abi != CCDFUZZ_PLUGIN_ABI) {
+      end_with("refused", "version",
+               std::string(path) + " was built for version " + std::to_string(table_->abi) +
+                   " of the plug-in interface, and this is version " +
+                   std::to_string(CCDFUZZ_PLUGIN_ABI));
+    }
+    constexpr std::uint32_t kMostBytes = 4096;
+    if (table_->size < sizeof *table_ || table_->size > kMostBytes) {
+      fault("sizes", "says that its ccdfuzz_plugin has " + std::to_string(table_->size) +
+                         " bytes, not " + std::to_string(sizeof *table_));
+    }
+    if (guarded([&] { return table_->create(options.c_str(), &state_); }) != 0) {
+      end_with("refused", "options",
+               std::string(path) + " refuses the options \"" + options + "\"");
+    }
+  }
+
+  Json describe() {
+    Fenced<ccdfuzz_description> out;
+    ccdfuzz_description& d = out.value;
+    d.size = sizeof d;
+    if (guarded([&] { return table_->describe(state_, &d); }) != 0) {
+      fault("error", "could not describe itself");
+    }
+    out.check("description");
+    constexpr std::uint64_t kMostPairs = 1024;
+    if (d.pair_count > kMostPairs || (d.pair_count > 0 && d.pairs == nullptr)) {
+      fault("sizes", "describes " + std::to_string(d.pair_count) + " pairs of shapes");
+    }
+    Json accepts = Json::array();
+    for (std::uint64_t i = 0; i < d.pair_count; ++i) {
+      Json pair = Json::array();
+      for (int side = 0; side < 2; ++side) {
+        pair.push_back({{"shape", shape_name(d.pairs[i].shapes[side])},
+                        {"max_degree", d.pairs[i].max_degrees[side]}});
+      }
+      accepts.push_back(pair);
+    }
+    constexpr std::array kKinds = {"time", "time_relative", "space", "space_relative"};
+    if (d.tolerance_kind >= kKinds.size()) fault("sizes", "describes an unknown tolerance");
+    constexpr std::array kPolicies = {"undefined", "error", "inconclusive"};
+    if (d.nan_policy >= kPolicies.size()) fault("sizes", "describes an unknown NaN policy");
+    return {{"protocol", 1},
+            {"name", d.name == nullptr ? "" : d.name},
+            {"version", d.version == nullptr ? "" : d.version},
+            {"accepts", accepts},
+            {"conservative", (d.claims & CCDFUZZ_CONSERVATIVE) != 0},
+            {"closed_t_max", (d.claims & CCDFUZZ_CLOSED_T_MAX) != 0},
+            {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
+            {"tolerance_kind", kKinds[d.tolerance_kind]},
+            {"tolerance", real(d.tolerance)},
+            {"minimum_separation", real(d.minimum_separation)},
+            {"nan_policy", kPolicies[d.nan_policy]}};
+  }
+
+  Json answer(const Json& asked) {
+    for (size_t side = 0; side < 2; ++side) read_patch(asked.at("patches").at(side), side);
+    ccdfuzz_query query{};
+    query.size = sizeof query;
+    query.patches[0] = &patches_[0];
+    query.patches[1] = &patches_[1];
+    query.t_max = asked.at("t_max").get<double>();
+    query.precision = asked.at("precision").get<double>();
+    query.max_iterations = asked.at("max_iterations").get<std::uint64_t>();
+    query.max_seconds = asked.at("max_seconds").get<double>();
+    const auto points_before = points_;
+
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    Fenced<ccdfuzz_answer> out;
+    ccdfuzz_answer& a = out.value;
+    a.size = sizeof a;
+    a.toi_lower = a.toi_upper = a.tolerance = kNaN;
+    for (auto& uv : a.uv) uv[0] = uv[1] = kNaN;
+
+    const auto start = std::chrono::steady_clock::now();
+    const int status = guarded([&] { return table_->answer(state_, &query, &a); });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    out.check("answer");
+    if (points_before != points_) fault("sizes", "wrote into the query");
+    a.message[sizeof a.message - 1] = '\0';
+    if (status != 0 || a.verdict == CCDFUZZ_ERROR) {
+      return {{"verdict", "error"},
+              {"message", a.message[0] != '\0' ? std::string(a.message)
+                                               : "returned " + std::to_string(status)}};
+    }
+    constexpr std::array kVerdicts = {"", "hit", "miss", "inconclusive"};
+    if (a.verdict == 0) fault("unanswered", "returned without a verdict");
+    if (a.verdict >= kVerdicts.size()) {
+      fault("garbage", "gave the verdict " + std::to_string(a.verdict) + ", which there is not");
+    }
+    Json reply = {{"verdict", kVerdicts[a.verdict]},
+                  {"iterations", a.iterations},
+                  {"tolerance", real_or_null(a.tolerance)},
+                  {"seconds", seconds.count()},
+                  {"message", a.message}};
+    if (a.verdict == CCDFUZZ_HIT) {
+      reply["toi"] = {real(a.toi_lower), real_or_null(a.toi_upper)};
+      for (const auto& uv : a.uv) reply["uv"].push_back({real_or_null(uv[0]), real_or_null(uv[1])});
+    }
+    return reply;
+  }
+
+ private:
+  using Coordinates = std::vector<std::array<double, 3>>;
+
+  void read_patch(const Json& patch, size_t side) {
+    ccdfuzz_patch& out = patches_[side];
+    out = {};
+    out.size = sizeof out;
+    out.shape = shape_named(patch.at("shape").get<std::string>());
+    if (patch.contains("degree")) {
+      const Json& degree = patch.at("degree");
+      out.degree_u =
+          degree.is_array() ? degree.at(0).get<std::uint32_t>() : degree.get<std::uint32_t>();
+      if (degree.is_array()) out.degree_v = degree.at(1).get<std::uint32_t>();
+    }
+    Coordinates& positions = points_[2 * side];
+    Coordinates& velocities = points_[2 * side + 1];
+    positions = patch.at("positions").get<Coordinates>();
+    velocities = patch.at("velocities").get<Coordinates>();
+    out.count = positions.size();
+    out.positions = reinterpret_cast<const double(*)[3]>(positions.data());
+    out.velocities = reinterpret_cast<const double(*)[3]>(velocities.data());
+  }
+
+  const ccdfuzz_plugin* table_ = nullptr;
+  void* state_ = nullptr;
+  std::array<ccdfuzz_patch, 2> patches_{};
+  std::array<Coordinates, 4> points_;
+};
+
+/// The questions come on a descriptor that the plug-in does not know; what it prints goes to
+/// stderr.
+[[noreturn]] void serve(const char* path, unsigned seconds) {
+  const int questions = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 64);
+  reply_descriptor = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 64);
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (questions < 0 || reply_descriptor < 0 || nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
+      ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    std::_Exit(1);
+  }
+  std::set_new_handler(out_of_memory);
+  FILE* const in = ::fdopen(questions, "r");
+  std::unique_ptr<Plugin> plugin;
+  char* line = nullptr;
+  size_t room = 0;
+  for (ssize_t length; (length = ::getline(&line, &room, in)) > 0;) {
+    const Json asked = Json::parse(line, line + length);
+    // Should whoever asks be gone, a plug-in that hangs ends by this.
+    ::alarm(seconds);
+    Json reply;
+    if (asked.at("ask") == "describe") {
+      plugin = std::make_unique<Plugin>(path, asked.at("options").get<std::string>());
+      reply = plugin->describe();
+    } else {
+      reply = plugin->answer(asked);
+      reply["id"] = asked.at("id");
+    }
+    std::fflush(nullptr);
+    ::alarm(0);
+    send(reply);
+  }
+  std::_Exit(0);
+}
+
+void limit(int resource, rlim_t most) {
+  rlimit now{};
+  ::getrlimit(resource, &now);
+  if (now.rlim_max != RLIM_INFINITY && now.rlim_max < most) most = now.rlim_max;
+  now.rlim_cur = most;
+  ::setrlimit(resource, &now);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::fputs("ccdfuzz-plugin-worker is started by ccdfuzz\n", stderr);
+    return 2;
+  }
+  limit(RLIMIT_AS, static_cast<rlim_t>(std::strtoull(argv[1], nullptr, 10)) << 20);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, rlim_t{16} << 20);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const auto seconds = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
+  if (std::strcmp(argv[3], "load") == 0) serve(argv[4], seconds);
+  ::execl(argv[4], argv[4], static_cast<char*>(nullptr));
+  end_with("refused", "program", std::string("cannot run ") + argv[4] + ": " + strerror(errno));
+}

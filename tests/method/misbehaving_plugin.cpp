@@ -1,0 +1,112 @@
+// A plug-in that does what its option says, each of them something that no plug-in may do.
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ccdfuzz_plugin.h"
+
+namespace {
+
+struct State {
+  std::string does;
+  ccdfuzz_answer last{};
+};
+
+/// What it does when asked what it is, or else a query.
+void misbehave(const std::string& does) {
+  if (does == "crash") std::raise(SIGSEGV);
+  if (does == "abort") std::abort();
+  if (does == "exit") std::exit(7);
+  if (does == "throw") throw std::runtime_error("thrown by a plug-in");
+  if (does == "hang") {
+    while (true) ::pause();
+  }
+  if (does == "spin") {
+    std::uint64_t volatile turns = 0;
+    while (turns == 0) {
+    }
+  }
+  if (does == "memory") {
+    std::vector<std::vector<char>> all;
+    while (true) all.emplace_back(std::size_t{1} << 24, 'x');
+  }
+  if (does == "malloc") {  // and then uses what it did not get
+    while (true) {
+      char volatile* const block = static_cast<char*>(std::malloc(std::size_t{1} << 24));
+      for (std::size_t i = 0; i < std::size_t{1} << 24; i += 512) block[i] = 'x';
+    }
+  }
+  if (does == "print") {
+    while (true) std::puts("a plug-in that prints without end");
+  }
+}
+
+std::int32_t create(const char* options, void** state) {
+  if (std::string(options) == "refuse") return 1;
+  *state = new State{options};
+  return 0;
+}
+
+void destroy(void* state) {
+  delete static_cast<State*>(state);
+}
+
+std::int32_t describe(void* state, ccdfuzz_description* out) {
+  const std::string& does = static_cast<State*>(state)->does;
+  if (does.starts_with("describe-")) misbehave(does.substr(9));
+  out->name = "misbehaving";
+  out->claims = CCDFUZZ_CLOSED_T_MAX | CCDFUZZ_CONTACT_AT_ZERO | CCDFUZZ_CONSERVATIVE;
+  if (does == "describe-size") out->size = 8;
+  if (does == "pairs") out->pair_count = std::uint64_t{1} << 40;
+  return 0;
+}
+
+std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out) {
+  State& s = *static_cast<State*>(state);
+  misbehave(s.does);
+  if (s.does == "silent") return 0;
+  const ccdfuzz_answer before = s.last;
+  out->verdict = CCDFUZZ_HIT;
+  out->toi_lower = 0;
+  if (s.does == "nan") out->toi_lower = std::nan("");
+  if (s.does == "no-toi") out->toi_lower = HUGE_VAL;
+  if (s.does == "outside") out->toi_lower = query->t_max + 1;
+  if (s.does == "negative") out->toi_lower = -1;
+  if (s.does == "backwards") {
+    out->toi_lower = query->t_max;
+    out->toi_upper = -1;
+  }
+  if (s.does == "verdict") out->verdict = 99;
+  if (s.does == "small") out->size = 4;
+  if (s.does == "large") out->size = 1u << 30;
+  if (s.does == "overrun") *reinterpret_cast<volatile char*>(out + 1) = 'x';
+  if (s.does == "query") const_cast<double*>(query->patches[0]->positions[0])[0] += 1;
+  if (s.does == "error") out->verdict = CCDFUZZ_ERROR;
+  if (s.does == "status") return -1;
+  if (s.does == "message") {
+    for (char& c : out->message) c = '\xff';
+  }
+  if (s.does == "stale") {
+    // What it would say now, it says the next time.
+    out->toi_lower = query->patches[1]->positions[0][0] == 8 ? 0 : query->t_max;
+    s.last = *out;
+    if (before.verdict != 0) *out = before;
+  }
+  return 0;
+}
+
+}  // namespace
+
+extern "C" const ccdfuzz_plugin* ccdfuzz_plugin_get(void) {
+  static const ccdfuzz_plugin plugin = {
+      sizeof(ccdfuzz_plugin), CCDFUZZ_PLUGIN_ABI, create, destroy, describe, answer};
+  static const ccdfuzz_plugin lying = {12, CCDFUZZ_PLUGIN_ABI, create, destroy, describe, answer};
+  // The environment: there is nothing else to ask before it is created.
+  return std::getenv("CCDFUZZ_TEST_LYING_TABLE") != nullptr ? &lying : &plugin;
+}

@@ -1,0 +1,194 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "method/method.hpp"
+#include "method/plugin/plugin_method.hpp"
+#include "scratch_folder.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+const std::string kMisbehaving = std::string("plugin:") + CCDFUZZ_TEST_MISBEHAVING_PLUGIN;
+const std::string kMisbehavingProgram =
+    std::string("plugin-exec:") + CCDFUZZ_TEST_MISBEHAVING_PROGRAM;
+const std::string kLinear = std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN;
+const std::string kNaive = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
+
+/// A vertex that comes down on (1/4, 1/2) of a triangle at rest at t = 1/2.
+Query falling_vertex() {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0.25, 0.5, 1}}, {{0, 0, -2}}};
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  return query;
+}
+
+std::unique_ptr<Method> made(const std::string& spec) {
+  auto method = make_method(spec);
+  if (!method) throw std::runtime_error(method.error().message());
+  return *std::move(method);
+}
+
+/// By what name a plug-in fails, or "" if it answers; and why.
+std::pair<std::string, std::string> fault_of(Method& method) {
+  try {
+    method.answer(falling_vertex(), {});
+    return {"", ""};
+  } catch (const MethodFault& fault) {
+    return {fault.name(), fault.what()};
+  }
+}
+
+struct Misdeed {
+  const char* options;
+  const char* name;
+  const char* note;
+};
+
+void PrintTo(const Misdeed& misdeed, std::ostream* out) {
+  *out << misdeed.options;
+}
+
+class PluginFaults : public testing::TestWithParam<Misdeed> {};
+
+/// Each is told by its name, again and again, and the method can be asked on.
+TEST_P(PluginFaults, OfALibraryHaveNames) {
+  const auto method = made(kMisbehaving + ":" + GetParam().options);
+  for (int round = 0; round < 2; ++round) {
+    const auto [name, note] = fault_of(*method);
+    EXPECT_EQ(name, GetParam().name) << note;
+    EXPECT_THAT(note, testing::HasSubstr(GetParam().note));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, PluginFaults,
+    testing::Values(
+        Misdeed{"crash", "crash SIGSEGV", ""}, Misdeed{"abort", "crash SIGABRT", ""},
+        Misdeed{"exit", "exit 7", "exit(7)"}, Misdeed{"throw", "exception", "thrown by a plug-in"},
+        Misdeed{"hang:seconds=0.2", "hang", "within 0.2 s"},
+        Misdeed{"spin:seconds=0.2", "hang", "within 0.2 s"},
+        Misdeed{"memory:mb=200:seconds=20", "memory", ""},
+        Misdeed{"malloc:mb=200:seconds=20", "memory", ""},
+        Misdeed{"print:seconds=20", "output", "prints without end"},
+        Misdeed{"silent", "unanswered", ""}, Misdeed{"nan", "toi NaN", ""},
+        Misdeed{"no-toi", "toi infinite", ""}, Misdeed{"outside", "toi outside", "2"},
+        Misdeed{"negative", "toi outside", "-1"}, Misdeed{"backwards", "toi order", ""},
+        Misdeed{"verdict", "garbage", "99"}, Misdeed{"small", "sizes", "4 bytes"},
+        Misdeed{"large", "sizes", ""}, Misdeed{"overrun", "sizes", "past the end"},
+        Misdeed{"query", "sizes", "into the query"}, Misdeed{"error", "error", ""},
+        Misdeed{"status", "error", "-1"}, Misdeed{"stale", "stale", "two answers"},
+        Misdeed{"pairs", "sizes", "pairs"}, Misdeed{"describe-size", "sizes", "description"},
+        Misdeed{"describe-crash", "crash SIGSEGV", ""}, Misdeed{"describe-exit", "exit 7", ""},
+        Misdeed{"describe-hang:seconds=0.2", "hang", ""}));
+
+class ProgramFaults : public testing::TestWithParam<Misdeed> {};
+
+TEST_P(ProgramFaults, HaveNames) {
+  const auto [name, note] = fault_of(*made(kMisbehavingProgram + ":" + GetParam().options));
+  EXPECT_EQ(name, GetParam().name) << note;
+  EXPECT_THAT(note, testing::HasSubstr(GetParam().note));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, ProgramFaults,
+    testing::Values(Misdeed{"garbage", "garbage", "Traceback"}, Misdeed{"nan", "toi NaN", ""},
+                    Misdeed{"inf", "toi infinite", ""}, Misdeed{"stale", "stale", ""},
+                    Misdeed{"chatty", "stale", ""}, Misdeed{"long", "output", ""},
+                    Misdeed{"exit", "exit 3", "gave up"}, Misdeed{"kill", "crash SIGKILL", ""},
+                    Misdeed{"hang:seconds=1", "hang", ""}, Misdeed{"close", "garbage", ""},
+                    Misdeed{"memory:mb=500", "exit 1", "MemoryError"},
+                    Misdeed{"word", "garbage", "maybe"}, Misdeed{"no toi", "toi missing", ""}));
+
+TEST(Plugin, ThatLiesAboutItsTableIsKnownByThat) {
+  ::setenv("CCDFUZZ_TEST_LYING_TABLE", "1", 1);
+  const auto method = made(kMisbehaving + ":table");
+  ::unsetenv("CCDFUZZ_TEST_LYING_TABLE");
+  EXPECT_EQ(fault_of(*method).first, "sizes");
+}
+
+TEST(Plugin, ThatHangsAgainAndAgainIsAskedNoMore) {
+  const auto method = made(kMisbehaving + ":hang:seconds=0.02");
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(fault_of(*method).first, "hang");
+  const Answer answer = method->answer(falling_vertex(), {});
+  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_THAT(answer.note, testing::HasSubstr("asked no more"));
+}
+
+TEST(Plugin, IsToldItsOptionsAndNotThoseOfTheHost) {
+  EXPECT_FALSE(make_method(kMisbehaving + ":mb=100:refuse"));
+  EXPECT_TRUE(make_method(kMisbehaving + ":refuse:other"));
+}
+
+TEST(Plugin, AnswersInEitherOrderOfThePatches) {
+  const auto method = made(kLinear);
+  Query query = falling_vertex();
+  Answer answer = method->answer(query, {});
+  ASSERT_EQ(answer.verdict, Verdict::kHit);
+  EXPECT_NEAR(*answer.toi, 0.5, 1e-12);
+  EXPECT_NEAR(answer.uv[1][0], 0.25, 1e-12);
+  EXPECT_NEAR(answer.uv[1][1], 0.5, 1e-12);
+  std::swap(query.patches[0], query.patches[1]);
+  answer = method->answer(query, {});
+  ASSERT_EQ(answer.verdict, Verdict::kHit);
+  EXPECT_NEAR(answer.uv[0][0], 0.25, 1e-12);
+  EXPECT_NEAR(answer.uv[0][1], 0.5, 1e-12);
+}
+
+TEST(Plugin, IsNotAskedAboutShapesThatItDoesNotTake) {
+  const Answer answer = made(kNaive)->answer(falling_vertex(), {});
+  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_EQ(answer.note, "does not take point and triangle(1)");
+}
+
+TEST(Plugin, SaysWhatItIsAndClaims) {
+  const auto naive = method_info(kNaive);
+  ASSERT_TRUE(naive) << naive.error().message();
+  EXPECT_EQ(naive->description, "naive Newton 1.0");
+  EXPECT_FALSE(naive->claims_no_false_negative);
+  EXPECT_TRUE(method_info(kMisbehaving + ":nan")->claims_no_false_negative);
+  const auto linear = made(kLinear);
+  linear->answer(falling_vertex(), {});
+  EXPECT_EQ(linear->terms().time_tolerance, 1e-12);
+  EXPECT_TRUE(linear->terms().has_uv);
+}
+
+TEST(Plugin, ThatIsNoneIsBadInput) {
+  const ScratchFolder folder;
+  write_text(folder / "text", "no library\n");
+  write_text(folder / "mute", "#!/bin/sh\n");
+  for (const std::string& spec :
+       {std::string("plugin:"), "plugin:" + folder.path(), "plugin:" + (folder / "nothing"),
+        "plugin:" + (folder / "text"), "plugin-exec:" + (folder / "mute"),
+        std::string("plugin:/usr/bin/env"), kLinear + ":unknown-option", kNaive + ":seconds=-1",
+        kNaive + ":seconds=x", kNaive + ":mb=1", kNaive + ":repeat=maybe"}) {
+    const auto method = make_method(spec);
+    ASSERT_FALSE(method) << spec;
+    EXPECT_THAT(method.error().message(), testing::HasSubstr("\"" + spec + "\""));
+  }
+  const auto tracer = make_tracer(kNaive);
+  ASSERT_FALSE(tracer);
+  EXPECT_THAT(tracer.error().message(), testing::HasSubstr("cannot be traced"));
+}
+
+TEST(Plugin, LeavesNoProcessBehind) {
+  const std::string self = std::to_string(::getpid());
+  const auto children = [&] { return read_text("/proc/self/task/" + self + "/children"); };
+  const std::string before = children();
+  {
+    const auto method = made(kNaive);
+    method->answer(falling_vertex(), {});
+    EXPECT_EQ(fault_of(*made(kMisbehaving + ":hang:seconds=0.05")).first, "hang");
+    const auto linear = made(kLinear);
+    linear->answer(falling_vertex(), {});
+    EXPECT_NE(children(), before);
+  }
+  EXPECT_EQ(children(), before);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
