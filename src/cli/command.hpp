@@ -102,6 +102,7 @@ void add_check(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_generate(CommandLine& line);
 void add_hunt(CommandLine& line);
+void add_merge(CommandLine& line);
 void add_methods(CommandLine& line);
 void add_properties(CommandLine& line);
 void add_prove(CommandLine& line);

@@ -76,6 +76,32 @@ void add_threads(Command& command, int& threads) {
   command.whole("--threads", threads, "Threads to work on; results do not depend on it", 1, 1024);
 }
 
+void add_shard(Command& command, std::string& shard) {
+  command.text(
+      "--shard", shard,
+      "Only share i of n, given as i/n with i from 0 to n - 1; `merge` puts shares together");
+}
+
+Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what) {
+  if (text.empty()) return Shard{};
+  const size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    return input_error("--shard", fmt::format("{} is not of the form i/n", text));
+  }
+  const auto index = parse_whole("--shard", text.substr(0, slash));
+  if (!index) return tl::unexpected(index.error());
+  const auto of = parse_whole("--shard", text.substr(slash + 1));
+  if (!of) return tl::unexpected(of.error());
+  if (*index >= *of) {
+    return input_error("--shard", fmt::format("{}: there is no share {} of {}", text, *index, *of));
+  }
+  if (*of > total) {
+    return input_error("--shard",
+                       fmt::format("{}: more shares than there are {}, {}", text, what, total));
+  }
+  return Shard{*index, *of};
+}
+
 Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths) {
   std::vector<NamedCase> all;
   for (const std::string& path : paths) {

@@ -9,6 +9,7 @@
 
 #include "ccd/search.hpp"
 #include "cli/command.hpp"
+#include "eval/shard.hpp"
 #include "numeric/result.hpp"
 #include "query/case_files.hpp"
 
@@ -40,6 +41,11 @@ struct SearchFlags {
 
 /// --threads, by default as many as there are cores.
 void add_threads(Command& command, int& threads);
+
+/// --shard, by default the whole.
+void add_shard(Command& command, std::string& shard);
+/// "i/n", of at most `total` shards, so that none is empty. Errors: it is none.
+Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
 
 /// The value whose name the text is. Errors: none is; all are listed.
 template <class Enum, size_t N>

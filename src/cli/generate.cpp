@@ -7,12 +7,15 @@
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/generate_paper.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
+#include "eval/generation_record.hpp"
 #include "eval/in_order.hpp"
 #include "eval/table.hpp"
+#include "generators/paper_set.hpp"
 #include "query/case_json.hpp"
 
 namespace ccdfuzz {
@@ -27,6 +30,9 @@ struct GenerateArguments {
   std::string eps_t;
   std::uint64_t count = 0;
   std::uint64_t first = 0;
+  bool paper = false;
+  std::uint64_t one_in = 1;
+  std::string shard;
   std::string output;
   int threads = 1;
   bool json = false;
@@ -77,17 +83,30 @@ std::string summary(const GeneratorOptions& options, const DiscardCounts& counts
   return text + "\n";
 }
 
-nlohmann::ordered_json summary_json(const GeneratorOptions& options, const DiscardCounts& counts,
-                                    double seconds) {
-  nlohmann::ordered_json row = {{"contact", name_of(options.contact)},
-                                {"kind", name_of(options.kind)},
-                                {"cases", counts.accepted()},
-                                {"begun", counts.attempts}};
+GenerationCost cost_of_run(const GeneratorOptions& options, const DiscardCounts& counts) {
+  GenerationCost cost{std::string(name_of(options.contact)),
+                      std::string(name_of(options.kind)),
+                      counts.accepted(),
+                      counts.attempts,
+                      {},
+                      process_cpu_seconds()};
   for (const Discard reason : kDiscards) {
-    row["discarded"][std::string(name_of(reason))] = counts[reason];
+    cost.discarded.emplace_back(name_of(reason), counts[reason]);
   }
-  row.update({{"seconds", seconds}, {"cpu_seconds", process_cpu_seconds()}});
+  return cost;
+}
+
+nlohmann::ordered_json summary_json(const GenerationCost& cost, double seconds) {
+  auto row = nlohmann::ordered_json::parse(to_json(cost));
+  row["seconds"] = seconds;
   return row;
+}
+
+/// What was asked for but the share, in words.
+std::string text_of_run(const GenerateArguments& o) {
+  return fmt::format("{} {}, {}, {}, eps-t {}, seed {}, {} cases from {}", o.contact, o.kind,
+                     o.construction, o.family, o.eps_t.empty() ? "as by default" : o.eps_t, o.seed,
+                     o.count, o.first);
 }
 
 Result<GeneratorOptions> parse(const GenerateArguments& options) {
@@ -113,12 +132,34 @@ Result<GeneratorOptions> parse(const GenerateArguments& options) {
   return validate(generator).map([&] { return generator; });
 }
 
+Result<int> run_generate_paper(const GenerateArguments& options) {
+  if (options.output.empty() || options.output == "-") {
+    return input_error("--output", "the paper's set goes to a file, which --paper needs");
+  }
+  GeneratePaperOptions paper{options.seed,   options.one_in,  {},
+                             options.output, options.threads, options.json};
+  const Result<Shard> shard =
+      parse_shard(options.shard, paper_items(options.one_in).size(), "constructions");
+  if (!shard) return tl::unexpected(shard.error());
+  paper.shard = *shard;
+  return generate_paper(paper);
+}
+
 Result<int> run_generate(const GenerateArguments& options) {
+  if (options.paper) return run_generate_paper(options);
+  for (const auto& [name, value] :
+       {std::pair("--contact", options.contact), std::pair("--kind", options.kind),
+        std::pair("--count", std::string(options.count == 0 ? "" : "given"))}) {
+    if (value.empty()) return input_error(name, "is required without --paper");
+  }
   const Result<GeneratorOptions> generator = parse(options);
   if (!generator) return tl::unexpected(generator.error());
   if (const auto room = check_room(options.first, options.count, "cases"); !room) {
     return tl::unexpected(room.error());
   }
+  const Result<Shard> shard = parse_shard(options.shard, options.count, "cases");
+  if (!shard) return tl::unexpected(shard.error());
+  const std::uint64_t count = shard->size(options.count);
   const std::atomic<bool>& interrupted = catch_interrupts();  // from here on a file may be left
   if (options.json && (options.output.empty() || options.output == "-")) {
     return input_error("--json", "stdout takes the cases already; name a file with --output");
@@ -132,15 +173,15 @@ Result<int> run_generate(const GenerateArguments& options) {
   Progress progress;
   const auto start = std::chrono::steady_clock::now();
   run_in_order<Generated>(
-      options.count, options.threads,
-      [&](size_t i) { return generate(*generator, options.first + i); },
+      count, options.threads,
+      [&](size_t i) { return generate(*generator, options.first + shard->item(i)); },
       [&](const Generated& generated) {
         if (interrupted) stop = true;
         if (!written || stop) return;
         counts += generated.discards;
         written = destination->write(generated.value);
         if (!written) stop = true;
-        progress.show(static_cast<double>(counts.accepted()) / static_cast<double>(options.count),
+        progress.show(static_cast<double>(counts.accepted()) / static_cast<double>(count),
                       fmt::format("{} cases", counts.accepted()));
       },
       &stop);
@@ -150,11 +191,15 @@ Result<int> run_generate(const GenerateArguments& options) {
                options.output.empty() ? "" : "; " + options.output + " was not written");
     return interrupted_exit_code();
   }
+  const GenerationCost cost = cost_of_run(*generator, counts);
+  if (written && !shard->is_whole() && !options.output.empty() && options.output != "-") {
+    written = write_generation(options.output, {text_of_run(options), *shard, {cost}});
+  }
   if (written) written = destination->finish();
   if (!written) return tl::unexpected(written.error());
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
   if (options.json) {
-    print_json(summary_json(*generator, counts, elapsed.count()));
+    print_json(summary_json(cost, elapsed.count()));
   } else {
     fmt::print(stderr, "{}", summary(*generator, counts, elapsed.count()));
   }
@@ -166,27 +211,41 @@ Result<int> run_generate(const GenerateArguments& options) {
 void add_generate(CommandLine& line) {
   auto [command, options] = line.add<GenerateArguments>(
       "generate", "Make cases whose truth is proven, as a data set", run_generate);
-  command.text("--contact", options->contact, "Contact class: FF EF EE VF VE VV").required();
-  command
-      .text("--kind", options->kind,
-            "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: as RP, but they graze. "
-            "NMN: as NHP, but they just miss")
-      .required();
-  command.text("--construction", options->construction,
-               "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
+  Option paper =
+      command.flag("--paper", options->paper,
+                   "The paper's whole set, 24,246 cases of all classes and kinds; killed, "
+                   "the same command goes on where it was");
+  Option part = command.whole("--one-in", options->one_in,
+                              "Of the paper's set only one in so many cases of a class", 1);
+  part.needs(paper);
+  const Option contact =
+      command.text("--contact", options->contact, "Contact class: FF EF EE VF VE VV");
+  const Option kind = command.text(
+      "--kind", options->kind,
+      "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: as RP, but they graze. "
+      "NMN: as NHP, but they just miss");
+  const Option construction = command.text(
+      "--construction", options->construction,
+      "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
   std::string families;
   for (const Family f : kFamilies) {
     families += families.empty() ? "" : ", ";
     families += name_of(f);
   }
-  command.text("--family", options->family, "What the cases are made to stress: " + families);
-  command.whole("--count", options->count, "How many cases", 1).required().without_default();
-  command.whole("--first", options->first, "Index of the first one");
+  const Option family =
+      command.text("--family", options->family, "What the cases are made to stress: " + families);
+  Option count = command.whole("--count", options->count, "How many cases", 1);
+  count.without_default();
+  const Option first = command.whole("--first", options->first, "Index of the first one");
   command.whole("--seed", options->seed, "Seed of the data set");
-  command.text(
+  const Option eps_t = command.text(
       "--eps-t", options->eps_t,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
       "2^-10 for NHP");
+  for (const Option& other : {contact, kind, construction, family, count, first, eps_t}) {
+    paper.excludes(other);
+  }
+  add_shard(command, options->shard);
   const Option output =
       command.text("-o,--output", options->output,
                    "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");

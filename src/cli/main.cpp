@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_evaluate(line);
     ccdfuzz::add_verify(line);
     ccdfuzz::add_prove(line);
+    ccdfuzz::add_merge(line);
     ccdfuzz::add_replay(line);
     ccdfuzz::add_bench(line);
     ccdfuzz::add_methods(line);

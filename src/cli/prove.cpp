@@ -4,6 +4,7 @@
 #include "certify/oracle/complete_truth.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/data_set.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
@@ -52,36 +53,6 @@ nlohmann::ordered_json row_json(const std::string& id, const Completed& complete
   return row;
 }
 
-/// The cases and their trees. The trees come first: no case ever names one that is not there.
-class ProvenCases {
- public:
-  static Result<ProvenCases> open(const std::string& path) {
-    return CaseWriter::open(path).map(
-        [&](CaseWriter writer) { return ProvenCases(std::move(writer), path); });
-  }
-
-  Result<void> write(Completed completed) {
-    if (completed.value.truth.clearance) {
-      if (auto* tree = std::get_if<MissTree>(&*completed.value.truth.clearance)) {
-        auto written = trees_.write(completed.tree);
-        if (!written) return tl::unexpected(written.error());
-        tree->tree = *written;
-      }
-    }
-    return cases_.write(completed.value);
-  }
-
-  Result<void> finish() {
-    return trees_.finish().and_then([this] { return cases_.finish(); });
-  }
-
- private:
-  ProvenCases(CaseWriter cases, const std::string& path) : cases_(std::move(cases)), trees_(path) {}
-
-  CaseWriter cases_;
-  TreeWriter trees_;
-};
-
 struct Counts {
   std::uint64_t hit = 0, miss = 0, undecided = 0, refuted = 0;
 
@@ -101,7 +72,7 @@ Result<int> run_prove(const ProveArguments& options) {
     trees.insert(trees.end(), read->size(), trees_path(file));
     std::ranges::move(*read, std::back_inserter(cases));
   }
-  Result<ProvenCases> destination = ProvenCases::open(options.output);
+  Result<DataSetWriter> destination = DataSetWriter::open(options.output);
   if (!destination) return tl::unexpected(destination.error());
 
   OracleOptions oracle;
@@ -127,7 +98,7 @@ Result<int> run_prove(const ProveArguments& options) {
                          {completed.refuted ? "refuted" : "undecided", Emphasis::kBad},
                          {completed.note}});
         }
-        if (written) written = destination->write(std::move(completed));
+        if (written) written = destination->write(std::move(completed.value), completed.tree);
         if (!written || interrupted) stop = true;
         progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id);
       },

@@ -24,6 +24,20 @@ constexpr std::array<Row, 6> kTable2 = {{
     {"VV", {65, 1000}, {44, 1000}, {0, 1000}, 860, 658},
 }};
 
+struct GenerationTimes {
+  std::string_view contact;
+  double regular, grazing;  ///< seconds
+};
+
+constexpr std::array<GenerationTimes, 6> kTable4 = {{
+    {"FF", 59.03, 215.23},
+    {"EF", 26.88, 131.62},
+    {"EE", 22.72, 1249.27},
+    {"VF", 20.83, 46.63},
+    {"VE", 20.81, 71.21},
+    {"VV", 18.98, 24.30},
+}};
+
 }  // namespace
 
 std::optional<PaperRates> paper_rates(std::string_view contact, const std::string& method) {
@@ -39,6 +53,17 @@ std::optional<PaperRates> paper_rates(std::string_view contact, const std::strin
     if (method == "tdibm-h:1e-12" || method == "tdibm-h:1e-8" || method == "tdibm-e") {
       return with_false_negatives(0);
     }
+  }
+  return std::nullopt;
+}
+
+std::optional<double> paper_generation_seconds(std::string_view contact, std::string_view kind) {
+  const bool regular = kind == "RP" || kind == "RN" || kind == "RP+RN";
+  const bool grazing = kind == "NHP" || kind == "NMN" || kind == "NHP+NMN";
+  for (const GenerationTimes& row : kTable4) {
+    if (row.contact != contact) continue;
+    if (regular) return row.regular;
+    if (grazing) return row.grazing;
   }
   return std::nullopt;
 }

@@ -22,4 +22,8 @@ struct PaperRates {
 /// nullopt where the paper has no row for the class or no column for the method.
 std::optional<PaperRates> paper_rates(std::string_view contact, const std::string& method);
 
+/// Table 4: the time that an accepted case of a class took, with its share of what was discarded.
+/// kind: one or more kinds joined by '+', all regular or all grazing. nullopt for any other.
+std::optional<double> paper_generation_seconds(std::string_view contact, std::string_view kind);
+
 }  // namespace ccdfuzz

@@ -7,7 +7,7 @@ namespace {
 
 const std::vector<std::string> kCommands = {"hunt",     "query",      "trace",  "generate",
                                             "evaluate", "verify",     "replay", "methods",
-                                            "check",    "properties", "prove"};
+                                            "check",    "properties", "prove",  "merge"};
 
 TEST(Usage, EveryCommandHasItsHelp) {
   for (const std::string& command : kCommands) {

@@ -1,0 +1,76 @@
+#include "generators/paper_set.hpp"
+
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/build_tree.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+PaperCounts paper_counts(ContactClass contact) {
+  switch (contact) {
+    case ContactClass::kFF:
+      return {6003, 600};
+    case ContactClass::kEF:
+      return {1020, 100};
+    default:
+      return {1000, 100};
+  }
+}
+
+std::vector<PaperItem> paper_items(std::uint64_t one_in) {
+  CCDFUZZ_VERIFY(one_in >= 1);
+  const auto part = [one_in](std::uint64_t count) { return (count + one_in - 1) / one_in; };
+  std::vector<PaperItem> items;
+  for (const ContactClass contact : kContactClasses) {
+    const PaperCounts counts = paper_counts(contact);
+    for (std::uint64_t i = 0; i < part(counts.regular); ++i) {
+      items.push_back({contact, CaseKind::kRP, i});
+    }
+    for (std::uint64_t i = 0; i < part(counts.grazing); ++i) {
+      items.push_back({contact, CaseKind::kNHP, i});
+      items.push_back({contact, CaseKind::kNMN, i});
+    }
+  }
+  return items;
+}
+
+Case negative_of(const Case& positive) {
+  CCDFUZZ_VERIFY(positive.truth.clear_until);
+  const Rational& end = *positive.truth.clear_until;
+  const std::optional<Dyadic> exact_end = Dyadic::from(end);
+  const std::optional<double> t_max =
+      exact_end ? exact_end->to_double_exactly() : std::optional<double>();
+  CCDFUZZ_VERIFY(t_max);
+  Case negative = positive;
+  negative.query.t_max = *t_max;
+  Truth& truth = negative.truth;
+  truth.collides = false;
+  truth.witness.reset();
+  const bool certified = truth.clearance && covers(*truth.clearance, end);
+  truth.proof = certified ? proof_word(*truth.clearance) : "rational-tdibm";
+  negative.origin.kind = name_of(CaseKind::kRN);
+  return negative;
+}
+
+PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed) {
+  GeneratorOptions options;
+  options.contact = item.contact;
+  options.kind = item.kind;
+  options.seed = seed;
+  Generated made = generate(options, item.index);
+  PaperCases out;
+  out.discards = made.discards;
+  out.cases.push_back(std::move(made.value));
+  const Case& value = out.cases[0];
+  if (item.kind == CaseKind::kRP) out.cases.push_back(negative_of(value));
+  if (item.kind == CaseKind::kNMN && !value.truth.clearance) {
+    const Rational until = exact(value.query.t_max);
+    if (auto tree = build_miss_tree(value.query, until, kPaperTreeNodes)) {
+      CCDFUZZ_VERIFY(check_clearance(value.query, MissTree{until, {}}, *tree));
+      out.tree = *std::move(tree);
+    }
+  }
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generators/generate.hpp"
+
+namespace ccdfuzz {
+
+/// How many cases of a contact class the paper's set has (Table 4): `regular` RP and as many RN,
+/// `grazing` NHP and as many NMN.
+struct PaperCounts {
+  std::uint64_t regular = 0, grazing = 0;
+};
+PaperCounts paper_counts(ContactClass contact);
+
+/// One construction of the set. kRP stands for both regular kinds: an RN case has the patches of
+/// the RP case of its index and ends before the contact.
+struct PaperItem {
+  ContactClass contact = ContactClass::kFF;
+  CaseKind kind = CaseKind::kRP;  ///< kRP, kNHP or kNMN
+  std::uint64_t index = 0;
+};
+
+/// All constructions in the order of the set: class by class, the regular ones first, grazing ones
+/// NHP and NMN by turns. one_in ≥ 1: only that part of each count, rounded up.
+std::vector<PaperItem> paper_items(std::uint64_t one_in = 1);
+
+struct PaperCases {
+  std::vector<Case> cases;  ///< RP and RN, or the one
+  /// NMN: a miss tree for [0, t_max] that the checker has accepted. Empty if there is none of at
+  /// most kPaperTreeNodes nodes; then tdibm-rational's proof is all there is.
+  std::string tree;
+  DiscardCounts discards;
+};
+
+inline constexpr std::uint64_t kPaperTreeNodes = 250'000;
+
+/// The cases of a construction, as generate makes them with this seed and Construction::kPaper.
+PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed);
+
+/// The RN case of an RP case.
+Case negative_of(const Case& positive);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+
+#include "query/case_files.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+
+/// A data set on its way into its files: cases, and beside them their miss trees. The trees appear
+/// first, so that no case ever names one that is not there.
+class DataSetWriter {
+ public:
+  /// Errors: as CaseWriter::open.
+  static Result<DataSetWriter> open(const std::string& path) {
+    return CaseWriter::open(path).map(
+        [&](CaseWriter writer) { return DataSetWriter(std::move(writer), path); });
+  }
+
+  /// tree: the bytes of the case's miss tree, if its clearance is one; its place in the file is
+  /// filled in here.
+  Result<void> write(Case value, const std::string& tree) {
+    if (value.truth.clearance) {
+      if (auto* of_tree = std::get_if<MissTree>(&*value.truth.clearance)) {
+        auto written = trees_.write(tree);
+        if (!written) return tl::unexpected(written.error());
+        of_tree->tree = *written;
+      }
+    }
+    return cases_.write(value);
+  }
+
+  /// Must come last; until then neither file is there.
+  Result<void> finish() {
+    return trees_.finish().and_then([this] { return cases_.finish(); });
+  }
+
+ private:
+  DataSetWriter(CaseWriter cases, const std::string& path)
+      : cases_(std::move(cases)), trees_(path) {}
+
+  CaseWriter cases_;
+  TreeWriter trees_;
+};
+
+}  // namespace ccdfuzz

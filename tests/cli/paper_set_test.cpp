@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "generators/random.hpp"
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A small part of the set: every class and kind, FF most.
+constexpr const char* kOneInSome = "1500";
+
+std::vector<std::string> paper(const std::string& output, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments = {"generate", "--paper", "--one-in",
+                                        kOneInSome, "-o",      output};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+/// The files of a data set, but for the times of its generation record.
+std::vector<std::string> contents(const ScratchFolder& folder, const std::string& name) {
+  std::vector<std::string> all = {read_text(folder / (name + ".jsonl.zst")),
+                                  read_text(folder / (name + ".trees.zst"))};
+  for (nlohmann::ordered_json row : json_lines(read_text(folder / (name + ".generation.jsonl")))) {
+    row.erase("cpu_seconds");
+    all.push_back(row.dump());
+  }
+  return all;
+}
+
+class PaperSet : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder = new ScratchFolder;
+    made = ccdfuzz(paper(*folder / "whole.jsonl.zst"));
+  }
+  static void TearDownTestSuite() { delete folder; }
+
+  void TearDown() override {
+    for (const auto& entry : fs::directory_iterator(folder->path())) {
+      if (!entry.path().filename().string().starts_with("whole.")) fs::remove_all(entry.path());
+    }
+  }
+
+  static inline ScratchFolder* folder = nullptr;
+  static inline Finished made;
+};
+
+TEST_F(PaperSet, IsWhatVerifyAccepts) {
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(made.out.find("0 duplicates"), std::string::npos) << made.out;
+  EXPECT_EQ(folder->entry_count(), 3U) << "cases, trees and the generation record";
+  const Finished verified = ccdfuzz({"verify", *folder / "whole.jsonl.zst", "--json"});
+  EXPECT_EQ(verified.code, 0) << verified.out;
+  // FF: 5 twice and 1 of each grazing kind; all other classes: 1 of each kind.
+  EXPECT_EQ(json_lines(verified.out).size(), 12U + 5 * 4);
+}
+
+TEST_F(PaperSet, PrintsTable4WithDiscardsStepByStep) {
+  for (const char* word :
+       {"RP+RN", "NHP", "NMN", "static check", "first contact", "round trip", "59.0 s", "all"}) {
+    EXPECT_NE(made.out.find(word), std::string::npos) << word << "\n" << made.out;
+  }
+  const auto rows = json_lines(ccdfuzz(paper(*folder / "json.jsonl", {"--json"})).out);
+  EXPECT_EQ(rows.size(), 18U);
+  EXPECT_EQ(rows[0].at("contact"), "FF");
+  EXPECT_EQ(rows[0].at("cases"), 10);
+}
+
+// Killed at any moment and begun again: the same bytes, and nothing left over.
+TEST_F(PaperSet, GoesOnAfterKillsWithTheSameBytes) {
+  const std::string path = *folder / "killed.jsonl.zst", journal = path + ".partial";
+  const auto size = [&] { return fs::exists(journal) ? fs::file_size(journal) : 0; };
+  Random random(std::random_device{}());
+  int kills = 0;
+  for (; kills < 8 && !fs::exists(path); ++kills) {
+    const auto before = size();
+    Process process(paper(path, {"--threads", "2"}));
+    // Let it get on by a record or two, then kill it a moment later.
+    while (size() <= before && !fs::exists(path)) std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
+    process.signal(SIGKILL);
+    process.wait();
+  }
+  if (fs::exists(journal) || !fs::exists(path)) {
+    const Finished last = ccdfuzz(paper(path));
+    EXPECT_EQ(last.code, 0) << last.err;
+  }
+  EXPECT_GT(kills, 2) << "of a run that was over at once";
+  EXPECT_EQ(contents(*folder, "killed"), contents(*folder, "whole"));
+  EXPECT_FALSE(fs::exists(journal));
+}
+
+TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
+  const std::string path = *folder / "stopped.jsonl.zst";
+  Process process({"generate", "--paper", "-o", path});
+  while (!fs::exists(path + ".partial") || fs::file_size(path + ".partial") < 5000) {
+    std::this_thread::yield();
+  }
+  process.signal(SIGINT);
+  const Finished finished = process.wait();
+  EXPECT_EQ(finished.code, 128 + SIGINT);
+  EXPECT_NE(finished.err.find("the same command goes on"), std::string::npos) << finished.err;
+  EXPECT_FALSE(fs::exists(path));
+}
+
+TEST_F(PaperSet, APartialFileOfAnotherRunIsAnErrorThatNamesIt) {
+  const std::string path = *folder / "stopped.jsonl.zst";
+  Process process({"generate", "--paper", "-o", path, "--seed", "1"});
+  while (!fs::exists(path + ".partial") || fs::file_size(path + ".partial") < 5000) {
+    std::this_thread::yield();
+  }
+  process.signal(SIGKILL);
+  process.wait();
+  const std::string before = read_text(path + ".partial");
+  for (const std::vector<std::string>& other : std::vector<std::vector<std::string>>{
+           {"--seed", "2"}, {"--seed", "1", "--shard", "0/2"}, {"--seed", "1", "--one-in", "2"}}) {
+    std::vector<std::string> arguments = {"generate", "--paper", "-o", path};
+    arguments.insert(arguments.end(), other.begin(), other.end());
+    const Finished refused = ccdfuzz(arguments);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find(path + ".partial"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find(other[other.size() - 2]), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(read_text(path + ".partial"), before);
+}
+
+TEST_F(PaperSet, SharesMergeIntoTheWholeWhateverTheirOrder) {
+  for (const int of : {2, 5}) {
+    std::vector<std::string> merge = {"merge", "-o", *folder / "merged.jsonl.zst"};
+    for (int i = of - 1; i >= 0; --i) {
+      merge.push_back(*folder / fmt::format("share-{}.jsonl.zst", i));
+      const Finished share = ccdfuzz(paper(merge.back(), {"--shard", fmt::format("{}/{}", i, of)}));
+      ASSERT_EQ(share.code, 0) << share.err;
+    }
+    const Finished merged = ccdfuzz(merge);
+    ASSERT_EQ(merged.code, 0) << merged.err;
+    EXPECT_EQ(contents(*folder, "merged"), contents(*folder, "whole")) << of;
+    fs::remove(*folder / "merged.jsonl.zst");
+    // A share left out, or there twice, is an error, and then nothing is written.
+    const std::string last = merge.back();
+    merge.pop_back();
+    EXPECT_EQ(ccdfuzz(merge).code, 2);
+    merge.push_back(merge.back());
+    EXPECT_EQ(ccdfuzz(merge).code, 2);
+    merge.back() = last;
+    fs::remove(*folder / "share-0.generation.jsonl");
+    merge.pop_back();
+    const Finished gap = ccdfuzz(merge);
+    EXPECT_EQ(gap.code, 2) << "also without generation records";
+    EXPECT_FALSE(fs::exists(*folder / "merged.jsonl.zst"));
+  }
+}
+
+TEST_F(PaperSet, WrongUseNamesWhatIsWrong) {
+  const auto refusal = [](const std::vector<std::string>& arguments) {
+    const Finished refused = ccdfuzz(arguments);
+    EXPECT_EQ(refused.code, 2);
+    return refused.err;
+  };
+  const std::string path = *folder / "x.jsonl";
+  EXPECT_NE(refusal(paper(path, {"--contact", "FF"})).find("--contact"), std::string::npos);
+  EXPECT_NE(refusal({"generate", "--paper"}).find("--output"), std::string::npos);
+  EXPECT_NE(refusal(paper(*folder / "x.json")).find("x.json"), std::string::npos);
+  EXPECT_NE(refusal({"generate", "--count", "3", "--kind", "RP"}).find("--contact"),
+            std::string::npos);
+  for (const char* shard : {"2/2", "x", "1", "0/0", "-1/2", "0/1000000", "0/2/3"}) {
+    EXPECT_NE(refusal(paper(path, {"--shard", shard})).find("--shard"), std::string::npos) << shard;
+  }
+  EXPECT_FALSE(fs::exists(path + ".partial"));
+}
+
+TEST(Merge, PutsPlainSharesTogetherAndRefusesGaps) {
+  const ScratchFolder folder;
+  const std::vector<std::string> base = {"generate", "--contact", "VV", "--kind",  "RP", "--count",
+                                         "7",        "--seed",    "4",  "--first", "2"};
+  const auto make = [&](const std::string& name, std::vector<std::string> more) {
+    std::vector<std::string> arguments = base;
+    more.insert(more.end(), {"-o", folder / name});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished done = ccdfuzz(arguments);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return folder / name;
+  };
+  const std::string whole = make("whole.jsonl", {});
+  std::vector<std::string> shares;
+  for (int i = 0; i < 3; ++i) {
+    shares.push_back(make(fmt::format("s{}.jsonl", i), {"--shard", fmt::format("{}/3", i)}));
+  }
+  const std::string out = folder / "out.jsonl";
+  const Finished merged = ccdfuzz({"merge", shares[1], shares[2], shares[0], "-o", out});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(read_text(out), read_text(whole));
+  fs::remove(out);
+  const Finished missing = ccdfuzz({"merge", shares[1], shares[2], "-o", out});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find("share 0/3"), std::string::npos) << missing.err;
+  const Finished twice = ccdfuzz({"merge", whole, shares[0], "-o", out});
+  EXPECT_EQ(twice.code, 2);
+  EXPECT_NE(twice.err.find("twice"), std::string::npos) << twice.err;
+  EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace ccdfuzz
