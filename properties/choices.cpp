@@ -29,6 +29,7 @@ std::uint64_t ChoiceSource::choose(std::uint64_t max) {
   if (max == 0) return 0;
   const std::uint64_t choice = supply(max);
   CCDFUZZ_VERIFY(choice <= max);
+  made_.push_back(choice);
   for (int i = 0; i < width_of(max); ++i) {
     bytes_.push_back(static_cast<std::uint8_t>(choice >> (8 * i)));
   }

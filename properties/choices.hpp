@@ -40,6 +40,8 @@ class ChoiceSource {
 
   /// The choices made so far, as the bytes from which ByteChoices makes the same again.
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+  /// The same as numbers, for StoredChoices.
+  const std::vector<std::uint64_t>& numbers() const { return made_; }
 
  private:
   /// A number in [0, max], max ≥ 1.
@@ -48,6 +50,7 @@ class ChoiceSource {
   virtual std::size_t text_size(std::size_t max_size) = 0;
 
   std::vector<std::uint8_t> bytes_;
+  std::vector<std::uint64_t> made_;
 };
 
 /// Choices from a fuzzer's bytes: each takes as many whole bytes, lowest first, as its bound needs,

@@ -24,6 +24,29 @@ TEST(Check, AKnownFalseClaimFailsWithoutFailingTheCommandAndIsReproduced) {
   EXPECT_EQ(repeated[0].at("failure"), rows[0].at("failure"));
 }
 
+TEST(Check, WhatIsAskedForByNameIsShrunkAndSeenAgainFromItsBytes) {
+  const auto rows = check({"tdibm.separation", "--count", "200"});
+  ASSERT_EQ(rows.size(), 1U);
+  const Finished again = shell(rows[0].at("reproduce_shrunk").get<std::string>() + " --json");
+  EXPECT_EQ(again.code, 0) << "known to be false" << again.err;
+  const auto repeated = json_lines(again.out);
+  ASSERT_EQ(repeated.size(), 1U);
+  EXPECT_EQ(repeated[0].at("status"), "fails");
+  EXPECT_EQ(repeated[0].at("text"), rows[0].at("shrunk"));
+  const std::string test = rows[0].at("test");
+  EXPECT_NE(test.find("TEST(Found, TdibmSeparation)"), std::string::npos) << test;
+  EXPECT_EQ(ccdfuzz({"check", "--hex", "00"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"check", "tdibm.separation", "--hex", "0"}).code, 2);
+}
+
+TEST(Check, EffortMultipliesTheInputs) {
+  const std::string command = "\"$ccdfuzz\" check dyadic.round_trip --count 3 --json";
+  const auto rows = json_lines(shell("CCDFUZZ_EFFORT=4 " + command).out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].at("checked"), 12);
+  EXPECT_EQ(shell("CCDFUZZ_EFFORT=none " + command).code, 2);
+}
+
 TEST(Check, DependsOnSeedAndIndicesAlone) {
   const std::string name = "tdibm-c.no_false_negative";
   auto one = check({name, "--count", "300", "--threads", "1"});

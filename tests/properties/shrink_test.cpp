@@ -1,0 +1,75 @@
+#include "properties/shrink.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "properties/registry.hpp"
+#include "rapidcheck.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr std::uint64_t kTries = 10'000;
+
+TEST(Shrink, FindsTheLeastThatKeepsAProperty) {
+  const ChoiceNumbers start = {7, 0, 999, 12, 40'000, 3};
+  const auto has_a_large_one = [](const ChoiceNumbers& numbers) {
+    return std::ranges::any_of(numbers, [](std::uint64_t x) { return x >= 100; });
+  };
+  EXPECT_THAT(shrunk(start, kTries, has_a_large_one), testing::ElementsAre(100));
+  const auto sums_high = [](const ChoiceNumbers& numbers) {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t x : numbers) sum += x;
+    return sum >= 1000;
+  };
+  EXPECT_THAT(shrunk(start, kTries, sums_high), testing::ElementsAre(1000));
+  EXPECT_THAT(shrunk(start, kTries, [](const ChoiceNumbers&) { return true; }), testing::IsEmpty());
+}
+
+TEST(Shrink, StripsLowBitsWhereTheyDoNotMatter) {
+  const auto is_large = [](const ChoiceNumbers& numbers) {
+    return !numbers.empty() && numbers[0] >> 40 != 0;
+  };
+  EXPECT_THAT(shrunk({0x1'2345'6789'abcdU}, kTries, is_large),
+              testing::ElementsAre(std::uint64_t{1} << 40));
+}
+
+RC_GTEST_PROP(Shrink, EveryStepIsSimplerOrDroppedAndTheResultStillShowsIt,
+              (ChoiceNumbers numbers, std::uint64_t least)) {
+  const auto keeps = [&](const ChoiceNumbers& x) {
+    return std::ranges::any_of(x, [&](std::uint64_t y) { return y % 1000 >= least % 1000; });
+  };
+  RC_PRE(keeps(numbers));
+  std::uint64_t calls = 0;
+  const ChoiceNumbers result = shrunk(numbers, 500, [&](const ChoiceNumbers& x) {
+    ++calls;
+    return keeps(x);
+  });
+  RC_ASSERT(keeps(result));
+  RC_ASSERT(!simpler(numbers, result));
+  RC_ASSERT(calls <= 500U);
+  RC_ASSERT(shrunk(numbers, 500, keeps) == result);
+}
+
+RC_GTEST_PROP(Shrink, StepsOfOneSequenceAreAllSimpler, (ChoiceNumbers numbers)) {
+  for (const ChoiceNumbers& step : simpler_choices(numbers)) RC_ASSERT(simpler(step, numbers));
+}
+
+TEST(Shrink, ACounterexampleOfAClaimFailsFromItsBytesToo) {
+  const Property property = *property_named("tdibm.no_false_negative");
+  for (std::uint64_t i = 0;; ++i) {
+    RandomChoices random{Random::keyed({3, i})};
+    if (run(property, random).status != Check::Status::kFails) continue;
+    const Counterexample found = shrunk_counterexample(property, random.numbers(), 300);
+    EXPECT_FALSE(simpler(random.numbers(), found.numbers));
+    ByteChoices bytes(found.bytes);
+    const Check again = run(property, bytes);
+    EXPECT_EQ(again.status, Check::Status::kFails);
+    EXPECT_EQ(again.text, found.check.text);
+    return;
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
