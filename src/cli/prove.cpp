@@ -35,6 +35,7 @@ std::string certificates(const Truth& truth) {
   std::string letters;
   if (truth.witness) letters += 'W';
   if (truth.contact_box) letters += 'M';
+  if (truth.contact_root) letters += 'R';
   if (truth.clearance) letters += proof_word(*truth.clearance);
   return letters;
 }

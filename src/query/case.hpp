@@ -22,9 +22,10 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
-/// How absence of contact may be known: by a moving plane, by a tree of separating axes, or by a
-/// run of the rational method that `ccdfuzz verify` repeats.
-inline constexpr std::array<std::string_view, 3> kProofWords = {"P", "T", "rational-tdibm"};
+/// How absence of contact may be known: by a moving plane, by a tree of separating axes, by a run
+/// of the rational method that `ccdfuzz verify` repeats, or by the checker's own decision, which is
+/// for linear patches.
+inline constexpr std::array<std::string_view, 4> kProofWords = {"P", "T", "rational-tdibm", "L"};
 constexpr bool is_proof_word(std::string_view word) {
   return std::find(kProofWords.begin(), kProofWords.end(), word) != kProofWords.end();
 }
@@ -33,17 +34,23 @@ constexpr bool is_proof_word(std::string_view word) {
 /// proof.
 struct Truth {
   std::optional<bool> collides;         ///< absent: unknown
-  std::optional<Witness> witness;       ///< this or contact_box is needed if collides
+  std::optional<Witness> witness;       ///< this, contact_box or contact_root, if collides
   std::optional<Rational> clear_until;  ///< no contact for 0 ≤ t < clear_until is proven
   std::optional<std::string> proof;     ///< one of kProofWords; needed if not collides
   std::optional<ContactBox> contact_box;
-  std::optional<Clearance> clearance;  ///< needed if proof is "P" or "T", and of that kind
+  std::optional<ContactRoot> contact_root;
+  std::optional<Clearance> clearance;  ///< needed if proof is "P", "T" or "L", and of that kind
 
   /// The earliest time by which a contact is known to have come, whatever t_max is.
   std::optional<Rational> contact_by() const {
-    if (!contact_box) return witness ? std::optional(witness->t) : std::nullopt;
-    const Rational until = contact_box->until();
-    return witness && witness->t < until ? witness->t : until;
+    std::optional<Rational> by;
+    const auto consider = [&by](const Rational& t) {
+      if (!by || t < *by) by = t;
+    };
+    if (witness) consider(witness->t);
+    if (contact_box) consider(contact_box->until());
+    if (contact_root) consider(contact_root->by);
+    return by;
   }
 
   friend bool operator==(const Truth&, const Truth&) = default;
@@ -67,7 +74,8 @@ struct Origin {
 
 /// The proof word of a clearance.
 inline std::string_view proof_word(const Clearance& clearance) {
-  return std::holds_alternative<MovingPlane>(clearance) ? kProofWords[0] : kProofWords[1];
+  constexpr std::array<size_t, 3> kWords = {0, 1, 3};
+  return kProofWords[kWords[clearance.index()]];
 }
 
 /// A query with its truth.

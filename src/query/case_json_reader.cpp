@@ -189,6 +189,20 @@ ContactBox read_contact_box(const Node& node) {
   return box;
 }
 
+ContactRoot read_contact_root(const Node& node) {
+  node.object({"polynomial", "from", "by"});
+  ContactRoot root;
+  const Node polynomial = node.required("polynomial").expect(JsonKind::kArray, "an array");
+  for (size_t k = 0; k < polynomial.size(); ++k) {
+    const Rational coefficient = polynomial.at(k).rational();
+    if (coefficient.get_den() != 1) polynomial.at(k).refuse_value("is not a whole number");
+    root.polynomial.push_back(coefficient.get_num());
+  }
+  root.from = node.required("from").rational();
+  root.by = node.required("by").rational();
+  return root;
+}
+
 TreeRef read_tree_ref(const Node& node) {
   node.object({"offset", "length", "xxh3"});
   constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
@@ -217,11 +231,17 @@ Clearance read_clearance(const Node& node) {
     node.object({"kind", "until", "tree"});
     return MissTree{node.required("until").rational(), read_tree_ref(node.required("tree"))};
   }
-  kind.refuse_value("is not a certificate of absence (P, T)");
+  if (kind.string() == "L") {
+    node.object({"kind", "until", "closed"});
+    const Node closed = node.required("closed").expect(JsonKind::kBool, "true or false");
+    return LinearClearance{node.required("until").rational(), closed.value().text == "true"};
+  }
+  kind.refuse_value("is not a certificate of absence (P, T, L)");
 }
 
 void read_certificate(const Node& node, Truth& truth) {
-  node.object({"contact", "clear"});
+  node.object({"contact", "root", "clear"});
+  if (const auto root = node.member("root")) truth.contact_root = read_contact_root(*root);
   if (const auto contact = node.member("contact")) truth.contact_box = read_contact_box(*contact);
   if (const auto clear = node.member("clear")) truth.clearance = read_clearance(*clear);
 }
@@ -247,7 +267,7 @@ Truth read_truth(const Node& node) {
       node.required("proof").refuse_value("has no certificate.clear of that kind");
     }
   }
-  if (truth.collides == true && !truth.contact_box) {
+  if (truth.collides == true && !truth.contact_box && !truth.contact_root) {
     node.required("witness", ", though collides is true");
   }
   if (truth.collides == false) node.required("proof", ", though collides is false");

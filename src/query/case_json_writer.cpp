@@ -115,6 +115,15 @@ void write_contact_box(Writer& w, const ContactBox& box) {
   w.close('}');
 }
 
+void write_contact_root(Writer& w, const ContactRoot& root) {
+  w.open('{', true);
+  write_array(w.key("polynomial"), root.polynomial,
+              [](Writer& to, const Integer& c) { to.string(c.get_str()); });
+  w.key("from").rational(root.from);
+  w.key("by").rational(root.by);
+  w.close('}');
+}
+
 void write_clearance(Writer& w, const Clearance& clearance) {
   w.open('{', true);
   w.key("kind").string(proof_word(clearance));
@@ -123,6 +132,8 @@ void write_clearance(Writer& w, const Clearance& clearance) {
     write_array(w.key("normal"), plane->normal,
                 [](Writer& to, const Rational& x) { to.rational(x); });
     w.key("offset").rational(plane->offset);
+  } else if (const auto* linear = std::get_if<LinearClearance>(&clearance)) {
+    w.key("closed").raw(linear->closed ? "true" : "false");
   } else {
     const TreeRef& tree = std::get<MissTree>(clearance).tree;
     w.key("tree").open('{');
@@ -140,9 +151,10 @@ void write_truth(Writer& w, const Truth& truth) {
   if (truth.witness) write_witness(w.key("witness"), *truth.witness);
   if (truth.clear_until) w.key("clear_until").rational(*truth.clear_until);
   if (truth.proof) w.key("proof").string(*truth.proof);
-  if (truth.contact_box || truth.clearance) {
+  if (truth.contact_box || truth.contact_root || truth.clearance) {
     w.key("certificate").open('{', true);
     if (truth.contact_box) write_contact_box(w.key("contact"), *truth.contact_box);
+    if (truth.contact_root) write_contact_root(w.key("root"), *truth.contact_root);
     if (truth.clearance) write_clearance(w.key("clear"), *truth.clearance);
     w.close('}');
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "numeric/eigen_traits.hpp"
 
@@ -37,6 +38,14 @@ struct ContactBox {
   friend bool operator==(const ContactBox&, const ContactBox&) = default;
 };
 
+/// Certificate R: a root of a polynomial in time, at which two linear patches touch.
+struct ContactRoot {
+  std::vector<Integer> polynomial;  ///< polynomial[k] belongs to t^k
+  Rational from, by;                ///< the root is between them, where the sign changes
+
+  friend bool operator==(const ContactRoot&, const ContactRoot&) = default;
+};
+
 /// Certificate P: a plane that moves along with the patches and separates them at every t in the
 /// half-open [0, until). At t = until it is normal·x = offset.
 struct MovingPlane {
@@ -65,8 +74,17 @@ struct MissTree {
   friend bool operator==(const MissTree&, const MissTree&) = default;
 };
 
+/// Certificate L: two linear patches touch at no t in [0, until), or in the closed [0, until]. It
+/// carries nothing, as the checker decides that by itself.
+struct LinearClearance {
+  Rational until;
+  bool closed = false;
+
+  friend bool operator==(const LinearClearance&, const LinearClearance&) = default;
+};
+
 /// Proof that nothing touches for a time.
-using Clearance = std::variant<MovingPlane, MissTree>;
+using Clearance = std::variant<MovingPlane, MissTree, LinearClearance>;
 
 inline const Rational& until_of(const Clearance& clearance) {
   return std::visit([](const auto& c) -> const Rational& { return c.until; }, clearance);
@@ -75,7 +93,9 @@ inline const Rational& until_of(const Clearance& clearance) {
 /// True iff the clearance, if it holds, proves absence of contact in the closed [0, t].
 inline bool covers(const Clearance& clearance, const Rational& t) {
   const Rational& until = until_of(clearance);
-  return std::holds_alternative<MissTree>(clearance) ? t <= until : t < until;
+  const auto* linear = std::get_if<LinearClearance>(&clearance);
+  const bool closed = linear ? linear->closed : std::holds_alternative<MissTree>(clearance);
+  return closed ? t <= until : t < until;
 }
 
 }  // namespace ccdfuzz

@@ -74,7 +74,13 @@ inline Case any_case() {
     }
   }
   if (maybe()) {
+    c.truth.contact_root = ContactRoot{
+        {any_rational().get_num(), any_rational().get_num()}, any_rational(), any_rational()};
+  }
+  if (maybe()) {
     if (maybe()) {
+      c.truth.clearance = LinearClearance{any_rational(), maybe()};
+    } else if (maybe()) {
       c.truth.clearance = MovingPlane{
           any_rational(), {any_rational(), any_rational(), any_rational()}, any_rational()};
     } else {
@@ -88,7 +94,8 @@ inline Case any_case() {
   if (!c.truth.proof && maybe()) c.truth.proof = "rational-tdibm";
   if (maybe()) {
     const bool collides = maybe();
-    if (collides ? c.truth.witness || c.truth.contact_box : c.truth.proof.has_value()) {
+    if (collides ? c.truth.witness || c.truth.contact_box || c.truth.contact_root
+                 : c.truth.proof.has_value()) {
       c.truth.collides = collides;
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "certify/checker/check_box.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_witness.hpp"
@@ -14,11 +15,11 @@ namespace ccdfuzz {
 Result<void> check_truth(const Case& value) {
   const Truth& truth = value.truth;
   if (auto valid = validate(value.query, ""); !valid) return valid;
-  if (truth.collides == true && !truth.witness && !truth.contact_box) {
+  if (truth.collides == true && !truth.contact_by()) {
     return input_error("truth.witness", "missing, though collides is true");
   }
   if (truth.witness) {
-    auto checked = truth.collides == true && !truth.contact_box
+    auto checked = truth.collides == true && !truth.contact_box && !truth.contact_root
                        ? check_witness(value.query, *truth.witness)
                        : check_contact(value.query, *truth.witness);
     if (!checked) return checked;
@@ -26,8 +27,14 @@ Result<void> check_truth(const Case& value) {
   if (truth.contact_box) {
     if (auto checked = check_box(value.query, *truth.contact_box); !checked) return checked;
   }
+  if (truth.contact_root) {
+    auto checked = check_contact_root(value.query, *truth.contact_root);
+    if (!checked) return checked;
+  }
   const std::optional<Rational> by = truth.contact_by();
-  const char* const proof = truth.witness && truth.witness->t == by ? "witness" : "contact box";
+  const char* const proof = truth.witness && truth.witness->t == by              ? "witness"
+                            : truth.contact_root && truth.contact_root->by == by ? "contact root"
+                                                                                 : "contact box";
   if (truth.collides == true && *by > exact(value.query.t_max)) {
     return input_error(
         "truth.collides",
@@ -55,6 +62,9 @@ Result<void> check_truth(const Case& value) {
 Result<void> check_clearance(const Query& query, const Clearance& clearance,
                              std::string_view tree) {
   if (const auto* plane = std::get_if<MovingPlane>(&clearance)) return check_plane(query, *plane);
+  if (const auto* linear = std::get_if<LinearClearance>(&clearance)) {
+    return check_linear_clearance(query, *linear);
+  }
   return check_tree(query, until_of(clearance), tree).map([](std::uint64_t) {});
 }
 

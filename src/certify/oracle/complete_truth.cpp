@@ -70,6 +70,7 @@ Completed complete_truth(const Case& value, const std::string& trees, OracleOpti
     if (!contact || (truth.contact_by() && *truth.contact_by() < *contact)) {
       found.truth.witness = truth.witness;
       found.truth.contact_box = truth.contact_box;
+      found.truth.contact_root = truth.contact_root;
     }
   }
   truth = found.truth;

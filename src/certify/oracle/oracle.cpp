@@ -9,7 +9,9 @@
 #include "ccd/rational/tdibm_rational.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "certify/linear/first_contact.hpp"
 #include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
 
@@ -40,19 +42,10 @@ class Deciding {
     }
     if (truth.collides) out_.note.clear();
     if (!truth.collides && out_.note.empty()) out_.note = "no certificate found";
-    check();
     return std::move(out_);
   }
 
  private:
-  /// Nothing leaves the oracle that the checker does not accept.
-  void check() const {
-    CCDFUZZ_VERIFY(check_truth({query_, out_.truth, {}, {}}));
-    if (out_.truth.clearance) {
-      CCDFUZZ_VERIFY(check_clearance(query_, *out_.truth.clearance, out_.tree));
-    }
-  }
-
   template <class Method>
   Answer ask(double precision) {
     thread_local Method method;
@@ -164,7 +157,14 @@ class Deciding {
 }  // namespace
 
 Decision decide(const Query& query, const OracleOptions& options) {
-  return Deciding(query, options).run();
+  const Decision found =
+      linear::is_linear(query) ? decide_linear(query, options) : Deciding(query, options).run();
+  // Nothing leaves the oracle that the checker does not accept.
+  CCDFUZZ_VERIFY(check_truth({query, found.truth, {}, {}}));
+  if (found.truth.clearance) {
+    CCDFUZZ_VERIFY(check_clearance(query, *found.truth.clearance, found.tree));
+  }
+  return found;
 }
 
 Answer Oracle::answer(const Query& query, const SearchOptions& options) {

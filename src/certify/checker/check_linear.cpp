@@ -1,0 +1,246 @@
+#include "certify/checker/check_linear.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "certify/checker/shown.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Σ c_i·x^(n−i)·y^i. With x = 1 − s, y = s the c_i are, up to binomials, its coefficients of
+/// Bernstein; with x = 1, y = t it is an ordinary polynomial.
+using Form = std::vector<Integer>;
+
+Form operator*(const Form& a, const Form& b) {
+  Form out(a.size() + b.size() - 1);
+  for (size_t i = 0; i < a.size(); ++i) {
+    for (size_t j = 0; j < b.size(); ++j) out[i + j] += a[i] * b[j];
+  }
+  return out;
+}
+Form operator+(Form a, const Form& b) {
+  for (size_t i = 0; i < a.size(); ++i) a[i] += b[i];
+  return a;
+}
+Form operator-(Form a, const Form& b) {
+  for (size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+  return a;
+}
+
+using FormVector = std::array<Form, 3>;
+
+Form dot_of(const FormVector& a, const FormVector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+FormVector cross_of(const FormVector& a, const FormVector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// A triangle: x·at[0] + y·at[1] of each component of each corner.
+using Corner = std::array<std::array<Integer, 2>, 3>;
+using Triangle = std::array<Corner, 3>;
+
+/// What the header speaks of.
+struct Conditions {
+  explicit Conditions(const Triangle& triangle) {
+    std::array<FormVector, 3> p, n;
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t k = 0; k < 3; ++k) p[i][k] = {triangle[i][k][0], triangle[i][k][1]};
+    }
+    for (size_t i = 0; i < 3; ++i) n[i] = cross_of(p[(i + 1) % 3], p[(i + 2) % 3]);
+    d3 = dot_of(p[0], n[0]);
+    m = dot_of(n[0], n[0]) + dot_of(n[1], n[1]) + dot_of(n[2], n[2]);
+    for (size_t i = 0; i < 3; ++i) {
+      s[i] = dot_of(n[(i + 1) % 3], n[(i + 2) % 3]);
+      d[i] = dot_of(p[(i + 1) % 3], p[(i + 2) % 3]);
+    }
+  }
+
+  Form d3, m;
+  std::array<Form, 3> s, d;
+};
+
+bool has_no_sign(const Form& f, int sign) {
+  return std::ranges::none_of(f, [sign](const Integer& c) { return sgn(c) == sign; });
+}
+
+/// sign·f > 0 where x > 0, y ≥ 0, and at x = 0 too if `closed`.
+bool is_strictly(const Form& f, int sign, bool closed) {
+  return has_no_sign(f, -sign) && sgn(f.front()) == sign && (!closed || sgn(f.back()) == sign);
+}
+
+/// Outside of the triangle where x > 0, y ≥ 0, and at x = 0 too if `closed`.
+bool is_outside(const Conditions& of, bool closed) {
+  const auto strictly = [closed](int sign) {
+    return [sign, closed](const Form& f) { return is_strictly(f, sign, closed); };
+  };
+  return strictly(1)(of.d3) || strictly(-1)(of.d3) || std::ranges::any_of(of.s, strictly(-1)) ||
+         std::ranges::all_of(of.d, strictly(1));
+}
+
+/// The origin is in the triangle where x = 1, y = 0.
+bool contains_origin_at_start(const Conditions& of) {
+  const auto at_start = [](const Form& f) { return sgn(f.front()); };
+  return at_start(of.d3) == 0 &&
+         std::ranges::all_of(of.s, [&](const Form& f) { return at_start(f) >= 0; }) &&
+         (at_start(of.m) > 0 ||
+          std::ranges::any_of(of.d, [&](const Form& f) { return at_start(f) <= 0; }));
+}
+
+/// Where the corners of the triangles come from: pairs of control points.
+std::vector<std::array<std::array<size_t, 2>, 3>> triangles_of(const Query& query) {
+  const size_t a = query.patches[0].positions.size(), b = query.patches[1].positions.size();
+  if (a == 2 && b == 2) {
+    return {{{{0, 0}, {1, 0}, {1, 1}}}, {{{0, 0}, {1, 1}, {0, 1}}}};
+  }
+  std::array<std::array<size_t, 2>, 3> corners{};
+  for (size_t c = 0; c < 3; ++c) corners[c] = {std::min(c, a - 1), std::min(c, b - 1)};
+  return {corners};
+}
+
+/// The triangles as `ends` gives them: a component of a control point's position and velocity to
+/// a pair of rationals. All times a common positive number, so that they are integers.
+template <class Ends>
+std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
+  std::vector<std::array<Rational, 2>> exact_ends;
+  const auto places = triangles_of(query);
+  Integer denominator = 1;
+  for (const auto& corners : places) {
+    for (const auto& [i, j] : corners) {
+      for (int k = 0; k < 3; ++k) {
+        const auto &a = query.patches[0], &b = query.patches[1];
+        const Rational p = exact(a.positions[i][k]) - exact(b.positions[j][k]);
+        const Rational v = exact(a.velocities[i][k]) - exact(b.velocities[j][k]);
+        exact_ends.push_back(ends(p, v));
+        for (const Rational& x : exact_ends.back()) denominator = lcm(denominator, x.get_den());
+      }
+    }
+  }
+  std::vector<Triangle> out(places.size());
+  size_t next = 0;
+  for (Triangle& triangle : out) {
+    for (Corner& corner : triangle) {
+      for (auto& component : corner) {
+        const auto& from = exact_ends[next++];
+        for (size_t e = 0; e < 2; ++e) {
+          component[e] = denominator / from[e].get_den() * from[e].get_num();
+        }
+      }
+    }
+  }
+  return out;
+}
+
+enum class Found { kOutside, kInside, kUndecided };
+
+/// Decides the part of [0, 1] that the triangle's corners, x = 1 − s and y = s, stand for.
+Found decide_outside(const Triangle& triangle, bool closed, int halvings) {
+  const Conditions conditions(triangle);
+  if (is_outside(conditions, closed)) return Found::kOutside;
+  if (contains_origin_at_start(conditions)) return Found::kInside;
+  if (halvings == 0) return Found::kUndecided;
+  Triangle first = triangle, second = triangle;
+  for (size_t i = 0; i < 3; ++i) {
+    for (size_t k = 0; k < 3; ++k) {
+      const Integer middle = triangle[i][k][0] + triangle[i][k][1];  // all doubled
+      first[i][k] = {Integer(2 * triangle[i][k][0]), middle};
+      second[i][k] = {middle, Integer(2 * triangle[i][k][1])};
+    }
+  }
+  const Found found = decide_outside(first, true, halvings - 1);
+  return found == Found::kOutside ? decide_outside(second, closed, halvings - 1) : found;
+}
+
+int sign_of(const Form& f, const Rational& t) {
+  Rational sum = 0;
+  for (size_t i = f.size(); i-- > 0;) sum = sum * t + f[i];
+  return sgn(sum);
+}
+
+/// True iff p divides f, both ordinary polynomials, p with a leading coefficient.
+bool divides(const Form& p, Form f) {
+  while (f.size() >= p.size()) {
+    const Integer leading = f.back();
+    const size_t shift = f.size() - p.size();
+    for (Integer& c : f) c *= p.back();
+    for (size_t i = 0; i < p.size(); ++i) f[shift + i] -= leading * p[i];
+    f.pop_back();
+  }
+  return std::ranges::all_of(f, [](const Integer& c) { return c == 0; });
+}
+
+Result<void> refuse_unless_linear(const Query& query, const char* where) {
+  if (is_linear_query(query)) return {};
+  return input_error(where, fmt::format("{} and {} are not linear", to_text(query.patches[0].shape),
+                                        to_text(query.patches[1].shape)));
+}
+
+}  // namespace
+
+bool is_linear_query(const Query& query) {
+  int parameters = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    if (patch.shape.kind == ShapeKind::kTensor || patch.shape.n > 1) return false;
+    parameters += patch.shape.parameter_count();
+  }
+  return parameters <= 2;
+}
+
+Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance) {
+  constexpr const char* kWhere = "truth.certificate.clear";
+  constexpr int kMostHalvings = 4000;
+  if (auto linear = refuse_unless_linear(query, kWhere); !linear) return linear;
+  const Rational& until = clearance.until;
+  if (until < 0) return input_error(kWhere, fmt::format("until = {} is negative", shown(until)));
+  if (until == 0 && !clearance.closed) return {};  // there is no such time
+  const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
+    return {p, p + until * v};
+  };
+  for (const Triangle& triangle : triangles_between(query, ends)) {
+    const Found found = decide_outside(triangle, clearance.closed, kMostHalvings);
+    if (found == Found::kOutside) continue;
+    return input_error(
+        kWhere, fmt::format("{} before t = {}",
+                            found == Found::kInside ? "there is a contact" : "no proof of absence",
+                            shown(until)));
+  }
+  return {};
+}
+
+Result<void> check_contact_root(const Query& query, const ContactRoot& root) {
+  constexpr const char* kWhere = "truth.certificate.root";
+  if (auto linear = refuse_unless_linear(query, kWhere); !linear) return linear;
+  const Form& p = root.polynomial;
+  if (root.from < 0 || root.by <= root.from) {
+    return input_error(kWhere, fmt::format("from = {} and by = {} are no times", shown(root.from),
+                                           shown(root.by)));
+  }
+  if (p.empty() || p.back() == 0 || sign_of(p, root.from) * sign_of(p, root.by) >= 0) {
+    return input_error(kWhere, "the polynomial does not change its sign from one end to the other");
+  }
+  const auto powers = [](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
+    return {x, v};
+  };
+  const auto ends = [&](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
+    return {x + root.from * v, x + root.by * v};
+  };
+  const auto in_powers = triangles_between(query, powers), in_ends = triangles_between(query, ends);
+  for (size_t i = 0; i < in_powers.size(); ++i) {
+    const Conditions power(in_powers[i]), end(in_ends[i]);
+    bool holds = divides(p, power.d3), some_d = false;
+    for (size_t k = 0; k < 3; ++k) {
+      holds &= has_no_sign(end.s[k], -1) || divides(p, power.s[k]);
+      some_d |= has_no_sign(end.d[k], 1) || divides(p, power.d[k]);
+    }
+    if (holds && (some_d || is_strictly(end.m, 1, true))) return {};
+  }
+  return input_error(kWhere, "it is not shown that the patches touch at the root");
+}
+
+}  // namespace ccdfuzz

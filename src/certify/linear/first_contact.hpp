@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "bezier/patch.hpp"
+#include "certify/linear/real_root.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz::linear {
+
+/// True iff first_contact speaks of these shapes: points, curves of degree 1 and triangles of
+/// degree 1, with at most two parameters in all. So: vertex-face and edge-edge, and what they
+/// degenerate to.
+bool is_linear(const Shape& a, const Shape& b);
+inline bool is_linear(const Query& query) {
+  return is_linear(query.patches[0].shape, query.patches[1].shape);
+}
+
+/// The exact first contact of a linear query.
+struct FirstContact {
+  RealRoot time;
+  /// Three pairs of control points, one of each patch; at that time the origin is in the triangle
+  /// of their differences.
+  std::array<std::array<int, 2>, 3> corners;
+};
+
+/// The first contact of two patches at a time in the closed [0, until], if there is one; exact for
+/// all queries, whatever is parallel, coplanar, collinear, static or of no extent. Requires
+/// is_linear, until ≥ 0.
+///
+/// The patches touch iff the origin is in the set of differences of their points. That is a
+/// triangle with corners q_j − p for a point and a triangle, a parallelogram with corners
+/// p_i − q_j for two edges, which a diagonal splits into two triangles (OriginInTriangle).
+std::optional<FirstContact> first_contact(const std::array<MovingPatch<Rational>, 2>& patches,
+                                          const Rational& until);
+
+/// The same in [0, t_max]. Requires a valid query.
+std::optional<FirstContact> first_contact(const Query& query);
+
+/// Parameters of both patches at which the origin of the triangle lies: exact at the time of a
+/// contact, near them at a time near it.
+std::array<Uv<Rational>, 2> parameters_at(const std::array<MovingPatch<Rational>, 2>& patches,
+                                          const std::array<std::array<int, 2>, 3>& corners,
+                                          const Rational& t);
+
+/// The exact witness of a contact at a rational time. Requires contact.time.is_rational().
+Witness witness_of(const std::array<MovingPatch<Rational>, 2>& patches,
+                   const FirstContact& contact);
+
+}  // namespace ccdfuzz::linear

@@ -1,0 +1,122 @@
+#include "certify/linear/polynomial.hpp"
+
+#include <algorithm>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz::linear {
+
+Polynomial::Polynomial(std::vector<Integer> coefficients) : coefficients_(std::move(coefficients)) {
+  trim();
+}
+
+void Polynomial::trim() {
+  while (!coefficients_.empty() && coefficients_.back() == 0) coefficients_.pop_back();
+}
+
+Rational Polynomial::at(const Rational& x) const {
+  Rational sum = 0;
+  for (int k = degree(); k >= 0; --k) sum = sum * x + (*this)[k];
+  return sum;
+}
+
+int Polynomial::sign_at(const Rational& x) const {
+  // d^degree · p(n/d) by Horner's rule in integers: no gcd is taken.
+  const Integer &n = x.get_num(), &d = x.get_den();
+  Integer sum = 0, power = 1;
+  for (int k = degree(); k >= 0; --k) {
+    sum = sum * n + (*this)[k] * power;
+    power *= d;
+  }
+  return sgn(sum);
+}
+
+Polynomial Polynomial::derivative() const {
+  std::vector<Integer> d;
+  for (int k = 1; k <= degree(); ++k) d.push_back((*this)[k] * k);
+  return Polynomial(std::move(d));
+}
+
+Polynomial Polynomial::primitive() const {
+  Integer content = 0;
+  for (const Integer& c : coefficients_) content = gcd(content, c);
+  if (content <= 1) return *this;
+  Polynomial p = *this;
+  for (Integer& c : p.coefficients_)
+    mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), content.get_mpz_t());
+  return p;
+}
+
+Polynomial& Polynomial::operator+=(const Polynomial& o) {
+  coefficients_.resize(std::max(coefficients_.size(), o.coefficients_.size()));
+  for (size_t k = 0; k < o.coefficients_.size(); ++k) coefficients_[k] += o.coefficients_[k];
+  trim();
+  return *this;
+}
+
+Polynomial& Polynomial::operator-=(const Polynomial& o) {
+  coefficients_.resize(std::max(coefficients_.size(), o.coefficients_.size()));
+  for (size_t k = 0; k < o.coefficients_.size(); ++k) coefficients_[k] -= o.coefficients_[k];
+  trim();
+  return *this;
+}
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  std::vector<Integer> product(a.coefficients_.size() + b.coefficients_.size() - 1);
+  for (size_t i = 0; i < a.coefficients_.size(); ++i) {
+    for (size_t j = 0; j < b.coefficients_.size(); ++j) {
+      product[i + j] += a.coefficients_[i] * b.coefficients_[j];
+    }
+  }
+  return Polynomial(std::move(product));
+}
+
+namespace {
+
+/// |c|·a − sign(c)·(leading coefficient of a)·x^shift·b, c that of b: one step of a division,
+/// which takes the leading term away.
+Polynomial reduced(const Polynomial& a, const Polynomial& b) {
+  std::vector<Integer> r = a.coefficients();
+  const Integer scale = abs(b.leading());
+  const Integer factor = sgn(b.leading()) * a.leading();
+  const int shift = a.degree() - b.degree();
+  for (Integer& c : r) c *= scale;
+  for (int k = 0; k <= b.degree(); ++k) r[static_cast<size_t>(k + shift)] -= factor * b[k];
+  return Polynomial(std::move(r));
+}
+
+}  // namespace
+
+Polynomial remainder(Polynomial a, const Polynomial& b) {
+  while (a.degree() >= b.degree()) a = reduced(a, b);
+  return a.primitive();
+}
+
+Polynomial quotient(Polynomial a, const Polynomial& b) {
+  std::vector<Integer> q(static_cast<size_t>(std::max(a.degree() - b.degree() + 1, 0)));
+  const Integer scale = abs(b.leading());
+  while (!a.is_zero()) {
+    CCDFUZZ_VERIFY(a.degree() >= b.degree());
+    for (Integer& c : q) c *= scale;
+    q[static_cast<size_t>(a.degree() - b.degree())] += sgn(b.leading()) * a.leading();
+    a = reduced(a, b);
+  }
+  return Polynomial(std::move(q)).primitive();
+}
+
+Polynomial gcd(Polynomial a, Polynomial b) {
+  while (!b.is_zero()) {
+    Polynomial r = remainder(std::move(a), b);
+    a = std::move(b);
+    b = std::move(r);
+  }
+  return a.primitive();
+}
+
+Polynomial squarefree(const Polynomial& p) {
+  const Polynomial repeated = gcd(p, p.derivative());
+  return repeated.degree() == 0 ? p.primitive() : quotient(p, repeated);
+}
+
+}  // namespace ccdfuzz::linear

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "numeric/rational.hpp"
+
+namespace ccdfuzz::linear {
+
+/// A polynomial in one variable with integer coefficients, exact throughout.
+/// Invariant: the leading coefficient is not zero; the zero polynomial has no coefficients.
+class Polynomial {
+ public:
+  Polynomial() = default;
+  /// coefficients[k] belongs to x^k.
+  explicit Polynomial(std::vector<Integer> coefficients);
+
+  bool is_zero() const { return coefficients_.empty(); }
+  /// −1 for zero.
+  int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
+  /// Of x^k; requires 0 ≤ k ≤ degree().
+  const Integer& operator[](int k) const { return coefficients_[static_cast<size_t>(k)]; }
+  const Integer& leading() const { return coefficients_.back(); }
+  const std::vector<Integer>& coefficients() const { return coefficients_; }
+
+  Rational at(const Rational& x) const;
+  /// The sign of at(x).
+  int sign_at(const Rational& x) const;
+
+  Polynomial derivative() const;
+  /// This over the greatest common divisor of its coefficients, which is positive.
+  Polynomial primitive() const;
+
+  Polynomial& operator+=(const Polynomial& o);
+  Polynomial& operator-=(const Polynomial& o);
+  friend Polynomial operator+(Polynomial a, const Polynomial& b) { return a += b; }
+  friend Polynomial operator-(Polynomial a, const Polynomial& b) { return a -= b; }
+  friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
+  friend bool operator==(const Polynomial&, const Polynomial&) = default;
+
+ private:
+  void trim();
+
+  std::vector<Integer> coefficients_;
+};
+
+/// A positive multiple of the remainder of a by b, primitive. Requires b ≠ 0.
+Polynomial remainder(Polynomial a, const Polynomial& b);
+
+/// A multiple of a / b, primitive. Requires b ≠ 0 that divides a over the rationals.
+Polynomial quotient(Polynomial a, const Polynomial& b);
+
+/// The greatest common divisor over the rationals, primitive; of zero and a, a.
+Polynomial gcd(Polynomial a, Polynomial b);
+
+/// The polynomial with the same roots, each once. Requires p ≠ 0.
+Polynomial squarefree(const Polynomial& p);
+
+}  // namespace ccdfuzz::linear
