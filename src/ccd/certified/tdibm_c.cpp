@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "ccd/certified/linear_advance.hpp"
 #include "numeric/fp_guard.hpp"
 
 namespace ccdfuzz {
@@ -54,9 +55,24 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   const certified::NormalisedQuery& normalised = split_.query();
   queue_.clear();
   pushed_ = 0;
-  push({{0, normalised.t_max}, {}, {}, {}}, 0);
-
   Answer answer;
+  double from = 0;
+  if (certified::can_advance(normalised.shapes[0], normalised.shapes[1])) {
+    const certified::Advanced advanced = certified::advance(normalised);
+    if (advanced.kind == certified::Advanced::Kind::kClear) {
+      answer.verdict = Verdict::kMiss;
+      return answer;
+    }
+    if (advanced.kind == certified::Advanced::Kind::kStopped) {
+      answer.verdict = Verdict::kHit;
+      answer.toi = certified::original_time(advanced.time, normalised.time);
+      answer.uv = advanced.uv;
+      return answer;
+    }
+    from = advanced.time;
+  }
+  push({{from, normalised.t_max}, {}, {}, {}}, 0);
+
   while (!queue_.empty()) {
     const bool out_of_pops = answer.pops == options.max_pops;
     const bool out_of_time = deadline.passed(answer.pops);

@@ -1,0 +1,246 @@
+#include "ccd/certified/linear_advance.hpp"
+
+#include <algorithm>
+
+#include "ccd/certified/pair_axes.hpp"
+#include "ccd/certified/projection.hpp"
+
+namespace ccdfuzz::certified {
+
+namespace {
+
+/// Steps after which the general search takes over. Nearly all queries take one or two; where the
+/// patches turn against each other, steps become shorter only by a factor, and the search is
+/// quicker.
+constexpr int kMostSteps = 8;
+/// A step shorter than this part of t_max is the last: what is nearer than that, at the speed of
+/// the scene, is within a hundred times the error bound.
+constexpr double kShortestStep = 0x1p-44;
+
+double dot_of(const Axis& a, const Axis& b) {
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
+Axis scaled(const Axis& a, double s) {
+  return {a[0] * s, a[1] * s, a[2] * s};
+}
+
+double unit_clamp(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
+
+/// The differences of all pairs of control points, D + t·W: the patches touch iff the origin is in
+/// their convex hull. Four for edges, where a point is an edge of no extent; three for a face.
+struct Differences {
+  std::array<Axis, 4> start{}, way{};
+  int count = 0;
+  bool is_face = false;
+  int face_side = 0;
+
+  explicit Differences(const NormalisedQuery& query) {
+    const auto corner = [&](int side, int i) -> const std::array<double, 6>& {
+      const auto& controls = query.controls[static_cast<size_t>(side)];
+      return controls[std::min(static_cast<size_t>(i), controls.size() - 1)];
+    };
+    for (int s = 0; s < 2; ++s) {
+      if (query.shapes[static_cast<size_t>(s)].kind == ShapeKind::kTriangle) {
+        is_face = true;
+        face_side = s;
+      }
+    }
+    const auto add = [&](const std::array<double, 6>& p, const std::array<double, 6>& q) {
+      const auto n = static_cast<size_t>(count++);
+      for (size_t k = 0; k < 3; ++k) {
+        start[n][k] = p[k] - q[k];
+        way[n][k] = p[k + 3] - q[k + 3];
+      }
+    };
+    if (is_face) {
+      for (int i = 0; i < 3; ++i) add(corner(face_side, i), corner(1 - face_side, 0));
+    } else {  // p0 − q0, p1 − q0, p0 − q1, p1 − q1
+      for (int j = 0; j < 2; ++j) {
+        for (int i = 0; i < 2; ++i) add(corner(0, i), corner(1, j));
+      }
+    }
+  }
+
+  Axis at(int i, double t) const {
+    const auto n = static_cast<size_t>(i);
+    return {start[n][0] + t * way[n][0], start[n][1] + t * way[n][1], start[n][2] + t * way[n][2]};
+  }
+};
+
+/// Weights x, y of the point d + x·e − y·f nearest to the origin, x and y in [0, 1].
+std::array<double, 2> nearest_of_edges(const Axis& d, const Axis& e, const Axis& f) {
+  const double ee = dot_of(e, e), ff = dot_of(f, f), ef = dot_of(e, f);
+  const double de = dot_of(d, e), df = dot_of(d, f);
+  const double area = ee * ff - ef * ef;
+  double x = area > 0 ? unit_clamp((ef * df - ff * de) / area) : 0.5;
+  double y = ff > 0 ? (df + x * ef) / ff : 0;
+  if (y < 0 || y > 1) {
+    y = unit_clamp(y);
+    x = ee > 0 ? unit_clamp((y * ef - de) / ee) : 0;
+  }
+  return {x, y};
+}
+
+/// Weights of b and c in the point of the triangle a, b, c nearest to the origin.
+std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& c) {
+  const Axis ab = minus(b, a), ac = minus(c, a);
+  const double b1 = -dot_of(ab, a), c1 = -dot_of(ac, a);
+  if (b1 <= 0 && c1 <= 0) return {0, 0};
+  const double b2 = -dot_of(ab, b), c2 = -dot_of(ac, b);
+  if (b2 >= 0 && c2 <= b2) return {1, 0};
+  const double of_c = b1 * c2 - b2 * c1;
+  if (of_c <= 0 && b1 >= 0 && b2 <= 0) return {b1 > b2 ? b1 / (b1 - b2) : 0, 0};
+  const double b3 = -dot_of(ab, c), c3 = -dot_of(ac, c);
+  if (c3 >= 0 && b3 <= c3) return {0, 1};
+  const double of_b = b3 * c1 - b1 * c3;
+  if (of_b <= 0 && c1 >= 0 && c3 <= 0) return {0, c1 > c3 ? c1 / (c1 - c3) : 0};
+  const double of_a = b2 * c3 - b3 * c2;
+  if (of_a <= 0 && c2 - b2 >= 0 && b3 - c3 >= 0) {
+    const double sum = (c2 - b2) + (b3 - c3), share = sum > 0 ? (c2 - b2) / sum : 0;
+    return {1 - share, share};
+  }
+  const double sum = (of_a + of_b) + of_c;
+  return sum > 0 ? std::array{of_b / sum, of_c / sum} : std::array{0.0, 0.0};
+}
+
+class Advancing {
+ public:
+  explicit Advancing(const NormalisedQuery& query)
+      : query_(query), differences_(query), error_(query.magnitude, query.absolute, 0) {}
+
+  Advanced run() {
+    for (size_t k = 0; k < 3; ++k) {
+      Axis l{};
+      l[k] = 1;
+      follow(l);
+      if (clear_) return {Advanced::Kind::kClear, query_.t_max, {}, 0};
+    }
+    Advanced out;
+    time_ = furthest_;
+    for (out.steps = 1; out.steps <= kMostSteps; ++out.steps) {
+      try_axes();
+      if (clear_) {
+        out.kind = Advanced::Kind::kClear;
+        return out;
+      }
+      const double step = furthest_ - time_;
+      time_ = furthest_;
+      out.time = time_;
+      if (step <= kShortestStep * query_.t_max) {
+        out.kind = Advanced::Kind::kStopped;
+        out.uv = uv_;
+        return out;
+      }
+    }
+    return out;
+  }
+
+ private:
+  /// Follows an axis from time_ on, if it separates there, either side up. By fact A of the
+  /// derivation nothing touches in between, as it separates at both ends.
+  void follow(const Axis& l) {
+    const double e = error_.for_axis(norm1(l));
+    std::array<double, 4> height, slope;
+    int above = 0, below = 0;
+    for (int i = 0; i < differences_.count; ++i) {
+      const auto n = static_cast<size_t>(i);
+      height[n] = dot_of(l, differences_.start[n]);
+      slope[n] = dot_of(l, differences_.way[n]);
+      const double now = slope[n] * time_ + height[n];
+      above += now > e;
+      below += now < -e;
+    }
+    if (above != differences_.count && below != differences_.count) return;
+    const double side = above == differences_.count ? 1 : -1;
+    const auto separated_at = [&](double t) {
+      for (int i = 0; i < differences_.count; ++i) {
+        const auto n = static_cast<size_t>(i);
+        if (!(side * (slope[n] * t + height[n]) > e)) return false;
+      }
+      return true;
+    };
+    if (separated_at(query_.t_max)) {
+      clear_ = true;
+      return;
+    }
+    // Half a bound past certainty, so that the check after it is likely to hold.
+    double end = query_.t_max;
+    for (int i = 0; i < differences_.count; ++i) {
+      const auto n = static_cast<size_t>(i);
+      if (side * slope[n] >= 0) continue;
+      end = std::min(end, (side * height[n] - 1.5 * e) / (-side * slope[n]));
+    }
+    if (end > furthest_ && separated_at(end)) furthest_ = end;
+  }
+
+  void try_axes() {
+    if (differences_.is_face) {
+      try_axes_of_face();
+    } else {
+      try_axes_of_edges();
+    }
+  }
+
+  void try_axes_of_edges() {
+    const Axis d = differences_.at(0, time_);
+    const Axis e = minus(differences_.at(1, time_), d), f = minus(d, differences_.at(2, time_));
+    follow(cross(e, f));
+    if (clear_) return;
+    const auto [x, y] = nearest_of_edges(d, e, f);
+    uv_ = {};
+    for (size_t s = 0; s < 2; ++s) {
+      if (query_.shapes[s].kind == ShapeKind::kCurve) uv_[s][0] = s == 0 ? x : y;
+    }
+    const Axis nearest = minus(plus(d, scaled(e, x)), scaled(f, y));
+    follow(nearest);
+    for (const Axis& edge : {e, f}) {
+      if (clear_) return;
+      follow(cross(edge, cross(d, edge)));
+    }
+  }
+
+  void try_axes_of_face() {
+    const Axis a = differences_.at(0, time_), b = differences_.at(1, time_),
+               c = differences_.at(2, time_);
+    const Axis ab = minus(b, a), ac = minus(c, a), bc = minus(c, b);
+    const Axis normal = cross(ab, ac);
+    follow(normal);
+    if (clear_) return;
+    const auto [of_b, of_c] = nearest_of_face(a, b, c);
+    uv_ = {};
+    // Control points 0, 1, 2 have the parameters (0, 0), (0, 1), (1, 0).
+    uv_[static_cast<size_t>(differences_.face_side)] = {of_c, of_b};
+    follow(plus(a, plus(scaled(ab, of_b), scaled(ac, of_c))));
+    const std::array<std::array<const Axis*, 2>, 3> edges = {{{&ab, &a}, {&ac, &a}, {&bc, &b}}};
+    for (const auto& [edge, corner] : edges) {
+      if (clear_) return;
+      follow(cross(normal, *edge));
+      if (clear_) return;
+      follow(cross(*edge, cross(*corner, *edge)));
+    }
+  }
+
+  const NormalisedQuery& query_;
+  const Differences differences_;
+  const ErrorBound error_;
+  double time_ = 0;      ///< separated until here
+  double furthest_ = 0;  ///< and until here by an axis tried since
+  bool clear_ = false;
+  std::array<Uv<double>, 2> uv_{};
+};
+
+}  // namespace
+
+bool can_advance(const Shape& a, const Shape& b) {
+  const auto flat = [](const Shape& s) { return s.kind != ShapeKind::kTensor && s.n <= 1; };
+  return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
+}
+
+Advanced advance(const NormalisedQuery& query) {
+  return Advancing(query).run();
+}
+
+}  // namespace ccdfuzz::certified

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "bezier/patch.hpp"
+#include "ccd/certified/normalise.hpp"
+
+namespace ccdfuzz::certified {
+
+/// What advancing found out. Nothing touches at any t in [0, time); with kClear, in [0, t_max].
+struct Advanced {
+  enum class Kind : std::uint8_t {
+    kClear,    ///< nothing touches
+    kStopped,  ///< at `time` no axis tells the patches apart, or none for a longer time
+    kSlow,     ///< not decided: to be searched from `time` on
+  };
+  Kind kind = Kind::kSlow;
+  double time = 0;                 ///< normalised
+  std::array<Uv<double>, 2> uv{};  ///< kStopped: of nearby points
+  std::uint64_t steps = 0;
+};
+
+/// True iff advance takes the shapes: points, curves of degree 1 and triangles of degree 1, with at
+/// most two parameters in all.
+bool can_advance(const Shape& a, const Shape& b);
+
+/// The fast path of linear queries (DERIVATION.md, 6). From t = 0 on, an axis that separates the
+/// patches at t is followed until it no longer does; there the next is chosen. Requires
+/// can_advance.
+Advanced advance(const NormalisedQuery& query);
+
+}  // namespace ccdfuzz::certified
