@@ -10,6 +10,7 @@
 #include "properties/generator_steps.hpp"
 #include "properties/geometry.hpp"
 #include "properties/intersection.hpp"
+#include "properties/linear_queries.hpp"
 #include "properties/method_answers.hpp"
 #include "properties/method_symmetry.hpp"
 #include "properties/no_false_negative.hpp"
@@ -108,9 +109,9 @@ const std::vector<Property>& properties() {
     std::vector<Property> list;
     for (const auto& family :
          {mixed_properties, rounding_properties, coefficient_properties, predicate_properties,
-          omission_properties, intersection_properties, geometry_properties, arithmetic_properties,
-          generator_properties, method_answer_properties, method_symmetry_properties,
-          traced_properties}) {
+          omission_properties, intersection_properties, geometry_properties, linear_properties,
+          arithmetic_properties, generator_properties, method_answer_properties,
+          method_symmetry_properties, traced_properties}) {
       for (const Property& property : family()) list.push_back(property);
     }
     return list;

@@ -1,0 +1,176 @@
+#include "properties/draw_linear.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ccdfuzz {
+
+namespace {
+
+using Vector = Vec3<Dyadic>;
+
+/// A patch of degree 0 or 1: its corners and their velocities, and weights that name a point of it.
+struct LinearSide {
+  Points<Dyadic> corners, velocities;
+  std::vector<Dyadic> weights;
+
+  Vector mean(const Points<Dyadic>& of) const {
+    Vector sum = {Dyadic(), Dyadic(), Dyadic()};
+    for (std::size_t i = 0; i < of.size(); ++i) sum += of[i] * weights[i];
+    return sum;
+  }
+};
+
+using LinearScene = std::array<LinearSide, 2>;
+
+Vector draw_small_vector(ChoiceSource& choices, int dimensions) {
+  constexpr int kBits = 2;
+  Vector v = {Dyadic(), Dyadic(), Dyadic()};
+  for (int k = 0; k < dimensions; ++k) v[k] = choices.dyadic(kBits, -1);
+  return v;
+}
+
+/// Weights of 1, 2 or 3 corners, multiples of 1/4 with sum 1; often at a corner or on an edge.
+std::vector<Dyadic> draw_weights(ChoiceSource& choices, std::size_t count) {
+  std::vector<Dyadic> weights(count);
+  std::int64_t left = 4;
+  for (std::size_t i = count - 1; i > 0; --i) {
+    const std::int64_t share = choices.integer(0, left);
+    weights[i] = Dyadic(static_cast<int>(share)).scaled(-2);
+    left -= share;
+  }
+  weights[0] = Dyadic(static_cast<int>(left)).scaled(-2);
+  return weights;
+}
+
+LinearSide draw_linear_side(ChoiceSource& choices, std::size_t count, int dimensions) {
+  LinearSide side;
+  for (std::size_t i = 0; i < count; ++i) {
+    side.corners.push_back(draw_small_vector(choices, dimensions));
+    side.velocities.push_back(draw_small_vector(choices, dimensions));
+  }
+  if (count > 1 && choices.choose(7) == 7) {  // a corner on another, for good
+    side.corners.back() = side.corners[count - 2];
+    side.velocities.back() = side.velocities[count - 2];
+  }
+  if (choices.choose(3) == 3) {  // no motion but that of the first corner
+    for (Vector& v : side.velocities) v = side.velocities[0];
+  }
+  side.weights = draw_weights(choices, count);
+  return side;
+}
+
+/// The second edge parallel to the first, at all times or at the start.
+void make_parallel(ChoiceSource& choices, LinearScene& scene) {
+  const Dyadic factor = choices.pick(std::array{Dyadic(1), Dyadic(-1), Dyadic(2), Dyadic(1, -1)});
+  const bool for_good = !choices.coin();
+  const auto follow = [&](const Points<Dyadic>& first, Points<Dyadic>& second) {
+    second[1] = second[0] + Vector(first[1] - first[0]) * factor;
+  };
+  follow(scene[0].corners, scene[1].corners);
+  if (for_good) follow(scene[0].velocities, scene[1].velocities);
+}
+
+/// Moves the first side so that the named points coincide at t; with `tangent`, so that their
+/// relative velocity there is a combination of the first edges of both sides.
+void plant_contact(ChoiceSource& choices, const Dyadic& t, LinearScene& scene) {
+  auto& [a, b] = scene;
+  if (choices.coin()) {
+    Vector relative = {Dyadic(), Dyadic(), Dyadic()};
+    for (const LinearSide& side : scene) {
+      const Dyadic share = Dyadic(static_cast<int>(choices.integer(-1, 1)));
+      for (std::size_t i = 1; i < std::min<std::size_t>(side.corners.size(), 2); ++i) {
+        const Vector edge = side.corners[i] - side.corners[0];
+        const Vector turn = side.velocities[i] - side.velocities[0];
+        relative += Vector(edge + turn * t) * share;
+      }
+    }
+    const Vector change = relative + b.mean(b.velocities) - a.mean(a.velocities);
+    for (Vector& v : a.velocities) v += change;
+  }
+  const Vector gap =
+      b.mean(b.corners) + b.mean(b.velocities) * t - a.mean(a.corners) - a.mean(a.velocities) * t;
+  for (Vector& p : a.corners) p += gap;
+}
+
+/// Turns and shears everything, and gives it a common velocity.
+void place(ChoiceSource& choices, LinearScene& scene) {
+  std::array<Vector, 3> columns;
+  for (int c = 0; c < 3; ++c) {
+    for (int k = 0; k < 3; ++k) {
+      columns[static_cast<std::size_t>(c)][k] =
+          Dyadic((c == k ? 1 : 0) + static_cast<int>(choices.integer(-1, 1)));
+    }
+  }
+  const Vector common = draw_small_vector(choices, 3);
+  const auto turned = [&](const Vector& v) -> Vector {
+    return columns[0] * v[0] + columns[1] * v[1] + columns[2] * v[2];
+  };
+  for (LinearSide& side : scene) {
+    for (Vector& p : side.corners) p = turned(p);
+    for (Vector& v : side.velocities) v = turned(v) + common;
+  }
+}
+
+Result<Points<double>> as_doubles(const Points<Dyadic>& exact_points, long scale) {
+  Points<double> out;
+  for (const Vector& p : exact_points) {
+    Vec3<double> rounded;
+    for (int k = 0; k < 3; ++k) {
+      const auto x = p[k].scaled(scale).to_double_exactly();
+      if (!x) return input_error("", "a number is not a double");
+      rounded[k] = *x;
+    }
+    out.push_back(rounded);
+  }
+  return out;
+}
+
+Shape shape_with(std::size_t corners) {
+  if (corners == 1) return Shape::point();
+  return corners == 2 ? Shape::curve(1) : Shape::triangle(1);
+}
+
+}  // namespace
+
+Result<Query> draw_linear(ChoiceSource& choices) {
+  using Counts = std::array<std::size_t, 2>;
+  const Counts counts = choices.pick(
+      std::array<Counts, 8>{{{2, 2}, {1, 3}, {2, 2}, {1, 3}, {2, 2}, {3, 1}, {1, 2}, {1, 1}}});
+  const int dimensions = choices.pick(std::array{3, 3, 3, 2, 2, 1});
+  LinearScene scene = {draw_linear_side(choices, counts[0], dimensions),
+                       draw_linear_side(choices, counts[1], dimensions)};
+  if (counts == Counts{2, 2} && choices.choose(3) == 3) make_parallel(choices, scene);
+  const Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(), Dyadic(1, -1), Dyadic(3, -2)});
+  if (choices.choose(3) != 3) plant_contact(choices, t, scene);
+  place(choices, scene);
+
+  const long scale = choices.coin() ? static_cast<long>(choices.integer(-1000, 900)) : 0;
+  Query query;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = shape_with(counts[s]);
+    auto positions = as_doubles(scene[s].corners, scale);
+    auto velocities = as_doubles(scene[s].velocities, scale);
+    if (!positions) return tl::unexpected(positions.error());
+    if (!velocities) return tl::unexpected(velocities.error());
+    patch.positions = *std::move(positions);
+    patch.velocities = *std::move(velocities);
+  }
+  if (choices.coin()) {
+    for (MovingPatch<double>& patch : query.patches) {
+      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+        for (Vec3<double>& p : *points) {
+          for (int k = 0; k < 3; ++k) {
+            if (choices.choose(7) == 7) p[k] = choices.nudged(p[k], 1);
+          }
+        }
+      }
+    }
+  }
+  const double t_contact = *t.to_double_exactly();
+  query.t_max = choices.pick(std::array{1.0, t_contact, 2.0, t_contact + 0x1p-30});
+  return query;
+}
+
+}  // namespace ccdfuzz
