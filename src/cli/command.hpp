@@ -100,8 +100,10 @@ class CommandLine {
 void add_bench(CommandLine& line);
 void add_check(CommandLine& line);
 void add_evaluate(CommandLine& line);
+void add_export(CommandLine& line);
 void add_generate(CommandLine& line);
 void add_hunt(CommandLine& line);
+void add_import(CommandLine& line);
 void add_merge(CommandLine& line);
 void add_methods(CommandLine& line);
 void add_properties(CommandLine& line);

@@ -13,6 +13,8 @@ int main(int argc, char** argv) {
     ccdfuzz::add_trace(line);
     ccdfuzz::add_generate(line);
     ccdfuzz::add_evaluate(line);
+    ccdfuzz::add_import(line);
+    ccdfuzz::add_export(line);
     ccdfuzz::add_verify(line);
     ccdfuzz::add_prove(line);
     ccdfuzz::add_merge(line);

@@ -5,7 +5,7 @@
 
 #include "numeric/verify.hpp"
 #include "query/case_json.hpp"
-#include "query/input_bytes.hpp"
+#include "query/line_reader.hpp"
 #include "query/output_file.hpp"
 
 namespace ccdfuzz {
@@ -13,61 +13,29 @@ namespace ccdfuzz {
 namespace {
 
 constexpr size_t kPiece = 1 << 16;
-constexpr std::string_view kBlank = " \t\r\n";
 
 }  // namespace
 
 struct CaseReader::State {
-  std::string path;
+  LineReader lines;
   CaseFileKind kind = CaseFileKind::kJson;
-  std::unique_ptr<InputBytes> bytes;
-  std::string buffer;  ///< read, and from `at` on not yet given out
-  size_t at = 0;
-  size_t line = 0;
-  bool ended = false;  ///< no more bytes beyond the buffer
-  bool any = false;    ///< gave a case
-
-  /// The text up to the next newline, or up to the end of the file if `whole`; nothing if no text
-  /// is left. Valid until the next call.
-  Result<std::optional<std::string_view>> take(bool whole) {
-    size_t searched = at;
-    for (;;) {
-      const size_t newline = whole ? std::string::npos : buffer.find('\n', searched);
-      if (newline != std::string::npos || ended) {
-        if (newline == std::string::npos && at == buffer.size()) return std::nullopt;
-        const size_t end = std::min(newline, buffer.size());
-        const std::string_view text = std::string_view(buffer).substr(at, end - at);
-        at = std::min(end + 1, buffer.size());
-        ++line;
-        return text;
-      }
-      if (buffer.size() - at > kMaxCaseBytes) {
-        return input_error(whole ? path : fmt::format("{}:{}", path, line + 1),
-                           fmt::format("is longer than {} bytes", kMaxCaseBytes));
-      }
-      buffer.erase(0, at);
-      at = 0;
-      searched = buffer.size();
-      auto more = bytes->read(kPiece);
-      if (!more) return tl::unexpected(more.error());
-      ended = more->empty();
-      buffer += *more;
-    }
-  }
+  bool any = false;  ///< gave a case
 
   Result<std::optional<NamedCase>> next() {
     const bool whole = kind == CaseFileKind::kJson;
     if (whole && any) return std::nullopt;
     for (;;) {
-      const auto text = take(whole);
+      const auto text = lines.next(whole);
       if (!text) return tl::unexpected(text.error());
-      const bool blank = !*text || (*text)->find_first_not_of(kBlank) == std::string_view::npos;
+      const bool blank = !*text || trimmed(**text).empty();
       if (blank && (whole || !*text)) {
         if (any) return std::nullopt;
-        return input_error(path, line == 0 || whole ? "is empty" : "holds no case");
+        const bool is_empty = lines.line() == 0 || whole;
+        return input_error(lines.path(), is_empty ? "is empty" : "holds no case");
       }
       if (blank) continue;
-      const std::string id = whole ? path : fmt::format("{}:{}", path, line);
+      const std::string id =
+          whole ? lines.path() : fmt::format("{}:{}", lines.path(), lines.line());
       auto value = parse_case(**text, id);
       if (!value) return tl::unexpected(value.error());
       any = true;
@@ -82,16 +50,12 @@ CaseReader& CaseReader::operator=(CaseReader&&) noexcept = default;
 CaseReader::~CaseReader() = default;
 
 Result<CaseReader> CaseReader::open(const std::string& path) {
-  auto state = std::make_unique<State>();
-  state->path = path;
   // A wrong name is told as such before a wrong ending.
-  auto bytes = open_input(path, path.ends_with(".zst"));
-  if (!bytes) return tl::unexpected(bytes.error());
-  state->bytes = *std::move(bytes);
+  auto lines = LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes);
+  if (!lines) return tl::unexpected(lines.error());
   const auto kind = case_file_kind(path);
   if (!kind) return tl::unexpected(kind.error());
-  state->kind = *kind;
-  return CaseReader(std::move(state));
+  return CaseReader(std::make_unique<State>(State{*std::move(lines), *kind}));
 }
 
 Result<std::optional<NamedCase>> CaseReader::next() {

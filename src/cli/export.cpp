@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "certify/linear/first_contact.hpp"
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "query/output_file.hpp"
+#include "query/query_csv.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct ExportArguments {
+  std::vector<std::string> files;
+  std::string output;
+  bool round = false;
+};
+
+/// The rows of a case with their label: for linear queries decided from the very numbers written.
+Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t& rounded) {
+  const Case& value = named.value;
+  std::uint64_t own = 0;
+  Result<CsvQuery> rows = to_csv_query(value.query, named.id, round, own);
+  if (!rows) return rows;
+  rounded += own;
+  if (rows->layout != CsvLayout::kCurved) {
+    rows->label = linear::first_contact(rows->patches(), 1).has_value();
+    return rows;
+  }
+  if (own > 0) {
+    return input_error(named.id,
+                       "end points are no doubles: what is known of this case would not "
+                       "be known of rounded ones");
+  }
+  if (!value.truth.collides) {
+    return input_error(named.id, "has no truth to write into its rows; see prove");
+  }
+  rows->label = value.truth.collides;
+  return rows;
+}
+
+Result<int> run_export(const ExportArguments& options) {
+  Result<OutputFile> out = OutputFile::create(options.output);
+  if (!out) return tl::unexpected(out.error());
+  std::optional<CsvLayout> layout;
+  std::uint64_t count = 0, rounded = 0;
+  for (const std::string& path : options.files) {
+    const auto visited = for_each_case(path, [&](const NamedCase& named) -> Result<void> {
+      if (auto checked = check_truth(named.value); !checked) {
+        return input_error(named.id, checked.error().message());
+      }
+      const auto own = csv_layout_of(named.value.query);
+      if (!own) {
+        return input_error(named.id,
+                           "is neither edge-edge nor vertex-face of degree 1 nor two "
+                           "triangles of degree 2");
+      }
+      if (layout && *layout != *own) {
+        return input_error(named.id, fmt::format("is {}, but the file holds {} so far",
+                                                 name_of(*own), name_of(*layout)));
+      }
+      layout = own;
+      return exported_rows(named, options.round, rounded).and_then([&](const CsvQuery& rows) {
+        ++count;
+        return out->write(to_csv(rows));
+      });
+    });
+    if (!visited) return tl::unexpected(visited.error());
+  }
+  if (auto done = out->commit(); !done) return tl::unexpected(done.error());
+  std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
+  if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
+  print_out(summary + "\n");
+  return kDone;
+}
+
+}  // namespace
+
+void add_export(CommandLine& line) {
+  auto [command, options] = line.add<ExportArguments>(
+      "export", "Write cases as a query CSV: 8 rows a linear query, 24 a curved one", run_export);
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  command.text("-o,--output", options->output, "File to write").required();
+  command.flag("--round", options->round,
+               "Take the nearest double for end points that are none, and count them");
+}
+
+}  // namespace ccdfuzz

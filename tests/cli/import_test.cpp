@@ -1,0 +1,95 @@
+// import, export and evaluate --linear: query CSVs in and out of the real program.
+#include <gmock/gmock.h>
+
+#include "process.hpp"
+#include "query/case_files.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+
+/// A vertex at (1/4, 1/4, 1) that ends at (1/4, 1/4, z) over a face in z = 0.
+std::string falling_vertex(const std::string& z, int label) {
+  std::string text;
+  for (const std::string& end : {std::string("1,1"), z}) {
+    for (const std::string& point : {"1,4,1,4," + end, std::string("0,1,0,1,0,1"),
+                                     std::string("0,1,1,1,0,1"), std::string("1,1,0,1,0,1")}) {
+      text += point + (label < 0 ? "" : "," + std::to_string(label)) + "\n";
+    }
+  }
+  return text;
+}
+
+TEST(Import, DecidesExactlyAndListsWrongLabels) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", out = folder / "out.jsonl";
+  write_text(csv, falling_vertex("-1,2", 1) + falling_vertex("1,2", 1) + falling_vertex("0,1", 1));
+  const Finished done = ccdfuzz({"import", csv, "-o", out});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr(csv + ":9"));
+  EXPECT_THAT(done.out, HasSubstr("3 queries: 2 hits, 1 misses; 1 of 3 labels are wrong\n"));
+  const Finished verified = ccdfuzz({"verify", out});
+  EXPECT_EQ(verified.out, "3 cases: 3 hold, 0 refuted, 0 unproven\n");
+  const auto cases = read_cases(out);
+  ASSERT_TRUE(cases);
+  EXPECT_EQ((*cases)[0].value.truth.witness->t, Rational(2, 3));
+  EXPECT_EQ((*cases)[0].value.origin.more.at("label"), "1");
+  EXPECT_EQ((*cases)[1].value.truth.proof, "L");
+}
+
+TEST(Import, TellsWhereRoundingChangesTheTruth) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", out = folder / "out.jsonl";
+  // Ends 2^-80 above the face, which no way from 1 in doubles does.
+  write_text(csv, falling_vertex("1,1208925819614629174706176", 0));
+  const Finished refused = ccdfuzz({"import", csv, "-o", out});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr(csv + ":5: the way in z from line 1 to here, "));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  const Finished done = ccdfuzz({"import", csv, "-o", out, "--round"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("1 queries: 1 hits, 0 misses; 0 of 1 labels are wrong; 1 values "
+                                  "of 1 queries rounded, which changed the truth of 1\n"));
+}
+
+TEST(Import, RefusesWhatItCannotRead) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "queries.csv", out = folder / "out.jsonl";
+  write_text(csv, falling_vertex("0,1", -1));
+  EXPECT_THAT(ccdfuzz({"import", csv, "-o", out}).err, HasSubstr("name it with --as"));
+  EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "vertex-face"}).code, 0);
+  EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "curved"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "faces"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"import", csv, csv, "-o", out, "--truths", csv}).code, 2);
+}
+
+TEST(Export, GivesBackWhatImportRead) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", cases = folder / "cases.jsonl",
+                    back = folder / "back.csv";
+  const std::string text = falling_vertex("-1,2", 1) + falling_vertex("1,2", 0);
+  write_text(csv, text);
+  ASSERT_EQ(ccdfuzz({"import", csv, "-o", cases}).code, 0);
+  const Finished done = ccdfuzz({"export", cases, "-o", back});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_EQ(done.out, "2 vertex-face queries\n");
+  EXPECT_EQ(read_text(back), text);
+}
+
+TEST(Export, WritesCurvedCasesThatImportReads) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "VV", "RP", 3), csv = folder / "curved.csv",
+                    back = folder / "back.jsonl";
+  const Finished done = ccdfuzz({"export", set, "-o", csv});
+  EXPECT_EQ(done.code, 0) << done.err;
+  const Finished read = ccdfuzz({"import", csv, "-o", back, "--round"});
+  EXPECT_EQ(read.code, 0) << read.err;
+  EXPECT_THAT(read.out, HasSubstr("3 queries: 0 hits, 0 misses, 3 left to prove"));
+  const auto cases = read_cases(back);
+  ASSERT_TRUE(cases);
+  EXPECT_EQ((*cases)[2].value.origin.more.at("label"), "1");
+}
+
+}  // namespace
+}  // namespace ccdfuzz
