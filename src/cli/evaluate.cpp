@@ -7,6 +7,7 @@
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/evaluate_linear.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
@@ -21,6 +22,7 @@ struct EvaluateArguments {
   std::vector<std::string> files;
   std::string methods = kDefaultMethods;
   std::string horizons;
+  std::string linear;
   SearchFlags search;
   std::string folder;
   int threads = 1;
@@ -159,6 +161,8 @@ class Report {
 Result<int> run_evaluate(const EvaluateArguments& options) {
   const Result<EvaluateOptions> parsed = parse(options);
   if (!parsed) return tl::unexpected(parsed.error());
+  if (!options.linear.empty()) return run_evaluate_linear(options.linear, *parsed, options.json);
+  if (options.files.empty()) return input_error("dataset", "is required");
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
   if (!cases) return tl::unexpected(cases.error());
   std::optional<Report> report;
@@ -199,8 +203,14 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
 
 void add_evaluate(CommandLine& line) {
   auto [command, options] = line.add<EvaluateArguments>(
-      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 and 2)", run_evaluate);
-  command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 to 3)", run_evaluate);
+  const Option dataset =
+      command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst");
+  command
+      .text("--linear", options->linear,
+            "Instead: all edge-edge and vertex-face query CSVs under this folder (the paper's "
+            "Table 3), judged by their exact truth")
+      .excludes(dataset);
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   command.text("--t-max-factors", options->horizons,
                "Ask positive cases up to these multiples of the contact's time instead of their "

@@ -91,5 +91,32 @@ TEST(Export, WritesCurvedCasesThatImportReads) {
   EXPECT_EQ((*cases)[2].value.origin.more.at("label"), "1");
 }
 
+TEST(EvaluateLinear, PrintsTable3OfAFolder) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder / "scene/vertex-face");
+  write_text(folder / "scene/vertex-face/0.csv",
+             falling_vertex("-1,2", 1) + falling_vertex("1,2", 1));
+  write_text(folder / "scene/1vf.csv", falling_vertex("-1,3", 1));
+  const std::vector<std::string> command = {"evaluate", "--linear", folder.path(), "--methods",
+                                            "tdibm-c,tdibm-e"};
+  const Finished done = ccdfuzz(command);
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("107/21209"));
+  EXPECT_THAT(done.out, HasSubstr("0.csv:9: labelled a contact, but there is no contact\n"));
+  EXPECT_THAT(done.out, HasSubstr("3 queries; 1 of 3 labels are wrong; 1 values of 1 queries are "
+                                  "no doubles and were rounded\n"));
+  std::vector<std::string> as_json = command;
+  as_json.push_back("--json");
+  const auto rows = json_lines(ccdfuzz(as_json).out);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0]["queries"], "vertex-face");
+  EXPECT_EQ(rows[0]["n"], 3);
+  EXPECT_EQ(rows[0]["positives"], 2);
+  EXPECT_EQ(rows[0]["correct"], 3);
+  EXPECT_EQ(rows[2]["in_file"], false);
+  EXPECT_EQ(ccdfuzz({"evaluate", "--linear", folder / "scene/vertex-face/0.csv"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"evaluate"}).code, 2);
+}
+
 }  // namespace
 }  // namespace ccdfuzz

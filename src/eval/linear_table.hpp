@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "eval/imported.hpp"
+#include "eval/table.hpp"
+#include "eval/tally.hpp"
+#include "method/method.hpp"
+
+namespace ccdfuzz {
+
+/// The linear queries of a folder.
+struct LinearFile {
+  std::string path;
+  CsvLayout layout = CsvLayout::kEdgeEdge;
+};
+
+/// All .csv files under a folder whose path tells that they are edge-edge or vertex-face, by name.
+/// Errors: there is none, or no such folder.
+Result<std::vector<LinearFile>> linear_files(const std::string& folder);
+
+/// What one method did on all queries of one layout.
+struct LinearGroup {
+  CsvLayout layout = CsvLayout::kEdgeEdge;
+  std::string method;
+  Tally tally;
+  Timings timings;
+};
+
+/// What was found out besides.
+struct LinearReport {
+  std::vector<LinearGroup> groups;  ///< edge-edge first; then in the order of the methods
+  std::vector<Imported> notable;    ///< wrong labels, and truths that rounding changed
+  std::uint64_t queries = 0, labels = 0, rounded_values = 0, rounded_queries = 0;
+};
+
+/// Puts every query to every method. Each is asked, and judged by its own exact truth, with its
+/// numbers rounded to doubles where they are none, which is counted. Times are CPU time (of
+/// plug-ins what they say they took), the least of three answers, of one that took longer than 10
+/// ms. stop ends it early.
+Result<LinearReport> evaluate_linear(const std::vector<LinearFile>& files,
+                                     const std::vector<std::string>& methods,
+                                     const SearchOptions& search, int threads,
+                                     const std::function<void(double share)>& progress,
+                                     const std::atomic<bool>* stop = nullptr);
+
+/// The shape of the paper's Table 3, with its numbers beside where it has them.
+Table linear_table(const std::vector<LinearGroup>& groups);
+
+}  // namespace ccdfuzz
