@@ -5,6 +5,7 @@
 
 #include "generators/random.hpp"
 #include "query/case.hpp"
+#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 
@@ -26,6 +27,9 @@ struct WitnessedQuery {
 /// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one that
 /// is not dyadic.
 std::optional<WitnessedQuery> witnessed_query(const Case& known);
+
+/// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.
+ContactClass contact_class_of(const WitnessedQuery& q);
 
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.
 Case case_of(const WitnessedQuery& q);

@@ -57,7 +57,9 @@ Table cell_table(const HuntReport& report) {
                {"FN late"},
                {"FP"},
                {"undecided"},
-               {"error"}});
+               {"error"},
+               {"mutants"},
+               {"lost"}});
   const HuntCell* previous = nullptr;
   for (const HuntCell& cell : report.cells) {
     if (previous && previous->contact != cell.contact) table.start_group();
@@ -79,7 +81,10 @@ Table cell_table(const HuntReport& report) {
          count(Outcome::kLate, tally.positives),
          count(Outcome::kFalsePositive, tally.negatives),
          count(Outcome::kUndecided, tally.n),
-         count(Outcome::kError, tally.n)});
+         count(Outcome::kError, tally.n),
+         {fmt::format("{}", cell.bred.mutants)},
+         {count_text(cell.bred.lost, cell.bred.mutants),
+          cell.bred.lost == 0 ? Emphasis::kFaint : Emphasis::kBad}});
   }
   return table;
 }
@@ -146,6 +151,8 @@ void print_report_json(const HuntReport& report) {
         {"n", tally.n},  {"positives", tally.positives},   {"negatives", tally.negatives}};
     for (const Outcome o : kAllOutcomes) row[std::string(name_of(o))] = tally.count(o);
     row["cpu_seconds"] = cell.cpu_seconds;
+    row["mutants"] = cell.bred.mutants;
+    row["lost_mutants"] = cell.bred.lost;
     print_json(row);
   }
   for (const HuntFind& find : report.finds) {

@@ -19,11 +19,31 @@ namespace ccdfuzz {
 
 namespace {
 
+/// Mutants that a method meets for each draw of a hunt by cases.
+constexpr std::uint64_t kMutantsPerDraw = 16;
+/// Draws that such a population begins with.
+constexpr std::uint64_t kFounders = 64;
+
 /// What one method said of one draw.
 struct Turn {
   size_t cell = 0;
   std::vector<Judged> judged;  ///< one for each of the draw's queries, fewer if stopped
   double cpu_seconds = 0;
+};
+
+/// A counterexample on its way to the store.
+struct Found {
+  Case asked;
+  Judged judged;
+};
+
+/// The population of one cell. Its time is no more than what the cell's draws took.
+struct Nursery {
+  Breeder breeder;
+  bool taken = false;  ///< by a thread; another goes without
+  double drawn_seconds = 0, bred_seconds = 0;
+
+  bool is_behind() const { return !taken && bred_seconds < drawn_seconds; }
 };
 
 class Hunt {
@@ -37,7 +57,9 @@ class Hunt {
         draws_(options.seed) {
     for (const ContactClass contact : kContactClasses) {
       for (const std::string& method : options.methods) {
-        report_.cells.push_back({method, contact, {}, 0});
+        const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
+        nurseries_.push_back(Nursery{Breeder(method, seed)});
+        report_.cells.push_back({method, contact, {}, 0, {}});
       }
     }
   }
@@ -49,6 +71,9 @@ class Hunt {
       hunt_by_time();
     }
     if (failure_) std::rethrow_exception(failure_);
+    for (size_t c = 0; c < nurseries_.size(); ++c) {
+      report_.cells[c].bred = nurseries_[c].breeder.tally();
+    }
     if (!report_.error && !stop_) note(trophies_.complete(stop_));
     Result<std::vector<HuntFind>> finds = trophies_.finds();
     if (finds) {
@@ -73,19 +98,20 @@ class Hunt {
     ended_ = true;
   }
 
+  /// What answers in another process costs what we wait for it.
+  double clock_of(const Method& method) const {
+    return method.runs_elsewhere() ? elapsed() : thread_cpu_seconds();
+  }
+
   Turn take_turn(size_t cell, const Draw& drawn, MethodSet& methods) const {
     Turn turn{cell, {}, 0};
     Method& method = methods[report_.cells[cell].method];
-    // What answers in another process costs what we wait for it.
-    const auto cost_so_far = [&] {
-      return method.runs_elsewhere() ? elapsed() : thread_cpu_seconds();
-    };
-    const double start = cost_so_far();
+    const double start = clock_of(method);
     for (const Case& asked : drawn.asked) {
       if (stop_) break;
       turn.judged.push_back(ask(method, asked, options_.search));
     }
-    turn.cpu_seconds = cost_so_far() - start;
+    turn.cpu_seconds = clock_of(method) - start;
     return turn;
   }
 
@@ -97,18 +123,68 @@ class Hunt {
       const Judged& judged = turn.judged[q];
       cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].truth.collides);
       ++queries_;
-      if (is_failure(judged.outcome) && !report_.error) {
-        note(trophies_.offer(cell.method, drawn.asked[q], judged));
-      }
+      if (is_failure(judged.outcome)) offer(cell.method, {drawn.asked[q], judged});
     }
+  }
+
+  void offer(const std::string& method, const Found& found) {
+    if (!report_.error) note(trophies_.offer(method, found.asked, found.judged));
   }
 
   void show(double share) const {
     on_progress_({std::min(share, 1.0), queries_, trophies_.count()});
   }
 
-  /// Draw by draw and class by class, every draw to every method; recorded in that order.
+  /// Steps of the cell's population while more() says so; what they found.
+  template <class More>
+  std::vector<Found> breed(size_t cell, MethodSet& methods, TracerSet& tracers, const More& more) {
+    std::vector<Found> found;
+    const auto keep = [&](const Case& asked, const Judged& judged) {
+      found.push_back({asked, judged});
+    };
+    while (!stop_ && more()) {
+      nurseries_[cell].breeder.step(methods, tracers, options_.search, keep);
+    }
+    return found;
+  }
+
   void hunt_cases(std::uint64_t count) {
+    ask_draws(count);
+    if (!stop_ && !ended_) breed_draws(count);
+  }
+
+  /// Every cell's population on its own, founded by the first draws.
+  void breed_draws(std::uint64_t count) {
+    struct Workshop {
+      MethodSet methods;
+      TracerSet tracers;
+    };
+    tbb::enumerable_thread_specific<Workshop> workshops;
+    size_t cell_of_found = 0;
+    run_in_order<std::vector<Found>>(
+        report_.cells.size(), options_.threads,
+        [&](size_t cell) {
+          Workshop& workshop = workshops.local();
+          Breeder& breeder = nurseries_[cell].breeder;
+          for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
+            for (const Case& asked : draws_.get(report_.cells[cell].contact, i)->asked) {
+              breeder.add(asked, workshop.tracers);
+            }
+          }
+          std::uint64_t left = count * kMutantsPerDraw;
+          return breed(cell, workshop.methods, workshop.tracers, [&] { return left-- > 0; });
+        },
+        [&](const std::vector<Found>& all) {
+          for (const Found& found : all) offer(report_.cells[cell_of_found].method, found);
+          ++cell_of_found;
+          show(1);
+          if (stop_) ended_ = true;
+        },
+        &ended_);
+  }
+
+  /// Draw by draw and class by class, every draw to every method; recorded in that order.
+  void ask_draws(std::uint64_t count) {
     struct Answered {
       Draw drawn;
       std::vector<Turn> turns;
@@ -152,22 +228,17 @@ class Hunt {
   void work() {
     try {
       MethodSet methods;
+      TracerSet tracers;
       std::unique_lock lock(mutex_);
       while (!stop_ && !ended_ && elapsed() < options_.seconds) {
         // The scheduler starts with its first cell: let that be of the class with the cheapest
         // queries, so that a short hunt sees most classes before it comes to the slow ones.
         const size_t turn_of = scheduler_.begin();
         const size_t cell = report_.cells.size() - 1 - turn_of;
-        const std::uint64_t index = next_draw_[cell]++;
-        lock.unlock();
-        const double start = thread_cpu_seconds();
-        const std::shared_ptr<const Draw> drawn = draws_.get(report_.cells[cell].contact, index);
-        const double draw_cpu = thread_cpu_seconds() - start;
-        const Turn turn = take_turn(cell, *drawn, methods);
-        lock.lock();
-        scheduler_.end(turn_of, turn.cpu_seconds);
-        report_.draw_cpu_seconds += draw_cpu;
-        record(turn, *drawn);
+        const double used = nurseries_[cell].is_behind()
+                                ? take_breeding_turn(cell, methods, tracers, lock)
+                                : take_drawing_turn(cell, methods, tracers, lock);
+        scheduler_.end(turn_of, used);
         show(elapsed() / options_.seconds);
       }
       count_cases();
@@ -176,6 +247,48 @@ class Hunt {
       if (!failure_) failure_ = std::current_exception();
       ended_ = true;
     }
+  }
+
+  /// One draw, put to the cell's method. Returns the CPU time of that.
+  double take_drawing_turn(size_t cell, MethodSet& methods, TracerSet& tracers,
+                           std::unique_lock<std::mutex>& lock) {
+    Nursery& nursery = nurseries_[cell];
+    const bool founds = !std::exchange(nursery.taken, true);
+    const std::uint64_t index = next_draw_[cell]++;
+    lock.unlock();
+    const double start = thread_cpu_seconds();
+    const std::shared_ptr<const Draw> drawn = draws_.get(report_.cells[cell].contact, index);
+    const double draw_cpu = thread_cpu_seconds() - start;
+    const Turn turn = take_turn(cell, *drawn, methods);
+    for (const Case& asked : drawn->asked) {
+      if (founds) nursery.breeder.add(asked, tracers);
+    }
+    lock.lock();
+    if (founds) nursery.taken = false;
+    nursery.drawn_seconds += turn.cpu_seconds;
+    report_.draw_cpu_seconds += draw_cpu;
+    record(turn, *drawn);
+    return turn.cpu_seconds;
+  }
+
+  /// A slice of time for the cell's population. Returns the CPU time of that.
+  double take_breeding_turn(size_t cell, MethodSet& methods, TracerSet& tracers,
+                            std::unique_lock<std::mutex>& lock) {
+    constexpr double kSlice = 0.02;
+    Nursery& nursery = nurseries_[cell];
+    nursery.taken = true;
+    lock.unlock();
+    const Method& method = methods[report_.cells[cell].method];
+    const double start = clock_of(method);
+    const auto used = [&] { return clock_of(method) - start; };
+    const std::vector<Found> all =
+        breed(cell, methods, tracers, [&] { return !ended_ && used() < kSlice; });
+    const double seconds = used();
+    lock.lock();
+    nursery.taken = false;
+    nursery.bred_seconds += seconds;
+    for (const Found& found : all) offer(report_.cells[cell].method, found);
+    return seconds;
   }
 
   /// The draws of a class that were put to any method: as far as the fastest got.
@@ -194,6 +307,7 @@ class Hunt {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Trophies trophies_;
   DrawCache draws_;
+  std::vector<Nursery> nurseries_;  ///< one a cell
 
   std::mutex mutex_;  ///< of all below, while workers run
   Scheduler scheduler_{0};

@@ -9,6 +9,7 @@
 #include "corpus/store.hpp"
 #include "eval/ask.hpp"
 #include "eval/tally.hpp"
+#include "hunt/breeder.hpp"
 #include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
@@ -18,8 +19,9 @@ struct HuntOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   double seconds = 60;
-  /// This many draws of each class, every one put to every method, instead of a time: then the
-  /// hunt depends on nothing but these options, and finds the same things in every run.
+  /// This many draws of each class, every one put to every method, and mutants in proportion,
+  /// instead of a time: then the hunt depends on nothing but these options, and finds the same
+  /// things in every run.
   std::optional<std::uint64_t> cases;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
@@ -29,8 +31,9 @@ struct HuntOptions {
 struct HuntCell {
   std::string method;
   ContactClass contact = ContactClass::kFF;
-  Tally tally;
-  double cpu_seconds = 0;
+  Tally tally;             ///< of the draws
+  double cpu_seconds = 0;  ///< for the queries about them
+  BreedTally bred;         ///< of their mutants
 };
 
 /// True iff the outcome is a false negative and the method claims to have none.
@@ -61,10 +64,12 @@ struct HuntProgress {
   std::uint64_t finds = 0;
 };
 
-/// The main job: draws cases of all six contact classes, puts them to the methods, judges, and
-/// stores the smallest counterexample of each (method, class, failure signature).
-/// By time, each (method, class) cell gets an equal share of CPU time, and all methods of a class
-/// walk the same sequence of draws. stop ends the hunt early, with what it has.
+/// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds
+/// mutants of them that each method nearly loses (Breeder), and stores the smallest counterexample
+/// of each (method, class, failure signature).
+/// By time, each (method, class) cell gets an equal share of CPU time, half of it for mutants, and
+/// all methods of a class walk the same sequence of draws. stop ends the hunt early, with what it
+/// has.
 /// Requires at least one method.
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,

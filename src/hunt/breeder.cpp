@@ -1,0 +1,88 @@
+#include "hunt/breeder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "corpus/store.hpp"
+#include "eval/horizons.hpp"
+#include "fuzz/mutator/mutate.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr size_t kMembers = 64;
+
+}  // namespace
+
+Breeder::Breeder(std::string method, std::uint64_t seed)
+    : method_(std::move(method)),
+      traceable_(make_tracer(method_).has_value()),
+      random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
+
+std::optional<double> Breeder::nearness(const Case& known, TracerSet& tracers) const {
+  const Trace& trace = tracers[method_].trace(known.query, *known.truth.witness, {});
+  if (trace.lost) return std::nullopt;
+  // Methods that compare at the ends of windows tell by how much (slack); of the others it is the
+  // time between the contact and what was excluded.
+  if (trace.slack) return trace.slack->value;
+  if (trace.margin) return std::log2(1 + static_cast<double>(trace.margin->ulps));
+  return std::numeric_limits<double>::infinity();
+}
+
+void Breeder::add(const Case& known, TracerSet& tracers) {
+  std::optional<WitnessedQuery> q = witnessed_query(known);
+  if (!q) return;
+  // Founders that are lost are as good as any: half of their mutants are not.
+  join({*std::move(q), traceable_ ? nearness(known, tracers).value_or(0) : 0});
+}
+
+void Breeder::join(Member member) {
+  if (members_.size() < kMembers) {
+    members_.push_back(std::move(member));
+    return;
+  }
+  const auto farthest = std::ranges::max_element(members_, {}, &Member::nearness);
+  // The younger of equals stays, so that the population drifts.
+  if (member.nearness <= farthest->nearness) *farthest = std::move(member);
+}
+
+const WitnessedQuery& Breeder::parent() {
+  const Member& a = members_[random_.below(members_.size())];
+  const Member& b = members_[random_.below(members_.size())];
+  return a.nearness <= b.nearness ? a.q : b.q;
+}
+
+void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
+                   const std::function<void(const Case&, const Judged&)>& found) {
+  if (members_.empty()) return;
+  const WitnessedQuery& mother = parent();
+  const WitnessedQuery& father = members_[random_.below(members_.size())].q;
+  WitnessedQuery mutant = mutate(mother, father, random_);
+  const Case known = case_of(mutant);
+  ++tally_.mutants;
+  const std::optional<double> near = traceable_ ? nearness(known, tracers) : std::nullopt;
+  if (near) {
+    join({std::move(mutant), *near});
+    return;
+  }
+  if (traceable_) {
+    ++tally_.lost;
+  } else {
+    join({std::move(mutant), 0});
+  }
+  const CaseSize size = size_of(known.query);
+  if (smallest_failure_ && !(size < *smallest_failure_)) return;
+  for (const double factor : kHorizonFactors) {
+    const std::optional<Case> asked = at_horizon(known, factor);
+    if (!asked) continue;
+    const Judged judged = ask(methods[method_], *asked, search);
+    if (!is_failure(judged.outcome)) continue;
+    smallest_failure_ = size;
+    found(*asked, judged);
+    return;
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "corpus/content_address.hpp"
+#include "eval/ask.hpp"
+#include "fuzz/mutator/witnessed_query.hpp"
+
+namespace ccdfuzz {
+
+/// What breeding did.
+struct BreedTally {
+  std::uint64_t mutants = 0;  ///< made and traced
+  std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
+};
+
+/// A population of contacts that is bred towards what one method nearly loses: mutants take the
+/// place of members that the method's own tests keep by more (the margin or slack of the witness
+/// trace). A trace takes microseconds, so thousands of mutants cost what a few queries do.
+///
+/// A mutant whose contact is lost is put to the method, up to the contact and past it, if it is
+/// smaller than what failed before; a failure there is a counterexample. A plug-in cannot be
+/// traced: every mutant is put to it, and the population drifts without aim.
+class Breeder {
+ public:
+  Breeder(std::string method, std::uint64_t seed);
+
+  /// A case joins the population, if it has a dyadic witness within its t_max.
+  void add(const Case& known, TracerSet& tracers);
+
+  /// Makes one mutant and traces it. found(Case, Judged): a counterexample.
+  void step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
+            const std::function<void(const Case&, const Judged&)>& found);
+
+  const BreedTally& tally() const { return tally_; }
+
+ private:
+  struct Member {
+    WitnessedQuery q;
+    double nearness = 0;  ///< to being lost: less is nearer
+  };
+
+  /// Of a method that can be traced: how near it was to losing the contact. nullopt: it lost it.
+  std::optional<double> nearness(const Case& known, TracerSet& tracers) const;
+  void join(Member member);
+  const WitnessedQuery& parent();
+
+  std::string method_;
+  bool traceable_;
+  Random random_;
+  std::vector<Member> members_;
+  std::optional<CaseSize> smallest_failure_;
+  BreedTally tally_;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,61 @@
+#include "hunt/breeder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "certify/checker/check_witness.hpp"
+#include "hunt/draw.hpp"
+#include "query/case_json.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+struct Bred {
+  BreedTally tally;
+  std::vector<Case> found;
+};
+
+Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps) {
+  MethodSet methods;
+  TracerSet tracers;
+  Breeder breeder(method, 1);
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    for (const Case& asked : draw(contact, 1, i).asked) breeder.add(asked, tracers);
+  }
+  SearchOptions search;
+  search.max_pops = 10'000;
+  Bred bred;
+  for (std::size_t i = 0; i < steps; ++i) {
+    breeder.step(methods, tracers, search, [&](const Case& asked, const Judged& judged) {
+      EXPECT_TRUE(is_false_negative(judged.outcome));
+      EXPECT_TRUE(check_witness(asked.query, *asked.truth.witness)) << to_json(asked);
+      bred.found.push_back(asked);
+    });
+  }
+  bred.tally = breeder.tally();
+  return bred;
+}
+
+TEST(Breeder, FindsFaceContactsThatPlainTdibmMissesWhereDrawsFindNone) {
+  const Bred bred = bred_by("tdibm", ContactClass::kEF, 100);
+  EXPECT_EQ(bred.tally.mutants, 100U);
+  EXPECT_GE(bred.tally.lost, 5U);
+  EXPECT_GE(bred.found.size(), 1U);
+}
+
+TEST(Breeder, TheSoundMethodsLoseNoMutant) {
+  for (const ContactClass contact : kContactClasses) {
+    EXPECT_EQ(bred_by("tdibm-c", contact, 400 / kOneIn).tally.lost, 0U) << name_of(contact);
+    EXPECT_EQ(bred_by("tdibm-rational", contact, 40 / kOneIn).tally.lost, 0U) << name_of(contact);
+  }
+}
+
+TEST(Breeder, DependsOnItsSeedAlone) {
+  const Bred once = bred_by("tdibm-h:1e-16", ContactClass::kVV, 200 / kOneIn);
+  const Bred again = bred_by("tdibm-h:1e-16", ContactClass::kVV, 200 / kOneIn);
+  EXPECT_EQ(once.found, again.found);
+  EXPECT_EQ(once.tally.lost, again.tally.lost);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
