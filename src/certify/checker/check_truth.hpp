@@ -18,8 +18,8 @@ namespace ccdfuzz {
 /// refuted, naming JSON path and value.
 Result<void> check_truth(const Case& value);
 
-/// Checks a certificate of absence of contact: check_plane, check_linear_clearance, or check_tree of
-/// these bytes.
+/// Checks a certificate of absence of contact: check_plane, check_linear_clearance, or check_tree
+/// of these bytes.
 Result<void> check_clearance(const Query& query, const Clearance& clearance, std::string_view tree);
 
 /// Checks that the case's clearance holds and proves all that the case says of absence: no contact
