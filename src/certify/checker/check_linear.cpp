@@ -139,22 +139,34 @@ std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
 
 enum class Found { kOutside, kInside, kUndecided };
 
-/// Decides the part of [0, 1] that the triangle's corners, x = 1 − s and y = s, stand for.
-Found decide_outside(const Triangle& triangle, bool closed, int halvings) {
-  const Conditions conditions(triangle);
-  if (is_outside(conditions, closed)) return Found::kOutside;
-  if (contains_origin_at_start(conditions)) return Found::kInside;
-  if (halvings == 0) return Found::kUndecided;
-  Triangle first = triangle, second = triangle;
-  for (size_t i = 0; i < 3; ++i) {
-    for (size_t k = 0; k < 3; ++k) {
-      const Integer middle = triangle[i][k][0] + triangle[i][k][1];  // all doubled
-      first[i][k] = {Integer(2 * triangle[i][k][0]), middle};
-      second[i][k] = {middle, Integer(2 * triangle[i][k][1])};
+/// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s.
+Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
+  struct Part {
+    Triangle triangle;
+    bool closed;
+    int halvings;  ///< left
+  };
+  std::vector<Part> left = {{triangle, closed, most_halvings}};
+  while (!left.empty()) {
+    const Part part = std::move(left.back());
+    left.pop_back();
+    const Conditions conditions(part.triangle);
+    if (is_outside(conditions, part.closed)) continue;
+    if (contains_origin_at_start(conditions)) return Found::kInside;
+    if (part.halvings == 0) return Found::kUndecided;
+    Part first{{}, true, part.halvings - 1}, second{{}, part.closed, part.halvings - 1};
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t k = 0; k < 3; ++k) {
+        const auto& [start, end] = part.triangle[i][k];
+        const Integer middle = start + end;  // all doubled
+        first.triangle[i][k] = {Integer(2 * start), middle};
+        second.triangle[i][k] = {middle, Integer(2 * end)};
+      }
     }
+    left.push_back(std::move(second));
+    left.push_back(std::move(first));
   }
-  const Found found = decide_outside(first, true, halvings - 1);
-  return found == Found::kOutside ? decide_outside(second, closed, halvings - 1) : found;
+  return Found::kOutside;
 }
 
 int sign_of(const Form& f, const Rational& t) {

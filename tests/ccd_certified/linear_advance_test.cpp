@@ -1,0 +1,101 @@
+#include "ccd/certified/linear_advance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "certify/linear/first_contact.hpp"
+#include "generators/random.hpp"
+#include "query/case_json.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz::certified {
+namespace {
+
+/// All bits in use.
+double full_double(Random& random) {
+  return std::ldexp(static_cast<double>(random.between(-(1LL << 53), 1LL << 53)), -53);
+}
+
+std::array<Shape, 2> any_linear_shapes(Random& random) {
+  constexpr Shape kPoint = Shape::point(), kEdge = Shape::curve(1), kFace = Shape::triangle(1);
+  return random.pick(std::array<std::array<Shape, 2>, 6>{{{kEdge, kEdge},
+                                                          {kEdge, kEdge},
+                                                          {kPoint, kFace},
+                                                          {kFace, kPoint},
+                                                          {kPoint, kEdge},
+                                                          {kPoint, kPoint}}});
+}
+
+/// Two linear patches in full doubles that are within a few floats of touching at t = 1/2, at a
+/// corner, on an edge or inside; far from the origin, fast in common, or neither.
+Query almost_touching(Random& random) {
+  const std::array<Shape, 2> shapes = any_linear_shapes(random);
+  Query query;
+  query.t_max = random.pick(std::array{0.5, 1.0, std::nextafter(0.5, 0), std::nextafter(0.5, 1)});
+  const double away = random.pick(std::array{0.0, 0.0, 1.0, 0x1p20});
+  const double common = random.pick(std::array{0.0, 0.0, 0x1p10});
+  std::array<Vec3<double>, 2> at{};
+  for (size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = shapes[s];
+    const int count = patch.shape.control_count();
+    std::vector<double> weights(static_cast<size_t>(count), 0);
+    weights[random.below(weights.size())] = 1;
+    if (count > 1 && random.coin()) weights = {0.375, 0.625};
+    if (count > 2) weights.resize(3, 0);
+    at[s] = {0, 0, 0};
+    for (int i = 0; i < count; ++i) {
+      Vec3<double> p, v;
+      for (int k = 0; k < 3; ++k) {
+        p[k] = full_double(random) + away;
+        v[k] = full_double(random) + common;
+        at[s][k] += weights[static_cast<size_t>(i)] * (p[k] + 0.5 * v[k]);
+      }
+      patch.positions.push_back(p);
+      patch.velocities.push_back(v);
+    }
+  }
+  for (Vec3<double>& p : query.patches[0].positions) {
+    for (int k = 0; k < 3; ++k) p[k] += at[1][k] - at[0][k];
+  }
+  return query;
+}
+
+TEST(LinearAdvance, NeverPassesAContact) {
+  Random random = Random::keyed({11});
+  int contacts = 0, clear = 0, reached = 0;
+  NormalisedQuery normalised;
+  for (size_t i = 0; i < 6000 / kOneIn; ++i) {
+    const Query query = almost_touching(random);
+    ASSERT_TRUE(can_advance(query.patches[0].shape, query.patches[1].shape));
+    auto contact = linear::first_contact(query);
+    normalise(query, normalised);
+    const Advanced advanced = advance(normalised);
+    const bool is_clear = advanced.kind == Advanced::Kind::kClear;
+    clear += is_clear;
+    if (!contact) continue;
+    ++contacts;
+    ASSERT_FALSE(is_clear) << to_json({query, {}, {}, {}});
+    const Rational time = exact(original_time(advanced.time, normalised.time));
+    ASSERT_GE(contact->time.sign_of(linear::Polynomial({-time.get_num(), time.get_den()})), 0)
+        << to_json({query, {}, {}, {}});
+    const Rational early = contact->time.lo() - time;
+    reached += advanced.kind == Advanced::Kind::kStopped && early < power_of_two(-20);
+  }
+  // All of it happens. Where patches turn much, the general search is to do the rest.
+  EXPECT_GE(contacts, 600 / static_cast<int>(kOneIn));
+  EXPECT_GE(clear, 600 / static_cast<int>(kOneIn));
+  EXPECT_GE(10 * reached, contacts);
+}
+
+TEST(LinearAdvance, TakesLinearShapesAlone) {
+  EXPECT_TRUE(can_advance(Shape::point(), Shape::triangle(1)));
+  EXPECT_FALSE(can_advance(Shape::curve(1), Shape::triangle(1)));
+  EXPECT_FALSE(can_advance(Shape::curve(2), Shape::point()));
+  EXPECT_FALSE(can_advance(Shape::point(), Shape::tensor(1, 1)));
+}
+
+}  // namespace
+}  // namespace ccdfuzz::certified
