@@ -32,7 +32,7 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"fuzz/mutator", {"generators"}},
     {"hunt", {"generators", "corpus", "eval", "fuzz/mutator"}},
     {"cli", {"hunt", "properties"}},
-    {"fuzz", {"properties", "corpus"}},
+    {"fuzz", {"properties", "corpus", "eval", "fuzz/mutator"}},
 };
 
 /// Headers that only some rooms may use: those that run properties, not those that state them.

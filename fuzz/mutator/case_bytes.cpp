@@ -1,0 +1,126 @@
+#include "fuzz/mutator/case_bytes.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace ccdfuzz {
+
+namespace {
+
+class ByteWriter {
+ public:
+  void byte(int x) { bytes_.push_back(static_cast<std::uint8_t>(x)); }
+  void real(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    for (int i = 0; i < 64; i += 8) bytes_.push_back(static_cast<std::uint8_t>(bits >> i));
+  }
+  /// False if x is no double.
+  bool exact(const Dyadic& x) {
+    const std::optional<double> value = x.to_double_exactly();
+    real(value.value_or(0));
+    return value.has_value();
+  }
+  std::vector<std::uint8_t> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// Gives zeros after the end; ended() tells.
+class ByteReader {
+ public:
+  explicit ByteReader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
+
+  int byte() {
+    if (left_.empty()) {
+      ended_ = true;
+      return 0;
+    }
+    const int x = left_.front();
+    left_ = left_.subspan(1);
+    return x;
+  }
+  double real() {
+    std::uint64_t bits = 0;
+    for (int i = 0; i < 64; i += 8) bits |= static_cast<std::uint64_t>(byte()) << i;
+    return std::bit_cast<double>(bits);
+  }
+  bool ended() const { return ended_; }
+
+ private:
+  std::span<const std::uint8_t> left_;
+  bool ended_ = false;
+};
+
+constexpr std::array kFields = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
+
+}  // namespace
+
+std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q) {
+  ByteWriter out;
+  for (const MovingPatch<double>& patch : q.query.patches) {
+    out.byte(static_cast<int>(patch.shape.kind));
+    out.byte(patch.shape.n);
+    out.byte(patch.shape.m);
+  }
+  out.real(q.query.t_max);
+  bool exact = out.exact(q.t);
+  for (const Uv<Dyadic>& uv : q.uv) {
+    for (const Dyadic& x : uv) exact = out.exact(x) && exact;
+  }
+  if (!exact) return std::nullopt;
+  for (const MovingPatch<double>& patch : q.query.patches) {
+    for (const auto field : kFields) {
+      for (const Vec3<double>& p : patch.*field) {
+        for (int k = 0; k < 3; ++k) out.real(p[k]);
+      }
+    }
+  }
+  return out.take();
+}
+
+std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  WitnessedQuery q;
+  for (MovingPatch<double>& patch : q.query.patches) {
+    constexpr int kKinds = 4;
+    patch.shape.kind = static_cast<ShapeKind>(in.byte() % kKinds);
+    patch.shape.n = in.byte();
+    patch.shape.m = in.byte();
+    if (!patch.shape.valid()) return std::nullopt;
+  }
+  q.query.t_max = in.real();
+  const auto dyadic = [&in]() -> std::optional<Dyadic> {
+    const double x = in.real();
+    return std::isfinite(x) ? std::optional(Dyadic::exact(x)) : std::nullopt;
+  };
+  const std::optional<Dyadic> t = dyadic();
+  if (!t) return std::nullopt;
+  q.t = *t;
+  for (size_t s = 0; s < 2; ++s) {
+    for (Dyadic& x : q.uv[s]) {
+      const std::optional<Dyadic> value = dyadic();
+      if (!value) return std::nullopt;
+      x = *value;
+    }
+    if (!q.query.patches[s].shape.contains(q.uv[s])) return std::nullopt;
+  }
+  for (MovingPatch<double>& patch : q.query.patches) {
+    const size_t count = static_cast<size_t>(patch.shape.control_count());
+    for (const auto field : kFields) {
+      for (size_t i = 0; i < count; ++i) {
+        Vec3<double>& p = (patch.*field).emplace_back();
+        for (int k = 0; k < 3; ++k) p[k] = in.real();
+      }
+    }
+  }
+  if (in.ended() || !validate(q.query, "query") || q.t.sign() < 0 ||
+      q.t > Dyadic::exact(q.query.t_max)) {
+    return std::nullopt;
+  }
+  Random random(bytes.size());  // any way that is exact will do, and always the same
+  if (!repair(q, random)) return std::nullopt;
+  return q;
+}
+
+}  // namespace ccdfuzz

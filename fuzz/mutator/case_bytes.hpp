@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fuzz/mutator/witnessed_query.hpp"
+
+namespace ccdfuzz {
+
+/// A witnessed query as bytes, for fuzzers: three bytes for the shape of each patch (kind and
+/// degrees), then as doubles, lowest byte first, t_max, t, uv of both contacts, and of each patch
+/// the positions and the velocities. nullopt if t or a parameter is no double.
+std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q);
+
+/// The query that the bytes are; made whole (repair) where they are not a contact any more, as
+/// after another's mutations. nullopt if they are no valid query with a contact within t_max.
+std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> bytes);
+
+}  // namespace ccdfuzz

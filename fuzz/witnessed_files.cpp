@@ -1,0 +1,97 @@
+// The files of fuzz_witnessed, with any compiler: made of cases, shown as cases, or run again.
+//   witnessed_files encode FOLDER CASES...   a file for each case with a witness, as seeds
+//   witnessed_files decode FILE...           the case that a file is, as one line of JSON
+//   witnessed_files run FILE...              what the fuzz target does with it
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "corpus/content_address.hpp"
+#include "fuzz/mutator/case_bytes.hpp"
+#include "query/case_files.hpp"
+#include "query/case_json.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+// The target's mutator refers to libFuzzer's; nothing calls it here.
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) {
+  return size;
+}
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+int refuse(const std::string& message) {
+  std::cerr << "witnessed_files: " << message << '\n';
+  return 2;
+}
+
+std::optional<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return std::nullopt;
+  return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(in), {});
+}
+
+int encode(const std::string& folder, const std::vector<std::string>& paths) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return refuse(fmt::format("{}: {}", folder, error.message()));
+  size_t written = 0;
+  for (const std::string& path : paths) {
+    Result<CaseReader> reader = CaseReader::open(path);
+    if (!reader) return refuse(reader.error().message());
+    for (;;) {
+      const Result<std::optional<NamedCase>> next = reader->next();
+      if (!next) return refuse(next.error().message());
+      if (!*next) break;
+      const auto q = witnessed_query((*next)->value);
+      const auto bytes = q ? to_bytes(*q) : std::nullopt;
+      if (!bytes) continue;
+      const fs::path file = fs::path(folder) / content_address(q->query);
+      std::ofstream out(file, std::ios::binary);
+      out.write(reinterpret_cast<const char*>(bytes->data()),
+                static_cast<std::streamsize>(bytes->size()));
+      if (!out.flush()) return refuse(fmt::format("{}: cannot write", file.string()));
+      ++written;
+    }
+  }
+  std::cout << fmt::format("{} seeds in {}\n", written, folder);
+  return 0;
+}
+
+int for_each_file(const std::vector<std::string>& paths, bool decodes) {
+  for (const std::string& path : paths) {
+    const auto bytes = read_bytes(path);
+    if (!bytes) return refuse(fmt::format("{}: cannot read", path));
+    if (!decodes) {
+      LLVMFuzzerTestOneInput(bytes->data(), bytes->size());
+      continue;
+    }
+    const auto q = witnessed_query_of(*bytes);
+    if (!q) return refuse(fmt::format("{}: is no case with a witness", path));
+    std::cout << to_json(case_of(*q)) << '\n';
+  }
+  if (!decodes) std::cout << fmt::format("{} inputs run, none failed\n", paths.size());
+  return 0;
+}
+
+}  // namespace
+}  // namespace ccdfuzz
+
+int main(int argc, char** argv) {
+  using namespace ccdfuzz;  // NOLINT: the program's own
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const std::string mode = words.empty() ? "" : words[0];
+  if (mode == "encode" && words.size() >= 3) {
+    return encode(words[1], {words.begin() + 2, words.end()});
+  }
+  if ((mode == "run" || mode == "decode") && words.size() >= 2) {
+    return for_each_file({words.begin() + 1, words.end()}, mode == "decode");
+  }
+  return refuse("say: encode FOLDER CASES..., decode FILE..., or run FILE...");
+}

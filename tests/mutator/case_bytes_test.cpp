@@ -1,0 +1,51 @@
+#include "fuzz/mutator/case_bytes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "bases.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "query/case_json.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+TEST(CaseBytes, GiveTheSameQueryAgain) {
+  for (const WitnessedQuery& q : mutation_bases()) {
+    const auto bytes = to_bytes(q);
+    ASSERT_TRUE(bytes) << to_json(case_of(q));
+    const auto again = witnessed_query_of(*bytes);
+    ASSERT_TRUE(again) << to_json(case_of(q));
+    EXPECT_EQ(case_of(*again), case_of(q));
+  }
+}
+
+TEST(CaseBytes, AreMadeWholeOrRefusedWhateverWasDoneToThem) {
+  const std::vector<WitnessedQuery> bases = mutation_bases();
+  Random random(3);
+  size_t whole = 0;
+  constexpr std::size_t kTries = 4000 / kOneIn;
+  for (std::size_t i = 0; i < kTries; ++i) {
+    std::vector<std::uint8_t> bytes = to_bytes(bases[random.below(bases.size())]).value();
+    for (std::uint64_t left = random.below(4); left > 0; --left) {
+      bytes[random.below(bytes.size())] ^= static_cast<std::uint8_t>(1U << random.below(8));
+    }
+    if (random.below(8) == 0) bytes.resize(random.below(bytes.size()));
+    const auto q = witnessed_query_of(bytes);
+    if (!q) continue;
+    ++whole;
+    const Case made = case_of(*q);
+    ASSERT_TRUE(check_witness(made.query, *made.truth.witness)) << to_json(made);
+  }
+  EXPECT_GE(whole, kTries / 4);
+  EXPECT_FALSE(witnessed_query_of({}));
+}
+
+TEST(CaseBytes, OfATimeThatIsNoDoubleThereAreNone) {
+  WitnessedQuery q = mutation_bases().front();
+  q.t = Dyadic(1) + Dyadic(Integer(1), -60);
+  EXPECT_FALSE(to_bytes(q));
+}
+
+}  // namespace
+}  // namespace ccdfuzz
