@@ -26,9 +26,8 @@ std::vector<PaperItem> paper_items(std::uint64_t one_in) {
     for (std::uint64_t i = 0; i < part(counts.regular); ++i) {
       items.push_back({contact, CaseKind::kRP, i});
     }
-    for (std::uint64_t i = 0; i < part(counts.grazing); ++i) {
-      items.push_back({contact, CaseKind::kNHP, i});
-      items.push_back({contact, CaseKind::kNMN, i});
+    for (const CaseKind kind : {CaseKind::kNHP, CaseKind::kNMN}) {
+      for (std::uint64_t i = 0; i < part(counts.grazing); ++i) items.push_back({contact, kind, i});
     }
   }
   return items;

@@ -22,8 +22,8 @@ struct PaperItem {
   std::uint64_t index = 0;
 };
 
-/// All constructions in the order of the set: class by class, the regular ones first, grazing ones
-/// NHP and NMN by turns. one_in ≥ 1: only that part of each count, rounded up.
+/// All constructions in the order of the set: class by class, in it the regular ones, near-hits and
+/// near-misses. one_in ≥ 1: only that part of each count, rounded up.
 std::vector<PaperItem> paper_items(std::uint64_t one_in = 1);
 
 struct PaperCases {

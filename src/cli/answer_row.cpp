@@ -2,18 +2,6 @@
 
 namespace ccdfuzz {
 
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kHit:
-      return "hit";
-    case Verdict::kMiss:
-      return "miss";
-    case Verdict::kUndecided:
-      return "undecided";
-  }
-  return "?";
-}
-
 nlohmann::ordered_json answer_row(const std::string& case_id, const std::string& method,
                                   const Judged& judged) {
   const Answer& answer = judged.answer;

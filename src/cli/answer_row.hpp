@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "eval/answer_record.hpp"
 #include "eval/ask.hpp"
 
 namespace ccdfuzz {
@@ -11,7 +12,5 @@ namespace ccdfuzz {
 /// is there if there is something to say, and error, the name of one.
 nlohmann::ordered_json answer_row(const std::string& case_id, const std::string& method,
                                   const Judged& judged);
-
-std::string_view name_of(Verdict verdict);  ///< "hit", "miss", "undecided"
 
 }  // namespace ccdfuzz

@@ -76,8 +76,8 @@ void add_threads(Command& command, int& threads) {
   command.whole("--threads", threads, "Threads to work on; results do not depend on it", 1, 1024);
 }
 
-void add_shard(Command& command, std::string& shard) {
-  command.text(
+Option add_shard(Command& command, std::string& shard) {
+  return command.text(
       "--shard", shard,
       "Only share i of n, given as i/n with i from 0 to n - 1; `merge` puts shares together");
 }

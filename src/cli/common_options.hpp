@@ -43,7 +43,7 @@ struct SearchFlags {
 void add_threads(Command& command, int& threads);
 
 /// --shard, by default the whole.
-void add_shard(Command& command, std::string& shard);
+Option add_shard(Command& command, std::string& shard);
 /// "i/n", of at most `total` shards, so that none is empty. Errors: it is none.
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
 

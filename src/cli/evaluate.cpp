@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <map>
 
-#include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/evaluate_linear.hpp"
@@ -12,7 +11,12 @@
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "query/output_file.hpp"
+#include "corpus/data_set_address.hpp"
+#include "eval/evaluation_folder.hpp"
+#include "eval/figures.hpp"
+#include "eval/paper_tables.hpp"
+#include "method/method.hpp"
+#include "query/journal.hpp"
 
 namespace ccdfuzz {
 
@@ -24,6 +28,7 @@ struct EvaluateArguments {
   std::string horizons;
   std::string linear;
   SearchFlags search;
+  std::string shard;
   std::string folder;
   int threads = 1;
   bool json = false;
@@ -57,145 +62,152 @@ Result<EvaluateOptions> parse(const EvaluateArguments& options) {
   return parsed;
 }
 
-nlohmann::ordered_json group_json(const EvaluatedGroup& group) {
-  const Tally& tally = group.tally;
-  nlohmann::ordered_json row = {{"class", group.contact}, {"t_max_factor", nullptr}};
-  if (group.factor) row["t_max_factor"] = *group.factor;
-  row.update({{"method", group.method},
-              {"n", tally.n},
-              {"positives", tally.positives},
-              {"negatives", tally.negatives}});
-  for (const Outcome outcome : kAllOutcomes) {
-    row[std::string(name_of(outcome))] = tally.count(outcome);
-  }
-  row.update({{"mean_pops",
-               tally.n == 0 ? 0 : static_cast<double>(tally.pops) / static_cast<double>(tally.n)},
-              {"mean_seconds", tally.mean_seconds()},
-              {"median_seconds", group.timings.median()},
-              {"p99_seconds", group.timings.p99()}});
-  return row;
+/// What must be the same for answers to belong together; the share comes last.
+Journal::Header evaluation_header(const EvaluateOptions& options,
+                                  const std::vector<NamedCase>& cases) {
+  const SearchOptions& search = options.search;
+  return {{"run", "evaluate"},
+          {"ccdfuzz", CCDFUZZ_VERSION},
+          {"cases", fmt::format("{} of address {}", cases.size(), data_set_address(cases))},
+          {"--methods", fmt::format("{}", fmt::join(options.methods, ","))},
+          {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
+          {"--precision", fmt::format("{}", search.precision)},
+          {"--max-pops", fmt::format("{}", search.max_pops)},
+          {"--max-mb", fmt::format("{}", search.max_bytes >> 20)},
+          {"--max-seconds", fmt::format("{}", search.max_seconds)},
+          {"--shard", fmt::format("{}/{}", options.shard.index, options.shard.of)}};
 }
 
-/// The same numbers for a spreadsheet.
-std::string groups_csv(const std::vector<EvaluatedGroup>& groups) {
-  std::string header, lines;
-  for (const EvaluatedGroup& group : groups) {
-    header.clear();
-    std::string line;
-    const nlohmann::ordered_json row = group_json(group);
-    for (const auto& [key, value] : row.items()) {
-      const char* const comma = header.empty() ? "" : ",";
-      header += comma + key;
-      const std::string text = value.is_string() ? value.get<std::string>()
-                               : value.is_null() ? ""
-                                                 : value.dump();
-      line += comma + csv_field(text);
+EvaluationRun evaluation_run(const EvaluateOptions& options, const std::vector<NamedCase>& cases) {
+  std::string asked;
+  Journal::Header header = evaluation_header(options, cases);
+  header.pop_back();
+  for (const auto& [name, value] : header) {
+    asked += fmt::format("{}{} {}", asked.empty() ? "" : "; ", name, value);
+  }
+  return {asked, options.methods, options.shard};
+}
+
+/// How the data sets were made, as far as it is on record. A record whose counts are not those of
+/// the cases belongs to something else that had the name.
+Result<std::vector<GenerationCost>> costs_of_sets(const std::vector<std::string>& files,
+                                                  const std::vector<NamedCase>& cases) {
+  std::map<std::pair<std::string, std::string>, std::uint64_t> counts;
+  for (const NamedCase& named : cases) {
+    ++counts[{named.value.origin.contact, named.value.origin.kind}];
+  }
+  std::vector<GenerationCost> costs;
+  for (const std::string& file : files) {
+    const auto record = read_generation(generation_path(file));
+    if (!record) return tl::unexpected(record.error());
+    if (*record) merge_costs(costs, (*record)->costs);
+  }
+  for (const GenerationCost& cost : costs) {
+    std::uint64_t count = 0;
+    for (const std::string kind : {"RP", "RN", "NHP", "NMN"}) {
+      if (("+" + cost.kind + "+").find("+" + kind + "+") != std::string::npos) {
+        count += counts[{cost.contact, kind}];
+      }
     }
-    lines += line + "\n";
+    if (count != cost.cases) return std::vector<GenerationCost>();
   }
-  return header + "\n" + lines;
+  return costs;
 }
 
-/// One row for each answer, for Figs. 5, 8 and 9.
-std::string answers_header() {
-  return "case,class,kind,method,t_max,verdict,toi,outcome,pops,seconds\n";
+void print_evaluation(const std::vector<EvaluatedGroup>& groups,
+                      const std::vector<GenerationCost>& costs, bool json) {
+  if (json) {
+    for (const EvaluatedGroup& group : groups) print_out(to_json(group) + "\n");
+    return;
+  }
+  const bool colour = wants_colour(stdout);
+  bool first = true;
+  for (const auto& [title, table] : evaluation_tables(groups, costs)) {
+    if (!first) print_out("\n" + title + ":\n");
+    first = false;
+    print_out(table.to_text(colour));
+  }
 }
 
-std::string answers_line(const EvaluatedRow& row) {
-  const Answer& answer = row.judged.answer;
-  const Origin& origin = row.source->value.origin;
-  const bool has_toi = answer.toi && answer.verdict != Verdict::kMiss;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(row.source->id),
-                     csv_field(origin.contact), csv_field(origin.kind), row.method, row.t_max,
-                     name_of(answer.verdict), has_toi ? fmt::format("{}", *answer.toi) : "",
-                     name_of(row.judged.outcome), answer.pops, answer.seconds);
+std::string progress_note(const AnswerRecord& record) {
+  return fmt::format("{} {}", record.contact, record.method);
 }
 
-/// The report folder: answers.csv, tables.csv, tables.md; each appears whole or not at all.
-class Report {
- public:
-  static Result<Report> open(const std::string& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return input_error(folder, "cannot make the folder: " + error.message());
-    Report report(folder);
-    Result<OutputFile> answers = OutputFile::create(report.path("answers.csv"));
-    if (!answers) return tl::unexpected(answers.error());
-    report.answers_ = std::move(*answers);
-    report.add(answers_header());
-    return report;
+/// Into a folder, by a journal of the answers in it, so that a killed run goes on.
+Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOptions options,
+                                 const EvaluateArguments& flags,
+                                 const std::vector<GenerationCost>& costs) {
+  const EvaluationRun asked = evaluation_run(options, cases);
+  // Whether the result can be written is to be known before the work is done.
+  if (auto trial = EvaluationFolder::open(flags.folder, asked); !trial) {
+    return tl::unexpected(trial.error());
   }
-
-  void add(const std::string& line) {
-    if (written_) written_ = answers_->write(line);
+  const std::string path = Journal::path_for(EvaluationFolder::answers_path(flags.folder));
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  Result<Journal> journal = Journal::open(path, evaluation_header(options, cases));
+  if (!journal) return tl::unexpected(journal.error());
+  options.skip = journal->size();
+  if (options.skip > 0) {
+    fmt::print(stderr, "ccdfuzz: going on behind {} answers in {}\n", options.skip, path);
   }
-
-  /// What went wrong so far.
-  const Result<void>& written() const { return written_; }
-
-  Result<void> finish(const std::vector<EvaluatedGroup>& groups) {
-    if (!written_) return written_;
-    if (auto done = answers_->commit(); !done) return done;
-    const Table performance = performance_table(groups), paper = paper_table(groups);
-    if (auto done =
-            write_file(path("tables.md"), performance.to_markdown() + "\n" + paper.to_markdown());
-        !done) {
-      return done;
-    }
-    std::string lines;
-    for (const EvaluatedGroup& group : groups) lines += group_json(group).dump() + "\n";
-    if (auto done = write_file(path("groups.jsonl"), lines); !done) return done;
-    return write_file(path("performance.csv"), groups_csv(groups));
+  Progress progress;
+  Result<void> kept;
+  std::atomic<bool> stop = false;
+  const bool complete = evaluate(
+      cases, options,
+      [&](const AnswerRecord& record, double share) {
+        if (kept) kept = journal->append(to_csv(record));
+        if (!kept || interrupted) stop = true;
+        progress.show(share, progress_note(record));
+      },
+      &stop);
+  progress.clear();
+  if (!kept) return tl::unexpected(kept.error());
+  if (!complete) {
+    fmt::print(stderr,
+               "ccdfuzz: interrupted after {} answers; the same command goes on from there\n",
+               journal->size());
+    return interrupted_exit_code();
   }
-
- private:
-  explicit Report(std::string folder) : folder_(std::move(folder)) {}
-
-  std::string path(const char* name) const { return folder_ + "/" + name; }
-
-  std::string folder_;
-  std::optional<OutputFile> answers_;
-  Result<void> written_;
-};
+  Result<EvaluationFolder> folder = EvaluationFolder::open(flags.folder, asked);
+  if (!folder) return tl::unexpected(folder.error());
+  Result<void> done = journal->for_each([&](std::string_view line) -> Result<void> {
+    const Result<AnswerRecord> record = parse_answer_csv(line, path);
+    return record ? folder->add(*record) : tl::unexpected(record.error());
+  });
+  if (done) done = folder->finish(costs, figure_5_lines(cases, options.shard));
+  if (done) done = journal->remove();
+  if (!done) return tl::unexpected(done.error());
+  print_evaluation(folder->groups(), costs, flags.json);
+  return kDone;
+}
 
 Result<int> run_evaluate(const EvaluateArguments& options) {
-  const Result<EvaluateOptions> parsed = parse(options);
+  Result<EvaluateOptions> parsed = parse(options);
   if (!parsed) return tl::unexpected(parsed.error());
   if (!options.linear.empty()) return run_evaluate_linear(options.linear, *parsed, options.json);
   if (options.files.empty()) return input_error("dataset", "is required");
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
   if (!cases) return tl::unexpected(cases.error());
-  std::optional<Report> report;
-  if (!options.folder.empty()) {
-    Result<Report> opened = Report::open(options.folder);
-    if (!opened) return tl::unexpected(opened.error());
-    report = std::move(*opened);
-  }
+  const Result<Shard> shard = parse_shard(options.shard, cases->size(), "cases");
+  if (!shard) return tl::unexpected(shard.error());
+  parsed->shard = *shard;
+  const auto costs = costs_of_sets(options.files, *cases);
+  if (!costs) return tl::unexpected(costs.error());
+  if (!options.folder.empty()) return evaluate_into_folder(*cases, *parsed, options, *costs);
 
   Progress progress;
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const std::vector<EvaluatedGroup> groups = evaluate(
+  Groups groups(parsed->methods);
+  evaluate(
       *cases, *parsed,
-      [&](const EvaluatedRow& row, double share) {
-        if (report) report->add(answers_line(row));
-        progress.show(share, fmt::format("{} {}", row.source->value.origin.contact, row.method));
+      [&](const AnswerRecord& record, double share) {
+        groups.add(record);
+        progress.show(share, progress_note(record));
       },
       &interrupted);
   progress.clear();
-
-  if (options.json) {
-    for (const EvaluatedGroup& group : groups) print_json(group_json(group));
-  } else {
-    const bool colour = wants_colour(stdout);
-    print_out(performance_table(groups).to_text(colour));
-    print_out("\nBeside the paper's Table 2 (RP+RN):\n");
-    print_out(paper_table(groups).to_text(colour));
-  }
-  if (report) {
-    if (const Result<void> done = report->finish(groups); !done) {
-      return tl::unexpected(done.error());
-    }
-  }
+  print_evaluation(groups.in_order(), *costs, options.json);
   return interrupted ? interrupted_exit_code() : kDone;
 }
 
@@ -203,23 +215,27 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
 
 void add_evaluate(CommandLine& line) {
   auto [command, options] = line.add<EvaluateArguments>(
-      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 to 3)", run_evaluate);
+      "evaluate", "Time and judge methods on data sets (the paper's Tables 1, 2 and 4)",
+      run_evaluate);
   const Option dataset =
       command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst");
-  command
-      .text("--linear", options->linear,
-            "Instead: all edge-edge and vertex-face query CSVs under this folder (the paper's "
-            "Table 3), judged by their exact truth")
-      .excludes(dataset);
+  Option linear = command.text(
+      "--linear", options->linear,
+      "Instead: all edge-edge and vertex-face query CSVs under this folder (the paper's Table 3), "
+      "judged by their exact truth");
+  linear.excludes(dataset);
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   command.text("--t-max-factors", options->horizons,
                "Ask positive cases up to these multiples of the contact's time instead of their "
                "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show");
   options->search.add_to(command);
-  command.text("-o,--output", options->folder,
-               "Folder for answers.csv, performance.csv, groups.jsonl and tables.md");
+  linear.excludes(add_shard(command, options->shard));
+  linear.excludes(command.text(
+      "-o,--output", options->folder,
+      "Folder for all answers, the tables and the figures' data (CSV, Markdown); killed, "
+      "the same command goes on where it was"));
   add_threads(command, options->threads);
-  command.flag("--json", options->json, "One JSON object per class and method");
+  command.flag("--json", options->json, "One JSON object per class, kinds and method");
 }
 
 }  // namespace ccdfuzz

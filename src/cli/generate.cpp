@@ -193,7 +193,8 @@ Result<int> run_generate(const GenerateArguments& options) {
   }
   const GenerationCost cost = cost_of_run(*generator, counts);
   if (written && !shard->is_whole() && !options.output.empty() && options.output != "-") {
-    written = write_generation(options.output, {text_of_run(options), *shard, {cost}});
+    written =
+        write_generation(generation_path(options.output), {text_of_run(options), *shard, {cost}});
   }
   if (written) written = destination->finish();
   if (!written) return tl::unexpected(written.error());

@@ -125,9 +125,8 @@ Result<PaperTotals> write_paper_set(const Journal& journal, const std::vector<Pa
   const GenerationRecord record = {
       fmt::format("paper, seed {}, one in {}", options.seed, options.one_in), options.shard,
       totals.costs};
-  done = done.and_then([&] { return write_generation(options.output, record); }).and_then([&] {
-    return writer->finish();
-  });
+  done = done.and_then([&] { return write_generation(generation_path(options.output), record); })
+             .and_then([&] { return writer->finish(); });
   if (!done) return tl::unexpected(done.error());
   return totals;
 }

@@ -23,6 +23,7 @@ struct HuntArguments {
   std::string methods = std::string("trad,") + kDefaultMethods;
   std::string seconds = "60";
   std::uint64_t cases = 0;
+  std::string shard;
   std::uint64_t seed = 1;
   std::string corpus = "finds";
   std::string fail_on = "none";
@@ -44,6 +45,13 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   parsed.threads = options.threads;
   parsed.seconds = *seconds;
   if (options.cases > 0) parsed.cases = options.cases;
+  if (!options.shard.empty() && !parsed.cases) {
+    return input_error("--shard", "needs --cases: a hunt by time has no shares");
+  }
+  const Result<Shard> shard =
+      parse_shard(options.shard, options.cases * kContactClasses.size(), "draws");
+  if (!shard) return tl::unexpected(shard.error());
+  parsed.shard = *shard;
   parsed.search = *search;
   return parsed;
 }
@@ -213,6 +221,7 @@ void add_hunt(CommandLine& line) {
              "Instead: this many cases of each class, each put to every method; repeats exactly", 1)
       .excludes(seconds)
       .without_default();
+  add_shard(command, options->shard);
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   command.whole("--seed", options->seed, "Seed of the cases");
   command.text("--corpus", options->corpus,

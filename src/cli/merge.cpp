@@ -1,6 +1,7 @@
 #include "cli/merge.hpp"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
 
 #include "cli/command.hpp"
 
@@ -14,7 +15,18 @@ struct MergeArguments {
 };
 
 Result<int> run_merge(const MergeArguments& options) {
-  return merge_data_sets(options.inputs, options.output);
+  const auto is_folder = [](const std::string& path) {
+    return std::filesystem::is_directory(path);
+  };
+  const auto folders = std::ranges::count_if(options.inputs, is_folder);
+  if (folders == 0) return merge_data_sets(options.inputs, options.output);
+  if (static_cast<size_t>(folders) < options.inputs.size()) {
+    const auto file = std::ranges::find_if_not(options.inputs, is_folder);
+    return input_error(*file, "is no folder, and others of the inputs are");
+  }
+  const bool evaluated = std::filesystem::exists(options.inputs[0] + "/run.json");
+  return evaluated ? merge_evaluations(options.inputs, options.output)
+                   : merge_corpora(options.inputs, options.output);
 }
 
 }  // namespace
@@ -22,8 +34,14 @@ Result<int> run_merge(const MergeArguments& options) {
 void add_merge(CommandLine& line) {
   auto [command, options] = line.add<MergeArguments>(
       "merge", "Put the shares of a run together, as one run would have made it", run_merge);
-  command.texts("input", options->inputs, "Data sets").required();
-  command.text("-o,--output", options->output, "What to write: .jsonl or .jsonl.zst").required();
+  command
+      .texts("input", options->inputs,
+             "Data sets (generate), or folders of answers (evaluate), or corpora (hunt)")
+      .required();
+  command
+      .text("-o,--output", options->output,
+            "What to write: .jsonl or .jsonl.zst, or a folder; a corpus may be there already")
+      .required();
 }
 
 }  // namespace ccdfuzz

@@ -13,4 +13,12 @@ namespace ccdfuzz {
 /// written.
 Result<int> merge_data_sets(const std::vector<std::string>& inputs, const std::string& output);
 
+/// Puts the folders of shares of one evaluation together. Errors: they are not the shares of one,
+/// each once.
+Result<int> merge_evaluations(const std::vector<std::string>& inputs, const std::string& output);
+
+/// Adds the entries of corpora to the corpus `output`: of each failure the smallest stays, as if
+/// one hunt had found them all.
+Result<int> merge_corpora(const std::vector<std::string>& inputs, const std::string& output);
+
 }  // namespace ccdfuzz

@@ -39,8 +39,8 @@ size_t rank_of_kind(const std::string& kind) {
   return known ? static_cast<size_t>(*known) : kCaseKinds.size();
 }
 
-/// Where a case stands in a data set: class by class, the regular kinds before the grazing ones,
-/// the two of an index side by side.
+/// Where a case stands in a data set: class by class, in it kind by kind, but RP and RN of an index
+/// side by side.
 using CasePlace = std::tuple<size_t, size_t, std::uint64_t, size_t, CaseSeries>;
 
 Result<CasePlace> place_of(const NamedCase& named) {
@@ -50,7 +50,8 @@ Result<CasePlace> place_of(const NamedCase& named) {
                        "has no origin.contact, origin.kind or origin.index to place it by");
   }
   const size_t kind = rank_of_kind(o.kind);
-  return CasePlace{rank_of_contact(o.contact), kind / 2, *o.index, kind, series_of(named.value)};
+  const size_t block = kind == static_cast<size_t>(CaseKind::kRN) ? 0 : kind;
+  return CasePlace{rank_of_contact(o.contact), block, *o.index, kind, series_of(named.value)};
 }
 
 /// One of the data sets, read case by case.
@@ -105,7 +106,7 @@ Result<std::optional<GenerationRecord>> merge_generation_records(
   GenerationRecord merged;
   std::map<std::string, std::pair<std::uint64_t, std::set<std::uint64_t>>> shares;  // of each run
   for (const std::string& input : inputs) {
-    const auto record = read_generation(input);
+    const auto record = read_generation(generation_path(input));
     if (!record) return tl::unexpected(record.error());
     if (!*record) return std::nullopt;
     const GenerationRecord& r = **record;
@@ -175,7 +176,8 @@ Result<int> merge_data_sets(const std::vector<std::string>& inputs, const std::s
     ++count;
     if (auto read = next.advance(); !read) return tl::unexpected(read.error());
   }
-  Result<void> done = *record ? write_generation(output, **record) : Result<void>();
+  Result<void> done =
+      *record ? write_generation(generation_path(output), **record) : Result<void>();
   done = done.and_then([&] { return writer->finish(); });
   if (!done) return tl::unexpected(done.error());
   if (*record) print_out(generation_table((*record)->costs).to_text(wants_colour(stdout)) + "\n");

@@ -77,8 +77,7 @@ std::string generation_path(const std::string& case_path) {
   return case_path + ".generation.jsonl";
 }
 
-Result<std::optional<GenerationRecord>> read_generation(const std::string& case_path) {
-  const std::string path = generation_path(case_path);
+Result<std::optional<GenerationRecord>> read_generation(const std::string& path) {
   if (!std::filesystem::is_regular_file(path)) return std::nullopt;
   std::ifstream file(path);
   if (!file) return system_error(path, "read", errno);
@@ -96,14 +95,14 @@ Result<std::optional<GenerationRecord>> read_generation(const std::string& case_
   return record;
 }
 
-Result<void> write_generation(const std::string& case_path, const GenerationRecord& record) {
+Result<void> write_generation(const std::string& path, const GenerationRecord& record) {
   const GenerationJson head = {{"format", kGenerationFormat},
                                {"version", 1},
                                {"run", record.run},
                                {"shard", {record.shard.index, record.shard.of}}};
   std::string lines = head.dump() + "\n";
   for (const GenerationCost& cost : record.costs) lines += to_json(cost) + "\n";
-  return write_file(generation_path(case_path), lines);
+  return write_file(path, lines);
 }
 
 void merge_costs(std::vector<GenerationCost>& into, const std::vector<GenerationCost>& from) {
@@ -153,6 +152,24 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
     add(total, "-");
   }
   return table;
+}
+
+std::string generation_csv(const std::vector<GenerationCost>& costs) {
+  std::string lines = "class,kinds,cases,mean_ms,paper_mean_ms,begun";
+  if (!costs.empty()) {
+    for (const auto& [step, count] : costs[0].discarded) lines += "," + csv_field(step);
+  }
+  lines += "\n";
+  for (const GenerationCost& cost : costs) {
+    const std::optional<double> papers = paper_generation_seconds(cost.contact, cost.kind);
+    lines +=
+        fmt::format("{},{},{},{},{},{}", csv_field(cost.contact), csv_field(cost.kind), cost.cases,
+                    cost.cases == 0 ? 0 : cost.cpu_seconds * 1e3 / static_cast<double>(cost.cases),
+                    papers ? fmt::format("{}", *papers * 1e3) : "", cost.begun);
+    for (const auto& [step, count] : cost.discarded) lines += fmt::format(",{}", count);
+    lines += "\n";
+  }
+  return lines;
 }
 
 }  // namespace ccdfuzz

@@ -38,12 +38,12 @@ struct GenerationRecord {
   std::vector<GenerationCost> costs;  ///< in the order of the cases
 };
 
+/// Where the record of a case file stands.
 std::string generation_path(const std::string& case_path);
 
-/// The record beside a case file; nothing if there is none.
-/// Errors: it cannot be read, or is none; naming file and line.
-Result<std::optional<GenerationRecord>> read_generation(const std::string& case_path);
-Result<void> write_generation(const std::string& case_path, const GenerationRecord& record);
+/// The record at a path; nothing if there is no file. Errors: it is none; naming file and line.
+Result<std::optional<GenerationRecord>> read_generation(const std::string& path);
+Result<void> write_generation(const std::string& path, const GenerationRecord& record);
 
 /// Adds the costs of one record to those of another, class by class and kind by kind.
 void merge_costs(std::vector<GenerationCost>& into, const std::vector<GenerationCost>& from);
@@ -51,5 +51,7 @@ void merge_costs(std::vector<GenerationCost>& into, const std::vector<Generation
 /// Table 4: counts, CPU time of each accepted case with its share of what was discarded, beside the
 /// paper's, and the discards of each step.
 Table generation_table(const std::vector<GenerationCost>& costs);
+/// The same numbers for a program, times in milliseconds.
+std::string generation_csv(const std::vector<GenerationCost>& costs);
 
 }  // namespace ccdfuzz

@@ -13,14 +13,18 @@ struct PaperRate {
   std::uint64_t total = 0;
 };
 
-/// What Table 2 reports of a method on the regular cases (RP+RN) of a contact class.
-struct PaperRates {
+/// What the paper reports of a method on the cases of a contact class.
+struct PaperResult {
+  double seconds = 0;  ///< mean
   PaperRate false_positives;
-  PaperRate false_negatives;
+  /// Absent for the traditional method on face-face near-hits: none ended in time.
+  std::optional<PaperRate> false_negatives;
 };
 
-/// nullopt where the paper has no row for the class or no column for the method.
-std::optional<PaperRates> paper_rates(std::string_view contact, const std::string& method);
+/// kinds: "RP+RN" or "NHP+NMN", the halves of Table 2, or "all": Table 1. nullopt where the paper
+/// has no row for the class or no column for the method.
+std::optional<PaperResult> paper_result(std::string_view contact, std::string_view kinds,
+                                        const std::string& method);
 
 /// Table 4: the time that an accepted case of a class took, with its share of what was discarded.
 /// kind: one or more kinds joined by '+', all regular or all grazing. nullopt for any other.

@@ -131,6 +131,15 @@ std::string duration_text(double seconds) {
   return "0 s";
 }
 
+std::string size_text(double bytes) {
+  constexpr std::array<const char*, 4> units = {"B", "KiB", "MiB", "GiB"};
+  size_t unit = 0;
+  // As for times, the unit is chosen after rounding.
+  for (; bytes >= 999.5 && unit + 1 < units.size(); ++unit) bytes /= 1024;
+  const int decimals = unit == 0 || bytes >= 99.95 ? 0 : bytes >= 9.995 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", bytes, decimals, units[unit]);
+}
+
 std::string count_text(std::uint64_t count, std::uint64_t total) {
   if (count == 0 || total == 0) return fmt::format("{}", count);
   const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(total);

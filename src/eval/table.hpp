@@ -54,6 +54,9 @@ std::string csv_field(const std::string& text);
 /// A time with three digits in the unit that fits it: "1.23 ms".
 std::string duration_text(double seconds);
 
+/// A number of bytes with three digits in the unit that fits it: "1.23 KiB".
+std::string size_text(double bytes);
+
 /// "12" or, with a share, "12 (1.2 %)" of a total > 0.
 std::string count_text(std::uint64_t count, std::uint64_t total);
 

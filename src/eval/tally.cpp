@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "numeric/verify.hpp"
 
@@ -24,15 +25,20 @@ void Tally::merge(const Tally& other) {
   seconds += other.seconds;
 }
 
-double Timings::quantile(double q) const {
+double Samples::quantile(double q) const {
   CCDFUZZ_VERIFY(0 < q && q <= 1);
-  if (seconds_.empty()) return 0;
-  std::vector<double> sorted = seconds_;
+  if (all_.empty()) return 0;
+  std::vector<double> sorted = all_;
   const auto n = static_cast<double>(sorted.size());
   const auto rank = static_cast<size_t>(std::clamp(std::ceil(q * n), 1.0, n)) - 1;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(rank),
                    sorted.end());
   return sorted[rank];
+}
+
+double Samples::mean() const {
+  if (all_.empty()) return 0;
+  return std::accumulate(all_.begin(), all_.end(), 0.0) / static_cast<double>(all_.size());
 }
 
 }  // namespace ccdfuzz

@@ -29,19 +29,28 @@ struct Tally {
   double mean_seconds() const { return n == 0 ? 0 : seconds / static_cast<double>(n); }
 };
 
-/// The running times of a group, kept one by one for their quantiles.
-class Timings {
+/// Measurements of a group, kept one by one for their quantiles.
+class Samples {
  public:
-  void add(double seconds) { seconds_.push_back(seconds); }
+  void add(double x) { all_.push_back(x); }
+  void append(const Samples& o) { all_.insert(all_.end(), o.all_.begin(), o.all_.end()); }
 
   /// Nearest rank: the least sample that at least ⌈q·n⌉ of the n samples do not exceed.
   /// 0 < q ≤ 1; 0 if there is no sample.
   double quantile(double q) const;
   double median() const { return quantile(0.5); }
   double p99() const { return quantile(0.99); }
+  double largest() const { return quantile(1); }
+  /// 0 if there is no sample.
+  double mean() const;
+
+  const std::vector<double>& all() const { return all_; }
 
  private:
-  std::vector<double> seconds_;
+  std::vector<double> all_;
 };
+
+/// Running times, in seconds.
+using Timings = Samples;
 
 }  // namespace ccdfuzz

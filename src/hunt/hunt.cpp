@@ -160,10 +160,11 @@ class Hunt {
       TracerSet tracers;
     };
     tbb::enumerable_thread_specific<Workshop> workshops;
-    size_t cell_of_found = 0;
+    size_t recorded = 0;
     run_in_order<std::vector<Found>>(
-        report_.cells.size(), options_.threads,
-        [&](size_t cell) {
+        options_.shard.size(report_.cells.size()), options_.threads,
+        [&](size_t k) {
+          const std::uint64_t cell = options_.shard.item(k);
           Workshop& workshop = workshops.local();
           Breeder& breeder = nurseries_[cell].breeder;
           for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
@@ -175,8 +176,8 @@ class Hunt {
           return breed(cell, workshop.methods, workshop.tracers, [&] { return left-- > 0; });
         },
         [&](const std::vector<Found>& all) {
-          for (const Found& found : all) offer(report_.cells[cell_of_found].method, found);
-          ++cell_of_found;
+          const std::uint64_t cell = options_.shard.item(recorded++);
+          for (const Found& found : all) offer(report_.cells[cell].method, found);
           show(1);
           if (stop_) ended_ = true;
         },
@@ -191,11 +192,12 @@ class Hunt {
       double draw_cpu_seconds = 0;
     };
     const size_t classes = kContactClasses.size();
-    const size_t total = count * classes;
+    const std::uint64_t total = options_.shard.size(count * classes);
     tbb::enumerable_thread_specific<MethodSet> methods;
     run_in_order<Answered>(
         total, options_.threads,
-        [&](size_t i) {
+        [&](size_t k) {
+          const std::uint64_t i = options_.shard.item(k);
           const size_t contact = i % classes;
           const double start = thread_cpu_seconds();
           Answered answered{draw(kContactClasses[contact], options_.seed, i / classes), {}, 0};

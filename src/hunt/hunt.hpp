@@ -8,6 +8,7 @@
 
 #include "corpus/store.hpp"
 #include "eval/ask.hpp"
+#include "eval/shard.hpp"
 #include "eval/tally.hpp"
 #include "hunt/breeder.hpp"
 #include "query/taxonomy.hpp"
@@ -23,6 +24,8 @@ struct HuntOptions {
   /// instead of a time: then the hunt depends on nothing but these options, and finds the same
   /// things in every run.
   std::optional<std::uint64_t> cases;
+  /// Of those draws, and of the populations of mutants; a hunt by time has all.
+  Shard shard;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
 };

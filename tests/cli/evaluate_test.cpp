@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <thread>
+
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -58,17 +61,20 @@ TEST(Evaluate, TheReportFolderHoldsEveryAnswerInOrder) {
   std::istringstream answers(read_text(report + "/answers.csv"));
   std::string line;
   std::getline(answers, line);
-  EXPECT_EQ(line, "case,class,kind,method,t_max,verdict,toi,outcome,pops,seconds");
+  EXPECT_EQ(
+      line,
+      "index,case,class,kind,collides,t_max_factor,method,t_max,verdict,toi,outcome,pops,bytes,"
+      "seconds");
   for (int i = 0; i < 12; ++i) {
     ASSERT_TRUE(std::getline(answers, line)) << i;
-    const std::string begin =
-        fmt::format("{}:{},VV,RP,{},", set, i / 2 + 1, i % 2 == 0 ? "tdibm" : "tdibm-e");
+    const std::string begin = fmt::format("{},{}:{},VV,RP,true,,{},1,", i / 2, set, i / 2 + 1,
+                                          i % 2 == 0 ? "tdibm" : "tdibm-e");
     EXPECT_EQ(line.substr(0, begin.size()), begin);
   }
   EXPECT_FALSE(std::getline(answers, line));
   EXPECT_NE(read_text(report + "/tables.md").find("| VV | tdibm |"), std::string::npos);
   EXPECT_EQ(json_lines(read_text(report + "/groups.jsonl")).size(), 2U);
-  EXPECT_NE(read_text(report + "/performance.csv").find("class,t_max_factor,method,n,"),
+  EXPECT_NE(read_text(report + "/performance.csv").find("class,kinds,t_max_factor,method,n,"),
             std::string::npos);
 }
 
@@ -78,6 +84,126 @@ TEST(Evaluate, TheTableStandsBesideThePapersRates) {
   const Finished finished = ccdfuzz({"evaluate", set, "--methods", "tdibm"});
   EXPECT_NE(finished.out.find("223/1000 = 22.3 %"), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("452/1000 = 45.2 %"), std::string::npos) << finished.out;
+}
+
+/// A small set of all kinds, with its generation record.
+std::string paper_part(const ScratchFolder& folder) {
+  const std::string path = folder / "paper.jsonl.zst";
+  const Finished made =
+      ccdfuzz({"generate", "--paper", "--one-in", "6003", "--seed", "2", "-o", path});
+  EXPECT_EQ(made.code, 0) << made.err;
+  return path;
+}
+
+/// What stands in a report folder, but for times.
+std::vector<std::string> without_times(const std::string& report) {
+  std::vector<std::string> all = {read_text(report + "/figure_5.csv"),
+                                  read_text(report + "/generation.jsonl")};
+  std::istringstream answers(read_text(report + "/answers.csv"));
+  for (std::string line; std::getline(answers, line);) {
+    all.push_back(line.substr(0, line.rfind(',')));
+  }
+  for (nlohmann::ordered_json row : json_lines(read_text(report + "/groups.jsonl"))) {
+    for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) row.erase(time);
+    all.push_back(row.dump());
+  }
+  return all;
+}
+
+TEST(Evaluate, WritesTheTablesAndTheFiguresData) {
+  const ScratchFolder folder;
+  const std::string set = paper_part(folder), report = folder / "report";
+  const Finished finished =
+      ccdfuzz({"evaluate", set, "--methods", "tdibm-e,tdibm-c", "-o", report});
+  ASSERT_EQ(finished.code, 0) << finished.err;
+  for (const char* word : {"Table 1", "Table 2", "Table 4", "NHP+NMN", "RP+RN", "memory", "p99",
+                           "59.0 s", "175/6603", "static check"}) {
+    EXPECT_NE(finished.out.find(word), std::string::npos) << word << "\n" << finished.out;
+  }
+  const std::string markdown = read_text(report + "/tables.md");
+  for (const char* title : {"## Performance", "## Table 1", "## Table 2", "## Table 4"}) {
+    EXPECT_NE(markdown.find(title), std::string::npos) << title;
+  }
+  const auto lines = [&](const char* name) {
+    const std::string text = read_text(report + "/" + name);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  EXPECT_EQ(lines("answers.csv"), 1 + 24 * 2);
+  EXPECT_EQ(lines("table_1.csv"), 1 + 6 * 2);
+  EXPECT_EQ(lines("table_2.csv"), 1 + 12 * 2);
+  EXPECT_EQ(lines("table_4.csv"), 1 + 18);
+  EXPECT_EQ(lines("figure_5.csv"), 1 + 12 * 2) << "both patches of each positive case";
+  EXPECT_EQ(lines("figure_8.csv"), 1 + 6 * 2);
+  EXPECT_GT(lines("figure_9.csv"), 1 + 12 * 2);
+  const auto groups = json_lines(read_text(report + "/groups.jsonl"));
+  ASSERT_EQ(groups.size(), 24U);
+  for (const auto& group : groups) EXPECT_GT(group.at("max_bytes"), 0) << group;
+}
+
+TEST(Evaluate, SharesMergeIntoTheWhole) {
+  const ScratchFolder folder;
+  const std::string set = paper_part(folder), whole = folder / "whole";
+  const std::vector<std::string> base = {"evaluate",        set,   "--methods", "tdibm-e,tdibm-c",
+                                         "--t-max-factors", "1,2", "-o"};
+  const auto evaluate = [&](const std::string& report, std::vector<std::string> more) {
+    std::vector<std::string> arguments = base;
+    arguments.push_back(report);
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished finished = ccdfuzz(arguments);
+    EXPECT_EQ(finished.code, 0) << finished.err;
+  };
+  evaluate(whole, {"--threads", "2"});
+  std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
+  for (const char* shard : {"2/3", "0/3", "1/3"}) {
+    merge.push_back(folder / fmt::format("share-{}", shard[0]));
+    evaluate(merge.back(), {"--shard", shard});
+  }
+  const Finished merged = ccdfuzz(merge);
+  ASSERT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(without_times(folder / "merged"), without_times(whole));
+  EXPECT_EQ(read_text(folder / "merged/run.json"), read_text(whole + "/run.json"));
+  // A share left out, twice there, or of another run.
+  const std::string last = merge.back();
+  merge.pop_back();
+  const Finished missing = ccdfuzz(merge);
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find("share 1/3 is missing"), std::string::npos) << missing.err;
+  merge.push_back(merge.back());
+  EXPECT_EQ(ccdfuzz(merge).code, 2);
+  evaluate(folder / "other", {"--shard", "1/3", "--max-pops", "7"});
+  merge.back() = folder / "other";
+  const Finished other = ccdfuzz(merge);
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--max-pops 7"), std::string::npos) << other.err;
+}
+
+TEST(Evaluate, GoesOnAfterKillsAndRefusesAnotherRunsJournal) {
+  const ScratchFolder folder;
+  const std::string set = paper_part(folder), whole = folder / "whole", report = folder / "report";
+  const std::string journal = report + "/answers.csv.partial";
+  const auto arguments = [&](const std::string& to, const char* methods) {
+    return std::vector<std::string>{"evaluate", set, "--methods", methods, "-o", to};
+  };
+  EXPECT_EQ(ccdfuzz(arguments(whole, "tdibm-e,tdibm")).code, 0);
+  namespace fs = std::filesystem;
+  const auto size = [&] { return fs::exists(journal) ? fs::file_size(journal) : 0; };
+  for (int kills = 0; kills < 3; ++kills) {
+    const auto before = size();
+    Process process(arguments(report, "tdibm-e,tdibm"));
+    while (size() < before + 600 && !fs::exists(report + "/answers.csv")) std::this_thread::yield();
+    process.signal(SIGKILL);
+    process.wait();
+  }
+  ASSERT_TRUE(fs::exists(journal));
+  const Finished other = ccdfuzz(arguments(report, "tdibm"));
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find(journal), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("--methods"), std::string::npos) << other.err;
+  const Finished last = ccdfuzz(arguments(report, "tdibm-e,tdibm"));
+  EXPECT_EQ(last.code, 0) << last.err;
+  EXPECT_NE(last.err.find("going on"), std::string::npos) << last.err;
+  EXPECT_EQ(without_times(report), without_times(whole));
+  EXPECT_FALSE(fs::exists(journal));
 }
 
 }  // namespace

@@ -206,5 +206,20 @@ TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
   EXPECT_EQ(ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err, "");
 }
 
+TEST(Hunt, SharesMergeIntoTheWhole) {
+  const ScratchFolder folder;
+  EXPECT_EQ(ccdfuzz(hunt(folder / "whole", {"--cases", "6"})).code, 0);
+  std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
+  for (const char* shard : {"1/3", "2/3", "0/3"}) {
+    merge.push_back(folder / fmt::format("share-{}", shard[0]));
+    EXPECT_EQ(ccdfuzz(hunt(merge.back(), {"--cases", "6", "--shard", shard})).code, 0);
+  }
+  const Finished merged = ccdfuzz(merge);
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  ASSERT_TRUE(has_entry(folder / "whole"));
+  EXPECT_EQ(files_in(folder / "merged"), files_in(folder / "whole"));
+  EXPECT_EQ(ccdfuzz(hunt(folder / "x", {"--seconds", "1", "--shard", "0/2"})).code, 2);
+}
+
 }  // namespace
 }  // namespace ccdfuzz

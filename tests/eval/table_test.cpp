@@ -75,5 +75,14 @@ TEST(Count, AShareAboveZeroNeverReadsAsZero) {
   EXPECT_EQ(count_text(3, 0), "3");
 }
 
+TEST(Table, SizesHaveThreeDigits) {
+  EXPECT_EQ(size_text(0), "0 B");
+  EXPECT_EQ(size_text(999), "999 B");
+  EXPECT_EQ(size_text(1000), "0.98 KiB");
+  EXPECT_EQ(size_text(1536), "1.50 KiB");
+  EXPECT_EQ(size_text(102400), "100 KiB");
+  EXPECT_EQ(size_text(256.0 * (1 << 20)), "256 MiB");
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// Principal curvatures of a surface at a point, |kappa[0]| ≥ |kappa[1]|, in 1/length; the sign is
+/// that of the normal dS/du × dS/dv.
+struct Curvature {
+  std::array<double, 2> kappa{};
+  /// sqrt((kappa[0]² + kappa[1]²)/2), as in Fig. 5.
+  double rms() const;
+};
+
+/// Of a patch at (u, v) and time t. nullopt for points and curves, and where dS/du and dS/dv are
+/// parallel. Derivatives are exact, and all after them is rounded.
+std::optional<Curvature> curvature_at(const MovingPatch<double>& patch, const Uv<Rational>& uv,
+                                      const Rational& t);
+
+/// Of both patches at the contact, at the contact's time (Fig. 5). nullopt without a witness.
+std::optional<std::array<std::optional<Curvature>, 2>> curvature_at_contact(const Case& value);
+
+}  // namespace ccdfuzz
