@@ -91,6 +91,23 @@ void agrees_at_the_limit() {
   }
 }
 
+// What has no bits at all, like the velocities of patches at rest, must not enter (a fuzzer saw an
+// overflow here).
+TEST(Units, AreOfThePositionsAloneWhereNothingMovesAndOfVelocitiesWhereAllBeginsAtTheOrigin) {
+  Query query;
+  query.t_max = 4;
+  for (MovingPatch<double>& patch : query.patches) {
+    patch = {Shape::curve(1), {{0.25, 0, 3}, {0, -7, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  }
+  const Units rest = Units::of(query);
+  EXPECT_EQ(rest.length, -2);
+  EXPECT_EQ(rest.magnitude_bits, 5);  // |p| < 2^3, in steps of 2^-2
+  for (MovingPatch<double>& patch : query.patches) std::swap(patch.positions, patch.velocities);
+  const Units from_origin = Units::of(query);
+  EXPECT_EQ(from_origin.length, -2 + from_origin.time);
+  EXPECT_EQ(from_origin.magnitude_bits, 3 + from_origin.horizon - from_origin.length);
+}
+
 RC_GTEST_PROP(ExactScene, HoldsTheLastBitOf128, ()) {
   agrees_at_the_limit<128>();
 }

@@ -45,11 +45,13 @@ Units Units::of(const Query& query) {
     u.degree_sum = std::max(u.degree_sum, blossom_steps(patch.shape));
   }
   if (position.empty() && velocity.empty()) return u;
-  const int velocity_low = velocity.low + u.time, velocity_top = velocity.top + u.horizon;
   if (velocity.empty()) {
     u.length = position.low;
     u.magnitude_bits = position.top - u.length;
-  } else if (position.empty()) {
+    return u;
+  }
+  const int velocity_low = velocity.low + u.time, velocity_top = velocity.top + u.horizon;
+  if (position.empty()) {
     u.length = velocity_low;
     u.magnitude_bits = velocity_top - u.length;
   } else {
