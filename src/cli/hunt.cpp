@@ -24,6 +24,7 @@ struct HuntArguments {
   std::string seconds = "60";
   std::uint64_t cases = 0;
   std::string shard;
+  int within = 0;  ///< 0: any scale
   std::uint64_t seed = 1;
   std::string corpus = "finds";
   std::string fail_on = "none";
@@ -42,6 +43,7 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   HuntOptions parsed;
   parsed.methods = std::move(*methods);
   parsed.seed = options.seed;
+  if (options.within > 0) parsed.scale = options.within;
   parsed.threads = options.threads;
   parsed.seconds = *seconds;
   if (options.cases > 0) parsed.cases = options.cases;
@@ -223,6 +225,13 @@ void add_hunt(CommandLine& line) {
       .without_default();
   add_shard(command, options->shard);
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
+  constexpr int kWidest = 1074;  // 2^-1074 is the least double
+  command
+      .whole("--within", options->within,
+             "Only queries whose numbers are 0 or between 2^-N and 2^N, so that neither under- nor "
+             "overflow explains a failure",
+             1, kWidest)
+      .without_default();
   command.whole("--seed", options->seed, "Seed of the cases");
   command.text("--corpus", options->corpus,
                "Folder to store counterexamples in; `corpus` promotes them to regressions");

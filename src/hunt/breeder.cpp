@@ -7,6 +7,7 @@
 #include "corpus/store.hpp"
 #include "eval/horizons.hpp"
 #include "fuzz/mutator/mutate.hpp"
+#include "hunt/scale.hpp"
 
 namespace ccdfuzz {
 
@@ -16,9 +17,10 @@ constexpr size_t kMembers = 64;
 
 }  // namespace
 
-Breeder::Breeder(std::string method, std::uint64_t seed)
+Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scale)
     : method_(std::move(method)),
       traceable_(make_tracer(method_).has_value()),
+      scale_(scale),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
 std::optional<double> Breeder::nearness(const Case& known, TracerSet& tracers) const {
@@ -33,7 +35,7 @@ std::optional<double> Breeder::nearness(const Case& known, TracerSet& tracers) c
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<WitnessedQuery> q = witnessed_query(known);
-  if (!q) return;
+  if (!q || (scale_ && !is_within_scale(q->query, *scale_))) return;
   // Founders that are lost are as good as any: half of their mutants are not.
   join({*std::move(q), traceable_ ? nearness(known, tracers).value_or(0) : 0});
 }
@@ -60,6 +62,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   const WitnessedQuery& mother = parent();
   const WitnessedQuery& father = members_[random_.below(members_.size())].q;
   WitnessedQuery mutant = mutate(mother, father, random_);
+  if (scale_ && !is_within_scale(mutant.query, *scale_)) return;
   const Case known = case_of(mutant);
   ++tally_.mutants;
   const std::optional<double> near = traceable_ ? nearness(known, tracers) : std::nullopt;
@@ -76,7 +79,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   if (smallest_failure_ && !(size < *smallest_failure_)) return;
   for (const double factor : kHorizonFactors) {
     const std::optional<Case> asked = at_horizon(known, factor);
-    if (!asked) continue;
+    if (!asked || (scale_ && !is_within_scale(asked->query, *scale_))) continue;
     const Judged judged = ask(methods[method_], *asked, search);
     if (!is_failure(judged.outcome)) continue;
     smallest_failure_ = size;

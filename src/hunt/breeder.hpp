@@ -27,7 +27,8 @@ struct BreedTally {
 /// traced: every mutant is put to it, and the population drifts without aim.
 class Breeder {
  public:
-  Breeder(std::string method, std::uint64_t seed);
+  /// scale: as in HuntOptions.
+  Breeder(std::string method, std::uint64_t seed, std::optional<int> scale = std::nullopt);
 
   /// A case joins the population, if it has a dyadic witness within its t_max.
   void add(const Case& known, TracerSet& tracers);
@@ -51,6 +52,7 @@ class Breeder {
 
   std::string method_;
   bool traceable_;
+  std::optional<int> scale_;
   Random random_;
   std::vector<Member> members_;
   std::optional<CaseSize> smallest_failure_;

@@ -1,6 +1,7 @@
 #include "hunt/draw.hpp"
 
 #include "eval/horizons.hpp"
+#include "hunt/scale.hpp"
 
 namespace ccdfuzz {
 
@@ -24,7 +25,7 @@ constexpr auto kGrounds = [] {
 
 }  // namespace
 
-Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
+Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index, std::optional<int> scale) {
   const Ground& ground = kGrounds[index % kGrounds.size()];
   const std::uint64_t round = index / kGrounds.size();
   GeneratorOptions options;
@@ -43,6 +44,9 @@ Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
       if (auto asked = at_horizon(known, factor)) drawn.asked.push_back(std::move(*asked));
     }
   }
+  if (scale) {
+    std::erase_if(drawn.asked, [&](const Case& c) { return !is_within_scale(c.query, *scale); });
+  }
   return drawn;
 }
 
@@ -55,7 +59,7 @@ std::shared_ptr<const Draw> DrawCache::get(ContactClass contact, std::uint64_t i
     if (slot.draw && slot.index == index) return slot.draw;
   }
   // Made outside the lock: two threads may make the same draw, and then it is the same draw.
-  auto made = std::make_shared<const Draw>(draw(contact, seed_, index));
+  auto made = std::make_shared<const Draw>(draw(contact, seed_, index, scale_));
   const std::lock_guard lock(mutex_);
   // A straggler's old draw must not evict the one that the others are about to need.
   if (Slot& slot = slots[index % kKept]; !slot.draw || slot.index < index) slot = {index, made};

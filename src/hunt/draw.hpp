@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,14 +20,17 @@ struct Draw {
 };
 
 /// Draw number `index` of a contact class. The draws go round both constructions and all stress
-/// families. Depends on the arguments alone.
-Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index);
+/// families. scale: leaves out what is not within it (is_within_scale), if need be all.
+/// Depends on the arguments alone.
+Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index,
+          std::optional<int> scale = std::nullopt);
 
 /// The latest draws of each class, kept because the methods of a class walk the same sequence and
 /// most of them stay close together. Safe to call from several threads.
 class DrawCache {
  public:
-  explicit DrawCache(std::uint64_t seed) : seed_(seed) {}
+  explicit DrawCache(std::uint64_t seed, std::optional<int> scale = std::nullopt)
+      : seed_(seed), scale_(scale) {}
 
   std::shared_ptr<const Draw> get(ContactClass contact, std::uint64_t index);
 
@@ -39,6 +43,7 @@ class DrawCache {
   };
 
   std::uint64_t seed_;
+  std::optional<int> scale_;
   std::mutex mutex_;
   std::array<std::vector<Slot>, kContactClasses.size()> slots_;
 };

@@ -54,11 +54,11 @@ class Hunt {
         on_progress_(on_progress),
         stop_(stop),
         trophies_(store, options),
-        draws_(options.seed) {
+        draws_(options.seed, options.scale) {
     for (const ContactClass contact : kContactClasses) {
       for (const std::string& method : options.methods) {
         const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
-        nurseries_.push_back(Nursery{Breeder(method, seed)});
+        nurseries_.push_back(Nursery{Breeder(method, seed, options.scale)});
         report_.cells.push_back({method, contact, {}, 0, {}});
       }
     }
@@ -200,7 +200,8 @@ class Hunt {
           const std::uint64_t i = options_.shard.item(k);
           const size_t contact = i % classes;
           const double start = thread_cpu_seconds();
-          Answered answered{draw(kContactClasses[contact], options_.seed, i / classes), {}, 0};
+          Answered answered{
+              draw(kContactClasses[contact], options_.seed, i / classes, options_.scale), {}, 0};
           answered.draw_cpu_seconds = thread_cpu_seconds() - start;
           for (size_t m = 0; m < method_count() && !stop_; ++m) {
             answered.turns.push_back(

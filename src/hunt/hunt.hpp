@@ -26,6 +26,8 @@ struct HuntOptions {
   std::optional<std::uint64_t> cases;
   /// Of those draws, and of the populations of mutants; a hunt by time has all.
   Shard shard;
+  /// Only queries within this scale (is_within_scale), in bits.
+  std::optional<int> scale;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
 };

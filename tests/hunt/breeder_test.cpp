@@ -4,6 +4,7 @@
 
 #include "certify/checker/check_witness.hpp"
 #include "hunt/draw.hpp"
+#include "hunt/scale.hpp"
 #include "query/case_json.hpp"
 #include "share.hpp"
 
@@ -15,10 +16,11 @@ struct Bred {
   std::vector<Case> found;
 };
 
-Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps) {
+Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps,
+             std::optional<int> scale = std::nullopt) {
   MethodSet methods;
   TracerSet tracers;
-  Breeder breeder(method, 1);
+  Breeder breeder(method, 1, scale);
   for (std::uint64_t i = 0; i < 3; ++i) {
     for (const Case& asked : draw(contact, 1, i).asked) breeder.add(asked, tracers);
   }
@@ -48,6 +50,14 @@ TEST(Breeder, TheSoundMethodsLoseNoMutant) {
     EXPECT_EQ(bred_by("tdibm-c", contact, 400 / kOneIn).tally.lost, 0U) << name_of(contact);
     EXPECT_EQ(bred_by("tdibm-rational", contact, 40 / kOneIn).tally.lost, 0U) << name_of(contact);
   }
+}
+
+TEST(Breeder, KeepsWithinAScale) {
+  constexpr int kScale = 12;
+  const Bred bred = bred_by("tdibm", ContactClass::kVV, 300 / kOneIn, kScale);
+  EXPECT_GE(bred.tally.mutants, 20 / kOneIn);
+  EXPECT_GE(bred.found.size(), 1U);
+  for (const Case& c : bred.found) EXPECT_TRUE(is_within_scale(c.query, kScale)) << to_json(c);
 }
 
 TEST(Breeder, DependsOnItsSeedAlone) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// True iff every coordinate and velocity of a query, and t_max, is 0 or of a magnitude in
+/// [2^-bits, 2^bits]: where bits are few, neither under- nor overflow explains a failure.
+inline bool is_within_scale(const Query& query, int bits) {
+  const double least = std::ldexp(1.0, -bits), most = std::ldexp(1.0, bits);
+  const auto fits = [&](double x) {
+    return x == 0 || (std::abs(x) >= least && std::abs(x) <= most);
+  };
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (const Vec3<double>& p : *points) {
+        if (!fits(p[0]) || !fits(p[1]) || !fits(p[2])) return false;
+      }
+    }
+  }
+  return fits(query.t_max);
+}
+
+}  // namespace ccdfuzz
