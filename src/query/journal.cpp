@@ -88,6 +88,11 @@ bool stands_at(const std::string& path, int descriptor) {
          named.st_dev == held.st_dev && named.st_ino == held.st_ino;
 }
 
+/// Some file systems of clusters know no locks; there it is for the user to run one at a time.
+bool is_without_locks(int error) {
+  return error == ENOSYS || error == EOPNOTSUPP || error == ENOLCK;
+}
+
 }  // namespace
 
 Journal::Journal(Journal&& other) noexcept
@@ -105,7 +110,7 @@ Result<Journal> Journal::open(const std::string& path, const Header& header) {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0) return system_error(path, "write", errno);
     Journal journal(path, descriptor);
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && !is_without_locks(errno)) {
       if (errno == EWOULDBLOCK) return input_error(path, "another process is at this run");
       return system_error(path, "lock", errno);
     }

@@ -27,8 +27,9 @@ class Journal {
   static std::string path_for(const std::string& output) { return output + ".partial"; }
 
   /// Goes on with the journal at path, or begins it where there is none. Errors: it belongs to a
-  /// run that was asked for something else, naming what; another process goes on with it; it is
-  /// something else; what the system says. What stands there then stays.
+  /// run that was asked for something else, naming what; another process goes on with it (where
+  /// the file system has locks); it is something else; what the system says. What stands there then
+  /// stays.
   static Result<Journal> open(const std::string& path, const Header& header);
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
