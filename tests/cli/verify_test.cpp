@@ -61,6 +61,8 @@ TEST(Verify, AnAbsenceThatDoesNotHoldIsUnproven) {
   const std::string wrong = changed_case(folder, "RN", [](Case& c) {
     c.query.t_max = 1.5;
     c.truth.clear_until.reset();
+    c.truth.clearance.reset();
+    c.truth.proof = "rational-tdibm";
   });
   const Finished finished = ccdfuzz({"verify", wrong});
   EXPECT_EQ(finished.code, 1) << finished.out;
