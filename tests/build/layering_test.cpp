@@ -28,6 +28,7 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"eval", {"method", "certify/checker"}},
     {"generators", {"ccd", "certify/checker", "certify/oracle"}},
     {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
+    {"generators/rc", {"properties"}},
     {"corpus", {"method", "certify/checker", "properties"}},
     {"fuzz/mutator", {"generators"}},
     {"hunt", {"generators", "corpus", "eval", "fuzz/mutator"}},

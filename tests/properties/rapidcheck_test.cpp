@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "generators/rc/drawn.hpp"
 #include "properties/registry.hpp"
 #include "rapidcheck.hpp"
 
@@ -23,19 +24,11 @@ std::string replay_command(const Property& property, const ChoiceSource& choices
 
 class EveryProperty : public testing::TestWithParam<Property> {};
 
-/// Mostly small numbers: what breaks geometry are coincidences.
-rc::Gen<std::vector<std::uint64_t>> any_choices() {
-  const auto number =
-      rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 8), rc::gen::inRange<std::uint64_t>(0, 256),
-                     rc::gen::arbitrary<std::uint64_t>());
-  return rc::gen::resize(300, rc::gen::container<std::vector<std::uint64_t>>(number));
-}
-
 TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
   const Property& property = GetParam();
   if (property.expected == Expectation::kHolds) {
     const bool held = rc::check(std::string(property.claim), [&] {
-      StoredChoices choices(*any_choices());
+      StoredChoices choices(*rc_gen::choices());
       const Check check = run(property, choices);
       RC_PRE(check.status != Check::Status::kDiscarded);
       if (check.status == Check::Status::kFails) {
