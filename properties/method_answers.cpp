@@ -146,6 +146,54 @@ Check monotone_in_t_max(const std::array<const char*, N>& methods, const SearchO
                                   to_hex(shorter.t_max), to_json(*drawn)));
 }
 
+/// Patches within 2^3 of their places, which are 2^7 apart along an axis, at speeds of less than 2:
+/// every method says that they do not touch. One that always hits, or never decides, does not.
+Check check_far_apart(ChoiceSource& choices) {
+  const char* name = choices.pick(kEveryMethod);
+  Query query;
+  query.t_max = 2;
+  const auto along = static_cast<int>(choices.choose(2));
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = draw_shape(choices, 2);
+    for (int i = 0; i < patch.shape.control_count(); ++i) {
+      Vec3<double> p, v;
+      for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(choices.integer(-8, 8));
+      for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(choices.integer(-15, 15)) / 8;
+      if (s == 1) p[along] += 128;
+      patch.positions.push_back(p);
+      patch.velocities.push_back(v);
+    }
+  }
+  const auto method = *make_method(name);
+  const Answer answer = method->answer(query, kQuickSearch);
+  if (answer.verdict == Verdict::kMiss) return Check::holds();
+  Case asked;
+  asked.query = query;
+  return Check::fails(fmt::format("{} does not say so of\n{}", name, to_json(asked)));
+}
+
+/// Two points meet: a method that claims to miss nothing says hit, and neither misses nor gives up.
+Check check_meeting_points(ChoiceSource& choices) {
+  constexpr std::array kSound = {"tdibm-e", "tdibm-rational", "tdibm-c"};
+  const char* name = choices.pick(kSound);
+  const double t = std::ldexp(static_cast<double>(choices.integer(0, 8)), -3);
+  Vec3<double> meeting;
+  for (int k = 0; k < 3; ++k) meeting[k] = static_cast<double>(choices.integer(-64, 64));
+  Case asked;
+  for (MovingPatch<double>& patch : asked.query.patches) {
+    patch.shape = Shape::point();
+    Vec3<double> v;
+    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(choices.integer(-64, 64));
+    patch.velocities = {v};
+    patch.positions = {Vec3<double>(meeting - v * t)};
+  }
+  const auto method = *make_method(name);
+  const Answer answer = method->answer(asked.query, kQuickSearch);
+  if (answer.verdict == Verdict::kHit && *answer.toi <= t) return Check::holds();
+  return Check::fails(fmt::format("{}, points that meet at {}\n{}", name, t, to_json(asked)));
+}
+
 /// The judge on made-up answers about a proven contact.
 Check check_judge(ChoiceSource& choices) {
   const Result<Case> drawn = draw_contact(choices, {});
@@ -216,6 +264,10 @@ std::vector<Property> method_answer_properties() {
        "The same where windows are halved: what is narrow depends on t_max", "Section 6 (1)",
        kFails,
        [](ChoiceSource& c) { return monotone_in_t_max(std::array{"trad"}, kCoarseSearch, c); }},
+      {"methods.miss_what_is_far_apart", "Every method says of patches far apart that they miss",
+       "Section 3", kHolds, check_far_apart},
+      {"methods.hit_where_points_meet", "Methods that claim to miss nothing hit where points meet",
+       "Section 3", kHolds, check_meeting_points},
       {"judge.sees_misses_and_late_answers",
        "A miss and a toi after a proven contact are false negatives, and nonsense is an error",
        "src/query/judge.hpp", kHolds, check_judge},
