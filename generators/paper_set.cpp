@@ -3,6 +3,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "numeric/verify.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -64,7 +65,8 @@ PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed) {
   if (item.kind == CaseKind::kRP) out.cases.push_back(negative_of(value));
   if (item.kind == CaseKind::kNMN && !value.truth.clearance) {
     const Rational until = exact(value.query.t_max);
-    if (auto tree = build_miss_tree(value.query, until, kPaperTreeNodes)) {
+    auto tree = build_miss_tree(value.query, until, kPaperTreeNodes);
+    if (tree && tree->size() <= kMaxTreeBytes) {
       CCDFUZZ_VERIFY(check_clearance(value.query, MissTree{until, {}}, *tree));
       out.tree = *std::move(tree);
     }

@@ -34,7 +34,9 @@ struct PaperCases {
   DiscardCounts discards;
 };
 
-inline constexpr std::uint64_t kPaperTreeNodes = 250'000;
+/// Four times what the oracle takes by default: 250,000 are too few for 1 of the 1,100 near-misses
+/// of seed 1.
+inline constexpr std::uint64_t kPaperTreeNodes = 1'000'000;
 
 /// The cases of a construction, as generate makes them with this seed and Construction::kPaper.
 PaperCases make_paper_cases(const PaperItem& item, std::uint64_t seed);
