@@ -214,6 +214,15 @@ Result<void> check_linear_clearance(const Query& query, const LinearClearance& c
   const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
     return {p, p + until * v};
   };
+  const auto at_the_end = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
+    const Rational x = p + until * v;
+    return {x, x};
+  };
+  for (const Triangle& triangle : triangles_between(query, at_the_end)) {
+    // Halving would come near this contact without end.
+    if (!clearance.closed || !contains_origin_at_start(Conditions(triangle))) continue;
+    return input_error(kWhere, fmt::format("there is a contact at t = {}", shown(until)));
+  }
   for (const Triangle& triangle : triangles_between(query, ends)) {
     const Found found = decide_outside(triangle, clearance.closed, kMostHalvings);
     if (found == Found::kOutside) continue;
