@@ -106,6 +106,7 @@ void add_hunt(CommandLine& line);
 void add_import(CommandLine& line);
 void add_merge(CommandLine& line);
 void add_methods(CommandLine& line);
+void add_minimize(CommandLine& line);
 void add_properties(CommandLine& line);
 void add_prove(CommandLine& line);
 void add_query(CommandLine& line);

@@ -28,6 +28,7 @@ struct HuntArguments {
   std::uint64_t seed = 1;
   std::string corpus = "finds";
   std::string fail_on = "none";
+  std::string shrink = "plugins";
   SearchFlags search;
   int threads = 1;
   bool json = false;
@@ -55,6 +56,9 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   if (!shard) return tl::unexpected(shard.error());
   parsed.shard = *shard;
   parsed.search = *search;
+  parsed.shrink = options.shrink == "all"    ? Shrink::kAll
+                  : options.shrink == "none" ? Shrink::kNone
+                                             : Shrink::kPlugins;
   return parsed;
 }
 
@@ -112,7 +116,7 @@ std::string shell_word(const std::string& text) {
 /// The command that shows a find again.
 std::string reproduction(const HuntFind& find) {
   return fmt::format("{} query {} --methods {}", shell_word(program_name()), shell_word(find.path),
-                     fmt::join(find.failures, ","));
+                     shell_word(fmt::format("{}", fmt::join(find.failures, ","))));
 }
 
 /// "missed by tdibm, tdibm-e (claims none); late by tdibm-h-rel:1e-12".
@@ -240,6 +244,11 @@ void add_hunt(CommandLine& line) {
             "Exit with 1 after new finds: none, claims (a false negative of a method that claims "
             "to have none) or any")
       .one_of({"none", "claims", "any"});
+  command
+      .text("--shrink", options->shrink,
+            "Whose counterexamples to minimise at the end, for at most half as long again: none, "
+            "plugins or all")
+      .one_of({"none", "plugins", "all"});
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
   add_threads(command, options->threads);

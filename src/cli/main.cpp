@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_prove(line);
     ccdfuzz::add_merge(line);
     ccdfuzz::add_replay(line);
+    ccdfuzz::add_minimize(line);
     ccdfuzz::add_bench(line);
     ccdfuzz::add_methods(line);
     ccdfuzz::add_check(line);

@@ -74,6 +74,7 @@ class Hunt {
     for (size_t c = 0; c < nurseries_.size(); ++c) {
       report_.cells[c].bred = nurseries_[c].breeder.tally();
     }
+    if (!report_.error && !stop_) shrink();
     if (!report_.error && !stop_) note(trophies_.complete(stop_));
     Result<std::vector<HuntFind>> finds = trophies_.finds();
     if (finds) {
@@ -86,6 +87,13 @@ class Hunt {
   }
 
  private:
+  /// By time, at most half as long again as the hunt.
+  void shrink() {
+    const double until = options_.cases ? std::numeric_limits<double>::infinity()
+                                        : elapsed() + 0.5 * options_.seconds;
+    note(trophies_.shrink([this, until] { return stop_ || elapsed() > until; }));
+  }
+
   size_t method_count() const { return options_.methods.size(); }
 
   double elapsed() const {

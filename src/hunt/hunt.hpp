@@ -15,6 +15,9 @@
 
 namespace ccdfuzz {
 
+/// Whose counterexamples a hunt minimises before it ends.
+enum class Shrink : std::uint8_t { kNone, kPlugins, kAll };
+
 struct HuntOptions {
   std::vector<std::string> methods;  ///< parsed specs
   std::uint64_t seed = 1;
@@ -28,6 +31,7 @@ struct HuntOptions {
   Shard shard;
   /// Only queries within this scale (is_within_scale), in bits.
   std::optional<int> scale;
+  Shrink shrink = Shrink::kPlugins;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
 };

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "eval/in_order.hpp"
+#include "hunt/shrink.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -12,6 +14,9 @@ namespace {
 
 /// Enough for what TDIBM needs on most entries; what is undecided after as many is left out.
 constexpr std::uint64_t kCompletionPops = 2000;
+
+/// Of one counterexample; most need fewer to come to an end.
+constexpr std::uint64_t kShrinkTrials = 1000;
 
 std::string address_of(const NamedCase& entry) {
   return content_address(entry.value.query);
@@ -53,6 +58,55 @@ size_t Trophies::standing() const {
 size_t Trophies::count() const {
   const std::lock_guard lock(mutex_);
   return standing_;
+}
+
+Result<void> Trophies::shrink(const std::function<bool()>& stop) {
+  Result<std::vector<NamedCase>> entries = store_.load();
+  if (!entries) return tl::unexpected(entries.error());
+  struct Task {
+    const Case* found;
+    std::string method;
+    Judged failure;
+    size_t rank;  ///< how many like it come before
+  };
+  std::vector<Task> tasks;
+  std::map<std::tuple<std::string, Outcome, std::string>, size_t> alike;
+  for (const NamedCase& entry : *entries) {
+    if (!added_.contains(address_of(entry))) continue;
+    for (const auto& [method, outcome] : entry.value.expect) {
+      if (!is_failure(outcome) || !shrinks(method)) continue;
+      Judged failure;
+      failure.outcome = outcome;
+      failure.error = error_name(entry.value, method);
+      const size_t rank = alike[{method, outcome, failure.error}]++;
+      tasks.push_back({&entry.value, method, std::move(failure), rank});
+    }
+  }
+  std::ranges::stable_sort(tasks, {}, &Task::rank);
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  Result<void> stored;
+  size_t done = 0;
+  std::atomic<bool> ended = false;
+  run_in_order<Case>(
+      tasks.size(), options_.threads,
+      [&](size_t i) {
+        const Task& task = tasks[i];
+        return ccdfuzz::shrink(*task.found, task.method, methods.local()[task.method], task.failure,
+                               options_.search, {kShrinkTrials, stop})
+            .value;
+      },
+      [&](const Case& smaller) {
+        const Task& task = tasks[done++];
+        if (stored) stored = offer(task.method, smaller, task.failure);
+        if (!stored || stop()) ended = true;
+      },
+      &ended);
+  return stored;
+}
+
+bool Trophies::shrinks(const std::string& method) const {
+  return options_.shrink == Shrink::kAll ||
+         (options_.shrink == Shrink::kPlugins && names_plugin(method));
 }
 
 Result<void> Trophies::complete(const std::atomic<bool>& stop) {

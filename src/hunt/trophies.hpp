@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -26,6 +27,10 @@ class Trophies {
   /// How many entries this hunt has added and, as far as it knows, still stand.
   size_t count() const;
 
+  /// Minimises the entries that this hunt added, as options.shrink says, those first that show a
+  /// failure like no other. Ends when stop() says so. Errors: of the store.
+  Result<void> shrink(const std::function<bool()>& stop);
+
   /// Asks all methods about every entry that this hunt added, so that each says what to expect of
   /// every method that decides it; with few pops, since one slow method must not take minutes.
   /// Errors: of the store.
@@ -37,6 +42,7 @@ class Trophies {
  private:
   /// How many of the added entries are the smallest of a signature.
   size_t standing() const;
+  bool shrinks(const std::string& method) const;
 
   using Rank = std::pair<CaseSize, std::string>;
 

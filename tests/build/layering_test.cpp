@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"generators", {"ccd", "certify/checker", "certify/oracle"}},
     {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
     {"generators/rc", {"properties"}},
-    {"corpus", {"method", "certify/checker", "properties"}},
+    {"corpus", {"method", "certify/checker", "properties", "fuzz/mutator"}},
     {"fuzz/mutator", {"generators"}},
     {"hunt", {"generators", "corpus", "eval", "fuzz/mutator"}},
     {"cli", {"hunt", "properties"}},

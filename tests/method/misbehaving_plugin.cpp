@@ -74,6 +74,7 @@ std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out
   const ccdfuzz_answer before = s.last;
   out->verdict = CCDFUZZ_HIT;
   out->toi_lower = 0;
+  if (s.does == "late") out->toi_lower = query->t_max;
   if (s.does == "nan") out->toi_lower = std::nan("");
   if (s.does == "no-toi") out->toi_lower = HUGE_VAL;
   if (s.does == "outside") out->toi_lower = query->t_max + 1;
@@ -94,7 +95,7 @@ std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out
   }
   if (s.does == "stale") {
     // What it would say now, it says the next time.
-    out->toi_lower = query->patches[1]->positions[0][0] == 8 ? 0 : query->t_max;
+    if (query->patches[1]->positions[0][0] == 8) out->verdict = CCDFUZZ_MISS;
     s.last = *out;
     if (before.verdict != 0) *out = before;
   }

@@ -7,14 +7,14 @@
 
 namespace ccdfuzz {
 
-bool proves_clear(const Query& query, const Rational& until) {
+bool proves_clear(const Query& query, const Rational& until, std::uint64_t max_pops) {
   CCDFUZZ_VERIFY(sgn(until) >= 0);
   Query horizon = query;
   horizon.t_max = round_up(until);  // proves at least what was asked
   if (!std::isfinite(horizon.t_max)) return false;
   SearchOptions options;
   options.precision = 0x1p-30;
-  options.max_pops = 100'000;
+  options.max_pops = max_pops;
   thread_local TdibmRational method;
   return method.answer(horizon, options).verdict == Verdict::kMiss;
 }

@@ -1,0 +1,165 @@
+#include "corpus/minimise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "ccd/rational/proves_clear.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "corpus/failure.hpp"
+#include "corpus/simplify.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// How many ways to repair a broken contact are looked at; there are about as many.
+constexpr std::uint64_t kRepairs = 6;
+
+/// So many suffice for what is simple; what is not should not be kept as simpler.
+constexpr std::uint64_t kProofPops = 2000;
+
+/// What of a contact stays: of each patch, the dimension of what it lies on (0: a corner, 1: an
+/// edge, 2: the inside), and whether it comes after the start.
+struct ContactPlace {
+  std::array<int, 2> dimensions{};
+  bool after_start = false;
+  friend bool operator==(const ContactPlace&, const ContactPlace&) = default;
+};
+
+ContactPlace place_of(const WitnessedQuery& q) {
+  ContactPlace place;
+  place.after_start = q.t.sign() > 0;
+  for (size_t side = 0; side < 2; ++side) {
+    const Shape& shape = q.query.patches[side].shape;
+    const Dyadic &u = q.uv[side][0], &v = q.uv[side][1];
+    const auto strictly_inside = [](const Dyadic& x) { return x.sign() > 0 && x < Dyadic(1); };
+    int& dimension = place.dimensions[side];
+    if (shape.kind == ShapeKind::kTriangle) {
+      const Dyadic w = Dyadic(1) - u - v;
+      dimension = (u.sign() != 0) + (v.sign() != 0) + (w.sign() != 0) - 1;
+    } else {
+      for (int k = 0; k < shape.parameter_count(); ++k)
+        dimension += strictly_inside(k == 0 ? u : v);
+    }
+  }
+  return place;
+}
+
+class Minimiser {
+ public:
+  Minimiser(const Case& found, Outcome failure, const std::function<bool(const Case&)>& still_fails,
+            const MinimiseOptions& options)
+      : found_(found), failure_(failure), still_fails_(still_fails), options_(options) {}
+
+  Minimised run() {
+    Minimised result{found_, 0};
+    if (!start()) return result;
+    bool simpler = true;
+    while (simpler && !ended()) {
+      simpler = false;
+      offer_simpler(best_, [&](const WitnessedQuery& form) {
+        const bool taken = take(form);
+        simpler = simpler || taken;
+        return taken;
+      });
+    }
+    if (improved_) result.value = as_case(best_);
+    result.trials = trials_;
+    return result;
+  }
+
+ private:
+  bool keeps_witness() const { return is_false_negative(failure_); }
+
+  bool start() {
+    if (keeps_witness()) {
+      const auto witnessed = witnessed_query(found_);
+      if (!witnessed) return false;
+      best_ = *witnessed;
+    } else {
+      if (!is_failure(failure_)) return false;
+      best_ = {found_.query, Dyadic(), {}};
+    }
+    rank_ = simplicity_of(best_);
+    place_ = place_of(best_);
+    return true;
+  }
+
+  bool ended() const { return trials_ >= options_.max_trials || options_.stop(); }
+
+  Case as_case(const WitnessedQuery& q) const {
+    Case value;
+    if (keeps_witness()) {
+      value = case_of(q);
+    } else {
+      value.query = q.query;
+      if (failure_ == Outcome::kFalsePositive) {
+        value.truth.collides = false;
+        value.truth.proof = "rational-tdibm";
+      }
+    }
+    value.origin = found_.origin;
+    return value;
+  }
+
+  /// The forms as which an edited query has its contact, simpler than the best, simplest first.
+  std::vector<std::pair<Simplicity, WitnessedQuery>> whole_forms(const WitnessedQuery& form) const {
+    std::vector<std::pair<Simplicity, WitnessedQuery>> forms;
+    const std::uint64_t ways = keeps_witness() ? kRepairs : 1;
+    for (std::uint64_t way = 0; way < ways; ++way) {
+      WitnessedQuery whole = form;
+      Random random(way);
+      if (keeps_witness() && (place_of(whole) != place_ || !repair(whole, random))) continue;
+      if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
+      const Simplicity rank = simplicity_of(whole);
+      if (!(rank < rank_)) continue;
+      const bool known = std::any_of(forms.begin(), forms.end(),
+                                     [&](const auto& f) { return f.second.query == whole.query; });
+      if (!known) forms.emplace_back(rank, std::move(whole));
+    }
+    std::sort(forms.begin(), forms.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    return forms;
+  }
+
+  bool take(const WitnessedQuery& form) {
+    for (auto& [rank, whole] : whole_forms(form)) {
+      const Case value = as_case(whole);
+      if (keeps_witness() && !check_witness(value.query, *value.truth.witness)) continue;
+      if (ended()) return false;
+      ++trials_;
+      if (!still_fails_(value)) continue;
+      if (failure_ == Outcome::kFalsePositive &&
+          !proves_clear(value.query, exact(value.query.t_max), kProofPops)) {
+        continue;
+      }
+      best_ = std::move(whole);
+      rank_ = rank;
+      improved_ = true;
+      return true;
+    }
+    return false;
+  }
+
+  const Case& found_;
+  Outcome failure_;
+  const std::function<bool(const Case&)>& still_fails_;
+  const MinimiseOptions& options_;
+  WitnessedQuery best_;
+  Simplicity rank_;
+  ContactPlace place_;
+  bool improved_ = false;
+  std::uint64_t trials_ = 0;
+};
+
+}  // namespace
+
+Minimised minimise(const Case& found, Outcome failure,
+                   const std::function<bool(const Case&)>& still_fails,
+                   const MinimiseOptions& options) {
+  return Minimiser(found, failure, still_fails, options).run();
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,305 @@
+#include "corpus/simplify.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "bezier/bernstein.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+using Offer = std::function<bool(const WitnessedQuery&)>;
+
+constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
+
+/// Positions, and velocities.
+constexpr std::array kArrays = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
+
+template <class Visit>
+void for_each_coordinate(WitnessedQuery& q, const Visit& visit) {
+  for (MovingPatch<double>& patch : q.query.patches) {
+    for (const auto array : kArrays) {
+      for (Vec3<double>& p : patch.*array) {
+        for (int k = 0; k < 3; ++k) visit(p[k]);
+      }
+    }
+  }
+}
+
+int significant_bits(double x) {
+  return x == 0 ? 0 : static_cast<int>(mpz_sizeinbase(Dyadic::exact(x).mantissa().get_mpz_t(), 2));
+}
+
+std::uint64_t bits_of(const Dyadic& x) {
+  return x.sign() == 0 ? 0 : mpz_sizeinbase(x.mantissa().get_mpz_t(), 2);
+}
+
+/// x with at most so many significant bits, towards 0; 0 with none.
+double cut_to(double x, int bits) {
+  if (bits == 0 || x == 0) return 0;
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(std::trunc(std::ldexp(fraction, bits)), exponent - bits);
+}
+
+/// The one number of the patch's control points at its contact, if doubles hold it: the patch as a
+/// point.
+std::optional<MovingPatch<double>> as_point(const WitnessedQuery& q, std::size_t side) {
+  const MovingPatch<double>& patch = q.query.patches[side];
+  const std::vector<Dyadic> weights = q.weights(static_cast<int>(side));
+  MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  for (const auto array : kArrays) {
+    for (int k = 0; k < 3; ++k) {
+      Dyadic sum;
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        sum += weights[i] * Dyadic::exact((patch.*array)[i][k]);
+      }
+      const std::optional<double> x = sum.to_double_exactly();
+      if (!x) return std::nullopt;
+      (point.*array)[0][k] = *x;
+    }
+  }
+  return point;
+}
+
+/// The patch of another shape of the same kind whose control points are those of this one that lie
+/// nearest in the net.
+MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
+  const Shape& from = patch.shape;
+  MovingPatch<double> out{to, {}, {}};
+  const auto at = [](int i, int n, int m) { return m == 0 ? 0 : (i * n + m / 2) / m; };
+  for (int i = 0; i <= to.n; ++i) {
+    const int last = to.kind == ShapeKind::kTriangle ? to.n - i
+                     : to.kind == ShapeKind::kTensor ? to.m
+                                                     : 0;
+    for (int j = 0; j <= last; ++j) {
+      const int from_i = at(i, from.n, to.n);
+      int from_j = to.kind == ShapeKind::kTensor ? at(j, from.m, to.m) : at(j, from.n, to.n);
+      if (to.kind == ShapeKind::kTriangle) from_j = std::min(from_j, from.n - from_i);
+      const auto index = static_cast<std::size_t>(from.index(from_i, from_j));
+      out.positions.push_back(patch.positions[index]);
+      out.velocities.push_back(patch.velocities[index]);
+    }
+  }
+  return out;
+}
+
+void offer_shapes(const WitnessedQuery& q, const Offer& offer) {
+  for (const std::size_t side : kSides) {
+    if (const auto point = as_point(q, side)) {
+      if (q.query.patches[side].shape.kind != ShapeKind::kPoint) {
+        WitnessedQuery next = q;
+        next.query.patches[side] = *point;
+        next.uv[side] = {Dyadic(), Dyadic()};
+        if (offer(next)) continue;
+      }
+    }
+    // An edge of it, as a curve; the contact stays where it lies on one.
+    const Shape shape = q.query.patches[side].shape;
+    if (shape.kind == ShapeKind::kTriangle || shape.kind == ShapeKind::kTensor) {
+      for (const bool along_u : {true, false}) {
+        const int degree = along_u || shape.kind == ShapeKind::kTriangle ? shape.n : shape.m;
+        WitnessedQuery next = q;
+        MovingPatch<double>& curve = next.query.patches[side];
+        const MovingPatch<double>& patch = q.query.patches[side];
+        curve = {Shape::curve(degree), {}, {}};
+        for (int i = 0; i <= degree; ++i) {
+          const auto index =
+              static_cast<std::size_t>(along_u ? shape.index(i, 0) : shape.index(0, i));
+          curve.positions.push_back(patch.positions[index]);
+          curve.velocities.push_back(patch.velocities[index]);
+        }
+        next.uv[side] = {q.uv[side][along_u ? 0 : 1], Dyadic()};
+        if (offer(next)) break;
+      }
+    }
+    for (int degree = 1;
+         degree < std::max(q.query.patches[side].shape.n, q.query.patches[side].shape.m);
+         ++degree) {
+      const MovingPatch<double>& patch = q.query.patches[side];
+      Shape lower = patch.shape;
+      lower.n = std::min(lower.n, degree);
+      lower.m = std::min(lower.m, degree);
+      WitnessedQuery next = q;
+      next.query.patches[side] = thinned(patch, lower);
+      if (offer(next)) break;
+    }
+  }
+}
+
+/// Space and time in units of powers of two in which the numbers are around 1; the origin where a
+/// control point is.
+void offer_units(const WitnessedQuery& q, const Offer& offer) {
+  for (const auto array : kArrays) {
+    WitnessedQuery next = q;
+    const Vec3<double> by = (q.query.patches[0].*array)[0];
+    bool exact = true;
+    for (MovingPatch<double>& patch : next.query.patches) {
+      for (Vec3<double>& p : patch.*array) {
+        exact = exact && add_exactly(p, {-Dyadic::exact(by[0]), -Dyadic::exact(by[1]),
+                                         -Dyadic::exact(by[2])});
+      }
+    }
+    if (exact) offer(next);
+  }
+  const auto largest_exponent = [&](auto array) {
+    double largest = 0;
+    for (const MovingPatch<double>& patch : q.query.patches) {
+      for (const Vec3<double>& p : patch.*array) {
+        for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
+      }
+    }
+    return largest == 0 ? 0 : std::ilogb(largest);
+  };
+  const auto scale = [](WitnessedQuery& next, auto array, int shift) {
+    for (MovingPatch<double>& patch : next.query.patches) {
+      for (Vec3<double>& p : patch.*array) {
+        for (int k = 0; k < 3; ++k) {
+          const double scaled = std::ldexp(p[k], shift);
+          if (!std::isfinite(scaled) || std::ldexp(scaled, -shift) != p[k]) return false;
+          p[k] = scaled;
+        }
+      }
+    }
+    return true;
+  };
+  if (const int shift = -largest_exponent(kArrays[0]); shift != 0) {
+    WitnessedQuery next = q;
+    if (scale(next, kArrays[0], shift) && scale(next, kArrays[1], shift)) offer(next);
+  }
+  if (q.query.t_max > 0) {
+    if (const int shift = -std::ilogb(q.query.t_max); shift != 0) {
+      WitnessedQuery next = q;
+      next.query.t_max = std::ldexp(q.query.t_max, shift);
+      next.t = q.t.scaled(shift);
+      if (scale(next, kArrays[1], -shift)) offer(next);
+    }
+  }
+}
+
+void offer_times(const WitnessedQuery& q, const Offer& offer) {
+  WitnessedQuery next = q;
+  if (const auto t = q.t.to_double_exactly()) {
+    next.query.t_max = *t;
+    offer(next);
+  }
+  for (const double t_max : {1.0, cut_to(q.query.t_max, 1) * 2}) {
+    next = q;
+    next.query.t_max = t_max;
+    offer(next);
+  }
+  // The contact at a simpler time and place; where that breaks it, it is repaired.
+  for (const double t : {0.0, 1.0, 0.5}) {
+    next = q;
+    next.t = Dyadic::exact(t);
+    offer(next);
+  }
+  for (const std::size_t side : kSides) {
+    for (const double u : {0.0, 1.0, 0.5, 0.25}) {
+      for (const double v : {0.0, 1.0, 0.5, 0.25}) {
+        const Shape& shape = q.query.patches[side].shape;
+        if (shape.parameter_count() < 2 && v != 0) continue;
+        if (shape.kind == ShapeKind::kPoint || (shape.kind == ShapeKind::kTriangle && u + v > 1)) {
+          continue;
+        }
+        next = q;
+        next.uv[side] = {Dyadic::exact(u), Dyadic::exact(v)};
+        offer(next);
+      }
+    }
+  }
+}
+
+/// All numbers of few bits; all velocities of a patch 0, or all equal; all positions.
+void offer_wholesale(const WitnessedQuery& q, const Offer& offer) {
+  for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18, 26}) {
+    WitnessedQuery next = q;
+    for_each_coordinate(next, [bits](double& x) { x = cut_to(x, bits); });
+    if (offer(next)) break;
+  }
+  for (const auto array : {kArrays[1], kArrays[0]}) {
+    for (const std::size_t side : kSides) {
+      for (const bool to_zero : {true, false}) {
+        WitnessedQuery next = q;
+        Points<double>& points = next.query.patches[side].*array;
+        const Vec3<double> value = to_zero ? Vec3<double>{0, 0, 0} : points[0];
+        for (Vec3<double>& p : points) p = value;
+        if (offer(next)) break;
+      }
+      for (int k = 0; k < 3; ++k) {
+        WitnessedQuery next = q;
+        for (Vec3<double>& p : next.query.patches[side].*array) p[k] = 0;
+        offer(next);
+      }
+    }
+  }
+}
+
+void offer_point_by_point(const WitnessedQuery& q, const Offer& offer) {
+  for (const std::size_t side : kSides) {
+    for (std::size_t i = 0; i < q.query.patches[side].positions.size(); ++i) {
+      for (const std::size_t other : {std::size_t{0}, i == 0 ? std::size_t{0} : i - 1}) {
+        if (other == i) continue;
+        WitnessedQuery next = q;
+        MovingPatch<double>& patch = next.query.patches[side];
+        patch.positions[i] = patch.positions[other];
+        patch.velocities[i] = patch.velocities[other];
+        if (offer(next)) break;
+      }
+      for (const auto array : {kArrays[1], kArrays[0]}) {
+        WitnessedQuery next = q;
+        (next.query.patches[side].*array)[i] = {0, 0, 0};
+        if (offer(next)) continue;
+        for (int k = 0; k < 3; ++k) {
+          const auto number = [&](WitnessedQuery& of) -> double& {
+            return (of.query.patches[side].*array)[i][k];
+          };
+          next = q;
+          const int now = significant_bits(number(next));
+          if (now == 0) continue;
+          for (int bits = 0; bits < now; bits = bits < 2 ? bits + 1 : bits * 2) {
+            next = q;
+            number(next) = cut_to(number(next), bits);
+            if (offer(next)) break;
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Simplicity simplicity_of(const WitnessedQuery& q) {
+  Simplicity s;
+  s.size = size_of(q.query);
+  s.witness_bits = bits_of(q.t);
+  for (const Uv<Dyadic>& uv : q.uv) s.witness_bits += bits_of(uv[0]) + bits_of(uv[1]);
+  for (const MovingPatch<double>& patch : q.query.patches) {
+    std::set<std::array<double, 6>> different;
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      const Vec3<double>&p = patch.positions[i], &v = patch.velocities[i];
+      different.insert({p[0], p[1], p[2], v[0], v[1], v[2]});
+    }
+    // What a shape has of control points counts, too: fewer are simpler even where they coincide.
+    s.different_points += 64 * patch.positions.size() + different.size();
+  }
+  WitnessedQuery copy = q;
+  for_each_coordinate(copy, [&](double x) {
+    if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
+  });
+  return s;
+}
+
+void offer_simpler(const WitnessedQuery& current, const Offer& offer) {
+  offer_shapes(current, offer);
+  offer_wholesale(current, offer);
+  offer_times(current, offer);
+  offer_units(current, offer);
+  offer_point_by_point(current, offer);
+}
+
+}  // namespace ccdfuzz

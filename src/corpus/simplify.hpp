@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <tuple>
+
+#include "corpus/content_address.hpp"
+#include "fuzz/mutator/witnessed_query.hpp"
+
+namespace ccdfuzz {
+
+/// How simple a query and its contact are, simplest first. It begins with CaseSize, by which a
+/// store compares.
+struct Simplicity {
+  CaseSize size;
+  std::uint64_t witness_bits = 0;      ///< of t and uv
+  std::uint64_t different_points = 0;  ///< control points that differ in position or velocity
+  std::uint64_t exponents = 0;         ///< sum of |exponent| of all coordinates
+  friend bool operator<(const Simplicity& a, const Simplicity& b) {
+    return std::tie(a.size, a.witness_bits, a.different_points, a.exponents) <
+           std::tie(b.size, b.witness_bits, b.different_points, b.exponents);
+  }
+};
+
+Simplicity simplicity_of(const WitnessedQuery& q);
+
+/// Offers simpler forms of a query, the boldest first; the contact may be broken in them. `offer`
+/// returns whether the form was taken: then the next ones start from what the reference holds.
+/// One round through all kinds of simplification; a second one may do more.
+void offer_simpler(const WitnessedQuery& current,
+                   const std::function<bool(const WitnessedQuery&)>& offer);
+
+}  // namespace ccdfuzz

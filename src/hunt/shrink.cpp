@@ -1,0 +1,33 @@
+#include "hunt/shrink.hpp"
+
+#include <algorithm>
+
+#include "corpus/failure.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr std::uint64_t kTrialsOfAHang = 6;
+
+}  // namespace
+
+Minimised shrink(const Case& found, const std::string& spec, Method& method, const Judged& failure,
+                 const SearchOptions& search, MinimiseOptions options) {
+  if (failure.error == "hang") options.max_trials = std::min(options.max_trials, kTrialsOfAHang);
+  Case start = found;
+  for (const auto& [expected, outcome] : found.expect) set_error_name(start, expected, "");
+  start.expect.clear();
+  Minimised minimised = minimise(
+      start, failure.outcome,
+      [&](const Case& simpler) {
+        const Judged judged = ask(method, simpler, search);
+        return judged.outcome == failure.outcome && judged.error == failure.error;
+      },
+      options);
+  minimised.value.expect = {{spec, failure.outcome}};
+  set_error_name(minimised.value, spec, failure.error);
+  return minimised;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "corpus/minimise.hpp"
+#include "eval/ask.hpp"
+
+namespace ccdfuzz {
+
+/// Minimises a case on which a method fails: it fails alike on every simpler one that is taken,
+/// with the same outcome and, of an error, the same name. The result expects this failure alone.
+/// Of a hang only a few trials are made, since each costs its whole time.
+Minimised shrink(const Case& found, const std::string& spec, Method& method, const Judged& failure,
+                 const SearchOptions& search, MinimiseOptions options = {});
+
+}  // namespace ccdfuzz

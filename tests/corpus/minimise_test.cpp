@@ -1,0 +1,107 @@
+#include "corpus/minimise.hpp"
+
+#include <gtest/gtest.h>
+
+#include "ccd/tdibm.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "corpus/content_address.hpp"
+#include "generators/generate.hpp"
+#include "numeric/rational.hpp"
+#include "query/case_json.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+Case drawn(ContactClass contact, CaseKind kind, std::uint64_t index) {
+  GeneratorOptions options;
+  options.contact = contact;
+  options.kind = kind;
+  options.construction = Construction::kOneSided;
+  return generate(options, index).value;
+}
+
+/// Says "no contact" to whatever has a velocity above 1/8 along z: a bug whose core is one number.
+Answer misses_fast_ones(const Query& query) {
+  Answer answer;
+  answer.verdict = Verdict::kHit;
+  answer.toi = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& v : patch.velocities) {
+      if (std::abs(v[2]) > 0.125) answer.verdict = Verdict::kMiss;
+    }
+  }
+  return answer;
+}
+
+Outcome outcome_of(const Case& value) {
+  return judge(value.query, value.truth, misses_fast_ones(value.query));
+}
+
+TEST(Minimise, FindsTheOneNumberThatMattersAndKeepsTheContact) {
+  for (const ContactClass contact : kContactClasses) {
+    const Case found = drawn(contact, CaseKind::kRP, 0);
+    ASSERT_EQ(outcome_of(found), Outcome::kMissed);
+    const Minimised small = minimise(found, Outcome::kMissed, [](const Case& c) {
+      EXPECT_TRUE(check_truth(c)) << to_json(c);
+      return outcome_of(c) == Outcome::kMissed;
+    });
+    EXPECT_EQ(outcome_of(small.value), Outcome::kMissed);
+    EXPECT_TRUE(check_truth(small.value)) << to_json(small.value);
+    EXPECT_EQ(small.value.origin, found.origin);
+    EXPECT_GT(small.value.truth.witness->t, 0);
+    // t_max, a velocity, and what brings the patches together in spite of it.
+    EXPECT_LE(size_of(small.value.query).significant_bits, 8U) << to_json(small.value);
+    EXPECT_GT(small.trials, 0U);
+  }
+}
+
+TEST(Minimise, IsDeterministicAndStopsWhenTold) {
+  const Case found = drawn(ContactClass::kVF, CaseKind::kRP, 1);
+  const auto fails = [](const Case& c) { return outcome_of(c) == Outcome::kMissed; };
+  const Minimised one = minimise(found, Outcome::kMissed, fails);
+  const Minimised two = minimise(found, Outcome::kMissed, fails);
+  EXPECT_EQ(one.value, two.value);
+  EXPECT_EQ(one.trials, two.trials);
+  const Minimised few = minimise(found, Outcome::kMissed, fails, {3, [] { return false; }});
+  EXPECT_EQ(few.trials, 3U);
+  EXPECT_EQ(outcome_of(few.value), Outcome::kMissed);
+  const Minimised none = minimise(found, Outcome::kMissed, fails, {1000, [] { return true; }});
+  EXPECT_EQ(none.trials, 0U);
+  EXPECT_EQ(none.value, found);
+}
+
+TEST(Minimise, LeavesWhatDoesNotFailWhenSimpler) {
+  const Case found = drawn(ContactClass::kEE, CaseKind::kRP, 2);
+  const auto only_this = [&](const Case& c) { return c.query == found.query; };
+  EXPECT_EQ(minimise(found, Outcome::kMissed, only_this).value, found);
+}
+
+TEST(Minimise, AFalsePositiveStaysOneWithProof) {
+  const Case found = drawn(ContactClass::kVV, CaseKind::kRN, 0);
+  const auto hits = [](const Case& c) {
+    EXPECT_EQ(c.truth.collides, false);
+    return c.query.patches[0].velocities[0][0] != 0;  // a method that hits whatever moves
+  };
+  const Minimised small = minimise(found, Outcome::kFalsePositive, hits);
+  EXPECT_TRUE(hits(small.value));
+  EXPECT_TRUE(check_truth(small.value));
+  EXPECT_EQ(small.value.truth.proof, "rational-tdibm");
+  EXPECT_LE(size_of(small.value.query).significant_bits, 8U) << to_json(small.value);
+  Tdibm<Plain> method{Plain()};
+  EXPECT_EQ(method.answer(small.value.query, {}).verdict, Verdict::kMiss);
+}
+
+TEST(Minimise, AnErrorNeedsNoTruth) {
+  const Case found = drawn(ContactClass::kFF, CaseKind::kRP, 0);
+  const Minimised small = minimise(found, Outcome::kError, [](const Case& c) {
+    return c.query.patches[1].shape.kind == ShapeKind::kTriangle;
+  });
+  EXPECT_EQ(small.value.truth, Truth());
+  EXPECT_EQ(small.value.query.patches[0].shape, Shape::point());
+  EXPECT_EQ(small.value.query.patches[1].shape, Shape::triangle(1));
+  EXPECT_LE(size_of(small.value.query).significant_bits, 1U) << to_json(small.value);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
