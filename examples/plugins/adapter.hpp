@@ -1,0 +1,75 @@
+// What the adapters of linear CCD codes share: options, and a query as eight end points.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+
+#include "ccdfuzz_plugin.hpp"
+
+namespace adapter {
+
+namespace ccd = ccdfuzz_plugin_cpp;
+
+/// "key=number:key=number".
+class Options {
+ public:
+  explicit Options(const std::string& text) {
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find(':', begin), text.size());
+      const std::string one = text.substr(begin, end - begin);
+      const std::size_t equals = one.find('=');
+      if (equals == std::string::npos) throw std::invalid_argument(one + " has no value");
+      values_[one.substr(0, equals)] = one.substr(equals + 1);
+      begin = end + 1;
+    }
+  }
+
+  double number(const std::string& key, double otherwise) {
+    const auto found = values_.find(key);
+    if (found == values_.end()) return otherwise;
+    char* end = nullptr;
+    const double value = std::strtod(found->second.c_str(), &end);
+    if (end == found->second.c_str() || *end != '\0') {
+      throw std::invalid_argument(key + " is no number");
+    }
+    values_.erase(found);
+    return value;
+  }
+
+  void check_all_known() const {
+    if (!values_.empty()) throw std::invalid_argument("unknown option " + values_.begin()->first);
+  }
+
+ private:
+  std::map<std::string, std::string> values_;
+};
+
+/// A time of [0, 1] as one of [0, t_max], rounded down: what is conservative stays so.
+inline double scaled_toi(double toi, double t_max) {
+  return t_max == 1 ? toi : std::nextafter(toi * t_max, 0.0);
+}
+
+/// The four points at t = 0 and then at t = t_max: vertex and face v, f0, f1, f2, or both edges.
+/// The end points are rounded where p + t_max v is no double: the code is then asked about a motion
+/// that is off by so much. Hunt with cases whose end points are doubles to see the code alone.
+template <class Vector>
+std::array<Vector, 8> end_points(const ccd::Query& query) {
+  std::array<Vector, 8> points;
+  std::size_t next = 0;
+  for (int side = 0; side < 2; ++side) {
+    const ccd::Patch patch = query.patch(side);
+    for (std::size_t i = 0; i < patch.count(); ++i, ++next) {
+      for (int k = 0; k < 3; ++k) {
+        using Scalar = typename Vector::Scalar;
+        points[next][k] = static_cast<Scalar>(patch.at(i, k, 0));
+        points[next + 4][k] = static_cast<Scalar>(patch.at(i, k, query.t_max()));
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace adapter
