@@ -29,6 +29,7 @@ struct HuntArguments {
   std::string corpus = "finds";
   std::string fail_on = "none";
   std::string shrink = "plugins";
+  bool linear = false;
   SearchFlags search;
   int threads = 1;
   bool json = false;
@@ -56,6 +57,7 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   if (!shard) return tl::unexpected(shard.error());
   parsed.shard = *shard;
   parsed.search = *search;
+  parsed.linear = options.linear;
   parsed.shrink = options.shrink == "all"    ? Shrink::kAll
                   : options.shrink == "none" ? Shrink::kNone
                                              : Shrink::kPlugins;
@@ -237,6 +239,8 @@ void add_hunt(CommandLine& line) {
              1, kWidest)
       .without_default();
   command.whole("--seed", options->seed, "Seed of the cases");
+  command.flag("--linear", options->linear,
+               "Draw linear queries (vertex-face, edge-edge, degenerate ones above all)");
   command.text("--corpus", options->corpus,
                "Folder to store counterexamples in; `corpus` promotes them to regressions");
   command

@@ -1,6 +1,7 @@
 #include "hunt/draw.hpp"
 
 #include "eval/horizons.hpp"
+#include "hunt/draw_linear_case.hpp"
 #include "hunt/scale.hpp"
 
 namespace ccdfuzz {
@@ -23,6 +24,11 @@ constexpr auto kGrounds = [] {
   return grounds;
 }();
 
+void keep_within(Draw& drawn, std::optional<int> scale) {
+  if (!scale) return;
+  std::erase_if(drawn.asked, [&](const Case& c) { return !is_within_scale(c.query, *scale); });
+}
+
 }  // namespace
 
 Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index, std::optional<int> scale) {
@@ -44,9 +50,14 @@ Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index, std::op
       if (auto asked = at_horizon(known, factor)) drawn.asked.push_back(std::move(*asked));
     }
   }
-  if (scale) {
-    std::erase_if(drawn.asked, [&](const Case& c) { return !is_within_scale(c.query, *scale); });
-  }
+  keep_within(drawn, scale);
+  return drawn;
+}
+
+Draw draw_of_linear(ContactClass contact, std::uint64_t seed, std::uint64_t index,
+                    std::optional<int> scale) {
+  Draw drawn{{draw_linear_case(contact, seed, index)}};
+  keep_within(drawn, scale);
   return drawn;
 }
 
@@ -59,7 +70,8 @@ std::shared_ptr<const Draw> DrawCache::get(ContactClass contact, std::uint64_t i
     if (slot.draw && slot.index == index) return slot.draw;
   }
   // Made outside the lock: two threads may make the same draw, and then it is the same draw.
-  auto made = std::make_shared<const Draw>(draw(contact, seed_, index, scale_));
+  const auto make = linear_ ? draw_of_linear : draw;
+  auto made = std::make_shared<const Draw>(make(contact, seed_, index, scale_));
   const std::lock_guard lock(mutex_);
   // A straggler's old draw must not evict the one that the others are about to need.
   if (Slot& slot = slots[index % kKept]; !slot.draw || slot.index < index) slot = {index, made};

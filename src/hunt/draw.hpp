@@ -25,12 +25,17 @@ struct Draw {
 Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index,
           std::optional<int> scale = std::nullopt);
 
+/// The same of linear queries, of one of kLinearClasses.
+Draw draw_of_linear(ContactClass contact, std::uint64_t seed, std::uint64_t index,
+                    std::optional<int> scale = std::nullopt);
+
 /// The latest draws of each class, kept because the methods of a class walk the same sequence and
 /// most of them stay close together. Safe to call from several threads.
 class DrawCache {
  public:
-  explicit DrawCache(std::uint64_t seed, std::optional<int> scale = std::nullopt)
-      : seed_(seed), scale_(scale) {}
+  explicit DrawCache(std::uint64_t seed, std::optional<int> scale = std::nullopt,
+                     bool linear = false)
+      : seed_(seed), scale_(scale), linear_(linear) {}
 
   std::shared_ptr<const Draw> get(ContactClass contact, std::uint64_t index);
 
@@ -44,6 +49,7 @@ class DrawCache {
 
   std::uint64_t seed_;
   std::optional<int> scale_;
+  bool linear_;
   std::mutex mutex_;
   std::array<std::vector<Slot>, kContactClasses.size()> slots_;
 };

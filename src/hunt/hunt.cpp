@@ -11,6 +11,7 @@
 #include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
 #include "hunt/draw.hpp"
+#include "hunt/draw_linear_case.hpp"
 #include "hunt/scheduler.hpp"
 #include "hunt/trophies.hpp"
 #include "numeric/verify.hpp"
@@ -54,8 +55,10 @@ class Hunt {
         on_progress_(on_progress),
         stop_(stop),
         trophies_(store, options),
-        draws_(options.seed, options.scale) {
-    for (const ContactClass contact : kContactClasses) {
+        draws_(options.seed, options.scale, options.linear),
+        classes_(options.linear ? Classes(kLinearClasses.begin(), kLinearClasses.end())
+                                : Classes(kContactClasses.begin(), kContactClasses.end())) {
+    for (const ContactClass contact : classes_) {
       for (const std::string& method : options.methods) {
         const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
         nurseries_.push_back(Nursery{Breeder(method, seed, options.scale)});
@@ -199,7 +202,7 @@ class Hunt {
       std::vector<Turn> turns;
       double draw_cpu_seconds = 0;
     };
-    const size_t classes = kContactClasses.size();
+    const size_t classes = classes_.size();
     const std::uint64_t total = options_.shard.size(count * classes);
     tbb::enumerable_thread_specific<MethodSet> methods;
     run_in_order<Answered>(
@@ -208,8 +211,9 @@ class Hunt {
           const std::uint64_t i = options_.shard.item(k);
           const size_t contact = i % classes;
           const double start = thread_cpu_seconds();
+          const auto make = options_.linear ? draw_of_linear : draw;
           Answered answered{
-              draw(kContactClasses[contact], options_.seed, i / classes, options_.scale), {}, 0};
+              make(classes_[contact], options_.seed, i / classes, options_.scale), {}, 0};
           answered.draw_cpu_seconds = thread_cpu_seconds() - start;
           for (size_t m = 0; m < method_count() && !stop_; ++m) {
             answered.turns.push_back(
@@ -318,6 +322,8 @@ class Hunt {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Trophies trophies_;
   DrawCache draws_;
+  using Classes = std::vector<ContactClass>;
+  Classes classes_;
   std::vector<Nursery> nurseries_;  ///< one a cell
 
   std::mutex mutex_;  ///< of all below, while workers run

@@ -31,6 +31,8 @@ struct HuntOptions {
   Shard shard;
   /// Only queries within this scale (is_within_scale), in bits.
   std::optional<int> scale;
+  /// Draw linear queries, of kLinearClasses alone, and not curved ones.
+  bool linear = false;
   Shrink shrink = Shrink::kPlugins;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;
