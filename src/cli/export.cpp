@@ -3,9 +3,11 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/output.hpp"
 #include "query/output_file.hpp"
 #include "query/query_csv.hpp"
+#include "query/test_snippet.hpp"
 
 namespace ccdfuzz {
 
@@ -14,8 +16,20 @@ namespace {
 struct ExportArguments {
   std::vector<std::string> files;
   std::string output;
+  std::string as = "csv";
   bool round = false;
 };
+
+Result<int> export_tests(const ExportArguments& options) {
+  const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
+  if (!cases) return tl::unexpected(cases.error());
+  const auto framework =
+      options.as == "gtest" ? TestFramework::kGoogleTest : TestFramework::kCatch2;
+  const auto written = write_file(options.output, test_snippet(*cases, framework));
+  if (!written) return tl::unexpected(written.error());
+  print_out(fmt::format("{} tests\n", cases->size()));
+  return kDone;
+}
 
 /// The rows of a case with their label: for linear queries decided from the very numbers written.
 Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t& rounded) {
@@ -41,6 +55,7 @@ Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t
 }
 
 Result<int> run_export(const ExportArguments& options) {
+  if (options.as != "csv") return export_tests(options);
   Result<OutputFile> out = OutputFile::create(options.output);
   if (!out) return tl::unexpected(out.error());
   std::optional<CsvLayout> layout;
@@ -79,9 +94,14 @@ Result<int> run_export(const ExportArguments& options) {
 
 void add_export(CommandLine& line) {
   auto [command, options] = line.add<ExportArguments>(
-      "export", "Write cases as a query CSV: 8 rows a linear query, 24 a curved one", run_export);
+      "export", "Write cases as a query CSV, or as tests of a plug-in", run_export);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("-o,--output", options->output, "File to write").required();
+  command
+      .text("--as", options->as,
+            "csv: 8 rows a linear query, 24 a curved one. gtest, catch2: a C++ file with a test a "
+            "case, which needs ccdfuzz_plugin.h and the plug-in to link with")
+      .one_of({"csv", "gtest", "catch2"});
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
 }

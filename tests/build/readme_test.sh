@@ -1,6 +1,6 @@
 #!/bin/sh
-# readme_test.sh SOURCE CCDFUZZ: every command of the README that calls ccdfuzz runs as it stands
-# there, one after the other in one folder; every script and path that it names exists.
+# readme_test.sh SOURCE CCDFUZZ: every command of the README that calls ccdfuzz or g++ runs as it
+# stands there, one after the other in one folder; every script and path that it names exists.
 set -eu
 source=$1
 ccdfuzz=$2
@@ -9,6 +9,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/build/release"
 ln -s "$ccdfuzz" "$work/build/release/ccdfuzz"
 cp -r "$source/corpus" "$work/corpus"
+ln -s "$source/src" "$source/examples" "$work"
 cd "$work"
 
 # shellcheck disable=SC2016
@@ -16,7 +17,7 @@ sed -n '/^```sh$/,/^```$/p' "$source/README.md" | grep -v '^```' >commands
 count=0
 while IFS= read -r command; do
   case $command in
-    build/release/ccdfuzz*)
+    build/release/ccdfuzz* | g++*)
       echo "\$ $command"
       sh -c "$command" >output 2>&1 </dev/null || {
         status=$?

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
 
 #include "process.hpp"
@@ -110,6 +111,68 @@ TEST(Plugins, OfANewcomerIsAtMostSixtyLinesBuiltAndHuntedAsThePageSays) {
                folder / "finds"});
   EXPECT_EQ(hunted.code, 0) << hunted.err;
   EXPECT_NE(hunted.out.find("by plugin:"), std::string::npos) << hunted.out;
+}
+
+/// A vertex that reaches a face in its inside, and one that stays above it.
+constexpr const char* kTwoLinearCases =
+    R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-2]]}],"t_max":1,"truth":{"collides":true,"witness":{"t":"1/2","uv":[["1/4","1/2"],["0","0"]]}}}
+{"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-0.5]]}],"t_max":1,"truth":{"collides":false,"proof":"rational-tdibm"}}
+)";
+
+/// Always wrong: says the opposite of what the example says.
+constexpr const char* kContrary = R"(#include "ccdfuzz_plugin.hpp"
+namespace ccd = ccdfuzz_plugin_cpp;
+struct Contrary {
+  explicit Contrary(const std::string&) {}
+  static ccd::Description describe() { return {"contrary", ""}; }
+  static ccd::Answer answer(const ccd::Query& query) {
+    const bool comes = query.raw.patches[1]->velocities[0][2] == -2;
+    return comes ? ccd::Answer::miss() : ccd::Answer::hit(0);
+  }
+};
+CCDFUZZ_PLUGIN(Contrary)
+)";
+
+TEST(Export, AsGoogleTestFailsWithAPluginThatFailsAndPassesWithOneThatDoesNot) {
+  const ScratchFolder folder;
+  write_text(folder / "cases.jsonl", kTwoLinearCases);
+  write_text(folder / "contrary.cpp", kContrary);
+  const Finished written =
+      ccdfuzz({"export", folder / "cases.jsonl", "--as", "gtest", "-o", folder / "found_test.cpp"});
+  ASSERT_EQ(written.code, 0) << written.err;
+  EXPECT_EQ(written.out, "2 tests\n");
+  const Finished compiled =
+      shell(fmt::format("cd {0} && cxx='{1} -std=c++17 -I{2}/src/method/plugin' && "
+                        "$cxx -Wall -Wextra -Werror -c found_test.cpp -o test.o && "
+                        "$cxx test.o contrary.cpp -o wrong -lgtest_main -lgtest -pthread && "
+                        "$cxx test.o {3} -Wl,-rpath,{4} -o right -lgtest_main -lgtest -pthread",
+                        folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR, CCDFUZZ_TEST_LINEAR_PLUGIN,
+                        std::filesystem::path(CCDFUZZ_TEST_LINEAR_PLUGIN).parent_path().string()));
+  ASSERT_EQ(compiled.code, 0) << compiled.err;
+  const Finished right = Process({}, "", folder / "right").wait();
+  EXPECT_EQ(right.code, 0) << right.out;
+  EXPECT_NE(right.out.find("[  PASSED  ] 2 tests"), std::string::npos) << right.out;
+  const Finished wrong = Process({}, "", folder / "wrong").wait();
+  EXPECT_EQ(wrong.code, 1) << wrong.out;
+  EXPECT_NE(wrong.out.find("2 FAILED TESTS"), std::string::npos) << wrong.out;
+}
+
+TEST(Export, AsCatch2Compiles) {
+  const ScratchFolder folder;
+  write_text(folder / "cases.jsonl", kTwoLinearCases);
+  // A stand-in for the two macros of Catch2 that are used.
+  std::filesystem::create_directories(folder / "catch2");
+  write_text(folder / "catch2/catch_test_macros.hpp",
+             "#define TEST_CASE(name) static void test_case(const char (*)[__LINE__])\n"
+             "#define CHECK(condition) static_cast<void>(condition)\n");
+  ASSERT_EQ(
+      ccdfuzz({"export", folder / "cases.jsonl", "--as", "catch2", "-o", folder / "found_test.cpp"})
+          .code,
+      0);
+  const Finished compiled = shell(
+      fmt::format("cd {} && {} -std=c++17 -fsyntax-only -I. -I{}/src/method/plugin found_test.cpp",
+                  folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR));
+  EXPECT_EQ(compiled.code, 0) << compiled.err;
 }
 
 TEST(Minimize, WritesAnEntryThatFailsAlikeAndRefusesWhatDoesNotFail) {
