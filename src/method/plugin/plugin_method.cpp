@@ -55,12 +55,12 @@ class PluginMethod : public Method {
       : plugin_(std::move(plugin)), worker_(plugin_->spec) {}
 
   Answer answer(const Query& query, const SearchOptions& options) override {
-    if (!plugin_->description) throw_fault(plugin_->description.error());
     if (hangs_ >= kMostHangs) {
       Answer none;
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
       return none;
     }
+    if (!plugin_->description) throw_fault(plugin_->description.error());
     const std::optional<bool> swapped = order_of(query);
     if (!swapped) {
       Answer none;
