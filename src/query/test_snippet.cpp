@@ -12,6 +12,7 @@ constexpr const char* kPreamble = R"(#include <ccdfuzz_plugin.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 

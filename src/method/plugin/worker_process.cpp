@@ -153,7 +153,8 @@ tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to
     if (!to_send.empty()) {
       const ssize_t n = ::send(questions_, to_send.data(), to_send.size(), MSG_NOSIGNAL);
       if (n > 0) to_send.erase(0, static_cast<size_t>(n));
-      if (n < 0 && errno != EAGAIN && errno != EINTR) return tl::unexpected(ended());
+      // It listens no more; what it said before it ended is still to be read.
+      if (n < 0 && errno != EAGAIN && errno != EINTR) to_send.clear();
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
     if (left <= 0) {
