@@ -19,7 +19,7 @@ constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
 constexpr std::array kArrays = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
 
 template <class Visit>
-void for_each_coordinate(WitnessedQuery& q, const Visit& visit) {
+void visit_coordinates(WitnessedQuery& q, const Visit& visit) {
   for (MovingPatch<double>& patch : q.query.patches) {
     for (const auto array : kArrays) {
       for (Vec3<double>& p : patch.*array) {
@@ -217,7 +217,7 @@ void offer_times(const WitnessedQuery& q, const Offer& offer) {
 void offer_wholesale(const WitnessedQuery& q, const Offer& offer) {
   for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18, 26}) {
     WitnessedQuery next = q;
-    for_each_coordinate(next, [bits](double& x) { x = cut_to(x, bits); });
+    visit_coordinates(next, [bits](double& x) { x = cut_to(x, bits); });
     if (offer(next)) break;
   }
   for (const auto array : {kArrays[1], kArrays[0]}) {
@@ -288,7 +288,7 @@ Simplicity simplicity_of(const WitnessedQuery& q) {
     s.different_points += 64 * patch.positions.size() + different.size();
   }
   WitnessedQuery copy = q;
-  for_each_coordinate(copy, [&](double x) {
+  visit_coordinates(copy, [&](double x) {
     if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
   });
   return s;

@@ -67,7 +67,7 @@ Result<void> Trophies::shrink(const std::function<bool()>& stop) {
     const Case* found;
     std::string method;
     Judged failure;
-    size_t rank;  ///< how many like it come before
+    std::pair<size_t, size_t> rank;  ///< how many like it come before, and how many in all
   };
   std::vector<Task> tasks;
   std::map<std::tuple<std::string, Outcome, std::string>, size_t> alike;
@@ -78,11 +78,11 @@ Result<void> Trophies::shrink(const std::function<bool()>& stop) {
       Judged failure;
       failure.outcome = outcome;
       failure.error = error_name(entry.value, method);
-      const size_t rank = alike[{method, outcome, failure.error}]++;
+      const std::pair rank(alike[{method, outcome, failure.error}]++, tasks.size());
       tasks.push_back({&entry.value, method, std::move(failure), rank});
     }
   }
-  std::ranges::stable_sort(tasks, {}, &Task::rank);
+  std::ranges::sort(tasks, {}, &Task::rank);
   tbb::enumerable_thread_specific<MethodSet> methods;
   Result<void> stored;
   size_t done = 0;
