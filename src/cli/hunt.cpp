@@ -250,8 +250,8 @@ void add_hunt(CommandLine& line) {
       .one_of({"none", "claims", "any"});
   command
       .text("--shrink", options->shrink,
-            "Whose counterexamples to minimise at the end, for at most half as long again: none, "
-            "plugins or all")
+            "Whose counterexamples to minimise at the end, for at most as long again or "
+            "20 seconds: none, plugins or all")
       .one_of({"none", "plugins", "all"});
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);

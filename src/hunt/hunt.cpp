@@ -90,10 +90,10 @@ class Hunt {
   }
 
  private:
-  /// By time, at most half as long again as the hunt.
+  /// By time, at most as long again as the hunt, but long enough for a short one's finds.
   void shrink() {
     const double until = options_.cases ? std::numeric_limits<double>::infinity()
-                                        : elapsed() + 0.5 * options_.seconds;
+                                        : elapsed() + std::max(options_.seconds, 20.0);
     note(trophies_.shrink([this, until] { return stop_ || elapsed() > until; }));
   }
 
