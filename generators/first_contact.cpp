@@ -53,15 +53,16 @@ std::optional<Absence> prove_first_contact(const Scene& scene, const Query& quer
     if (!normal) return std::nullopt;
     if (auto proof = by_plane(*normal)) return proof;
   }
+  return proven_by_search(query, until) ? std::optional(Absence{until, {}}) : std::nullopt;
+}
+
+bool proven_by_search(const Query& query, const Dyadic& until) {
   const std::optional<double> horizon = until.to_double_exactly();
-  if (!horizon || !certified_clear(query, *horizon) || !proves_clear(query, until.rational())) {
-    return std::nullopt;
-  }
-  return Absence{until, {}};
+  return horizon && certified_clear(query, *horizon) && proves_clear(query, until.rational());
 }
 
 bool miss_is_proven(const Query& query) {
-  return certified_clear(query, query.t_max) && proves_clear(query, exact(query.t_max));
+  return proven_by_search(query, Dyadic::exact(query.t_max));
 }
 
 }  // namespace ccdfuzz

@@ -13,7 +13,11 @@ namespace ccdfuzz {
 std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,
                                            const Dyadic& until, bool grazing);
 
-/// True iff it is proven, by tdibm-rational, that the patches do not touch in [0, query.t_max].
+/// True iff tdibm-rational proves that the patches do not touch in [0, until], after tdibm-c has
+/// found nothing.
+bool proven_by_search(const Query& query, const Dyadic& until);
+
+/// The same for [0, query.t_max].
 bool miss_is_proven(const Query& query);
 
 }  // namespace ccdfuzz

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/grazing.hpp"
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
+#include "generators/shaped/shaped_case.hpp"
 #include "generators/stress.hpp"
 #include "numeric/verify.hpp"
 
@@ -18,10 +21,42 @@ std::string_view name_of(Discard reason) {
   return names.at(static_cast<size_t>(reason));
 }
 
+namespace {
+
+struct FamilyWords {
+  std::string_view name, description;
+};
+
+constexpr std::array<FamilyWords, kFamilies.size()> kFamilyWords = {{
+    {"regular", "the contact that --contact names, and nothing else"},
+    {"flat-grazing", "nearly flat, sliding along each other on a plane through the origin"},
+    {"common-velocity", "both with the same velocity of 2^8 to 2^20 on top of their own"},
+    {"scaled", "all numbers times 2^k, k from -1000 to 900"},
+    {"twins", "two control points a few ulps apart hide under a third"},
+    {"interior-time", "t* < t_max"},
+    {"at-start", "in touch at t = 0"},
+    {"resting", "in touch from start to end, without relative velocity"},
+    {"sliding", "slide onto each other at t* and stay in touch for a time"},
+    {"shared-edge", "touch along an edge of both, or a part of it; EE VE VV"},
+    {"ruled", "touch along a line of parameters; FF EF VF"},
+    {"several", "touch in two points at once, or more"},
+    {"area", "touch over an area, one being a part of the other at t*"},
+    {"degenerate", "collapsed edges, repeated control points, no area"},
+    {"sliver", "2^4 to 2^30 times as long as wide"},
+    {"high-curvature", "much taller than wide above the contact plane"},
+    {"mixed-scales", "one much smaller than the other, coordinates of different sizes"},
+    {"far-away", "as far from the origin as the bits allow"},
+    {"concurrent-lines", "all control points pass through one point at one time, or nearly"},
+}};
+
+}  // namespace
+
 std::string_view name_of(Family family) {
-  constexpr std::array<std::string_view, kFamilies.size()> names = {
-      "regular", "flat-grazing", "common-velocity", "scaled", "twins", "interior-time"};
-  return names.at(static_cast<size_t>(family));
+  return kFamilyWords.at(static_cast<size_t>(family)).name;
+}
+
+std::string_view description_of(Family family) {
+  return kFamilyWords.at(static_cast<size_t>(family)).description;
 }
 
 namespace {
@@ -36,13 +71,22 @@ int eps_t_exponent(const GeneratorOptions& options) {
 
 }  // namespace
 
-Result<void> validate(const GeneratorOptions& options) {
-  if (options.family != Family::kRegular && options.kind != CaseKind::kRP) {
-    return input_error("--kind", fmt::format("{} is not generated in the family {}",
-                                             name_of(options.kind), name_of(options.family)));
+bool is_made(Family family, ContactClass contact, CaseKind kind) {
+  if (family == Family::kRegular) return true;
+  if (std::ranges::find(kQuadraticFamilies, family) != kQuadraticFamilies.end()) {
+    return kind == CaseKind::kRP;
   }
+  return is_made_of_shapes(family, contact, kind);
+}
+
+Result<void> validate(const GeneratorOptions& options) {
   if (const int e = eps_t_exponent(options); e < -40 || e > -1) {
     return input_error("--eps-t", fmt::format("exponent {} is not between -40 and -1", e));
+  }
+  if (is_shaped(options)) return validate_shaped(options);
+  if (!is_made(options.family, options.contact, options.kind)) {
+    return input_error("--kind", fmt::format("{} is not generated in the family {}",
+                                             name_of(options.kind), name_of(options.family)));
   }
   return {};
 }
@@ -92,48 +136,45 @@ std::optional<Scene> construct(const GeneratorOptions& options, Random& random) 
   return one_sided_scene(options.contact, style, random);
 }
 
+/// One attempt at a case of two quadratic triangles, or why it was thrown away.
+tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                           Random& random) {
+  std::optional<Scene> scene = construct(options, random);
+  if (!scene) return tl::unexpected(Discard::kStaticCheck);
+  const bool near_miss = options.kind == CaseKind::kNMN;
+  if (near_miss) part(*scene, static_cast<int>(random.between(kLeastGap, kLargestGap)));
+  const std::optional<Query> query = to_query(*scene);
+  if (!query) return tl::unexpected(Discard::kRoundTrip);
+  std::optional<Absence> clear;
+  if (options.family == Family::kRegular) {
+    if (!near_miss) {
+      clear =
+          prove_first_contact(*scene, *query, scene->contact.t - eps_t, is_grazing(options.kind));
+    } else if (miss_is_proven(*query)) {
+      clear = Absence{scene->t_max, {}};
+    }
+    if (!clear) return tl::unexpected(Discard::kFirstContact);
+  }
+  return finalize(*scene, *query, options.kind, clear);
+}
+
 }  // namespace
 
 Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   CCDFUZZ_VERIFY(validate(options));
   Random random = stream_of(options, index);
   const Dyadic eps_t(1, eps_t_exponent(options));
+  const auto attempt = is_shaped(options) ? shaped_case : quadratic_case;
   Generated out;
-  const auto discard = [&out](Discard reason) {
-    ++out.discards.discarded[static_cast<size_t>(reason)];
-  };
   for (;;) {
     CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);
     ++out.discards.attempts;
-    std::optional<Scene> scene = construct(options, random);
-    if (!scene) {
-      discard(Discard::kStaticCheck);
-      continue;
+    if (tl::expected<Case, Discard> made = attempt(options, eps_t, random)) {
+      out.value = *std::move(made);
+      break;
+    } else {
+      ++out.discards.discarded[static_cast<size_t>(made.error())];
     }
-    if (options.kind == CaseKind::kNMN) {
-      part(*scene, static_cast<int>(random.between(kLeastGap, kLargestGap)));
-    }
-    const std::optional<Query> query = to_query(*scene);
-    if (!query) {
-      discard(Discard::kRoundTrip);
-      continue;
-    }
-    std::optional<Absence> clear;
-    if (options.family == Family::kRegular) {
-      const bool near_miss = options.kind == CaseKind::kNMN;
-      if (!near_miss) {
-        clear =
-            prove_first_contact(*scene, *query, scene->contact.t - eps_t, is_grazing(options.kind));
-      } else if (miss_is_proven(*query)) {
-        clear = Absence{scene->t_max, {}};
-      }
-      if (!clear) {
-        discard(Discard::kFirstContact);
-        continue;
-      }
-    }
-    out.value = finalize(*scene, *query, options.kind, clear);
-    break;
   }
   Origin& origin = out.value.origin;
   origin.contact = name_of(options.contact);

@@ -14,15 +14,19 @@ namespace ccdfuzz {
 /// How the patches are made at the moment of contact.
 enum class Construction : std::uint8_t {
   kPaper,     ///< Section 5: random patches that obey the contact's linear constraints, filtered
-  kOneSided,  ///< each patch on its own side of a plane: nothing to filter, proven by that plane
+  kOneSided,  ///< each patch on its own side of a plane: nothing to filter, proven by that plane;
+              ///< of any shapes
 };
 
 inline constexpr std::array kConstructions = {Construction::kPaper, Construction::kOneSided};
 std::string_view name_of(Construction construction);
 
 /// What is wanted of the cases beyond contact class and kind. All but the first are stress
-/// families: positives with an exact witness, whatever the construction asked for, made to bring
-/// out one weakness each. Of the time before the contact they claim nothing.
+/// families: each has an exact witness, whatever the construction asked for, and is made to bring
+/// out one weakness or is a contact of another kind. The first five make positives of quadratic
+/// triangles and claim nothing of the time before the contact, unless shapes are asked for. The
+/// others, of random shapes unless they are asked for, prove by a moving plane that nothing touches
+/// before t*, but where it says that they do not.
 enum class Family : std::uint8_t {
   kRegular,
   /// Patches that are nearly flat, far from the origin on a plane through it, and slide along each
@@ -37,17 +41,55 @@ enum class Family : std::uint8_t {
   kTwins,
   /// t* < t_max, a dyadic rational.
   kInteriorTime,
+  /// t* = 0: they touch at the start, and then cross, part or both.
+  kAtStart,
+  /// No relative velocity: they touch, from the start to the end.
+  kResting,
+  /// They slide onto each other at t* and stay in touch for a time; witness only.
+  kSliding,
+  /// They touch along a whole edge of both, or a part of it.
+  kSharedEdge,
+  /// They touch along a line of one's parameters.
+  kRuled,
+  /// They touch in two points at once, or more; FF: witness only.
+  kSeveral,
+  /// They touch over an area, one being a part of the other at t*; curved ones: witness only.
+  kArea,
+  /// Collapsed edges, repeated control points, no area.
+  kDegenerate,
+  /// 2^4 to 2^30 times as long as wide.
+  kSliver,
+  /// Much taller than wide above the contact plane.
+  kHighCurvature,
+  /// One patch much smaller than the other; coordinates of sizes of their own, 2^-900 to 2^800.
+  kMixedScales,
+  /// As far from the origin as the bits allow, some as fast.
+  kFarAway,
+  /// All control points pass through one point at one time, exactly or but for a few ulps, so that
+  /// the lines they make on every axis cross in one point.
+  kConcurrentLines,
 };
-inline constexpr std::array kFamilies = {Family::kRegular,        Family::kFlatGrazing,
-                                         Family::kCommonVelocity, Family::kScaled,
-                                         Family::kTwins,          Family::kInteriorTime};
+inline constexpr std::array kFamilies = {
+    Family::kRegular,     Family::kFlatGrazing,  Family::kCommonVelocity, Family::kScaled,
+    Family::kTwins,       Family::kInteriorTime, Family::kAtStart,        Family::kResting,
+    Family::kSliding,     Family::kSharedEdge,   Family::kRuled,          Family::kSeveral,
+    Family::kArea,        Family::kDegenerate,   Family::kSliver,         Family::kHighCurvature,
+    Family::kMixedScales, Family::kFarAway,      Family::kConcurrentLines};
 std::string_view name_of(Family family);
+/// In a few words, without a full stop.
+std::string_view description_of(Family family);
+
+/// True iff the family has cases of this class and kind, of some shapes.
+bool is_made(Family family, ContactClass contact, CaseKind kind);
 
 struct GeneratorOptions {
   ContactClass contact = ContactClass::kFF;
   CaseKind kind = CaseKind::kRP;
   Construction construction = Construction::kPaper;
   Family family = Family::kRegular;
+  /// Of patch 1 and patch 2; by default both are quadratic triangles in kRegular and the first five
+  /// stress families, and random in the others. Other shapes are made one-sided only.
+  std::optional<std::array<Shape, 2>> shapes;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for NHP: grazing patches are only about eps_T² apart then.
@@ -91,7 +133,8 @@ struct Generated {
 Result<void> validate(const GeneratorOptions& options);
 
 /// Case number `index` of the endless data set that `options` describe (Section 5, Steps I–VI):
-/// two triangular quadratic patches that touch at t* in a point of the given class.
+/// two patches that touch at t* in a point of the given class, triangular quadratic ones by
+/// default.
 /// RP: t_max = t*, truth: collides, with the exact witness. RN: the same patches with
 /// t_max = t* − eps_T, truth: no contact. Both carry clear_until = t* − eps_T, proven.
 /// NHP (near-hit): as RP, but at t* the patches move along each other within the contact plane.

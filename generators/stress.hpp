@@ -6,7 +6,12 @@
 
 namespace ccdfuzz {
 
-/// A scene of a stress family; not kRegular.
+/// The stress families that are made of quadratic triangles, unless other shapes are asked for.
+inline constexpr std::array kQuadraticFamilies = {Family::kFlatGrazing, Family::kCommonVelocity,
+                                                  Family::kScaled, Family::kTwins,
+                                                  Family::kInteriorTime};
+
+/// A scene of one of them.
 Scene stress_scene(Family family, ContactClass contact, Random& random);
 
 }  // namespace ccdfuzz

@@ -11,6 +11,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/shape_text.hpp"
 #include "cli/terminal.hpp"
 #include "eval/generation_record.hpp"
 #include "eval/in_order.hpp"
@@ -24,7 +25,8 @@ namespace {
 
 struct GenerateArguments {
   std::string contact, kind;
-  std::string construction = "paper";
+  std::string construction;  ///< empty: paper, or one-sided for shapes that paper has not
+  std::string shape;         ///< empty: the family's own
   std::string family = "regular";
   std::uint64_t seed = 0;
   std::string eps_t;
@@ -104,9 +106,9 @@ nlohmann::ordered_json summary_json(const GenerationCost& cost, double seconds) 
 
 /// What was asked for but the share, in words.
 std::string text_of_run(const GenerateArguments& o) {
-  return fmt::format("{} {}, {}, {}, eps-t {}, seed {}, {} cases from {}", o.contact, o.kind,
-                     o.construction, o.family, o.eps_t.empty() ? "as by default" : o.eps_t, o.seed,
-                     o.count, o.first);
+  return fmt::format("{} {}, {}, {} {}, eps-t {}, seed {}, {} cases from {}", o.contact, o.kind,
+                     o.construction.empty() ? "as by default" : o.construction, o.shape, o.family,
+                     o.eps_t.empty() ? "as by default" : o.eps_t, o.seed, o.count, o.first);
 }
 
 Result<GeneratorOptions> parse(const GenerateArguments& options) {
@@ -114,16 +116,25 @@ Result<GeneratorOptions> parse(const GenerateArguments& options) {
   if (!contact) return tl::unexpected(contact.error());
   const auto kind = parse_choice("--kind", options.kind, kCaseKinds);
   if (!kind) return tl::unexpected(kind.error());
-  const auto construction = parse_choice("--construction", options.construction, kConstructions);
-  if (!construction) return tl::unexpected(construction.error());
   const auto family = parse_choice("--family", options.family, kFamilies);
   if (!family) return tl::unexpected(family.error());
   GeneratorOptions generator;
   generator.contact = *contact;
   generator.kind = *kind;
-  generator.construction = *construction;
   generator.family = *family;
   generator.seed = options.seed;
+  if (!options.shape.empty()) {
+    const auto shapes = parse_shapes("--shape", options.shape);
+    if (!shapes) return tl::unexpected(shapes.error());
+    generator.shapes = *shapes;
+    constexpr std::array kPaperShapes = {Shape::triangle(2), Shape::triangle(2)};
+    if (*shapes != kPaperShapes) generator.construction = Construction::kOneSided;
+  }
+  if (!options.construction.empty()) {
+    const auto named = parse_choice("--construction", options.construction, kConstructions);
+    if (!named) return tl::unexpected(named.error());
+    generator.construction = *named;
+  }
   if (!options.eps_t.empty()) {
     const Result<int> exponent = parse_power_of_two("--eps-t", options.eps_t);
     if (!exponent) return tl::unexpected(exponent.error());
@@ -227,14 +238,18 @@ void add_generate(CommandLine& line) {
       "NMN: as NHP, but they just miss");
   const Option construction = command.text(
       "--construction", options->construction,
-      "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
-  std::string families;
+      "paper: as the paper makes them, the default where --shape allows it. one-sided: each "
+      "patch on its own side of a plane");
+  const Option shape = command.text(
+      "--shape", options->shape,
+      "Shape of both patches, or of patch 1 and patch 2 with a comma between: point, curve:N, "
+      "triangle:N, tensor:NxM. By default triangle:2 in the first six families, random ones in "
+      "the others");
+  std::string families = "What the cases are made to stress.";
   for (const Family f : kFamilies) {
-    families += families.empty() ? "" : ", ";
-    families += name_of(f);
+    families += fmt::format(" {}: {}.", name_of(f), description_of(f));
   }
-  const Option family =
-      command.text("--family", options->family, "What the cases are made to stress: " + families);
+  const Option family = command.text("--family", options->family, families);
   Option count = command.whole("--count", options->count, "How many cases", 1);
   count.without_default();
   const Option first = command.whole("--first", options->first, "Index of the first one");
@@ -243,7 +258,7 @@ void add_generate(CommandLine& line) {
       "--eps-t", options->eps_t,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
       "2^-10 for NHP");
-  for (const Option& other : {contact, kind, construction, family, count, first, eps_t}) {
+  for (const Option& other : {contact, kind, construction, shape, family, count, first, eps_t}) {
     paper.excludes(other);
   }
   add_shard(command, options->shard);

@@ -10,7 +10,10 @@ namespace ccdfuzz {
 std::optional<Case> at_horizon(const Case& known, double factor) {
   CCDFUZZ_VERIFY(factor >= 1);
   if (!known.truth.witness) return std::nullopt;
-  const double t_max = round_up(Rational(known.truth.witness->t * exact(factor)));
+  const Rational& contact = known.truth.witness->t;
+  const Rational end = contact == 0 ? Rational(exact(known.query.t_max) * (exact(factor) - 1))
+                                    : Rational(contact * exact(factor));
+  const double t_max = round_up(end);
   if (!std::isfinite(t_max)) return std::nullopt;
   return with_t_max(known, t_max);
 }

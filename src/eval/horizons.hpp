@@ -11,7 +11,8 @@ namespace ccdfuzz {
 /// and well past it. A query that ends at the contact hides every toi that is late.
 inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 
-/// The case asked up to factor · t* instead, t* the witness's time, rounded up; factor ≥ 1.
+/// The case asked up to factor · t* instead, t* the witness's time, rounded up; factor ≥ 1. Where
+/// t* = 0, up to (factor − 1) · t_max.
 /// nullopt if it has no witness, or the product is no finite double.
 std::optional<Case> at_horizon(const Case& known, double factor);
 

@@ -8,21 +8,29 @@ namespace ccdfuzz {
 
 namespace {
 
-/// What the draws go round: both constructions with all kinds of cases, and each stress family.
+/// What the draws of a class go round: both constructions with all kinds of cases, and each stress
+/// family that has the class, with the kinds it has.
 struct Ground {
   Construction construction;
   Family family;
+  std::vector<CaseKind> kinds;
 };
 
-constexpr auto kGrounds = [] {
-  std::array<Ground, kConstructions.size() + kFamilies.size() - 1> grounds{};
-  size_t next = 0;
-  for (const Construction c : kConstructions) grounds[next++] = {c, Family::kRegular};
+std::vector<Ground> grounds_of(ContactClass contact) {
+  std::vector<Ground> grounds;
+  const auto add = [&](Construction construction, Family family) {
+    Ground ground{construction, family, {}};
+    for (const CaseKind kind : kCaseKinds) {
+      if (is_made(family, contact, kind)) ground.kinds.push_back(kind);
+    }
+    if (!ground.kinds.empty()) grounds.push_back(std::move(ground));
+  };
+  for (const Construction c : kConstructions) add(c, Family::kRegular);
   for (const Family f : kFamilies) {
-    if (f != Family::kRegular) grounds[next++] = {Construction::kOneSided, f};
+    if (f != Family::kRegular) add(Construction::kOneSided, f);
   }
   return grounds;
-}();
+}
 
 void keep_within(Draw& drawn, std::optional<int> scale) {
   if (!scale) return;
@@ -32,14 +40,19 @@ void keep_within(Draw& drawn, std::optional<int> scale) {
 }  // namespace
 
 Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index, std::optional<int> scale) {
-  const Ground& ground = kGrounds[index % kGrounds.size()];
-  const std::uint64_t round = index / kGrounds.size();
+  static const auto grounds = [] {
+    std::array<std::vector<Ground>, kContactClasses.size()> all;
+    for (const ContactClass c : kContactClasses) all[static_cast<size_t>(c)] = grounds_of(c);
+    return all;
+  }();
+  const std::vector<Ground>& around = grounds[static_cast<size_t>(contact)];
+  const Ground& ground = around[index % around.size()];
+  const std::uint64_t round = index / around.size();
   GeneratorOptions options;
   options.contact = contact;
   options.construction = ground.construction;
   options.family = ground.family;
-  // The stress families have regular positive cases only.
-  if (ground.family == Family::kRegular) options.kind = kCaseKinds[round % kCaseKinds.size()];
+  options.kind = ground.kinds[round % ground.kinds.size()];
   options.seed = seed;
   Case known = generate(options, round).value;
   Draw drawn;

@@ -20,8 +20,8 @@ struct Draw {
 };
 
 /// Draw number `index` of a contact class. The draws go round both constructions and all stress
-/// families. scale: leaves out what is not within it (is_within_scale), if need be all.
-/// Depends on the arguments alone.
+/// families that have the class. scale: leaves out what is not within it (is_within_scale), if need
+/// be all. Depends on the arguments alone.
 Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index,
           std::optional<int> scale = std::nullopt);
 

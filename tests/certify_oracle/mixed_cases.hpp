@@ -127,7 +127,10 @@ inline void for_each_mixed_case(int each, std::uint64_t seed,
         }
       }
       for (const Family family : kFamilies) {
-        if (family == Family::kRegular || (i + static_cast<int>(family)) % 4 != 0) continue;
+        if (family == Family::kRegular || (i + static_cast<int>(family)) % 4 != 0 ||
+            !is_made(family, contact, CaseKind::kRP)) {
+          continue;
+        }
         GeneratorOptions o;
         o.contact = contact, o.family = family;
         visit({std::string(name_of(family)), made(o, i), false});

@@ -6,6 +6,7 @@
 
 #include "certify/checker/check_truth.hpp"
 #include "eval/horizons.hpp"
+#include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -20,7 +21,7 @@ TEST(Draw, DependsOnItsArgumentsAlone) {
 
 TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
   for (const ContactClass contact : kContactClasses) {
-    for (std::uint64_t index = 0; index < 14; ++index) {
+    for (std::uint64_t index = 0; index < 40; index += kOneIn) {
       const Draw drawn = draw(contact, 1, index);
       ASSERT_FALSE(drawn.asked.empty());
       for (const Case& asked : drawn.asked) {
@@ -38,16 +39,26 @@ TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
   }
 }
 
-TEST(Draw, GoesRoundAllConstructionsFamiliesAndKinds) {
-  std::set<std::string> seen;
-  for (std::uint64_t index = 0; index < 35; ++index) {
+TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
+  std::set<std::string> seen, wanted;
+  for (std::uint64_t index = 0; index < 80; ++index) {
     const Origin origin = draw(ContactClass::kVV, 1, index).asked[0].origin;
     seen.insert(origin.generator + " " + origin.kind);
   }
-  EXPECT_EQ(seen, (std::set<std::string>{"paper RP", "paper RN", "paper NHP", "paper NMN",
-                                         "one-sided RP", "one-sided RN", "one-sided NHP",
-                                         "one-sided NMN", "flat-grazing RP", "common-velocity RP",
-                                         "scaled RP", "twins RP", "interior-time RP"}));
+  for (const CaseKind kind : kCaseKinds) {
+    const auto want = [&](std::string_view name) {
+      wanted.insert(std::string(name) + " " + std::string(name_of(kind)));
+    };
+    for (const Construction construction : kConstructions) want(name_of(construction));
+    for (const Family family : kFamilies) {
+      if (family != Family::kRegular && is_made(family, ContactClass::kVV, kind)) {
+        want(name_of(family));
+      }
+    }
+  }
+  EXPECT_EQ(seen, wanted);
+  EXPECT_TRUE(seen.contains("area RP"));
+  EXPECT_FALSE(seen.contains("ruled RP")) << "there is none of VV";
 }
 
 TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "certify/checker/copositive.hpp"
+#include "certify/checker/nonnegative.hpp"
 #include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
@@ -21,16 +21,6 @@ std::vector<Rational> along(const std::array<Rational, 3>& normal, const Points<
     out.emplace_back(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]);
   }
   return out;
-}
-
-/// By the coefficients, or for a quadratic triangle exactly.
-bool is_nonnegative(const Shape& shape, const std::vector<Rational>& heights) {
-  if (shape == Shape::triangle(2)) {
-    std::array<Rational, 6> six;
-    std::copy(heights.begin(), heights.end(), six.begin());
-    return nonnegative_on_triangle(six);
-  }
-  return std::all_of(heights.begin(), heights.end(), [](const Rational& h) { return h >= 0; });
 }
 
 }  // namespace

@@ -1,0 +1,320 @@
+#include "generators/shaped/extended_contacts.hpp"
+
+#include <algorithm>
+
+#include "bezier/restrict.hpp"
+#include "generators/shaped/heights.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+// Heights are multiples of 2^-9 times the squares of parameters that are quarters.
+constexpr long kExtendedHeightUnit = -9;
+constexpr int kQuarters = 2;  // bits of parameters
+
+Dyadic quarters(std::int64_t n) {
+  return {Integer(static_cast<long>(n)), -kQuarters};
+}
+
+/// The patch above the plane with its contact at `at`, and zero heights as said.
+ContactSide side_over(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, Random& random) {
+  ContactSide side{shape, at, flat_net(shape, false, random), {}};
+  raise(side.points, heights_over(shape, at, zeros, kExtendedHeightUnit, random));
+  return side;
+}
+
+/// Pairs of edges that have the same degree, one of each shape.
+std::vector<std::array<ShapeEdge, 2>> edges_alike(const ShapePair& shapes) {
+  std::vector<std::array<ShapeEdge, 2>> pairs;
+  for (const ShapeEdge& a : edges_of(shapes[0])) {
+    for (const ShapeEdge& b : edges_of(shapes[1])) {
+      if (a.degree(shapes[0]) == b.degree(shapes[1])) pairs.push_back({a, b});
+    }
+  }
+  return pairs;
+}
+
+ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Random& random) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const auto pairs = edges_alike(shapes);
+  const std::array<ShapeEdge, 2> edges = pairs[random.below(pairs.size())];
+  // The edge of `part` is that of the other patch from `from` to `to`; there the contact is at s.
+  const bool corner_on_edge = features[0] != features[1];
+  const size_t part = corner_on_edge ? 0 : random.below(2);
+  Dyadic from = quarters(random.between(0, 2)), to = quarters(random.between(3, 4));
+  Dyadic s = quarters(random.between(1, 3));
+  if (features[0] == Feature::kCorner) s = Dyadic();
+  if (corner_on_edge) from = quarters(random.between(1, 2));
+  if (features[1] == Feature::kCorner) from = Dyadic();
+  if (random.coin()) {  // the other way round
+    std::swap(from, to);
+    s = Dyadic(1) - s;
+  }
+  const std::array<Dyadic, 2> on_edge = {s, from + s * (to - from)};
+  ContactScene scene;
+  for (size_t side = 0; side < 2; ++side) {
+    const Dyadic middle(1, -1);
+    scene.sides[side] = side_over(shapes[side], edges[side].at(middle), ZeroSet::kLine, random);
+    scene.sides[side].at = edges[side].at(on_edge[side == part ? 0 : 1]);
+  }
+  const std::vector<size_t> to_places = edges[part].controls(shapes[part]);
+  const std::vector<size_t> from_places = edges[1 - part].controls(shapes[1 - part]);
+  Points<Dyadic> whole;
+  for (const size_t place : from_places) whole.push_back(scene.sides[1 - part].points[place]);
+  Points<Dyadic> cut(whole.size());
+  restrict_to<Dyadic>(Shape::curve(static_cast<int>(whole.size()) - 1), whole,
+                      {{{from, Dyadic()}, {to, Dyadic()}, {}}}, cut);
+  for (size_t i = 0; i < cut.size(); ++i) scene.sides[part].points[to_places[i]] = cut[i];
+  turn_over(scene.sides[1]);
+  let_approach(scene, random);
+  return scene;
+}
+
+ContactScene ruled(ContactClass contact, const ShapePair& shapes, Random& random) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const size_t flat = features[0] == Feature::kFace ? random.below(2) : 1;
+  ContactScene scene;
+  for (size_t s = 0; s < 2; ++s) {
+    const Uv<Dyadic> at = point_on(features[s], shapes[s], kQuarters, random);
+    scene.sides[s] = side_over(shapes[s], at, s == flat ? ZeroSet::kAll : ZeroSet::kLine, random);
+    centre(scene.sides[s]);
+  }
+  turn_over(scene.sides[1]);
+  let_approach(scene, random);
+  return scene;
+}
+
+/// Where two points of a patch are and what heights are 0 there and positive elsewhere, as far as
+/// its degrees allow.
+struct TwoPoints {
+  std::array<Uv<Dyadic>, 2> at;
+  std::vector<Dyadic> heights;
+};
+
+TwoPoints two_corners(const Shape& shape, Random& random) {
+  const std::vector<Uv<Dyadic>> corners = corners_of(shape);
+  const size_t first = random.below(corners.size());
+  const size_t second = (first + 1 + random.below(corners.size() - 1)) % corners.size();
+  TwoPoints two{{corners[first], corners[second]}, {}};
+  for_each_control(shape, [&](int i, int j) {
+    const bool zero = bears(shape, two.at[0], i, j) || bears(shape, two.at[1], i, j);
+    two.heights.emplace_back(zero ? 0 : static_cast<int>(random.between(1, 64)));
+  });
+  return two;
+}
+
+/// Points on two edges: (v − v0)² + k·u(1 − u) on a square, (u + v − s)² + k·uv on a triangle.
+TwoPoints on_two_edges(const Shape& shape, Random& random) {
+  const Dyadic s = quarters(random.between(1, 3)), zero, one(1);
+  const Dyadic k(static_cast<int>(random.between(1, 4)));
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  TwoPoints two{{{{zero, s}, {triangle ? s : one, triangle ? zero : s}}}, {}};
+  const Linear u = {zero, one, zero}, v = {zero, zero, one};
+  const Linear along = {-s, triangle ? one : zero, one};
+  const bool square_in_v = (triangle ? shape.n : shape.m) >= 2, in_u = shape.n >= 2;
+  LowPolynomial h;
+  if (square_in_v) h = product(along, along);
+  if (in_u) {
+    const Linear rest = {one, -one, zero};
+    const LowPolynomial off = product(triangle ? v : rest, u);
+    for (size_t c = 0; c < h.size(); ++c) h[c] += k * off[c];
+  }
+  two.heights = coefficients_on(shape, h);
+  return two;
+}
+
+/// Inner points (1/4, v0) and (3/4, v0): 4((u − 1/4)(u − 3/4))² + (v − v0)². The first has these
+/// Bernstein coefficients of degree 4, times 3·64.
+TwoPoints two_inner_points(const Shape& shape, Random& random) {
+  constexpr std::array<int, 5> kTwoDips = {27, -45, 59, -45, 27};
+  const Dyadic v0 = quarters(random.between(1, 3)), zero, one(1);
+  TwoPoints two{{{{quarters(1), v0}, {quarters(3), v0}}}, {}};
+  const Linear along = {-v0, zero, one};
+  two.heights = coefficients_on(shape, product(along, along));
+  for_each_control(shape, [&](int i, int j) {
+    two.heights[static_cast<size_t>(shape.index(i, j))] +=
+        Dyadic(kTwoDips[static_cast<size_t>(i)], -6);
+  });
+  return two;
+}
+
+TwoPoints two_points(Feature feature, const Shape& shape, Random& random) {
+  switch (feature) {
+    case Feature::kFace:
+      return two_inner_points(shape, random);
+    case Feature::kEdge:
+      return on_two_edges(shape, random);
+    case Feature::kCorner:
+      return two_corners(shape, random);
+  }
+  return {};
+}
+
+/// A straight patch below the plane, in it at all of the feature, with its points y[0] and y[1] at
+/// p[0] and p[1]; y differ in u alone, by a power of two, and p by a multiple of odd_denominator.
+ContactSide plate_under(Feature feature, const Shape& shape, const std::array<Uv<Dyadic>, 2>& y,
+                        const std::array<Vec3<Dyadic>, 2>& p, Random& random) {
+  const Dyadic odd = odd_denominator(shape), one(1);
+  Vec3<Dyadic> across = flat_net(Shape::curve(1), false, random)[1];
+  for (int k = 0; k < 2; ++k) across[k] *= odd;
+  const Dyadic step = y[1][0] - y[0][0];  // 2^-k
+  const std::vector<Dyadic> along =
+      coefficients_on(shape, {-y[0][0], one, Dyadic(), Dyadic(), Dyadic(), Dyadic()});
+  std::vector<Dyadic> sideways(along.size());
+  if (shape.parameter_count() == 2) {
+    sideways = coefficients_on(shape, {-y[0][1], Dyadic(), one, Dyadic(), Dyadic(), Dyadic()});
+  }
+  // Those coefficients are times odd already.
+  const Rational share = 1 / Rational(odd.rational() * step.rational());
+  ContactSide side{shape, y[0], {}, {}};
+  for (size_t i = 0; i < along.size(); ++i) {
+    Vec3<Dyadic> point = p[0];
+    for (int k = 0; k < 2; ++k) {
+      const Rational exact_share = Rational(p[1][k].rational() - p[0][k].rational()) * share;
+      const auto factor = Dyadic::from(exact_share);
+      CCDFUZZ_VERIFY(factor);
+      point[k] += *factor * along[i];
+      point[k] += across[k] * sideways[i];
+    }
+    side.points.push_back(point);
+  }
+  if (feature != Feature::kFace) {
+    const ShapeEdge edge{{0, 0}, {1, 0}};
+    raise(side.points,
+          heights_over(shape, edge.at(Dyadic(1, -1)), ZeroSet::kLine, kExtendedHeightUnit, random));
+  }
+  turn_over(side);
+  return side;
+}
+
+ContactScene several(ContactClass contact, const ShapePair& shapes, Random& random) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const TwoPoints upper = two_points(features[0], shapes[0], random);
+  ContactScene scene;
+  ContactSide& side = scene.sides[0];
+  side = {shapes[0], upper.at[0], flat_net(shapes[0], false, random), {}};
+  const Dyadic odd = odd_denominator(shapes[1]);
+  for (Vec3<Dyadic>& p : side.points) p *= odd;
+  std::vector<Dyadic> heights = upper.heights;
+  for (Dyadic& h : heights) h = h.scaled(kExtendedHeightUnit);
+  raise(side.points, heights);
+  std::array<Vec3<Dyadic>, 2> p;
+  for (size_t k = 0; k < 2; ++k) p[k] = evaluate<Dyadic>(shapes[0], side.points, upper.at[k]);
+  const Dyadic zero, one(1);
+  std::array<Uv<Dyadic>, 2> y = {{{zero, zero}, {one, zero}}};
+  if (features[1] == Feature::kEdge) y = {{{quarters(1), zero}, {quarters(3), zero}}};
+  if (features[1] == Feature::kFace) y = {{{quarters(1), quarters(1)}, {quarters(2), quarters(1)}}};
+  scene.sides[1] = plate_under(features[1], shapes[1], y, p, random);
+  let_approach(scene, random);
+  scene.separated = contact != ContactClass::kFF;
+  return scene;
+}
+
+/// A random part of a surface, its corners on the grid of quarters, as restrict_to takes it: the
+/// corners where the part's (u, v) are (0, 0), (1, 0) and (0, 1) of a triangle, and where they are
+/// (0, 0) and (1, 1) of a square.
+std::array<Uv<Dyadic>, 3> random_part(const Shape& shape, Random& random) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  for (;;) {
+    std::array<std::array<std::int64_t, 2>, 3> c{};
+    for (auto& corner : c) {
+      corner[0] = random.between(0, 4);
+      corner[1] = random.between(0, triangle ? 4 - corner[0] : 4);
+    }
+    const std::int64_t u = c[1][0] - c[0][0], v = c[1][1] - c[0][1];
+    const std::int64_t twice_area = u * (c[2][1] - c[0][1]) - v * (c[2][0] - c[0][0]);
+    if (triangle ? twice_area == 0 : u * v == 0) continue;
+    std::array<Uv<Dyadic>, 3> corners;
+    for (size_t k = 0; k < 3; ++k) corners[k] = {quarters(c[k][0]), quarters(c[k][1])};
+    return corners;
+  }
+}
+
+Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
+                    const Uv<Dyadic>& uv) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  Uv<Dyadic> at = part[0];
+  for (size_t k = 0; k < 2; ++k) {
+    const Dyadic to_first = part[1][k] - part[0][k], to_second = part[2][k] - part[0][k];
+    at[k] += triangle ? uv[0] * to_first + uv[1] * to_second : uv[k] * to_first;
+  }
+  return at;
+}
+
+ContactScene area_contact(ContactClass contact, const ShapePair& shapes, Random& random) {
+  const std::array<Feature, 2> features = features_of(contact);
+  const Shape& shape = shapes[0];
+  const bool curved = random.coin();
+  ContactScene scene;
+  ContactSide &part = scene.sides[0], &whole = scene.sides[1];
+  whole = {shape, {}, flat_net(shape, false, random), {}};
+  if (curved) {
+    for (Vec3<Dyadic>& p : whole.points) p[2] = random.dyadic(8, -6);
+  }
+  std::array<Uv<Dyadic>, 3> corners;
+  do {
+    corners = random_part(shape, random);
+    part.at = point_on(features[0], shape, kQuarters, random);
+    whole.at = on_whole(shape, corners, part.at);
+  } while (feature_at(shape, whole.at) != features[1]);
+  part.shape = shape;
+  part.points.resize(whole.points.size());
+  restrict_to<Dyadic>(shape, whole.points, corners, part.points);
+  let_approach(scene, random);
+  if (curved) {
+    for (ContactSide& side : scene.sides) side.rates.assign(side.rates.size(), side.rates[0]);
+    scene.separated = false;
+  }
+  return scene;
+}
+
+bool can_have_two_points(Feature feature, const Shape& shape) {
+  switch (feature) {
+    case Feature::kFace:
+      return shape.kind == ShapeKind::kTensor && shape.n == 4 && shape.m >= 2;
+    case Feature::kEdge:
+      return shape.parameter_count() == 2;
+    case Feature::kCorner:
+      return shape.kind != ShapeKind::kPoint;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool can_extend(Family family, ContactClass contact, const ShapePair& shapes) {
+  using enum ContactClass;
+  const bool surfaces = shapes[0].parameter_count() == 2 && shapes[1].parameter_count() == 2;
+  switch (family) {
+    case Family::kSharedEdge:
+      return (contact == kEE || contact == kVE || contact == kVV) && !edges_alike(shapes).empty();
+    case Family::kRuled:
+      return (contact == kFF || contact == kEF || contact == kVF) &&
+             shapes[0].kind != ShapeKind::kPoint;
+    case Family::kSeveral:
+      return can_have_two_points(features_of(contact)[0], shapes[0]) &&
+             shapes[1].kind != ShapeKind::kPoint;
+    case Family::kArea:
+      return surfaces && shapes[0] == shapes[1];
+    default:
+      return false;
+  }
+}
+
+ContactScene extended_contact(Family family, ContactClass contact, const ShapePair& shapes,
+                              Random& random) {
+  CCDFUZZ_VERIFY(can_extend(family, contact, shapes));
+  switch (family) {
+    case Family::kSharedEdge:
+      return shared_edge(contact, shapes, random);
+    case Family::kRuled:
+      return ruled(contact, shapes, random);
+    case Family::kSeveral:
+      return several(contact, shapes, random);
+    default:
+      return area_contact(contact, shapes, random);
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,139 @@
+#include "generators/shaped/features.hpp"
+
+#include <algorithm>
+
+namespace ccdfuzz {
+
+Uv<Dyadic> ShapeEdge::at(const Dyadic& s) const {
+  return {Dyadic(origin[0]) + s * Dyadic(direction[0]),
+          Dyadic(origin[1]) + s * Dyadic(direction[1])};
+}
+
+std::optional<Dyadic> ShapeEdge::parameter_of(const Uv<Dyadic>& uv) const {
+  const size_t k = direction[0] != 0 ? 0 : 1;  // where the direction is 1
+  const Dyadic s = uv[k] - Dyadic(origin[k]);
+  if (s < Dyadic(0) || s > Dyadic(1) || at(s) != uv) return std::nullopt;
+  return s;
+}
+
+std::vector<size_t> ShapeEdge::controls(const Shape& shape) const {
+  std::vector<size_t> places;
+  const int in_v = degree_in_v(shape);
+  for (int k = 0; k <= degree(shape); ++k) {
+    const int i = origin[0] * shape.n + k * direction[0];
+    const int j = origin[1] * in_v + k * direction[1];
+    places.push_back(static_cast<size_t>(shape.index(i, j)));
+  }
+  return places;
+}
+
+std::vector<ShapeEdge> edges_of(const Shape& shape) {
+  const ShapeEdge along_u{{0, 0}, {1, 0}}, along_v{{0, 0}, {0, 1}};
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return {};
+    case ShapeKind::kCurve:
+      return {along_u};
+    case ShapeKind::kTriangle:
+      return {along_u, along_v, {{0, 1}, {1, -1}}};
+    case ShapeKind::kTensor:
+      return {along_u, along_v, {{0, 1}, {1, 0}}, {{1, 0}, {0, 1}}};
+  }
+  return {};
+}
+
+std::vector<ShapeEdge> edges_through(const Shape& shape, const Uv<Dyadic>& uv) {
+  std::vector<ShapeEdge> edges = edges_of(shape);
+  std::erase_if(edges, [&](const ShapeEdge& e) { return !e.parameter_of(uv); });
+  return edges;
+}
+
+std::vector<Uv<Dyadic>> corners_of(const Shape& shape) {
+  const Dyadic zero, one(1);
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return {{zero, zero}};
+    case ShapeKind::kCurve:
+      return {{zero, zero}, {one, zero}};
+    case ShapeKind::kTriangle:
+      return {{zero, zero}, {one, zero}, {zero, one}};
+    case ShapeKind::kTensor:
+      return {{zero, zero}, {one, zero}, {zero, one}, {one, one}};
+  }
+  return {};
+}
+
+bool has_feature(const Shape& shape, Feature feature) {
+  switch (feature) {
+    case Feature::kFace:
+      return shape.parameter_count() == 2;
+    case Feature::kEdge:
+      return shape.kind != ShapeKind::kPoint;
+    case Feature::kCorner:
+      return true;
+  }
+  return false;
+}
+
+Feature feature_at(const Shape& shape, const Uv<Dyadic>& uv) {
+  const auto& [u, v] = uv;
+  const Dyadic zero, one(1);
+  int bounds = 0;
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return Feature::kCorner;
+    case ShapeKind::kCurve:
+      return u == zero || u == one ? Feature::kCorner : Feature::kEdge;
+    case ShapeKind::kTriangle:
+      bounds = (u == zero) + (v == zero) + (u + v == one);
+      break;
+    case ShapeKind::kTensor:
+      bounds = (u == zero || u == one) + (v == zero || v == one);
+      break;
+  }
+  return bounds == 0 ? Feature::kFace : bounds == 1 ? Feature::kEdge : Feature::kCorner;
+}
+
+bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j) {
+  const auto& [u, v] = uv;
+  const Dyadic zero, one(1);
+  if ((u == zero && i != 0) || (v == zero && j != 0)) return false;
+  if (shape.kind == ShapeKind::kTriangle) return u + v != one || i + j == shape.n;
+  return (u != one || i == shape.n) && (v != one || j == shape.m);
+}
+
+Shape random_shape(Feature feature, Random& random) {
+  const auto degree = [&](int most) { return static_cast<int>(random.between(1, most)); };
+  if (feature == Feature::kCorner && random.below(8) == 0) return Shape::point();
+  if (feature != Feature::kFace && random.below(4) == 0) return Shape::curve(degree(5));
+  if (random.coin()) return Shape::triangle(degree(5));
+  const int n = degree(4);
+  return Shape::tensor(n, degree(4));
+}
+
+Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Random& random) {
+  const auto inner = [&] {
+    return Dyadic(Integer(static_cast<long>(random.between(1, (1L << bits) - 1))), -bits);
+  };
+  if (feature == Feature::kCorner) {
+    const std::vector<Uv<Dyadic>> corners = corners_of(shape);
+    return corners[random.below(corners.size())];
+  }
+  if (feature == Feature::kEdge) {
+    const std::vector<ShapeEdge> edges = edges_of(shape);
+    return edges[random.below(edges.size())].at(inner());
+  }
+  if (shape.kind == ShapeKind::kTriangle) {
+    const Barycentric x = prescribe_anywhere(feature, bits, random);
+    return {x[0], x[1]};
+  }
+  const Dyadic u = inner();
+  return {u, inner()};
+}
+
+int parameter_bits(const Shape& shape) {
+  constexpr int kMostWeightBits = 24, kMost = 12;
+  return std::min(kMost, kMostWeightBits / std::max(1, shape.n + shape.m));
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "bezier/patch.hpp"
+#include "generators/prescribe.hpp"
+#include "generators/random.hpp"
+
+namespace ccdfuzz {
+
+/// An edge of a patch, or a curve as a whole: its points are origin + s·direction for s in [0, 1].
+struct ShapeEdge {
+  std::array<int, 2> origin;
+  std::array<int, 2> direction;
+
+  Uv<Dyadic> at(const Dyadic& s) const;
+  int degree(const Shape& shape) const { return direction[0] != 0 ? shape.n : degree_in_v(shape); }
+  /// The s of a point of the edge; nullopt if it lies on none.
+  std::optional<Dyadic> parameter_of(const Uv<Dyadic>& uv) const;
+  /// Places of the edge's control points, by rising s.
+  std::vector<size_t> controls(const Shape& shape) const;
+
+ private:
+  static int degree_in_v(const Shape& shape) {
+    return shape.kind == ShapeKind::kTriangle ? shape.n : shape.m;
+  }
+};
+
+std::vector<ShapeEdge> edges_of(const Shape& shape);
+/// Those that the point lies on.
+std::vector<ShapeEdge> edges_through(const Shape& shape, const Uv<Dyadic>& uv);
+std::vector<Uv<Dyadic>> corners_of(const Shape& shape);
+
+/// Faces are what triangles and tensor patches have; a curve is an edge between its two corners,
+/// and a point a corner.
+bool has_feature(const Shape& shape, Feature feature);
+
+/// The feature that a point of a shape lies on.
+Feature feature_at(const Shape& shape, const Uv<Dyadic>& uv);
+
+/// True iff the control point at this place has a share in the point: its weight there is not 0.
+bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j);
+
+/// Calls visit(i, j) for every control point, in Shape's order.
+template <class Visit>
+void for_each_control(const Shape& shape, const Visit& visit) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  for (int i = 0; i <= shape.n; ++i) {
+    for (int j = 0; j <= (triangle ? shape.n - i : shape.m); ++j) visit(i, j);
+  }
+}
+
+/// A shape that has the feature: triangles of degree 1 to 5, tensor patches of degrees 1 to 4,
+/// sometimes a curve or a point.
+Shape random_shape(Feature feature, Random& random);
+
+/// A random point on the feature: multiples of 2^-bits, bits ≥ 2.
+Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Random& random);
+
+/// As many bits as parameters may have so that Bernstein weights have 24 or fewer, and at most 12.
+int parameter_bits(const Shape& shape);
+
+}  // namespace ccdfuzz

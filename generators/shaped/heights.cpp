@@ -1,0 +1,136 @@
+#include "generators/shaped/heights.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr int kFactorSlopeBits = 2;  // of the linear factors of a height
+
+/// i/n · (i−1)/(n−1) · … : the polar form of the power-th power at i arguments 1 and n−i arguments
+/// 0.
+Rational polar_power(int i, int n, int power) {
+  Rational value = 1;
+  for (int k = 0; k < power; ++k) value *= Rational(i - k, n - k);
+  value.canonicalize();
+  return value;
+}
+
+/// The polar form of u^a v^b, a + b ≤ 2, at control point (i, j).
+Rational polar_monomial(const Shape& shape, int i, int j, int a, int b) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  if (triangle && a == 1 && b == 1) return Rational(i * j) / Rational(shape.n * (shape.n - 1));
+  return polar_power(i, shape.n, a) * polar_power(j, triangle ? shape.n : shape.m, b);
+}
+
+Linear random_linear_through(const Uv<Dyadic>& at, bool in_u, bool in_v, Random& random) {
+  Linear p;
+  while (p[1].sign() == 0 && p[2].sign() == 0) {
+    if (in_u) p[1] = random.dyadic(kFactorSlopeBits, 0);
+    if (in_v) p[2] = random.dyadic(kFactorSlopeBits, 0);
+  }
+  p[0] = -(p[1] * at[0] + p[2] * at[1]);
+  return p;
+}
+
+bool is_parallel(const Linear& p, const Linear& q) {
+  return (p[1] * q[2] - p[2] * q[1]).sign() == 0;
+}
+
+/// Heights over an inner point of a face, of the form p² or p² + q².
+std::vector<Dyadic> over_face(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros,
+                              Random& random) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  const bool in_u = shape.n >= 2, in_v = triangle ? in_u : shape.m >= 2;
+  if (!in_u && !in_v) return std::vector<Dyadic>(static_cast<size_t>(shape.control_count()));
+  const Linear p = random_linear_through(at, in_u, in_v, random);
+  LowPolynomial h = product(p, p);
+  if (zeros == ZeroSet::kPoint && in_u && in_v) {
+    Linear q = p;
+    while (is_parallel(p, q)) q = random_linear_through(at, true, true, random);
+    h = sum(h, product(q, q));
+  }
+  return coefficients_on(shape, h);
+}
+
+/// Heights over a point of an edge or a corner: positive but for the edge or the corner itself.
+std::vector<Dyadic> over_boundary(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros,
+                                  Random& random) {
+  std::vector<Dyadic> heights;
+  for (int i = 0; i < shape.control_count(); ++i) {
+    heights.emplace_back(static_cast<int>(random.between(1, 1 << (2 * kFactorSlopeBits + 2))));
+  }
+  const std::vector<ShapeEdge> edges = edges_through(shape, at);
+  const bool on_corner = feature_at(shape, at) == Feature::kCorner;
+  if (edges.empty() || (on_corner && zeros == ZeroSet::kPoint)) {
+    for_each_control(shape, [&](int i, int j) {
+      if (bears(shape, at, i, j)) heights[static_cast<size_t>(shape.index(i, j))] = Dyadic();
+    });
+    return heights;
+  }
+  const ShapeEdge& edge = edges[random.below(edges.size())];
+  std::vector<Dyadic> along(heights.size());
+  if (zeros == ZeroSet::kPoint && edge.degree(shape) >= 2) {
+    const bool in_u = edge.direction[0] != 0;
+    const Linear p = random_linear_through(at, in_u, !in_u, random);
+    along = coefficients_on(shape, product(p, p));
+  }
+  for (const size_t place : edge.controls(shape)) heights[place] = along[place];
+  return heights;
+}
+
+}  // namespace
+
+LowPolynomial product(const Linear& p, const Linear& q) {
+  return {p[0] * q[0], p[0] * q[1] + p[1] * q[0], p[0] * q[2] + p[2] * q[0],
+          p[1] * q[1], p[1] * q[2] + p[2] * q[1], p[2] * q[2]};
+}
+
+LowPolynomial sum(LowPolynomial p, const LowPolynomial& q) {
+  for (size_t k = 0; k < p.size(); ++k) p[k] += q[k];
+  return p;
+}
+
+Dyadic odd_denominator(const Shape& shape) {
+  const int in_v = shape.kind == ShapeKind::kTriangle ? shape.n : std::max(1, shape.m);
+  const int n = std::max(1, shape.n);
+  int common = n * in_v;
+  for (const int k : {n, in_v}) common = std::lcm(common, k * std::max(1, k - 1));
+  while (common % 2 == 0) common /= 2;
+  return {common};
+}
+
+std::vector<Dyadic> coefficients_on(const Shape& shape, const LowPolynomial& p) {
+  constexpr std::array<std::array<int, 2>, 6> kPowers = {
+      {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  const Rational scale = odd_denominator(shape).rational();
+  std::vector<Dyadic> coefficients;
+  for_each_control(shape, [&](int i, int j) {
+    Dyadic value;
+    for (size_t k = 0; k < p.size(); ++k) {
+      if (p[k].sign() == 0) continue;
+      const auto [a, b] = kPowers[k];
+      const auto weight = Dyadic::from(scale * polar_monomial(shape, i, j, a, b));
+      CCDFUZZ_VERIFY(weight);
+      value += p[k] * *weight;
+    }
+    coefficients.push_back(value);
+  });
+  return coefficients;
+}
+
+std::vector<Dyadic> heights_over(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, long unit,
+                                 Random& random) {
+  std::vector<Dyadic> heights(static_cast<size_t>(shape.control_count()));
+  if (zeros == ZeroSet::kAll || shape.kind == ShapeKind::kPoint) return heights;
+  heights = feature_at(shape, at) == Feature::kFace ? over_face(shape, at, zeros, random)
+                                                    : over_boundary(shape, at, zeros, random);
+  for (Dyadic& h : heights) h = h.scaled(unit);
+  return heights;
+}
+
+}  // namespace ccdfuzz

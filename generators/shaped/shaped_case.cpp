@@ -1,0 +1,180 @@
+#include "generators/shaped/shaped_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generators/first_contact.hpp"
+#include "generators/shaped/extended_contacts.hpp"
+#include "generators/stress.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr ShapePair kTwoQuadratics = {Shape::triangle(2), Shape::triangle(2)};
+
+bool is_quadratic_family(Family family) {
+  return std::ranges::find(kQuadraticFamilies, family) != kQuadraticFamilies.end();
+}
+
+bool is_extended(Family family) {
+  return family == Family::kSharedEdge || family == Family::kRuled || family == Family::kSeveral ||
+         family == Family::kArea;
+}
+
+bool is_sliding_kind(CaseKind kind) {
+  return kind == CaseKind::kNHP || kind == CaseKind::kNMN;
+}
+
+/// True iff a one-sided patch of this shape touches the contact plane in one point only.
+bool touches_in_one_point(const Shape& shape, Feature feature) {
+  const bool curved = shape.n >= 2 && (shape.kind != ShapeKind::kTensor || shape.m >= 2);
+  return feature == Feature::kCorner || curved;
+}
+
+/// Errors: of these shapes no such contact is made, saying of which patch if it is one's fault.
+Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shapes) {
+  constexpr std::array<std::string_view, 3> kNames = {"face", "edge", "corner"};
+  const std::array<Feature, 2> features = features_of(options.contact);
+  for (size_t s = 0; s < 2; ++s) {
+    const std::string shape = to_text(shapes[s]);
+    if (!shapes[s].valid()) {
+      return input_error("--shape",
+                         fmt::format("{} has a degree outside 1..{}", shape, kMaxDegree));
+    }
+    if (!has_feature(shapes[s], features[s])) {
+      return input_error("--shape", fmt::format("patch {} of {} has a {}, and {} has none", s + 1,
+                                                name_of(options.contact),
+                                                kNames[static_cast<size_t>(features[s])], shape));
+    }
+    if (is_sliding_kind(options.kind) && !touches_in_one_point(shapes[s], features[s])) {
+      return input_error("--shape",
+                         fmt::format("{} of {} needs degrees of 2 or more, not {}",
+                                     name_of(options.kind), name_of(options.contact), shape));
+    }
+  }
+  if (is_extended(options.family) && !can_extend(options.family, options.contact, shapes)) {
+    return input_error("--shape", fmt::format("{} and {} have no contact {} of {}",
+                                              to_text(shapes[0]), to_text(shapes[1]),
+                                              name_of(options.family), name_of(options.contact)));
+  }
+  return {};
+}
+
+ShapePair shapes_of(const GeneratorOptions& options, Random& random) {
+  if (options.shapes) return *options.shapes;
+  const std::array<Feature, 2> features = features_of(options.contact);
+  for (;;) {
+    ShapePair shapes;
+    for (size_t s = 0; s < 2; ++s) shapes[s] = random_shape(features[s], random);
+    if (options.family == Family::kArea) shapes[0] = shapes[1];
+    if (check_shapes(options, shapes)) return shapes;
+  }
+}
+
+PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Random& random) {
+  const ContactClass contact = options.contact;
+  if (is_sliding_kind(options.kind)) {
+    return grazing_variant(options.kind == CaseKind::kNMN, contact, shapes, random);
+  }
+  if (is_extended(options.family)) {
+    PlacedScene made;
+    made.scene = extended_contact(options.family, contact, shapes, random);
+    made.placement = random_placement(random);
+    return made;
+  }
+  switch (options.family) {
+    case Family::kRegular:
+    case Family::kInteriorTime:
+    case Family::kAtStart:
+    case Family::kResting:
+    case Family::kSliding:
+    case Family::kFlatGrazing:
+    case Family::kCommonVelocity:
+      return moving_variant(options.family, contact, shapes, random);
+    default:
+      return odd_variant(options.family, contact, shapes, random);
+  }
+}
+
+/// Turns the positive case of a separated scene into the negative one that ends before the contact.
+bool end_before_contact(Case& value, const Dyadic& until) {
+  Truth& truth = value.truth;
+  const std::optional<double> t_max = until.to_double_exactly();
+  if (!truth.clearance || !t_max) return false;
+  value.query.t_max = *t_max;
+  truth.collides = false;
+  truth.witness.reset();
+  truth.clear_until = until.rational();
+  truth.proof = proof_word(*truth.clearance);
+  return true;
+}
+
+}  // namespace
+
+bool is_shaped(const GeneratorOptions& options) {
+  const bool quadratic = options.family == Family::kRegular || is_quadratic_family(options.family);
+  return !quadratic || options.shapes.value_or(kTwoQuadratics) != kTwoQuadratics;
+}
+
+bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind) {
+  using enum ContactClass;
+  if (family == Family::kTwins) return false;
+  if (is_sliding_kind(kind)) return family == Family::kRegular;
+  const bool to_boundary = contact == kEE || contact == kVE || contact == kVV;
+  if (family == Family::kSharedEdge && !to_boundary) return false;
+  if (family == Family::kRuled && to_boundary) return false;
+  if (kind == CaseKind::kRP) return true;
+  if (family == Family::kSeveral && contact == kFF) return false;
+  return family != Family::kAtStart && family != Family::kResting && family != Family::kSliding &&
+         family != Family::kFlatGrazing;
+}
+
+Result<void> validate_shaped(const GeneratorOptions& options) {
+  if (!is_made_of_shapes(options.family, options.contact, CaseKind::kRP)) {
+    const bool twins = options.family == Family::kTwins;
+    return input_error(
+        twins ? "--shape" : "--contact",
+        fmt::format("the family {} has no {}", name_of(options.family),
+                    twins ? "shapes but triangle:2" : std::string(name_of(options.contact))));
+  }
+  if (!is_made_of_shapes(options.family, options.contact, options.kind)) {
+    return input_error(
+        "--kind", fmt::format("{} of {} is not generated in the family {}", name_of(options.kind),
+                              name_of(options.contact), name_of(options.family)));
+  }
+  if (options.family == Family::kRegular && options.construction == Construction::kPaper) {
+    return input_error("--construction", "paper makes patches of shape triangle:2 only");
+  }
+  return options.shapes ? check_shapes(options, *options.shapes) : Result<void>();
+}
+
+tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                        Random& random) {
+  const PlacedScene made = scene_of(options, shapes_of(options, random), random);
+  std::optional<Case> value = to_case(made.scene, made.placement, random);
+  if (!value) return tl::unexpected(Discard::kRoundTrip);
+  const Dyadic before = made.scene.t - eps_t;
+  switch (options.kind) {
+    case CaseKind::kRP:
+      break;
+    case CaseKind::kRN:
+      if (!end_before_contact(*value, before)) return tl::unexpected(Discard::kFirstContact);
+      break;
+    case CaseKind::kNHP:
+      if (!proven_by_search(value->query, before)) return tl::unexpected(Discard::kFirstContact);
+      value->truth.clear_until = before.rational();
+      break;
+    case CaseKind::kNMN:
+      if (!miss_is_proven(value->query)) return tl::unexpected(Discard::kFirstContact);
+      value->truth.collides = false;
+      value->truth.clear_until = exact(value->query.t_max);
+      value->truth.proof = "rational-tdibm";
+      break;
+  }
+  return *std::move(value);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "generators/generate.hpp"
+#include "generators/random.hpp"
+
+namespace ccdfuzz {
+
+/// True iff the options ask for patches of any shapes, which are made here; else for quadratic
+/// triangles as generate() makes them.
+bool is_shaped(const GeneratorOptions& options);
+
+/// As is_made, for what is made here.
+bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind);
+
+/// Errors: options of shaped cases that are not made, naming the option and its value.
+Result<void> validate_shaped(const GeneratorOptions& options);
+
+/// One attempt at a case of shaped options, with its truth but without its origin; or why it was
+/// thrown away. eps_t: as in GeneratorOptions. Requires valid options.
+tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                        Random& random);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,181 @@
+// Contacts of patches of any shapes: what every family promises of each of its cases.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "certify/checker/check_truth.hpp"
+#include "generators/generate.hpp"
+#include "generators/shaped/features.hpp"
+#include "generators/shaped/shaped_case.hpp"
+#include "query/case_json.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using Shapes = std::array<Shape, 2>;
+
+/// Calls check(options, index, case) on a few cases of all families that are made of any shapes.
+template <class Check>
+void for_each_shaped_case(std::uint64_t count, const Check& check) {
+  for (const Family family : kFamilies) {
+    for (const ContactClass contact : kContactClasses) {
+      for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+        GeneratorOptions options;
+        options.family = family;
+        options.contact = contact;
+        options.kind = kind;
+        if (!is_shaped(options) || !is_made(family, contact, kind)) continue;
+        for (std::uint64_t index = 0; index < count; index += kOneIn) {
+          SCOPED_TRACE(fmt::format("{} {} {} index {}", name_of(family), name_of(contact),
+                                   name_of(kind), index));
+          check(options, generate(options, index).value);
+        }
+      }
+    }
+  }
+}
+
+Uv<Dyadic> dyadic(const Uv<Rational>& uv) {
+  return {*Dyadic::from(uv[0]), *Dyadic::from(uv[1])};
+}
+
+TEST(Shaped, EveryCaseIsWhatItSaysAndTheCheckerAcceptsItsProof) {
+  std::set<std::string> shapes;
+  for_each_shaped_case(12, [&](const GeneratorOptions& options, const Case& c) {
+    const Result<void> truth = check_truth(c);
+    ASSERT_TRUE(truth) << truth.error().message() << '\n' << to_json(c);
+    if (c.truth.clearance || options.kind == CaseKind::kRN) {
+      const Result<void> absent = check_absence(c, "");
+      ASSERT_TRUE(absent) << absent.error().message() << '\n' << to_json(c);
+    }
+    EXPECT_EQ(c.truth.collides, options.kind == CaseKind::kRP);
+    EXPECT_EQ(c.origin.generator, name_of(options.family));
+    for (const MovingPatch<double>& patch : c.query.patches) shapes.insert(to_text(patch.shape));
+    if (options.kind == CaseKind::kRN) return;
+    for (size_t s = 0; s < 2; ++s) {
+      EXPECT_EQ(feature_at(c.query.patches[s].shape, dyadic(c.truth.witness->uv[s])),
+                features_of(options.contact)[s])
+          << "patch " << s;
+    }
+  });
+  for (int n = 1; n <= 5; ++n) EXPECT_TRUE(shapes.contains(to_text(Shape::triangle(n)))) << n;
+  for (int n = 1; n <= 4; ++n) {
+    for (int m = 1; m <= 4; ++m) EXPECT_TRUE(shapes.contains(to_text(Shape::tensor(n, m))));
+  }
+  EXPECT_TRUE(shapes.contains("point"));
+  EXPECT_TRUE(shapes.contains("curve(1)"));
+}
+
+TEST(Shaped, ProvesThatNothingTouchesBeforeButWhereItSaysThatItDoesNot) {
+  const std::set<Family> none = {Family::kAtStart, Family::kResting, Family::kSliding};
+  for_each_shaped_case(3, [&](const GeneratorOptions& options, const Case& c) {
+    if (options.kind != CaseKind::kRP) return;
+    const bool some = options.family == Family::kArea ||
+                      (options.family == Family::kSeveral && options.contact == ContactClass::kFF);
+    const auto& until = c.truth.clear_until;
+    EXPECT_TRUE(some || until.has_value() == !none.contains(options.family));
+    EXPECT_EQ(until.value_or(c.truth.witness->t), c.truth.witness->t);
+  });
+}
+
+TEST(Shaped, RegularCasesAndTheFirstFamiliesComeInAnyShape) {
+  const std::array<Shapes, 6> pairs = {{{Shape::triangle(1), Shape::triangle(5)},
+                                        {Shape::tensor(1, 1), Shape::triangle(3)},
+                                        {Shape::tensor(4, 4), Shape::tensor(2, 3)},
+                                        {Shape::point(), Shape::triangle(1)},
+                                        {Shape::curve(1), Shape::curve(1)},
+                                        {Shape::curve(3), Shape::tensor(1, 3)}}};
+  int made = 0;
+  for (const Shapes& shapes : pairs) {
+    for (const ContactClass contact : kContactClasses) {
+      for (const Family family : {Family::kRegular, Family::kFlatGrazing, Family::kCommonVelocity,
+                                  Family::kScaled, Family::kInteriorTime}) {
+        GeneratorOptions options;
+        options.contact = contact;
+        options.family = family;
+        options.construction = Construction::kOneSided;
+        options.shapes = shapes;
+        if (!validate(options)) continue;
+        SCOPED_TRACE(fmt::format("{} {} {} {}", name_of(family), name_of(contact),
+                                 to_text(shapes[0]), to_text(shapes[1])));
+        for (std::uint64_t index = 0; index < 4; ++index) {
+          const Case c = generate(options, index).value;
+          ++made;
+          for (size_t s = 0; s < 2; ++s) EXPECT_EQ(c.query.patches[s].shape, shapes[s]);
+          const Result<void> truth = check_truth(c);
+          EXPECT_TRUE(truth) << truth.error().message() << '\n' << to_json(c);
+          if (family != Family::kFlatGrazing) {
+            const Result<void> absent = check_absence(c, "");
+            EXPECT_TRUE(absent) << absent.error().message() << '\n' << to_json(c);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(made, 300);
+}
+
+TEST(Shaped, NearHitsAndNearMissesAreProvenForOtherShapesToo) {
+  for (const ContactClass contact : {ContactClass::kVF, ContactClass::kEE, ContactClass::kVV}) {
+    for (const CaseKind kind : {CaseKind::kNHP, CaseKind::kNMN}) {
+      GeneratorOptions options;
+      options.contact = contact;
+      options.kind = kind;
+      options.construction = Construction::kOneSided;
+      options.shapes = Shapes{Shape::triangle(3), Shape::tensor(2, 2)};
+      const Case c = generate(options, 0).value;
+      EXPECT_TRUE(check_truth(c)) << to_json(c);
+      EXPECT_EQ(c.truth.collides, kind == CaseKind::kNHP);
+      EXPECT_TRUE(c.truth.clear_until);
+    }
+  }
+}
+
+std::string refusal(const GeneratorOptions& options) {
+  const Result<void> checked = validate(options);
+  return checked ? "accepted" : checked.error().message();
+}
+
+TEST(Shaped, RefusesWhatIsNotMade) {
+  GeneratorOptions options;
+  options.construction = Construction::kOneSided;
+  options.contact = ContactClass::kVF;
+  options.shapes = Shapes{Shape::point(), Shape::curve(2)};
+  EXPECT_EQ(refusal(options), "--shape: patch 2 of VF has a face, and curve(2) has none");
+  options.shapes = Shapes{Shape::point(), Shape::triangle(9)};
+  EXPECT_EQ(refusal(options), "--shape: triangle(9) has a degree outside 1..8");
+  options.shapes = Shapes{Shape::point(), Shape::triangle(1)};
+  EXPECT_EQ(refusal(options), "accepted");
+  options.kind = CaseKind::kNHP;
+  EXPECT_EQ(refusal(options), "--shape: NHP of VF needs degrees of 2 or more, not triangle(1)");
+  options.kind = CaseKind::kRP;
+  options.family = Family::kArea;
+  EXPECT_EQ(refusal(options), "--shape: point and triangle(1) have no contact area of VF");
+  options.family = Family::kTwins;
+  EXPECT_EQ(refusal(options), "--shape: the family twins has no shapes but triangle:2");
+  options.family = Family::kRegular;
+  options.construction = Construction::kPaper;
+  EXPECT_EQ(refusal(options), "--construction: paper makes patches of shape triangle:2 only");
+  options.shapes.reset();
+  options.family = Family::kRuled;
+  options.contact = ContactClass::kVV;
+  EXPECT_EQ(refusal(options), "--contact: the family ruled has no VV");
+  options.contact = ContactClass::kFF;
+  options.kind = CaseKind::kRN;
+  EXPECT_EQ(refusal(options), "accepted");
+  options.family = Family::kAtStart;
+  EXPECT_EQ(refusal(options), "--kind: RN of FF is not generated in the family at-start");
+}
+
+TEST(Shaped, OneRowOfNumbersForAllCompilers) {
+  GeneratorOptions options;
+  options.family = Family::kSeveral;
+  options.contact = ContactClass::kEF;
+  EXPECT_EQ(generate(options, 3).value, generate(options, 3).value);
+  EXPECT_NE(generate(options, 3).value.query, generate(options, 4).value.query);
+}
+
+}  // namespace
+}  // namespace ccdfuzz

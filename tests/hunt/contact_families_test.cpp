@@ -1,0 +1,89 @@
+// Every kind of contact that the generators have, put to every method.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "certify/oracle/oracle.hpp"
+#include "eval/ask.hpp"
+#include "eval/horizons.hpp"
+#include "generators/generate.hpp"
+#include "query/case_json.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// Calls check on the first cases of all families, classes and kinds.
+template <class Check>
+void for_each_contact(std::uint64_t count, const Check& check) {
+  for (const Family family : kFamilies) {
+    for (const ContactClass contact : kContactClasses) {
+      for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+        if (family == Family::kRegular || !is_made(family, contact, kind)) continue;
+        GeneratorOptions options;
+        options.family = family;
+        options.contact = contact;
+        options.kind = kind;
+        for (std::uint64_t index = 0; index < count; index += kOneIn) {
+          SCOPED_TRACE(fmt::format("--family {} --contact {} --kind {} --first {}", name_of(family),
+                                   name_of(contact), name_of(kind), index));
+          check(generate(options, index).value);
+        }
+      }
+    }
+  }
+}
+
+std::vector<std::string> all_methods() {
+  std::vector<std::string> specs;
+  for (const MethodInfo& info : registered_methods()) {
+    const bool has_factor = info.spec.ends_with(":F");
+    specs.push_back(has_factor ? info.spec.substr(0, info.spec.size() - 1) + "1e-12" : info.spec);
+  }
+  return specs;
+}
+
+TEST(ContactFamilies, EveryMethodAnswersThemWithinItsBudget) {
+  MethodSet methods;
+  SearchOptions options;
+  options.max_pops = 30;
+  for_each_contact(1, [&](const Case& c) {
+    for (const std::string& spec : all_methods()) {
+      if (spec == "oracle") continue;  // below, where it can be limited more tightly
+      const Judged judged = ask(methods[spec], c, options);
+      EXPECT_TRUE(judged.answer.note.empty() || judged.answer.verdict == Verdict::kUndecided)
+          << spec << ": " << judged.answer.note;
+      EXPECT_LE(judged.answer.pops, options.max_pops + 1) << spec;
+    }
+  });
+}
+
+bool is_false_negative(Outcome outcome) {
+  return outcome == Outcome::kMissed || outcome == Outcome::kLate;
+}
+
+// At the contact and past it, where it shows if they come late.
+TEST(ContactFamilies, TdibmCAndTheOracleMissNone) {
+  MethodSet methods;
+  SearchOptions limit;
+  limit.max_pops = 400;
+  OracleOptions oracle_limit;
+  oracle_limit.max_pops = 200;
+  oracle_limit.max_tree_nodes = 500;
+  int decided = 0, all = 0;
+  for_each_contact(1, [&](const Case& known) {
+    std::vector<Case> asked = {known};
+    if (const auto later = at_horizon(known, 1.5)) asked.push_back(*later);
+    for (const Case& c : asked) {
+      const Judged judged = ask(methods["tdibm-c"], c, limit);
+      EXPECT_FALSE(is_false_negative(judged.outcome)) << to_json(c);
+      decided += judged.outcome == Outcome::kCorrect;
+      ++all;
+    }
+    const auto found = decide(known.query, oracle_limit).truth.collides;
+    EXPECT_TRUE(!found || found == known.truth.collides) << to_json(known);
+  });
+  EXPECT_GT(decided, all / 2);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
