@@ -13,6 +13,7 @@
 #include "generators/one_sided.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
+#include "generators/shaped/features.hpp"
 #include "generators/static_contact.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_patch.hpp"
@@ -143,6 +144,7 @@ GeneratorOptions draw_options(ChoiceSource& choices) {
   options.construction = Construction::kOneSided;
   options.contact = choices.pick(kContactClasses);
   options.family = choices.pick(kFamilies);
+  if (!is_made(options.family, options.contact, CaseKind::kRP)) options.family = Family::kRegular;
   if (options.family == Family::kRegular) options.kind = choices.pick(kCaseKinds);
   options.seed = choices.choose(~std::uint64_t{0});
   return options;
@@ -169,9 +171,10 @@ Check check_generated(ChoiceSource& choices) {
   const auto features = features_of(options.contact);
   for (std::size_t s = 0; s < 2; ++s) {
     const Uv<Rational>& uv = made.truth.witness->uv[s];
-    const Rational w = 1 - uv[0] - uv[1];
-    const int zeros = (uv[0] == 0 ? 1 : 0) + (uv[1] == 0 ? 1 : 0) + (w == 0 ? 1 : 0);
-    if (zeros != static_cast<int>(features[s])) return fails("the contact is at another feature");
+    const auto u = Dyadic::from(uv[0]), v = Dyadic::from(uv[1]);
+    if (!u || !v || feature_at(made.query.patches[s].shape, {*u, *v}) != features[s]) {
+      return fails("the contact is at another feature");
+    }
   }
   return Check::holds();
 }

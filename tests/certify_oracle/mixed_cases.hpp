@@ -7,6 +7,7 @@
 
 #include "generators/generate.hpp"
 #include "generators/random.hpp"
+#include "generators/stress.hpp"
 
 namespace ccdfuzz {
 
@@ -126,11 +127,8 @@ inline void for_each_mixed_case(int each, std::uint64_t seed,
           visit({name + " " + std::string(name_of(kind)), made(o, i), false});
         }
       }
-      for (const Family family : kFamilies) {
-        if (family == Family::kRegular || (i + static_cast<int>(family)) % 4 != 0 ||
-            !is_made(family, contact, CaseKind::kRP)) {
-          continue;
-        }
+      for (const Family family : kQuadraticFamilies) {
+        if ((i + static_cast<int>(family)) % 4 != 0) continue;
         GeneratorOptions o;
         o.contact = contact, o.family = family;
         visit({std::string(name_of(family)), made(o, i), false});

@@ -92,6 +92,23 @@ TEST(Generate, AStressFamilyIsMadeByItsName) {
   EXPECT_EQ(ccdfuzz(generate("VV", "RN", {"--count", "2", "--family", "twins"})).code, 2);
 }
 
+TEST(Generate, ShapesAreNamedForBothPatchesOrEach) {
+  const Finished made =
+      ccdfuzz(generate("VF", "RN", {"--count", "2", "--shape", "point,tensor:2x3"}));
+  EXPECT_EQ(made.code, 0) << made.err;
+  for (const auto& row : json_lines(made.out)) {
+    EXPECT_EQ(row.at("patches").at(0).at("shape"), "point");
+    EXPECT_EQ(row.at("patches").at(1).at("degree").dump(), "[2,3]");
+    EXPECT_EQ(row.at("truth").at("proof"), "P");
+  }
+  for (const char* bad : {"blob", "triangle", "triangle:0", "triangle:9", "tensor:2", "curve:2x",
+                          "point,", "triangle:2,triangle:2,triangle:2"}) {
+    const Finished refused = ccdfuzz(generate("VV", "RP", {"--count", "1", "--shape", bad}));
+    EXPECT_EQ(refused.code, 2) << bad;
+    EXPECT_NE(refused.err.find("--shape"), std::string::npos) << refused.err;
+  }
+}
+
 TEST(Generate, CtrlCLeavesNoFileBehind) {
   const ScratchFolder folder;
   Process process(generate("VV", "RP", {"--count", "1000000000", "-o", folder / "set.jsonl"}));

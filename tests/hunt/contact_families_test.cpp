@@ -45,8 +45,9 @@ std::vector<std::string> all_methods() {
 TEST(ContactFamilies, EveryMethodAnswersThemWithinItsBudget) {
   MethodSet methods;
   SearchOptions options;
-  options.max_pops = 30;
+  options.max_pops = 12;
   for_each_contact(1, [&](const Case& c) {
+    if (c.truth.collides != true) return;
     for (const std::string& spec : all_methods()) {
       if (spec == "oracle") continue;  // below, where it can be limited more tightly
       const Judged judged = ask(methods[spec], c, options);
@@ -55,10 +56,6 @@ TEST(ContactFamilies, EveryMethodAnswersThemWithinItsBudget) {
       EXPECT_LE(judged.answer.pops, options.max_pops + 1) << spec;
     }
   });
-}
-
-bool is_false_negative(Outcome outcome) {
-  return outcome == Outcome::kMissed || outcome == Outcome::kLate;
 }
 
 // At the contact and past it, where it shows if they come late.

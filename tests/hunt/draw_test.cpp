@@ -21,7 +21,7 @@ TEST(Draw, DependsOnItsArgumentsAlone) {
 
 TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
   for (const ContactClass contact : kContactClasses) {
-    for (std::uint64_t index = 0; index < 40; index += kOneIn) {
+    for (std::uint64_t index = 0; index < 40; index += 3 * kOneIn) {
       const Draw drawn = draw(contact, 1, index);
       ASSERT_FALSE(drawn.asked.empty());
       for (const Case& asked : drawn.asked) {

@@ -54,12 +54,12 @@ std::optional<std::array<Rational, 6>> low_terms(const Shape& shape, std::vector
   return terms;
 }
 
-using Corner = std::array<int, 2>;
+using DomainCorner = std::array<int, 2>;
 
 /// Whether the polynomial of these terms is ≥ 0 on the triangle of these corners.
 bool nonnegative_between(const std::array<Rational, 6>& terms,
-                         const std::array<Corner, 3>& corners) {
-  const auto polar = [&](const Corner& p, const Corner& q) {
+                         const std::array<DomainCorner, 3>& corners) {
+  const auto polar = [&](const DomainCorner& p, const DomainCorner& q) {
     return Rational(terms[0] + terms[1] * (p[0] + q[0]) / 2 + terms[2] * (p[1] + q[1]) / 2 +
                     terms[3] * (p[0] * q[0]) + terms[4] * (p[0] * q[1] + p[1] * q[0]) / 2 +
                     terms[5] * (p[1] * q[1]));
@@ -72,7 +72,7 @@ bool nonnegative_between(const std::array<Rational, 6>& terms,
 bool is_low_and_nonnegative(const Shape& shape, const std::vector<Rational>& coefficients) {
   const auto terms = low_terms(shape, coefficients);
   if (!terms) return false;
-  const Corner origin = {0, 0}, u = {1, 0}, v = {0, 1}, both = {1, 1};
+  const DomainCorner origin = {0, 0}, u = {1, 0}, v = {0, 1}, both = {1, 1};
   // What does not depend on v is ≥ 0 on [0, 1] iff it is so on the triangle.
   if (!nonnegative_between(*terms, {origin, v, u})) return false;
   return shape.kind != ShapeKind::kTensor || nonnegative_between(*terms, {both, v, u});
