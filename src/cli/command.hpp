@@ -111,6 +111,7 @@ void add_properties(CommandLine& line);
 void add_prove(CommandLine& line);
 void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
+void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
 void add_verify(CommandLine& line);
 

@@ -10,6 +10,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/data_set_address.hpp"
 #include "eval/evaluation_folder.hpp"
@@ -17,6 +18,7 @@
 #include "eval/paper_tables.hpp"
 #include "method/method.hpp"
 #include "query/journal.hpp"
+#include "report/rows.hpp"
 
 namespace ccdfuzz {
 
@@ -30,6 +32,7 @@ struct EvaluateArguments {
   SearchFlags search;
   std::string shard;
   std::string folder;
+  std::string page;  ///< folder
   int threads = 1;
   bool json = false;
 };
@@ -133,6 +136,18 @@ std::string progress_note(const AnswerRecord& record) {
   return fmt::format("{} {}", record.contact, record.method);
 }
 
+Result<void> write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
+                                   const EvaluateArguments& options) {
+  ReportPage page;
+  page.title = options.files.size() == 1
+                   ? fmt::format("Evaluation of {}", options.files.front())
+                   : fmt::format("Evaluation of {} files", options.files.size());
+  page.command = fmt::format("{} evaluate … --methods {} --report {}", shell_word(program_name()),
+                             options.methods, shell_word(options.page));
+  rows.finish(page, costs);
+  return write_report(page, options.page, options.threads);
+}
+
 /// Into a folder, by a journal of the answers in it, so that a killed run goes on.
 Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOptions options,
                                  const EvaluateArguments& flags,
@@ -158,7 +173,7 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
       [&](const AnswerRecord& record, double share) {
         if (kept) kept = journal->append(to_csv(record));
         if (!kept || interrupted) stop = true;
-        progress.show(share, progress_note(record));
+        progress.show(share, progress_note(record), journal->size() - options.skip, "answers");
       },
       &stop);
   progress.clear();
@@ -171,11 +186,15 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   }
   Result<EvaluationFolder> folder = EvaluationFolder::open(flags.folder, asked);
   if (!folder) return tl::unexpected(folder.error());
+  ReportRows page;
   Result<void> done = journal->for_each([&](std::string_view line) -> Result<void> {
     const Result<AnswerRecord> record = parse_answer_csv(line, path);
-    return record ? folder->add(*record) : tl::unexpected(record.error());
+    if (!record) return tl::unexpected(record.error());
+    if (!flags.page.empty()) page.add(*record, cases.at(record->index), options.search.precision);
+    return folder->add(*record);
   });
   if (done) done = folder->finish(costs, figure_5_lines(cases, options.shard));
+  if (done && !flags.page.empty()) done = write_evaluation_page(page, costs, flags);
   if (done) done = journal->remove();
   if (!done) return tl::unexpected(done.error());
   print_evaluation(folder->groups(), costs, flags.json);
@@ -185,7 +204,9 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
 Result<int> run_evaluate(const EvaluateArguments& options) {
   Result<EvaluateOptions> parsed = parse(options);
   if (!parsed) return tl::unexpected(parsed.error());
-  if (!options.linear.empty()) return run_evaluate_linear(options.linear, *parsed, options.json);
+  if (!options.linear.empty()) {
+    return run_evaluate_linear(options.linear, *parsed, options.json, options.page);
+  }
   if (options.files.empty()) return input_error("dataset", "is required");
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
   if (!cases) return tl::unexpected(cases.error());
@@ -199,15 +220,25 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
   Progress progress;
   const std::atomic<bool>& interrupted = catch_interrupts();
   Groups groups(parsed->methods);
+  ReportRows page;
+  std::uint64_t answers = 0;
   evaluate(
       *cases, *parsed,
       [&](const AnswerRecord& record, double share) {
         groups.add(record);
-        progress.show(share, progress_note(record));
+        if (!options.page.empty()) {
+          page.add(record, cases->at(record.index), parsed->search.precision);
+        }
+        progress.show(share, progress_note(record), ++answers, "answers");
       },
       &interrupted);
   progress.clear();
   print_evaluation(groups.in_order(), *costs, options.json);
+  if (!options.page.empty()) {
+    if (auto done = write_evaluation_page(page, *costs, options); !done) {
+      return tl::unexpected(done.error());
+    }
+  }
   return interrupted ? interrupted_exit_code() : kDone;
 }
 
@@ -234,6 +265,8 @@ void add_evaluate(CommandLine& line) {
       "-o,--output", options->folder,
       "Folder for all answers, the tables and the figures' data (CSV, Markdown); killed, "
       "the same command goes on where it was"));
+  command.text("--report", options->page,
+               "Folder for a page (index.html) of tables, figures and watchable failures");
   add_threads(command, options->threads);
   command.flag("--json", options->json, "One JSON object per class, kinds and method");
 }

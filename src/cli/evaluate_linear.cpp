@@ -5,8 +5,10 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "eval/linear_table.hpp"
+#include "report/report.hpp"
 
 namespace ccdfuzz {
 
@@ -47,10 +49,25 @@ std::string notable_text(const Imported& query) {
                      text(*query.value.truth.collides));
 }
 
+Result<void> write_linear_page(const std::string& folder, const LinearReport& report, int threads,
+                               const std::string& page_folder) {
+  ReportPage page;
+  page.title = fmt::format("Linear queries of {}", folder);
+  page.command = fmt::format("{} evaluate --linear {} --report {}", shell_word(program_name()),
+                             shell_word(folder), shell_word(page_folder));
+  for (const LinearGroup& group : report.groups) {
+    page.groups.push_back({std::string(name_of(group.layout)), "", std::nullopt, group.method,
+                           group.tally, group.timings});
+  }
+  page.tables.push_back(
+      report_table("table-3", "Table 3. Linear queries", linear_table(report.groups)));
+  return write_report(page, page_folder, threads);
+}
+
 }  // namespace
 
 Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions& options,
-                                bool json) {
+                                bool json, const std::string& page) {
   const Result<std::vector<LinearFile>> files = linear_files(folder);
   if (!files) return tl::unexpected(files.error());
   Progress progress;
@@ -74,6 +91,11 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
         "{} queries; {} of {} labels are wrong; {} values of {} queries are no "
         "doubles and were rounded\n",
         report->queries, wrong, report->labels, report->rounded_values, report->rounded_queries));
+  }
+  if (!page.empty()) {
+    if (auto done = write_linear_page(folder, *report, options.threads, page); !done) {
+      return tl::unexpected(done.error());
+    }
   }
   return interrupted ? interrupted_exit_code() : kDone;
 }

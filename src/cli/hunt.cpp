@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <map>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/hunt_page.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "eval/table.hpp"
 
@@ -30,6 +33,7 @@ struct HuntArguments {
   std::string fail_on = "none";
   std::string shrink = "plugins";
   bool linear = false;
+  std::string page;  ///< folder
   SearchFlags search;
   int threads = 1;
   bool json = false;
@@ -105,22 +109,6 @@ Table cell_table(const HuntReport& report) {
   return table;
 }
 
-/// The text as one word of a shell's command line.
-std::string shell_word(const std::string& text) {
-  constexpr const char* kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+:,=@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) c == '\'' ? quoted += "'\\''" : quoted += c;
-  return quoted + "'";
-}
-
-/// The command that shows a find again.
-std::string reproduction(const HuntFind& find) {
-  return fmt::format("{} query {} --methods {}", shell_word(program_name()), shell_word(find.path),
-                     shell_word(fmt::format("{}", fmt::join(find.failures, ","))));
-}
-
 /// "missed by tdibm, tdibm-e (claims none); late by tdibm-h-rel:1e-12".
 std::string failures_text(const HuntFind& find) {
   std::map<Outcome, std::string> by_outcome;
@@ -155,7 +143,7 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
   for (const HuntFind& find : report.finds) {
     const Origin& origin = find.value.origin;
     print_out(fmt::format("{} {} {}: {}\n    {}\n", origin.contact, origin.kind, origin.generator,
-                          failures_text(find), reproduction(find)));
+                          failures_text(find), reproduction(find.path, find.value.expect)));
   }
 }
 
@@ -182,13 +170,25 @@ void print_report_json(const HuntReport& report) {
                 {"failures", find.failures},
                 {"breaks_claim", find.breaks_claim},
                 {"expect", expect},
-                {"reproduce", reproduction(find)}});
+                {"reproduce", reproduction(find.path, find.value.expect)}});
   }
   print_json({{"row", "summary"},
               {"queries", query_count(report)},
               {"cases", report.cases},
               {"finds", report.finds.size()},
               {"seconds", report.seconds}});
+}
+
+Result<void> write_hunt_page(const HuntReport& report, const HuntArguments& options,
+                             const std::vector<HuntSample>& samples) {
+  Result<ReportPage> page = hunt_page(report, options.corpus, samples);
+  if (!page) return tl::unexpected(page.error());
+  page->command = fmt::format("{} hunt --seed {} --methods {} --corpus {} --report {}",
+                              shell_word(program_name()), options.seed, options.methods,
+                              shell_word(options.corpus), shell_word(options.page));
+  if (auto done = write_report(*page, options.page, options.threads); !done) return done;
+  if (!options.json) print_out(fmt::format("{}/index.html shows them\n", options.page));
+  return {};
 }
 
 bool fails(const HuntReport& report, const std::string& fail_on) {
@@ -205,14 +205,25 @@ Result<int> run_hunt(const HuntArguments& options) {
 
   const std::atomic<bool>& interrupted = catch_interrupts();
   Progress progress;
+  HuntSamples samples;
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   const HuntReport report = hunt(
       *parsed, *store,
       [&](const HuntProgress& p) {
-        progress.show(p.share, fmt::format("{} queries, {} counterexamples", p.queries, p.finds));
+        samples.note(seconds(), p.queries, p.finds);
+        progress.show(p.share, fmt::format("{} counterexamples", p.finds), p.queries, "queries");
       },
       interrupted);
   progress.clear();
   options.json ? print_report_json(report) : print_report(report, options);
+  if (!options.page.empty()) {
+    if (auto done = write_hunt_page(report, options, samples.all()); !done) {
+      return tl::unexpected(report.error ? *report.error : done.error());
+    }
+  }
   if (report.error) return tl::unexpected(*report.error);
   if (interrupted) return interrupted_exit_code();
   return fails(report, options.fail_on) ? kCheckFailed : kDone;
@@ -253,6 +264,8 @@ void add_hunt(CommandLine& line) {
             "Whose counterexamples to minimise at the end, for at most as long again or "
             "20 seconds: none, plugins or all")
       .one_of({"none", "plugins", "all"});
+  command.text("--report", options->page,
+               "Folder for a page (index.html) of the counterexamples and the hunt's course");
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
   add_threads(command, options->threads);

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_merge(line);
     ccdfuzz::add_replay(line);
     ccdfuzz::add_minimize(line);
+    ccdfuzz::add_report(line);
     ccdfuzz::add_bench(line);
     ccdfuzz::add_methods(line);
     ccdfuzz::add_check(line);

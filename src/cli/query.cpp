@@ -77,7 +77,7 @@ Result<int> run_query(const QueryArguments& options) {
           if (done % methods->size() == 1 % methods->size()) table.start_group();
           table.add_row(table_row(id, method, judged));
         }
-        progress.show(static_cast<double>(done) / static_cast<double>(total), id);
+        progress.show(static_cast<double>(done) / static_cast<double>(total), id, done, "answers");
       });
   progress.clear();
   if (!options.json) print_out(table.to_text(wants_colour(stdout)));

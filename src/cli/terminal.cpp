@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -23,6 +24,27 @@ size_t terminal_width() {
   return known ? size.ws_col : 80;
 }
 
+/// "1:02:03", "2:03".
+std::string clock_text(double seconds) {
+  const auto s = static_cast<std::uint64_t>(std::ceil(seconds));
+  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                  : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+/// What came so far, gone on like that; nothing before there is enough to reckon with.
+std::string time_left_text(double share, double elapsed) {
+  constexpr double kEnough = 0.5, kTooLong = 100 * 3600;  // seconds
+  if (elapsed < kEnough || !(share > 0) || share >= 1) return "";
+  const double left = elapsed * (1 - share) / share;
+  return left > kTooLong ? "" : clock_text(left) + " left  ";
+}
+
+std::string rate_text(std::uint64_t done, std::string_view unit, double elapsed) {
+  if (done == 0 || !(elapsed > 0)) return "";
+  const double rate = static_cast<double>(done) / elapsed;
+  return fmt::format("{:.{}f} {}/s  ", rate, rate < 10 ? 1 : 0, unit);
+}
+
 }  // namespace
 
 bool wants_colour(std::FILE* stream) {
@@ -33,7 +55,8 @@ bool wants_colour(std::FILE* stream) {
 
 Progress::Progress() : enabled_(isatty(STDERR_FILENO) == 1) {}
 
-void Progress::show(double share, const std::string& note) {
+void Progress::show(double share, const std::string& note, std::uint64_t done,
+                    std::string_view unit) {
   if (!enabled_) return;
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
@@ -42,8 +65,10 @@ void Progress::show(double share, const std::string& note) {
   constexpr size_t kBarWidth = 30;
   const auto filled =
       static_cast<size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kBarWidth));
-  std::string line = fmt::format("[{}{}] {:3.0f} %  {}", std::string(filled, '#'),
-                                 std::string(kBarWidth - filled, '.'), 100 * share, note);
+  const double elapsed = std::chrono::duration<double>(now - start_).count();
+  std::string line = fmt::format(
+      "[{}{}] {:3.0f} %  {}{}{}", std::string(filled, '#'), std::string(kBarWidth - filled, '.'),
+      100 * share, time_left_text(share, elapsed), rate_text(done, unit, elapsed), note);
   // One column is left free: a terminal wraps when the last one is written.
   if (const size_t room = terminal_width() - 1; line.size() > room) line.resize(room);
   fmt::print(stderr, "\r\x1b[K{}", line);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace ccdfuzz {
 
@@ -20,8 +22,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// share: how much is done, in [0, 1]. note: what to show beside the bar, of one line.
-  void show(double share, const std::string& note);
+  /// share: how much is done, in [0, 1]; the time left is reckoned from it. note: what to show
+  /// beside the bar, of one line. done: how many `unit`s so far, of which the rate is shown.
+  void show(double share, const std::string& note, std::uint64_t done = 0,
+            std::string_view unit = {});
   /// Wipes the line, so that other output may follow.
   void clear();
 
@@ -31,6 +35,7 @@ class Progress {
   std::mutex mutex_;
   bool enabled_ = false;
   bool drawn_ = false;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point next_{};
 };
 

@@ -92,7 +92,7 @@ Result<int> run_trace(const TraceArguments& options) {
           table.add_row(trace_cells(id, method, trace));
         }
         ++done;
-        progress.show(static_cast<double>(done) / static_cast<double>(total), id);
+        progress.show(static_cast<double>(done) / static_cast<double>(total), id, done, "traces");
       });
   progress.clear();
   if (!options.json) print_out(table.to_text(wants_colour(stdout)));

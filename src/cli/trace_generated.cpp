@@ -142,7 +142,7 @@ Result<int> trace_generated_cases(const TraceCampaignOptions& options, const std
       },
       [&](std::uint64_t cases) {
         progress.show(static_cast<double>(cases) / static_cast<double>(options.count),
-                      fmt::format("{} cases", cases));
+                      fmt::format("{} cases", cases), cases, "cases");
       },
       interrupted);
   progress.clear();

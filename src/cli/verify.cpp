@@ -102,7 +102,8 @@ Result<int> run_verify(const VerifyArguments& options) {
         } else if (verified.standing != Standing::kHolds) {
           table.add_row({{id}, {name_of(verified.standing), Emphasis::kBad}, {verified.note}});
         }
-        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id);
+        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id, done,
+                      "cases");
       },
       &interrupted);
   progress.clear();

@@ -60,6 +60,21 @@ void Table::start_group() {
   group_pending_ = !rows_.empty();
 }
 
+std::vector<std::string> Table::titles() const {
+  std::vector<std::string> titles;
+  for (const Column& column : columns_) titles.push_back(column.title);
+  return titles;
+}
+
+std::vector<std::vector<std::string>> Table::texts() const {
+  std::vector<std::vector<std::string>> texts;
+  for (const Row& row : rows_) {
+    std::vector<std::string>& line = texts.emplace_back();
+    for (const TableCell& cell : row.cells) line.push_back(cell.text);
+  }
+  return texts;
+}
+
 std::string Table::to_text(bool colour) const {
   std::vector<size_t> widths;
   for (size_t c = 0; c < columns_.size(); ++c) {

@@ -33,6 +33,10 @@ class Table {
 
   size_t row_count() const { return rows_.size(); }
 
+  std::vector<std::string> titles() const;
+  /// What stands in the rows.
+  std::vector<std::vector<std::string>> texts() const;
+
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes.
   std::string to_text(bool colour) const;
   std::string to_markdown() const;

@@ -32,7 +32,8 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"corpus", {"method", "certify/checker", "properties", "fuzz/mutator"}},
     {"fuzz/mutator", {"generators"}},
     {"hunt", {"generators", "corpus", "eval", "fuzz/mutator"}},
-    {"cli", {"hunt", "properties"}},
+    {"report", {"corpus", "eval"}},
+    {"cli", {"hunt", "properties", "report"}},
     {"fuzz", {"properties", "corpus", "eval", "fuzz/mutator"}},
 };
 

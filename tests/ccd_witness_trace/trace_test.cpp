@@ -158,5 +158,29 @@ TEST(Trace, AWitnessPastTheStepIsRefused) {
                InternalError);
 }
 
+// The steps tell the same story as the trace, pair by pair.
+TEST(Trace, StepsAreThePairsOfTheTrace) {
+  for (const char* spec : kTraceable) {
+    for (const ContactClass contact : {ContactClass::kVV, ContactClass::kEE}) {
+      const Case known = generated_case(contact, Family::kRegular, 3);
+      const auto tracer = tracer_of(spec);
+      const TraceOptions with_steps{1e-4, false, true};
+      const Trace trace = tracer->trace(known.query, *known.truth.witness, with_steps);
+      ASSERT_EQ(trace.steps.size(), trace.pairs) << spec;
+      std::optional<std::uint64_t> least;
+      for (const Trace::Step& step : trace.steps) {
+        const bool here = trace.loss && trace.loss->place.level == step.place.level;
+        EXPECT_EQ(step.lost, here) << spec << " at level " << step.place.level;
+        if (step.margin) least = std::min(least.value_or(step.margin->ulps), step.margin->ulps);
+      }
+      EXPECT_EQ(least.has_value(), trace.margin.has_value()) << spec;
+      if (least) {
+        EXPECT_EQ(*least, trace.margin->ulps) << spec;
+      }
+      EXPECT_TRUE(tracer->trace(known.query, *known.truth.witness, {}).steps.empty()) << spec;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -49,5 +49,13 @@ TEST(Terminal, OnlyTheStreamThatIsATerminalIsDressed) {
   EXPECT_NE(out_only.find(kBold), std::string::npos) << out_only;
 }
 
+TEST(Terminal, TheProgressSaysTheRateAndTheTimeLeft) {
+  const ScratchFolder folder;
+  const std::string shown = on_a_terminal(fmt::format(
+      "$ccdfuzz hunt --seconds 1.5 --methods tdibm-c --corpus {} --json", folder / "finds"));
+  EXPECT_NE(shown.find(" queries/s  "), std::string::npos) << shown;
+  EXPECT_NE(shown.find("0:01 left  "), std::string::npos) << shown;
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -29,6 +29,13 @@ void unscale(Trace& trace, int exponent) {
     unscale(trace.slack->place.window, exponent);
     unscale(trace.slack->gap.window, exponent);
   }
+  for (Trace::Step& step : trace.steps) {
+    unscale(step.place.window, exponent);
+    if (step.left) unscale(*step.left, exponent);
+    if (!step.margin) continue;
+    unscale(step.margin->place.window, exponent);
+    unscale(step.margin->by, exponent);
+  }
 }
 
 }  // namespace
@@ -40,7 +47,7 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   const int exponent = split_.query().time;
   path_.assign(split_.query().shapes, witness, exponent);
   CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
-  watch_.begin(path_.time());
+  watch_.begin(path_.time(), options.steps);
   const int target = depth_for(options.precision);
   now_.clear();
   now_.push_back({{0, split_.query().t_max}, {}, {}, 0});

@@ -22,7 +22,7 @@ class InclusionTracer {
     const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
     path_.assign(shapes, witness);
     CCDFUZZ_VERIFY(path_.time().hi <= query.t_max);
-    watch_.begin(path_.time());
+    watch_.begin(path_.time(), options.steps);
     const int target = depth_for(options.precision);
 
     inclusion_.begin(query);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "bezier/cell.hpp"
 #include "ccd/exclusion.hpp"
@@ -16,6 +17,8 @@ struct TraceOptions {
   /// Where several children of a pair contain the witness, because it lies on their edges: follow
   /// all of them, or only the lowest child of each patch (and the earlier half of the window).
   bool all = false;
+  /// Write down every pair on the way, too (Trace::steps).
+  bool steps = false;
 };
 
 /// A pair of cells on the way, and its window before the test.
@@ -76,6 +79,19 @@ struct Trace {
     AxisGap gap;
   };
   std::optional<Slack> slack;
+
+  /// One pair that contains the witness: what its test left of the window, and what the margin and
+  /// the slack are of this pair alone (no margin where no axis excludes anything, 0 ulps at a
+  /// loss).
+  struct Step {
+    TracePlace place;
+    std::optional<Window> left;
+    bool lost = false;
+    std::optional<Margin> margin;
+    std::optional<double> slack;
+  };
+  /// Every pair, in the order of the tests, if TraceOptions::steps asked for them.
+  std::vector<Step> steps;
 };
 
 }  // namespace ccdfuzz

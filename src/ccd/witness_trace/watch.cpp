@@ -14,20 +14,25 @@ std::uint64_t steps_between(double x, double y) {
 
 }  // namespace
 
-void WitnessWatch::begin(const TimeBounds& time) {
+void WitnessWatch::begin(const TimeBounds& time, bool steps) {
   time_ = time;
   trace_ = {};
+  steps_ = steps;
 }
 
 void WitnessWatch::look_at(const TracePlace& place) {
   place_ = place;
   claim_.reset();
+  margin_.reset();
+  slack_.reset();
   ++trace_.pairs;
   trace_.levels = place.level;
 }
 
 bool WitnessWatch::judge(const std::optional<Window>& left) {
-  if (left && holds(*left)) return true;
+  const bool kept = left && holds(*left);
+  if (steps_) trace_.steps.push_back({place_, left, !kept, margin_, slack_});
+  if (kept) return true;
   ++trace_.lost_pairs;
   if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(Exclusion{}), left};
   trace_.lost = true;
@@ -46,9 +51,8 @@ void WitnessWatch::excluded(const Exclusion& exclusion) {
   } else {
     return;  // an end that is no number excludes nothing
   }
-  if (!trace_.margin || ulps < trace_.margin->ulps) {
-    trace_.margin = Trace::Margin{ulps, place_, exclusion};
-  }
+  if (!margin_ || ulps < margin_->ulps) margin_ = Trace::Margin{ulps, place_, exclusion};
+  if (!trace_.margin || ulps < trace_.margin->ulps) trace_.margin = margin_;
 }
 
 void WitnessWatch::compared(const AxisGap& gap) {
@@ -60,6 +64,7 @@ void WitnessWatch::compared(const AxisGap& gap) {
     at_t += (gap.at_hi - gap.at_lo) * ((time_.lo - w.lo) / (w.hi - w.lo));
   }
   const double slack = at_t / gap.unit;
+  if (slack_ ? slack < *slack_ : slack == slack) slack_ = slack;
   if (trace_.slack ? slack < trace_.slack->value : slack == slack) {
     trace_.slack = Trace::Slack{slack, place_, gap};
   }

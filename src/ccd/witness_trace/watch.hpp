@@ -9,7 +9,8 @@ namespace ccdfuzz {
 class WitnessWatch final : public ExclusionObserver {
  public:
   /// time: the witness's, in the time scale of the method.
-  void begin(const TimeBounds& time);
+  /// steps: write down every pair.
+  void begin(const TimeBounds& time, bool steps);
 
   bool holds(const Window& window) const { return time_.within(window); }
 
@@ -28,7 +29,10 @@ class WitnessWatch final : public ExclusionObserver {
   TimeBounds time_;
   Trace trace_;
   TracePlace place_;
-  std::optional<Exclusion> claim_;  ///< the first of this test that contains the witness
+  std::optional<Exclusion> claim_;       ///< the first of this test that contains the witness
+  std::optional<Trace::Margin> margin_;  ///< of this test
+  std::optional<double> slack_;          ///< of this test
+  bool steps_ = false;
 };
 
 }  // namespace ccdfuzz

@@ -1,0 +1,199 @@
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <filesystem>
+#include <list>
+#include <map>
+
+#include "certify/checker/check_truth.hpp"
+#include "cli/command.hpp"
+#include "cli/common_options.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/shell_word.hpp"
+#include "cli/terminal.hpp"
+#include "corpus/entries.hpp"
+#include "eval/ask.hpp"
+#include "eval/evaluate.hpp"
+#include "eval/evaluation_folder.hpp"
+#include "eval/in_order.hpp"
+#include "method/method.hpp"
+#include "report/rows.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct ReportArguments {
+  std::string source = "corpus";
+  std::string methods = kDefaultMethods;
+  SearchFlags search;
+  std::string folder;
+  int threads = 1;
+};
+
+/// An entry as its expectations say; where those are of a time that a method reported, it is asked
+/// again for it.
+Result<ReportedCase> reported_entry(NamedCase entry, const SearchFlags& flags, MethodSet& methods) {
+  const Result<SearchOptions> search = flags.parse_for(entry);
+  if (!search) return tl::unexpected(search.error());
+  ReportedCase reported;
+  for (const auto& [method, outcome] : entry.value.expect) {
+    if (const auto made = make_method(method); !made) {
+      return input_error(entry.id + ": expect", made.error().what);
+    }
+    ReportedAnswer answer{method, outcome, std::nullopt};
+    if (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive) {
+      const Judged judged = ask(methods[method], entry.value, *search);
+      if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
+    }
+    reported.answers.push_back(std::move(answer));
+  }
+  reported.id = entry.id;
+  reported.precision = search->precision;
+  reported.reproduce = reproduction(entry.id, entry.value.expect);
+  reported.value = std::move(entry.value);
+  return reported;
+}
+
+Result<ReportPage> report_corpus(const ReportArguments& options,
+                                 const std::atomic<bool>& interrupted) {
+  Result<std::vector<NamedCase>> entries = load_corpus(options.source);
+  if (!entries) return tl::unexpected(entries.error());
+  ReportPage report;
+  report.title = fmt::format("Corpus {}", options.source);
+  Result<void> read;
+  Progress progress;
+  const size_t total = entries->size();
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  run_in_order<Result<ReportedCase>>(
+      total, options.threads,
+      [&](size_t i) {
+        return reported_entry(std::move((*entries)[i]), options.search, methods.local());
+      },
+      [&](Result<ReportedCase> reported) {
+        if (!reported) {
+          if (read) read = tl::unexpected(reported.error());
+          return;
+        }
+        progress.show(static_cast<double>(report.cases.size()) / static_cast<double>(total),
+                      reported->id, report.cases.size(), "cases");
+        report.cases.push_back(std::move(*reported));
+      },
+      &interrupted);
+  if (!read) return tl::unexpected(read.error());
+  keep_most_telling(report);
+  return report;
+}
+
+Result<ReportPage> report_data_set(const ReportArguments& options,
+                                   const std::atomic<bool>& interrupted) {
+  const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
+  if (!methods) return tl::unexpected(methods.error());
+  const Result<SearchOptions> search = options.search.parse();
+  if (!search) return tl::unexpected(search.error());
+  const Result<std::vector<NamedCase>> cases = read_all_checked({options.source});
+  if (!cases) return tl::unexpected(cases.error());
+  EvaluateOptions asked;
+  asked.methods = *methods;
+  asked.search = *search;
+  asked.threads = options.threads;
+  ReportRows rows;
+  const auto record = read_generation(generation_path(options.source));
+  if (!record) return tl::unexpected(record.error());
+  std::uint64_t answers = 0;
+  Progress progress;
+  evaluate(
+      *cases, asked,
+      [&](const AnswerRecord& answer, double share) {
+        rows.add(answer, cases->at(answer.index), search->precision);
+        progress.show(share, fmt::format("{} {}", answer.contact, answer.method), ++answers,
+                      "answers");
+      },
+      &interrupted);
+  ReportPage report;
+  report.title = fmt::format("Evaluation of {}", options.source);
+  rows.finish(report, *record ? (*record)->costs : std::vector<GenerationCost>());
+  return report;
+}
+
+/// The cases that answers name, by id; each file is read once.
+class CasesById {
+ public:
+  Result<const NamedCase*> find(const std::string& id) {
+    if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;
+    const size_t colon = id.find_last_of(':');
+    const bool of_line = colon != std::string::npos && id.find('/', colon) == std::string::npos &&
+                         !id.ends_with(".json");
+    Result<std::vector<NamedCase>> read = read_checked_cases(of_line ? id.substr(0, colon) : id);
+    if (!read) return tl::unexpected(read.error());
+    files_.push_back(std::move(*read));
+    for (const NamedCase& named : files_.back()) by_id_.emplace(named.id, &named);
+    const auto found = by_id_.find(id);
+    if (found == by_id_.end()) return input_error(id, "is not there any more");
+    return found->second;
+  }
+
+ private:
+  std::list<std::vector<NamedCase>> files_;
+  std::map<std::string, const NamedCase*> by_id_;
+};
+
+/// What `evaluate -o` left.
+Result<ReportPage> report_run(const ReportArguments& options) {
+  Result<EvaluatedFolder> folder = EvaluatedFolder::open(options.source);
+  if (!folder) return tl::unexpected(folder.error());
+  CasesById cases;
+  ReportRows rows;
+  if (auto read = folder->advance(); !read) return tl::unexpected(read.error());
+  while (folder->current()) {
+    const Result<const NamedCase*> source = cases.find(folder->current()->id);
+    if (!source) return tl::unexpected(source.error());
+    rows.add(*folder->current(), **source, SearchOptions().precision);
+    if (auto read = folder->advance(); !read) return tl::unexpected(read.error());
+  }
+  ReportPage report;
+  report.title = fmt::format("Evaluation in {}", options.source);
+  rows.finish(report, folder->costs());
+  return report;
+}
+
+Result<int> run_report(const ReportArguments& options) {
+  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
+  std::error_code error;
+  const bool is_folder = std::filesystem::is_directory(options.source, error);
+  const std::atomic<bool>& interrupted = catch_interrupts();
+  const bool is_run =
+      is_folder && std::filesystem::exists(EvaluationFolder::answers_path(options.source), error);
+  Result<ReportPage> report = is_run      ? report_run(options)
+                              : is_folder ? report_corpus(options, interrupted)
+                                          : report_data_set(options, interrupted);
+  if (!report) return tl::unexpected(report.error());
+  report->command = fmt::format("{} report {} -o {}", shell_word(program_name()),
+                                shell_word(options.source), shell_word(options.folder));
+  if (auto done = write_report(*report, options.folder, options.threads); !done) {
+    return tl::unexpected(done.error());
+  }
+  print_out(fmt::format("{}/index.html: {} cases\n", options.folder, report->cases.size()));
+  return interrupted ? interrupted_exit_code() : kDone;
+}
+
+}  // namespace
+
+void add_report(CommandLine& line) {
+  auto [command, options] = line.add<ReportArguments>(
+      "report", "Show a corpus or a data set as a page of figures, tables and watchable cases",
+      run_report);
+  command.text("source", options->source,
+               "A corpus (its entries and what they expect), the folder of an `evaluate -o`, or a "
+               "file of cases (which the methods are asked about)");
+  command.text("--methods", options->methods, "Methods to ask about a file of cases");
+  options->search.add_to(command);
+  command.text("-o,--output", options->folder, "Folder for index.html and the tables as CSV")
+      .required();
+  add_threads(command, options->threads);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "eval/by_spec.hpp"
+#include "report/report.hpp"
+
+namespace ccdfuzz {
+
+/// What the page holds of one case: a short row for lists, and the details that its viewer reads
+/// when the case is opened.
+struct CaseText {
+  nlohmann::ordered_json row;
+  std::string details;  ///< JSON
+};
+
+/// Traces the witness of the case, if it has one within t_max, through every method that has failed
+/// on it; with trace_all, or if none has, through all that were asked.
+/// The row: [id, class, kind, generator, outcomes, new, worst], with a letter for each method in
+/// `outcomes` (letter_of; "-" where it was not asked) and `worst` the first loss of a method that
+/// has failed, [method, level, axis, ulps in time or null, ulps in height or null], or null.
+CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
+                  bool trace_all, TracerSet& tracers);
+
+/// c correct, m missed, l late, f false positive, u undecided, ? unknown, e error.
+char letter_of(Outcome outcome);
+
+}  // namespace ccdfuzz

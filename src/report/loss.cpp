@@ -1,0 +1,85 @@
+#include "report/loss.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "bezier/restrict.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Heights {
+  Rational lowest, highest;
+};
+
+/// Of the control points of a part along an axis at an exact time.
+Heights heights_at(const MovingPatch<double>& patch, const Cell& cell, const Vec3<double>& axis,
+                   const Rational& t) {
+  const MovingPatch<Rational> part =
+      restrict_to(exact_patch<Rational>(patch), exact_corners<Rational>(cell.corners(patch.shape)));
+  Heights heights;
+  bool first = true;
+  for (const Vec3<Rational>& p : part.at(t)) {
+    Rational height = 0;
+    for (int k = 0; k < 3; ++k) height += p[k] * exact(axis[k]);
+    if (first || height < heights.lowest) heights.lowest = height;
+    if (first || height > heights.highest) heights.highest = height;
+    first = false;
+  }
+  return heights;
+}
+
+/// Doubles in (a, b], 0 ≤ a ≤ b.
+std::uint64_t doubles_between(double a, double b) {
+  return std::bit_cast<std::uint64_t>(b) - std::bit_cast<std::uint64_t>(std::abs(a));
+}
+
+/// x / sqrt(squares) as a double, whatever the range of either.
+double over_root(const Rational& x, const Rational& squares) {
+  mpf_class quotient(x, 256), root(squares, 256);
+  quotient /= sqrt(root);
+  return quotient.get_d();
+}
+
+double ulp_of(double x) {
+  return std::nextafter(x, std::numeric_limits<double>::infinity()) - x;
+}
+
+std::optional<LossFacts::Overlap> overlap_of(const Query& query, const Witness& witness,
+                                             const Trace::Loss& loss) {
+  const Vec3<double>& axis = loss.by.direction;
+  if (!axis.allFinite() || axis == Vec3<double>(0, 0, 0)) return std::nullopt;
+  std::array<Heights, 2> heights;
+  for (size_t s = 0; s < 2; ++s) {
+    heights[s] = heights_at(query.patches[s], loss.place.cells[s], axis, witness.t);
+  }
+  const auto below = static_cast<size_t>(loss.by.below);
+  const Rational overlap = heights[below].highest - heights[1 - below].lowest;
+  Rational squares = 0, largest = 0;
+  for (int k = 0; k < 3; ++k) squares += exact(axis[k]) * exact(axis[k]);
+  for (const Heights& h : heights) {
+    largest = std::max<Rational>({largest, abs(h.lowest), abs(h.highest)});
+  }
+  return LossFacts::Overlap{over_root(overlap, squares), ulp_of(over_root(largest, squares))};
+}
+
+}  // namespace
+
+LossFacts facts_of(const Query& query, const Witness& witness, const Trace::Loss& loss) {
+  CCDFUZZ_VERIFY(loss.by.axis >= 0);
+  LossFacts facts;
+  facts.overlap = overlap_of(query, witness, loss);
+  const Separation<double>& times = loss.by.times;
+  if (!times.has_lo) facts.ulps_past = doubles_between(times.lo, round_down(witness.t));
+  if (!times.has_hi) {
+    const std::uint64_t past = doubles_between(round_up(witness.t), times.hi);
+    facts.ulps_past = std::min(facts.ulps_past.value_or(past), past);
+  }
+  return facts;
+}
+
+}  // namespace ccdfuzz

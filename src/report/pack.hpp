@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace ccdfuzz {
+
+/// The bytes in base64 (RFC 4648).
+std::string base64(std::string_view bytes);
+
+/// The bytes compressed as gzip (RFC 1952), the same for the same bytes, in base64 (RFC 4648).
+std::string gzip_base64(std::string_view bytes);
+
+/// JSON or any other text made safe inside a <script> element: no "</" and no "<!--" is left.
+/// Requires JSON, in whose strings alone a "<" may stand.
+std::string script_safe(std::string json);
+
+}  // namespace ccdfuzz

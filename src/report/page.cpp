@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "eval/in_order.hpp"
+#include "eval/paper_rates.hpp"
+#include "numeric/verify.hpp"
+#include "query/taxonomy.hpp"
+#include "report/case_details.hpp"
+#include "report/histogram.hpp"
+#include "report/pack.hpp"
+#include "report/report.hpp"
+#include "report/template.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Cases whose details are compressed together, and opened together by the page.
+constexpr size_t kCasesPerChunk = 32;
+
+/// A page of as many cases has room for the traces of the methods that did not fail on them.
+constexpr size_t kFewCases = 200;
+
+/// Where the family of a method stands among those registered; those unknown come last.
+size_t rank_of_method(const std::string& method) {
+  const std::vector<MethodInfo>& all = registered_methods();
+  const Result<MethodInfo> info = method_info(method);
+  if (!info) return all.size();
+  const auto at = std::ranges::find(all, info->spec, &MethodInfo::spec);
+  return static_cast<size_t>(at - all.begin());
+}
+
+/// All methods of the report, in the order of the registry, and by name within a family.
+std::vector<std::string> methods_of(const ReportPage& report) {
+  std::vector<std::string> methods;
+  const auto add = [&](const std::string& method) {
+    if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
+  };
+  for (const ReportGroup& group : report.groups) add(group.method);
+  for (const ReportedCase& reported : report.cases) {
+    for (const ReportedAnswer& answer : reported.answers) add(answer.method);
+  }
+  std::ranges::sort(methods, {},
+                    [](const std::string& m) { return std::pair(rank_of_method(m), m); });
+  return methods;
+}
+
+Json methods_json(const std::vector<std::string>& methods) {
+  Json rows = Json::array();
+  for (const std::string& method : methods) {
+    Json row = {{"spec", method}};
+    if (const Result<MethodInfo> info = method_info(method)) {
+      row["source"] = info->source;
+      row["description"] = info->description;
+      row["claims"] = info->claims_no_false_negative;
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json histogram_json(const Histogram& histogram) {
+  if (histogram.counts.empty()) return nullptr;
+  return {{"lo", histogram.lo}, {"width", histogram.width}, {"counts", histogram.counts}};
+}
+
+Json group_json(const ReportGroup& group) {
+  const Tally& tally = group.tally;
+  Json row = {{"class", group.contact}, {"kind", group.kind}, {"factor", nullptr}};
+  if (group.factor) row["factor"] = *group.factor;
+  row.update({{"method", group.method},
+              {"n", tally.n},
+              {"positives", tally.positives},
+              {"negatives", tally.negatives}});
+  for (const Outcome outcome : kAllOutcomes) {
+    row[std::string(name_of(outcome))] = tally.count(outcome);
+  }
+  if (!group.timings.all().empty()) {
+    constexpr double kAllButOutliers = 0.995;
+    row.update(
+        {{"seconds", tally.seconds},
+         {"median", group.timings.median()},
+         {"p99", group.timings.p99()},
+         {"log", histogram_json(log_histogram(group.timings.all()))},
+         {"linear", histogram_json(linear_histogram(group.timings.all(), kAllButOutliers))}});
+  }
+  return row;
+}
+
+/// What the paper's Table 2 says of the report's methods, on regular cases.
+Json paper_json(const std::vector<std::string>& methods) {
+  Json rows = Json::array();
+  for (const ContactClass contact : kContactClasses) {
+    for (const std::string& method : methods) {
+      const auto paper = paper_result(name_of(contact), "RP+RN", method);
+      if (!paper || !paper->false_negatives) continue;
+      const PaperRate &fn = *paper->false_negatives, &fp = paper->false_positives;
+      rows.push_back({{"class", name_of(contact)},
+                      {"method", method},
+                      {"fn", {fn.count, fn.total}},
+                      {"fp", {fp.count, fp.total}}});
+    }
+  }
+  return rows;
+}
+
+std::string script_element(const std::string& id, const char* type, const std::string& text) {
+  return fmt::format("<script id=\"{}\" type=\"{}\">{}</script>\n", id, type, text);
+}
+
+}  // namespace
+
+std::string report_page(const ReportPage& report, int threads) {
+  const std::vector<std::string> methods = methods_of(report);
+  Json rows = Json::array();
+  std::string chunk, chunks;
+  size_t chunk_count = 0;
+  const auto close_chunk = [&] {
+    if (chunk.empty()) return;
+    chunks += script_element(fmt::format("details-{}", chunk_count++), "text/plain",
+                             gzip_base64("[" + chunk + "]"));
+    chunk.clear();
+  };
+  tbb::enumerable_thread_specific<TracerSet> tracers;
+  run_in_order<CaseText>(
+      report.cases.size(), threads,
+      [&](size_t i) {
+        return describe(report.cases[i], methods, report.cases.size() <= kFewCases,
+                        tracers.local());
+      },
+      [&](const CaseText& text) {
+        chunk += (chunk.empty() ? "" : ",") + text.details;
+        rows.push_back(text.row);
+        if (rows.size() % kCasesPerChunk == 0) close_chunk();
+      });
+  close_chunk();
+
+  Json groups = Json::array(), tables = Json::array(), samples = Json::array();
+  for (const ReportGroup& group : report.groups) groups.push_back(group_json(group));
+  for (const ReportTable& table : report.tables) {
+    tables.push_back({{"id", table.id},
+                      {"title", table.title},
+                      {"columns", table.columns},
+                      {"rows", table.rows}});
+  }
+  for (const HuntSample& sample : report.samples) {
+    samples.push_back(Json::array({sample.seconds, sample.queries, sample.finds}));
+  }
+  const Histogram curvature = log_histogram(report.curvatures);
+  const Json data = {{"format", "ccdfuzz-report"},
+                     {"version", 1},
+                     {"title", report.title},
+                     {"command", report.command},
+                     {"methods", methods_json(methods)},
+                     {"groups", groups},
+                     {"paper", paper_json(methods)},
+                     {"tables", tables},
+                     {"samples", samples},
+                     {"curvature", histogram_json(curvature)},
+                     {"cases", rows},
+                     {"cases_left_out", report.cases_left_out},
+                     {"cases_per_chunk", kCasesPerChunk}};
+
+  const std::string_view page = report_template();
+  const size_t mark = page.find(kReportDataMark);
+  CCDFUZZ_VERIFY(mark != std::string_view::npos);
+  std::string out(page.substr(0, mark));
+  out += script_element("report", "application/json",
+                        script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  out += chunks;
+  out += page.substr(mark + kReportDataMark.size());
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "eval/table.hpp"
+#include "eval/tally.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// A table of texts, shown as it is.
+struct ReportTable {
+  std::string id;     ///< [a-z0-9-]+
+  std::string title;  ///< one line
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;  ///< each as long as columns
+};
+
+ReportTable report_table(const std::string& id, const std::string& title, const Table& table);
+
+/// All answers of one method to the cases of one contact class and kind: what figures are made of.
+struct ReportGroup {
+  std::string contact;
+  std::string kind;  ///< empty if unknown
+  std::optional<double> factor;
+  std::string method;
+  Tally tally;
+  Timings timings;  ///< empty where nothing was timed
+};
+
+/// How one method stands to a case.
+struct ReportedAnswer {
+  std::string method;
+  Outcome outcome = Outcome::kUnknown;
+  std::optional<double> toi;
+};
+
+/// A case that the page shows in its viewer.
+struct ReportedCase {
+  std::string id;  ///< where it stands
+  Case value;
+  std::vector<ReportedAnswer> answers;
+  double precision = 1e-4;     ///< that it was asked at
+  std::optional<bool> is_new;  ///< of a hunt: found now, or known before
+  std::string reproduce;       ///< the command that shows it again; may be empty
+};
+
+/// A moment of a hunt.
+struct HuntSample {
+  double seconds = 0;
+  std::uint64_t queries = 0;
+  std::uint64_t finds = 0;
+};
+
+/// Everything that a page shows. Parts that are empty have no tab in it.
+struct ReportPage {
+  std::string title;
+  std::string command;  ///< that made it
+  std::vector<ReportTable> tables;
+  std::vector<ReportGroup> groups;
+  std::vector<HuntSample> samples;
+  /// Of both patches of the positive cases at their contacts, as rms_curvature.
+  std::vector<double> curvatures;
+  std::vector<ReportedCase> cases;
+  std::uint64_t cases_left_out = 0;  ///< failures that the page has no room for
+};
+
+/// What a page holds at most, so that it stays small and quick to open.
+inline constexpr std::size_t kMostReportedCases = 5000;
+
+/// True iff any method's outcome is a failure: a false negative or positive, or an error.
+bool has_failure(const ReportedCase& reported);
+
+/// At most `most` of the cases, of every class, kind and set of failing methods the same number
+/// (the first ones) where there are enough; the rest goes, and is counted in cases_left_out.
+void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases);
+
+/// The page as one HTML text that needs no network: the viewer, and the report as data in it.
+/// Witnesses are traced on `threads` threads.
+std::string report_page(const ReportPage& report, int threads);
+
+/// Writes folder/index.html, and as tables for programs folder/groups.csv,
+/// folder/counterexamples.csv and one file for each further table, called by its id; each appears
+/// whole or not at all. Makes the folder if need be. Errors: of the system, naming the path.
+Result<void> write_report(const ReportPage& report, const std::string& folder, int threads);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "eval/answer_record.hpp"
+#include "eval/generation_record.hpp"
+#include "query/case_files.hpp"
+#include "report/report.hpp"
+
+namespace ccdfuzz {
+
+/// Makes a page's content of the answers of an evaluation.
+class ReportRows {
+ public:
+  /// All answers to one case at one horizon must come together. precision: that it was asked at.
+  /// source: the record's case; must stay where it is until finish.
+  void add(const AnswerRecord& record, const NamedCase& source, double precision);
+
+  /// Groups by class, kind, horizon and method; all cases with a failure, as far as there is room,
+  /// or where there is none, some of each class and kind. costs: of making the cases, if known.
+  void finish(ReportPage& report, const std::vector<GenerationCost>& costs);
+
+ private:
+  using GroupKey = std::tuple<std::size_t, std::string, std::string, std::optional<double>,
+                              std::size_t>;  // class rank, class, kind, factor, method
+  struct Asked {
+    ReportedCase reported;
+    const NamedCase* source = nullptr;
+    std::optional<double> factor;
+  };
+
+  std::size_t place_of(const std::string& method);
+  void keep(Asked asked);
+  void add_curvatures(const Case& known);
+
+  std::vector<std::string> methods_;
+  std::map<GroupKey, ReportGroup> groups_;
+  std::optional<Asked> open_;
+  std::vector<ReportedCase> failed_, samples_;
+  std::map<std::string, int> sampled_;
+  std::vector<double> curvatures_;
+};
+
+}  // namespace ccdfuzz

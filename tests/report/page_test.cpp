@@ -1,0 +1,132 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/pack.hpp"
+#include "report/report.hpp"
+#include "report/rows.hpp"
+#include "report/template.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two points that meet at t = 1/2, of t_max 1.
+Case meeting(const std::string& contact) {
+  Case value;
+  value.query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
+  value.query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
+  value.query.t_max = 1;
+  value.truth.collides = true;
+  value.truth.witness = Witness{Rational(1, 2), {}};
+  value.origin.contact = contact;
+  value.origin.kind = "RP";
+  return value;
+}
+
+ReportedCase reported(const std::string& contact, Outcome outcome) {
+  ReportedCase one;
+  one.id = "some.json";
+  one.value = meeting(contact);
+  one.answers = {{"tdibm", outcome, std::nullopt}};
+  return one;
+}
+
+size_t count(const std::string& text, const std::string& what) {
+  size_t n = 0;
+  for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; ++at) ++n;
+  return n;
+}
+
+Json data_of(const std::string& page) {
+  const std::string open = R"(<script id="report" type="application/json">)";
+  const size_t from = page.find(open) + open.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+TEST(ReportPage, OfNothingIsTheTemplateWithItsData) {
+  const std::string page = report_page({}, 1);
+  EXPECT_EQ(count(std::string(report_template()), std::string(kReportDataMark)), 1U);
+  EXPECT_EQ(count(page, std::string(kReportDataMark)), 0U);
+  EXPECT_EQ(data_of(page)["cases"].size(), 0U);
+}
+
+TEST(ReportPage, NeedsNothingFromElsewhere) {
+  const std::string page(report_template());
+  for (const char* fetched : {"<script src", "<link rel=\"stylesheet\"", "@import", "<img"}) {
+    EXPECT_EQ(count(page, fetched), 0U) << fetched;
+  }
+}
+
+TEST(ReportPage, NoTextOfACaseEndsTheElementThatHoldsIt) {
+  ReportPage report;
+  report.title = "</script><script>alert(1)</script><!--";
+  report.cases = {reported("</script>", Outcome::kMissed)};
+  report.cases[0].id = "<!--<script>.json";
+  const std::string page = report_page(report, 1), empty = report_page({}, 1);
+  EXPECT_EQ(count(page, "</script>"), count(empty, "</script>") + 1) << "one for the details";
+  EXPECT_EQ(data_of(page)["title"], report.title);
+  EXPECT_EQ(data_of(page)["cases"][0][0], report.cases[0].id);
+}
+
+TEST(ReportPage, IsTheSameWithAnyNumberOfThreads) {
+  ReportPage report;
+  for (int i = 0; i < 100; ++i) {
+    report.cases.push_back(reported(i % 2 == 0 ? "VV" : "VE", Outcome::kMissed));
+    report.cases.back().id = std::to_string(i);
+  }
+  EXPECT_EQ(report_page(report, 1), report_page(report, 4));
+}
+
+TEST(ReportPage, KeepsAsManyOfEverySort) {
+  ReportPage report;
+  report.cases.assign(100, reported("VV", Outcome::kMissed));
+  report.cases.push_back(reported("FF", Outcome::kMissed));
+  report.cases.push_back(reported("VV", Outcome::kLate));
+  keep_most_telling(report, 10);
+  ASSERT_EQ(report.cases.size(), 10U);
+  EXPECT_EQ(report.cases_left_out, 92U);
+  EXPECT_EQ(report.cases[8].value.origin.contact, "FF");
+  EXPECT_EQ(report.cases[9].answers[0].outcome, Outcome::kLate);
+}
+
+TEST(ReportRows, AreSummedUpAndFailuresAreKept) {
+  const std::vector<NamedCase> cases = {{"a", meeting("VV")}, {"b", meeting("VV")}};
+  ReportRows rows;
+  const auto add = [&](size_t index, const char* method, Outcome outcome) {
+    AnswerRecord record;
+    record.index = index;
+    record.contact = "VV";
+    record.collides = true;
+    record.method = method;
+    record.outcome = outcome;
+    record.seconds = .5;
+    rows.add(record, cases[index], 1e-4);
+  };
+  add(0, "tdibm", Outcome::kCorrect);
+  add(0, "tdibm-c", Outcome::kCorrect);
+  add(1, "tdibm", Outcome::kMissed);
+  add(1, "tdibm-c", Outcome::kCorrect);
+  ReportPage report;
+  rows.finish(report, {});
+  ASSERT_EQ(report.groups.size(), 2U);
+  EXPECT_EQ(report.groups[0].method, "tdibm");
+  EXPECT_EQ(report.groups[0].tally.count(Outcome::kMissed), 1U);
+  EXPECT_EQ(report.groups[1].tally.seconds, 1);
+  ASSERT_EQ(report.cases.size(), 1U) << "the case without a failure has no place beside one";
+  EXPECT_EQ(report.cases[0].id, "b");
+  EXPECT_EQ(report.cases[0].answers.size(), 2U);
+}
+
+TEST(Pack, IsGzipInBase64) {
+  const std::string packed = gzip_base64("abc");
+  EXPECT_TRUE(packed.starts_with("H4sI")) << packed;
+  EXPECT_EQ(packed.size() % 4, 0U);
+  EXPECT_EQ(packed, gzip_base64("abc"));
+  EXPECT_LT(gzip_base64(std::string(100'000, 'x')).size(), 1000U);
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,176 @@
+// The paper's figures, of this report's data.
+import * as Plot from '@observablehq/plot';
+import { colourOf } from './colours.js';
+import { kClasses, methods, report } from './data.js';
+import { durationText, h, percentText, scientific } from './dom.js';
+
+const groups = report.groups ?? [];
+const present = (list) => methods.filter((m) => list.some((g) => g.method === m));
+
+/** Groups summed up by some of their keys. */
+export function summed(list, keys) {
+  const counts = ['n', 'positives', 'negatives', 'correct', 'missed', 'late', 'false_positive', 'undecided', 'unknown', 'error'];
+  const found = new Map();
+  for (const group of list) {
+    const key = keys.map((k) => group[k]).join('\u0000');
+    if (!found.has(key)) {
+      const row = { seconds: null, log: [], linear: [] };
+      for (const k of keys) row[k] = group[k];
+      for (const k of counts) row[k] = 0;
+      found.set(key, row);
+    }
+    const row = found.get(key);
+    for (const k of counts) row[k] += group[k];
+    if (group.seconds !== undefined) row.seconds = (row.seconds ?? 0) + group.seconds;
+    if (group.log) row.log.push(group.log);
+    if (group.linear) row.linear.push(group.linear);
+  }
+  return [...found.values()];
+}
+
+/** The answers at the contact itself, and those to negatives, as the paper asks. */
+export const asInThePaper = groups.filter((g) => g.factor === null || g.factor === 1);
+
+const legend = (list) => h('div.legend', list.map((m) => h('span', h('i', { style: `background:${colourOf(m)}` }), m)));
+
+function figure(title, caption, ...nodes) {
+  return h('figure.card', h('h3', title), ...nodes, h('figcaption', caption));
+}
+
+const wide = (...parts) => {
+  const made = figure(...parts);
+  made.classList.add('wide');
+  return made;
+};
+
+const ticks = { fx: { label: null, padding: 0.12, domain: kClasses }, x: { axis: null, padding: 0.06 } };
+
+function bars(rows, list, options) {
+  const width = Math.max(520, 60 + kClasses.length * (list.length * 15 + 14));
+  return h('div.scroll', Plot.plot({
+    style: { fontSize: '12px' }, width: Math.min(width, 1080), height: 250, marginLeft: 52, ...ticks,
+    x: { ...ticks.x, domain: list }, ...options(rows),
+  }));
+}
+
+/** Share of false negatives and positives, and mean times, per class and method (Fig. 8). */
+export function fig8() {
+  const rows = summed(asInThePaper, ['class', 'method']);
+  const list = present(rows);
+  const out = [];
+  const paper = (key) => (report.paper ?? []).filter((p) => list.includes(p.method) && kClasses.includes(p.class))
+    .map((p) => ({ ...p, rate: (100 * p[key][0]) / p[key][1], text: percentText(...p[key]) }));
+  const rate = (title, caption, key, parts, of) => {
+    const bars1 = rows.filter((r) => r[of] > 0);
+    if (bars1.length === 0) return;
+    const data = bars1.flatMap((r) => parts.map((part) => ({ ...r, part, rate: (100 * r[part]) / r[of] })));
+    out.push(figure(title, caption, legend(list), bars(data, list, (d) => ({
+      y: { label: '↑ %', grid: true, domain: [0, Math.max(1, ...d.map((r) => (100 * parts.reduce((s, p) => s + r[p], 0)) / r[of]), ...paper(key).map((p) => p.rate)) * 1.05] },
+      marks: [
+        Plot.barY(d, { fx: 'class', x: 'method', y: 'rate', fill: (r) => colourOf(r.method), fillOpacity: (r) => (r.part === 'late' ? 0.45 : 0.95),
+          title: (r) => `${r.method}, ${r.class}: ${r.part.replace('_', ' ')} ${r[r.part]} of ${r[of]} (${percentText(r[r.part], r[of])})` }),
+        Plot.dot(paper(key), { fx: 'class', x: 'method', y: 'rate', symbol: 'diamond', r: 4, stroke: 'var(--ink)', fill: 'var(--card)', title: (p) => `the paper: ${p.method}, ${p.class}: ${p.text}` }),
+        Plot.ruleY([0]),
+      ],
+    }))));
+  };
+  rate('False negatives (Fig. 8 a)', 'Share of the positive cases that a method misses or, paler, reports too late. Diamonds: what the paper’s Table 2 has of them.', 'fn', ['missed', 'late'], 'positives');
+  const timed = rows.filter((r) => r.seconds > 0 && r.n > 0).map((r) => ({ ...r, mean: (1000 * r.seconds) / r.n }));
+  if (timed.length > 0) {
+    const least = 10 ** Math.floor(Math.log10(Math.min(...timed.map((r) => r.mean))) - 0.001);
+    out.push(figure('Mean time of a query (Fig. 8 b)', 'In milliseconds, on a logarithmic scale.', legend(present(timed)), bars(timed, present(timed), (d) => ({
+      y: { type: 'log', label: '↑ ms', grid: true, domain: [least, Math.max(...d.map((r) => r.mean)) * 1.4], tickFormat: (v) => (Math.abs(Math.log10(v) % 1) < 1e-9 ? String(v) : '') },
+      marks: [
+        Plot.barY(d, { fx: 'class', x: 'method', y1: least, y2: 'mean', fill: (r) => colourOf(r.method), title: (r) => `${r.method}, ${r.class}: ${durationText(r.mean / 1000)}` }),
+      ],
+    }))));
+  }
+  rate('False positives', 'Share of the negative cases that a method calls a contact.', 'fp', ['false_positive'], 'negatives');
+  return out;
+}
+
+/** Histograms of several groups in one, by the bins' places. */
+function added(histograms) {
+  if (histograms.length === 0) return [];
+  const width = Math.max(...histograms.map((g) => g.width));
+  const counts = new Map();
+  for (const g of histograms) {
+    g.counts.forEach((count, bin) => {
+      const middle = g.lo + (bin + 0.5) * g.width;
+      const place = Math.floor(middle / width + 1e-9);
+      counts.set(place, (counts.get(place) ?? 0) + count);
+    });
+  }
+  return [...counts].map(([place, count]) => ({ x1: place * width, x2: (place + 1) * width, count })).filter((b) => b.count > 0);
+}
+
+/** Distributions of the times, linear with a logarithmic inset (Fig. 9). */
+export function fig9() {
+  const rows = summed(asInThePaper, ['method']).filter((r) => r.log.length > 0);
+  if (rows.length === 0) return [];
+  const panels = rows.map((row) => {
+    const linear = added(row.linear).map((b) => ({ ...b, x1: 1000 * b.x1, x2: 1000 * b.x2 }));
+    const log = added(row.log);
+    const colour = colourOf(row.method);
+    const main = Plot.plot({
+      style: { fontSize: '12px' }, width: 340, height: 220, marginLeft: 48,
+      x: { label: 'ms →', grid: false }, y: { label: '↑ queries', grid: true },
+      marks: [Plot.rectY(linear, { x1: 'x1', x2: 'x2', y: 'count', fill: colour, insetRight: 0.5 }), Plot.ruleY([0])],
+    });
+    const inset = Plot.plot({
+      width: 190, height: 112, marginLeft: 8, marginBottom: 22, marginTop: 6, marginRight: 6,
+      style: { fontSize: '9px' },
+      x: { label: null, ticks: 4, tickFormat: (v) => (Number.isInteger(v) ? durationText(10 ** v).replace(' ', '\u00a0') : '') },
+      y: { axis: null },
+      marks: [Plot.rectY(log, { x1: 'x1', x2: 'x2', y: 'count', fill: colour, fillOpacity: 0.75, insetRight: 0.3 }), Plot.ruleY([0])],
+    });
+    return h('div.panel', h('h4', row.method), h('div.with-inset', main, h('div.inset', inset)));
+  });
+  return [wide('Distributions of the time of a query (Fig. 9)', 'All classes together. Linear in time, up to the 99.5 % quantile of each class, which the last bins go past; the inset on a logarithmic scale.', h('div.panels', panels))];
+}
+
+/** RMS curvatures at the contacts (Fig. 5), if the report has them. */
+export function fig5() {
+  const curvature = report.curvature;
+  if (!curvature?.counts?.length) return [];
+  const bins = added([curvature]).map((b) => ({ ...b, x1: 10 ** b.x1, x2: 10 ** b.x2 }));
+  const plot = Plot.plot({
+    style: { fontSize: '12px' }, width: 620, height: 240, marginLeft: 52,
+    x: { type: 'log', label: 'RMS curvature at the contact →', ticks: 6, tickFormat: (v) => (Math.abs(Math.log10(v) % 1) < 1e-9 ? scientific(v, 1) : '') }, y: { label: '↑ patches', grid: true },
+    marks: [Plot.rectY(bins, { x1: 'x1', x2: 'x2', y: 'count', fill: 'var(--accent)' }), Plot.ruleY([0])],
+  });
+  return [figure('Curvature at the contact (Fig. 5)', 'Root mean square of the principal curvatures, √((κ₁² + κ₂²)/2), of each patch of a positive case at its contact.', plot)];
+}
+
+/** Throughput and finds of a hunt over time. */
+export function huntFigures() {
+  const samples = (report.samples ?? []).map(([seconds, queries, finds]) => ({ seconds, queries, finds }));
+  if (samples.length < 2) return [];
+  const rates = samples.slice(1).map((s, i) => ({
+    x1: samples[i].seconds, x2: s.seconds,
+    rate: (s.queries - samples[i].queries) / Math.max(1e-9, s.seconds - samples[i].seconds),
+  }));
+  const x = { label: 'seconds →', domain: [0, samples.at(-1).seconds] };
+  const throughput = Plot.plot({
+    style: { fontSize: '12px' }, width: 560, height: 220, marginLeft: 60, x, y: { label: '↑ queries a second', grid: true, zero: true },
+    marks: [Plot.rectY(rates, { x1: 'x1', x2: 'x2', y: 'rate', fill: 'var(--accent)', fillOpacity: 0.75 }), Plot.ruleY([0])],
+  });
+  const finds = Plot.plot({
+    style: { fontSize: '12px' }, width: 560, height: 220, marginLeft: 60, x, y: { label: '↑ counterexamples', grid: true, zero: true },
+    marks: [
+      Plot.areaY(samples, { x: 'seconds', y: 'finds', fill: 'var(--alarm)', fillOpacity: 0.12, curve: 'step-after' }),
+      Plot.lineY(samples, { x: 'seconds', y: 'finds', stroke: 'var(--alarm)', strokeWidth: 2, curve: 'step-after' }), Plot.ruleY([0])],
+  });
+  const margins = report.margins ?? [];
+  const out = [
+    figure('Throughput', 'Queries answered and judged a second. Classes and methods take turns, and some are slow.', throughput),
+    figure('Counterexamples', 'How many stand in the store by this hunt’s doing: a smaller one takes the place of a larger.', finds),
+  ];
+  if (margins.length > 0) {
+    out.push(figure('Margins', 'The least number of ulps by which a traced contact survived so far.', Plot.plot({
+      style: { fontSize: '12px' }, width: 560, height: 220, marginLeft: 60, x, y: { type: 'symlog', label: '↑ ulps', grid: true },
+      marks: [Plot.lineY(margins, { x: (m) => m[0], y: (m) => m[2], z: (m) => m[1], stroke: (m) => colourOf(m[1]), curve: 'step-after' })],
+    })));
+  }
+  return out;
+}

@@ -1,0 +1,418 @@
+// One case to watch: patches in 3-D, time, the boxes along the trace, and the exact numbers.
+import { details } from './data.js';
+import { copyButton, h, scientific, ulpsText } from './dom.js';
+import { compare, hexFloat, toNumber, ulpOf, fractionOf, subtract } from './exact.js';
+import { cellCorners, centreOf, localPatches, partOf, real, shapeOf } from './local.js';
+import { heightsPlot, marginPlot } from './trace_plots.js';
+import { googleTest } from './snippet.js';
+import { Stage } from './scene.js';
+import { colourOf } from './colours.js';
+
+const kDeepest = 50;
+
+/** The cell of a level that holds the centre, the lowest one if several do. */
+function cellAt({ kind }, uv, level) {
+  if (kind === 'point') return [0, 0, 0];
+  const size = 1n << BigInt(level);
+  const lowest = ([p, q]) => {
+    const k = (p * size) / q;
+    const exact = k * q === p * size;
+    return exact && k > 0n ? k - 1n : k;
+  };
+  let [i, j] = uv.map(lowest);
+  if (kind !== 'triangle') return [Number(i), kind === 'curve' ? 0 : Number(j), 0];
+  const [[p, q], [r, s]] = uv;
+  const past = (p * s + r * q) * size > (i + j + 1n) * q * s;
+  return [Number(i), Number(j), past ? 1 : 0];
+}
+
+const worth = ({ outcome }) => ['missed', 'late', 'false_positive', 'error'].includes(outcome) ? 0 : 1;
+const failuresFirst = ([, a], [, b]) => worth(a) - worth(b);
+const largest = (controls) => Math.max(0, ...controls.flatMap(({ p }) => p.map(Math.abs)));
+const relativeSpeed = ([a, b]) => Math.hypot(...a.terms[0].v.map((x, k) => x - b.terms[0].v[k]));
+
+export class Viewer {
+  constructor(root) {
+    this.root = root;
+    this.canvas = h('canvas', { tabindex: 0, role: 'img', 'aria-label': 'The two patches; drag or use the arrow keys to turn, the wheel or + and − to zoom' });
+    this.slider = h('input.time', { type: 'range', min: 0, max: 1000, step: 'any', 'aria-label': 'Time' });
+    this.zoom = h('input.zoom', { type: 'range', min: 0, max: kDeepest, step: 1, 'aria-label': 'Magnification' });
+    this.timeText = h('output.time-text');
+    this.zoomText = h('output.zoom-text');
+    this.track = h('div.track', { 'aria-hidden': 'true' });
+    this.ladder = h('div.ladder', { role: 'group', 'aria-label': 'Levels of subdivision' });
+    this.sentence = h('p.sentence', { 'aria-live': 'polite' });
+    this.heading = h('h3.case-title');
+    this.chips = h('div.chips', { role: 'group', 'aria-label': 'Methods' });
+    this.plots = h('div.trace-plots');
+    this.numbers = h('div.numbers');
+    this.buttons = h('div.buttons');
+    this.toggles = h('div.toggles');
+    this.scaleText = h('div.scale');
+    root.append(
+      h('header.case-head', this.heading, this.chips, this.sentence),
+      h('div.stage', this.canvas, this.toggles, this.scaleText),
+      h('div.controls',
+        h('div.row', h('span.label', 'Level'), this.ladder),
+        h('div.row', h('span.label', 'Time'), h('div.time-box', this.track, this.slider), this.timeText),
+        h('div.row', h('span.label', 'Zoom'), this.zoom, this.zoomText)),
+      this.plots, this.numbers, this.buttons);
+    this.slider.addEventListener('input', () => this.setTime(Number(this.slider.value) / 1000));
+    this.zoom.addEventListener('input', () => this.setZoom(Number(this.zoom.value)));
+    this.makeToggles();
+    document.addEventListener('ccdfuzz:theme', () => this.case && this.select(this.method, this.level));
+  }
+
+  makeToggles() {
+    const toggle = (key, label) => {
+      const button = h('button', { type: 'button', 'aria-pressed': 'true' }, label);
+      button.addEventListener('click', () => {
+        const on = button.getAttribute('aria-pressed') !== 'true';
+        button.setAttribute('aria-pressed', String(on));
+        if (!this.stage) return;
+        this.stage.show[key] = on;
+        this.stage.applyShow();
+        this.stage.move(this.dt);
+      });
+      return button;
+    };
+    const view = (label, title, act) => h('button', { type: 'button', title, onclick: act }, label);
+    this.toggles.append(
+      toggle('nets', 'Nets'), toggle('boxes', 'Boxes'), toggle('normals', 'Normals'),
+      view('Whole', 'Both patches, from the start', () => this.setZoom(0)),
+      view('Side', 'Across the axis or the normals', () => this.lookAside()),
+      view('Gap', 'As near as the error is large', () => this.zoomToGap()));
+  }
+
+  async open(row) {
+    this.row = row;
+    const found = await details(row.index);
+    if (this.row !== row) return;
+    this.case = found.case;
+    this.details = found;
+    try {
+      this.stage ??= new Stage(this.canvas);
+    } catch {
+      this.stage = null;
+      this.root.classList.add('no-webgl');
+      this.scaleText.textContent = 'No 3-D here: this browser has no WebGL.';
+    }
+    this.centre = centreOf(this.case);
+    this.local = localPatches(this.case.patches, this.centre.uv, this.centre.t);
+    this.tStar = toNumber(this.centre.t);
+    this.tMax = real(this.case.t_max);
+    this.fillHead();
+    const worst = row.worst ?? {};
+    const trace = this.traceOf(worst.method) ?? found.traces.find((t) => t.lost) ?? found.traces[0];
+    this.select(trace?.method ?? row.failed[0], trace?.loss?.level ?? 0);
+    if (this.stage?.axis) this.stage.lookAcross(this.stage.axis, 0.75);
+    else this.stage?.reset();
+    this.fillButtons();
+  }
+
+  traceOf(method) {
+    return this.details.traces.find((t) => t.method === method);
+  }
+
+  fillHead() {
+    const { contact, kind, generator, id, isNew } = this.row;
+    const shapes = this.case.patches.map((p) => {
+      const s = shapeOf(p);
+      return s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point' : `${s.kind} of degree ${s.n}`;
+    });
+    this.heading.replaceChildren(
+      h('span.class-tag', contact || '–'), ` ${kind} · ${shapes.join(' against ')} `,
+      h('span.faint', `${generator}${isNew === true ? ' · new' : isNew === false ? ' · known before' : ''}`),
+      h('span.case-id', { title: id }, id.length > 44 ? `…${id.slice(-43)}` : id));
+  }
+
+  fillChips() {
+    this.chips.replaceChildren(...Object.entries(this.details.answers).sort(failuresFirst).map(([method, answer]) => {
+      const traced = this.traceOf(method);
+      return h('button.chip', {
+        type: 'button',
+        class: `chip ${answer.outcome}`,
+        'aria-pressed': String(method === this.method),
+        disabled: !traced && answer.outcome === 'correct',
+        title: traced ? 'Show its trace' : 'Its witness was not traced',
+        onclick: () => this.select(method, traced?.loss?.level ?? Math.min(this.level, traced?.levels ?? 0)),
+      }, h('span.dot', { style: `background:${colourOf(method)}` }), `${method} `, h('b', answer.outcome.replace('_', ' ')));
+    }));
+  }
+
+  /** The pair of cells that the chosen method's trace came to at a level. */
+  cellsOf(level) {
+    return this.traceOf(this.method)?.steps.find((s) => s[0] === level)?.[2] ?? this.details.cells?.[level];
+  }
+
+  /** The step of the chosen method at the chosen level, if it came so far. */
+  step() {
+    return this.traceOf(this.method)?.steps.find((s) => s[0] === this.level);
+  }
+
+  select(method, level) {
+    this.method = method;
+    this.level = level;
+    this.fillChips();
+    this.fillLadder();
+    this.fillSentence();
+    this.fillNumbers();
+    this.setZoom(level);
+  }
+
+  fillLadder() {
+    const trace = this.traceOf(this.method);
+    const deepest = Math.max(14, ...this.details.traces.map((t) => t.levels));
+    const rungs = [];
+    for (let level = 0; level <= deepest; ++level) {
+      const step = trace?.steps.find((s) => s[0] === level);
+      const lost = trace?.loss?.level === level;
+      const gone = trace?.loss && level > trace.loss.level;
+      const margin = step && step[3] !== null ? `, ${ulpsText(step[3])} to spare` : '';
+      const title = lost ? `Level ${level}: the contact is lost here` : gone ? `Level ${level}: not reached` : `Level ${level}${margin}`;
+      rungs.push(h('button', {
+        type: 'button', title, 'aria-label': title,
+        class: `rung ${lost ? 'lost' : gone ? 'gone' : step ? 'kept' : 'idle'}`,
+        'aria-pressed': String(level === this.level),
+        onclick: () => this.select(this.method, level),
+      }, String(level)));
+    }
+    this.ladder.replaceChildren(...rungs);
+  }
+
+  fillSentence() {
+    const answer = this.details.answers[this.method];
+    const trace = this.traceOf(this.method);
+    if (!answer) {
+      this.sentence.textContent = '';
+      return;
+    }
+    const strong = (text) => h('strong', text);
+    const says = {
+      missed: ' says that there is no contact. ', late: ' reports the contact too late. ',
+      false_positive: ' reports a contact that is none. ', correct: ' answers well. ',
+    }[answer.outcome] ?? ` is ${answer.outcome}. `;
+    const parts = [h('b', this.method), says];
+    if (answer.outcome === 'late' && answer.toi !== null) {
+      const late = toNumber(subtract(fractionOf(answer.toi), this.centre.t));
+      parts.push('It is late by ', strong(scientific(late)), '. ');
+    }
+    if (answer.outcome === 'false_positive' && answer.toi !== null) parts.push(`It stops at t = ${answer.toi}. `);
+    const loss = trace?.loss;
+    if (loss) {
+      parts.push('The contact is lost at ', strong(`level ${loss.level}`), ` of ${Math.max(14, trace.levels)}`);
+      if (loss.axis === undefined) parts.push(': no axis claims t*, but what is left of the window leaves it out.');
+      else {
+        parts.push(': ', strong(`axis ${loss.axis}`), ' claims that these two boxes are apart ');
+        const early = wrongEnd(loss, this.centre.t) === 0;
+        if (loss.ulps_past === null) parts.push('for all that is left of the time, the contact included');
+        else if (loss.ulps_past === 0) parts.push(early ? 'already from' : 'until', ' less than ', strong('1 ulp'), early ? ' before it' : ' after it');
+        else parts.push(early ? 'already from ' : 'until ', strong(ulpsText(loss.ulps_past)), early ? ' before it' : ' after it');
+        if (loss.overlap !== null && loss.overlap !== undefined) {
+          const ulps = loss.overlap / loss.height_ulp;
+          parts.push('. In exact arithmetic they ');
+          if (loss.overlap === 0) parts.push(strong('just touch'), ' along it: an overlap of 0, which any rounding error turns into a gap.');
+          else parts.push('overlap along it by ', strong(scientific(loss.overlap)), ', ', strong(ulpsText(ulps)), ' of their heights.');
+        } else parts.push('. The axis is no direction at all: it has run out of the range of doubles.');
+      }
+    } else if (trace) {
+      parts.push(trace.lost ? '' : `The contact is kept through all ${trace.levels} levels`);
+      if (!trace.lost) parts.push(trace.margin ? `, by ${ulpsText(trace.margin.ulps)} at the closest (level ${trace.margin.level}).` : '.');
+    }
+    this.sentence.replaceChildren(...parts);
+  }
+
+  setZoom(zoom) {
+    this.zoomLevel = zoom;
+    this.zoom.value = zoom;
+    const { patches, uv } = this.local;
+    const controlsOf = (patch, s, level, cell) => {
+      const corners = cellCorners(patch.shape, cell, level, uv[s]);
+      return { corners, controls: partOf(patch, corners) };
+    };
+    const parts = patches.map((patch, s) => {
+      const cellOf = (level) => this.cellsOf(level)?.[s] ?? cellAt(patch.shape, uv[s], level);
+      const boxes = [];
+      for (let level = Math.min(this.level, Math.max(0, zoom - 1)); level <= this.level; ++level) {
+        boxes.push({ ...controlsOf(patch, s, level, cellOf(level)), faint: level !== this.level });
+      }
+      return { patch, ...controlsOf(patch, s, zoom, cellOf(zoom)), boxes };
+    });
+    const scale = Math.max(...parts.map(({ controls }) => largest(controls))) || 1;
+    const speed = relativeSpeed(patches);
+    const reach = zoom === 0 || !(speed > 0) ? Infinity : (0.6 * scale) / speed;
+    const most = toNumber(subtract(fractionOf(this.tMax), this.centre.t));
+    this.range = [Math.max(-this.tStar, -reach), Math.min(most, reach)];
+    if (!(this.range[1] > this.range[0])) this.range = [this.range[0], this.range[0] + (ulpOf(this.tStar) || 1)];
+    const loss = this.traceOf(this.method)?.loss;
+    const step = this.step();
+    this.axis = loss?.level === this.level && loss.direction ? loss.direction : step?.[6] ?? null;
+    const failed = loss?.level === this.level && Boolean(loss.direction);
+    const drawable = this.axis?.every(Number.isFinite) && Math.max(...this.axis.map(Math.abs)) > 0;
+    this.stage?.load(parts, {
+      scale,
+      axis: drawable ? unit(this.axis) : null,
+      axisFailed: failed,
+      witness: this.centre.witness,
+      boxDt: Math.max(this.range[0], step ? step[1][0] : this.range[0]),
+    });
+    this.scale = scale;
+    this.zoomText.textContent = zoom === 0 ? 'whole patches' : `1 : 2^${zoom}`;
+    this.scaleText.textContent = `${scientific(scale, 2)} across`;
+    this.drawTrack();
+    this.fillPlots();
+    const at = this.centre.witness ? -this.range[0] / (this.range[1] - this.range[0]) : 0;
+    this.slider.value = 1000 * at;
+    this.setTime(at, true);
+  }
+
+  lookAside() {
+    if (!this.stage) return;
+    if (this.stage.axis) this.stage.lookAcross(this.stage.axis, 0.12);
+    else this.stage.reset();
+  }
+
+  /** The magnification at which the error of the loss fills a tenth of the time shown. */
+  zoomToGap() {
+    const loss = this.traceOf(this.method)?.loss;
+    const steps = loss?.ulps_past ?? 1;
+    const error = Math.max(1, steps) * (ulpOf(this.tStar) || 2 ** -52);
+    const speed = relativeSpeed(this.local.patches);
+    let zoom = 0;
+    for (; zoom < kDeepest; ++zoom) {
+      const scale = largest(this.local.patches.flatMap((patch, s) => {
+        const cell = cellAt(patch.shape, this.local.uv[s], zoom + 1);
+        return partOf(patch, cellCorners(patch.shape, cell, zoom + 1, this.local.uv[s]));
+      }));
+      if (!(speed > 0) || (0.6 * scale) / speed < 6 * error) break;
+    }
+    this.setZoom(zoom);
+    this.lookAside();
+  }
+
+  setTime(share, atContact = false) {
+    const [lo, hi] = this.range;
+    const contact = -lo / (hi - lo);
+    this.dt = atContact && this.centre.witness ? 0 : lo + share * (hi - lo);
+    if (Math.abs(share - contact) < 0.004 && this.centre.witness) this.dt = 0;
+    this.stage?.move(this.dt);
+    const t = this.tStar + this.dt;
+    const name = this.centre.witness ? 't*' : 't_max';
+    this.timeText.textContent = this.dt === 0 ? `t = ${name} = ${t}` : `t = ${name} ${this.dt < 0 ? '−' : '+'} ${scientific(Math.abs(this.dt))}`;
+    this.slider.setAttribute('aria-valuetext', this.timeText.textContent);
+    this.plots.style.setProperty('--now', share);
+  }
+
+  /** Bands under the slider: the method's window, what it excludes, the contact, the answer. */
+  drawTrack() {
+    const [lo, hi] = this.range;
+    const place = (dt) => Math.min(100, Math.max(0, (100 * (dt - lo)) / (hi - lo)));
+    const band = (name, [from, to], title) =>
+      h(`span.${name}`, { style: `left:${place(from)}%;width:${Math.max(0.4, place(to) - place(from))}%`, title });
+    const mark = (name, dt, title) => dt >= lo && dt <= hi ? h(`span.${name}`, { style: `left:${place(dt)}%`, title }) : null;
+    const step = this.step();
+    const excluded = this.excluded();
+    const toi = this.details.answers[this.method]?.toi;
+    const marks = [
+      step && band('window', step[1], 'the time that this test starts with'),
+      excluded && band('excluded', excluded, 'the time that the axis excludes'),
+      this.centre.witness && mark('contact', 0, 'the contact, t*'),
+      typeof toi === 'number' && mark('toi', toi - this.tStar, 'the time that the method reports'),
+    ];
+    this.track.replaceChildren(...marks.filter(Boolean));
+  }
+
+  /** The level's own window and a little more, or where the eye is magnified further, what it sees. */
+  plotRange() {
+    const window = this.step()?.[1];
+    if (!window || this.zoomLevel !== this.level || !(window[1] > window[0])) return this.range;
+    const margin = 0.3 * (window[1] - window[0]);
+    const most = toNumber(subtract(fractionOf(this.tMax), this.centre.t));
+    return [Math.max(-this.tStar, window[0] - margin), Math.min(Math.max(most, window[1]), window[1] + margin)];
+  }
+
+  /** The times that the chosen axis excludes, from t* on. */
+  excluded() {
+    const loss = this.traceOf(this.method)?.loss;
+    if (loss?.level === this.level && loss.excluded) {
+      return loss.excluded.map((t) => toNumber(subtract(fractionOf(t), this.centre.t)));
+    }
+    return this.step()?.[8] ?? null;
+  }
+
+  fillPlots() {
+    const trace = this.traceOf(this.method);
+    const nodes = [];
+    if (trace && this.axis?.every(Number.isFinite) && Math.max(...this.axis.map(Math.abs)) > 0) {
+      const step = this.step();
+      const cells = this.cellsOf(this.level);
+      const controls = this.local.patches.map((patch, s) =>
+        partOf(patch, cellCorners(patch.shape, cells[s], this.level, this.local.uv[s])));
+      const loss = trace.loss?.level === this.level ? trace.loss : null;
+      nodes.push(heightsPlot({
+        controls,
+        axis: unit(this.axis),
+        below: loss ? loss.below : step?.[7] ?? 0,
+        range: this.plotRange(),
+        excluded: this.excluded(),
+        failed: Boolean(loss),
+        name: loss ? loss.axis : step?.[4],
+      }));
+    }
+    if (this.details.traces.length) nodes.push(marginPlot(this.details.traces, this.method, (level) => this.select(this.method, level)));
+    this.plots.replaceChildren(...nodes);
+  }
+
+  fillNumbers() {
+    const rows = [];
+    const add = (label, ...value) => rows.push(h('tr', h('th', { scope: 'row' }, label), h('td', ...value)));
+    const witness = this.case.truth?.witness;
+    if (witness) {
+      add('t*', h('code', witness.t), ` ≈ ${this.tStar}`);
+      witness.uv.forEach((pair, s) => add(`u, v of patch ${s + 1}`, h('code', pair.join(', '))));
+      add('contact point', h('code', this.local.origin.map((x) => String(x)).join(', ')));
+      if (this.local.apart) add('', 'the two patches differ there');
+    }
+    add('t_max', h('code', hexFloat(this.tMax)), ` = ${this.tMax}`);
+    const answer = this.details.answers[this.method];
+    if (answer?.toi !== null && answer?.toi !== undefined) add(`toi of ${this.method}`, h('code', hexFloat(answer.toi)), ` = ${answer.toi}`);
+    const loss = this.traceOf(this.method)?.loss;
+    if (loss) {
+      add('lost in', `level ${loss.level}, cells ${loss.cells.map(([i, j, inv]) => `(${i}, ${j}${inv ? ', inverted' : ''})`).join(' and ')}`);
+      add('window', h('code', loss.window.map(hexFloat).join(' … ')));
+      if (loss.axis !== undefined) {
+        add(`axis ${loss.axis}`, h('code', loss.direction.map(hexFloat).join(', ')));
+        const [cutLo, cutHi] = loss.cut;
+        add('excluded', h('code', `${cutLo ? '[' : '('}${loss.excluded.map(hexFloat).join(', ')}${cutHi ? ']' : ')'}`),
+          compare(fractionOf(loss.excluded[1]), this.centre.t) === 0 ? ' t* is its end' : ' holds t*');
+        if (loss.overlap !== null) add('exact overlap at t*', `${scientific(loss.overlap, 6)} (an ulp of the heights is ${scientific(loss.height_ulp, 3)})`);
+      }
+      add('left of the window', h('code', loss.left ? loss.left.map(hexFloat).join(' … ') : 'nothing'));
+    }
+    if (this.case.origin?.note) add('note', this.case.origin.note);
+    this.numbers.replaceChildren(h('table', h('tbody', rows)));
+  }
+
+  fillButtons() {
+    const command = this.details.reproduce || `ccdfuzz query '${this.row.id}'`;
+    this.buttons.replaceChildren(
+      copyButton('Copy case (JSON)', () => JSON.stringify(this.case)),
+      copyButton('Copy command', () => command),
+      copyButton('Copy GoogleTest', () => googleTest(this.row, this.case)),
+      h('code.command', command));
+  }
+}
+
+/** Which end of the excluded times is on the wrong side of t*: 0 the first, 1 the last. */
+function wrongEnd({ excluded, cut }, t) {
+  if (cut[0] !== cut[1]) return cut[0] ? 1 : 0;
+  const [from, to] = excluded.map((x) => Math.abs(toNumber(subtract(fractionOf(x), t))));
+  return from < to ? 0 : 1;
+}
+
+function unit(axis) {
+  const most = Math.max(...axis.map(Math.abs));
+  const scaled = axis.map((x) => x / most);
+  const length = Math.hypot(...scaled);
+  return scaled.map((x) => x / length);
+}

@@ -1,0 +1,228 @@
+// The report in a real browser: node page.mjs CCDFUZZ CORPUS WORK [SCREENSHOTS].
+// Makes reports with CCDFUZZ in WORK and opens them from disk in headless Chromium. Prints a line a
+// claim; exits with 1 if any does not hold.
+import { chromium } from 'playwright-core';
+import { validateBytes } from 'gltf-validator';
+import { execFileSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync } from 'node:fs';
+import { basename, dirname, join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [ccdfuzz, corpus, work, screenshots] = process.argv.slice(2);
+const kInReadme = ['case-light', 'figures'];
+const kBrowser = process.env.CHROMIUM ?? ['/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
+
+let failures = 0;
+function claim(what, holds, ...operands) {
+  console.log(`${holds ? 'ok' : 'FAILED'}: ${what}${holds ? '' : ` (${operands.map((o) => JSON.stringify(o)).join(', ')})`}`);
+  if (!holds) ++failures;
+}
+const run = (...args) => execFileSync(resolve(ccdfuzz), args, { cwd: dirname(resolve(corpus)), stdio: ['ignore', 'pipe', 'pipe'] });
+
+rmSync(work, { recursive: true, force: true });
+mkdirSync(work, { recursive: true });
+const data = (name) => resolve(work, name);
+const page = (name) => join(work, name, 'index.html');
+
+// None, one and thousands of counterexamples; a corpus; a hunt.
+run('generate', '--contact', 'VF', '--kind', 'RP', '--count', '3', '-o', data('clear.jsonl'));
+run('report', data('clear.jsonl'), '--methods', 'tdibm-c', '-o', data('none'));
+const first = readdirSync(join(corpus, 'regressions')).filter((f) => f.startsWith('tdibm-e-underflow'))[0];
+mkdirSync(data('one-entry'));
+copyFileSync(join(corpus, 'regressions', first), join(data('one-entry'), first));
+run('report', data('one-entry'), '-o', data('one'));
+run('generate', '--contact', 'VV', '--kind', 'RP', '--count', '6300', '--construction', 'one-sided', '-o', data('many.jsonl'));
+run('report', data('many.jsonl'), '--methods', 'tdibm', '-o', data('many'));
+run('report', basename(corpus), '-o', data('corpus'));
+for (const contact of ['FF', 'EF', 'EE', 'VF', 'VE', 'VV']) {
+  const count = contact === 'FF' || contact === 'EF' ? '6' : '40';
+  for (const kind of ['RP', 'RN']) run('generate', '--contact', contact, '--kind', kind, '--count', count, '--construction', 'one-sided', '-o', data(`${contact}${kind}.jsonl`));
+}
+run('evaluate', ...['FF', 'EF', 'EE', 'VF', 'VE', 'VV'].flatMap((c) => [data(`${c}RP.jsonl`), data(`${c}RN.jsonl`)]),
+  '--methods', 'tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-c', '--report', data('evaluation'));
+run('hunt', '--seconds', '2', '--methods', 'tdibm,tdibm-e,tdibm-c', '--max-pops', '2000', '--corpus', data('finds'), '--report', data('hunt'));
+
+// glTF: Khronos' validator finds nothing wrong with it.
+{
+  const shapes = readdirSync(join(corpus, 'regressions')).filter((f) => f.endsWith('.json')).slice(0, 8).map((f) => resolve(corpus, 'regressions', f));
+  run('export', ...shapes, '--as', 'gltf', '-o', data('moving'));
+  run('export', ...shapes, '--as', 'gltf', '--times', '0,0.5', '-o', data('still'));
+  for (const folder of ['moving', 'still']) {
+    const complaints = [];
+    for (const file of readdirSync(data(folder))) {
+      const { issues } = await validateBytes(new Uint8Array(readFileSync(join(work, folder, file))));
+      complaints.push(...issues.messages.filter((m) => m.severity < 2).map((m) => `${file}: ${m.code} ${m.pointer}`));
+    }
+    claim(`glTF: ${folder} scenes are valid`, complaints.length === 0, complaints.slice(0, 5));
+  }
+}
+
+const browser = await chromium.launch({
+  executablePath: kBrowser,
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+});
+
+async function open(name, options = {}, hash = '') {
+  const context = await browser.newContext({ viewport: { width: 1120, height: 900 }, ...options });
+  const tab = await context.newPage();
+  const errors = [];
+  tab.on('console', (m) => m.type() === 'error' && errors.push(m.text()));
+  tab.on('pageerror', (e) => errors.push(String(e)));
+  const requests = [];
+  tab.on('request', (r) => !/^(file|data|blob):/.test(r.url()) && requests.push(r.url()));
+  await tab.goto(pathToFileURL(page(name)) + hash);
+  await tab.waitForSelector('html[data-ready]');
+  return { tab, errors, requests, close: () => context.close() };
+}
+const shot = async (tab, name, options = {}) => {
+  const path = join(screenshots && kInReadme.includes(name) ? screenshots : work, `${name}.png`);
+  await tab.screenshot({ path, ...options });
+  return path;
+};
+const openTab = (tab, name) => tab.click(`#tab-${name}`);
+const stagePicture = (tab) => tab.evaluate(() => document.querySelector('.stage canvas').toDataURL());
+const waitForCase = (tab) => tab.waitForFunction(() => document.querySelector('.stage canvas')?.width > 300 && document.querySelector('.numbers td'));
+
+// Every tab of every report, without an error and without the network.
+for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
+  const { tab, errors, requests, close } = await open(name);
+  const tabs = await tab.$$eval('[role=tab]', (all) => all.map((t) => t.id.replace('tab-', '')));
+  for (const one of tabs) {
+    await openTab(tab, one);
+    const filled = await tab.$eval(`#panel-${one}`, (p) => !p.hidden && p.innerText.trim().length > 20);
+    claim(`${name}: tab ${one} shows something`, filled);
+    if (one === 'cases') await waitForCase(tab);
+  }
+  const megabytes = statSync(page(name)).size / 2 ** 20;
+  claim(`${name}: the page is below 20 MB`, megabytes < 20, megabytes);
+  claim(`${name}: no console error`, errors.length === 0, errors);
+  claim(`${name}: no request`, requests.length === 0, requests);
+  console.log(`  ${name}: ${tabs.join(', ')}; ${megabytes.toFixed(2)} MB`);
+  await close();
+}
+
+// Which box lost the contact, at which level, by how many ulps: said at once for the one entry.
+{
+  const { tab, close } = await open('one', {}, '#cases');
+  await waitForCase(tab);
+  const sentence = await tab.innerText('.sentence');
+  claim('the sentence names the level, the axis and the ulps', /level \d+ of \d+/.test(sentence) && /axis \d+/.test(sentence) && /ulp|just touch|no direction/.test(sentence), sentence);
+  claim('the level of the loss is marked in the ladder', (await tab.$$('.rung.lost')).length === 1);
+  const exact = await tab.evaluate(() => document.querySelector('.numbers').innerText.includes('the two patches differ there'));
+  claim('the witness is exact in the page’s own arithmetic', !exact);
+
+  const before = await stagePicture(tab);
+  const text = await tab.innerText('.time-text');
+  await tab.$eval('input.time', (s) => { s.value = 100; s.dispatchEvent(new Event('input')); });
+  claim('the slider moves the patches', before !== (await stagePicture(tab)));
+  claim('the slider says another time', text !== (await tab.innerText('.time-text')));
+  await tab.click('text=Gap');
+  claim('the gap is magnified', !(await tab.innerText('.zoom-text')).includes('whole'), await tab.innerText('.zoom-text'));
+
+  for (const [label, holds] of [
+    ['Copy case (JSON)', (t) => JSON.parse(t).format === 'ccdfuzz-case'],
+    ['Copy command', (t) => /ccdfuzz query \S+ --methods \S+/.test(t)],
+    ['Copy GoogleTest', (t) => t.includes('TEST(Counterexample,') && t.includes('0x')],
+  ]) {
+    const button = tab.locator('button.copy', { hasText: label });
+    const handle = await button.elementHandle();
+    await handle.click();
+    await tab.waitForFunction((b) => b.dataset.copied, handle);
+    claim(`the button "${label}" copies it`, holds(await handle.getAttribute('data-copied')), await handle.getAttribute('data-copied'));
+  }
+  await close();
+}
+
+// Thousands: interactive soon, and the document stays small.
+{
+  const start = performance.now();
+  const { tab, close } = await open('many', {}, '#cases');
+  await waitForCase(tab);
+  const seconds = (performance.now() - start) / 1000;
+  const interactive = await tab.evaluate(() => performance.getEntriesByType('navigation')[0].domInteractive / 1000);
+  const count = await tab.evaluate(() => JSON.parse(document.getElementById('report').textContent).cases.length);
+  claim('thousands: 5,000 cases are in the page', count === 5000, count);
+  const nodes = await tab.evaluate(() => document.querySelectorAll('*').length);
+  claim('thousands: no more of them in the document than fit', nodes < 2500, nodes);
+  const shown = () => tab.innerText('.case-id');
+  const before = await shown();
+  await tab.focus('.list');
+  await tab.keyboard.press('End');
+  await tab.waitForFunction((b) => document.querySelector('.case-id').innerText !== b, before);
+  claim('thousands: the last one opens by key', (await shown()) !== before);
+  await tab.selectOption('select[aria-label=Outcome]', 'm');
+  claim('thousands: filters', /5000 cases/.test(await tab.innerText('.count')), await tab.innerText('.count'));
+  console.log(`  many: interactive after ${interactive.toFixed(2)} s, with a case shown after ${seconds.toFixed(2)} s`);
+  await close();
+}
+
+// Plots have their points, tables their rows.
+{
+  const { tab, close } = await open('evaluation', {}, '#figures');
+  const expected = await tab.evaluate(() => {
+    const groups = JSON.parse(document.getElementById('report').textContent).groups.filter((g) => g.positives > 0);
+    return 2 * new Set(groups.map((g) => `${g.class} ${g.method}`)).size;
+  });
+  const bars = await tab.$$eval('figure.card:first-of-type svg [aria-label=bar] rect', (all) => all.length);
+  claim('Fig. 8 a has a bar for each class, method and way to fail', bars === expected, bars, expected);
+  claim('Fig. 9 has a panel for each method', (await tab.$$('.with-inset')).length === 5);
+  const queries = await tab.evaluate(() => [...document.querySelectorAll('.with-inset > figure, .with-inset > svg')].map((s) => s.querySelectorAll('[aria-label=rect] rect').length));
+  claim('Fig. 9: every panel has its bars', queries.every((n) => n > 2), queries);
+  claim('Fig. 5 has its bars', (await tab.$$eval('figure.card', (all) => all.find((f) => f.innerText.includes('Fig. 5'))?.querySelectorAll('rect').length)) > 5);
+  await shot(tab, 'figures', { fullPage: true });
+  await openTab(tab, 'tables');
+  claim('Table 1 has a row for each class', (await tab.$$('#table-1 tbody tr')).length === 6);
+  const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#table-1 button')]);
+  claim('a table is saved as CSV', download.suggestedFilename() === 'table-1.csv');
+  await close();
+}
+
+// Keyboard alone: from the tabs to a case, its levels and its time.
+{
+  const { tab, close } = await open('corpus');
+  await tab.focus('[role=tab]');
+  await tab.keyboard.press('ArrowRight');
+  await waitForCase(tab);
+  claim('the arrow keys change tabs', await tab.$eval('#tab-cases', (t) => t.getAttribute('aria-selected') === 'true'));
+  const reached = new Set();
+  for (let i = 0; i < 60; ++i) {
+    await tab.keyboard.press('Tab');
+    reached.add(await tab.evaluate(() => {
+      const at = document.activeElement;
+      return at.className?.split?.(' ')[0] || at.tagName.toLowerCase();
+    }));
+  }
+  const wanted = ['list', 'chip', 'canvas', 'rung', 'time', 'zoom', 'copy'];
+  claim('the Tab key reaches every control', wanted.every((w) => reached.has(w)), [...reached]);
+  const unnamed = await tab.$$eval('button, input, select, [role=listbox]', (all) => all.filter((e) => e.offsetParent && !(e.innerText?.trim() || e.getAttribute('aria-label') || e.placeholder)).length);
+  claim('every control has a name', unnamed === 0, unnamed);
+  await close();
+}
+
+// Light and dark, wide and narrow.
+for (const [look, options] of Object.entries({
+  light: { colorScheme: 'light' },
+  dark: { colorScheme: 'dark' },
+  narrow: { colorScheme: 'light', viewport: { width: 400, height: 860 } },
+})) {
+  const { tab, errors, close } = await open('corpus', options);
+  const ground = await tab.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
+  claim(`${look}: the page is ${look === 'dark' ? 'dark' : 'light'}`, look === 'dark' ? ground < 80 : ground > 200, ground);
+  await shot(tab, `overview-${look}`);
+  await openTab(tab, 'cases');
+  await waitForCase(tab);
+  const wide = await tab.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  claim(`${look}: nothing sticks out`, wide <= 0, wide);
+  await tab.selectOption('select[aria-label=Method]', 'tdibm');
+  await tab.selectOption('select[aria-label=Class]', 'VF');
+  await tab.selectOption('select[aria-label=Outcome]', 'm');
+  const before = await tab.innerText('.case-id');
+  await tab.click('.item');
+  await tab.waitForFunction((b) => document.querySelector('.case-id').innerText !== b, before);
+  await shot(tab, `case-${look}`);
+  claim(`${look}: no console error`, errors.length === 0, errors);
+  await close();
+}
+await browser.close();
+console.log(failures === 0 ? 'all as claimed' : `${failures} claims do not hold`);
+process.exit(failures === 0 ? 0 : 1);
