@@ -147,7 +147,6 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   if (!folder) return tl::unexpected(folder.error());
   CasesById cases;
   ReportRows rows;
-  if (auto read = folder->advance(); !read) return tl::unexpected(read.error());
   while (folder->current()) {
     const Result<const NamedCase*> source = cases.find(folder->current()->id);
     if (!source) return tl::unexpected(source.error());

@@ -158,7 +158,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
 
 // Plots have their points, tables their rows.
 {
-  const { tab, close } = await open('evaluation', {}, '#figures');
+  const { tab, close } = await open('evaluation', { viewport: { width: 1020, height: 1130 } }, '#figures');
   const expected = await tab.evaluate(() => {
     const groups = JSON.parse(document.getElementById('report').textContent).groups.filter((g) => g.positives > 0);
     return 2 * new Set(groups.map((g) => `${g.class} ${g.method}`)).size;
@@ -169,7 +169,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   const queries = await tab.evaluate(() => [...document.querySelectorAll('.with-inset > figure, .with-inset > svg')].map((s) => s.querySelectorAll('[aria-label=rect] rect').length));
   claim('Fig. 9: every panel has its bars', queries.every((n) => n > 2), queries);
   claim('Fig. 5 has its bars', (await tab.$$eval('figure.card', (all) => all.find((f) => f.innerText.includes('Fig. 5'))?.querySelectorAll('rect').length)) > 5);
-  await shot(tab, 'figures', { fullPage: true });
+  await shot(tab, 'figures');
   await openTab(tab, 'tables');
   claim('Table 1 has a row for each class', (await tab.$$('#table-1 tbody tr')).length === 6);
   const [download] = await Promise.all([tab.waitForEvent('download'), tab.click('#table-1 button')]);
