@@ -26,6 +26,7 @@ inline rc::Gen<Case> generated_case() {
     options.construction = Construction::kOneSided;
     options.contact = c.pick(kContactClasses);
     options.family = c.pick(kFamilies);
+    if (!is_made(options.family, options.contact, CaseKind::kRP)) options.family = Family::kRegular;
     if (options.family == Family::kRegular) options.kind = c.pick(kCaseKinds);
     options.seed = c.choose(~std::uint64_t{0});
     return generate(options, 0).value;

@@ -179,9 +179,8 @@ class Hunt {
           Workshop& workshop = workshops.local();
           Breeder& breeder = nurseries_[cell].breeder;
           for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
-            for (const Case& asked : draws_.get(report_.cells[cell].contact, i)->asked) {
-              breeder.add(asked, workshop.tracers);
-            }
+            const auto drawn = draws_.get(report_.cells[cell].contact, i);
+            for (const Case& asked : drawn->asked) breeder.add(asked, workshop.tracers);
           }
           std::uint64_t left = count * kMutantsPerDraw;
           return breed(cell, workshop.methods, workshop.tracers, [&] { return left-- > 0; });

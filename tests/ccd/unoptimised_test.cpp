@@ -19,6 +19,7 @@ std::vector<Query> mixed_queries() {
   const auto is_wanted = [&next] { return next++ % kOneIn == 0; };
   for (const ContactClass contact : kContactClasses) {
     for (const Family family : kFamilies) {
+      if (!is_made(family, contact, CaseKind::kRP)) continue;
       for (std::uint64_t index = 0; index < kPerFamily; ++index) {
         if (!is_wanted()) continue;
         GeneratorOptions options;

@@ -60,6 +60,7 @@ TEST(Shaped, EveryCaseIsWhatItSaysAndTheCheckerAcceptsItsProof) {
           << "patch " << s;
     }
   });
+  if (kOneIn > 1) return;  // of few cases, not every shape is among them
   for (int n = 1; n <= 5; ++n) EXPECT_TRUE(shapes.contains(to_text(Shape::triangle(n)))) << n;
   for (int n = 1; n <= 4; ++n) {
     for (int m = 1; m <= 4; ++m) EXPECT_TRUE(shapes.contains(to_text(Shape::tensor(n, m))));
