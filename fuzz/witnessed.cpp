@@ -73,17 +73,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static TracerSet tracers;
   const auto q = witnessed_query_of(std::span(data, size));
   if (!q) return -1;  // not for the corpus
-  const Case known = case_of(*q);
+  const Witness witness = q->witness();
   const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});
   const std::size_t other = kSound + sum % (kTraced.size() - kSound);
   for (std::size_t m = 0; m < kTraced.size(); ++m) {
     if (m >= kSound && m != other) continue;
-    const Trace& trace = tracers[kTraced[m].method].trace(known.query, *known.truth.witness, {});
+    const Trace& trace = tracers[kTraced[m].method].trace(q->query, witness, {});
     Margins::note(m, trace);
     if (!trace.lost || !kTraced[m].is_sound) continue;
     std::cerr << kTraced[m].method << " loses the contact of this case; show it with"
               << " `ccdfuzz trace CASE.json`:\n"
-              << to_json(known) << '\n';
+              << to_json(case_of(*q)) << '\n';
     std::abort();
   }
   return 0;

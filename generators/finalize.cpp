@@ -1,28 +1,10 @@
 #include "generators/finalize.hpp"
 
+#include "bezier/to_doubles.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {
-
-namespace {
-
-std::optional<Points<double>> to_doubles(const Points<Dyadic>& points) {
-  Points<double> out;
-  out.reserve(points.size());
-  for (const Vec3<Dyadic>& p : points) {
-    Vec3<double> q;
-    for (int k = 0; k < 3; ++k) {
-      const std::optional<double> d = p[k].to_double_exactly();
-      if (!d) return std::nullopt;
-      q[k] = *d;
-    }
-    out.push_back(q);
-  }
-  return out;
-}
-
-}  // namespace
 
 std::optional<Query> to_query(const Scene& scene) {
   Query query;

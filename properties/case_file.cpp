@@ -19,16 +19,7 @@ constexpr std::array kLayouts = {JsonLayout::kOneLine, JsonLayout::kReadable};
 /// Any finite numbers at all, in any two shapes.
 Case draw_any_case(ChoiceSource& choices) {
   Case drawn;
-  for (MovingPatch<double>& patch : drawn.query.patches) {
-    patch.shape = draw_shape(choices, 2);
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      points->resize(static_cast<std::size_t>(patch.shape.control_count()));
-      for (Vec3<double>& p : *points) {
-        for (int k = 0; k < 3; ++k) p[k] = choices.finite_double();
-      }
-    }
-  }
-  drawn.query.t_max = std::abs(choices.finite_double());
+  drawn.query = draw_any_query(choices);
   if (choices.coin()) drawn.origin.seed = choices.choose(~std::uint64_t{0});
   if (choices.coin()) drawn.origin.note = "\"\\\n\x01\xc3\xa4/ ";
   const Outcome expected = choices.pick(kAllOutcomes);

@@ -145,4 +145,15 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
   return drawn;
 }
 
+GeneratorOptions draw_generator_options(ChoiceSource& choices) {
+  GeneratorOptions options;
+  options.construction = Construction::kOneSided;
+  options.contact = choices.pick(kContactClasses);
+  options.family = choices.pick(kFamilies);
+  if (!is_made(options.family, options.contact, CaseKind::kRP)) options.family = Family::kRegular;
+  if (options.family == Family::kRegular) options.kind = choices.pick(kCaseKinds);
+  options.seed = choices.choose(~std::uint64_t{0});
+  return options;
+}
+
 }  // namespace ccdfuzz

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "generators/generate.hpp"
 #include "properties/choices.hpp"
 #include "query/case.hpp"
 
@@ -20,5 +21,8 @@ struct ContactRange {
 /// few floats. `truth` holds the witness alone. Errors: the choices ask for numbers that no double
 /// holds.
 Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range);
+
+/// A case of the inverse construction to generate: of any class, family and kind that is made.
+GeneratorOptions draw_generator_options(ChoiceSource& choices);
 
 }  // namespace ccdfuzz

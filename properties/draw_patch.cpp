@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ccdfuzz {
 
@@ -69,6 +70,21 @@ std::string text_of(const Dyadic& x) {
 }
 
 }  // namespace
+
+Query draw_any_query(ChoiceSource& choices) {
+  Query drawn;
+  for (MovingPatch<double>& patch : drawn.patches) {
+    patch.shape = draw_shape(choices, 2);
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      points->resize(static_cast<std::size_t>(patch.shape.control_count()));
+      for (Vec3<double>& p : *points) {
+        for (int k = 0; k < 3; ++k) p[k] = choices.finite_double();
+      }
+    }
+  }
+  drawn.t_max = std::abs(choices.finite_double());
+  return drawn;
+}
 
 std::string to_hex_text(const Points<double>& points) {
   return list(points, [](double x) { return to_hex(x); });

@@ -3,6 +3,7 @@
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
 #include "properties/choices.hpp"
+#include "query/query.hpp"
 
 namespace ccdfuzz {
 
@@ -17,6 +18,9 @@ Uv<Dyadic> draw_uv(ChoiceSource& choices, const Shape& shape, int bits);
 
 /// A cell of depth at most max_depth.
 Cell draw_cell(ChoiceSource& choices, const Shape& shape, int max_depth);
+
+/// Any finite numbers at all, in any two shapes of degree at most 2.
+Query draw_any_query(ChoiceSource& choices);
 
 /// For failure texts.
 std::string to_hex_text(const Points<double>& points);

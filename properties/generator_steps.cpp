@@ -139,17 +139,6 @@ Check check_one_sided(ChoiceSource& choices) {
              : Check::fails(fmt::format("{}: its plane proves nothing", name_of(contact)));
 }
 
-GeneratorOptions draw_options(ChoiceSource& choices) {
-  GeneratorOptions options;
-  options.construction = Construction::kOneSided;
-  options.contact = choices.pick(kContactClasses);
-  options.family = choices.pick(kFamilies);
-  if (!is_made(options.family, options.contact, CaseKind::kRP)) options.family = Family::kRegular;
-  if (options.family == Family::kRegular) options.kind = choices.pick(kCaseKinds);
-  options.seed = choices.choose(~std::uint64_t{0});
-  return options;
-}
-
 std::string text_of(const GeneratorOptions& options) {
   return fmt::format("{} {} {} seed {}", name_of(options.contact), name_of(options.kind),
                      name_of(options.family), options.seed);
@@ -158,7 +147,7 @@ std::string text_of(const GeneratorOptions& options) {
 /// A generated case is what it says: its witness is one, at the features of its class; its numbers
 /// are doubles; and the same options give it again.
 Check check_generated(ChoiceSource& choices) {
-  const GeneratorOptions options = draw_options(choices);
+  const GeneratorOptions options = draw_generator_options(choices);
   const Case made = generate(options, 0).value;
   const auto fails = [&](const std::string& what) {
     return Check::fails(fmt::format("{}: {}\n{}", text_of(options), what, to_json(made)));
@@ -181,7 +170,7 @@ Check check_generated(ChoiceSource& choices) {
 
 /// The oracle proves no contact in a generated negative, nor before clear_until in a positive.
 Check check_generated_clearance(ChoiceSource& choices) {
-  GeneratorOptions options = draw_options(choices);
+  GeneratorOptions options = draw_generator_options(choices);
   options.family = Family::kRegular;
   options.kind = choices.pick(kCaseKinds);
   Case made = generate(options, 0).value;

@@ -55,16 +55,7 @@ Check check_no_state(ChoiceSource& choices) {
 Check check_answers_make_sense(ChoiceSource& choices) {
   const char* name = choices.pick(kEveryMethod);
   Case drawn;
-  for (MovingPatch<double>& patch : drawn.query.patches) {
-    patch.shape = draw_shape(choices, 2);
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      points->resize(static_cast<std::size_t>(patch.shape.control_count()));
-      for (Vec3<double>& p : *points) {
-        for (int k = 0; k < 3; ++k) p[k] = choices.finite_double();
-      }
-    }
-  }
-  drawn.query.t_max = std::abs(choices.finite_double());
+  drawn.query = draw_any_query(choices);
   const auto method = *make_method(name);
   const Answer answer = answer_of(*method, drawn.query);
   bool sensible = judge(drawn.query, drawn.truth, answer) != Outcome::kError;

@@ -2,6 +2,7 @@
 
 #include "bezier/cell.hpp"
 #include "bezier/restrict.hpp"
+#include "bezier/to_doubles.hpp"
 
 namespace ccdfuzz {
 
@@ -100,20 +101,6 @@ std::optional<Points<Dyadic>> elevated_tensor(const Shape& shape, const Points<D
     for (size_t i = 0; i < elevated->size(); ++i) {
       out[static_cast<size_t>(place(higher, static_cast<int>(i)))] = (*elevated)[i];
     }
-  }
-  return out;
-}
-
-std::optional<Points<double>> to_doubles(const Points<Dyadic>& points) {
-  Points<double> out;
-  for (const Vec3<Dyadic>& p : points) {
-    Vec3<double> x;
-    for (int k = 0; k < 3; ++k) {
-      const std::optional<double> value = p[k].to_double_exactly();
-      if (!value) return std::nullopt;
-      x[k] = *value;
-    }
-    out.push_back(x);
   }
   return out;
 }

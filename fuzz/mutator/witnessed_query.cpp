@@ -1,8 +1,7 @@
 #include "fuzz/mutator/witnessed_query.hpp"
 
-#include <algorithm>
-
 #include "bezier/bernstein.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
@@ -20,25 +19,6 @@ Vec3<Dyadic> scaled(const Vec3<Dyadic>& v, long shift) {
 std::optional<long> exponent_of_power_of_two(const Dyadic& x) {
   if (x.mantissa() != 1) return std::nullopt;
   return x.exponent();
-}
-
-/// On how many of the boundaries that meet in a corner a point of a surface lies: 0, 1 or 2.
-int boundaries_at(const Shape& shape, const Uv<Dyadic>& uv) {
-  const auto is_end = [](const Dyadic& x) { return x.sign() == 0 || x == Dyadic(1); };
-  const int ends = (is_end(uv[0]) ? 1 : 0) + (is_end(uv[1]) ? 1 : 0);
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      return 2;
-    case ShapeKind::kCurve:
-      return is_end(uv[0]) ? 2 : 1;
-    case ShapeKind::kTriangle: {
-      const std::array<Dyadic, 3> x = {uv[0], uv[1], Dyadic(1) - uv[0] - uv[1]};
-      return static_cast<int>(std::ranges::count(x, 0, &Dyadic::sign));
-    }
-    case ShapeKind::kTensor:
-      return ends;
-  }
-  return 0;
 }
 
 bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
@@ -108,14 +88,21 @@ std::optional<WitnessedQuery> witnessed_query(const Case& known) {
 }
 
 ContactClass contact_class_of(const WitnessedQuery& q) {
-  const int a = boundaries_at(q.query.patches[0].shape, q.uv[0]);
-  const int b = boundaries_at(q.query.patches[1].shape, q.uv[1]);
-  // From the number of boundaries of one and of the other: the order of the patches is nothing.
+  // From the feature of one patch and of the other: the order of the patches is nothing.
   constexpr std::array<std::array<ContactClass, 3>, 3> kClasses = {
       {{ContactClass::kFF, ContactClass::kEF, ContactClass::kVF},
        {ContactClass::kEF, ContactClass::kEE, ContactClass::kVE},
        {ContactClass::kVF, ContactClass::kVE, ContactClass::kVV}}};
-  return kClasses[static_cast<size_t>(a)][static_cast<size_t>(b)];
+  const auto place = [&](size_t side) {
+    return static_cast<size_t>(feature_at(q.query.patches[side].shape, q.uv[side]));
+  };
+  return kClasses[place(0)][place(1)];
+}
+
+Witness WitnessedQuery::witness() const {
+  Witness w{t.rational(), {}};
+  for (size_t s = 0; s < 2; ++s) w.uv[s] = {uv[s][0].rational(), uv[s][1].rational()};
+  return w;
 }
 
 Case case_of(const WitnessedQuery& q) {
@@ -125,11 +112,7 @@ Case case_of(const WitnessedQuery& q) {
   out.origin.generator = "mutant";
   out.query = q.query;
   out.truth.collides = true;
-  Witness& witness = out.truth.witness.emplace();
-  witness.t = q.t.rational();
-  for (size_t s = 0; s < 2; ++s) {
-    witness.uv[s] = {q.uv[s][0].rational(), q.uv[s][1].rational()};
-  }
+  out.truth.witness = q.witness();
   return out;
 }
 

@@ -22,6 +22,8 @@ struct WitnessedQuery {
   std::vector<Dyadic> weights(int side) const;
   /// Where patch `side` has the contact.
   Vec3<Dyadic> contact(int side) const;
+  /// The contact, as truths hold it.
+  Witness witness() const;
 };
 
 /// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one that

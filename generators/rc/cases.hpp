@@ -21,16 +21,7 @@ inline rc::Gen<Case> contact_case(const ContactRange& range = {}) {
 
 /// A case of the inverse construction, of any class, kind and stress family.
 inline rc::Gen<Case> generated_case() {
-  return drawn([](ChoiceSource& c) {
-    GeneratorOptions options;
-    options.construction = Construction::kOneSided;
-    options.contact = c.pick(kContactClasses);
-    options.family = c.pick(kFamilies);
-    if (!is_made(options.family, options.contact, CaseKind::kRP)) options.family = Family::kRegular;
-    if (options.family == Family::kRegular) options.kind = c.pick(kCaseKinds);
-    options.seed = c.choose(~std::uint64_t{0});
-    return generate(options, 0).value;
-  });
+  return drawn([](ChoiceSource& c) { return generate(draw_generator_options(c), 0).value; });
 }
 
 }  // namespace ccdfuzz::rc_gen

@@ -23,8 +23,8 @@ Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scal
       scale_(scale),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
-std::optional<double> Breeder::nearness(const Case& known, TracerSet& tracers) const {
-  const Trace& trace = tracers[method_].trace(known.query, *known.truth.witness, {});
+std::optional<double> Breeder::nearness(const WitnessedQuery& q, TracerSet& tracers) const {
+  const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
   if (trace.lost) return std::nullopt;
   // Methods that compare at the ends of windows tell by how much (slack); of the others it is the
   // time between the contact and what was excluded.
@@ -37,7 +37,8 @@ void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<WitnessedQuery> q = witnessed_query(known);
   if (!q || (scale_ && !is_within_scale(q->query, *scale_))) return;
   // Founders that are lost are as good as any: half of their mutants are not.
-  join({*std::move(q), traceable_ ? nearness(known, tracers).value_or(0) : 0});
+  const double near = traceable_ ? nearness(*q, tracers).value_or(0) : 0;
+  join({*std::move(q), near});
 }
 
 void Breeder::join(Member member) {
@@ -63,13 +64,13 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   const WitnessedQuery& father = members_[random_.below(members_.size())].q;
   WitnessedQuery mutant = mutate(mother, father, random_);
   if (scale_ && !is_within_scale(mutant.query, *scale_)) return;
-  const Case known = case_of(mutant);
   ++tally_.mutants;
-  const std::optional<double> near = traceable_ ? nearness(known, tracers) : std::nullopt;
+  const std::optional<double> near = traceable_ ? nearness(mutant, tracers) : std::nullopt;
   if (near) {
     join({std::move(mutant), *near});
     return;
   }
+  const Case known = case_of(mutant);
   if (traceable_) {
     ++tally_.lost;
   } else {

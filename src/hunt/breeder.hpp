@@ -46,7 +46,7 @@ class Breeder {
   };
 
   /// Of a method that can be traced: how near it was to losing the contact. nullopt: it lost it.
-  std::optional<double> nearness(const Case& known, TracerSet& tracers) const;
+  std::optional<double> nearness(const WitnessedQuery& q, TracerSet& tracers) const;
   void join(Member member);
   const WitnessedQuery& parent();
 
