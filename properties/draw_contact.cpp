@@ -70,16 +70,17 @@ struct Side {
 };
 
 /// direction: +1 if the side is to lie above the plane, −1 if below.
-Side draw_side(ChoiceSource& choices, int max_degree, int direction) {
-  constexpr int kBits = 5;
-  constexpr long kUnit = -2, kSpeedUnit = -3;
+Side draw_side(ChoiceSource& choices, const ContactRange& range, int direction) {
+  constexpr int kSpeedBits = 5;
+  constexpr long kSpeedUnit = -3;
+  const long unit = 3 - range.coordinate_bits;
   const Dyadic outward(direction);
   Side side;
-  side.shape = draw_shape(choices, max_degree);
+  side.shape = draw_shape(choices, range.max_degree);
   side.uv = draw_uv(choices, side.shape, kUvBits);
   side.bearing = bearing_controls(side.shape, side.uv);
-  side.local = draw_points(choices, side.shape, kBits, kUnit);
-  side.velocity = draw_points(choices, side.shape, kBits, kSpeedUnit);
+  side.local = draw_points(choices, side.shape, range.coordinate_bits, unit);
+  side.velocity = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);
   const bool one_sided = !choices.coin();
   for (std::size_t i = 0; one_sided && i < side.local.size(); ++i) {
     side.local[i][2] = side.bearing[i] ? Dyadic() : outward * abs(side.local[i][2]);
@@ -110,14 +111,18 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
   for (int k = 0; k < 3; ++k) contact[k] = choices.dyadic(8, -3);
   const long common_exponent = static_cast<long>(choices.integer(-3, 12));
   for (int k = 0; k < 3; ++k) common[k] = choices.dyadic(3, common_exponent);
-  const Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
+  Dyadic t = choices.pick(std::array{Dyadic(1), Dyadic(1, -1), Dyadic(3, -2), Dyadic()});
+  if (range.off_grid) {
+    const Dyadic off(Integer(static_cast<long>(choices.integer(-7, 7))), -43);
+    t = abs(t + off);
+  }
 
   Case drawn;
   drawn.truth.collides = true;
   drawn.truth.witness.emplace();
   drawn.truth.witness->t = t.rational();
   for (std::size_t s = 0; s < 2; ++s) {
-    const Side side = draw_side(choices, range.max_degree, s == 0 ? 1 : -1);
+    const Side side = draw_side(choices, range, s == 0 ? 1 : -1);
     MovingPatch<double>& patch = drawn.query.patches[s];
     patch.shape = side.shape;
     for (std::size_t i = 0; i < side.local.size(); ++i) {

@@ -12,6 +12,9 @@ struct ContactRange {
   int lowest = -40;
   int highest = 40;
   int max_degree = 3;
+  int coordinate_bits = 5;  ///< of a control point's place relative to the contact; at most 40
+  /// The contact comes up to 7·2^-43 before or after the time that it would come at else.
+  bool off_grid = false;
 };
 
 /// Two moving patches of any of the four shapes that touch in an exact witness:

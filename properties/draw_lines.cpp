@@ -73,6 +73,18 @@ LinePairs draw_line_pairs(ChoiceSource& choices) {
   return pairs;
 }
 
+LinePairs draw_touching_pairs(ChoiceSource& choices) {
+  LinePairs pairs = draw_line_pairs(choices);
+  if (choices.coin()) return pairs;
+  pairs.g.clear();
+  for (const Line<double>& line : pairs.f) {
+    const double slope = choices.nudged(-line.slope, kUlps);
+    const double intercept = choices.nudged(-line.intercept, kUlps);
+    pairs.g.push_back({slope, intercept});
+  }
+  return pairs;
+}
+
 std::string to_hex_text(const std::vector<Line<double>>& lines) {
   std::vector<std::string> parts;
   for (const Line<double>& line : lines) {

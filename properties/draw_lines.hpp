@@ -21,6 +21,10 @@ struct LinePairs {
 /// of two of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
 LinePairs draw_line_pairs(ChoiceSource& choices);
 
+/// The same, or half of the time g is f itself up to a few floats: then max f + max g is about 0
+/// wherever all lines of f meet, and rises and falls by next to nothing there.
+LinePairs draw_touching_pairs(ChoiceSource& choices);
+
 /// For failure texts.
 std::string to_hex_text(const std::vector<Line<double>>& lines);
 std::string to_hex_text(const TimeWindow<double>& window);

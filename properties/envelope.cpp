@@ -89,10 +89,32 @@ Check separation_is_true(const Policy& policy, const LinePairs& pairs) {
   return Check::holds();
 }
 
+template <class Policy>
+Check ends_are_of_their_side(const Policy& policy, const LinePairs& pairs) {
+  const TimeWindow<double>& w = pairs.window;
+  const Lines<double> f = envelope_of(policy, pairs.f, w);
+  const Lines<double> g = envelope_of(policy, pairs.g, w);
+  const auto found = separation(policy, f, g, w);
+  if (!found) return Check::holds();
+  bool falls = found->has_lo, rises = found->has_hi;
+  for (int i = 0; i < f.size(); ++i) {
+    for (int j = 0; j < g.size(); ++j) {
+      const double slope = f[i].slope + g[j].slope;
+      falls = falls || (slope < 0 && policy.left_root(f, g, i, j, w) == found->lo);
+      rises = rises || (slope > 0 && policy.right_root(f, g, i, j, w) == found->hi);
+    }
+  }
+  if (falls && rises) return Check::holds();
+  return Check::fails(fmt::format("f {} g {} on {}: no two lines {} at {}", to_hex_text(pairs.f),
+                                  to_hex_text(pairs.g), to_hex_text(w), falls ? "rise" : "fall",
+                                  to_hex(falls ? found->hi : found->lo)));
+}
+
 #define CCDFUZZ_INSTANTIATE(Policy)                                                \
   template Check envelope_is_never_below_the_maximum(                              \
       const Policy&, const std::vector<Line<double>>&, const TimeWindow<double>&); \
-  template Check separation_is_true(const Policy&, const LinePairs&);
+  template Check separation_is_true(const Policy&, const LinePairs&);              \
+  template Check ends_are_of_their_side(const Policy&, const LinePairs&);
 CCDFUZZ_INSTANTIATE(Plain)
 CCDFUZZ_INSTANTIATE(ErrorBoundIntended)
 CCDFUZZ_INSTANTIATE(ErrorBoundPrinted)

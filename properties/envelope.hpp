@@ -18,6 +18,11 @@ Check envelope_is_never_below_the_maximum(const Policy& policy,
 template <class Policy>
 Check separation_is_true(const Policy& policy, const LinePairs& pairs);
 
+/// Step III under a policy: an end that it finds inside of the window is the root of two lines
+/// whose sum falls there (the start) or rises (the end), however rounding misleads it.
+template <class Policy>
+Check ends_are_of_their_side(const Policy& policy, const LinePairs& pairs);
+
 template <class Policy>
 Check check_envelope(ChoiceSource& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
@@ -27,6 +32,11 @@ Check check_envelope(ChoiceSource& choices) {
 template <class Policy>
 Check check_separation(ChoiceSource& choices) {
   return separation_is_true(Policy(), draw_line_pairs(choices));
+}
+
+template <class Policy>
+Check check_ends(ChoiceSource& choices) {
+  return ends_are_of_their_side(Policy(), draw_touching_pairs(choices));
 }
 
 }  // namespace ccdfuzz

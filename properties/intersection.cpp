@@ -125,8 +125,7 @@ Check check_eps_tau(ChoiceSource& choices) {
 
 /// Section 4.5: the root of one pair of exact lines, as an end of a separated interval, is moved
 /// inward and clamped to the window.
-Check check_safe_roots(ChoiceSource& choices) {
-  const Crossing crossing = draw_crossing(choices);
+Check root_is_safe(const Crossing& crossing) {
   const TimeWindow<double> w{0, 4};
   Lines<double> f, g;
   f.push_back(crossing.f);
@@ -144,6 +143,25 @@ Check check_safe_roots(ChoiceSource& choices) {
   const bool clamped = falls ? end == w.hi : end == w.lo;
   if (clamped || height_at(end).sign() <= 0) return Check::holds();
   return failure(crossing, "the end is before the root");
+}
+
+Check check_safe_roots(ChoiceSource& choices) {
+  return root_is_safe(draw_crossing(choices));
+}
+
+/// The same where every step of Eq. 10 rounds by as much as it may: to a slope just above a power
+/// of two, and an intercept just below one, is added a part of their last bit.
+Check check_safe_roots_of_sums(ChoiceSource& choices) {
+  const auto part_of = [&](double bit) {
+    return bit * std::ldexp(static_cast<double>(choices.integer(1, 255)), -8);
+  };
+  const int bits = static_cast<int>(choices.integer(9, 48));
+  const double slope = 1 + std::ldexp(static_cast<double>(choices.choose(255)), -bits);
+  const double intercept = 2 - std::ldexp(static_cast<double>(choices.integer(1, 4)), -52);
+  const double sign = choices.coin() ? -1 : 1;
+  const double more_slope = part_of(0x1p-52), more_intercept = part_of(0x1p-51);
+  return root_is_safe(
+      {{-sign * slope, sign * intercept}, {-sign * more_slope, sign * more_intercept}});
 }
 
 /// C.3 as a lemma on envelopes that count as exact: the left end that the sweep finds on envelopes
@@ -196,6 +214,8 @@ std::vector<Property> intersection_properties() {
        check_eps_tau},
       {"tdibm-e.safe_roots", "An end that was moved inward and clamped is not before the root",
        "Section 4.5, Appendices B and C.2", kHolds, check_safe_roots},
+      {"tdibm-e.safe_roots_of_sums", "The same where all of Eq. 10 rounds by as much as it may",
+       "Section 4.5, Appendices B and C.2", kHolds, check_safe_roots_of_sums},
       {"paper.pull_apart_path",
        "Pulling envelopes apart by I delta each makes the left end that the sweep finds safe",
        "Appendix C.3, taking the envelopes as exact", kFails, check_pull_apart_path},

@@ -4,6 +4,7 @@
 
 #include "properties/arithmetic.hpp"
 #include "properties/case_file.hpp"
+#include "properties/certificates.hpp"
 #include "properties/coefficients.hpp"
 #include "properties/dyadic_round_trip.hpp"
 #include "properties/envelope.hpp"
@@ -13,10 +14,12 @@
 #include "properties/linear_queries.hpp"
 #include "properties/method_answers.hpp"
 #include "properties/method_symmetry.hpp"
+#include "properties/miss_trees.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/omission.hpp"
 #include "properties/predicates.hpp"
 #include "properties/rounding.hpp"
+#include "properties/search_claims.hpp"
 #include "properties/sub_patch.hpp"
 #include "properties/traced.hpp"
 
@@ -66,6 +69,13 @@ std::vector<Property> mixed_properties() {
        "Sections 4.4 and 4.5, with eps_Phi's sign as printed", kFails,
        check_separation<ErrorBoundPrinted>},
 
+      {"tdibm.ends",
+       "An end that Step III finds is the root of two lines that fall there, or rise if it is the "
+       "right one, also where rounding misleads it",
+       "Section 3, Eqs. 7-10, in double arithmetic", kHolds, check_ends<Plain>},
+      {"tdibm-e.ends", "The same with the guards of Sections 4.4 and 4.5", "Sections 4.4 and 4.5",
+       kHolds, check_ends<ErrorBoundIntended>},
+
       {"tdibm.no_false_negative", "No proven contact is missed, and none reported late",
        "Section 3, in double arithmetic", kFails,
        [](ChoiceSource& c) { return check_no_false_negative("tdibm", kOrdinary, c); }},
@@ -111,7 +121,8 @@ const std::vector<Property>& properties() {
          {mixed_properties, rounding_properties, coefficient_properties, predicate_properties,
           omission_properties, intersection_properties, geometry_properties, linear_properties,
           arithmetic_properties, generator_properties, method_answer_properties,
-          method_symmetry_properties, traced_properties}) {
+          method_symmetry_properties, traced_properties, search_properties, certificate_properties,
+          miss_tree_properties}) {
       for (const Property& property : family()) list.push_back(property);
     }
     return list;

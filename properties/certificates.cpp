@@ -1,0 +1,193 @@
+#include "properties/certificates.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "certify/checker/check_box.hpp"
+#include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "generators/finalize.hpp"
+#include "generators/moving_plane.hpp"
+#include "generators/one_sided.hpp"
+#include "properties/draw_contact.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+Check accepted_iff(bool accepted, bool expected, const std::string& what, const Case& about) {
+  if (accepted == expected) return Check::holds();
+  return Check::fails(
+      fmt::format("{} {}\n{}", accepted ? "accepts" : "refuses", what, to_json(about)));
+}
+
+/// The two points of a witness stay apart if one patch is moved, along whichever axis.
+Check check_moved_contact(ChoiceSource& choices) {
+  Result<Case> drawn = draw_contact(choices, {0, 0});
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const auto axis = static_cast<int>(choices.choose(2));
+  const double by =
+      std::ldexp(choices.coin() ? 1.0 : -1.0, static_cast<int>(choices.integer(-16, 8)));
+  for (Vec3<double>& p : drawn->query.patches[choices.choose(1)].positions) p[axis] += by;
+  return accepted_iff(check_truth(*drawn).has_value(), false, "a contact that was moved apart",
+                      *drawn);
+}
+
+/// A witness proves a contact in [0, t_max] iff it comes no later than t_max.
+Check check_contact_in_time(ChoiceSource& choices) {
+  Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const Witness& witness = *drawn->truth.witness;
+  const double t = *to_double_exactly(witness.t);
+  drawn->query.t_max = t * std::ldexp(static_cast<double>(choices.integer(0, 16)), -3);
+  return accepted_iff(check_witness(drawn->query, witness).has_value(), t <= drawn->query.t_max,
+                      "a witness", *drawn);
+}
+
+/// Nothing is clear beyond a contact that is proven.
+Check check_clear_until(ChoiceSource& choices) {
+  Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const Rational& t = drawn->truth.witness->t;
+  const Rational off = Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
+  const Rational until = t + off;
+  drawn->truth.clear_until = until;
+  return accepted_iff(check_truth(*drawn).has_value(), 0 <= until && until <= t, "clear_until",
+                      *drawn);
+}
+
+Scene draw_one_sided_scene(ChoiceSource& choices) {
+  const ContactClass contact = choices.pick(kContactClasses);
+  Random random(choices.choose(~std::uint64_t{0}));
+  return one_sided_scene(contact, {}, random);
+}
+
+/// A plane with one thing changed: on the wrong side of a patch by less than anything that moves,
+/// or turned round, or later, or before patches that do not come nearer.
+Check check_changed_plane(ChoiceSource& choices) {
+  Scene scene = draw_one_sided_scene(choices);
+  MovingPlane plane = moving_plane(scene, scene.normal);
+  enum class Change : std::uint8_t { kNone, kSide, kOffset, kLater, kTurned, kNotNearer };
+  const Change change =
+      choices.pick(std::array{Change::kNone, Change::kSide, Change::kOffset, Change::kLater,
+                              Change::kTurned, Change::kNotNearer});
+  const std::uint64_t side = choices.choose(1);
+  const Rational little = power_of_two(static_cast<int>(choices.integer(-16, 3)));
+  switch (change) {
+    case Change::kNone:
+      break;
+    case Change::kSide:
+      for (Vec3<Dyadic>& p : scene.patches[side].positions) {
+        const Vec3<Dyadic> step = scene.normal * *Dyadic::from(little);
+        p = side == 0 ? Vec3<Dyadic>(p - step) : Vec3<Dyadic>(p + step);
+      }
+      break;
+    case Change::kOffset:
+      plane.offset += side == 0 ? little : Rational(-little);
+      break;
+    case Change::kLater:
+      plane.until += little;
+      break;
+    case Change::kTurned:
+      for (Rational& n : plane.normal) n = -n;
+      plane.offset = -plane.offset;
+      break;
+    case Change::kNotNearer:
+      scene.patches[side].velocities = scene.patches[1 - side].velocities;
+      scene.patches[side].positions = scene.patches[side].at(scene.contact.t);
+      break;
+  }
+  const auto query = to_query(scene);
+  if (!query) return Check::discarded("a number is not a double");
+  Case about;
+  about.query = *query;
+  return accepted_iff(check_plane(*query, plane).has_value(), change == Change::kNone,
+                      fmt::format("a plane after change {}", static_cast<int>(change)), about);
+}
+
+/// A scene in which a corner of either patch lies beyond the contact plane: it separates nothing.
+Check check_plane_of_scene(ChoiceSource& choices) {
+  Scene scene = draw_one_sided_scene(choices);
+  const std::size_t side = choices.choose(1);
+  const std::size_t corner = choices.pick(std::array<std::size_t, 3>{0, 2, 5});
+  const Dyadic far(Integer(1), static_cast<long>(choices.integer(0, 8)));
+  const Vec3<Dyadic> step = scene.normal * far;
+  MovingPatch<Dyadic>& patch = scene.patches[side];
+  Vec3<Dyadic>& moved = patch.positions[corner];
+  moved = side == 0 ? Vec3<Dyadic>(moved - step) : Vec3<Dyadic>(moved + step);
+  const Points<Dyadic> points = patch.at(scene.contact.t);
+  const Vec3<Dyadic> contact = weighted_sum(bernstein_weights(scene.contact.x[side]), points);
+  const int above = dot<Dyadic>(scene.normal, Vec3<Dyadic>(points[corner] - contact)).sign();
+  if (side == 0 ? above >= 0 : above <= 0) return Check::discarded("it stays on its side");
+  if (!moving_plane_separates(scene, scene.normal)) return Check::holds();
+  const auto query = to_query(scene);
+  Case about;
+  if (query) about.query = *query;
+  return Check::fails(
+      fmt::format("corner {} of patch {} is beyond\n{}", corner, side + 1, to_json(about)));
+}
+
+/// A contact box about a point that falls through a flat triangle: unknowns u, v and t, in each of
+/// which the contact is off the centre by a number of its own. It proves the contact iff none is
+/// further off than the radius, and the box stays inside of the triangle.
+Check check_contact_box(ChoiceSource& choices) {
+  constexpr int kSteps = 16;
+  const auto steps = [](std::int64_t n) { return std::ldexp(static_cast<double>(n), -4); };
+  std::array<std::int64_t, 2> x, off;
+  for (auto& place : x) place = choices.integer(0, kSteps);
+  for (auto& place : off) place = choices.integer(-2, 2);
+  const std::int64_t radius = choices.integer(1, 4);
+  const double scale = std::ldexp(1.0, static_cast<int>(choices.integer(-20, 20)));
+  Query query;
+  query.patches[0] = {Shape::triangle(1), {{0, 0, 0}, {0, scale, 0}, {scale, 0, 0}}, {}};
+  query.patches[0].velocities.resize(3, Vec3<double>(0, 0, 0));
+  query.patches[1] = {Shape::point(),
+                      {{scale * steps(x[0] + off[0]), scale * steps(x[1] + off[1]), scale}},
+                      {{0, 0, -scale}}};
+  ContactBox box;
+  box.centre = {steps(x[0]), steps(x[1]), 0, 0, 1};
+  box.varied = {0, 1, ContactBox::kTime};
+  box.radius.fill(steps(radius));
+  for (std::size_t i = 0; i < 3; ++i) box.inverse[i] = {0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) box.inverse[i][i] = 1 / scale;
+  const bool inside =
+      x[0] >= radius && x[1] >= radius && x[0] + x[1] + 2 * radius <= std::int64_t{kSteps};
+  const bool near = std::abs(off[0]) <= radius && std::abs(off[1]) <= radius;
+  Case about;
+  about.query = query;
+  about.truth.contact_box = box;
+  return accepted_iff(check_box(query, box).has_value(), inside && near, "the box", about);
+}
+
+}  // namespace
+
+std::vector<Property> certificate_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"checker.refuses_moved_contacts",
+       "A witness is refused once a patch was moved along any axis",
+       "src/certify/checker/check_witness.hpp", kHolds, check_moved_contact},
+      {"checker.refuses_contacts_after_t_max",
+       "A witness proves a contact in [0, t_max] iff it is no later",
+       "src/certify/checker/check_witness.hpp", kHolds, check_contact_in_time},
+      {"checker.refuses_clearance_past_a_contact",
+       "clear_until is refused iff a contact before it is proven, or it is negative",
+       "src/certify/checker/check_truth.hpp", kHolds, check_clear_until},
+      {"checker.refuses_changed_planes",
+       "A moving plane is accepted, and refused once either patch, the plane or its time was "
+       "changed so that it proves nothing",
+       "src/certify/checker/check_plane.hpp", kHolds, check_changed_plane},
+      {"checker.refuses_changed_boxes",
+       "A contact box is accepted iff its centre is near enough to the contact and it lies in the "
+       "domain",
+       "src/certify/checker/check_box.hpp", kHolds, check_contact_box},
+      {"generator.refuses_planes",
+       "No plane is found to separate patches of which either reaches beyond it",
+       "generators/moving_plane.hpp", kHolds, check_plane_of_scene},
+  };
+}
+
+}  // namespace ccdfuzz

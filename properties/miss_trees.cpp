@@ -1,0 +1,155 @@
+#include "properties/miss_trees.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "certify/checker/check_tree.hpp"
+#include "certify/checker/miss_tree.hpp"
+#include "properties/draw_patch.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Two patches of any shapes with whole coordinates within 8 of 0 and speeds of less than 2.
+Query draw_small_query(ChoiceSource& choices) {
+  Query query;
+  for (MovingPatch<double>& patch : query.patches) {
+    patch.shape = draw_shape(choices, 2);
+    for (int i = 0; i < patch.shape.control_count(); ++i) {
+      Vec3<double> p, v;
+      for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(choices.integer(-8, 8));
+      for (int k = 0; k < 3; ++k)
+        v[k] = std::ldexp(static_cast<double>(choices.integer(-15, 15)), -3);
+      patch.positions.push_back(p);
+      patch.velocities.push_back(v);
+    }
+  }
+  return query;
+}
+
+void move_along(Query& query, int axis, double by) {
+  for (Vec3<double>& p : query.patches[1].positions) p[axis] += by;
+}
+
+std::string text_of(const Query& query, const std::string& tree) {
+  Case about;
+  about.query = query;
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(tree.data()), tree.size());
+  return fmt::format("tree {}\n{}", to_hex_bytes(bytes), to_json(about));
+}
+
+/// One leaf for all of [0, 1]: it proves absence of contact iff patch 1 stays below patch 2 on its
+/// axis; touching at one end is no proof.
+Check check_leaf(ChoiceSource& choices) {
+  Query query = draw_small_query(choices);
+  TreeAxis axis{};
+  const auto along = static_cast<int>(choices.choose(2));
+  for (int k = 0; k < 3; ++k) {
+    axis[static_cast<std::size_t>(k)] = k == along ? 1 : choices.integer(-3, 3);
+  }
+  const auto height = [&](const Vec3<double>& p) {
+    return static_cast<double>(axis[0]) * p[0] + static_cast<double>(axis[1]) * p[1] +
+           static_cast<double>(axis[2]) * p[2];  // exact: few bits
+  };
+  double overlap = -HUGE_VAL;
+  for (const double t : {0.0, 1.0}) {
+    double most = -HUGE_VAL, least = HUGE_VAL;
+    for (const Vec3<double>& p : query.patches[0].at(t)) most = std::max(most, height(p));
+    for (const Vec3<double>& p : query.patches[1].at(t)) least = std::min(least, height(p));
+    overlap = std::max(overlap, most - least);
+  }
+  const double gap = std::ldexp(static_cast<double>(choices.integer(-2, 2)), -10);
+  move_along(query, along, overlap + gap);
+  TreeBits tree;
+  tree.leaf(axis);
+  const bool accepted = check_tree(query, Rational(1), tree.bytes()).has_value();
+  if (accepted == (gap > 0)) return Check::holds();
+  return Check::fails(fmt::format("{} a gap of {}: {}", accepted ? "accepts" : "refuses", gap,
+                                  text_of(query, tree.bytes())));
+}
+
+/// Draws a subtree for parts that any leaf of this axis separates.
+struct TreeDraw {
+  ChoiceSource& choices;
+  const Query& query;
+  TreeAxis axis;
+  TreeBits bits;
+
+  void subtree(std::uint64_t lo, std::uint64_t hi, int depth) {
+    const std::uint64_t kind = depth == 0 ? 0 : choices.choose(2);
+    if (kind == 1 && hi - lo > 1) {
+      const std::uint64_t time = lo + 1 + choices.choose(hi - lo - 2);
+      bits.time(time);
+      subtree(lo, time, depth - 1);
+      subtree(time, hi, depth - 1);
+      return;
+    }
+    const std::size_t side = choices.choose(1);
+    const int parts = query.patches[side].shape.child_count();
+    if (kind != 2 || parts == 1) {
+      bits.leaf(axis);
+      return;
+    }
+    bits.split(static_cast<int>(side));
+    for (int c = 0; c < parts; ++c) subtree(lo, hi, depth - 1);
+  }
+};
+
+/// Patches far apart: every whole tree of leaves that separate them is accepted; one that is cut
+/// off, goes on, has a time outside of its window or a leaf that does not separate is refused.
+Check check_tree_form(ChoiceSource& choices) {
+  Query query = draw_small_query(choices);
+  move_along(query, 0, 64);
+  enum class Change : std::uint8_t { kNone, kCutOff, kMoreNodes, kMoreBytes, kTime, kLeaf };
+  const Change change = choices.pick(std::array{Change::kNone, Change::kCutOff, Change::kMoreNodes,
+                                                Change::kMoreBytes, Change::kTime, Change::kLeaf});
+  TreeDraw draw{choices, query, {1, 0, 0}, {}};
+  TreeBits& bits = draw.bits;
+  constexpr int kDepth = 3;
+  if (change == Change::kTime) {
+    // [0, 1] is cut at `first`; the earlier half, or the later one, is cut where it is not.
+    const std::uint64_t first = 1 + choices.choose(kTimeSteps - 2);
+    const bool earlier = choices.coin();
+    const std::uint64_t second =
+        earlier ? first + choices.choose(kTimeSteps - 1 - first) : 1 + choices.choose(first - 1);
+    bits.time(first);
+    if (!earlier) bits.leaf(draw.axis);
+    bits.time(second);
+    for (int leaf = earlier ? 3 : 2; leaf > 0; --leaf) bits.leaf(draw.axis);
+  } else if (change == Change::kLeaf) {
+    bits.time(1 + choices.choose(kTimeSteps - 2));
+    bits.leaf(draw.axis);
+    bits.leaf({-1, 0, 0});
+  } else {
+    draw.subtree(0, kTimeSteps, kDepth);
+  }
+  if (change == Change::kMoreNodes) draw.subtree(0, kTimeSteps, kDepth);
+  std::string bytes = bits.bytes();
+  if (change == Change::kCutOff) bytes.pop_back();
+  if (change == Change::kMoreBytes) bytes.push_back('\0');
+  const bool accepted = check_tree(query, Rational(1), bytes).has_value();
+  if (accepted == (change == Change::kNone)) return Check::holds();
+  return Check::fails(fmt::format("{} a tree after change {}: {}", accepted ? "accepts" : "refuses",
+                                  static_cast<int>(change), text_of(query, bytes)));
+}
+
+}  // namespace
+
+std::vector<Property> miss_tree_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"checker.refuses_touching_leaves",
+       "A leaf of a miss tree is accepted iff its axis separates at both ends, touching being none",
+       "src/certify/checker/check_tree.hpp", kHolds, check_leaf},
+      {"checker.refuses_malformed_trees",
+       "A whole tree of separating leaves is accepted, and refused once it is cut off, goes on, or "
+       "has a time outside of its window",
+       "src/certify/checker/miss_tree.hpp", kHolds, check_tree_form},
+  };
+}
+
+}  // namespace ccdfuzz

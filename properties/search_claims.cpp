@@ -1,0 +1,193 @@
+#include "properties/search_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generators/finalize.hpp"
+#include "generators/moving_plane.hpp"
+#include "generators/one_sided.hpp"
+#include "method/method.hpp"
+#include "properties/draw_patch.hpp"
+#include "properties/no_false_negative.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+std::string summary(const Answer& answer) {
+  constexpr std::array kWords = {"hit", "miss", "undecided"};
+  return fmt::format("{} after {} pops{}", kWords[static_cast<std::size_t>(answer.verdict)],
+                     answer.pops, answer.toi ? " at " + to_hex(*answer.toi) : "");
+}
+
+/// A run that may take no more pops than n of the P of another: the same answer for n = P; for
+/// fewer, undecided after n pops, with a time that is no later than that of the hit.
+Check check_budget(ChoiceSource& choices) {
+  constexpr std::array kSearching = {"tdibm-c", "tdibm-rational", "tdibm-e", "tdibm", "trad"};
+  constexpr SearchOptions kWhole = {0x1p-4, 60, SearchOptions().max_bytes};
+  const char* name = choices.pick(kSearching);
+  const Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const auto method = *make_method(name);
+  const Answer whole = method->answer(drawn->query, kWhole);
+  SearchOptions part = kWhole;
+  part.max_pops = choices.choose(whole.pops);
+  const Answer cut = method->answer(drawn->query, part);
+  const bool decided = part.max_pops == whole.pops;
+  bool right = cut.pops == part.max_pops;
+  right = right && cut.verdict == (decided ? whole.verdict : Verdict::kUndecided);
+  if (cut.verdict != Verdict::kMiss && whole.verdict == Verdict::kHit) {
+    right = right && cut.toi && *cut.toi <= *whole.toi;
+  }
+  if (right) return Check::holds();
+  return Check::fails(fmt::format("{}: {}, but with a budget of {}: {}\n{}", name, summary(whole),
+                                  part.max_pops, summary(cut), to_json(*drawn)));
+}
+
+/// Contacts within the first 2^-20 of the time step and less.
+Check check_long_time_step(ChoiceSource& choices) {
+  Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const int longer = static_cast<int>(choices.integer(0, 30));
+  drawn->query.t_max = std::ldexp(drawn->query.t_max, longer);
+  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
+  return no_false_negative(name, *drawn, kQuickSearch);
+}
+
+/// The extent of a patch's control points along a coordinate, at any time up to t.
+double extent(const MovingPatch<double>& patch, int k, double t) {
+  double width = 0;
+  for (const double at : {0.0, t}) {
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      const double x = patch.positions[i][k] + at * patch.velocities[i][k];
+      lo = std::min(lo, x);
+      hi = std::max(hi, x);
+    }
+    width = std::max(width, hi - lo);
+  }
+  return width;
+}
+
+/// A hit on a one-sided scene, whose first contact is proven. Cells of width h have control points
+/// within n·h times the patch's extent of each other, n the degree, so boxes that cannot be told
+/// apart are that near, and the gap along the plane's normal closes at a speed that is known.
+Check check_not_early(ChoiceSource& choices) {
+  constexpr double kPrecision = 0x1p-10;
+  constexpr SearchOptions kFine = {kPrecision, 2000, SearchOptions().max_bytes};
+  const ContactClass contact = choices.pick(kContactClasses);
+  OneSidedStyle style;
+  style.contact_bits = 20, style.contact_unit = -16;
+  style.max_flatness = 1;  // coarse boxes are no good
+  style.t_max = choices.coin() ? Dyadic(2) : style.t;
+  Random random(choices.choose(~std::uint64_t{0}));
+  const Scene scene = one_sided_scene(contact, style, random);
+  const auto query = to_query(scene);
+  if (!query) return Check::discarded("a number is not a double");
+  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
+  const Answer answer = (*make_method(name))->answer(*query, kFine);
+  if (answer.verdict != Verdict::kHit) return Check::discarded("no hit");
+  const double t = *scene.contact.t.to_double_exactly();
+  double reach = 0;
+  std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
+  const Vec3<double> normal = {scene.normal[0].rational().get_d(),
+                               scene.normal[1].rational().get_d(),
+                               scene.normal[2].rational().get_d()};
+  for (std::size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>& patch = query->patches[s];
+    for (int k = 0; k < 3; ++k) {
+      reach += std::abs(normal[k]) * kQuadratic.n * kPrecision * extent(patch, k, t);
+    }
+    for (const Vec3<double>& v : patch.velocities) {
+      const double along = normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
+      rate[s] = s == 0 ? std::max(rate[s], along) : std::min(rate[s], along);
+    }
+  }
+  const double early = t - *answer.toi, allowed = reach / (rate[1] - rate[0]);
+  if (early <= allowed) return Check::holds();
+  Case about;
+  about.query = *query;
+  return Check::fails(fmt::format("{} is early by {} of {}, and {} is explained by its cells\n{}",
+                                  name, early, t, allowed, to_json(about)));
+}
+
+/// A parallelogram, a triangle or a line by any degree: parts of it have the same axes.
+MovingPatch<double> draw_affine_patch(ChoiceSource& choices) {
+  const auto draw_vector = [&](int bits) {
+    Vec3<double> v;
+    const std::int64_t most = (std::int64_t{1} << bits) - 1;
+    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(choices.integer(-most, most));
+    return v;
+  };
+  MovingPatch<double> patch;
+  patch.shape = draw_shape(choices, 2);
+  const Vec3<double> corner = draw_vector(2), along_u = draw_vector(3), along_v = draw_vector(3);
+  const Vec3<double> velocity = draw_vector(1);
+  const Shape& shape = patch.shape;
+  for (int i = 0; i <= shape.n; ++i) {
+    const int columns = shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
+    for (int j = 0; j <= columns; ++j) {
+      patch.positions.push_back(corner + along_u * i + along_v * j);
+      patch.velocities.push_back(velocity);
+    }
+  }
+  return patch;
+}
+
+/// The optimised form of a method, which keeps what it has of parts, on patches whose parts are all
+/// alike.
+Check check_optimised_alike(ChoiceSource& choices) {
+  const std::string name = choices.pick(std::array{"tdibm", "tdibm-e", "tdibm-h:1e-12"});
+  constexpr SearchOptions kWhole = {0x1p-5, 100, SearchOptions().max_bytes};
+  Case asked;
+  for (MovingPatch<double>& patch : asked.query.patches) patch = draw_affine_patch(choices);
+  if (choices.coin()) {
+    auto& [first, second] = asked.query.patches;
+    for (Vec3<double>& v : second.velocities) v = first.velocities[0];
+  }
+  const Answer fast = (*make_method(name))->answer(asked.query, kWhole);
+  const Answer plain =
+      (*make_method(name + std::string(kUnoptimised)))->answer(asked.query, kWhole);
+  const bool same = fast.verdict == plain.verdict && fast.toi == plain.toi && fast.uv == plain.uv &&
+                    fast.pops == plain.pops;
+  if (same) return Check::holds();
+  return Check::fails(
+      fmt::format("{}: {}, plainly {}\n{}", name, summary(fast), summary(plain), to_json(asked)));
+}
+
+/// Coordinates of many bits, and contacts just before or after the times that windows end at.
+constexpr ContactRange kFine{0, 0, 2, 32, true};
+
+}  // namespace
+
+std::vector<Property> search_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"methods.budget",
+       "With fewer pops than an answer takes, a method is undecided, at a time not after the hit",
+       "src/ccd/search.hpp", kHolds, check_budget},
+      {"methods.long_time_step", "No contact early in a long time step is missed or reported late",
+       "src/ccd/certified/tdibm_c.hpp, src/ccd/rational/DERIVATION.md", kHolds,
+       check_long_time_step},
+      {"methods.not_early",
+       "A hit is early by no more than the time in which boxes of its precision meet",
+       "src/ccd/certified/tdibm_c.hpp", kHolds, check_not_early},
+      {"methods.optimised_alike",
+       "The optimised form of a method answers as the plain one where all parts are alike",
+       "src/ccd/DERIVATION.md", kHolds, check_optimised_alike},
+      {"tdibm-c.no_false_negative_fine",
+       "No proven contact is missed, and none reported late, for coordinates of many bits",
+       "src/ccd/certified/DERIVATION.md", kHolds,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kFine, c); }},
+      {"tdibm-rational.no_false_negative_fine",
+       "No proven contact is missed, and none reported late, for coordinates of many bits and "
+       "contacts about the ends of windows",
+       "src/ccd/rational/DERIVATION.md", kHolds,
+       [](ChoiceSource& c) { return check_no_false_negative("tdibm-rational", kFine, c); }},
+  };
+}
+
+}  // namespace ccdfuzz
