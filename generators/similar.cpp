@@ -2,18 +2,11 @@
 
 #include <cmath>
 
+#include "generators/exact_sum.hpp"
+
 namespace ccdfuzz {
 
 namespace {
-
-/// Adds b to a; false if the sum is rounded.
-bool add_exactly(double& a, double b) {
-  const double sum = a + b, part = sum - a;
-  // What rounding took from either summand (Knuth's two-sum): exact unless the sum overflows.
-  const double error = (a - (sum - part)) + (b - part);
-  a = sum;
-  return std::isfinite(sum) && error == 0;
-}
 
 /// Multiplies a by 2^exponent; false if the product is rounded.
 bool scale_exactly(double& a, int exponent) {

@@ -54,6 +54,41 @@ class ByteReader {
 
 constexpr std::array kFields = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
 
+/// What the bytes say: a valid query, and numbers that may be those of a contact.
+struct CaseParts {
+  Query query;
+  double t = 0;
+  std::array<Uv<double>, 2> uv;
+};
+
+std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  CaseParts parts;
+  for (MovingPatch<double>& patch : parts.query.patches) {
+    constexpr int kKinds = 4;
+    patch.shape.kind = static_cast<ShapeKind>(in.byte() % kKinds);
+    patch.shape.n = in.byte();
+    patch.shape.m = in.byte();
+    if (!patch.shape.valid()) return std::nullopt;
+  }
+  parts.query.t_max = in.real();
+  parts.t = in.real();
+  for (Uv<double>& uv : parts.uv) {
+    for (double& x : uv) x = in.real();
+  }
+  for (MovingPatch<double>& patch : parts.query.patches) {
+    const size_t count = static_cast<size_t>(patch.shape.control_count());
+    for (const auto field : kFields) {
+      (patch.*field).resize(count);
+      for (Vec3<double>& p : patch.*field) {
+        for (int k = 0; k < 3; ++k) p[k] = in.real();
+      }
+    }
+  }
+  if (in.ended() || !validate(parts.query, "query")) return std::nullopt;
+  return parts;
+}
+
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q) {
@@ -80,47 +115,27 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q) {
 }
 
 std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> bytes) {
-  ByteReader in(bytes);
+  std::optional<CaseParts> parts = parts_of(bytes);
+  if (!parts || !(parts->t >= 0 && parts->t <= parts->query.t_max)) return std::nullopt;
   WitnessedQuery q;
-  for (MovingPatch<double>& patch : q.query.patches) {
-    constexpr int kKinds = 4;
-    patch.shape.kind = static_cast<ShapeKind>(in.byte() % kKinds);
-    patch.shape.n = in.byte();
-    patch.shape.m = in.byte();
-    if (!patch.shape.valid()) return std::nullopt;
-  }
-  q.query.t_max = in.real();
-  const auto dyadic = [&in]() -> std::optional<Dyadic> {
-    const double x = in.real();
-    return std::isfinite(x) ? std::optional(Dyadic::exact(x)) : std::nullopt;
-  };
-  const std::optional<Dyadic> t = dyadic();
-  if (!t) return std::nullopt;
-  q.t = *t;
+  q.query = std::move(parts->query);
+  q.t = Dyadic::exact(parts->t);
   for (size_t s = 0; s < 2; ++s) {
-    for (Dyadic& x : q.uv[s]) {
-      const std::optional<Dyadic> value = dyadic();
-      if (!value) return std::nullopt;
-      x = *value;
+    for (size_t k = 0; k < 2; ++k) {
+      if (!std::isfinite(parts->uv[s][k])) return std::nullopt;
+      q.uv[s][k] = Dyadic::exact(parts->uv[s][k]);
     }
     if (!q.query.patches[s].shape.contains(q.uv[s])) return std::nullopt;
-  }
-  for (MovingPatch<double>& patch : q.query.patches) {
-    const size_t count = static_cast<size_t>(patch.shape.control_count());
-    for (const auto field : kFields) {
-      for (size_t i = 0; i < count; ++i) {
-        Vec3<double>& p = (patch.*field).emplace_back();
-        for (int k = 0; k < 3; ++k) p[k] = in.real();
-      }
-    }
-  }
-  if (in.ended() || !validate(q.query, "query") || q.t.sign() < 0 ||
-      q.t > Dyadic::exact(q.query.t_max)) {
-    return std::nullopt;
   }
   Random random(bytes.size());  // any way that is exact will do, and always the same
   if (!repair(q, random)) return std::nullopt;
   return q;
+}
+
+std::optional<Query> query_of(std::span<const std::uint8_t> bytes) {
+  std::optional<CaseParts> parts = parts_of(bytes);
+  if (!parts) return std::nullopt;
+  return std::move(parts->query);
 }
 
 }  // namespace ccdfuzz

@@ -18,4 +18,7 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q);
 /// after another's mutations. nullopt if they are no valid query with a contact within t_max.
 std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> bytes);
 
+/// The query that the bytes are, whatever they say of a contact. nullopt if it is not valid.
+std::optional<Query> query_of(std::span<const std::uint8_t> bytes);
+
 }  // namespace ccdfuzz

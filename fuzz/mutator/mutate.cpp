@@ -40,13 +40,15 @@ std::span<const Move> moves() {
 
 WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
   constexpr int kTries = 64;
-  WitnessedQuery mutant = q;
+  WitnessedQuery mutant = q, next = q;
   std::uint64_t wanted = 1 + random.below(4);
   for (int i = 0; i < kTries && wanted > 0; ++i) {
-    WitnessedQuery next = mutant;
-    if (!random.pick(kMoves).apply(next, other, random)) continue;
-    mutant = std::move(next);
-    --wanted;
+    if (random.pick(kMoves).apply(next, other, random)) {
+      mutant = next;
+      --wanted;
+    } else {
+      next = mutant;
+    }
   }
   return mutant;
 }

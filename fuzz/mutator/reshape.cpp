@@ -3,6 +3,7 @@
 #include "bezier/cell.hpp"
 #include "bezier/restrict.hpp"
 #include "bezier/to_doubles.hpp"
+#include "fuzz/mutator/small_dyadic.hpp"
 
 namespace ccdfuzz {
 
@@ -33,29 +34,49 @@ std::vector<int> permuted_triangle(const Shape& shape, const std::array<size_t, 
   return from;
 }
 
+/// x divided by an odd number. nullopt if that is not dyadic.
+std::optional<Dyadic> divided_by_odd(const Dyadic& x, int by) {
+  if (x.mantissa() % by != 0) return std::nullopt;
+  return Dyadic(Integer(x.mantissa() / by), x.exponent());
+}
+std::optional<SmallDyadic> divided_by_odd(const SmallDyadic& x, int by) {
+  return x.divided_by_odd(by);
+}
+
 /// v / by, if that is dyadic.
-std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, int by) {
-  Vec3<Dyadic> out;
+template <class S>
+std::optional<Vec3<S>> divided(const Vec3<S>& v, int by) {
+  long halvings = 0;
+  for (; by % 2 == 0; by /= 2) ++halvings;
+  Vec3<S> out;
   for (int k = 0; k < 3; ++k) {
-    Integer rest = v[k].mantissa();
-    long exponent = v[k].exponent();
-    int odd = by;
-    for (; odd % 2 == 0; odd /= 2) --exponent;
-    if (rest % odd != 0) return std::nullopt;
-    rest /= odd;
-    out[k] = Dyadic(std::move(rest), exponent);
+    const auto quotient = divided_by_odd(v[k], by);
+    if (!quotient) return std::nullopt;
+    out[k] = quotient->scaled(-halvings);
   }
   return out;
 }
 
+/// sum += point·times.
+template <class S>
+void add_times(Vec3<S>& sum, const Vec3<S>& point, int times) {
+  for (int k = 0; k < 3; ++k) sum[k] += point[k] * S(times);
+}
+
+template <class S>
+Vec3<S> zero_vector() {
+  return {S(0), S(0), S(0)};
+}
+
 /// Degree elevation of a row of control points: each is a mean of two of its neighbours.
-std::optional<Points<Dyadic>> elevated_row(const Points<Dyadic>& row) {
+template <class S>
+std::optional<Points<S>> elevated_row(const Points<S>& row) {
   const int n = static_cast<int>(row.size());  // the new degree
-  Points<Dyadic> out;
+  Points<S> out;
   for (int i = 0; i <= n; ++i) {
-    Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
-    if (i > 0) sum += row[static_cast<size_t>(i - 1)] * Dyadic(i);
-    if (i < n) sum += row[static_cast<size_t>(i)] * Dyadic(n - i);
+    Vec3<S> sum = zero_vector<S>();
+    if (i > 0) add_times(sum, row[static_cast<size_t>(i - 1)], i);
+    if (i < n) add_times(sum, row[static_cast<size_t>(i)], n - i);
     const auto mean = divided(sum, n);
     if (!mean) return std::nullopt;
     out.push_back(*mean);
@@ -63,15 +84,16 @@ std::optional<Points<Dyadic>> elevated_row(const Points<Dyadic>& row) {
   return out;
 }
 
-std::optional<Points<Dyadic>> elevated_triangle(const Shape& shape, const Points<Dyadic>& points) {
+template <class S>
+std::optional<Points<S>> elevated_triangle(const Shape& shape, const Points<S>& points) {
   const int n = shape.n + 1;
-  Points<Dyadic> out;
+  Points<S> out;
   for (int i = 0; i <= n; ++i) {
     for (int j = 0; j <= n - i; ++j) {
       const int k = n - i - j;
-      Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
+      Vec3<S> sum = zero_vector<S>();
       const auto add = [&](int times, int a, int b) {
-        if (times > 0) sum += points[static_cast<size_t>(shape.index(a, b))] * Dyadic(times);
+        if (times > 0) add_times(sum, points[static_cast<size_t>(shape.index(a, b))], times);
       };
       add(i, i - 1, j);
       add(j, i, j - 1);
@@ -84,15 +106,15 @@ std::optional<Points<Dyadic>> elevated_triangle(const Shape& shape, const Points
   return out;
 }
 
-std::optional<Points<Dyadic>> elevated_tensor(const Shape& shape, const Points<Dyadic>& points,
-                                              bool in_v) {
+template <class S>
+std::optional<Points<S>> elevated_tensor(const Shape& shape, const Points<S>& points, bool in_v) {
   const int rows = in_v ? shape.n : shape.m;  // how many lines less one are elevated
   const Shape higher =
       in_v ? Shape::tensor(shape.n, shape.m + 1) : Shape::tensor(shape.n + 1, shape.m);
-  Points<Dyadic> out(static_cast<size_t>(higher.control_count()));
+  Points<S> out(static_cast<size_t>(higher.control_count()));
   for (int r = 0; r <= rows; ++r) {
     const auto place = [&](const Shape& s, int i) { return in_v ? s.index(r, i) : s.index(i, r); };
-    Points<Dyadic> row;
+    Points<S> row;
     for (int i = 0; i <= (in_v ? shape.m : shape.n); ++i) {
       row.push_back(points[static_cast<size_t>(place(shape, i))]);
     }
@@ -105,17 +127,59 @@ std::optional<Points<Dyadic>> elevated_tensor(const Shape& shape, const Points<D
   return out;
 }
 
-/// Replaces a patch by one with other points, if all of them are doubles.
+/// The points of shape.n + 1, or of shape.m + 1 if in_v.
+template <class S>
+std::optional<Points<S>> elevated(const Shape& shape, const Points<S>& points, bool in_v) {
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return std::nullopt;
+    case ShapeKind::kCurve:
+      return elevated_row(points);
+    case ShapeKind::kTriangle:
+      return elevated_triangle(shape, points);
+    case ShapeKind::kTensor:
+      return elevated_tensor(shape, points, in_v);
+  }
+  return std::nullopt;
+}
+
+template <class S>
+std::optional<Points<S>> restricted(const Shape& shape, const Points<S>& points, const Cell& cell) {
+  Points<S> part(points.size());
+  restrict_to<S>(shape, points, exact_corners<S>(cell.corners(shape)), part);
+  return part;
+}
+
+bool all_fit(const Points<SmallDyadic>& points) {
+  for (const Vec3<SmallDyadic>& p : points) {
+    if (!p[0].fits() || !p[1].fits() || !p[2].fits()) return false;
+  }
+  return true;
+}
+
+template <class S>
+Points<S> exact_points(const Points<double>& points) {
+  Points<S> out;
+  out.reserve(points.size());
+  for (const Vec3<double>& p : points)
+    out.push_back({S::exact(p[0]), S::exact(p[1]), S::exact(p[2])});
+  return out;
+}
+
+/// Other points in the place of some, if all of them are doubles. make<S>(points): nullopt if they
+/// are not dyadic.
 template <class Make>
-bool replace_points(MovingPatch<double>& patch, const Shape& shape, const Make& make) {
-  const MovingPatch<Dyadic> exact = exact_patch<Dyadic>(patch);
-  const auto as_doubles = [&](const Points<Dyadic>& from) -> std::optional<Points<double>> {
-    const std::optional<Points<Dyadic>> made = make(from);
-    return made ? to_doubles(*made) : std::nullopt;
-  };
-  const auto positions = as_doubles(exact.positions), velocities = as_doubles(exact.velocities);
-  if (!positions || !velocities) return false;
-  patch = {shape, *positions, *velocities};
+bool replace_points(Points<double>& points, const Make& make) {
+  std::optional<Points<double>> made;
+  const auto small = make(exact_points<SmallDyadic>(points));
+  if (!small) return false;
+  if (all_fit(*small)) {
+    made = to_doubles(*small);
+  } else if (const auto exact = make(exact_points<Dyadic>(points))) {
+    made = to_doubles(*exact);
+  }
+  if (!made) return false;
+  points = *std::move(made);
   return true;
 }
 
@@ -169,20 +233,12 @@ bool elevate_patch(WitnessedQuery& q, int side, bool in_v) {
   in_v = in_v && higher.kind == ShapeKind::kTensor;
   (in_v ? higher.m : higher.n) += 1;
   if (!higher.valid()) return false;
-  return replace_points(patch, higher,
-                        [&](const Points<Dyadic>& points) -> std::optional<Points<Dyadic>> {
-                          switch (higher.kind) {
-                            case ShapeKind::kPoint:
-                              return std::nullopt;
-                            case ShapeKind::kCurve:
-                              return elevated_row(points);
-                            case ShapeKind::kTriangle:
-                              return elevated_triangle(patch.shape, points);
-                            case ShapeKind::kTensor:
-                              return elevated_tensor(patch.shape, points, in_v);
-                          }
-                          return std::nullopt;
-                        });
+  const auto make = [&](const auto& points) { return elevated(patch.shape, points, in_v); };
+  if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {
+    return false;
+  }
+  patch.shape = higher;
+  return true;
 }
 
 bool restrict_patch(WitnessedQuery& q, int side) {
@@ -193,13 +249,10 @@ bool restrict_patch(WitnessedQuery& q, int side) {
   for (int c = 0; c < shape.child_count() && shape.kind != ShapeKind::kPoint; ++c) {
     const Cell cell = Cell{}.child(shape, c);
     if (!cell.contains(shape, at)) continue;
-    const auto corners = exact_corners<Dyadic>(cell.corners(shape));
-    const auto restricted = [&](const Points<Dyadic>& points) {
-      Points<Dyadic> part(points.size());
-      restrict_to<Dyadic>(shape, points, corners, part);
-      return std::optional(part);
-    };
-    if (!replace_points(patch, shape, restricted)) return false;
+    const auto make = [&](const auto& points) { return restricted(shape, points, cell); };
+    if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {
+      return false;
+    }
     for (size_t k = 0; k < static_cast<size_t>(shape.parameter_count()); ++k) {
       const Dyadic local =
           q.uv[s][k].scaled(1) - Dyadic(static_cast<int>(k == 0 ? cell.i : cell.j));

@@ -1,12 +1,22 @@
 #include "fuzz/mutator/witnessed_query.hpp"
 
+#include <algorithm>
+
 #include "bezier/bernstein.hpp"
+#include "fuzz/mutator/small_dyadic.hpp"
+#include "generators/exact_sum.hpp"
 #include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
+bool is_zero(const Dyadic& x) {
+  return x.sign() == 0;
+}
+bool is_zero(const SmallDyadic& x) {
+  return x.is_zero();
+}
 bool is_zero(const Vec3<Dyadic>& v) {
   return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
 }
@@ -26,6 +36,34 @@ bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
     if (!add_exactly(p, by)) return false;
   }
   return true;
+}
+
+bool all_fit(const std::vector<SmallDyadic>& all) {
+  return std::all_of(all.begin(), all.end(), [](const SmallDyadic& x) { return x.fits(); });
+}
+
+std::vector<SmallDyadic> small_weights(const WitnessedQuery& q, size_t side) {
+  const Uv<Dyadic>& uv = q.uv[side];
+  return bernstein_weights<SmallDyadic>(q.query.patches[side].shape,
+                                        {SmallDyadic::of(uv[0]), SmallDyadic::of(uv[1])});
+}
+
+/// Σ weight·(position + t·velocity).
+template <class S>
+std::array<S, 3> weighted_sum(const MovingPatch<double>& patch, const std::vector<S>& weights,
+                              const S& t) {
+  std::array<S, 3> sum;
+  for (size_t i = 0; i < weights.size(); ++i) {
+    if (is_zero(weights[i])) continue;
+    const S weighted_t = weights[i] * t;
+    for (size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      const double position = patch.positions[i][axis], velocity = patch.velocities[i][axis];
+      if (position != 0) sum[k] += weights[i] * S::exact(position);
+      if (velocity != 0) sum[k] += weighted_t * S::exact(velocity);
+    }
+  }
+  return sum;
 }
 
 /// The ways to move what patch `side` has at the contact by `by`.
@@ -53,22 +91,24 @@ bool shift_control(WitnessedQuery& q, int side, const Vec3<Dyadic>& by, Random& 
 }  // namespace
 
 std::vector<Dyadic> WitnessedQuery::weights(int side) const {
-  return bernstein_weights(query.patches[static_cast<size_t>(side)].shape,
-                           uv[static_cast<size_t>(side)]);
+  const size_t s = static_cast<size_t>(side);
+  const std::vector<SmallDyadic> small = small_weights(*this, s);
+  if (!all_fit(small)) return bernstein_weights(query.patches[s].shape, uv[s]);
+  std::vector<Dyadic> weights;
+  weights.reserve(small.size());
+  for (const SmallDyadic& x : small) weights.push_back(x.dyadic());
+  return weights;
 }
 
 Vec3<Dyadic> WitnessedQuery::contact(int side) const {
-  const MovingPatch<double>& patch = query.patches[static_cast<size_t>(side)];
-  const std::vector<Dyadic> weight = weights(side);
-  Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
-  for (size_t i = 0; i < weight.size(); ++i) {
-    if (weight[i].sign() == 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      sum[k] += weight[i] *
-                (Dyadic::exact(patch.positions[i][k]) + t * Dyadic::exact(patch.velocities[i][k]));
-    }
+  const size_t s = static_cast<size_t>(side);
+  const MovingPatch<double>& patch = query.patches[s];
+  const auto small = weighted_sum(patch, small_weights(*this, s), SmallDyadic::of(t));
+  if (small[0].fits() && small[1].fits() && small[2].fits()) {
+    return {small[0].dyadic(), small[1].dyadic(), small[2].dyadic()};
   }
-  return sum;
+  const auto sum = weighted_sum(patch, bernstein_weights(patch.shape, uv[s]), t);
+  return {sum[0], sum[1], sum[2]};
 }
 
 std::optional<WitnessedQuery> witnessed_query(const Case& known) {
@@ -117,6 +157,12 @@ Case case_of(const WitnessedQuery& q) {
 }
 
 bool add_exactly(double& x, const Dyadic& by) {
+  if (const std::optional<double> step = by.to_double_exactly()) {
+    double moved = x;
+    if (!add_exactly(moved, *step)) return false;
+    x = moved;
+    return true;
+  }
   const std::optional<double> sum = (Dyadic::exact(x) + by).to_double_exactly();
   if (sum) x = *sum;
   return sum.has_value();

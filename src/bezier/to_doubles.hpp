@@ -6,11 +6,12 @@
 
 namespace ccdfuzz {
 
-/// The same points as doubles. nullopt if a coordinate is none.
-inline std::optional<Points<double>> to_doubles(const Points<Dyadic>& points) {
+/// The same points, of an exact type, as doubles. nullopt if a coordinate is none.
+template <class Exact>
+std::optional<Points<double>> to_doubles(const Points<Exact>& points) {
   Points<double> out;
   out.reserve(points.size());
-  for (const Vec3<Dyadic>& p : points) {
+  for (const Vec3<Exact>& p : points) {
     Vec3<double> q;
     for (int k = 0; k < 3; ++k) {
       const std::optional<double> d = p[k].to_double_exactly();

@@ -17,15 +17,17 @@ constexpr size_t kMembers = 64;
 
 }  // namespace
 
-Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scale)
+Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scale, Aim aim)
     : method_(std::move(method)),
       traceable_(make_tracer(method_).has_value()),
       scale_(scale),
+      aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
 std::optional<double> Breeder::nearness(const WitnessedQuery& q, TracerSet& tracers) const {
   const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
   if (trace.lost) return std::nullopt;
+  if (aim_ == Aim::kNothing) return 0;
   // Methods that compare at the ends of windows tell by how much (slack); of the others it is the
   // time between the contact and what was excluded.
   if (trace.slack) return trace.slack->value;

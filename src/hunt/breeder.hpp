@@ -18,6 +18,12 @@ struct BreedTally {
   std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
 };
 
+/// What decides which of a population have offspring.
+enum class Aim : std::uint8_t {
+  kMargins,  ///< how nearly the method lost the contact
+  kNothing,  ///< chance: for comparison
+};
+
 /// A population of contacts that is bred towards what one method nearly loses: mutants take the
 /// place of members that the method's own tests keep by more (the margin or slack of the witness
 /// trace). A trace takes microseconds, so thousands of mutants cost what a few queries do.
@@ -28,7 +34,8 @@ struct BreedTally {
 class Breeder {
  public:
   /// scale: as in HuntOptions.
-  Breeder(std::string method, std::uint64_t seed, std::optional<int> scale = std::nullopt);
+  Breeder(std::string method, std::uint64_t seed, std::optional<int> scale = std::nullopt,
+          Aim aim = Aim::kMargins);
 
   /// A case joins the population, if it has a dyadic witness within its t_max.
   void add(const Case& known, TracerSet& tracers);
@@ -53,6 +60,7 @@ class Breeder {
   std::string method_;
   bool traceable_;
   std::optional<int> scale_;
+  Aim aim_;
   Random random_;
   std::vector<Member> members_;
   std::optional<CaseSize> smallest_failure_;
