@@ -99,6 +99,7 @@ class CommandLine {
 
 void add_bench(CommandLine& line);
 void add_check(CommandLine& line);
+void add_corpus(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_export(CommandLine& line);
 void add_generate(CommandLine& line);
@@ -113,6 +114,7 @@ void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
+void add_triage(CommandLine& line);
 void add_verify(CommandLine& line);
 
 }  // namespace ccdfuzz

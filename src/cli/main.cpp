@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
     ccdfuzz::add_verify(line);
     ccdfuzz::add_prove(line);
     ccdfuzz::add_merge(line);
+    ccdfuzz::add_triage(line);
+    ccdfuzz::add_corpus(line);
     ccdfuzz::add_replay(line);
     ccdfuzz::add_minimize(line);
     ccdfuzz::add_report(line);

@@ -12,6 +12,26 @@ std::string error_name_key(const std::string& method) {
   return "error of " + method;
 }
 
+std::string loss_key(const std::string& method) {
+  return "loss of " + method;
+}
+
+/// A text among the further keys of the origin; "" if there is none.
+std::string origin_text(const Case& value, const std::string& key) {
+  const auto found = value.origin.more.find(key);
+  if (found == value.origin.more.end()) return "";
+  const Result<JsonValue> text = parse_json(found->second, "");
+  return text ? text->text : "";
+}
+
+void set_origin_text(Case& value, const std::string& key, const std::string& text) {
+  if (text.empty()) {
+    value.origin.more.erase(key);
+  } else {
+    value.origin.more[key] = json_string(text);
+  }
+}
+
 }  // namespace
 
 bool is_failure(Outcome outcome) {
@@ -25,7 +45,8 @@ FailureKey failure_key(const Case& value, const std::string& method, Outcome out
   }
   const Origin& origin = value.origin;
   return {method, origin.contact,
-          fmt::format("{} {} {}", name_of(outcome), origin.kind, origin.generator)};
+          fmt::format("{} {} {} {}", name_of(outcome), origin.kind, origin.generator,
+                      origin_text(value, loss_key(method)))};
 }
 
 std::set<FailureKey> failures_of(const Case& value) {
@@ -37,18 +58,15 @@ std::set<FailureKey> failures_of(const Case& value) {
 }
 
 std::string error_name(const Case& value, const std::string& method) {
-  const auto found = value.origin.more.find(error_name_key(method));
-  if (found == value.origin.more.end()) return "";
-  const Result<JsonValue> text = parse_json(found->second, "");
-  return text ? text->text : "";
+  return origin_text(value, error_name_key(method));
 }
 
 void set_error_name(Case& value, const std::string& method, const std::string& name) {
-  if (name.empty()) {
-    value.origin.more.erase(error_name_key(method));
-  } else {
-    value.origin.more[error_name_key(method)] = json_string(name);
-  }
+  set_origin_text(value, error_name_key(method), name);
+}
+
+void set_loss(Case& value, const std::string& method, const std::string& loss) {
+  set_origin_text(value, loss_key(method), loss);
 }
 
 }  // namespace ccdfuzz

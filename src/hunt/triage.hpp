@@ -1,0 +1,76 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "corpus/store.hpp"
+#include "eval/ask.hpp"
+
+namespace ccdfuzz {
+
+struct TriageOptions {
+  std::vector<std::string> methods;  ///< specs that parse_method_list accepted
+  SearchOptions search;
+  std::uint64_t shrink_trials = 1000;                 ///< of one find
+  std::function<bool()> stop = [] { return false; };  ///< true ends shrinking
+};
+
+/// What became of the inputs.
+struct TriageTally {
+  std::uint64_t inputs = 0;
+  std::uint64_t failures = 0;  ///< full runs that fail, of all inputs and methods
+  std::uint64_t known = 0;     ///< of those, how many are like one that was had
+  std::uint64_t saved = 0;     ///< inputs that no method fails on, in a full run
+};
+
+/// A failure that is new.
+struct TriageFind {
+  std::string method;
+  Outcome outcome = Outcome::kUnknown;
+  std::string loss;  ///< loss_signature; empty where nothing is traced
+  Case value;        ///< shrunk, as it was stored
+};
+
+/// What fuzzers found, on its way into a store: confirmed by full runs up to the contact and past
+/// it, classified by the judge, shrunk exactly, and kept if nothing like it was had: no failure of
+/// the same method, contact class, outcome and loss_signature, which is level, axes and what of the
+/// axis' claim is wrong.
+class Triage {
+ public:
+  Triage(Store& store, TriageOptions options) : store_(store), options_(std::move(options)) {}
+
+  /// The failures that a case expects are had.
+  void know(const Case& entry);
+
+  /// A case with its truth, or without: then the oracle decides it. Calls found for each new
+  /// failure. Errors: of the store.
+  Result<void> add(const Case& candidate, const std::function<void(const TriageFind&)>& found);
+
+  const TriageTally& tally() const { return tally_; }
+
+ private:
+  struct Failure {
+    Case asked;
+    Judged judged;
+  };
+  /// Method, contact class, outcome, name of an error, loss.
+  using Signature = std::tuple<std::string, std::string, Outcome, std::string, std::string>;
+
+  std::optional<Failure> confirm(const std::string& method, const Case& known);
+  Signature signature_of(const std::string& method, const Case& value, const Judged& judged);
+  std::string loss_of(const std::string& method, const Case& value);
+  /// What every other method does with a find, of those that decide it soon.
+  void complete(Case& value);
+
+  Store& store_;
+  TriageOptions options_;
+  TriageTally tally_;
+  std::set<Signature> had_;
+  MethodSet methods_;
+  TracerSet tracers_;
+};
+
+}  // namespace ccdfuzz
