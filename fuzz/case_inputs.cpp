@@ -1,7 +1,8 @@
-// The files of fuzz_witnessed, with any compiler: made of cases, shown as cases, or run again.
-//   witnessed_files encode FOLDER CASES...   a file for each case with a witness, as seeds
-//   witnessed_files decode FILE...           the case that a file is, as one line of JSON
-//   witnessed_files run FILE...              what the fuzz target does with it
+// The inputs of fuzz_query and fuzz_witnessed, with any compiler: made of cases, shown as cases, or
+// run again. There is one program for each of the two targets, query_inputs and witnessed_inputs:
+//   encode FOLDER CASES...   a file for each case with a witness, as seeds
+//   decode FILE...           the case that a file is, as one line of JSON
+//   run FILE...              what the fuzz target does with it
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -16,18 +17,13 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-// The target's mutator refers to libFuzzer's; nothing calls it here.
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t*, std::size_t size, std::size_t) {
-  return size;
-}
-
 namespace ccdfuzz {
 namespace {
 
 namespace fs = std::filesystem;
 
 int refuse(const std::string& message) {
-  std::cerr << "witnessed_files: " << message << '\n';
+  std::cerr << "case inputs: " << message << '\n';
   return 2;
 }
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The corpus as seeds of fuzz_witnessed, each run once and shown as a case again.
+# The corpus as seeds of a target, each run once and shown as a case again.
 set -eu
 program=$1 corpus=$2 seeds=$3
 rm -rf "$seeds"

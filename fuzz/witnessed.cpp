@@ -1,17 +1,20 @@
 // Whole queries with a known contact: the witness is traced through all built-in methods, and those
 // that are proven to lose none must not. The bytes are a case (fuzz/mutator/case_bytes.hpp);
 // mutants keep their contact exactly, and how nearly each method lost it guides libFuzzer.
+#include <fmt/format.h>
+
+#include <array>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
 
+#include "ccd/witness_trace/loss_signature.hpp"
 #include "eval/by_spec.hpp"
+#include "fuzz/lost_inputs.hpp"
 #include "fuzz/margins.hpp"
+#include "fuzz/mutating.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
-#include "fuzz/mutator/mutate.hpp"
 #include "query/case_json.hpp"
-
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 namespace {
 
@@ -31,46 +34,23 @@ constexpr std::array kTraced = {Traced{"tdibm-c", true},        Traced{"tdibm-ra
                                 Traced{"trad", false}};
 static_assert(kTraced.size() <= Margins::kMethods);
 
-std::size_t put(const std::optional<std::vector<std::uint8_t>>& bytes, std::uint8_t* data,
-                std::size_t max_size) {
-  if (!bytes || bytes->size() > max_size) return 0;
-  std::copy(bytes->begin(), bytes->end(), data);
-  return bytes->size();
-}
-
-/// What an empty corpus begins with: a point that falls on a line.
-WitnessedQuery first_query() {
-  WitnessedQuery q;
-  q.query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -1}}};
-  q.query.patches[1] = {Shape::curve(1), {{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
-  q.t = Dyadic(1);
-  q.uv[1][0] = Dyadic(Integer(1), -1);
-  return q;
-}
-
 }  // namespace
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
-  Random random(seed);
-  // Some of libFuzzer's own mutations too: what they break is repaired where it can be.
-  if (random.below(8) == 0) return LLVMFuzzerMutate(data, size, max_size);
-  const WitnessedQuery q = witnessed_query_of(std::span(data, size)).value_or(first_query());
-  return put(to_bytes(mutate(q, q, random)), data, max_size);
+  return mutate_case(data, size, max_size, seed, 8);
 }
 
 extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
                                                  const std::uint8_t* data2, std::size_t size2,
                                                  std::uint8_t* out, std::size_t max_size,
                                                  unsigned int seed) {
-  Random random(seed);
-  const auto a = witnessed_query_of(std::span(data1, size1));
-  const auto b = witnessed_query_of(std::span(data2, size2));
-  return a && b ? put(to_bytes(mutate(*a, *b, random)), out, max_size) : 0;
+  return cross_cases({data1, size1}, {data2, size2}, {out, max_size}, seed);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static TracerSet tracers;
+  static LostInputs lost_inputs;
   const auto q = witnessed_query_of(std::span(data, size));
   if (!q) return -1;  // not for the corpus
   const Witness witness = q->witness();
@@ -80,7 +60,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (m >= kSound && m != other) continue;
     const Trace& trace = tracers[kTraced[m].method].trace(q->query, witness, {});
     Margins::note(m, trace);
-    if (!trace.lost || !kTraced[m].is_sound) continue;
+    if (!trace.lost) continue;
+    if (!kTraced[m].is_sound) {
+      lost_inputs.keep({data, size},
+                       fmt::format("{} {} {}", kTraced[m].method, name_of(contact_class_of(*q)),
+                                   loss_signature(trace)));
+      continue;
+    }
     std::cerr << kTraced[m].method << " loses the contact of this case; show it with"
               << " `ccdfuzz trace CASE.json`:\n"
               << to_json(case_of(*q)) << '\n';

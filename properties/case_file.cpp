@@ -57,7 +57,7 @@ constexpr std::array<std::string_view, 22> kTokens = {"\"",
                                                       "[[[[[[[[",
                                                       "99999999999999999999"};
 
-void mutate(ChoiceSource& choices, std::string& text) {
+void spoil_text(ChoiceSource& choices, std::string& text) {
   const std::size_t at = choices.choose(text.size());
   switch (choices.choose(3)) {
     case 0:
@@ -113,6 +113,11 @@ Check case_round_trip(const Case& value) {
   return Check::holds();
 }
 
+std::string draw_spoilt_text(ChoiceSource& choices, std::string text) {
+  for (std::uint64_t left = choices.choose(4); left > 0; --left) spoil_text(choices, text);
+  return text;
+}
+
 Check check_reader_on_bytes(ChoiceSource& choices) {
   constexpr std::size_t kLongest = 1 << 16;
   return reader_takes_any_text(choices.text(kLongest));
@@ -122,7 +127,7 @@ Check check_reader_on_mutants(ChoiceSource& choices) {
   const std::uint64_t mutations = choices.choose(4);
   const auto layout = choices.pick(kLayouts);
   std::string text = to_json(draw_case(choices), layout);
-  for (std::uint64_t i = 0; i < mutations; ++i) mutate(choices, text);
+  for (std::uint64_t i = 0; i < mutations; ++i) spoil_text(choices, text);
   return reader_takes_any_text(text);
 }
 

@@ -14,6 +14,9 @@ Check reader_takes_any_text(const std::string& text);
 /// Writing a valid case and reading it gives the case back.
 Check case_round_trip(const Case& value);
 
+/// The text with a few changes of the kind that confuses readers, or none.
+std::string draw_spoilt_text(ChoiceSource& choices, std::string text);
+
 Check check_reader_on_bytes(ChoiceSource& choices);
 Check check_reader_on_mutants(ChoiceSource& choices);
 Check check_case_round_trip(ChoiceSource& choices);

@@ -17,9 +17,11 @@
 #include "properties/miss_trees.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/omission.hpp"
+#include "properties/outside_data.hpp"
 #include "properties/predicates.hpp"
 #include "properties/rounding.hpp"
 #include "properties/search_claims.hpp"
+#include "properties/spoilt_certificates.hpp"
 #include "properties/sub_patch.hpp"
 #include "properties/traced.hpp"
 
@@ -122,7 +124,7 @@ const std::vector<Property>& properties() {
           omission_properties, intersection_properties, geometry_properties, linear_properties,
           arithmetic_properties, generator_properties, method_answer_properties,
           method_symmetry_properties, traced_properties, search_properties, certificate_properties,
-          miss_tree_properties}) {
+          miss_tree_properties, spoilt_certificate_properties, outside_data_properties}) {
       for (const Property& property : family()) list.push_back(property);
     }
     return list;

@@ -66,7 +66,7 @@ Dyadic& Dyadic::operator*=(const Dyadic& o) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Dyadic& x) {
-  return out << x.m_ << "*2^" << x.k_;
+  return out << x.m_.get_str() << "*2^" << x.k_;
 }
 
 }  // namespace ccdfuzz

@@ -1,0 +1,21 @@
+// Certificates that are wrong, as bytes and in case files: the checker refuses each.
+#include <array>
+
+#include "fuzz/target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static constexpr std::array<std::string_view, 11> kClaims = {
+      "checker.refuses_malformed_trees",
+      "checker.refuses_touching_leaves",
+      "checker.refuses_changed_planes",
+      "checker.refuses_changed_boxes",
+      "checker.refuses_moved_contacts",
+      "checker.refuses_wrong_trees",
+      "checker.refuses_wrong_planes",
+      "checker.refuses_wrong_boxes",
+      "checker.refuses_wrong_texts",
+      "checker.refuses_wrong_witnesses",
+      "miss_tree.round_trip",
+  };
+  return ccdfuzz::check_bytes_of_any(kClaims, data, size);
+}

@@ -1,0 +1,13 @@
+// The generators: what they make is what it says.
+#include <array>
+
+#include "fuzz/target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static constexpr std::array<std::string_view, 7> kClaims = {
+      "generator.coincidence",    "generator.tangency",      "generator.extraction",
+      "generator.motion",         "generator.first_contact", "generator.cases",
+      "generator.other_contacts",
+  };
+  return ccdfuzz::check_bytes_of_any(kClaims, data, size);
+}

@@ -1,0 +1,6 @@
+// Linear queries, degenerate above all: two exact codes that share nothing agree.
+#include "fuzz/target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return ccdfuzz::check_bytes("linear.decision_is_proven", data, size);
+}

@@ -1,0 +1,6 @@
+// The bytes are what a plug-in answers.
+#include "fuzz/target.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return ccdfuzz::check_bytes("plugin.any_line", data, size);
+}

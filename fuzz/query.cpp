@@ -1,0 +1,75 @@
+// Any queries: contacts, near-misses, and numbers without sense. The oracle decides each, the
+// checker checks what it says, and the methods are judged by it: those that are proven to miss
+// nothing must not. The bytes are a case (fuzz/mutator/case_bytes.hpp), whose contact may be
+// broken.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <iostream>
+#include <numeric>
+
+#include "eval/by_spec.hpp"
+#include "fuzz/lost_inputs.hpp"
+#include "fuzz/mutating.hpp"
+#include "fuzz/mutator/case_bytes.hpp"
+#include "properties/against_oracle.hpp"
+
+namespace {
+
+using namespace ccdfuzz;  // NOLINT: a target is a file of its own
+
+constexpr std::array kMissNothing = {"tdibm-c", "tdibm-rational"};
+/// One of these looks at each input.
+constexpr std::array kOthers = {"tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
+                                "tdibm-e", "tdibm-e-literal", "trad"};
+
+/// What is coarse is no less right: every toi is a lower bound.
+constexpr SearchOptions kCoarse = {0x1p-6, 40, 16 << 20};
+constexpr SearchOptions kFine = {SearchOptions().precision, 100, 16 << 20};
+constexpr std::uint64_t kOraclePops = 50;
+/// Larger patches take the exact method seconds.
+constexpr int kMostControls = 40;
+
+void abort_if_failed(const Check& check) {
+  if (check.status != Check::Status::kFails) return;
+  std::cerr << check.text << '\n';
+  std::abort();
+}
+
+}  // namespace
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned int seed) {
+  return mutate_case(data, size, max_size, seed, 2);
+}
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
+                                                 const std::uint8_t* data2, std::size_t size2,
+                                                 std::uint8_t* out, std::size_t max_size,
+                                                 unsigned int seed) {
+  return cross_cases({data1, size1}, {data2, size2}, {out, max_size}, seed);
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static MethodSet methods;
+  static LostInputs lost_inputs;
+  const auto query = query_of(std::span(data, size));
+  if (!query) return -1;  // not for the corpus
+  const std::array<Shape, 2> shapes = {query->patches[0].shape, query->patches[1].shape};
+  if (shapes[0].control_count() + shapes[1].control_count() > kMostControls) return -1;
+  const Decided decided = decide_briefly(*query, kOraclePops);
+  abort_if_failed(decided.check);
+  if (decided.known.truth.collides != true) return 0;
+  for (const char* name : kMissNothing) {
+    abort_if_failed(not_contradicted(name, methods[name], decided.known, kCoarse));
+  }
+  const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});
+  const char* other = kOthers[sum % kOthers.size()];
+  const Check judged = not_contradicted(other, methods[other], decided.known, kFine);
+  if (judged.status == Check::Status::kFails) {
+    lost_inputs.keep({data, size},
+                     fmt::format("{} {} {}", other, to_text(shapes[0]), to_text(shapes[1])));
+  }
+  return 0;
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ccd/search.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "method/method.hpp"
+#include "properties/property.hpp"
+#include "query/case.hpp"
+
+namespace ccdfuzz {
+
+/// A query, what the oracle proved of it within budgets that take milliseconds, and whether the
+/// checker accepts that: check fails where it refuses a certificate.
+struct Decided {
+  Case known;
+  Check check;
+};
+/// max_pops: of each search; a tree may have ten times as many nodes.
+Decided decide_briefly(const Query& query, std::uint64_t max_pops = 200);
+
+/// Fails where the method misses a contact that the case has proven, or is late for it.
+Check not_contradicted(const std::string& name, Method& method, const Case& known,
+                       const SearchOptions& options);
+
+/// The claims of all that miss nothing, on one query: the oracle's, the checker's, tdibm-c's and
+/// tdibm-rational's; where no contact is proven, of the former two.
+Check claims_agree(const Query& query, std::uint64_t max_pops);
+
+/// The same on arbitrary finite numbers in any two shapes.
+Check check_claims_agree_anywhere(ChoiceSource& choices);
+
+}  // namespace ccdfuzz
