@@ -134,7 +134,7 @@ Check check_cell_tree(ChoiceSource& choices) {
   restrict_to<Dyadic>(shape, points, exact_corners<Dyadic>(tree.cell(node).corners(shape)), part);
   for (std::size_t i = 0; i < part.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      const double x = tree.net(node)[k * tree.width() + static_cast<int>(i)];
+      const double x = tree.net(node)[certified::kPerPoint * static_cast<int>(i) + k];
       if (Dyadic::exact(x) == part[i][k]) continue;
       return Check::fails(fmt::format("{} {}: control point {} at depth {}", to_text(shape),
                                       to_text(points), i, tree.cell(node).depth));

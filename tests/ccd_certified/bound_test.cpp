@@ -89,18 +89,18 @@ RC_GTEST_PROP(ErrorBound, CoversEveryRoundingOfAGap, ()) {
   const ErrorBound bound(n.magnitude, n.absolute,
                          std::max(trees[0].roundings(depth), trees[1].roundings(depth)));
   // Heights of the points at t, and of the lines at t: both orders of operations.
-  alignas(32) std::array<double, 6 * 84> values[2];
+  alignas(32) std::array<double, kPerPoint * kMaxControls> values[2];
   RangeBatch ranges[2];
   AxisBatch batch;
   for (int k = 0; k < 3; ++k) batch.axes[k].fill(l[k]);
   for (int s = 0; s < 2; ++s) {
-    const int width = trees[s].width();
-    take_snapshot(trees[s].net(nodes[s]), width, t, t, values[s].data());
-    project({values[s].data(), width, n.shapes[s].control_count()}, batch, ranges[s]);
+    const int count = trees[s].count();
+    take_snapshot(trees[s].net(nodes[s]), count, t, t, values[s].data());
+    project({values[s].data(), count}, batch, ranges[s]);
   }
   const Gaps by_points(lane(ranges[0], 0), lane(ranges[1], 0));
   const HeightLines by_lines(
-      {{trees[0].net(nodes[0]), trees[1].net(nodes[1])}, {trees[0].width(), trees[1].width()}}, l);
+      {{trees[0].net(nodes[0]), trees[1].net(nodes[1])}, {trees[0].count(), trees[1].count()}}, l);
 
   // The exact gap, brought to the normalised scale by the power of two that normalise used: found
   // from the largest control-point difference, which both must agree on to a factor of 1 + 2^-40.

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "bezier/cell.hpp"
+#include "ccd/certified/kernels.hpp"
 #include "ccd/certified/midpoint_program.hpp"
 
 namespace ccdfuzz::certified {
 
 /// The sub-patches of one moving patch, each made once by midpoint subdivision of its parent and
-/// kept. A net stores its components apart (x of all positions, y, z, then those of the
-/// velocities), each padded to a multiple of 4 by repeating the last control point, so that loops
-/// need no remainder.
+/// kept. A net stores each control point in kPerPoint places: position x, y, z, 0, velocity x, y,
+/// z, 0.
 class CellTree {
  public:
   using Node = std::uint32_t;
@@ -24,29 +24,32 @@ class CellTree {
   Node children(Node parent);
 
   const double* net(Node node) const { return &values_[size_t{node} * stride_]; }
-  const Cell& cell(Node node) const { return cells_[node]; }
+  const Cell& cell(Node node) const { return nodes_[node].cell; }
   const Shape& shape() const { return shape_; }
-  int width() const { return width_; }  ///< padded control count
+  /// Control points of a net.
+  int count() const { return static_cast<int>(stride_) / kPerPoint; }
   /// Roundings behind each control point of a node at this depth.
   int roundings(int depth) const { return program_->roundings * depth; }
-  size_t bytes() const {
-    return values_.size() * sizeof(double) + cells_.size() * (sizeof(Cell) + sizeof(Node));
-  }
+  size_t bytes() const { return size_ * (stride_ * sizeof(double) + sizeof(Entry)); }
 
  private:
   static constexpr Node kNone = ~Node{0};
 
-  void store(Node node, std::span<const std::array<double, 6>> slots,
-             const std::vector<int>& places);
+  struct Entry {
+    Cell cell;
+    Node first_child = kNone;
+  };
+
+  /// Makes room for `more` nodes, their nets not set.
+  void grow(size_t more);
 
   Shape shape_;
   const MidpointProgram* program_ = nullptr;
-  int width_ = 0;
   size_t stride_ = 0;
-  std::vector<double> values_;
-  std::vector<Cell> cells_;
-  std::vector<Node> first_child_;
-  std::vector<std::array<double, 6>> slots_;
+  size_t size_ = 0;             ///< nodes
+  std::vector<double> values_;  ///< of all nodes and, unused, more
+  std::vector<Entry> nodes_;    ///< likewise
+  std::vector<double> slots_;
 };
 
 }  // namespace ccdfuzz::certified

@@ -1,7 +1,7 @@
 #include "ccd/certified/kernels.hpp"
 
-#include <algorithm>
 #include <cstring>
+#include <limits>
 
 // Sanitizers cannot stand the resolvers, which run before they are set up.
 #if defined(__has_feature)
@@ -23,37 +23,86 @@ namespace {
 /// Four doubles; compilers break it down where the target has shorter vectors.
 using Vector = double __attribute__((vector_size(32)));
 
+/// fl(h) on four axes at both ends, for side 0 below side 1 and above it (Gaps).
+struct GapVectors {
+  Vector lo0, hi0, lo1, hi1;
+
+  [[gnu::always_inline]] GapVectors(const RangeBatch& a, const RangeBatch& b) {
+    Vector min, max;
+    std::memcpy(&max, a.max_lo.data(), sizeof max);
+    std::memcpy(&min, b.min_lo.data(), sizeof min);
+    lo0 = max - min;
+    std::memcpy(&max, a.max_hi.data(), sizeof max);
+    std::memcpy(&min, b.min_hi.data(), sizeof min);
+    hi0 = max - min;
+    std::memcpy(&max, b.max_lo.data(), sizeof max);
+    std::memcpy(&min, a.min_lo.data(), sizeof min);
+    lo1 = max - min;
+    std::memcpy(&max, b.max_hi.data(), sizeof max);
+    std::memcpy(&min, a.min_hi.data(), sizeof min);
+    hi1 = max - min;
+  }
+};
+
 }  // namespace
 
 CCDFUZZ_FOR_EACH_CPU
-void take_snapshot(const double* net, int width, double t0, double t1, double* out) {
-  const int size = 3 * width;
-  const double* velocities = net + size;
-  for (int i = 0; i < size; i += 4) {
+void take_snapshot(const double* net, int count, double t0, double t1, double* out) {
+  for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
     Vector p, v;
-    std::memcpy(&p, net + i, sizeof p);
-    std::memcpy(&v, velocities + i, sizeof v);
+    std::memcpy(&p, net, sizeof p);
+    std::memcpy(&v, net + 4, sizeof v);
     const Vector at_t0 = p + v * t0, at_t1 = p + v * t1;
-    std::memcpy(out + i, &at_t0, sizeof p);
-    std::memcpy(out + size + i, &at_t1, sizeof p);
+    std::memcpy(out, &at_t0, sizeof p);
+    std::memcpy(out + 4, &at_t1, sizeof p);
   }
 }
 
 CCDFUZZ_FOR_EACH_CPU
-void component_ranges(const Snapshot& snapshot, ComponentRanges& out) {
-  for (int k = 0; k < 6; ++k) {
-    const double* x = snapshot.values + k * snapshot.width;
-    Vector least, most;
-    std::memcpy(&least, x, sizeof least);
-    most = least;
-    for (int i = 4; i < snapshot.width; i += 4) {
-      Vector y;
-      std::memcpy(&y, x + i, sizeof y);
-      least = y < least ? y : least;
-      most = y > most ? y : most;
+void take_snapshot(const double* net, int count, double t0, double t1, double* out,
+                   RangeBatch& ranges) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vector min_lo = Vector{} + kInfinity, max_lo = -min_lo;
+  Vector min_hi = min_lo, max_hi = max_lo;
+  for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
+    Vector p, v;
+    std::memcpy(&p, net, sizeof p);
+    std::memcpy(&v, net + 4, sizeof v);
+    const Vector at_t0 = p + v * t0, at_t1 = p + v * t1;
+    std::memcpy(out, &at_t0, sizeof p);
+    std::memcpy(out + 4, &at_t1, sizeof p);
+    min_lo = at_t0 < min_lo ? at_t0 : min_lo;
+    max_lo = at_t0 > max_lo ? at_t0 : max_lo;
+    min_hi = at_t1 < min_hi ? at_t1 : min_hi;
+    max_hi = at_t1 > max_hi ? at_t1 : max_hi;
+  }
+  std::memcpy(ranges.min_lo.data(), &min_lo, sizeof min_lo);
+  std::memcpy(ranges.max_lo.data(), &max_lo, sizeof max_lo);
+  std::memcpy(ranges.min_hi.data(), &min_hi, sizeof min_hi);
+  std::memcpy(ranges.max_hi.data(), &max_hi, sizeof max_hi);
+}
+
+CCDFUZZ_FOR_EACH_CPU
+void split_net(const MidpointProgram& program, const double* net, int count, double* slots,
+               double* children) {
+  const auto bytes = static_cast<size_t>(count) * kPerPoint * sizeof(double);
+  std::memcpy(slots, net, bytes);
+  double* next = slots + count * kPerPoint;
+  for (const MidpointProgram::Step step : program.steps) {
+    for (int half = 0; half < kPerPoint; half += 4) {
+      Vector l, r;
+      std::memcpy(&l, slots + step.left * kPerPoint + half, sizeof l);
+      std::memcpy(&r, slots + step.right * kPerPoint + half, sizeof r);
+      const Vector mean = (l + r) * 0.5;
+      std::memcpy(next + half, &mean, sizeof mean);
     }
-    out.min[k] = std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
-    out.max[k] = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+    next += kPerPoint;
+  }
+  for (const std::vector<int>& places : program.children) {
+    for (const int place : places) {
+      std::memcpy(children, slots + place * kPerPoint, kPerPoint * sizeof(double));
+      children += kPerPoint;
+    }
   }
 }
 
@@ -64,14 +113,13 @@ void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out) {
   std::memcpy(&l1, axes.axes[1].data(), sizeof l1);
   std::memcpy(&l2, axes.axes[2].data(), sizeof l2);
   const double* x = snapshot.values;
-  const int w = snapshot.width;
-  Vector min_lo = (l0 * x[0] + l1 * x[w]) + l2 * x[2 * w];
-  Vector min_hi = (l0 * x[3 * w] + l1 * x[4 * w]) + l2 * x[5 * w];
+  Vector min_lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
+  Vector min_hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
   Vector max_lo = min_lo, max_hi = min_hi;
   for (int i = 1; i < snapshot.count; ++i) {
-    ++x;
-    const Vector lo = (l0 * x[0] + l1 * x[w]) + l2 * x[2 * w];
-    const Vector hi = (l0 * x[3 * w] + l1 * x[4 * w]) + l2 * x[5 * w];
+    x += kPerPoint;
+    const Vector lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
+    const Vector hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
     min_lo = lo < min_lo ? lo : min_lo;
     max_lo = lo > max_lo ? lo : max_lo;
     min_hi = hi < min_hi ? hi : min_hi;
@@ -84,16 +132,39 @@ void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out) {
 }
 
 CCDFUZZ_FOR_EACH_CPU
-void project_lines(const double* net, int width, const std::array<double, 3>& axis, double* slopes,
-                   double* intercepts) {
-  for (int i = 0; i < width; i += 4) {
-    Vector c[6];
-    for (int k = 0; k < 6; ++k) std::memcpy(&c[k], net + k * width + i, sizeof c[k]);
-    const Vector b = (c[0] * axis[0] + c[1] * axis[1]) + c[2] * axis[2];
-    const Vector a = (c[3] * axis[0] + c[4] * axis[1]) + c[5] * axis[2];
-    std::memcpy(intercepts + i, &b, sizeof b);
-    std::memcpy(slopes + i, &a, sizeof a);
+Verdicts compare(const RangeBatch& a, const RangeBatch& b, const Lanes& bounds) {
+  const GapVectors gap(a, b);
+  Vector bound;
+  std::memcpy(&bound, bounds.data(), sizeof bound);
+  const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
+  const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
+  const Vector throughout = below < above ? below : above;
+  const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
+  const Vector least1 = gap.lo1 < gap.hi1 ? gap.lo1 : gap.hi1;
+  const Vector least = least0 < least1 ? least0 : least1;
+  const auto apart = throughout < -bound, at_end = least < -bound;
+  Verdicts out;
+  for (int i = 0; i < kLanes; ++i) {
+    out.apart |= static_cast<unsigned>(apart[i] & (1 << i));
+    out.apart_at_end |= static_cast<unsigned>(at_end[i] & (1 << i));
   }
+  return out;
+}
+
+CCDFUZZ_FOR_EACH_CPU
+unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, const Lanes& bounds) {
+  Vector bound;
+  std::memcpy(&bound, bounds.data(), sizeof bound);
+  for (unsigned left = pairs; left != 0; left &= left - 1) {
+    const int pair = __builtin_ctz(left);
+    const GapVectors gap(a[pair / 4], b[pair % 4]);
+    const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
+    const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
+    const Vector throughout = below < above ? below : above;
+    const auto apart = throughout < -bound;
+    if (((apart[0] | apart[1]) | (apart[2] | apart[3])) != 0) pairs &= ~(1U << pair);
+  }
+  return pairs;
 }
 
 }  // namespace ccdfuzz::certified

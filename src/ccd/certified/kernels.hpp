@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "ccd/certified/midpoint_program.hpp"
+
 namespace ccdfuzz::certified {
 
 /// The arithmetic that tdibm-c spends its time on, each function built for every vector unit worth
@@ -23,32 +25,43 @@ struct alignas(32) RangeBatch {
   Lanes min_lo, max_lo, min_hi, max_hi;
 };
 
-/// The control points of a net at both ends of a window: x, y, z at its start, x, y, z at its end,
-/// each array `width` long, a multiple of 4; entries past `count` repeat the last control point.
+/// Places of a control point in a net or a snapshot: two vectors x, y, z, 0.
+inline constexpr int kPerPoint = 8;
+
+/// The control points of a net at both ends of a window: of each, its place at the start and at the
+/// end.
 struct Snapshot {
   const double* values;
-  int width;
   int count;
 
-  double at(int end, int k, int i) const { return values[(3 * end + k) * width + i]; }
+  double at(int end, int k, int i) const { return values[kPerPoint * i + 4 * end + k]; }
 };
 
-/// p + t·v of every component at t0 and t1, product rounded first. net: positions x, y, z, then
-/// velocities, each `width` long. out: 6·width places, as in Snapshot, aligned to 32 bytes.
-void take_snapshot(const double* net, int width, double t0, double t1, double* out);
+/// p + t·v of every control point at t0 and t1, product rounded first. net: of each control point
+/// its position, then its velocity. out: kPerPoint·count places, as in Snapshot.
+void take_snapshot(const double* net, int count, double t0, double t1, double* out);
 
-/// Least and greatest entry of each of the six arrays of a snapshot.
-struct ComponentRanges {
-  std::array<double, 6> min, max;
-};
-void component_ranges(const Snapshot& snapshot, ComponentRanges& out);
+/// The same, and the extents on the coordinate axes in the first three lanes; zeros in the last.
+void take_snapshot(const double* net, int count, double t0, double t1, double* out,
+                   RangeBatch& ranges);
+
+/// The nets of all children of a net of `count` control points, one after the other, by means of
+/// the program's slots.
+void split_net(const MidpointProgram& program, const double* net, int count, double* slots,
+               double* children);
 
 /// Extents of a snapshot on four axes; a height is (l₀x + l₁y) + l₂z.
 void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out);
 
-/// The lines of a net on one axis: slope from the velocities, intercept from the positions, each as
-/// a height above. slopes and intercepts: `width` places each.
-void project_lines(const double* net, int width, const std::array<double, 3>& axis, double* slopes,
-                   double* intercepts);
+/// What four axes say of two nets in a window: bit i for axis i.
+struct Verdicts {
+  unsigned apart = 0;         ///< separated at both ends, by more than the bound
+  unsigned apart_at_end = 0;  ///< at one end at least
+};
+/// bounds: of each axis.
+Verdicts compare(const RangeBatch& a, const RangeBatch& b, const Lanes& bounds);
+
+/// Bit 4·i + j for every pair of a[i] and b[j] that no axis separates; `pairs` are looked at.
+unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, const Lanes& bounds);
 
 }  // namespace ccdfuzz::certified

@@ -10,16 +10,34 @@ namespace {
 
 constexpr double kEta = std::numeric_limits<double>::denorm_min();
 
-/// The least e with |x| < 2^e for every x given so far.
-struct ExponentRange {
-  int top = std::numeric_limits<int>::min() / 4;  // nothing but zeros so far
-  void add(double x) {
-    if (x == 0) return;
+/// The least e with |x| < 2^e for every x given.
+class ExponentRange {
+ public:
+  void add(double x) { most_ = std::max(most_, std::abs(x)); }
+  /// Nothing but zeros.
+  bool empty() const { return most_ == 0; }
+  /// Requires one that is not empty.
+  int top() const {
     int e = 0;
-    std::frexp(x, &e);
-    top = std::max(top, e);
+    std::frexp(most_, &e);
+    return e;
   }
-  bool empty() const { return top < -5000; }
+
+ private:
+  double most_ = 0;
+};
+
+/// x·2^exponent as ldexp has it, rounded once where it is subnormal.
+class PowerOfTwo {
+ public:
+  explicit PowerOfTwo(int exponent)
+      : exponent_(exponent),
+        factor_(-1022 <= exponent && exponent <= 1023 ? std::ldexp(1.0, exponent) : 0) {}
+  double times(double x) const { return factor_ != 0 ? x * factor_ : std::ldexp(x, exponent_); }
+
+ private:
+  int exponent_;
+  double factor_;  ///< 0 where it is no normal number
 };
 
 /// Past this exponent p − c could overflow, so all is first scaled down by 2^-2.
@@ -65,8 +83,10 @@ void normalise(const Query& query, NormalisedQuery& out) {
   out.t_max = std::frexp(query.t_max, &out.time);
 
   // Stage 1 and 2: away from overflow, then to the centre.
-  const int shift_p = positions.top > kLargestSafeExponent ? 2 : 0;
-  const int shift_v = velocities.top > kLargestSafeExponent ? 2 : 0;
+  const auto shift_of = [](const ExponentRange& range) {
+    return !range.empty() && range.top() > kLargestSafeExponent ? 2 : 0;
+  };
+  const int shift_p = shift_of(positions), shift_v = shift_of(velocities);
   centre(out.controls, 0, shift_p);
   centre(out.controls, 3, shift_v);
 
@@ -81,17 +101,18 @@ void normalise(const Query& query, NormalisedQuery& out) {
     }
   }
   int top = std::numeric_limits<int>::min() / 4;
-  if (!p.empty()) top = std::max(top, p.top + shift_p);
-  if (!v.empty()) top = std::max(top, v.top + shift_v + out.time);
+  if (!p.empty()) top = std::max(top, p.top() + shift_p);
+  if (!v.empty()) top = std::max(top, v.top() + shift_v + out.time);
   if (p.empty() && v.empty()) top = 0;
   const int scale_p = shift_p - top, scale_v = shift_v + out.time - top;
   out.space = -top;
+  const PowerOfTwo power_p(scale_p), power_v(scale_v);
   std::array<double, 2> largest_p{}, largest_v{};
   for (size_t s = 0; s < 2; ++s) {
     for (auto& x : out.controls[s]) {
       for (int k = 0; k < 3; ++k) {
-        x[k] = std::ldexp(x[k], scale_p);
-        x[k + 3] = std::ldexp(x[k + 3], scale_v);
+        x[k] = power_p.times(x[k]);
+        x[k + 3] = power_v.times(x[k + 3]);
         largest_p[s] = std::max(largest_p[s], std::abs(x[k]));
         largest_v[s] = std::max(largest_v[s], std::abs(x[k + 3]));
       }

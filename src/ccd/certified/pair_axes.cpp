@@ -4,11 +4,9 @@ namespace ccdfuzz::certified {
 
 Skeleton::Skeleton(const CellTree& tree, CellTree::Node node, double t) {
   const double* net = tree.net(node);
-  const int width = tree.width();
   build(tree.shape(), [&](int i) {
-    Axis p;
-    for (int k = 0; k < 3; ++k) p[k] = net[k * width + i] + t * net[(k + 3) * width + i];
-    return p;
+    const double* x = net + kPerPoint * i;
+    return Axis{x[0] + t * x[4], x[1] + t * x[5], x[2] + t * x[6]};
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "ccd/certified/cell_tree.hpp"
 #include "ccd/certified/normalise.hpp"
@@ -43,38 +44,50 @@ class PairSplit {
 
  private:
   /// The control points of a snapshot.
-  using SnapshotValues = std::array<double, 6 * ((kMaxControls + kLanes - 1) / kLanes * kLanes)>;
+  using SnapshotValues = std::array<double, kPerPoint * kMaxControls>;
 
-  struct Child {
-    Node node;
-    bool has_shared;
-    ComponentRanges coordinate;
-    RangeBatch shared;
-    alignas(32) SnapshotValues values;
+  /// The children of a cell.
+  struct Children {
+    Node first;
+    unsigned wanted;  ///< bit c for child c
+    unsigned shared;  ///< those that have their extents on the shared axes
+    RangeBatch on_coordinates[4], on_shared[4];
+    alignas(32) SnapshotValues values[4];
   };
-  /// The axes that all pairs of children share, and the error bounds on them: 0..2 on the
-  /// coordinate axes, 3..5 on `axes`.
+  /// The axes that all pairs of children share, and the error bounds on them.
   struct Shared {
     Axis axes[3];
     AxisBatch batch;
-    double bound[6];
+    Lanes bounds, coordinate_bounds;
     ErrorBound error;
   };
 
   Snapshot snapshot(int side, const SnapshotValues& values) const {
-    return {values.data(), trees_[side].width(), query_.shapes[side].control_count()};
+    return {values.data(), trees_[side].count()};
   }
 
+  Node node(int side, int child) const { return children_[side].first + static_cast<Node>(child); }
+  /// Gives children their extents on the shared axes.
+  void share(int side, unsigned children, const Shared& shared) {
+    Children& all = children_[side];
+    for (unsigned left = children & ~all.shared; left != 0; left &= left - 1) {
+      const int c = std::countr_zero(left);
+      project(snapshot(side, all.values[c]), shared.batch, all.on_shared[c]);
+    }
+    all.shared |= children;
+  }
+
+  template <class Pair, class Wanted>
+  void prepare(const Pair& pair, const Wanted& wanted, Shared& shared);
   template <class Observer>
-  bool narrow(const Child& a, const Child& b, const Shared& shared, Observer& observer, Window& w,
-              Axis& hint);
+  bool narrow(int a, int b, const Shared& shared, Observer& observer, Window& w, Axis& hint);
   template <class Observer>
-  bool narrow_by_own_axes(const Child& a, const Child& b, const Shared& shared, Observer& observer,
+  bool narrow_by_own_axes(int a, int b, const Shared& shared, Observer& observer,
                           const Window& parent, Window& w, Axis& hint);
 
   NormalisedQuery query_;
   CellTree trees_[2];
-  Child children_[2][4];
+  Children children_[2];
   alignas(32) SnapshotValues values_[2];  ///< of a pair in its own window
 };
 
@@ -128,108 +141,116 @@ struct Told {
 
 }  // namespace detail
 
-template <class Pair, class Wanted, class Observer, class Keep>
-void PairSplit::expand(const Pair& pair, const Wanted& wanted, Observer& observer,
-                       const Keep& keep) {
+/// The children that are wanted, and what all of their pairs share.
+template <class Pair, class Wanted>
+void PairSplit::prepare(const Pair& pair, const Wanted& wanted, Shared& shared) {
   const double middle = 0.5 * pair.window.lo + 0.5 * pair.window.hi;
-  const Skeleton whole[2] = {{trees_[0], pair.cells[0], middle},
-                             {trees_[1], pair.cells[1], middle}};
-  Shared shared{{pair.hint, whole[0].normal, whole[1].normal}, {}, {}, {}};
+  shared.axes[0] = pair.hint;
+  for (int s = 0; s < 2; ++s) {
+    shared.axes[s + 1] = Skeleton(trees_[s], pair.cells[s], middle).normal;
+  }
+  for (int k = 0; k < 3; ++k) {
+    shared.batch.axes[k] = {shared.axes[0][k], shared.axes[1][k], shared.axes[2][k], 0};
+  }
   shared.error = ErrorBound(
       query_.magnitude, query_.absolute,
       std::max(trees_[0].roundings(pair.depth + 1), trees_[1].roundings(pair.depth + 1)));
-  for (int k = 0; k < 3; ++k) {
-    for (int j = 0; j < 3; ++j) shared.batch.axes[j][k] = shared.axes[k][j];
-    shared.bound[k] = shared.error.for_axis(1.0);
-    shared.bound[k + 3] = shared.error.for_axis(norm1(shared.axes[k]));
-  }
+  shared.coordinate_bounds.fill(shared.error.for_axis(1.0));
+  shared.bounds = shared.error.for_axes(shared.batch);
 
   for (int s = 0; s < 2; ++s) {
-    const Node first = trees_[s].children(pair.cells[s]);
+    Children& children = children_[s];
+    children.first = trees_[s].children(pair.cells[s]);
+    children.wanted = children.shared = 0;
     for (int c = 0; c < query_.shapes[s].child_count(); ++c) {
       if (!wanted(s, c)) continue;
-      Child& child = children_[s][c];
-      child.node = first + static_cast<Node>(c);
-      child.has_shared = false;
-      take_snapshot(trees_[s].net(child.node), trees_[s].width(), pair.window.lo, pair.window.hi,
-                    child.values.data());
-      component_ranges(snapshot(s, child.values), child.coordinate);
-    }
-  }
-  for (int a = 0; a < query_.shapes[0].child_count(); ++a) {
-    if (!wanted(0, a)) continue;
-    for (int b = 0; b < query_.shapes[1].child_count(); ++b) {
-      if (!wanted(1, b)) continue;
-      Child* const two[2] = {&children_[0][a], &children_[1][b]};
-      bool apart = false;
-      for (int k = 0; k < 3 && !apart; ++k) {
-        const Gaps gaps(component(two[0]->coordinate, k), component(two[1]->coordinate, k));
-        if constexpr (Observer::kListens) {
-          const Axis l = detail::coordinate_axis(k);
-          detail::Told{observer, k, l}.compared(gaps, shared.bound[k], pair.window);
-        }
-        apart = gaps.separated(shared.bound[k]);
-      }
-      if (apart) continue;
-      for (int s = 0; s < 2; ++s) {
-        if (two[s]->has_shared) continue;
-        two[s]->has_shared = true;
-        project(snapshot(s, two[s]->values), shared.batch, two[s]->shared);
-      }
-      Window w = pair.window;
-      Axis hint = pair.hint;
-      if (narrow(*two[0], *two[1], shared, observer, w, hint)) {
-        keep(Kept{w, hint, {two[0]->node, two[1]->node}, {a, b}});
-      }
+      children.wanted |= 1U << c;
+      take_snapshot(trees_[s].net(node(s, c)), trees_[s].count(), pair.window.lo, pair.window.hi,
+                    children.values[c].data(), children.on_coordinates[c]);
     }
   }
 }
 
-/// Shortens w by every axis in turn. Returns false if the pair is separated throughout.
-template <class Observer>
-bool PairSplit::narrow(const Child& a, const Child& b, const Shared& shared,
-                       [[maybe_unused]] Observer& observer, Window& w, Axis& hint) {
-  const Window parent = w;
-  for (int k = 0; k < 3; ++k) {
-    const Gaps gaps(lane(a.shared, k), lane(b.shared, k));
-    if constexpr (Observer::kListens) {
-      detail::Told{observer, 3 + k, shared.axes[k]}.compared(gaps, shared.bound[k + 3], parent);
-    }
-    if (gaps.separated(shared.bound[k + 3])) return false;
+template <class Pair, class Wanted, class Observer, class Keep>
+void PairSplit::expand(const Pair& pair, const Wanted& wanted, Observer& observer,
+                       const Keep& keep) {
+  Shared shared;
+  prepare(pair, wanted, shared);
+  unsigned pairs = 0;
+  for (int a = 0; a < 4; ++a) {
+    if ((children_[0].wanted >> a & 1) != 0) pairs |= children_[1].wanted << 4 * a;
   }
-  const auto trim = [&]([[maybe_unused]] int axis, const Gaps& gaps, double e) {
-    if (!gaps.separated_at_an_end(e)) return;
-    Window trimmed = parent;
-    trim_by_chord(gaps, e, trimmed);
-    w = detail::intersection(w, trimmed);
+  const auto test = [&](int first_axis, const auto& axis, auto ranges, const Lanes& bounds) {
     if constexpr (Observer::kListens) {
-      const Axis l = axis < 3 ? detail::coordinate_axis(axis) : shared.axes[axis - 3];
-      detail::Told{observer, axis, l}.trimmed(gaps, e, parent, trimmed);
+      for (unsigned left = pairs; left != 0; left &= left - 1) {
+        const int pair_bit = std::countr_zero(left);
+        for (int k = 0; k < 3; ++k) {
+          const Gaps gaps(lane((children_[0].*ranges)[pair_bit / 4], k),
+                          lane((children_[1].*ranges)[pair_bit % 4], k));
+          detail::Told{observer, first_axis + k, axis(k)}.compared(gaps, bounds[k], pair.window);
+          if (gaps.separated(bounds[k])) break;
+        }
+      }
+    }
+    pairs = together(children_[0].*ranges, children_[1].*ranges, pairs, bounds);
+  };
+  test(0, detail::coordinate_axis, &Children::on_coordinates, shared.coordinate_bounds);
+  for (int a = 0; a < 4; ++a) {
+    const unsigned row = pairs >> 4 * a & 15;
+    if (row == 0) continue;
+    share(0, 1U << a, shared);
+    share(1, row, shared);
+  }
+  test(
+      3, [&](int k) { return shared.axes[k]; }, &Children::on_shared, shared.bounds);
+  for (; pairs != 0; pairs &= pairs - 1) {
+    const int a = std::countr_zero(pairs) / 4, b = std::countr_zero(pairs) % 4;
+    Kept kept{pair.window, pair.hint, {node(0, a), node(1, b)}, {a, b}};
+    if (narrow(a, b, shared, observer, kept.window, kept.hint)) keep(kept);
+  }
+}
+
+/// Shortens w, in which no shared axis separates the pair throughout, by every axis in turn.
+/// Returns false if the pair is separated throughout.
+template <class Observer>
+bool PairSplit::narrow(int a, int b, const Shared& shared, [[maybe_unused]] Observer& observer,
+                       Window& w, Axis& hint) {
+  const Window parent = w;
+  const auto trim = [&](int first_axis, const auto& axis, auto ranges, const Lanes& bounds) {
+    const RangeBatch &of_a = (children_[0].*ranges)[a], &of_b = (children_[1].*ranges)[b];
+    for (unsigned ends = compare(of_a, of_b, bounds).apart_at_end; ends != 0; ends &= ends - 1) {
+      const int k = std::countr_zero(ends);
+      const Gaps gaps(lane(of_a, k), lane(of_b, k));
+      Window trimmed = parent;
+      trim_by_chord(gaps, bounds[k], trimmed);
+      w = detail::intersection(w, trimmed);
+      if constexpr (Observer::kListens) {
+        detail::Told{observer, first_axis + k, axis(k)}.trimmed(gaps, bounds[k], parent, trimmed);
+      }
     }
   };
-  for (int k = 0; k < 3; ++k) {
-    trim(k, Gaps(component(a.coordinate, k), component(b.coordinate, k)), shared.bound[k]);
-    trim(k + 3, Gaps(lane(a.shared, k), lane(b.shared, k)), shared.bound[k + 3]);
-  }
+  trim(0, detail::coordinate_axis, &Children::on_coordinates, shared.coordinate_bounds);
+  trim(
+      3, [&](int k) { return shared.axes[k]; }, &Children::on_shared, shared.bounds);
   if (w.lo > w.hi) return false;  // what two axes exclude covers the window
   return narrow_by_own_axes(a, b, shared, observer, parent, w, hint);
 }
 
 /// The same by the axes of the pair itself.
 template <class Observer>
-bool PairSplit::narrow_by_own_axes(const Child& a, const Child& b, const Shared& shared,
+bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
                                    [[maybe_unused]] Observer& observer, const Window& parent,
                                    Window& w, Axis& hint) {
-  const NetPair nets = {{trees_[0].net(a.node), trees_[1].net(b.node)},
-                        {trees_[0].width(), trees_[1].width()}};
+  const NetPair nets = {{trees_[0].net(node(0, a)), trees_[1].net(node(1, b))},
+                        {trees_[0].count(), trees_[1].count()}};
   // The nets at both ends of `seen`.
-  Snapshot now[2] = {snapshot(0, a.values), snapshot(1, b.values)};
+  Snapshot now[2] = {snapshot(0, children_[0].values[a]), snapshot(1, children_[1].values[b])};
   Window seen = parent;
   const auto look = [&] {
     if (seen.lo == w.lo && seen.hi == w.hi) return;
     seen = w;
     for (int s = 0; s < 2; ++s) {
-      take_snapshot(nets.net[s], nets.width[s], w.lo, w.hi, values_[s].data());
+      take_snapshot(nets.net[s], nets.count[s], w.lo, w.hi, values_[s].data());
       now[s] = snapshot(s, values_[s]);
     }
   };
@@ -240,26 +261,34 @@ bool PairSplit::narrow_by_own_axes(const Child& a, const Child& b, const Shared&
     look();
     RangeBatch ranges[2];
     for (int s = 0; s < 2; ++s) project(now[s], *batch, ranges[s]);
-    for (int j = 0; j < kLanes; ++j) {
-      const Axis l = {batch->axes[0][j], batch->axes[1][j], batch->axes[2][j]};
-      const double e = shared.error.for_axis(norm1(l));
-      const Gaps gaps(lane(ranges[0], j), lane(ranges[1], j));
-      [[maybe_unused]] const int axis = 6 + i * kLanes + j;
-      if constexpr (Observer::kListens) detail::Told{observer, axis, l}.compared(gaps, e, seen);
-      if (gaps.separated(e)) return false;
-      if (!gaps.separated_at_an_end(e)) continue;
+    const Lanes bounds = shared.error.for_axes(*batch);
+    const auto axis = [&](int k) {
+      return Axis{batch->axes[0][k], batch->axes[1][k], batch->axes[2][k]};
+    };
+    const auto gaps_on = [&](int k) { return Gaps(lane(ranges[0], k), lane(ranges[1], k)); };
+    const int first_axis = 6 + i * kLanes;
+    if constexpr (Observer::kListens) {
+      for (int k = 0; k < kLanes; ++k) {
+        detail::Told{observer, first_axis + k, axis(k)}.compared(gaps_on(k), bounds[k], seen);
+      }
+    }
+    const Verdicts verdicts = compare(ranges[0], ranges[1], bounds);
+    if (verdicts.apart != 0) return false;
+    for (unsigned ends = verdicts.apart_at_end; ends != 0; ends &= ends - 1) {
+      const int k = std::countr_zero(ends);
+      const Gaps gaps = gaps_on(k);
       Window trimmed = seen;
-      trim_by_chord(gaps, e, trimmed);
-      const HeightLines lines(nets, l);
+      trim_by_chord(gaps, bounds[k], trimmed);
+      const HeightLines lines(nets, axis(k));
       for (int sign = 0; sign < 2; ++sign) {
-        const bool low = gaps.at_lo[sign] < -e, high = gaps.at_hi[sign] < -e;
-        if (low || high) trim_by_newton(lines, e, sign, low, trimmed);
+        const bool low = gaps.at_lo[sign] < -bounds[k], high = gaps.at_hi[sign] < -bounds[k];
+        if (low || high) trim_by_newton(lines, bounds[k], sign, low, trimmed);
       }
       if constexpr (Observer::kListens) {
-        detail::Told{observer, axis, l}.trimmed(gaps, e, seen, trimmed);
+        detail::Told{observer, first_axis + k, axis(k)}.trimmed(gaps, bounds[k], seen, trimmed);
       }
       w = detail::intersection(w, trimmed);
-      hint = l;
+      hint = axis(k);
       if (w.lo > w.hi) return false;  // several axes together exclude all of it
     }
   }

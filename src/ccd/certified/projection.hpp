@@ -33,6 +33,13 @@ class ErrorBound {
   ErrorBound(double magnitude, double absolute, int roundings)
       : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 4 * absolute +
                   kSubdivisionUnderflows * kEta) {}
+  Lanes for_axes(const AxisBatch& batch) const {
+    Lanes out;
+    for (size_t i = 0; i < out.size(); ++i) {
+      out[i] = for_axis(certified::norm1({batch.axes[0][i], batch.axes[1][i], batch.axes[2][i]}));
+    }
+    return out;
+  }
 
   double for_axis(double norm1) const {
     return (relative_ * norm1 + kProductUnderflows * kEta) * kSlack;
@@ -57,11 +64,6 @@ class ErrorBound {
 /// One lane of a batch.
 inline RangePair lane(const RangeBatch& ranges, int i) {
   return {{ranges.min_lo[i], ranges.max_lo[i]}, {ranges.min_hi[i], ranges.max_hi[i]}};
-}
-
-/// Component k.
-inline RangePair component(const ComponentRanges& ranges, int k) {
-  return {{ranges.min[k], ranges.max[k]}, {ranges.min[k + 3], ranges.max[k + 3]}};
 }
 
 }  // namespace ccdfuzz::certified

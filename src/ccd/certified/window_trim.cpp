@@ -6,19 +6,23 @@ namespace ccdfuzz::certified {
 
 HeightLines::HeightLines(const NetPair& nets, const Axis& axis) {
   for (int s = 0; s < 2; ++s) {
-    widths_[s] = nets.width[s];
-    project_lines(nets.net[s], nets.width[s], axis, slopes_[s].data(), intercepts_[s].data());
+    counts_[s] = nets.count[s];
+    const double* p = nets.net[s];
+    for (int i = 0; i < nets.count[s]; ++i, p += kPerPoint) {
+      intercepts_[s][i] = (p[0] * axis[0] + p[1] * axis[1]) + p[2] * axis[2];
+      slopes_[s][i] = (p[4] * axis[0] + p[5] * axis[1]) + p[6] * axis[2];
+    }
   }
 }
 
 HeightLines::Gap HeightLines::gap(int below, double t) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double most = -kInfinity, least = kInfinity, slope_of_most = 0, slope_of_least = 0;
-  for (int i = 0; i < widths_[below]; ++i) {
+  for (int i = 0; i < counts_[below]; ++i) {
     const double slope = slopes_[below][i], height = slope * t + intercepts_[below][i];
     if (height > most) most = height, slope_of_most = slope;
   }
-  for (int i = 0; i < widths_[1 - below]; ++i) {
+  for (int i = 0; i < counts_[1 - below]; ++i) {
     const double slope = slopes_[1 - below][i], height = slope * t + intercepts_[1 - below][i];
     if (height < least) least = height, slope_of_least = slope;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ccd/certified/projection.hpp"
+#include "ccd/next_double.hpp"
 #include "ccd/search.hpp"
 
 namespace ccdfuzz::certified {
@@ -9,7 +10,7 @@ namespace ccdfuzz::certified {
 /// convex in t, so that h certified negative at two times is negative between them.
 struct NetPair {
   const double* net[2];
-  int width[2];
+  int count[2];
 };
 
 /// fl(h) at both window ends, for side 0 below side 1 (sign 0) and above it (sign 1).
@@ -38,8 +39,7 @@ inline double chord_root(double t0, double h0, double t1, double h1) {
   const double share = (-h0 / (h1 - h0)) * (1 - 0x1p-50);  // five roundings ≤ 5·2^-53 < 2^-50
   const double t = t0 + (t1 - t0) * share;
   // The last sum rounds by half an ulp of t: one step back covers it.
-  const double safe = std::nextafter(t, t0);
-  return t0 < t1 ? std::max(t0, safe) : std::min(t0, safe);
+  return t0 < t1 ? std::max(t0, next_down(t)) : std::min(t0, next_up(t));
 }
 
 /// Moves the ends of w inward by what the chord of each end allows; free of further evaluation.
@@ -69,10 +69,9 @@ class HeightLines {
   Gap gap(int below, double t) const;
 
  private:
-  /// One place for each padded control point.
-  using PerPoint = std::array<double, (kMaxControls + kLanes - 1) / kLanes * kLanes>;
+  using PerPoint = std::array<double, kMaxControls>;
 
-  std::array<int, 2> widths_;
+  std::array<int, 2> counts_;
   std::array<PerPoint, 2> slopes_, intercepts_;
 };
 

@@ -33,14 +33,12 @@ Axis to_double(const TreeAxis& l) {
 }
 
 /// Extents of a net on axis l at two times, each value rounded as ErrorBound assumes.
-RangePair extents(const double* net, int width, const Axis& l, double t0, double t1) {
+RangePair extents(const double* net, int count, const Axis& l, double t0, double t1) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}};
-  for (int i = 0; i < width; ++i) {
-    const auto along = [&](const double* x) {
-      return (l[0] * x[i] + l[1] * x[i + width]) + l[2] * x[i + 2 * width];
-    };
-    const double position = along(net), velocity = along(net + 3 * width);
+  for (int i = 0; i < count; ++i, net += kPerPoint) {
+    const auto along = [&](const double* x) { return (l[0] * x[0] + l[1] * x[1]) + l[2] * x[2]; };
+    const double position = along(net), velocity = along(net + 4);
     const double x0 = velocity * t0 + position, x1 = velocity * t1 + position;
     r.at_lo = {std::min(r.at_lo.min, x0), std::max(r.at_lo.max, x0)};
     r.at_hi = {std::min(r.at_hi.min, x1), std::max(r.at_hi.max, x1)};
@@ -114,7 +112,7 @@ class Builder {
   }
   Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {
     const auto of = [&](int s) {
-      return extents(trees_[s].net(pair.cells[s]), trees_[s].width(), l, time(lo), time(hi));
+      return extents(trees_[s].net(pair.cells[s]), trees_[s].count(), l, time(lo), time(hi));
     };
     return {of(0), of(1)};
   }
@@ -141,7 +139,7 @@ class Builder {
   /// What of the window's ends the axis separates, if it is more than the best so far.
   void try_cut(const Pair& pair, const Axis& l, const Gaps& g, double e, Cut& best) const {
     const NetPair nets = {{trees_[0].net(pair.cells[0]), trees_[1].net(pair.cells[1])},
-                          {trees_[0].width(), trees_[1].width()}};
+                          {trees_[0].count(), trees_[1].count()}};
     const HeightLines lines(nets, l);
     for (int sign = 0; sign < 2; ++sign) {
       const bool low = g.at_lo[sign] < -e;
@@ -219,7 +217,7 @@ class Builder {
       for (size_t k = 0; k < 3; ++k) {
         Axis l{};
         l[k] = 1;
-        const RangePair r = extents(tree.net(pair.cells[s]), tree.width(), l, t, t);
+        const RangePair r = extents(tree.net(pair.cells[s]), tree.count(), l, t, t);
         size = std::max(size, r.at_lo.max - r.at_lo.min);
       }
       if (size > largest) largest = size, side = s;
