@@ -134,9 +134,10 @@ TEST(FullSearch, SplitsOfTheCertifiedMethodGiveEachPairTheSameWhoeverElseIsThere
   for (const ContactClass contact : kContactClasses) {
     const Case known = generated_case(contact, Family::kRegular, 1);
     certified::PairSplit split;
-    split.begin(known.query);
+    constexpr int kFinest = 9;
+    split.begin(known.query, kFinest);
     std::vector<certified::PairSplit::Kept> level = {{{0, split.query().t_max}, {}, {}, {}}};
-    for (int depth = 0; depth < 9; ++depth) {
+    for (int depth = 0; depth < kFinest; ++depth) {
       std::vector<certified::PairSplit::Kept> next;
       for (const auto& parent : level) {
         Unobserved nobody;

@@ -47,15 +47,20 @@ void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> 
   }
 }
 
+Cell CellTree::cell(Node node) const {
+  const Entry& entry = nodes_[node];
+  return entry.parent == kNone ? Cell{} : cell(entry.parent).child(shape_, entry.place);
+}
+
 CellTree::Node CellTree::children(Node parent) {
   if (nodes_[parent].first_child != kNone) return nodes_[parent].first_child;
   if (shape_.kind == ShapeKind::kPoint) return nodes_[parent].first_child = parent;
   const Node first = static_cast<Node>(size_);
   const size_t count = static_cast<size_t>(shape_.child_count());
   grow(count);
-  const Cell cell = nodes_[parent].cell;
+  const auto depth = static_cast<std::uint16_t>(nodes_[parent].depth + 1);
   for (size_t c = 0; c < count; ++c) {
-    nodes_[first + c] = {cell.child(shape_, static_cast<int>(c)), kNone};
+    nodes_[first + c] = {parent, kNone, depth, static_cast<std::uint16_t>(c)};
   }
   nodes_[parent].first_child = first;
   split_net(*program_, net(parent), this->count(), slots_.data(), &values_[first * stride_]);

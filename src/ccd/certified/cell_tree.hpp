@@ -24,7 +24,9 @@ class CellTree {
   Node children(Node parent);
 
   const double* net(Node node) const { return &values_[size_t{node} * stride_]; }
-  const Cell& cell(Node node) const { return nodes_[node].cell; }
+  /// Which part of the domain a node is; walks up to the root.
+  Cell cell(Node node) const;
+  int depth(Node node) const { return nodes_[node].depth; }
   const Shape& shape() const { return shape_; }
   /// Control points of a net.
   int count() const { return static_cast<int>(stride_) / kPerPoint; }
@@ -36,8 +38,10 @@ class CellTree {
   static constexpr Node kNone = ~Node{0};
 
   struct Entry {
-    Cell cell;
+    Node parent = kNone;
     Node first_child = kNone;
+    std::uint16_t depth = 0;
+    std::uint16_t place = 0;  ///< which child of its parent
   };
 
   /// Makes room for `more` nodes, their nets not set.

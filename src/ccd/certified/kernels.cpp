@@ -44,6 +44,51 @@ struct GapVectors {
   }
 };
 
+[[gnu::always_inline]] inline void project_inline(const Snapshot& snapshot, const AxisBatch& axes,
+                                                  RangeBatch& out) {
+  Vector l0, l1, l2;
+  std::memcpy(&l0, axes.axes[0].data(), sizeof l0);
+  std::memcpy(&l1, axes.axes[1].data(), sizeof l1);
+  std::memcpy(&l2, axes.axes[2].data(), sizeof l2);
+  const double* x = snapshot.values;
+  Vector min_lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
+  Vector min_hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
+  Vector max_lo = min_lo, max_hi = min_hi;
+  for (int i = 1; i < snapshot.count; ++i) {
+    x += kPerPoint;
+    const Vector lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
+    const Vector hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
+    min_lo = lo < min_lo ? lo : min_lo;
+    max_lo = lo > max_lo ? lo : max_lo;
+    min_hi = hi < min_hi ? hi : min_hi;
+    max_hi = hi > max_hi ? hi : max_hi;
+  }
+  std::memcpy(out.min_lo.data(), &min_lo, sizeof min_lo);
+  std::memcpy(out.max_lo.data(), &max_lo, sizeof max_lo);
+  std::memcpy(out.min_hi.data(), &min_hi, sizeof min_hi);
+  std::memcpy(out.max_hi.data(), &max_hi, sizeof max_hi);
+}
+
+[[gnu::always_inline]] inline void compare_inline(const RangeBatch& a, const RangeBatch& b,
+                                                  const Lanes& bounds, Verdicts& out) {
+  using Mask = long long __attribute__((vector_size(32)));
+  const GapVectors gap(a, b);
+  Vector bound;
+  std::memcpy(&bound, bounds.data(), sizeof bound);
+  const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
+  const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
+  const Vector throughout = below < above ? below : above;
+  const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
+  const Vector least1 = gap.lo1 < gap.hi1 ? gap.lo1 : gap.hi1;
+  const Vector least = least0 < least1 ? least0 : least1;
+  const Mask apart = throughout < -bound, at_end = least < -bound;
+  constexpr Mask kApart = {1, 2, 4, 8}, kAtEnd = {16, 32, 64, 128};
+  const Mask bits = (apart & kApart) | (at_end & kAtEnd);
+  const auto all = static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+  out.apart = all & 15;
+  out.apart_at_end = all >> 4;
+}
+
 }  // namespace
 
 CCDFUZZ_FOR_EACH_CPU
@@ -85,8 +130,9 @@ void take_snapshot(const double* net, int count, double t0, double t1, double* o
 CCDFUZZ_FOR_EACH_CPU
 void split_net(const MidpointProgram& program, const double* net, int count, double* slots,
                double* children) {
-  const auto bytes = static_cast<size_t>(count) * kPerPoint * sizeof(double);
-  std::memcpy(slots, net, bytes);
+  for (int i = 0; i < count; ++i) {
+    std::memcpy(slots + i * kPerPoint, net + i * kPerPoint, kPerPoint * sizeof(double));
+  }
   double* next = slots + count * kPerPoint;
   for (const MidpointProgram::Step step : program.steps) {
     for (int half = 0; half < kPerPoint; half += 4) {
@@ -108,46 +154,23 @@ void split_net(const MidpointProgram& program, const double* net, int count, dou
 
 CCDFUZZ_FOR_EACH_CPU
 void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out) {
-  Vector l0, l1, l2;
-  std::memcpy(&l0, axes.axes[0].data(), sizeof l0);
-  std::memcpy(&l1, axes.axes[1].data(), sizeof l1);
-  std::memcpy(&l2, axes.axes[2].data(), sizeof l2);
-  const double* x = snapshot.values;
-  Vector min_lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
-  Vector min_hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
-  Vector max_lo = min_lo, max_hi = min_hi;
-  for (int i = 1; i < snapshot.count; ++i) {
-    x += kPerPoint;
-    const Vector lo = (l0 * x[0] + l1 * x[1]) + l2 * x[2];
-    const Vector hi = (l0 * x[4] + l1 * x[5]) + l2 * x[6];
-    min_lo = lo < min_lo ? lo : min_lo;
-    max_lo = lo > max_lo ? lo : max_lo;
-    min_hi = hi < min_hi ? hi : min_hi;
-    max_hi = hi > max_hi ? hi : max_hi;
-  }
-  std::memcpy(out.min_lo.data(), &min_lo, sizeof min_lo);
-  std::memcpy(out.max_lo.data(), &max_lo, sizeof max_lo);
-  std::memcpy(out.min_hi.data(), &min_hi, sizeof min_hi);
-  std::memcpy(out.max_hi.data(), &max_hi, sizeof max_hi);
+  project_inline(snapshot, axes, out);
 }
 
 CCDFUZZ_FOR_EACH_CPU
 Verdicts compare(const RangeBatch& a, const RangeBatch& b, const Lanes& bounds) {
-  const GapVectors gap(a, b);
-  Vector bound;
-  std::memcpy(&bound, bounds.data(), sizeof bound);
-  const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
-  const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
-  const Vector throughout = below < above ? below : above;
-  const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
-  const Vector least1 = gap.lo1 < gap.hi1 ? gap.lo1 : gap.hi1;
-  const Vector least = least0 < least1 ? least0 : least1;
-  const auto apart = throughout < -bound, at_end = least < -bound;
   Verdicts out;
-  for (int i = 0; i < kLanes; ++i) {
-    out.apart |= static_cast<unsigned>(apart[i] & (1 << i));
-    out.apart_at_end |= static_cast<unsigned>(at_end[i] & (1 << i));
-  }
+  compare_inline(a, b, bounds, out);
+  return out;
+}
+
+CCDFUZZ_FOR_EACH_CPU
+Verdicts project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
+                             const Lanes& bounds, std::array<RangeBatch, 2>& ranges) {
+  project_inline(a, axes, ranges[0]);
+  project_inline(b, axes, ranges[1]);
+  Verdicts out;
+  compare_inline(ranges[0], ranges[1], bounds, out);
   return out;
 }
 

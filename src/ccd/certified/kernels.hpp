@@ -61,6 +61,10 @@ struct Verdicts {
 /// bounds: of each axis.
 Verdicts compare(const RangeBatch& a, const RangeBatch& b, const Lanes& bounds);
 
+/// Both extents on four axes, and what they say.
+Verdicts project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
+                             const Lanes& bounds, std::array<RangeBatch, 2>& ranges);
+
 /// Bit 4·i + j for every pair of a[i] and b[j] that no axis separates; `pairs` are looked at.
 unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, const Lanes& bounds);
 

@@ -29,7 +29,9 @@ class PairSplit {
     std::array<int, 2> children;  ///< which child each cell is of its parent
   };
 
-  void begin(const Query& query);
+  /// finest: the depth to which pairs will be split. Children above it are not put to all axes if
+  /// it looks futile; that can cost further splits, never a proof.
+  void begin(const Query& query, int finest);
 
   const NormalisedQuery& query() const { return query_; }
   const CellTree& tree(int side) const { return trees_[side]; }
@@ -60,6 +62,7 @@ class PairSplit {
     AxisBatch batch;
     Lanes bounds, coordinate_bounds;
     ErrorBound error;
+    bool coarse;  ///< the pairs will be split further
   };
 
   Snapshot snapshot(int side, const SnapshotValues& values) const {
@@ -86,6 +89,7 @@ class PairSplit {
                           const Window& parent, Window& w, Axis& hint);
 
   NormalisedQuery query_;
+  int finest_ = 0;
   CellTree trees_[2];
   Children children_[2];
   alignas(32) SnapshotValues values_[2];  ///< of a pair in its own window
@@ -155,6 +159,7 @@ void PairSplit::prepare(const Pair& pair, const Wanted& wanted, Shared& shared) 
   shared.error = ErrorBound(
       query_.magnitude, query_.absolute,
       std::max(trees_[0].roundings(pair.depth + 1), trees_[1].roundings(pair.depth + 1)));
+  shared.coarse = pair.depth + 1 < finest_;
   shared.coordinate_bounds.fill(shared.error.for_axis(1.0));
   shared.bounds = shared.error.for_axes(shared.batch);
 
@@ -259,9 +264,9 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
   CandidateAxes candidates(flat_a, flat_b);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     look();
-    RangeBatch ranges[2];
-    for (int s = 0; s < 2; ++s) project(now[s], *batch, ranges[s]);
     const Lanes bounds = shared.error.for_axes(*batch);
+    std::array<RangeBatch, 2> ranges;
+    const Verdicts verdicts = project_and_compare(now[0], now[1], *batch, bounds, ranges);
     const auto axis = [&](int k) {
       return Axis{batch->axes[0][k], batch->axes[1][k], batch->axes[2][k]};
     };
@@ -272,7 +277,6 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
         detail::Told{observer, first_axis + k, axis(k)}.compared(gaps_on(k), bounds[k], seen);
       }
     }
-    const Verdicts verdicts = compare(ranges[0], ranges[1], bounds);
     if (verdicts.apart != 0) return false;
     for (unsigned ends = verdicts.apart_at_end; ends != 0; ends &= ends - 1) {
       const int k = std::countr_zero(ends);
@@ -291,6 +295,9 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
       hint = axis(k);
       if (w.lo > w.hi) return false;  // several axes together exclude all of it
     }
+    // What none of the likeliest axes separates at either end hardly any other does; the children
+    // will tell, unless these are the finest.
+    if (shared.coarse && i == 0 && w.lo == parent.lo && w.hi == parent.hi) break;
   }
   return true;
 }

@@ -51,7 +51,7 @@ void TdibmC::push(const certified::PairSplit::Kept& pair, int depth) {
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   const int target = depth_for(options.precision);
   const Deadline deadline(options.max_seconds);
-  split_.begin(query);
+  split_.begin(query, target);
   const certified::NormalisedQuery& normalised = split_.query();
   queue_.clear();
   pushed_ = 0;

@@ -43,12 +43,12 @@ void unscale(Trace& trace, int exponent) {
 const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
                                     const TraceOptions& options) {
   const FpGuard guard;
-  split_.begin(query);
+  const int target = depth_for(options.precision);
+  split_.begin(query, target);
   const int exponent = split_.query().time;
   path_.assign(split_.query().shapes, witness, exponent);
   CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
   watch_.begin(path_.time(), options.steps);
-  const int target = depth_for(options.precision);
   now_.clear();
   now_.push_back({{0, split_.query().t_max}, {}, {}, 0});
   for (int level = 0; level < target && !now_.empty(); ++level) {

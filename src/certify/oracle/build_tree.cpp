@@ -106,7 +106,7 @@ class Builder {
     int roundings = 0;
     for (int s = 0; s < 2; ++s) {
       const CellTree& tree = trees_[s];
-      roundings = std::max(roundings, tree.roundings(tree.cell(pair.cells[s]).depth));
+      roundings = std::max(roundings, tree.roundings(tree.depth(pair.cells[s])));
     }
     return ErrorBound(query_.magnitude, query_.absolute, roundings + kOfTime).for_axis(norm1(l));
   }
@@ -212,7 +212,7 @@ class Builder {
     for (int s = 0; s < 2; ++s) {
       const CellTree& tree = trees_[s];
       if (tree.shape().kind == ShapeKind::kPoint) continue;
-      if (tree.cell(pair.cells[s]).depth >= Cell::kMaxDepth) continue;
+      if (tree.depth(pair.cells[s]) >= Cell::kMaxDepth) continue;
       double size = 0;
       for (size_t k = 0; k < 3; ++k) {
         Axis l{};
