@@ -2,25 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
-#include <functional>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
-#include "certify/checker/check_truth.hpp"
-#include "certify/oracle/oracle.hpp"
+#include "fuzz_drivers.hpp"
+#include "hunt/breeder.hpp"
 #include "hunt/traced_cases.hpp"
-#include "method/method.hpp"
 #include "properties/envelope.hpp"
 #include "properties/registry.hpp"
-#include "query/judge.hpp"
+#include "property_turns.hpp"
 #include "rapidcheck.hpp"
-#include "scoreboard/planted.hpp"
+#include "sound.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-constexpr std::array kSoundMethods = {"tdibm-e", "tdibm-rational", "tdibm-c"};
-constexpr SearchOptions kDriverSearch = {0x1p-6, 300, 1 << 24};
 
 /// One execution: what is wrong, or nothing.
 using Step = std::function<std::string(std::uint64_t index)>;
@@ -38,28 +35,6 @@ Query random_query(const std::function<double()>& number) {
     }
   }
   return query;
-}
-
-/// What the sources without the fault prove of a query, held against what those with it say.
-std::string contradiction(const Query& query) {
-  const int fault = planted::active_fault;
-  planted::active_fault = 0;
-  OracleOptions little;
-  little.max_pops = 300;
-  little.max_tree_nodes = 2000;
-  Case known;
-  known.query = query;
-  known.truth = decide(query, little).truth;
-  planted::active_fault = fault;
-  if (const auto checked = check_truth(known); !checked) return checked.error().message();
-  for (const char* method : kSoundMethods) {
-    const Answer answer = (*make_method(method))->answer(query, kDriverSearch);
-    const Outcome outcome = judge(query, known.truth, answer);
-    if (is_false_negative(outcome) || outcome == Outcome::kError) {
-      return fmt::format("{} is {}", method, name_of(outcome));
-    }
-  }
-  return "";
 }
 
 Step random_driver(std::uint64_t seed) {
@@ -92,56 +67,50 @@ Step rapidcheck_driver(std::uint64_t seed) {
   };
 }
 
-/// Every property that holds, the one next that has taken the least time.
-Step property_driver(std::uint64_t seed) {
-  struct Turn {
-    Property property;
-    double seconds = 0;
-    std::uint64_t index = 0;
-  };
-  auto turns = std::make_shared<std::vector<Turn>>();
-  for (const Property& p : properties()) {
-    if (p.expected == Expectation::kHolds) turns->push_back({p});
-  }
-  return [turns, seed](std::uint64_t) {
-    Turn& turn = *std::min_element(turns->begin(), turns->end(), [](const Turn& x, const Turn& y) {
-      return x.seconds < y.seconds;
-    });
-    const double start = cpu_seconds_used();
-    RandomChoices choices{Random::keyed({seed, turn.index++})};
-    const Check check = run(turn.property, choices);
-    turn.seconds += cpu_seconds_used() - start;
-    return check.status == Check::Status::kFails
-               ? fmt::format("{}: {}", turn.property.name, check.text)
-               : std::string();
-  };
-}
-
-/// Witnesses through the inclusion tests, and now and then the whole query. tdibm-e claims nothing
-/// where products underflow, so it sees only the first case of a block, which is not scaled.
-Step hunt_driver(std::uint64_t seed) {
-  auto block = std::make_shared<TracedBlock>();
-  return [block, seed](std::uint64_t index) -> std::string {
-    const std::uint64_t place = index % kTracedBlock;
-    if (place == 0) *block = traced_block(seed, index / kTracedBlock);
-    const Case& known = block->cases[place];
-    if (const auto checked = check_truth(known); !checked) return checked.error().message();
+/// By turns a generated contact, and mutants of those that there were, bred towards what one of the
+/// methods nearly loses. One case of a block in four is asked too.
+class Hunt {
+ public:
+  explicit Hunt(std::uint64_t seed) : seed_(seed) {
     for (const char* method : kSoundMethods) {
-      if (place != 0 && std::string_view(method) == "tdibm-e") continue;
-      const auto tracer = *make_tracer(method);
-      if (tracer->trace(known.query, *known.truth.witness, {.precision = 0x1p-8}).lost) {
-        return fmt::format("{} loses a contact", method);
-      }
-      if (place % 4 != 0) continue;
-      const Answer answer = (*make_method(method))->answer(known.query, kDriverSearch);
-      const Outcome outcome = judge(known.query, known.truth, answer);
-      if (is_false_negative(outcome) || outcome == Outcome::kError) {
-        return fmt::format("{} is {}", method, name_of(outcome));
+      const bool bounded = std::string_view(method) == "tdibm-e";
+      breeders_.emplace_back(method, seed,
+                             bounded ? std::optional<int>(kErrorBoundScale) : std::nullopt);
+    }
+  }
+
+  std::string operator()(std::uint64_t index) {
+    std::string found = generate(index);
+    for (Breeder& breeder : breeders_) {
+      for (int i = 0; found.empty() && i < kMutants; ++i) {
+        breeder.step(methods_, tracers_, kDriverSearch, [&](const Case&, const Judged& judged) {
+          found = fmt::format("a mutant's answer is {}", name_of(judged.outcome));
+        });
+        if (breeder.tally().lost > 0) found = "a mutant's contact is lost";
       }
     }
-    return "";
-  };
-}
+    return found;
+  }
+
+ private:
+  static constexpr int kMutants = 4;
+
+  std::string generate(std::uint64_t index) {
+    const std::uint64_t place = index % kTracedBlock;
+    if (place == 0) block_ = traced_block(seed_, index / kTracedBlock);
+    const Case& known = block_.cases[place];
+    std::string found = lost_contact(known, place % 4 == 0, tracers_);
+    if (!found.empty() || place % 8 != 0) return found;
+    for (Breeder& breeder : breeders_) breeder.add(known, tracers_);
+    return found;
+  }
+
+  std::uint64_t seed_;
+  TracedBlock block_;
+  MethodSet methods_;
+  TracerSet tracers_;
+  std::vector<Breeder> breeders_;
+};
 
 Step step_of(Driver driver, std::uint64_t seed) {
   switch (driver) {
@@ -150,9 +119,14 @@ Step step_of(Driver driver, std::uint64_t seed) {
     case Driver::kRapidCheck:
       return rapidcheck_driver(seed);
     case Driver::kProperties:
-      return property_driver(seed);
+      return [turns = std::make_shared<PropertyTurns>(properties(), seed)](std::uint64_t) {
+        return (*turns)();
+      };
     case Driver::kHunt:
-      return hunt_driver(seed);
+      return [hunt = std::make_shared<Hunt>(seed)](std::uint64_t index) { return (*hunt)(index); };
+    case Driver::kRawFuzzer:
+    case Driver::kFuzzer:
+      break;
   }
   return {};
 }
@@ -160,20 +134,24 @@ Step step_of(Driver driver, std::uint64_t seed) {
 }  // namespace
 
 std::string_view name_of(Driver driver) {
-  constexpr std::array<std::string_view, kDrivers.size()> kNames = {"random", "rapidcheck",
-                                                                    "properties", "hunt"};
+  constexpr std::array<std::string_view, kDrivers.size()> kNames = {
+      "random", "rapidcheck", "libfuzzer-raw", "libfuzzer", "properties", "hunt"};
   return kNames[static_cast<std::size_t>(driver)];
 }
 
-double cpu_seconds_used() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+bool is_built(Driver driver) {
+  return kHasFuzzer || (driver != Driver::kRawFuzzer && driver != Driver::kFuzzer);
 }
 
-DriverRun drive(Driver driver, std::uint64_t seed, double cpu_seconds) {
+void drive(Driver driver, std::uint64_t seed, double cpu_seconds,
+           const std::function<void(const DriverRun&)>& done) {
+  const double end = cpu_seconds_used() + cpu_seconds;
+  if (driver == Driver::kRawFuzzer || driver == Driver::kFuzzer) {
+    drive_fuzzer(driver, seed, end, done);
+  }
   const Step step = step_of(driver, seed);
   DriverRun run;
-  const double start = cpu_seconds_used();
-  while (run.found.empty() && cpu_seconds_used() - start < cpu_seconds) {
+  while (run.found.empty() && cpu_seconds_used() < end) {
     try {
       run.found = step(run.executions);
     } catch (const std::exception& error) {
@@ -181,7 +159,8 @@ DriverRun drive(Driver driver, std::uint64_t seed, double cpu_seconds) {
     }
     ++run.executions;
   }
-  return run;
+  done(run);
+  std::abort();
 }
 
 }  // namespace ccdfuzz

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
+
+#include "run_apart.hpp"
 
 namespace ccdfuzz {
 
@@ -12,21 +14,26 @@ namespace ccdfuzz {
 enum class Driver : std::uint8_t {
   kRandom,      ///< random patches, each answer held against what the sound sources prove
   kRapidCheck,  ///< the same, and the envelope claims, on RapidCheck's own arbitrary doubles
+  kRawFuzzer,   ///< the same on patches that are libFuzzer's bytes
+  kFuzzer,      ///< libFuzzer with the project's decoders, mutator and margins
   kProperties,  ///< every property that holds, on choices of its own draw
-  kHunt,        ///< generated witnesses, traced and asked
+  kHunt,        ///< generated witnesses, traced and asked, and mutants bred towards being lost
 };
-inline constexpr std::array kDrivers = {Driver::kRandom, Driver::kRapidCheck, Driver::kProperties,
-                                        Driver::kHunt};
+inline constexpr std::array kDrivers = {Driver::kRandom, Driver::kRapidCheck, Driver::kRawFuzzer,
+                                        Driver::kFuzzer, Driver::kProperties, Driver::kHunt};
 std::string_view name_of(Driver driver);
 
-/// Runs a driver until it finds something wrong or the process has used so much CPU time.
-struct DriverRun {
-  std::uint64_t executions = 0;
-  std::string found;  ///< what is wrong; empty if nothing was found
-};
-DriverRun drive(Driver driver, std::uint64_t seed, double cpu_seconds);
+/// Those that know nothing of the problem: they get less time.
+constexpr bool is_weak(Driver driver) {
+  return driver == Driver::kRandom || driver == Driver::kRapidCheck || driver == Driver::kRawFuzzer;
+}
 
-/// CPU time of the process.
-double cpu_seconds_used();
+/// libFuzzer is there only in a build by clang with CCDFUZZ_FUZZ.
+bool is_built(Driver driver);
+
+/// Runs a driver until it finds something wrong or the process has used so much CPU time, and calls
+/// done, which must not return. Requires is_built(driver).
+[[noreturn]] void drive(Driver driver, std::uint64_t seed, double cpu_seconds,
+                        const std::function<void(const DriverRun&)>& done);
 
 }  // namespace ccdfuzz

@@ -9,9 +9,12 @@
 
 namespace ccdfuzz {
 
+/// Stands for the fault of a run on the sources as they are.
+inline constexpr const char* kNoFault = "none";
+
 /// What one run of a driver against one fault gave.
 struct Record {
-  std::string driver, fault;  ///< fault: its name, or "none"
+  std::string driver, fault;  ///< fault: its name, or kNoFault
   std::uint64_t seed = 0;
   double limit = 0;  ///< CPU seconds
   std::uint64_t reached = 0, triggered = 0, executions = 0;

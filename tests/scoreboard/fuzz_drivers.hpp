@@ -1,0 +1,17 @@
+#pragma once
+
+#include "drivers.hpp"
+
+namespace ccdfuzz {
+
+#ifdef CCDFUZZ_HAS_FUZZER
+inline constexpr bool kHasFuzzer = true;
+#else
+inline constexpr bool kHasFuzzer = false;
+#endif
+
+/// drive() of the two that are libFuzzer. end: in cpu_seconds_used().
+[[noreturn]] void drive_fuzzer(Driver driver, std::uint64_t seed, double end,
+                               const std::function<void(const DriverRun&)>& done);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,31 @@
+#include "property_turns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+
+namespace ccdfuzz {
+
+double cpu_seconds_used() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+PropertyTurns::PropertyTurns(const std::vector<Property>& properties, std::uint64_t seed)
+    : seed_(seed) {
+  for (const Property& p : properties) {
+    if (p.expected == Expectation::kHolds) turns_.push_back({p});
+  }
+}
+
+std::string PropertyTurns::operator()() {
+  Turn& turn = *std::ranges::min_element(turns_, {}, &Turn::seconds);
+  const double start = cpu_seconds_used();
+  RandomChoices choices{Random::keyed({seed_, turn.index++})};
+  const Check check = run(turn.property, choices);
+  turn.seconds += cpu_seconds_used() - start;
+  const bool fails = check.status == Check::Status::kFails;
+  return fails ? fmt::format("{}: {}", turn.property.name, check.text) : "";
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,193 @@
+#include "rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "drivers.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Row row_of(const std::vector<const Record*>& runs) {
+  Row row;
+  std::vector<double> seconds, executions;
+  row.limit = runs.front()->limit;
+  for (const Record* r : runs) {
+    ++row.runs;
+    row.reached += r->reached > 0 || r->detected ? 1 : 0;
+    row.triggered += r->triggered > 0 || r->detected ? 1 : 0;
+    row.detected += r->detected ? 1 : 0;
+    if (r->detected && row.found.empty()) row.found = r->found;
+    row.limit = std::min(row.limit, r->limit);
+    seconds.push_back(r->detected ? r->seconds : r->limit);
+    executions.push_back(static_cast<double>(r->executions));
+  }
+  row.seconds = median(seconds);
+  row.executions = median(executions);
+  return row;
+}
+
+std::string quoted(std::string text) {
+  for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
+    text.insert(at, 1, '"');
+  }
+  return '"' + text + '"';
+}
+
+nlohmann::ordered_json to_json(const DriverRow& d) {
+  return {{"driver", d.driver},
+          {"faults", d.faults},
+          {"reached", d.reached},
+          {"triggered", d.triggered},
+          {"killed", d.killed},
+          {"clean_runs", d.clean_runs},
+          {"false_alarms", d.false_alarms},
+          {"seconds", d.seconds},
+          {"executions", d.executions},
+          {"mean_seconds", d.mean_seconds},
+          {"censored", d.censored}};
+}
+
+nlohmann::ordered_json to_json(const Row& r, const std::string& what) {
+  return {{"driver", r.driver},         {"fault", r.fault},       {"what", what},
+          {"equivalent", r.equivalent}, {"runs", r.runs},         {"reached", r.reached},
+          {"triggered", r.triggered},   {"detected", r.detected}, {"seconds", r.seconds},
+          {"executions", r.executions}, {"limit", r.limit},       {"found", r.found}};
+}
+
+std::string markdown(const std::vector<Fault>& faults, const std::vector<Row>& rows) {
+  std::ostringstream out;
+  out << "| driver | killed | reached | triggered | median CPU time | median executions | false "
+         "alarms |\n|---|---|---|---|---|---|---|\n";
+  const std::vector<DriverRow> drivers = driver_rows(rows);
+  for (const DriverRow& d : drivers) {
+    const char* at_least = d.censored ? "≥ " : "";
+    out << fmt::format("| `{}` | {} of {} | {} | {} | {}{} | {}{:.0f} | {} of {} |\n", d.driver,
+                       d.killed, d.faults, d.reached, d.triggered, at_least,
+                       seconds_text(d.seconds), at_least, d.executions, d.false_alarms,
+                       d.clean_runs);
+  }
+  out << "\n| fault | |";
+  for (const DriverRow& d : drivers) out << " `" << d.driver << "` |";
+  out << "\n|---|---|";
+  for (std::size_t i = 0; i < drivers.size(); ++i) out << "---|";
+  out << '\n';
+  for (const Fault& fault : faults) {
+    out << fmt::format("| `{}` | {}{} |", fault.name, fault.what,
+                       fault.equivalent.empty() ? "" : " (equivalent)");
+    for (const DriverRow& d : drivers) {
+      const auto row = std::ranges::find_if(
+          rows, [&](const Row& r) { return r.driver == d.driver && r.fault == fault.name; });
+      if (row == rows.end()) {
+        out << " |";
+      } else if (row->is_kill()) {
+        out << fmt::format(" {} |", seconds_text(row->seconds));
+      } else {
+        out << fmt::format(" – ({} of {}) |", row->detected, row->runs);
+      }
+    }
+    out << '\n';
+  }
+  return out.str();
+}
+
+Result<void> write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file) return input_error(path, "cannot be written");
+  return {};
+}
+
+}  // namespace
+
+std::string seconds_text(double seconds) {
+  return seconds < 0.0995 ? fmt::format("{:.1f} ms", seconds * 1e3)
+                          : fmt::format("{:.2f} s", seconds);
+}
+
+std::vector<Row> rows_of(const std::vector<Fault>& faults, const Records& records) {
+  std::vector<Row> rows;
+  for (const Driver driver : kDrivers) {
+    for (std::size_t f = 0; f <= faults.size(); ++f) {
+      const std::string name = f == 0 ? kNoFault : faults[f - 1].name;
+      std::vector<const Record*> runs;
+      for (const auto& [key, record] : records.all()) {
+        if (record.driver == name_of(driver) && record.fault == name) runs.push_back(&record);
+      }
+      if (runs.empty()) continue;
+      rows.push_back(row_of(runs));
+      rows.back().driver = name_of(driver);
+      rows.back().fault = name;
+      rows.back().equivalent = f > 0 && !faults[f - 1].equivalent.empty();
+    }
+  }
+  return rows;
+}
+
+std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
+  std::vector<DriverRow> out;
+  for (const Driver driver : kDrivers) {
+    DriverRow d;
+    d.driver = name_of(driver);
+    std::vector<double> seconds, executions;
+    for (const Row& row : rows) {
+      if (row.driver != d.driver || row.equivalent) continue;
+      if (row.fault == kNoFault) {
+        d.clean_runs = row.runs, d.false_alarms = row.detected;
+        continue;
+      }
+      ++d.faults;
+      d.reached += row.reached > 0 ? 1 : 0;
+      d.triggered += row.triggered > 0 ? 1 : 0;
+      d.killed += row.is_kill() ? 1 : 0;
+      seconds.push_back(row.seconds);
+      executions.push_back(row.executions);
+      d.mean_seconds += row.seconds;
+    }
+    if (d.faults == 0) continue;
+    d.mean_seconds /= static_cast<double>(d.faults);
+    d.seconds = median(seconds);
+    d.executions = median(executions);
+    d.censored = 2 * d.killed <= d.faults;
+    out.push_back(d);
+  }
+  return out;
+}
+
+Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& faults,
+                          const Records& records) {
+  const std::vector<Row> rows = rows_of(faults, records);
+  std::ostringstream csv;
+  csv << "driver,fault,equivalent,runs,reached,triggered,detected,seconds,executions,limit,found\n";
+  nlohmann::ordered_json json = {{"format", "ccdfuzz-scoreboard"},
+                                 {"version", 1},
+                                 {"drivers", nlohmann::ordered_json::array()},
+                                 {"rows", nlohmann::ordered_json::array()}};
+  for (const DriverRow& d : driver_rows(rows)) json["drivers"].push_back(to_json(d));
+  for (const Row& r : rows) {
+    csv << fmt::format("{},{},{},{},{},{},{},{:.6f},{:.0f},{},{}\n", r.driver, r.fault,
+                       r.equivalent ? 1 : 0, r.runs, r.reached, r.triggered, r.detected, r.seconds,
+                       r.executions, r.limit, quoted(r.found));
+    const auto fault =
+        std::ranges::find_if(faults, [&](const Fault& f) { return f.name == r.fault; });
+    json["rows"].push_back(to_json(r, fault == faults.end() ? "" : fault->what));
+  }
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  if (auto r = write_text(prefix + ".csv", csv.str()); !r) return r;
+  if (auto r = write_text(prefix + ".md", markdown(faults, rows)); !r) return r;
+  return write_text(prefix + ".json", json.dump(1, ' ', false, replace) + '\n');
+}
+
+}  // namespace ccdfuzz

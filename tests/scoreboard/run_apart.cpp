@@ -1,0 +1,82 @@
+#include "run_apart.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <stdexcept>
+
+#include "property_turns.hpp"
+#include "scoreboard/planted.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kReservesMemory = true;  // a sanitizer: far more than it uses
+#elif defined(__has_feature)
+constexpr bool kReservesMemory = __has_feature(address_sanitizer);
+#else
+constexpr bool kReservesMemory = false;
+#endif
+
+void limit_process(double seconds) {
+  const auto limit = static_cast<rlim_t>(seconds) + 5;
+  const rlimit cpu{limit, limit};
+  setrlimit(RLIMIT_CPU, &cpu);
+  const rlimit memory{rlim_t{2} << 30, rlim_t{2} << 30};
+  if (!kReservesMemory) setrlimit(RLIMIT_AS, &memory);
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+}
+
+Report death(int status, const rusage& usage) {
+  Report died;
+  died.detected = true;
+  died.seconds = static_cast<double>(usage.ru_utime.tv_sec) +
+                 static_cast<double>(usage.ru_utime.tv_usec) * 1e-6;
+  const std::string what = WIFSIGNALED(status)
+                               ? fmt::format("the process ends by signal {}", WTERMSIG(status))
+                               : fmt::format("the process ends by itself: {}", WEXITSTATUS(status));
+  what.copy(died.found, sizeof died.found - 1);
+  return died;
+}
+
+}  // namespace
+
+Report run_apart(
+    int fault, double seconds,
+    const std::function<void(const std::function<void(const DriverRun&)>& done)>& drive) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    limit_process(seconds);
+    planted::active_fault = fault;
+    const double start = cpu_seconds_used();
+    drive([&](const DriverRun& result) {
+      Report report{planted::reached,           planted::triggered,    result.executions,
+                    cpu_seconds_used() - start, !result.found.empty(), ""};
+      const std::string line = result.found.substr(0, result.found.find('\n'));
+      line.copy(report.found, sizeof report.found - 1);
+      [[maybe_unused]] const auto written = write(ends[1], &report, sizeof report);
+      _exit(0);
+    });
+    _exit(1);
+  }
+  close(ends[1]);
+  Report report;
+  const bool whole = read(ends[0], &report, sizeof report) == static_cast<ssize_t>(sizeof report);
+  close(ends[0]);
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  return whole ? report : death(status, usage);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+namespace ccdfuzz {
+
+/// What a run of a driver gave.
+struct DriverRun {
+  std::uint64_t executions = 0;
+  std::string found;  ///< what is wrong; empty if nothing was found
+};
+
+/// The same as the process reports it that it ran in.
+struct Report {
+  std::uint64_t reached = 0, triggered = 0, executions = 0;
+  double seconds = 0;  ///< CPU
+  bool detected = false;
+  char found[200] = "";  ///< its first line
+};
+
+/// Runs a driver with one fault active (0: none) in a process of its own, which ends when the
+/// driver calls done. A process that dies, or that hangs past its CPU time, has noticed the fault.
+Report run_apart(
+    int fault, double seconds,
+    const std::function<void(const std::function<void(const DriverRun&)>& done)>& drive);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,59 @@
+#include "sound.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "hunt/scale.hpp"
+#include "query/judge.hpp"
+#include "scoreboard/planted.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+std::string wrong_answer(const char* method, const Case& known) {
+  const Answer answer = (*make_method(method))->answer(known.query, kDriverSearch);
+  const Outcome outcome = judge(known.query, known.truth, answer);
+  const bool wrong = is_false_negative(outcome) || outcome == Outcome::kError;
+  return wrong ? fmt::format("{} is {}", method, name_of(outcome)) : "";
+}
+
+}  // namespace
+
+std::string contradiction(const Query& query) {
+  const int fault = planted::active_fault;
+  planted::active_fault = 0;
+  OracleOptions little;
+  little.max_pops = 300;
+  little.max_tree_nodes = 2000;
+  Case known;
+  known.query = query;
+  known.truth = decide(query, little).truth;
+  planted::active_fault = fault;
+  if (const auto checked = check_truth(known); !checked) return checked.error().message();
+  const bool ordinary = is_within_scale(query, kErrorBoundScale);
+  for (const char* method : kSoundMethods) {
+    if (!ordinary && std::string_view(method) == "tdibm-e") continue;
+    const std::string wrong = wrong_answer(method, known);
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+std::string lost_contact(const Case& known, bool ask, TracerSet& tracers) {
+  if (const auto checked = check_truth(known); !checked) return checked.error().message();
+  const bool ordinary = is_within_scale(known.query, kErrorBoundScale);
+  for (const char* method : kSoundMethods) {
+    if (!ordinary && std::string_view(method) == "tdibm-e") continue;
+    const Trace& trace =
+        tracers[method].trace(known.query, *known.truth.witness, {.precision = 0x1p-8});
+    if (trace.lost) return fmt::format("{} loses a contact", method);
+    if (!ask) continue;
+    const std::string wrong = wrong_answer(method, known);
+    if (!wrong.empty()) return wrong;
+  }
+  return "";
+}
+
+}  // namespace ccdfuzz
