@@ -27,9 +27,9 @@ constexpr std::array kOthers = {"tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "
 /// What is coarse is no less right: every toi is a lower bound.
 constexpr SearchOptions kCoarse = {0x1p-6, 40, 16 << 20};
 constexpr SearchOptions kFine = {SearchOptions().precision, 100, 16 << 20};
-constexpr std::uint64_t kOraclePops = 50;
+constexpr std::uint64_t kOraclePops = 24;
 /// Larger patches take the exact method seconds.
-constexpr int kMostControls = 40;
+constexpr int kMostControls = 24;
 
 void abort_if_failed(const Check& check) {
   if (check.status != Check::Status::kFails) return;

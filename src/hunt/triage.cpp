@@ -67,6 +67,8 @@ Result<void> Triage::add(const Case& candidate,
     const Case small = shrink(failure->asked, method, methods_[method], failure->judged,
                               options_.search, {options_.shrink_trials, options_.stop})
                            .value;
+    // What is not shrunk to the end is left to another time, which would find it anew.
+    if (options_.stop()) continue;
     // Shrinking may make one loss into another, which was had.
     if (!(small.query == failure->asked.query) && !is_new(small)) {
       ++tally_.known;

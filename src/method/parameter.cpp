@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <charconv>
+
+#include "numeric/read_double.hpp"
 
 namespace ccdfuzz {
 
@@ -35,9 +36,7 @@ Result<double> parse_pull_apart(const std::string& spec) {
   double value = 0;
   const char* const end = text.data() + text.size();
   const bool hex = text.starts_with("0x");
-  const auto [rest, status] =
-      std::from_chars(text.data() + (hex ? 2 : 0), end, value,
-                      hex ? std::chars_format::hex : std::chars_format::general);
+  const auto [rest, status] = read_double(text.data() + (hex ? 2 : 0), end, value, hex);
   if (!starts_a_number(hex ? text.substr(2) : text) || status != std::errc() || rest != end) {
     return input_error(kWhere, fmt::format("the pull-apart factor \"{}\" of \"{}\" is not a "
                                            "number ≥ 0 that a double holds",

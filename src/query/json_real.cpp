@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "numeric/dyadic.hpp"
+#include "numeric/read_double.hpp"
 #include "numeric/verify.hpp"
 #include "query/json_tree.hpp"
 
@@ -19,7 +20,7 @@ Result<double> refuse(const JsonValue& value, const char* why) {
 Result<double> parse_decimal(const JsonValue& value) {
   const std::string& text = value.text;
   double x = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), x);
+  const auto [end, status] = read_double(text.data(), text.data() + text.size(), x);
   // Whatever is too large, and whatever is not 0 but would become it.
   if (status == std::errc::result_out_of_range || !std::isfinite(x)) {
     return refuse(value, "is out of the range of a double");

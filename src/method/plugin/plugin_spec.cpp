@@ -4,6 +4,9 @@
 
 #include <charconv>
 #include <filesystem>
+#include <type_traits>
+
+#include "numeric/read_double.hpp"
 
 namespace ccdfuzz {
 
@@ -17,7 +20,14 @@ tl::unexpected<InputError> bad_spec(const std::string& spec, const std::string& 
 template <class Number>
 std::optional<Number> number_in(const std::string& text, Number least, Number most) {
   Number value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const char* const last = text.data() + text.size();
+  const auto [end, status] = [&] {
+    if constexpr (std::is_floating_point_v<Number>) {
+      return read_double(text.data(), last, value);
+    } else {
+      return std::from_chars(text.data(), last, value);
+    }
+  }();
   const bool whole = status == std::errc() && end == text.data() + text.size();
   return whole && least <= value && value <= most ? std::optional(value) : std::nullopt;
 }
