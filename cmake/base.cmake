@@ -36,7 +36,7 @@ endif()
 # The headers of Eigen, GMP and GoogleTest take most of the time to compile: the files of a target
 # go into few translation units. Each file stands alone without it (the dev preset).
 set(CMAKE_UNITY_BUILD ${CCDFUZZ_UNITY})
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 32)
 
 include(cmake/fp_rules.cmake)
 

@@ -106,9 +106,6 @@ std::string_view generator_name(const GeneratorOptions& options) {
 /// probability below 2^-140: the construction is broken.
 constexpr std::uint64_t kMaxAttempts = 2000;
 
-/// Near-misses stay 2^-20 to 2^-8 apart.
-constexpr int kLeastGap = -20, kLargestGap = -8;
-
 /// The stream of random numbers of a case. Neither kind nor eps_T is part of its key, but that
 /// grazing ones have their own: a negative case has the patches of the positive one.
 Random stream_of(const GeneratorOptions& options, std::uint64_t index) {

@@ -29,6 +29,9 @@ std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 
                                                const Contact& contact, const GrazingPlane& plane,
                                                Random& random);
 
+/// Near-misses stay 2^-20 to 2^-8 apart.
+inline constexpr int kLeastGap = -20, kLargestGap = -8;
+
 /// The near-miss of a near-hit: patch 2 moved away from patch 1 by 2^exponent along one coordinate.
 void part(Scene& scene, int exponent);
 

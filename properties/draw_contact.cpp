@@ -7,7 +7,7 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr int kUvBits = 2;
+constexpr int kContactUvBits = 2;
 constexpr int kTwinUlps = 2;
 
 /// Columns: two directions of the contact plane, and one out of it.
@@ -77,7 +77,7 @@ Side draw_side(ChoiceSource& choices, const ContactRange& range, int direction) 
   const Dyadic outward(direction);
   Side side;
   side.shape = draw_shape(choices, range.max_degree);
-  side.uv = draw_uv(choices, side.shape, kUvBits);
+  side.uv = draw_uv(choices, side.shape, kContactUvBits);
   side.bearing = bearing_controls(side.shape, side.uv);
   side.local = draw_points(choices, side.shape, range.coordinate_bits, unit);
   side.velocity = draw_points(choices, side.shape, kSpeedBits, kSpeedUnit);

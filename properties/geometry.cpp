@@ -13,7 +13,7 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr int kGeometryDegree = 4, kUvBits = 4;
+constexpr int kGeometryDegree = 4, kGeometryUvBits = 4;
 
 struct DrawnPatch {
   Shape shape;
@@ -29,7 +29,7 @@ struct DrawnPatch {
 DrawnPatch draw_patch(ChoiceSource& choices) {
   DrawnPatch drawn;
   drawn.shape = draw_shape(choices, kGeometryDegree);
-  drawn.uv = draw_uv(choices, drawn.shape, kUvBits);
+  drawn.uv = draw_uv(choices, drawn.shape, kGeometryUvBits);
   drawn.points = draw_points(choices, drawn.shape, 10, -4);
   return drawn;
 }
@@ -66,7 +66,7 @@ Check check_blossom_symmetry(ChoiceSource& choices) {
   const DrawnPatch drawn = draw_patch(choices);
   const auto steps = static_cast<std::size_t>(std::max(drawn.shape.n, drawn.shape.m));
   std::vector<Uv<Dyadic>> arguments(std::max<std::size_t>(steps, 1));
-  for (Uv<Dyadic>& argument : arguments) argument = draw_uv(choices, drawn.shape, kUvBits);
+  for (Uv<Dyadic>& argument : arguments) argument = draw_uv(choices, drawn.shape, kGeometryUvBits);
   const Vec3<Dyadic> first = blossom<Dyadic>(drawn.shape, drawn.points, arguments);
   const auto turn = static_cast<std::ptrdiff_t>(choices.choose(arguments.size() - 1));
   // Of a tensor patch with n ≠ m the first n and the first m count: only those change places.

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "generators/grazing.hpp"
 #include "generators/shaped/heights.hpp"
 #include "generators/shaped/point_contacts.hpp"
 
@@ -155,7 +156,6 @@ PlacedScene moving_variant(Family family, ContactClass contact, const ShapePair&
 
 PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,
                             Random& random) {
-  constexpr int kLeastGap = -20, kLargestGap = -8;
   PlacedScene made;
   made.placement = random_placement(random);
   made.scene = touching(contact, shapes, random);

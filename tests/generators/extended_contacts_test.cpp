@@ -18,7 +18,7 @@ constexpr std::array kSomeShapes = {Shape::triangle(1),  Shape::triangle(2),  Sh
 
 /// Calls check on scenes of all pairs of these shapes that can have the contact.
 template <class Check>
-int for_each_scene(Family family, const Check& check) {
+int for_each_extended_scene(Family family, const Check& check) {
   int scenes = 0;
   for (const ContactClass contact : kContactClasses) {
     for (const Shape& first : kSomeShapes) {
@@ -104,11 +104,11 @@ bool shares_an_edge(const ContactScene& scene) {
 }
 
 TEST(ExtendedContacts, EdgesAreShared) {
-  EXPECT_GT(for_each_scene(Family::kSharedEdge,
-                           [](ContactClass, const ContactScene& scene) {
-                             expect_contact(scene);
-                             EXPECT_TRUE(shares_an_edge(scene));
-                           }),
+  EXPECT_GT(for_each_extended_scene(Family::kSharedEdge,
+                                    [](ContactClass, const ContactScene& scene) {
+                                      expect_contact(scene);
+                                      EXPECT_TRUE(shares_an_edge(scene));
+                                    }),
             50);
 }
 
@@ -131,51 +131,53 @@ bool has_zero_line(const ContactSide& side) {
 }
 
 TEST(ExtendedContacts, RuledOnesLieInThePlaneAlongALineOfOneAndAllOverTheOther) {
-  const int scenes = for_each_scene(Family::kRuled, [](ContactClass, const ContactScene& scene) {
-    expect_contact(scene);
-    for (const ContactSide& side : scene.sides) EXPECT_TRUE(has_zero_line(side));
-    bool flat = false;
-    for (const ContactSide& side : scene.sides) {
-      flat |= std::ranges::all_of(side.points, [](const auto& p) { return p[2].sign() == 0; });
-    }
-    EXPECT_TRUE(flat);
-  });
+  const int scenes =
+      for_each_extended_scene(Family::kRuled, [](ContactClass, const ContactScene& scene) {
+        expect_contact(scene);
+        for (const ContactSide& side : scene.sides) EXPECT_TRUE(has_zero_line(side));
+        bool flat = false;
+        for (const ContactSide& side : scene.sides) {
+          flat |= std::ranges::all_of(side.points, [](const auto& p) { return p[2].sign() == 0; });
+        }
+        EXPECT_TRUE(flat);
+      });
   EXPECT_GT(scenes, 50);
 }
 
 TEST(ExtendedContacts, SeveralPointsTouchAtOnce) {
-  EXPECT_GT(for_each_scene(Family::kSeveral,
-                           [](ContactClass, const ContactScene& scene) {
-                             expect_contact(scene);
-                             EXPECT_GE(coincidences(scene), 2);
-                           }),
+  EXPECT_GT(for_each_extended_scene(Family::kSeveral,
+                                    [](ContactClass, const ContactScene& scene) {
+                                      expect_contact(scene);
+                                      EXPECT_GE(coincidences(scene), 2);
+                                    }),
             50);
 }
 
 TEST(ExtendedContacts, AreasCoincide) {
   bool curved = false;
-  const int scenes = for_each_scene(Family::kArea, [&](ContactClass, const ContactScene& scene) {
-    expect_contact(scene);
-    const auto& [part, whole] = scene.sides;
-    // Where the part's first three corners are on the whole.
-    std::array<std::optional<Uv<Dyadic>>, 3> corner;
-    const std::vector<Uv<Dyadic>> corners = corners_of(part.shape);
-    for (size_t k = 0; k < 3; ++k) {
-      for (const Uv<Dyadic>& uv : lattice(whole.shape)) {
-        if (point_at(part, corners[k]) == point_at(whole, uv)) corner[k] = uv;
-      }
-      ASSERT_TRUE(corner[k]) << k;
-    }
-    for (const Uv<Dyadic>& uv : lattice(part.shape)) {
-      Uv<Dyadic> on_whole = *corner[0];
-      for (size_t k = 0; k < 2; ++k) {
-        on_whole[k] += uv[0] * ((*corner[1])[k] - (*corner[0])[k]) +
-                       uv[1] * ((*corner[2])[k] - (*corner[0])[k]);
-      }
-      EXPECT_EQ(point_at(part, uv), point_at(whole, on_whole));
-    }
-    curved |= whole.points[0][2].sign() != 0;
-  });
+  const int scenes =
+      for_each_extended_scene(Family::kArea, [&](ContactClass, const ContactScene& scene) {
+        expect_contact(scene);
+        const auto& [part, whole] = scene.sides;
+        // Where the part's first three corners are on the whole.
+        std::array<std::optional<Uv<Dyadic>>, 3> corner;
+        const std::vector<Uv<Dyadic>> corners = corners_of(part.shape);
+        for (size_t k = 0; k < 3; ++k) {
+          for (const Uv<Dyadic>& uv : lattice(whole.shape)) {
+            if (point_at(part, corners[k]) == point_at(whole, uv)) corner[k] = uv;
+          }
+          ASSERT_TRUE(corner[k]) << k;
+        }
+        for (const Uv<Dyadic>& uv : lattice(part.shape)) {
+          Uv<Dyadic> on_whole = *corner[0];
+          for (size_t k = 0; k < 2; ++k) {
+            on_whole[k] += uv[0] * ((*corner[1])[k] - (*corner[0])[k]) +
+                           uv[1] * ((*corner[2])[k] - (*corner[0])[k]);
+          }
+          EXPECT_EQ(point_at(part, uv), point_at(whole, on_whole));
+        }
+        curved |= whole.points[0][2].sign() != 0;
+      });
   EXPECT_GT(scenes, 30);
   EXPECT_TRUE(curved);
 }

@@ -12,7 +12,7 @@ namespace ccdfuzz {
 namespace {
 
 template <class Check>
-void for_each_scene(const OneSidedStyle& style, const Check& check) {
+void for_each_one_sided_scene(const OneSidedStyle& style, const Check& check) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t key = 0; key < 40; ++key) {
       SCOPED_TRACE(fmt::format("{} key {}", name_of(contact), key));
@@ -27,7 +27,7 @@ Vec3<Dyadic> contact_of(const Scene& scene, size_t s) {
 }
 
 TEST(OneSided, ThePatchesCoincideExactlyAtTheContact) {
-  for_each_scene({}, [](ContactClass, const Scene& scene, Random&) {
+  for_each_one_sided_scene({}, [](ContactClass, const Scene& scene, Random&) {
     EXPECT_EQ(contact_of(scene, 0), contact_of(scene, 1));
   });
 }
@@ -36,7 +36,7 @@ TEST(OneSided, TheMovingPlaneAlwaysProvesIt) {
   OneSidedStyle earlier;
   earlier.t = Dyadic(3, -2);
   for (const OneSidedStyle& style : {OneSidedStyle{}, earlier}) {
-    for_each_scene(style, [](ContactClass, const Scene& scene, Random&) {
+    for_each_one_sided_scene(style, [](ContactClass, const Scene& scene, Random&) {
       EXPECT_TRUE(moving_plane_separates(scene, scene.normal));
     });
   }
@@ -44,7 +44,7 @@ TEST(OneSided, TheMovingPlaneAlwaysProvesIt) {
 
 // The claim behind the proof, on the surfaces themselves rather than on their control points.
 TEST(OneSided, RandomPointsAreOnTheirOwnSidesOfThePlaneBeforeTheContact) {
-  for_each_scene({}, [](ContactClass, const Scene& scene, Random& random) {
+  for_each_one_sided_scene({}, [](ContactClass, const Scene& scene, Random& random) {
     for (int i = 0; i < 10; ++i) {
       std::array<Uv<Dyadic>, 2> at;
       for (Uv<Dyadic>& p : at) p = dyadic_uv(prescribe_anywhere(Feature::kFace, 10, random));
@@ -62,7 +62,7 @@ TEST(OneSided, RandomPointsAreOnTheirOwnSidesOfThePlaneBeforeTheContact) {
 // A contact at the origin hides false negatives, for there rounding errors cancel.
 TEST(OneSided, TheContactPointIsFarFromTheOriginAndUsesManyBits) {
   int far = 0, long_numbers = 0, all = 0;
-  for_each_scene({}, [&](ContactClass, const Scene& scene, Random&) {
+  for_each_one_sided_scene({}, [&](ContactClass, const Scene& scene, Random&) {
     const Vec3<Dyadic> c = contact_of(scene, 0);
     ++all;
     far += abs(c[0]) > Dyadic(1);
@@ -75,7 +75,7 @@ TEST(OneSided, TheContactPointIsFarFromTheOriginAndUsesManyBits) {
 TEST(OneSided, GrazingPatchesKeepTheirHeightsAndNeverCross) {
   OneSidedStyle style;
   style.grazing = true;
-  for_each_scene(style, [](ContactClass, const Scene& scene, Random&) {
+  for_each_one_sided_scene(style, [](ContactClass, const Scene& scene, Random&) {
     EXPECT_EQ(contact_of(scene, 0), contact_of(scene, 1));
     EXPECT_FALSE(moving_plane_separates(scene, scene.normal));
     for (const MovingPatch<Dyadic>& patch : scene.patches) {
