@@ -11,9 +11,11 @@
 #include <random>
 #include <string>
 
+#include "share.hpp"
+
 namespace {
 
-constexpr unsigned long kCasesPerProperty = 100;
+constexpr unsigned long kCasesPerProperty = ccdfuzz::kOneIn == 1 ? 100 : 25;
 
 std::string from_environment(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);

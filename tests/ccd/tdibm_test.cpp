@@ -4,6 +4,7 @@
 
 #include "named_queries.hpp"
 #include "planted.hpp"
+#include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -14,7 +15,7 @@ SearchOptions with_precision(double precision) {
   return options;
 }
 
-std::string describe(const Shape& a, const Shape& b, int index) {
+std::string describe(const Shape& a, const Shape& b, std::size_t index) {
   return to_text(a) + " " + to_text(b) + " #" + std::to_string(index);
 }
 
@@ -23,7 +24,7 @@ template <class Claim>
 void for_planted_contacts(Claim&& claim) {
   for (const Shape& a : kSomeShapes) {
     for (const Shape& b : kSomeShapes) {
-      for (int index = 0; index < 3; ++index) {
+      for (std::size_t index = 0; index < 3; index += kOneIn) {
         Random random = Random::keyed({static_cast<std::uint64_t>(a.control_count()),
                                        static_cast<std::uint64_t>(b.control_count()),
                                        static_cast<std::uint64_t>(index)});

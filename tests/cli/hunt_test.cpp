@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "process.hpp"
+#include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -13,7 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Plain TDIBM fails on the first draws; few pops keep the flat classes short.
-const std::vector<std::string> kQuick = {"--methods", "tdibm,tdibm-h:1e-16", "--max-pops", "100"};
+const std::vector<std::string> kQuick = {"--methods", "tdibm,tdibm-h:1e-16", "--max-pops", "20"};
+constexpr int kCases = kOneIn == 1 ? 6 : 3;  // a class; shared by three
+const std::string kAFew = std::to_string(kCases);
 
 std::vector<std::string> hunt(const std::string& corpus, std::vector<std::string> more) {
   std::vector<std::string> arguments = {"hunt", "--corpus", corpus};
@@ -53,7 +56,7 @@ TEST(Hunt, ByCasesRepeatsExactlyOnAnyNumberOfThreads) {
   for (const char* threads : {"1", "2"}) {
     const ScratchFolder folder;
     const Finished finished =
-        ccdfuzz(hunt(folder / "finds", {"--cases", "8", "--threads", threads, "--json"}));
+        ccdfuzz(hunt(folder / "finds", {"--cases", kAFew, "--threads", threads, "--json"}));
     EXPECT_EQ(finished.code, 0) << finished.err;
     std::string table;
     for (auto& row : json_lines(finished.out)) {
@@ -70,7 +73,7 @@ TEST(Hunt, ByCasesRepeatsExactlyOnAnyNumberOfThreads) {
 
 TEST(Hunt, EveryMethodAnswersEveryCaseAndCellsSumUp) {
   const ScratchFolder folder;
-  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", "7", "--json"}));
+  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", kAFew, "--json"}));
   std::map<std::string, int> per_class;
   int queries = 0, cells = 0;
   for (const auto& row : json_lines(finished.out)) {
@@ -84,7 +87,7 @@ TEST(Hunt, EveryMethodAnswersEveryCaseAndCellsSumUp) {
     }
     if (row.at("row") == "summary") {
       EXPECT_EQ(row.at("queries"), queries);
-      EXPECT_EQ(row.at("cases"), 6 * 7);
+      EXPECT_EQ(row.at("cases"), 6 * kCases);
     }
   }
   EXPECT_EQ(cells, 6 * 2);
@@ -92,7 +95,7 @@ TEST(Hunt, EveryMethodAnswersEveryCaseAndCellsSumUp) {
 
 TEST(Hunt, FindsReplayAndTheirCommandsShowTheFailure) {
   const ScratchFolder folder;
-  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", "7", "--json"}));
+  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", kAFew, "--json"}));
   int finds = 0;
   for (const auto& row : json_lines(finished.out)) {
     if (row.at("row") != "find" || ++finds > 3) continue;
@@ -120,7 +123,7 @@ TEST(Hunt, RefusesATimeThatIsNone) {
 TEST(Hunt, QuotesAFolderWithASpaceInTheCommandThatShowsAFind) {
   const ScratchFolder folder;
   const std::string corpus = folder / "two words";
-  const Finished finished = ccdfuzz(hunt(corpus, {"--cases", "4"}));
+  const Finished finished = ccdfuzz(hunt(corpus, {"--cases", "3"}));
   ASSERT_TRUE(has_entry(corpus)) << finished.out << finished.err;
   EXPECT_NE(finished.out.find(" query '" + corpus), std::string::npos) << finished.out;
 }
@@ -128,20 +131,20 @@ TEST(Hunt, QuotesAFolderWithASpaceInTheCommandThatShowsAFind) {
 TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtNewFindsOnly) {
   const ScratchFolder folder;
   const std::string finds = folder / "finds";
-  EXPECT_EQ(ccdfuzz(hunt(finds, {"--cases", "7", "--fail-on", "any"})).code, 1);
+  EXPECT_EQ(ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"})).code, 1);
   const auto before = files_in(finds);
-  const Finished second = ccdfuzz(hunt(finds, {"--cases", "7", "--fail-on", "any"}));
+  const Finished second = ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"}));
   EXPECT_EQ(second.code, 0) << second.out;
   EXPECT_NE(second.out.find("0 new counterexamples"), std::string::npos) << second.out;
   EXPECT_EQ(files_in(finds), before);
   // Neither method claims to be free of false negatives.
-  EXPECT_EQ(ccdfuzz(hunt(folder / "other", {"--cases", "7", "--fail-on", "claims"})).code, 0);
+  EXPECT_EQ(ccdfuzz(hunt(folder / "other", {"--cases", kAFew, "--fail-on", "claims"})).code, 0);
 }
 
 TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
   const ScratchFolder folder;
   const Finished finished =
-      ccdfuzz({"hunt", "--cases", "5", "--methods", "tdibm-e-literal", "--max-pops", "40",
+      ccdfuzz({"hunt", "--cases", "2", "--methods", "tdibm-e-literal", "--max-pops", "40",
                "--corpus", folder / "finds", "--fail-on", "claims"});
   EXPECT_EQ(finished.code, 1) << finished.out;
   EXPECT_NE(finished.out.find("tdibm-e-literal (claims none)"), std::string::npos) << finished.out;
@@ -191,7 +194,7 @@ TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
   // One block of 512 or 1,024 bytes a file stops the write of a case in its middle, as a full disk
   // does; the pipe keeps stdout out of the limit.
   const Finished finished = shell(fmt::format(
-      "{{ trap '' XFSZ; ulimit -f 1; $ccdfuzz hunt --cases 7 --methods tdibm --max-pops 100 "
+      "{{ trap '' XFSZ; ulimit -f 1; $ccdfuzz hunt --cases 3 --methods tdibm --max-pops 20 "
       "--corpus {} 2>&1; echo \"exit code $?\"; }} | cat",
       finds));
   EXPECT_NE(finished.out.find("exit code 2"), std::string::npos) << finished.out;
@@ -208,11 +211,11 @@ TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
 
 TEST(Hunt, SharesMergeIntoTheWhole) {
   const ScratchFolder folder;
-  EXPECT_EQ(ccdfuzz(hunt(folder / "whole", {"--cases", "6"})).code, 0);
+  EXPECT_EQ(ccdfuzz(hunt(folder / "whole", {"--cases", kAFew})).code, 0);
   std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
   for (const char* shard : {"1/3", "2/3", "0/3"}) {
     merge.push_back(folder / fmt::format("share-{}", shard[0]));
-    EXPECT_EQ(ccdfuzz(hunt(merge.back(), {"--cases", "6", "--shard", shard})).code, 0);
+    EXPECT_EQ(ccdfuzz(hunt(merge.back(), {"--cases", kAFew, "--shard", shard})).code, 0);
   }
   const Finished merged = ccdfuzz(merge);
   EXPECT_EQ(merged.code, 0) << merged.err;
