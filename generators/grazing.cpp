@@ -11,7 +11,7 @@ namespace {
 
 // Tangents are multiples of 2^-18, their factors of 2^-3; the weighted mean of a deformation has 20
 // bits more (motion.cpp): 2^-41, as the patches themselves have.
-constexpr int kTangentBits = 18;
+constexpr int kPlaneTangentBits = 18;
 constexpr int kFactorBits = 4;
 constexpr long kFactorUnit = -3;
 constexpr int kSmall = 7;
@@ -35,7 +35,7 @@ std::optional<Vec3<Dyadic>> in_unit(const Vec3<Dyadic>& v) {
   Vec3<Dyadic> unit;
   for (int k = 0; k < 3; ++k) {
     unit[k] = v[k].scaled(-top);
-    if (unit[k].sign() != 0 && unit[k].exponent() < -kTangentBits) return std::nullopt;
+    if (unit[k].sign() != 0 && unit[k].exponent() < -kPlaneTangentBits) return std::nullopt;
   }
   return unit;
 }

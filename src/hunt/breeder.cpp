@@ -38,6 +38,7 @@ std::optional<double> Breeder::nearness(const WitnessedQuery& q, TracerSet& trac
 void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<WitnessedQuery> q = witnessed_query(known);
   if (!q || (scale_ && !is_within_scale(q->query, *scale_))) return;
+  founders_.insert(content_address(known.query));
   // Founders that are lost are as good as any: half of their mutants are not.
   const double near = traceable_ ? nearness(*q, tracers).value_or(0) : 0;
   join({*std::move(q), near});
@@ -84,7 +85,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
     const std::optional<Case> asked = at_horizon(known, factor);
     if (!asked || (scale_ && !is_within_scale(asked->query, *scale_))) continue;
     const Judged judged = ask(methods[method_], *asked, search);
-    if (!is_failure(judged.outcome)) continue;
+    if (!is_failure(judged.outcome) || founders_.contains(content_address(asked->query))) continue;
     smallest_failure_ = size;
     found(*asked, judged);
     return;

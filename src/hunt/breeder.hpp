@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ enum class Aim : std::uint8_t {
 /// trace). A trace takes microseconds, so thousands of mutants cost what a few queries do.
 ///
 /// A mutant whose contact is lost is put to the method, up to the contact and past it, if it is
-/// smaller than what failed before; a failure there is a counterexample. A plug-in cannot be
-/// traced: every mutant is put to it, and the population drifts without aim.
+/// smaller than what failed before; a failure there is a counterexample, unless the moves have led
+/// back to a founder, which is a case of its own. A plug-in cannot be traced: every mutant is put
+/// to it, and the population drifts without aim.
 class Breeder {
  public:
   /// scale: as in HuntOptions.
@@ -63,6 +65,7 @@ class Breeder {
   Aim aim_;
   Random random_;
   std::vector<Member> members_;
+  std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;
 };

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -119,6 +120,44 @@ TEST(Layering, EveryIncludeGoesDownwards) {
     ASSERT_TRUE(in) << path;
     for (const Include& include : includes_of(in)) {
       EXPECT_EQ(complaint(root, path, include), "") << path;
+    }
+  }
+}
+
+/// The constants that a file declares outside of any block, each with its room.
+void add_constants(const std::string& path, std::istream& in,
+                   std::map<std::string, std::set<std::string>>& rooms_of) {
+  static const std::regex declares("^(inline |static )*(constexpr|const) .*"),
+      name("\\b(k[A-Z]\\w*)\\b(?= *(=|\\{|\\[))");
+  for (std::string line; std::getline(in, line);) {
+    if (!std::regex_match(line, declares)) continue;
+    for (std::sregex_iterator m(line.begin(), line.end(), name), end; m != end; ++m) {
+      rooms_of[(*m)[1]].insert(room_of(path));
+    }
+  }
+}
+
+// Files of a target are compiled as one: a constant of one file's unnamed namespace would silently
+// hide a header's of the same name from the files that come after it.
+TEST(Layering, NoConstantOfAFileHidesOneOfAHeader) {
+  const fs::path root = CCDFUZZ_SOURCE_DIR;
+  std::map<std::string, std::set<std::string>> in_headers;
+  const std::vector<std::string> files = source_files(root);
+  for (const std::string& path : files) {
+    std::ifstream in(root / path);
+    if (!path.ends_with(".cpp")) add_constants(path, in, in_headers);
+  }
+  EXPECT_GT(in_headers.size(), 20U);
+  for (const std::string& path : files) {
+    if (!path.ends_with(".cpp")) continue;
+    std::ifstream in(root / path);
+    std::map<std::string, std::set<std::string>> own;
+    add_constants(path, in, own);
+    const std::set<std::string> visible = allowed(room_of(path));
+    for (const auto& [constant, room] : own) {
+      for (const std::string& header_room : in_headers[constant]) {
+        EXPECT_FALSE(visible.contains(header_room)) << path << ": " << constant;
+      }
     }
   }
 }
