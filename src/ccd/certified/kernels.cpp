@@ -1,5 +1,6 @@
 #include "ccd/certified/kernels.hpp"
 
+#include <bit>
 #include <cstring>
 #include <limits>
 
@@ -22,6 +23,7 @@ namespace {
 
 /// Four doubles; compilers break it down where the target has shorter vectors.
 using Vector = double __attribute__((vector_size(32)));
+using Mask = long long __attribute__((vector_size(32)));
 
 /// fl(h) on four axes at both ends, for side 0 below side 1 and above it (Gaps).
 struct GapVectors {
@@ -43,6 +45,16 @@ struct GapVectors {
     hi1 = max - min;
   }
 };
+
+/// By whole vectors, as it will be read: a processor waits where it reads what was just written in
+/// smaller parts.
+[[gnu::always_inline]] inline void copy_point(const double* from, double* to) {
+  Vector p, v;
+  std::memcpy(&p, from, sizeof p);
+  std::memcpy(&v, from + 4, sizeof v);
+  std::memcpy(to, &p, sizeof p);
+  std::memcpy(to + 4, &v, sizeof v);
+}
 
 [[gnu::always_inline]] inline void project_inline(const Snapshot& snapshot, const AxisBatch& axes,
                                                   RangeBatch& out) {
@@ -71,7 +83,6 @@ struct GapVectors {
 
 [[gnu::always_inline]] inline void compare_inline(const RangeBatch& a, const RangeBatch& b,
                                                   const Lanes& bounds, Verdicts& out) {
-  using Mask = long long __attribute__((vector_size(32)));
   const GapVectors gap(a, b);
   Vector bound;
   std::memcpy(&bound, bounds.data(), sizeof bound);
@@ -130,9 +141,7 @@ void take_snapshot(const double* net, int count, double t0, double t1, double* o
 CCDFUZZ_FOR_EACH_CPU
 void split_net(const MidpointProgram& program, const double* net, int count, double* slots,
                double* children) {
-  for (int i = 0; i < count; ++i) {
-    std::memcpy(slots + i * kPerPoint, net + i * kPerPoint, kPerPoint * sizeof(double));
-  }
+  for (int i = 0; i < count; ++i) copy_point(net + i * kPerPoint, slots + i * kPerPoint);
   double* next = slots + count * kPerPoint;
   for (const MidpointProgram::Step step : program.steps) {
     for (int half = 0; half < kPerPoint; half += 4) {
@@ -146,7 +155,7 @@ void split_net(const MidpointProgram& program, const double* net, int count, dou
   }
   for (const std::vector<int>& places : program.children) {
     for (const int place : places) {
-      std::memcpy(children, slots + place * kPerPoint, kPerPoint * sizeof(double));
+      copy_point(slots + place * kPerPoint, children);
       children += kPerPoint;
     }
   }
@@ -178,16 +187,16 @@ CCDFUZZ_FOR_EACH_CPU
 unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, const Lanes& bounds) {
   Vector bound;
   std::memcpy(&bound, bounds.data(), sizeof bound);
+  Mask apart{};  // in each lane the pairs that its axis separates
   for (unsigned left = pairs; left != 0; left &= left - 1) {
-    const int pair = __builtin_ctz(left);
+    const int pair = std::countr_zero(left);
     const GapVectors gap(a[pair / 4], b[pair % 4]);
     const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
     const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
     const Vector throughout = below < above ? below : above;
-    const auto apart = throughout < -bound;
-    if (((apart[0] | apart[1]) | (apart[2] | apart[3])) != 0) pairs &= ~(1U << pair);
+    apart |= (throughout < -bound) & (1LL << pair);
   }
-  return pairs;
+  return pairs & ~static_cast<unsigned>((apart[0] | apart[1]) | (apart[2] | apart[3]));
 }
 
 }  // namespace ccdfuzz::certified

@@ -121,7 +121,7 @@ void normalise(const Query& query, NormalisedQuery& out) {
   out.magnitude = (largest_p[0] + largest_v[0]) + (largest_p[1] + largest_v[1]);
   // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3; in stage 1 too, on x and on c's
   // behalf once, magnified by stage 3.
-  out.absolute = kEta;
+  out.absolute = kLeastAbsolute;  // ≥ η
   if (shift_p != 0) out.absolute += std::ldexp(kEta, std::max(scale_p, 0));
   if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0));
 }

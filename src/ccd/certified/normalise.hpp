@@ -7,6 +7,10 @@
 
 namespace ccdfuzz::certified {
 
+/// What underflow may cost is counted as this much at least, though it is less: processors take a
+/// hundred times as long where a number is subnormal. Lengths are of the order of 1.
+inline constexpr double kLeastAbsolute = 0x1p-1000;
+
 /// A query brought to magnitude 1 by steps whose rounding is known, so that no finite input under-
 /// or overflows later and the error bound scales with the scene, not with its distance from the
 /// origin.
@@ -24,7 +28,7 @@ struct NormalisedQuery {
   int time = 0;          ///< t = t'·2^time
   int space = 0;         ///< lengths are scaled by 2^space
   double magnitude = 0;  ///< ≥ Σ over sides of max|p'| + max|v'| (the M of DERIVATION.md)
-  double absolute = 0;   ///< the absolute part of the error above
+  double absolute = 0;   ///< the absolute part of the error above, ≥ kLeastAbsolute
 };
 
 /// Keeps the memory of `out`.

@@ -58,10 +58,10 @@ class PairSplit {
   };
   /// The axes that all pairs of children share, and the error bounds on them.
   struct Shared {
-    Axis axes[3];
-    AxisBatch batch;
+    AxisBatch batch;  ///< the last lane is none
     Lanes bounds, coordinate_bounds;
     ErrorBound error;
+    int level;    ///< depth of the parents
     bool coarse;  ///< the pairs will be split further
   };
 
@@ -87,6 +87,9 @@ class PairSplit {
   template <class Observer>
   bool narrow_by_own_axes(int a, int b, const Shared& shared, Observer& observer,
                           const Window& parent, Window& w, Axis& hint);
+
+  /// Deeper down windows are so short that h is almost a line, whose root the chord finds.
+  static constexpr int kNewtonLevels = 3;
 
   NormalisedQuery query_;
   int finest_ = 0;
@@ -149,19 +152,22 @@ struct Told {
 template <class Pair, class Wanted>
 void PairSplit::prepare(const Pair& pair, const Wanted& wanted, Shared& shared) {
   const double middle = 0.5 * pair.window.lo + 0.5 * pair.window.hi;
-  shared.axes[0] = pair.hint;
-  for (int s = 0; s < 2; ++s) {
-    shared.axes[s + 1] = Skeleton(trees_[s], pair.cells[s], middle).normal;
-  }
-  for (int k = 0; k < 3; ++k) {
-    shared.batch.axes[k] = {shared.axes[0][k], shared.axes[1][k], shared.axes[2][k], 0};
-  }
+  const Skeleton whole[2] = {{trees_[0], pair.cells[0], middle},
+                             {trees_[1], pair.cells[1], middle}};
   shared.error = ErrorBound(
       query_.magnitude, query_.absolute,
       std::max(trees_[0].roundings(pair.depth + 1), trees_[1].roundings(pair.depth + 1)));
-  shared.coarse = pair.depth + 1 < finest_;
+  const auto add = [&](size_t i, const Axis& l) {
+    for (size_t k = 0; k < 3; ++k) shared.batch.axes[k][i] = l[k];
+    shared.bounds[i] = shared.error.for_axis(norm1(l));
+  };
+  add(0, pair.hint);
+  add(1, whole[0].normal);
+  add(2, whole[1].normal);
+  add(3, {});
   shared.coordinate_bounds.fill(shared.error.for_axis(1.0));
-  shared.bounds = shared.error.for_axes(shared.batch);
+  shared.level = pair.depth;
+  shared.coarse = pair.depth + 1 < finest_;
 
   for (int s = 0; s < 2; ++s) {
     Children& children = children_[s];
@@ -207,7 +213,7 @@ void PairSplit::expand(const Pair& pair, const Wanted& wanted, Observer& observe
     share(1, row, shared);
   }
   test(
-      3, [&](int k) { return shared.axes[k]; }, &Children::on_shared, shared.bounds);
+      3, [&](int k) { return axis_of(shared.batch, k); }, &Children::on_shared, shared.bounds);
   for (; pairs != 0; pairs &= pairs - 1) {
     const int a = std::countr_zero(pairs) / 4, b = std::countr_zero(pairs) % 4;
     Kept kept{pair.window, pair.hint, {node(0, a), node(1, b)}, {a, b}};
@@ -236,7 +242,7 @@ bool PairSplit::narrow(int a, int b, const Shared& shared, [[maybe_unused]] Obse
   };
   trim(0, detail::coordinate_axis, &Children::on_coordinates, shared.coordinate_bounds);
   trim(
-      3, [&](int k) { return shared.axes[k]; }, &Children::on_shared, shared.bounds);
+      3, [&](int k) { return axis_of(shared.batch, k); }, &Children::on_shared, shared.bounds);
   if (w.lo > w.hi) return false;  // what two axes exclude covers the window
   return narrow_by_own_axes(a, b, shared, observer, parent, w, hint);
 }
@@ -267,9 +273,7 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
     const Lanes bounds = shared.error.for_axes(*batch);
     std::array<RangeBatch, 2> ranges;
     const Verdicts verdicts = project_and_compare(now[0], now[1], *batch, bounds, ranges);
-    const auto axis = [&](int k) {
-      return Axis{batch->axes[0][k], batch->axes[1][k], batch->axes[2][k]};
-    };
+    const auto axis = [&](int k) { return axis_of(*batch, k); };
     const auto gaps_on = [&](int k) { return Gaps(lane(ranges[0], k), lane(ranges[1], k)); };
     const int first_axis = 6 + i * kLanes;
     if constexpr (Observer::kListens) {
@@ -283,10 +287,12 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
       const Gaps gaps = gaps_on(k);
       Window trimmed = seen;
       trim_by_chord(gaps, bounds[k], trimmed);
-      const HeightLines lines(nets, axis(k));
-      for (int sign = 0; sign < 2; ++sign) {
-        const bool low = gaps.at_lo[sign] < -bounds[k], high = gaps.at_hi[sign] < -bounds[k];
-        if (low || high) trim_by_newton(lines, bounds[k], sign, low, trimmed);
+      if (shared.level < kNewtonLevels) {
+        const HeightLines lines(nets, axis(k));
+        for (int sign = 0; sign < 2; ++sign) {
+          const bool low = gaps.at_lo[sign] < -bounds[k], high = gaps.at_hi[sign] < -bounds[k];
+          if (low || high) trim_by_newton(lines, bounds[k], sign, low, trimmed);
+        }
       }
       if constexpr (Observer::kListens) {
         detail::Told{observer, first_axis + k, axis(k)}.trimmed(gaps, bounds[k], seen, trimmed);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ccd/certified/kernels.hpp"
+#include "ccd/certified/normalise.hpp"
 
 namespace ccdfuzz::certified {
 
@@ -11,6 +12,10 @@ using Axis = std::array<double, 3>;
 
 inline double norm1(const Axis& l) {
   return (std::abs(l[0]) + std::abs(l[1])) + std::abs(l[2]);
+}
+
+inline Axis axis_of(const AxisBatch& batch, int i) {
+  return {batch.axes[0][i], batch.axes[1][i], batch.axes[2][i]};
 }
 
 /// Extent of a net's projection at one time.
@@ -29,34 +34,28 @@ struct RangePair {
 class ErrorBound {
  public:
   ErrorBound() = default;
-  /// magnitude, absolute: as in NormalisedQuery.
+  /// magnitude, absolute: as in NormalisedQuery. Four times `absolute` are of the control points; a
+  /// fifth covers what is lost by underflow in subdivision.
   ErrorBound(double magnitude, double absolute, int roundings)
-      : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 4 * absolute +
-                  kSubdivisionUnderflows * kEta) {}
+      : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute) {}
+
   Lanes for_axes(const AxisBatch& batch) const {
     Lanes out;
     for (size_t i = 0; i < out.size(); ++i) {
-      out[i] = for_axis(certified::norm1({batch.axes[0][i], batch.axes[1][i], batch.axes[2][i]}));
+      out[i] = for_axis(certified::norm1(axis_of(batch, static_cast<int>(i))));
     }
     return out;
   }
 
-  double for_axis(double norm1) const {
-    return (relative_ * norm1 + kProductUnderflows * kEta) * kSlack;
-  }
+  double for_axis(double norm1) const { return (relative_ * norm1 + kLeastAbsolute) * kSlack; }
 
  private:
   static constexpr double kHalfUlp = 0x1p-53;
-  static constexpr double kEta = 0x1p-1074;
   /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1
   /// where the bound is added to that difference.
   static constexpr int kFixedRoundings = 8;
   /// (1+u)^k − 1 ≤ k·u·(1 + k·u) with k < 2^11, and the few roundings of this expression itself.
   static constexpr double kSlack = 1 + 0x1p-20;
-  /// Halving loses ≤ η/2 a step; depth ≤ 50, ≤ 16 steps each, positions and velocities, two sides.
-  static constexpr double kSubdivisionUnderflows = 2048;
-  /// Seven products a side, η/2 each.
-  static constexpr double kProductUnderflows = 16;
 
   double relative_ = 0;
 };
