@@ -83,7 +83,8 @@ bool reparametrise(WitnessedQuery& q, Random& random) {
     std::swap(q.uv[0], q.uv[1]);
     return true;
   }
-  reparametrise_patch(q, random_side(random), random.next());
+  const int side = random_side(random);
+  reparametrise_patch(q, side, random.next());
   return true;
 }
 

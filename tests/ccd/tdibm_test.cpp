@@ -74,7 +74,7 @@ TEST(Tdibm, PlainFindsStableContactsOfAllShapes) {
     ++stable;
     EXPECT_EQ(method.answer(query, with_precision(1e-3)).verdict, Verdict::kHit) << what;
   });
-  EXPECT_GT(stable, 5);
+  EXPECT_GT(stable, kOneIn == 1 ? 5 : 1);
 }
 
 TEST(Tdibm, PulledApartEnvelopesFindPlantedContacts) {

@@ -144,7 +144,7 @@ TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtNewFindsOnly) {
 TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
   const ScratchFolder folder;
   const Finished finished =
-      ccdfuzz({"hunt", "--cases", "2", "--methods", "tdibm-e-literal", "--max-pops", "40",
+      ccdfuzz({"hunt", "--cases", "4", "--methods", "tdibm-e-literal", "--max-pops", "40",
                "--corpus", folder / "finds", "--fail-on", "claims"});
   EXPECT_EQ(finished.code, 1) << finished.out;
   EXPECT_NE(finished.out.find("tdibm-e-literal (claims none)"), std::string::npos) << finished.out;
