@@ -47,14 +47,25 @@ struct Nursery {
   bool is_behind() const { return !taken && bred_seconds < drawn_seconds; }
 };
 
+/// A hunt by time depends on the clock anyway: no query may hold up its end, or Ctrl-C, for longer
+/// than this. Pops alone do not bound that: one of exact arithmetic on high degrees takes 50 ms.
+constexpr double kLongestQuerySeconds = 5;
+
+HuntOptions within_its_time(HuntOptions options) {
+  if (!options.cases) {
+    options.search.max_seconds = std::min(options.search.max_seconds, kLongestQuerySeconds);
+  }
+  return options;
+}
+
 class Hunt {
  public:
   Hunt(const HuntOptions& options, Store& store,
        const std::function<void(const HuntProgress&)>& on_progress, const std::atomic<bool>& stop)
-      : options_(options),
+      : options_(within_its_time(options)),
         on_progress_(on_progress),
         stop_(stop),
-        trophies_(store, options),
+        trophies_(store, options_),
         draws_(options.seed, options.scale, options.linear),
         classes_(options.linear ? Classes(kLinearClasses.begin(), kLinearClasses.end())
                                 : Classes(kContactClasses.begin(), kContactClasses.end())) {
@@ -315,7 +326,7 @@ class Hunt {
     }
   }
 
-  const HuntOptions& options_;
+  const HuntOptions options_;
   const std::function<void(const HuntProgress&)>& on_progress_;
   const std::atomic<bool>& stop_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
