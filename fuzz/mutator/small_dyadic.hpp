@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -89,13 +90,11 @@ class SmallDyadic {
     if (!fits_ || o.m_ == 0) return *this;
     if (m_ == 0) return *this = o;
     Signed other = o.m_;
-    if (k_ >= o.k_) {
-      shift_up(m_, k_ - o.k_);
-      k_ = o.k_;
-    } else {
-      shift_up(other, o.k_ - k_);
-    }
+    const long unit = std::min(k_, o.k_);
+    shift_up(m_, k_ - unit);
+    shift_up(other, o.k_ - unit);
     if (!fits_) return *this;
+    k_ = unit;
     m_ += other;
     normalise();
     return *this;

@@ -55,5 +55,21 @@ TEST(SmallDyadic, IsTheDyadicWhereItFits) {
   EXPECT_GE(lost, 1000 / kOneIn);
 }
 
+TEST(SmallDyadic, SumsOfLongSumsAreLostBeforeTheyAreWrong) {
+  const auto odd = [](int bits) { return Dyadic(Integer((1UL << bits) - 1), 0); };
+  const Dyadic p = odd(62) * odd(63), q = (odd(62) * odd(62)).scaled(1);  // 125 bits each
+  const SmallDyadic small_q = (SmallDyadic::of(odd(62)) * SmallDyadic::of(odd(62))).scaled(1);
+  SmallDyadic small = SmallDyadic::of(odd(62)) * SmallDyadic::of(odd(63));
+  Dyadic exact = p;
+  for (int step = 0; step < 8 && small.fits(); ++step) {
+    ASSERT_EQ(small.dyadic(), exact) << step;
+    SmallDyadic next = small_q;
+    next += small;
+    small = next;
+    exact += q;
+  }
+  EXPECT_FALSE(small.fits());
+}
+
 }  // namespace
 }  // namespace ccdfuzz
