@@ -20,16 +20,6 @@ std::size_t put(const WitnessedQuery& q, std::span<std::uint8_t> out) {
   return bytes->size();
 }
 
-/// What an empty corpus begins with: a point that falls on a line.
-WitnessedQuery first_query() {
-  WitnessedQuery q;
-  q.query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -1}}};
-  q.query.patches[1] = {Shape::curve(1), {{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
-  q.t = Dyadic(1);
-  q.uv[1][0] = Dyadic(Integer(1), -1);
-  return q;
-}
-
 }  // namespace
 
 std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
@@ -38,15 +28,19 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
   if (random.below(every) == 0 && LLVMFuzzerMutate != nullptr) {
     return LLVMFuzzerMutate(data, size, max_size);
   }
-  const WitnessedQuery q = witnessed_query_of(std::span(data, size)).value_or(first_query());
+  const WitnessedQuery q = witnessed_query_of(std::span(data, size)).value_or(falling_point());
   return put(mutate(q, q, random), {data, max_size});
 }
 
-std::size_t cross_cases(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b,
-                        std::span<std::uint8_t> out, unsigned seed) {
-  Random random(seed);
-  const auto mother = witnessed_query_of(a), father = witnessed_query_of(b);
-  return mother && father ? put(mutate(*mother, *father, random), out) : 0;
-}
-
 }  // namespace ccdfuzz
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
+                                                 const std::uint8_t* data2, std::size_t size2,
+                                                 std::uint8_t* out, std::size_t max_size,
+                                                 unsigned int seed) {
+  using namespace ccdfuzz;  // NOLINT: of this function alone
+  Random random(seed);
+  const auto mother = witnessed_query_of(std::span(data1, size1));
+  const auto father = witnessed_query_of(std::span(data2, size2));
+  return mother && father ? put(mutate(*mother, *father, random), {out, max_size}) : 0;
+}

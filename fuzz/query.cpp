@@ -19,7 +19,6 @@ namespace {
 
 using namespace ccdfuzz;  // NOLINT: a target is a file of its own
 
-constexpr std::array kMissNothing = {"tdibm-c", "tdibm-rational"};
 /// One of these looks at each input.
 constexpr std::array kOthers = {"tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
                                 "tdibm-e", "tdibm-e-literal", "trad"};
@@ -42,13 +41,6 @@ void abort_if_failed(const Check& check) {
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
   return mutate_case(data, size, max_size, seed, 2);
-}
-
-extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
-                                                 const std::uint8_t* data2, std::size_t size2,
-                                                 std::uint8_t* out, std::size_t max_size,
-                                                 unsigned int seed) {
-  return cross_cases({data1, size1}, {data2, size2}, {out, max_size}, seed);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -41,13 +41,6 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   return mutate_case(data, size, max_size, seed, 8);
 }
 
-extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
-                                                 const std::uint8_t* data2, std::size_t size2,
-                                                 std::uint8_t* out, std::size_t max_size,
-                                                 unsigned int seed) {
-  return cross_cases({data1, size1}, {data2, size2}, {out, max_size}, seed);
-}
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static TracerSet tracers;
   static LostInputs lost_inputs;

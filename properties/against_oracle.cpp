@@ -11,8 +11,6 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr std::array kMissNothing = {"tdibm-c", "tdibm-rational"};
-
 /// What no query makes long.
 constexpr SearchOptions kBriefSearch = {0x1p-4, 16, SearchOptions().max_bytes};
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "ccd/search.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
@@ -7,6 +9,9 @@
 #include "query/case.hpp"
 
 namespace ccdfuzz {
+
+/// The methods that are proven to miss nothing.
+inline constexpr std::array kMissNothing = {"tdibm-c", "tdibm-rational"};
 
 /// A query, what the oracle proved of it within budgets that take milliseconds, and whether the
 /// checker accepts that: check fails where it refuses a certificate.

@@ -145,6 +145,15 @@ Witness WitnessedQuery::witness() const {
   return w;
 }
 
+WitnessedQuery falling_point() {
+  WitnessedQuery q;
+  q.query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -1}}};
+  q.query.patches[1] = {Shape::curve(1), {{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  q.t = Dyadic(1);
+  q.uv[1][0] = Dyadic(Integer(1), -1);
+  return q;
+}
+
 Case case_of(const WitnessedQuery& q) {
   Case out;
   out.origin.contact = name_of(contact_class_of(q));

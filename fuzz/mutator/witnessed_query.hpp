@@ -33,6 +33,9 @@ std::optional<WitnessedQuery> witnessed_query(const Case& known);
 /// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.
 ContactClass contact_class_of(const WitnessedQuery& q);
 
+/// A point that falls on a line: what an empty corpus begins with.
+WitnessedQuery falling_point();
+
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.
 Case case_of(const WitnessedQuery& q);
 

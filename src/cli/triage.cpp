@@ -91,9 +91,7 @@ void tell(const TriageFind& find, const std::string& id, bool json) {
   }
 }
 
-Result<void> know_all(Triage& triage, const std::string& corpus) {
-  if (corpus.empty()) return {};
-  const Result<std::vector<NamedCase>> entries = load_corpus(corpus);
+Result<void> know_all(Triage& triage, const Result<std::vector<NamedCase>>& entries) {
   if (!entries) return tl::unexpected(entries.error());
   for (const NamedCase& entry : *entries) triage.know(entry.value);
   return {};
@@ -122,10 +120,11 @@ Result<int> run_triage(const TriageArguments& options) {
   parsed.search = *search;
   parsed.stop = is_over;
   Triage triage(*store, std::move(parsed));
-  const Result<std::vector<NamedCase>> stored = store->load();
-  if (!stored) return tl::unexpected(stored.error());
-  for (const NamedCase& entry : *stored) triage.know(entry.value);
-  if (auto known = know_all(triage, options.known); !known) return tl::unexpected(known.error());
+  if (auto known = know_all(triage, store->load()); !known) return tl::unexpected(known.error());
+  if (!options.known.empty()) {
+    const Result<void> known = know_all(triage, load_corpus(options.known));
+    if (!known) return tl::unexpected(known.error());
+  }
 
   Progress progress;
   std::uint64_t finds = 0, done = 0;

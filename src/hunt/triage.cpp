@@ -7,6 +7,7 @@
 #include "corpus/failure.hpp"
 #include "eval/horizons.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
+#include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
 
 namespace ccdfuzz {
@@ -111,19 +112,12 @@ std::string Triage::loss_of(const std::string& method, const Case& value) {
 }
 
 void Triage::complete(Case& value) {
-  constexpr std::uint64_t kCompletionPops = 2000;
-  SearchOptions search = options_.search;
-  search.max_pops = std::min(search.max_pops, kCompletionPops);
-  for (const std::string& method : options_.methods) {
-    if (value.expect.contains(method)) continue;
-    const Judged judged = ask(methods_[method], value, search);
-    if (judged.outcome == Outcome::kUndecided) continue;  // a larger budget may decide it
-    value.expect.emplace(method, judged.outcome);
-    set_error_name(value, method, judged.error);
-    if (!is_failure(judged.outcome)) continue;
-    had_.insert(signature_of(method, value, judged));
-    set_loss(value, method, loss_of(method, value));
-  }
+  expect_of_others(value, options_.methods, methods_, options_.search,
+                   [&](const std::string& method, const Judged& judged) {
+                     if (!is_failure(judged.outcome)) return;
+                     had_.insert(signature_of(method, value, judged));
+                     set_loss(value, method, loss_of(method, value));
+                   });
 }
 
 }  // namespace ccdfuzz

@@ -5,15 +5,13 @@
 #include <algorithm>
 
 #include "eval/in_order.hpp"
+#include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// Enough for what TDIBM needs on most entries; what is undecided after as many is left out.
-constexpr std::uint64_t kCompletionPops = 2000;
 
 /// Of one counterexample; most need fewer to come to an end.
 constexpr std::uint64_t kShrinkTrials = 1000;
@@ -113,22 +111,13 @@ Result<void> Trophies::complete(const std::atomic<bool>& stop) {
   Result<std::vector<NamedCase>> entries = store_.load();
   if (!entries) return tl::unexpected(entries.error());
   std::erase_if(*entries, [this](const NamedCase& e) { return !added_.contains(address_of(e)); });
-  SearchOptions search = options_.search;
-  search.max_pops = std::min(search.max_pops, kCompletionPops);
   tbb::enumerable_thread_specific<MethodSet> methods;
   Result<void> stored;
   run_in_order<Case>(
       entries->size(), options_.threads,
       [&](size_t i) {
         Case entry = (*entries)[i].value;
-        for (const std::string& method : options_.methods) {
-          if (entry.expect.contains(method)) continue;
-          const Judged judged = ask(methods.local()[method], entry, search);
-          // A larger budget may decide it, so that it is no expectation.
-          if (judged.outcome == Outcome::kUndecided) continue;
-          entry.expect.emplace(method, judged.outcome);
-          set_error_name(entry, method, judged.error);
-        }
+        expect_of_others(entry, options_.methods, methods.local(), options_.search);
         return entry;
       },
       [&](const Case& entry) {

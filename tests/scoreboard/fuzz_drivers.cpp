@@ -114,16 +114,6 @@ int test_one(const std::uint8_t* data, std::size_t size) {
   return none ? -1 : 0;
 }
 
-/// What an empty corpus begins with: a point that falls on a line.
-WitnessedQuery falling_point() {
-  WitnessedQuery q;
-  q.query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -1}}};
-  q.query.patches[1] = {Shape::curve(1), {{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
-  q.t = Dyadic(1);
-  q.uv[1][0] = Dyadic(Integer(1), -1);
-  return q;
-}
-
 /// An input of one kind, whatever it was before.
 std::size_t begin_anew(std::uint8_t* data, std::size_t max_size, Random& random) {
   data[0] = static_cast<std::uint8_t>(random.below(256));

@@ -1,0 +1,24 @@
+#include "hunt/expect_of_others.hpp"
+
+#include <algorithm>
+
+#include "corpus/failure.hpp"
+
+namespace ccdfuzz {
+
+void expect_of_others(Case& find, const std::vector<std::string>& methods, MethodSet& asked,
+                      SearchOptions search,
+                      const std::function<void(const std::string&, const Judged&)>& decided) {
+  constexpr std::uint64_t kEnoughPops = 2000;  // for what TDIBM needs on most finds
+  search.max_pops = std::min(search.max_pops, kEnoughPops);
+  for (const std::string& method : methods) {
+    if (find.expect.contains(method)) continue;
+    const Judged judged = ask(asked[method], find, search);
+    if (judged.outcome == Outcome::kUndecided) continue;
+    find.expect.emplace(method, judged.outcome);
+    set_error_name(find, method, judged.error);
+    if (decided) decided(method, judged);
+  }
+}
+
+}  // namespace ccdfuzz
