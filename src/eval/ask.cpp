@@ -18,6 +18,11 @@ Judged ask(Method& method, const Case& known, const SearchOptions& options) {
   try {
     Answer answer = method.answer(known.query, options);
     const Outcome outcome = judge(known.query, known.truth, answer, method.terms());
+    // A wrong answer to the query itself weighs more.
+    const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
+    if (const auto broken = method.broken_claim(); broken && !wrong) {
+      return failed(*broken, broken->name());
+    }
     return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
   } catch (const MethodFault& fault) {
     return failed(fault, fault.name());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,19 +15,6 @@
 
 namespace ccdfuzz {
 
-/// A CCD method: built in, or a user's. One object serves one thread at a time and keeps its
-/// buffers between queries, but no other state: the same query gives the same answer.
-class Method {
- public:
-  virtual ~Method() = default;
-  /// Errors: throws MethodFault, or any other exception, where it fails to answer.
-  virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
-  /// What the answer given last claims; how it is to be judged.
-  virtual AnswerTerms terms() const { return {}; }
-  /// True iff it answers in another process, so that CPU time of this one says nothing of it.
-  virtual bool runs_elsewhere() const { return false; }
-};
-
 /// What a method did in place of answering: an error with a name by which like ones are told from
 /// others ("hang", "crash SIGSEGV").
 class MethodFault : public std::runtime_error {
@@ -37,6 +25,21 @@ class MethodFault : public std::runtime_error {
 
  private:
   std::string name_;
+};
+
+/// A CCD method: built in, or a user's. One object serves one thread at a time and keeps its
+/// buffers between queries, but no other state: the same query gives the same answer.
+class Method {
+ public:
+  virtual ~Method() = default;
+  /// Errors: throws MethodFault, or any other exception, where it fails to answer.
+  virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
+  /// What the answer given last claims; how it is to be judged.
+  virtual AnswerTerms terms() const { return {}; }
+  /// What it claims besides and was just seen not to keep; absent: nothing.
+  virtual std::optional<MethodFault> broken_claim() const { return std::nullopt; }
+  /// True iff it answers in another process, so that CPU time of this one says nothing of it.
+  virtual bool runs_elsewhere() const { return false; }
 };
 
 /// Follows a witness through the inclusion tests of a method, the code that its queries run. One

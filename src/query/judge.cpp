@@ -47,22 +47,41 @@ bool in_domain(const Shape& shape, const Uv<double>& uv) {
   return in_square && (shape.kind != ShapeKind::kTriangle || exact(uv[0]) + exact(uv[1]) <= 1);
 }
 
-/// Whether the two points that a hit names are at most so far apart at its toi.
-bool is_near(const Query& query, const Answer& hit, double tolerance) {
+/// The squared distance of a point on each patch from each other at time t.
+Rational squared_distance(const Query& query, const std::array<Uv<Rational>, 2>& uv,
+                          const Rational& t) {
   std::array<Vec3<Rational>, 2> points;
   for (size_t side = 0; side < 2; ++side) {
-    const MovingPatch<double>& patch = query.patches[side];
-    const Uv<double>& uv = hit.uv[side];
-    if (!in_domain(patch.shape, uv)) return false;
-    points[side] = evaluate<Rational>(exact_patch<Rational>(patch), {exact(uv[0]), exact(uv[1])},
-                                      exact(*hit.toi));
+    points[side] = evaluate<Rational>(exact_patch<Rational>(query.patches[side]), uv[side], t);
   }
   Rational squared = 0;
   for (int k = 0; k < 3; ++k) {
     const Rational d = points[0][k] - points[1][k];
     squared += d * d;
   }
-  return squared <= exact(tolerance) * exact(tolerance);
+  return squared;
+}
+
+/// Whether the two points that a hit names are at most so far apart at its toi.
+bool is_near(const Query& query, const Answer& hit, double tolerance) {
+  std::array<Uv<Rational>, 2> where;
+  for (size_t side = 0; side < 2; ++side) {
+    const Uv<double>& uv = hit.uv[side];
+    if (!in_domain(query.patches[side].shape, uv)) return false;
+    where[side] = {exact(uv[0]), exact(uv[1])};
+  }
+  return squared_distance(query, where, exact(*hit.toi)) <= exact(tolerance) * exact(tolerance);
+}
+
+/// Whether the patches are proven to come nearer than so before a time, the points of the witness:
+/// their distance falls in proportion to the time that is left, and is 0 at its own.
+bool comes_nearer(const Query& query, const Truth& truth, const AnswerTerms& terms,
+                  const Rational& before) {
+  if (terms.kept_separation == 0 || !truth.witness || before == 0) return false;
+  const Witness& witness = *truth.witness;
+  const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
+  if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;
+  return squared_distance(query, witness.uv, std::min(before, witness.t)) < squared;
 }
 
 }  // namespace
@@ -72,6 +91,9 @@ Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
   if (is_nonsense(query, answer)) return Outcome::kError;
   if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
   const bool hit = answer.verdict == Verdict::kHit;
+  if (comes_nearer(query, truth, terms, exact(hit ? *answer.toi : query.t_max))) {
+    return hit ? Outcome::kLate : Outcome::kMissed;
+  }
   if (const auto contact = binding_contact(truth, query.t_max, terms)) {
     if (!hit) return Outcome::kMissed;
     const bool in_time = exact(*answer.toi) <= *contact + exact(terms.time_tolerance);
@@ -81,6 +103,10 @@ Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
       truth.collides == false || (truth.clear_until && *truth.clear_until > exact(query.t_max));
   if (!clear) return Outcome::kUnknown;
   if (!hit) return Outcome::kCorrect;
+  if (terms.early_tolerance > 0 && truth.contact_by() &&
+      *truth.contact_by() <= exact(*answer.toi) + exact(terms.early_tolerance)) {
+    return Outcome::kCorrect;
+  }
   if (terms.space_tolerance > 0) {
     if (!terms.has_uv) return Outcome::kUnknown;
     if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;

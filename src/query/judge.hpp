@@ -17,6 +17,10 @@ struct AnswerTerms {
   /// A hit so near is a contact: what uv says must be this near at toi. ≥ 0, finite.
   double space_tolerance = 0;
   bool has_uv = true;  ///< the answer says where
+  /// A hit is true so much before a contact that comes after t_max. ≥ 0, finite.
+  double early_tolerance = 0;
+  /// Patches that come nearer than this are for it to report as if they touched. ≥ 0, finite.
+  double kept_separation = 0;
 };
 
 /// How an answer stands against the truth, every comparison exact:
@@ -24,13 +28,13 @@ struct AnswerTerms {
 ///   undecided       it says so
 ///   missed, late    a witness or a contact box proves a contact by some t ≤ t_max (< t_max, and
 ///                   > 0, where the terms leave an end out); the answer is a miss, or a hit later
-///                   than its time tolerance
+///                   than its time tolerance. Or the two points of a witness, of any time, come
+///                   nearer than the separation it keeps, and it is a miss, or a hit later than so
 ///   false_positive  a hit, and absence of contact on [0, t_max] is proven: collides is false, or
-///                   clear_until > t_max; and the patches at uv and toi are farther apart than the
-///                   space tolerance
+///                   clear_until > t_max; the patches at uv and toi are farther apart than the
+///                   space tolerance; and no contact is known to come within the early tolerance
 ///   unknown         the truth proves neither contact nor absence on [0, t_max], or the answer has
-///   a
-///                   space tolerance and does not say where
+///                   a space tolerance and does not say where
 ///   correct         anything else
 /// Requires: the truth has been checked (certify/checker), and is relative to this query's t_max;
 /// with_t_max gives the case for another one. The contact counts first.

@@ -8,7 +8,8 @@
  *
  * Versions: every struct begins with its size in bytes, set by whoever made it to its own sizeof.
  * Later versions only append fields, so the smaller of two sizes says what both sides know. All
- * pointers that a plug-in is given are valid during the call alone. Numbers are finite doubles.
+ * pointers that a plug-in is given are valid during the call alone. Numbers are finite doubles, but
+ * where nan_policy says so.
  */
 #ifndef CCDFUZZ_PLUGIN_H
 #define CCDFUZZ_PLUGIN_H
@@ -71,7 +72,7 @@ typedef struct ccdfuzz_answer {
   double toi_upper;    /* hit: an upper bound of it, or NaN if it has none */
   double uv[2][2];     /* hit: where on each patch, or NaN if it does not know */
   uint64_t iterations; /* boxes, Newton steps: whatever it counts */
-  double tolerance;    /* achieved, in the unit of the claimed one; NaN: as claimed */
+  double tolerance;    /* achieved: stands in the place of the claimed one; NaN: as claimed */
   char message[128];   /* for people; ends with a NUL */
 } ccdfuzz_answer;
 
@@ -83,8 +84,10 @@ enum {
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:
- *   time: if it is not conservative, a hit so much after the contact is still in time
- *   space: a hit where the patches are this near each other is no false positive */
+ *   time (of all parameters, the one that answers are about): a hit so much before a contact that
+ *     comes after t_max is no false positive; if it is not conservative, a hit so much after the
+ *     contact is still in time
+ *   space: a hit where the patches are this near each other, as uv says, is no false positive */
 enum {
   CCDFUZZ_TOLERANCE_TIME = 0,
   CCDFUZZ_TOLERANCE_TIME_RELATIVE = 1, /* times t_max */
@@ -92,9 +95,14 @@ enum {
   CCDFUZZ_TOLERANCE_SPACE_RELATIVE = 3 /* times the largest coordinate at t = 0 and t_max */
 };
 
-/* ccdfuzz_description.nan_policy: what it does with a query that is not finite. ccdfuzz asks none.
- */
-enum { CCDFUZZ_NAN_UNDEFINED = 0, CCDFUZZ_NAN_ERROR = 1, CCDFUZZ_NAN_INCONCLUSIVE = 2 };
+/* ccdfuzz_description.nan_policy: what it answers where a coordinate is NaN or infinite. To hold it
+ * to its word each query is asked once more so, between others; with undefined, never. */
+enum {
+  CCDFUZZ_NAN_UNDEFINED = 0,
+  CCDFUZZ_NAN_ERROR = 1,
+  CCDFUZZ_NAN_INCONCLUSIVE = 2,
+  CCDFUZZ_NAN_HIT = 3 /* at 0: what cannot be known to be safe is not */
+};
 
 /* A pair of shapes that it answers, up to these degrees. The host swaps the patches of a query, and
  * uv back, where that makes them fit. */
@@ -113,8 +121,10 @@ typedef struct ccdfuzz_description {
   uint64_t pair_count;
   uint32_t tolerance_kind;
   uint32_t nan_policy;
-  double tolerance;          /* >= 0; 0: none claimed */
-  double minimum_separation; /* >= 0; a hit where the patches are this near is no false positive */
+  double tolerance; /* >= 0; 0: none claimed */
+  /* >= 0; a hit where the patches are this near is no false positive. If it is conservative, that
+   * they come nearer needs a hit, and toi_lower is never after that. */
+  double minimum_separation;
 } ccdfuzz_description;
 
 /* A plug-in. Every function may be called from one thread at a time. None may let an exception

@@ -28,7 +28,8 @@ void append_points(std::string& out, const char* name, const Points<double>& poi
     out += i == 0 ? "[" : ",[";
     for (int k = 0; k < 3; ++k) {
       if (k > 0) out += ',';
-      out += json_number(points[i][k]);
+      const double x = points[i][k];
+      out += std::isfinite(x) ? json_number(x) : fmt::format("\"{}\"", x);
     }
     out += ']';
   }
@@ -106,9 +107,56 @@ std::uint64_t whole_of(const JsonValue* value) {
   return number && *number >= 0 && *number < kMost ? static_cast<std::uint64_t>(*number) : 0;
 }
 
-bool flag_of(const JsonValue& object, std::string_view key, bool otherwise) {
+/// Reads a claim that may be left out. A claim that cannot be read is none that may be guessed at.
+tl::expected<void, PluginFault> read_flag(const JsonValue& object, std::string_view key,
+                                          bool& out) {
   const JsonValue* found = object.find(key);
-  return found == nullptr || found->kind != JsonKind::kBool ? otherwise : found->text == "true";
+  if (found == nullptr) return {};
+  if (found->kind != JsonKind::kBool) {
+    return garbage_answer(
+        fmt::format("claims {} {}, which is neither true nor false", key, shown(*found)));
+  }
+  out = found->text == "true";
+  return {};
+}
+
+template <class Enum, size_t kWords>
+tl::expected<void, PluginFault> read_word(const JsonValue& object, std::string_view key,
+                                          const std::array<const char*, kWords>& words, Enum& out) {
+  const JsonValue* value = object.find(key);
+  if (value == nullptr) return {};
+  const auto found =
+      std::find(words.begin(), words.end(), value->kind == JsonKind::kString ? value->text : "");
+  if (found == words.end()) {
+    return garbage_answer(fmt::format("claims {} {}, which is none of {}", key, shown(*value),
+                                      fmt::join(words, ", ")));
+  }
+  out = static_cast<Enum>(found - words.begin());
+  return {};
+}
+
+tl::expected<void, PluginFault> read_length(const JsonValue& object, std::string_view key,
+                                            double& out) {
+  const JsonValue* value = object.find(key);
+  if (value == nullptr) return {};
+  out = number_of(value).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (out >= 0 && std::isfinite(out)) return {};
+  return garbage_answer(fmt::format("claims {} {}, which is no number >= 0", key, shown(*value)));
+}
+
+constexpr std::array kToleranceKinds = {"time", "time_relative", "space", "space_relative"};
+constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit"};
+
+/// What decides how its answers are judged.
+tl::expected<void, PluginFault> read_claims(const JsonValue& object, PluginDescription& out) {
+  return read_flag(object, "conservative", out.conservative)
+      .and_then([&] { return read_flag(object, "closed_t_max", out.closed_t_max); })
+      .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
+      .and_then(
+          [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
+      .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
+      .and_then([&] { return read_length(object, "minimum_separation", out.minimum_separation); })
+      .and_then([&] { return read_word(object, "nan_policy", kNanPolicies, out.nan_policy); });
 }
 
 tl::expected<PluginDescription::Pair, PluginFault> read_pair(const JsonValue& value) {
@@ -192,6 +240,10 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
   return same_bits(*answer.toi, *other.answer.toi) && answer.uv == other.answer.uv;
 }
 
+std::string_view name_of(NanPolicy policy) {
+  return kNanPolicies[static_cast<size_t>(policy)];
+}
+
 std::string describe_request(const std::string& options) {
   return fmt::format("{{\"ask\":\"describe\",\"protocol\":1,\"options\":{}}}",
                      json_string(options));
@@ -234,25 +286,7 @@ Described read_description(const std::string& line) {
       out.accepts.push_back(*pair);
     }
   }
-  out.conservative = flag_of(*object, "conservative", out.conservative);
-  out.closed_t_max = flag_of(*object, "closed_t_max", out.closed_t_max);
-  out.contact_at_zero = flag_of(*object, "contact_at_zero", out.contact_at_zero);
-  const std::string kind = text_of(*object, "tolerance_kind");
-  out.tolerance_kind = kind == "time_relative"    ? ToleranceKind::kTimeRelative
-                       : kind == "space"          ? ToleranceKind::kSpace
-                       : kind == "space_relative" ? ToleranceKind::kSpaceRelative
-                                                  : ToleranceKind::kTime;
-  out.tolerance = number_of(object->find("tolerance")).value_or(0);
-  out.minimum_separation = number_of(object->find("minimum_separation")).value_or(0);
-  for (const double claimed : {out.tolerance, out.minimum_separation}) {
-    if (!(claimed >= 0 && std::isfinite(claimed))) {
-      return tl::unexpected(PluginFault{
-          "garbage", fmt::format("claims a tolerance or a minimum separation of {}", claimed)});
-    }
-  }
-  if (const std::string policy = text_of(*object, "nan_policy"); !policy.empty()) {
-    out.nan_policy = policy;
-  }
+  if (const auto read = read_claims(*object, out); !read) return tl::unexpected(read.error());
   return out;
 }
 
@@ -273,6 +307,9 @@ tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std
   out.answer.pops = whole_of(object->find("iterations"));
   out.tolerance =
       number_of(object->find("tolerance")).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (out.tolerance < 0) {
+    return garbage_answer(fmt::format("has achieved a tolerance of {}", out.tolerance));
+  }
   const std::optional<double> seconds = number_of(object->find("seconds"));
   out.has_seconds = seconds && *seconds >= 0;
   if (out.has_seconds) out.answer.seconds = *seconds;

@@ -14,6 +14,10 @@ namespace ccdfuzz {
 /// The unit of a claimed tolerance.
 enum class ToleranceKind : std::uint8_t { kTime, kTimeRelative, kSpace, kSpaceRelative };
 
+/// What it says to a query that is not finite; undefined: anything, so that it is not asked.
+enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit };
+std::string_view name_of(NanPolicy policy);
+
 /// What a plug-in says of itself.
 struct PluginDescription {
   /// Shapes that may be asked together, up to these degrees.
@@ -31,7 +35,7 @@ struct PluginDescription {
   ToleranceKind tolerance_kind = ToleranceKind::kTime;
   double tolerance = 0;
   double minimum_separation = 0;
-  std::string nan_policy = "undefined";
+  NanPolicy nan_policy = NanPolicy::kUndefined;
 };
 
 /// Why a plug-in cannot be used at all: it is the user who must act, it is no finding.
@@ -41,6 +45,7 @@ struct PluginRefusal {
 
 /// The line protocol: one JSON object a line each way; examples/plugins/README.md has it in words.
 std::string describe_request(const std::string& options);
+/// Coordinates that are not finite become the words "nan", "inf" and "-inf".
 std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
                           std::uint64_t id);
 

@@ -7,6 +7,8 @@
 #include <map>
 #include <mutex>
 
+#include "method/plugin/probes.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -14,6 +16,18 @@ namespace {
 /// After so many hangs one after the other a plug-in is asked no more, so that it cannot take all
 /// of the time of a run by cases.
 constexpr int kMostHangs = 8;
+
+std::string text_of(const Answer& answer) {
+  switch (answer.verdict) {
+    case Verdict::kHit:
+      return fmt::format("hit at {}", *answer.toi);
+    case Verdict::kMiss:
+      return "miss";
+    case Verdict::kUndecided:
+      return "inconclusive";
+  }
+  return "";
+}
 
 /// The largest coordinate of a control point at t = 0 and t_max, in absolute value.
 double extent(const Query& query) {
@@ -34,27 +48,13 @@ bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
   return shape.kind == kind && std::max(shape.n, shape.m) <= max_degree;
 }
 
-/// The same shapes, at rest and far apart: what is asked between a query and its repetition.
-Query decoy(const Query& query) {
-  Query other = query;
-  for (size_t side = 0; side < 2; ++side) {
-    MovingPatch<double>& patch = other.patches[side];
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      patch.positions[i] = {8.0 * static_cast<double>(side), static_cast<double>(i % 2),
-                            static_cast<double>(i % 3)};
-      patch.velocities[i] = {0, 0, 0};
-    }
-  }
-  other.t_max = 1;
-  return other;
-}
-
 class PluginMethod : public Method {
  public:
   explicit PluginMethod(std::shared_ptr<const KnownPlugin> plugin)
       : plugin_(std::move(plugin)), worker_(plugin_->spec) {}
 
   Answer answer(const Query& query, const SearchOptions& options) override {
+    broken_claim_.reset();
     if (hangs_ >= kMostHangs) {
       Answer none;
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
@@ -77,6 +77,7 @@ class PluginMethod : public Method {
   }
 
   AnswerTerms terms() const override { return terms_; }
+  std::optional<MethodFault> broken_claim() const override { return broken_claim_; }
   bool runs_elsewhere() const override { return true; }
 
  private:
@@ -131,7 +132,8 @@ class PluginMethod : public Method {
   PluginAnswer ask_and_repeat(const Query& query, const SearchOptions& options) {
     PluginAnswer given = ask_once(query, options);
     if (!plugin_->spec.repeats) return given;
-    ask_once(decoy(query), options);
+    ask_once(decoy_query(query), options);
+    check_nan_policy(query, options);
     if (!ask_once(query, options).agrees_with(given)) {
       throw_fault({"stale", "gave the same query two answers, asked again after another"});
     }
@@ -139,16 +141,51 @@ class PluginMethod : public Method {
   }
 
   PluginAnswer ask_once(const Query& query, const SearchOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    auto given = ask_for_any(query, options);
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    if (!given) throw_fault(given.error());
+    if (!given->has_seconds) given->answer.seconds = elapsed.count();
+    return *std::move(given);
+  }
+
+  /// An answer, or what is none. Throws what its process does in place of answering.
+  tl::expected<PluginAnswer, PluginFault> ask_for_any(const Query& query,
+                                                      const SearchOptions& options) {
     if (!worker_.runs()) start();
     const double max_seconds = std::min(options.max_seconds, plugin_->spec.seconds);
     const std::string line = query_request(query, options, max_seconds, ++last_id_);
-    const auto begin = std::chrono::steady_clock::now();
-    auto given = read_answer(exchange(line), last_id_, query.t_max);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-    if (!given) throw_fault(given.error());
+    const std::string reply = exchange(line);
     hangs_ = 0;
-    if (!given->has_seconds) given->answer.seconds = elapsed.count();
-    return *std::move(given);
+    return read_answer(reply, last_id_, query.t_max);
+  }
+
+  /// Asks the query with one coordinate that is not finite, if the plug-in claims to know what to
+  /// say then. What its process does in place of answering is a fault like any.
+  void check_nan_policy(const Query& query, const SearchOptions& options) {
+    const NanPolicy policy = plugin_->description->nan_policy;
+    if (policy == NanPolicy::kUndefined) return;
+    const PoisonedQuery poisoned = poisoned_query(query);
+    tl::expected<PluginAnswer, PluginFault> given;
+    try {
+      given = ask_for_any(poisoned.query, options);
+    } catch (const MethodFault& fault) {
+      throw MethodFault(fault.name(),
+                        fmt::format("asked with {}: {}", poisoned.where, fault.what()));
+    }
+    if (keeps(policy, given)) return;
+    const std::string said = given ? text_of(given->answer) : given.error().note;
+    broken_claim_.emplace("nan policy",
+                          fmt::format("claims \"{}\" of what is not finite; asked with {}: {}",
+                                      name_of(policy), poisoned.where, said));
+  }
+
+  static bool keeps(NanPolicy policy, const tl::expected<PluginAnswer, PluginFault>& given) {
+    if (!given) return policy == NanPolicy::kError && given.error().name == "error";
+    const Answer& answer = given->answer;
+    return policy == NanPolicy::kHit
+               ? answer.verdict == Verdict::kHit && *answer.toi == 0
+               : policy == NanPolicy::kInconclusive && answer.verdict == Verdict::kUndecided;
   }
 
   AnswerTerms terms_of(const Query& query, const PluginAnswer& given) const {
@@ -160,20 +197,23 @@ class PluginMethod : public Method {
     const bool in_space = d.tolerance_kind == ToleranceKind::kSpace ||
                           d.tolerance_kind == ToleranceKind::kSpaceRelative;
     double tolerance = d.tolerance;
-    if (d.tolerance > 0 && given.tolerance > tolerance && std::isfinite(given.tolerance)) {
-      tolerance = given.tolerance;
-    }
+    if (d.tolerance > 0 && std::isfinite(given.tolerance)) tolerance = given.tolerance;
     if (d.tolerance_kind == ToleranceKind::kTimeRelative) tolerance *= query.t_max;
     if (d.tolerance_kind == ToleranceKind::kSpaceRelative) tolerance *= extent(query);
     if (!std::isfinite(tolerance)) tolerance = std::numeric_limits<double>::max();
     terms.space_tolerance = d.minimum_separation + (in_space ? tolerance : 0);
-    if (!in_space && !d.conservative) terms.time_tolerance = tolerance;
+    if (!in_space) {
+      terms.early_tolerance = tolerance;
+      if (!d.conservative) terms.time_tolerance = tolerance;
+    }
+    if (d.conservative) terms.kept_separation = d.minimum_separation;
     return terms;
   }
 
   std::shared_ptr<const KnownPlugin> plugin_;
   WorkerProcess worker_;
   AnswerTerms terms_;
+  std::optional<MethodFault> broken_claim_;
   std::uint64_t last_id_ = 0;
   int hangs_ = 0;
 };

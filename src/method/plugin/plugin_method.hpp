@@ -25,7 +25,9 @@ MethodInfo plugin_info(const KnownPlugin& plugin);
 /// The plug-in as a Method, in a worker process that starts with the first query, and anew after
 /// each fault. A query of shapes that it does not accept is undecided. Every query is asked again
 /// after another one, unless the spec says repeat=no: an answer that changes is the fault "stale".
-/// answer() throws MethodFault for whatever the plug-in does that it may not.
+/// Between the two, where the plug-in claims a NaN policy, the query is asked with a coordinate
+/// that is not finite: an answer that does not fit is the broken claim "nan policy". answer()
+/// throws MethodFault for whatever the plug-in does that it may not.
 std::unique_ptr<Method> make_plugin_method(std::shared_ptr<const KnownPlugin> plugin);
 
 }  // namespace ccdfuzz

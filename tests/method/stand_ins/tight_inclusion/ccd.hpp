@@ -1,5 +1,6 @@
-// A stand-in for Tight-Inclusion: the signatures that it publishes, so that its adapter is compiled
-// where the library is not there. Nothing is defined.
+// A stand-in for Tight-Inclusion: the signatures that it publishes (commit 029ca74 of its
+// repository, built for doubles), so that its adapter is compiled where the library is not there.
+// Nothing is defined.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,8 +1,14 @@
-// A stand-in for ipc-toolkit: the signatures of its narrow phase that the adapter uses. Nothing is
-// defined.
+// A stand-in for ipc-toolkit: the signatures of its narrow phase that the adapter uses, as they are
+// since version 1.4 (commit 12a6475 of its repository); before, Eigen::ConstRef<Eigen::Vector3d>
+// stood in the place of each ConstRef. Nothing is defined.
 #pragma once
 
 #include <Eigen/Core>
+
+namespace Eigen {
+template <typename T>
+using ConstRef = const Ref<const T>&;
+}  // namespace Eigen
 
 namespace ipc {
 
@@ -11,19 +17,19 @@ class NarrowPhaseCCD {
   NarrowPhaseCCD() = default;
   virtual ~NarrowPhaseCCD() = default;
 
-  virtual bool point_triangle_ccd(const Eigen::Vector3d& p_t0, const Eigen::Vector3d& t0_t0,
-                                  const Eigen::Vector3d& t1_t0, const Eigen::Vector3d& t2_t0,
-                                  const Eigen::Vector3d& p_t1, const Eigen::Vector3d& t0_t1,
-                                  const Eigen::Vector3d& t1_t1, const Eigen::Vector3d& t2_t1,
-                                  double& toi, const double min_distance = 0.0,
-                                  const double tmax = 1.0) const = 0;
+  virtual bool point_triangle_ccd(
+      Eigen::ConstRef<Eigen::Vector3d> p_t0, Eigen::ConstRef<Eigen::Vector3d> t0_t0,
+      Eigen::ConstRef<Eigen::Vector3d> t1_t0, Eigen::ConstRef<Eigen::Vector3d> t2_t0,
+      Eigen::ConstRef<Eigen::Vector3d> p_t1, Eigen::ConstRef<Eigen::Vector3d> t0_t1,
+      Eigen::ConstRef<Eigen::Vector3d> t1_t1, Eigen::ConstRef<Eigen::Vector3d> t2_t1, double& toi,
+      const double min_distance = 0.0, const double tmax = 1.0) const = 0;
 
-  virtual bool edge_edge_ccd(const Eigen::Vector3d& ea0_t0, const Eigen::Vector3d& ea1_t0,
-                             const Eigen::Vector3d& eb0_t0, const Eigen::Vector3d& eb1_t0,
-                             const Eigen::Vector3d& ea0_t1, const Eigen::Vector3d& ea1_t1,
-                             const Eigen::Vector3d& eb0_t1, const Eigen::Vector3d& eb1_t1,
-                             double& toi, const double min_distance = 0.0,
-                             const double tmax = 1.0) const = 0;
+  virtual bool edge_edge_ccd(
+      Eigen::ConstRef<Eigen::Vector3d> ea0_t0, Eigen::ConstRef<Eigen::Vector3d> ea1_t0,
+      Eigen::ConstRef<Eigen::Vector3d> eb0_t0, Eigen::ConstRef<Eigen::Vector3d> eb1_t0,
+      Eigen::ConstRef<Eigen::Vector3d> ea0_t1, Eigen::ConstRef<Eigen::Vector3d> ea1_t1,
+      Eigen::ConstRef<Eigen::Vector3d> eb0_t1, Eigen::ConstRef<Eigen::Vector3d> eb1_t1, double& toi,
+      const double min_distance = 0.0, const double tmax = 1.0) const = 0;
 };
 
 class TightInclusionCCD : public NarrowPhaseCCD {
@@ -31,17 +37,19 @@ class TightInclusionCCD : public NarrowPhaseCCD {
   TightInclusionCCD(const double tolerance = 1e-6, const long max_iterations = 10'000'000L,
                     const double conservative_rescaling = 0.8);
 
-  bool point_triangle_ccd(const Eigen::Vector3d& p_t0, const Eigen::Vector3d& t0_t0,
-                          const Eigen::Vector3d& t1_t0, const Eigen::Vector3d& t2_t0,
-                          const Eigen::Vector3d& p_t1, const Eigen::Vector3d& t0_t1,
-                          const Eigen::Vector3d& t1_t1, const Eigen::Vector3d& t2_t1, double& toi,
-                          const double min_distance = 0.0, const double tmax = 1.0) const override;
+  bool point_triangle_ccd(
+      Eigen::ConstRef<Eigen::Vector3d> p_t0, Eigen::ConstRef<Eigen::Vector3d> t0_t0,
+      Eigen::ConstRef<Eigen::Vector3d> t1_t0, Eigen::ConstRef<Eigen::Vector3d> t2_t0,
+      Eigen::ConstRef<Eigen::Vector3d> p_t1, Eigen::ConstRef<Eigen::Vector3d> t0_t1,
+      Eigen::ConstRef<Eigen::Vector3d> t1_t1, Eigen::ConstRef<Eigen::Vector3d> t2_t1, double& toi,
+      const double min_distance = 0.0, const double tmax = 1.0) const override;
 
-  bool edge_edge_ccd(const Eigen::Vector3d& ea0_t0, const Eigen::Vector3d& ea1_t0,
-                     const Eigen::Vector3d& eb0_t0, const Eigen::Vector3d& eb1_t0,
-                     const Eigen::Vector3d& ea0_t1, const Eigen::Vector3d& ea1_t1,
-                     const Eigen::Vector3d& eb0_t1, const Eigen::Vector3d& eb1_t1, double& toi,
-                     const double min_distance = 0.0, const double tmax = 1.0) const override;
+  bool edge_edge_ccd(
+      Eigen::ConstRef<Eigen::Vector3d> ea0_t0, Eigen::ConstRef<Eigen::Vector3d> ea1_t0,
+      Eigen::ConstRef<Eigen::Vector3d> eb0_t0, Eigen::ConstRef<Eigen::Vector3d> eb1_t0,
+      Eigen::ConstRef<Eigen::Vector3d> ea0_t1, Eigen::ConstRef<Eigen::Vector3d> ea1_t1,
+      Eigen::ConstRef<Eigen::Vector3d> eb0_t1, Eigen::ConstRef<Eigen::Vector3d> eb1_t1, double& toi,
+      const double min_distance = 0.0, const double tmax = 1.0) const override;
 };
 
 }  // namespace ipc

@@ -1,0 +1,68 @@
+#include "method/plugin/probes.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// A number that depends on every bit of a query.
+std::uint64_t mixed_bits(const Query& query) {
+  std::uint64_t mix = std::bit_cast<std::uint64_t>(query.t_max);
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (const auto& p : *points) {
+        for (int k = 0; k < 3; ++k) {
+          mix = (mix ^ std::bit_cast<std::uint64_t>(p[k])) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
+          mix ^= mix >> 32;
+        }
+      }
+    }
+  }
+  return mix;
+}
+
+}  // namespace
+
+Query decoy_query(const Query& query) {
+  Query other = query;
+  for (size_t side = 0; side < 2; ++side) {
+    MovingPatch<double>& patch = other.patches[side];
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.positions[i] = {8.0 * static_cast<double>(side), static_cast<double>(i % 2),
+                            static_cast<double>(i % 3)};
+      patch.velocities[i] = {0, 0, 0};
+    }
+  }
+  other.t_max = 1;
+  return other;
+}
+
+PoisonedQuery poisoned_query(const Query& query) {
+  std::uint64_t mix = mixed_bits(query);
+  const auto take = [&mix](size_t choices) {
+    const auto taken = static_cast<size_t>(mix % choices);
+    mix /= choices;
+    return taken;
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr std::array kPoisons = {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity};
+  PoisonedQuery out{query, ""};
+  const size_t side = take(2);
+  const bool in_velocities = take(2) == 1;
+  MovingPatch<double>& patch = out.query.patches[side];
+  const size_t point = take(patch.positions.size());
+  const size_t k = take(3);
+  const double poison = kPoisons[take(kPoisons.size())];
+  (in_velocities ? patch.velocities : patch.positions)[point][static_cast<int>(k)] = poison;
+  out.where = fmt::format("patches[{}].{}[{}][{}] = {}", side,
+                          in_velocities ? "velocities" : "positions", point, k, poison);
+  return out;
+}
+
+}  // namespace ccdfuzz

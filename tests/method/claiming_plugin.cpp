@@ -1,0 +1,67 @@
+// A plug-in that claims and answers what its options say: "claims=5:kind=2:tolerance=0.5:
+// separation=0.25:nan=1", and "verdict=1:toi=0.5:uv=0.25:achieved=0.125", where uv is all four
+// parameters. "poisoned=2" is its verdict, at 0, on what is not finite; without, it is as any
+// other; 9: it crashes.
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <string>
+
+#include "ccdfuzz_plugin.hpp"
+
+namespace ccd = ccdfuzz_plugin_cpp;
+
+struct Claiming {
+  std::string options;
+
+  explicit Claiming(const std::string& text) : options(":" + text) {}
+
+  double number(const std::string& key, double otherwise) const {
+    const std::size_t at = options.find(":" + key + "=");
+    return at == std::string::npos ? otherwise
+                                   : std::strtod(options.c_str() + at + key.size() + 2, nullptr);
+  }
+  std::uint32_t whole(const std::string& key, std::uint32_t otherwise) const {
+    return static_cast<std::uint32_t>(number(key, otherwise));
+  }
+
+  ccd::Description describe() const {
+    ccd::Description d{"claiming", "1"};
+    d.claims = whole("claims", d.claims);
+    d.tolerance_kind = whole("kind", d.tolerance_kind);
+    d.tolerance = number("tolerance", 0);
+    d.minimum_separation = number("separation", 0);
+    d.nan_policy = whole("nan", d.nan_policy);
+    return d;
+  }
+
+  static bool is_finite(const ccd::Query& query) {
+    for (int side = 0; side < 2; ++side) {
+      const ccd::Patch patch = query.patch(side);
+      for (std::size_t i = 0; i < patch.count(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+          if (!std::isfinite(patch.raw.positions[i][k] + patch.raw.velocities[i][k])) return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  ccd::Answer answer(const ccd::Query& query) const {
+    ccd::Answer answer;
+    answer.verdict = whole("verdict", CCDFUZZ_MISS);
+    answer.toi_lower = number("toi", 0);
+    if (answer.toi_lower > query.t_max()) answer.toi_lower = query.t_max();
+    answer.tolerance = number("achieved", ccd::kUnknown);
+    for (auto& uv : answer.uv) uv[0] = uv[1] = number("uv", ccd::kUnknown);
+    const std::uint32_t poisoned = whole("poisoned", 0);
+    if (poisoned != 0 && !is_finite(query)) {
+      if (poisoned == 9) std::raise(SIGSEGV);
+      answer.verdict = poisoned;
+      answer.toi_lower = 0;
+    }
+    return answer;
+  }
+};
+
+CCDFUZZ_PLUGIN(Claiming)

@@ -1,0 +1,212 @@
+// What a plug-in claims changes the verdict: each claim beside the same answers without it.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "eval/ask.hpp"
+#include "method/plugin/line_protocol.hpp"
+#include "method/plugin/probes.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+const std::string kClaiming = std::string("plugin:") + CCDFUZZ_TEST_CLAIMING_PLUGIN + ":seconds=30";
+
+// Bits of ccdfuzz_description.claims, and kinds of tolerance.
+constexpr const char* kConservative = ":claims=7";
+constexpr const char* kOpenTMax = ":claims=4";
+constexpr const char* kNotAtZero = ":claims=2";
+
+/// Two points, one of which runs along the x axis at speed 1 from -contact to where the other
+/// rests; 100 away from the origin to make what is relative to coordinates so.
+Case meeting_at(double contact, double t_max) {
+  Case made;
+  made.query.patches[0] = {Shape::point(), {{-contact, 100, 0}}, {{1, 0, 0}}};
+  made.query.patches[1] = {Shape::point(), {{0, 100, 0}}, {{0, 0, 0}}};
+  made.query.t_max = t_max;
+  made.truth.witness = Witness{exact(contact), {}};
+  made.truth.clear_until = exact(contact);
+  made.truth.collides = contact <= t_max;
+  if (contact > t_max) made.truth.proof = "L";
+  return made;
+}
+
+/// How the answer of a plug-in with these options stands; "error (name)" of an error.
+std::string outcome_of(const std::string& options, const Case& known) {
+  auto method = make_method(kClaiming + options);
+  if (!method) return method.error().message();
+  const Judged judged = ask(**method, known, {});
+  const std::string name(name_of(judged.outcome));
+  return judged.error.empty() ? name : name + " (" + judged.error + "): " + judged.answer.note;
+}
+
+std::string hit(double toi) {
+  return fmt::format(":verdict=1:toi={:.17g}:uv=0", toi);
+}
+const std::string kMiss = ":verdict=2";
+
+TEST(PluginClaims, AnOpenEndBindsNot) {
+  EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
+  EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");
+  EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(0.5, 1)), "missed");
+  EXPECT_EQ(outcome_of(kMiss, meeting_at(0, 1)), "missed");
+  EXPECT_EQ(outcome_of(kMiss + kNotAtZero, meeting_at(0, 1)), "unknown");
+  EXPECT_EQ(outcome_of(kMiss + kNotAtZero, meeting_at(0.5, 1)), "missed");
+}
+
+TEST(PluginClaims, AToleranceInTimeExcusesWhatIsLateUnlessConservative) {
+  const Case known = meeting_at(0.5, 2);
+  EXPECT_EQ(outcome_of(hit(0.75), known), "late");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25", known), "correct");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.24", known), "late");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25" + kConservative, known), "late");
+  // Relative to t_max = 2.
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.125:kind=1", known), "correct");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.12:kind=1", known), "late");
+  // One in space says nothing of time.
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:kind=2", known), "late");
+  EXPECT_EQ(outcome_of(kMiss + ":tolerance=0.25", known), "missed");
+}
+
+TEST(PluginClaims, AToleranceInTimeExcusesAHitBeforeAContactThatComesTooLate) {
+  const Case known = meeting_at(2.25, 2);
+  EXPECT_EQ(outcome_of(hit(2), known), "false_positive");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25", known), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25" + kConservative, known), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.24", known), "false_positive");
+  EXPECT_EQ(outcome_of(hit(1.9) + ":tolerance=0.25", known), "false_positive");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.125:kind=1", known), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.12:kind=1", known), "false_positive");
+}
+
+TEST(PluginClaims, AToleranceInSpaceExcusesAHitWherePatchesAreNear) {
+  const Case known = meeting_at(2.25, 2);
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2", known), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.24:kind=2", known), "false_positive");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2:uv=nan", known), "correct");
+  // Relative to the largest coordinate, 100.
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.0025:kind=3", known), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.0024:kind=3", known), "false_positive");
+  // Who does not say where cannot be held to it.
+  EXPECT_EQ(outcome_of(":verdict=1:toi=2:tolerance=0.25:kind=2", known), "unknown");
+}
+
+TEST(PluginClaims, AnAchievedToleranceStandsInThePlaceOfTheClaimedOne) {
+  const Case known = meeting_at(0.5, 2);
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.1:achieved=0.25", known), "correct");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=0.1", known), "late");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.1:achieved=0.125:kind=1", known), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.1:kind=2:achieved=0.25", meeting_at(2.25, 2)),
+            "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2:achieved=0.1", meeting_at(2.25, 2)),
+            "false_positive");
+  // Who claims none has none to achieve.
+  EXPECT_EQ(outcome_of(hit(0.75) + ":achieved=0.25", known), "late");
+  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=inf", known), "correct");
+  EXPECT_THAT(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=-1", known),
+              testing::StartsWith("error (garbage)"));
+}
+
+TEST(PluginClaims, AMinimumSeparationExcusesAHitWithinItAndBindsWhoIsConservative) {
+  // Not nearer than 1/4 before t_max.
+  const Case far = meeting_at(2.25, 2);
+  EXPECT_EQ(outcome_of(hit(2) + ":separation=0.25", far), "correct");
+  EXPECT_EQ(outcome_of(hit(2) + ":separation=0.24", far), "false_positive");
+  EXPECT_EQ(outcome_of(hit(2) + ":separation=0.125:tolerance=0.125:kind=2", far), "correct");
+  EXPECT_EQ(outcome_of(kMiss + ":separation=0.25" + kConservative, far), "correct");
+  // Nearer.
+  EXPECT_EQ(outcome_of(kMiss + ":separation=0.26" + kConservative, far), "missed");
+  EXPECT_EQ(outcome_of(kMiss + ":separation=0.26", far), "correct");
+  const Case meet = meeting_at(0.5, 2);
+  EXPECT_EQ(outcome_of(hit(0.25) + ":separation=0.25" + kConservative, meet), "correct");
+  EXPECT_EQ(outcome_of(hit(0.3) + ":separation=0.25" + kConservative, meet), "late");
+  EXPECT_EQ(outcome_of(hit(0.3) + ":separation=0.25", meet), "correct");
+  EXPECT_EQ(outcome_of(hit(0.3) + kConservative, meet), "correct");
+  // Near from the start: the end that is left out.
+  EXPECT_EQ(outcome_of(kMiss + ":separation=0.75:claims=7", meeting_at(0.5, 0.25)), "missed");
+  EXPECT_EQ(outcome_of(kMiss + ":separation=0.75:claims=3", meeting_at(0.5, 0.25)), "correct");
+  EXPECT_EQ(outcome_of(hit(0) + ":separation=0.75:claims=7", meeting_at(0.5, 0.25)), "correct");
+}
+
+TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
+  const Case known = meeting_at(0.5, 2);
+  const std::string right = hit(0.5);
+  // By policy the one verdict that keeps it: error, inconclusive, hit.
+  for (const auto& [policy, keeps] : {std::pair{1, 4}, std::pair{2, 3}, std::pair{3, 1}}) {
+    for (int verdict = 1; verdict <= 4; ++verdict) {
+      const std::string options = right + fmt::format(":nan={}:poisoned={}", policy, verdict);
+      const std::string outcome = outcome_of(options, known);
+      if (verdict == keeps) {
+        EXPECT_EQ(outcome, "correct") << options;
+      } else {
+        EXPECT_THAT(outcome, testing::StartsWith("error (nan policy): claims \"")) << options;
+      }
+    }
+  }
+  // As if nothing were wrong; a hit, but not at once.
+  for (const char* policy : {":nan=1", ":nan=2", ":nan=3"}) {
+    EXPECT_THAT(
+        outcome_of(right + policy, known),
+        testing::AllOf(testing::StartsWith("error (nan policy)"),
+                       testing::HasSubstr("asked with patches["), testing::EndsWith("hit at 0.5")))
+        << policy;
+  }
+  // Who claims nothing, or is asked once only, is not asked.
+  EXPECT_EQ(outcome_of(right + ":nan=0:poisoned=9", known), "correct");
+  EXPECT_EQ(outcome_of(right + ":nan=1:repeat=no:poisoned=9", known), "correct");
+  // What the process does is told by its own name.
+  EXPECT_THAT(outcome_of(right + ":nan=1:poisoned=9", known),
+              testing::StartsWith("error (crash SIGSEGV): asked with patches["));
+  // A toi that is NaN is no answer, whatever it claims to say to NaN.
+  EXPECT_THAT(outcome_of(":verdict=1:toi=nan:nan=3:poisoned=1", known),
+              testing::StartsWith("error (toi NaN)"));
+  // A wrong answer to the query itself weighs more than a broken claim.
+  EXPECT_EQ(outcome_of(kMiss + ":nan=1", known), "missed");
+  EXPECT_EQ(outcome_of(hit(1) + ":nan=1", known), "late");
+}
+
+TEST(PluginClaims, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
+  std::set<std::string> where;
+  for (int i = 1; i <= 200; ++i) {
+    const Query query = meeting_at(1.0 / i, 1).query;
+    const PoisonedQuery poisoned = poisoned_query(query);
+    EXPECT_EQ(poisoned.where, poisoned_query(query).where);
+    where.insert(poisoned.where);
+    int changed = 0;
+    int finite = 0;
+    for (size_t side = 0; side < 2; ++side) {
+      for (int k = 0; k < 3; ++k) {
+        for (const auto& [before, after] :
+             {std::pair{query.patches[side].positions[0][k],
+                        poisoned.query.patches[side].positions[0][k]},
+              std::pair{query.patches[side].velocities[0][k],
+                        poisoned.query.patches[side].velocities[0][k]}}) {
+          if (!(before == after)) ++changed;
+          if (std::isfinite(after)) ++finite;
+        }
+      }
+    }
+    EXPECT_EQ(changed, 1) << poisoned.where;
+    EXPECT_EQ(finite, 11) << poisoned.where;
+  }
+  EXPECT_EQ(where.size(), 36U);  // 2 patches, 2 kinds, 3 coordinates, 3 values
+}
+
+TEST(PluginClaims, InLinesThatCannotBeReadAreGarbageAndNotGuessedAt) {
+  EXPECT_TRUE(read_description(R"({"protocol":1})"));
+  EXPECT_TRUE(read_description(R"({"protocol":1,"nan_policy":"hit","tolerance_kind":"space"})"));
+  for (const char* claim :
+       {R"("conservative":1)", R"("closed_t_max":"no")", R"("contact_at_zero":null)",
+        R"("tolerance_kind":"parameter")", R"("tolerance_kind":0)", R"("tolerance":"small")",
+        R"("tolerance":-1)", R"("tolerance":NaN)", R"("minimum_separation":-0.5)",
+        R"("minimum_separation":Infinity)", R"("nan_policy":"miss")", R"("nan_policy":true)"}) {
+    const Described read = read_description(fmt::format("{{\"protocol\":1,{}}}", claim));
+    ASSERT_FALSE(read) << claim;
+    EXPECT_EQ(std::get<PluginFault>(read.error()).name, "garbage") << claim;
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
