@@ -47,6 +47,15 @@ void misbehave(const std::string& does) {
   }
 }
 
+/// Starts a process in a session of its own that would stay for ever. Returns its id.
+pid_t leave_behind() {
+  const pid_t left = ::fork();
+  if (left != 0) return left;
+  ::setsid();
+  std::signal(SIGTERM, SIG_IGN);
+  while (true) ::pause();
+}
+
 std::int32_t create(const char* options, void** state) {
   if (std::string(options) == "refuse") return 1;
   *state = new State{options};
@@ -71,6 +80,11 @@ std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out
   State& s = *static_cast<State*>(state);
   misbehave(s.does);
   if (s.does == "silent") return 0;
+  if (s.does == "leave") out->iterations = static_cast<std::uint64_t>(leave_behind());
+  if (s.does == "leave-and-exit") {
+    std::fprintf(stderr, "%d", static_cast<int>(leave_behind()));
+    std::exit(7);
+  }
   const ccdfuzz_answer before = s.last;
   out->verdict = CCDFUZZ_HIT;
   out->toi_lower = 0;

@@ -181,6 +181,27 @@ TEST(Plugin, ThatIsNoneIsBadInput) {
   EXPECT_THAT(tracer.error().message(), testing::HasSubstr("cannot be traced"));
 }
 
+/// Whether a process is there; one that has ended but that nobody looked after yet is not.
+bool lives(pid_t pid) {
+  const std::string stat = "/proc/" + std::to_string(pid) + "/stat";
+  return std::filesystem::exists(stat) && read_text(stat).find(") Z ") == std::string::npos;
+}
+
+TEST(Plugin, LeavesNoProcessBehindThatItStarted) {
+  pid_t left = 0;
+  {
+    const auto method = made(kMisbehaving + ":leave:repeat=no:seconds=30");
+    left = static_cast<pid_t>(method->answer(falling_vertex(), {}).pops);
+    EXPECT_TRUE(lives(left));
+  }
+  EXPECT_FALSE(lives(left));
+  const auto [name, note] = fault_of(*made(kMisbehaving + ":leave-and-exit:seconds=30"));
+  EXPECT_EQ(name, "exit 7") << note;
+  const std::string printed = "it printed: ";
+  ASSERT_NE(note.find(printed), std::string::npos) << note;
+  EXPECT_FALSE(lives(std::stoi(note.substr(note.find(printed) + printed.size()))));
+}
+
 TEST(Plugin, LeavesNoProcessBehind) {
   const std::string self = std::to_string(::getpid());
   const auto children = [&] { return read_text("/proc/self/task/" + self + "/children"); };

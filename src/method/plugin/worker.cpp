@@ -4,7 +4,6 @@
 // It is built without sanitizers: it loads what users built.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -21,6 +20,7 @@
 #include <vector>
 
 #include "method/plugin/ccdfuzz_plugin.h"
+#include "method/plugin/supervise.hpp"
 
 namespace {
 
@@ -333,7 +333,7 @@ int main(int argc, char** argv) {
   limit(RLIMIT_AS, static_cast<rlim_t>(std::strtoull(argv[1], nullptr, 10)) << 20);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, rlim_t{16} << 20);
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ccdfuzz::continue_in_supervised_child();
   const auto seconds = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
   if (std::strcmp(argv[3], "load") == 0) serve(argv[4], seconds);
   ::execl(argv[4], argv[4], static_cast<char*>(nullptr));

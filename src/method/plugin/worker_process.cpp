@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -125,9 +124,12 @@ void WorkerProcess::start() {
 
 void WorkerProcess::kill() {
   if (pid_ > 0) {
-    ::kill(-pid_, SIGKILL);
-    ::kill(pid_, SIGKILL);  // the group is not there before the child runs
-    ::waitpid(pid_, nullptr, 0);
+    ::kill(pid_, SIGTERM);  // it ends whatever the plug-in has started, and itself
+    if (await_end(nullptr, nullptr) != pid_) {
+      ::kill(-pid_, SIGKILL);
+      ::kill(pid_, SIGKILL);  // the group is not there before the child runs
+      ::waitpid(pid_, nullptr, 0);
+    }
     pid_ = -1;
   }
   close_descriptor(questions_);
@@ -230,19 +232,24 @@ PluginFault WorkerProcess::stopped(const std::string& name, const std::string& n
   return {name, note};
 }
 
-/// It closed its output: how did it end?
-PluginFault WorkerProcess::ended() {
+/// Waits a little. Returns pid_ iff it has ended.
+pid_t WorkerProcess::await_end(int* status, rusage* used) const {
   const auto until = Clock::now() + kTimeToDie;
-  int status = 0;
-  rusage used{};
   pid_t gone = 0;
-  while ((gone = ::wait4(pid_, &status, WNOHANG, &used)) == 0 && Clock::now() < until) {
+  while ((gone = ::wait4(pid_, status, WNOHANG, used)) == 0 && Clock::now() < until) {
     ::poll(nullptr, 0, 1);
   }
+  return gone;
+}
+
+/// It closed its output: how did it end?
+PluginFault WorkerProcess::ended() {
+  int status = 0;
+  rusage used{};
+  const pid_t gone = await_end(&status, &used);
   read_printed();
   const std::string words = last_words();
   if (gone != pid_) return stopped("garbage", "closed its output without an answer" + words);
-  ::kill(-pid_, SIGKILL);  // what it may have left behind
   pid_ = -1;
   kill();
   // Out of memory shows as many things; ru_maxrss counts KiB.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <chrono>
@@ -19,8 +20,9 @@ struct PluginFault {
 };
 
 /// A process that answers lines with lines: the worker that loads a plug-in's library, or a plug-in
-/// that is a program. It has a process group of its own, limited memory, and dies with us. Whatever
-/// it does, an exchange ends: with its answer or with what it did instead. For one thread.
+/// that is a program. It has a process group of its own, limited memory, and dies with us, with all
+/// that it has started. Whatever it does, an exchange ends: with its answer or with what it did
+/// instead. For one thread.
 class WorkerProcess {
  public:
   explicit WorkerProcess(const PluginSpec& spec) : spec_(spec) {}
@@ -43,6 +45,7 @@ class WorkerProcess {
 
   tl::expected<std::string, PluginFault> await_reply(std::string to_send, Clock::time_point until);
   PluginFault ended();
+  pid_t await_end(int* status, rusage* used) const;
   PluginFault stopped(const std::string& name, const std::string& note);
   bool read_reply();
   bool read_printed();

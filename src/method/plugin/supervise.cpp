@@ -1,0 +1,75 @@
+#include "method/plugin/supervise.hpp"
+
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Kills the children, which orphans below them become then, until there are none.
+void end_descendants() {
+  const std::string self = std::to_string(::getpid());
+  const std::string list = "/proc/self/task/" + self + "/children";
+  do {
+    FILE* const children = std::fopen(list.c_str(), "r");
+    if (children == nullptr) return;
+    for (int pid = 0; std::fscanf(children, "%d", &pid) == 1;) ::kill(pid, SIGKILL);
+    std::fclose(children);
+  } while (::waitpid(-1, nullptr, 0) > 0 || errno == EINTR);
+}
+
+[[noreturn]] void end_by(int signal) {
+  sigset_t all;
+  sigfillset(&all);
+  ::sigprocmask(SIG_UNBLOCK, &all, nullptr);
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);
+  std::_Exit(1);
+}
+
+[[noreturn]] void supervise(pid_t child, const sigset_t& awaited) {
+  // What the child closes is to be closed.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(descriptor);
+  while (true) {
+    int signal = 0;
+    ::sigwait(&awaited, &signal);
+    if (signal != SIGCHLD) {
+      end_descendants();
+      end_by(SIGKILL);
+    }
+    int status = 0;
+    for (pid_t gone = 0; (gone = ::waitpid(-1, &status, WNOHANG)) > 0;) {
+      if (gone != child) continue;
+      end_descendants();
+      if (WIFSIGNALED(status)) end_by(WTERMSIG(status));
+      std::_Exit(WEXITSTATUS(status));
+    }
+  }
+}
+
+}  // namespace
+
+void continue_in_supervised_child() {
+  sigset_t awaited;
+  sigset_t before;
+  sigemptyset(&awaited);
+  for (const int signal : {SIGCHLD, SIGTERM, SIGHUP}) sigaddset(&awaited, signal);
+  ::sigprocmask(SIG_BLOCK, &awaited, &before);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+  ::prctl(PR_SET_PDEATHSIG, SIGHUP);
+  const pid_t child = ::fork();
+  if (child < 0) std::_Exit(1);
+  if (child > 0) supervise(child, awaited);
+  ::sigprocmask(SIG_SETMASK, &before, nullptr);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
+}  // namespace ccdfuzz
