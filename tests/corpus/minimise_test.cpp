@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "ccd/tdibm.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "corpus/content_address.hpp"
@@ -69,6 +72,55 @@ TEST(Minimise, IsDeterministicAndStopsWhenTold) {
   const Minimised none = minimise(found, Outcome::kMissed, fails, {1000, [] { return true; }});
   EXPECT_EQ(none.trials, 0U);
   EXPECT_EQ(none.value, found);
+}
+
+/// From the highest bit of a number to the lowest that is set.
+std::uint64_t significant_bits(double x) {
+  Query of_it;
+  of_it.t_max = x;
+  return size_of(of_it).significant_bits;
+}
+
+/// Of all coordinates that are not 0.
+std::uint64_t median_bits(const Query& query) {
+  std::vector<std::uint64_t> bits;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (const Vec3<double>& p : *points) {
+        for (const double x : p) {
+          if (x != 0) bits.push_back(significant_bits(x));
+        }
+      }
+    }
+  }
+  if (bits.empty()) return 0;
+  const auto middle = bits.begin() + static_cast<std::ptrdiff_t>(bits.size() / 2);
+  std::nth_element(bits.begin(), middle, bits.end());
+  return *middle;
+}
+
+TEST(Minimise, CounterexamplesOfTdibmShrinkToTwelveBitsACoordinate) {
+  Tdibm<Plain> method{Plain()};
+  SearchOptions search;
+  search.max_pops = 10000;
+  const auto outcome = [&](const Case& c) {
+    return judge(c.query, c.truth, method.answer(c.query, search));
+  };
+  int found = 0;
+  for (const ContactClass contact : {ContactClass::kVV, ContactClass::kVE, ContactClass::kVF}) {
+    for (std::uint64_t index = 0; index < 6; ++index) {
+      const Case drawn_case = drawn(contact, CaseKind::kRP, index);
+      const Outcome failure = outcome(drawn_case);
+      if (!is_false_negative(failure)) continue;
+      ++found;
+      const Minimised small =
+          minimise(drawn_case, failure, [&](const Case& c) { return outcome(c) == failure; });
+      EXPECT_EQ(outcome(small.value), failure);
+      EXPECT_TRUE(check_truth(small.value)) << to_json(small.value);
+      EXPECT_LE(median_bits(small.value.query), 12U) << to_json(small.value);
+    }
+  }
+  EXPECT_GE(found, 6);
 }
 
 TEST(Minimise, LeavesWhatDoesNotFailWhenSimpler) {
