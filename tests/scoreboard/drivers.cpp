@@ -143,15 +143,15 @@ bool is_built(Driver driver) {
   return kHasFuzzer || (driver != Driver::kRawFuzzer && driver != Driver::kFuzzer);
 }
 
-void drive(Driver driver, std::uint64_t seed, double cpu_seconds,
+void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
            const std::function<void(const DriverRun&)>& done) {
-  const double end = cpu_seconds_used() + cpu_seconds;
   if (driver == Driver::kRawFuzzer || driver == Driver::kFuzzer) {
-    drive_fuzzer(driver, seed, end, done);
+    drive_fuzzer(driver, seed, limit, done);
   }
+  const double end = cpu_seconds_used() + limit.cpu_seconds;
   const Step step = step_of(driver, seed);
   DriverRun run;
-  while (run.found.empty() && cpu_seconds_used() < end) {
+  while (run.found.empty() && run.executions < limit.executions && cpu_seconds_used() < end) {
     try {
       run.found = step(run.executions);
     } catch (const std::exception& error) {

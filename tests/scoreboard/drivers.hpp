@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -31,9 +32,15 @@ constexpr bool is_weak(Driver driver) {
 /// libFuzzer is there only in a build by clang with CCDFUZZ_FUZZ.
 bool is_built(Driver driver);
 
-/// Runs a driver until it finds something wrong or the process has used so much CPU time, and calls
-/// done, which must not return. Requires is_built(driver).
-[[noreturn]] void drive(Driver driver, std::uint64_t seed, double cpu_seconds,
+/// When a run that finds nothing ends: at the first of the two.
+struct DriveLimit {
+  double cpu_seconds = 0;
+  std::uint64_t executions = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Runs a driver until it finds something wrong or comes to its limit, and calls done, which must
+/// not return. Requires is_built(driver).
+[[noreturn]] void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                         const std::function<void(const DriverRun&)>& done);
 
 }  // namespace ccdfuzz

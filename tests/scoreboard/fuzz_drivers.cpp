@@ -31,6 +31,7 @@ namespace {
 struct FuzzerRun {
   Driver driver = Driver::kRawFuzzer;
   double end = 0;
+  std::uint64_t most = 0;
   DriverRun result;
   const std::function<void(const DriverRun&)>* done = nullptr;
 };
@@ -110,7 +111,8 @@ int test_one(const std::uint8_t* data, std::size_t size) {
   ++run.result.executions;
   const bool none = found == kNoInput;
   if (!none) run.result.found = found;
-  if (!run.result.found.empty() || cpu_seconds_used() >= run.end) (*run.done)(run.result);
+  const bool over = run.result.executions >= run.most || cpu_seconds_used() >= run.end;
+  if (over || !run.result.found.empty()) (*run.done)(run.result);
   return none ? -1 : 0;
 }
 
@@ -133,9 +135,9 @@ std::size_t begin_anew(std::uint8_t* data, std::size_t max_size, Random& random)
 
 }  // namespace
 
-void drive_fuzzer(Driver driver, std::uint64_t seed, double end,
+void drive_fuzzer(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                   const std::function<void(const DriverRun&)>& done) {
-  current_run() = {driver, end, {}, &done};
+  current_run() = {driver, cpu_seconds_used() + limit.cpu_seconds, limit.executions, {}, &done};
   if (std::freopen("/dev/null", "w", stderr) == nullptr) std::abort();
   std::vector<std::string> words = {"scoreboard",
                                     fmt::format("-seed={}", seed),

@@ -10,8 +10,8 @@ inline constexpr bool kHasFuzzer = true;
 inline constexpr bool kHasFuzzer = false;
 #endif
 
-/// drive() of the two that are libFuzzer. end: in cpu_seconds_used().
-[[noreturn]] void drive_fuzzer(Driver driver, std::uint64_t seed, double end,
+/// drive() of the two that are libFuzzer.
+[[noreturn]] void drive_fuzzer(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                                const std::function<void(const DriverRun&)>& done);
 
 }  // namespace ccdfuzz

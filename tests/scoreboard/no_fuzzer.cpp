@@ -5,7 +5,8 @@
 
 namespace ccdfuzz {
 
-void drive_fuzzer(Driver, std::uint64_t, double, const std::function<void(const DriverRun&)>&) {
+void drive_fuzzer(Driver, std::uint64_t, const DriveLimit&,
+                  const std::function<void(const DriverRun&)>&) {
   std::abort();
 }
 

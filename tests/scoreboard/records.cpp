@@ -13,7 +13,7 @@ nlohmann::ordered_json to_json(const Record& r) {
   return {{"driver", r.driver},     {"fault", r.fault},           {"seed", r.seed},
           {"limit", r.limit},       {"reached", r.reached},       {"triggered", r.triggered},
           {"detected", r.detected}, {"executions", r.executions}, {"seconds", r.seconds},
-          {"found", r.found}};
+          {"found", r.found},       {"watched", r.watched}};
 }
 
 Record from_json(const nlohmann::json& j) {
@@ -21,7 +21,7 @@ Record from_json(const nlohmann::json& j) {
   r.driver = j.at("driver"), r.fault = j.at("fault"), r.seed = j.at("seed");
   r.limit = j.at("limit"), r.reached = j.at("reached"), r.triggered = j.at("triggered");
   r.detected = j.at("detected"), r.executions = j.at("executions"), r.seconds = j.at("seconds");
-  r.found = j.at("found");
+  r.found = j.at("found"), r.watched = j.value("watched", false);
   return r;
 }
 

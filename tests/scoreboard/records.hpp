@@ -11,6 +11,8 @@ namespace ccdfuzz {
 
 /// Stands for the fault of a run on the sources as they are.
 inline constexpr const char* kNoFault = "none";
+/// Stands for a run of the right sources with all faults watched.
+inline constexpr const char* kWatchedFaults = "watched";
 
 /// What one run of a driver against one fault gave.
 struct Record {
@@ -19,6 +21,9 @@ struct Record {
   double limit = 0;  ///< CPU seconds
   std::uint64_t reached = 0, triggered = 0, executions = 0;
   bool detected = false;
+  /// No run of its own: the fault's wrong value never differed in a run of the right sources with
+  /// this seed and as many executions.
+  bool watched = false;
   double seconds = 0;  ///< CPU, until it was detected or the limit
   std::string found;   ///< its first line
 };

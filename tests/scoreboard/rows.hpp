@@ -15,8 +15,10 @@ struct Row {
   std::string driver, fault;  ///< fault "none": false alarms
   bool equivalent = false;
   std::size_t runs = 0, reached = 0, triggered = 0, detected = 0;  ///< of so many, how many did
+  std::size_t watched = 0;  ///< so many were decided by a run of the right sources
   double seconds = 0, executions = 0;
-  double limit = 0;   ///< CPU seconds, the least of the runs
+  double limit = 0,
+         most = 0;    ///< CPU seconds, the least and most of the runs that detected nothing
   std::string found;  ///< by the first run that detected it
 
   /// Detected by more than half of the runs: then the medians are of what was measured.
@@ -28,9 +30,12 @@ struct DriverRow {
   std::string driver;
   std::size_t faults = 0, reached = 0, triggered = 0, killed = 0;
   std::size_t clean_runs = 0, false_alarms = 0;
-  double seconds = 0, executions = 0;  ///< medians over the faults, misses censored
-  double mean_seconds = 0;             ///< restricted to the limit
-  bool censored = false;               ///< the median is that of a miss: it is at least so much
+  std::size_t least_runs = 0, most_runs = 0;  ///< against a fault
+  double limit = 0, most_limit = 0;           ///< CPU seconds of the runs that detected nothing
+  std::size_t watched = 0;                    ///< faults decided without a run of their own
+  double seconds = 0, executions = 0;         ///< medians over the faults, misses censored
+  double mean_seconds = 0;                    ///< restricted to the limit
+  bool censored = false;  ///< the median is that of a miss: it is at least so much
 };
 
 /// All rows that there are records of: driver by driver, no fault first, then as in the list.
@@ -43,10 +48,12 @@ std::string seconds_text(double seconds);
 /// Writes PREFIX.csv, a line a row; PREFIX.md, the drivers and then a line a fault with the median
 /// time of each driver; PREFIX.json:
 ///   {"format": "ccdfuzz-scoreboard", "version": 1,
-///    "drivers": [{"driver", "faults", "reached", "triggered", "killed", "clean_runs",
-///                 "false_alarms", "seconds", "executions", "mean_seconds", "censored"}, …],
-///    "rows": [{"driver", "fault", "what", "equivalent", "runs", "reached", "triggered",
-///              "detected", "seconds", "executions", "limit", "found"}, …]}
+///    "drivers": [{"driver", "faults", "reached", "triggered", "killed", "watched",
+///                 "clean_runs", "false_alarms", "least_runs", "most_runs", "limit",
+///                 "most_limit", "seconds", "executions", "mean_seconds", "censored"}, …],
+///    "rows": [{"driver", "fault", "what", "equivalent", "runs", "watched", "reached",
+///              "triggered", "detected", "seconds", "executions", "limit", "most",
+///              "found"}, …]}
 /// with the fields of DriverRow and Row, "what" being the fault in words.
 Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& faults,
                           const Records& records);

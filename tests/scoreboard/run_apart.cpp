@@ -35,7 +35,7 @@ void limit_process(double seconds) {
 
 Report death(int status, const rusage& usage) {
   Report died;
-  died.detected = true;
+  died.detected = died.died = true;
   died.seconds = static_cast<double>(usage.ru_utime.tv_sec) +
                  static_cast<double>(usage.ru_utime.tv_usec) * 1e-6;
   const std::string what = WIFSIGNALED(status)
@@ -60,8 +60,13 @@ Report run_apart(
     planted::active_fault = fault;
     const double start = cpu_seconds_used();
     drive([&](const DriverRun& result) {
-      Report report{planted::reached,           planted::triggered,    result.executions,
-                    cpu_seconds_used() - start, !result.found.empty(), ""};
+      Report report{planted::reached,
+                    planted::triggered,
+                    result.executions,
+                    cpu_seconds_used() - start,
+                    !result.found.empty(),
+                    false,
+                    ""};
       const std::string line = result.found.substr(0, result.found.find('\n'));
       line.copy(report.found, sizeof report.found - 1);
       [[maybe_unused]] const auto written = write(ends[1], &report, sizeof report);

@@ -17,11 +17,12 @@ struct Report {
   std::uint64_t reached = 0, triggered = 0, executions = 0;
   double seconds = 0;  ///< CPU
   bool detected = false;
+  bool died = false;     ///< the process ended before the driver did: that is detected
   char found[200] = "";  ///< its first line
 };
 
-/// Runs a driver with one fault active (0: none) in a process of its own, which ends when the
-/// driver calls done. A process that dies, or that hangs past its CPU time, has noticed the fault.
+/// Runs a driver with one fault active (or planted::kNone) in a process of its own, which ends when
+/// the driver calls done. One that dies, or that hangs past its CPU time, has noticed the fault.
 Report run_apart(
     int fault, double seconds,
     const std::function<void(const std::function<void(const DriverRun&)>& done)>& drive);

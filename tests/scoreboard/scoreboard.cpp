@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "drivers.hpp"
+#include "campaign.hpp"
 #include "eval/table.hpp"
 #include "fault_list.hpp"
 #include "records.hpp"
@@ -15,12 +15,8 @@
 namespace ccdfuzz {
 namespace {
 
-struct Options {
-  std::vector<std::string> drivers, faults;
-  std::uint64_t seeds = 5, weak_seeds = 3;
-  double seconds = 60, weak_seconds = 10;
+struct Options : CampaignOptions {
   std::string records, tables;
-  bool verbose = false;
 };
 
 /// A row a driver: how many faults it noticed, and how soon; misses count as the limit.
@@ -66,58 +62,6 @@ std::vector<std::string> survivors(const std::vector<Fault>& faults, const Recor
   return out;
 }
 
-bool wanted(const std::vector<std::string>& names, std::string_view name) {
-  return names.empty() || std::ranges::find(names, name) != names.end();
-}
-
-/// Runs what is not in the records yet. Returns an exit code: 1 after a false alarm.
-int campaign(const Options& options, const std::vector<Fault>& faults, Records& records) {
-  int code = 0;
-  // Seed by seed: a campaign that is stopped has something of every fault.
-  for (std::uint64_t seed = 1; seed <= std::max(options.seeds, options.weak_seeds); ++seed) {
-    for (const Driver driver : kDrivers) {
-      const std::string driver_name(name_of(driver));
-      const double limit = is_weak(driver) ? options.weak_seconds : options.seconds;
-      if (seed > (is_weak(driver) ? options.weak_seeds : options.seeds)) continue;
-      if (!wanted(options.drivers, driver_name) || !is_built(driver)) continue;
-      for (std::size_t f = 0; f <= faults.size(); ++f) {
-        const std::string fault = f == 0 ? kNoFault : faults[f - 1].name;
-        if (f > 0 && !wanted(options.faults, fault)) continue;
-        if (records.find(driver_name, fault, seed, limit) != nullptr) continue;
-        const Report report = run_apart(static_cast<int>(f), limit, [&](const auto& done) {
-          drive(driver, seed, limit, done);
-        });
-        const Record record{driver_name,
-                            fault,
-                            seed,
-                            limit,
-                            report.reached,
-                            report.triggered,
-                            report.executions,
-                            report.detected,
-                            report.seconds,
-                            report.found};
-        if (const auto added = records.add(record); !added) {
-          std::cerr << added.error().message() << '\n';
-          return 2;
-        }
-        if (f == 0 && report.detected) {
-          code = 1;
-          std::cout << "false alarm: " << driver_name << " seed " << seed << ": " << report.found
-                    << '\n';
-        }
-        if (options.verbose) {
-          std::cout << fmt::format("{:13} {:36} {} {:>9} {:>8} {}\n", driver_name, fault, seed,
-                                   report.detected ? seconds_text(report.seconds) : "missed",
-                                   report.executions, report.found)
-                    << std::flush;
-        }
-      }
-    }
-  }
-  return code;
-}
-
 int run_all(const Options& options) {
   const auto faults = read_faults(CCDFUZZ_FAULTS);
   if (!faults) {
@@ -129,8 +73,11 @@ int run_all(const Options& options) {
     std::cerr << records.error().message() << '\n';
     return 2;
   }
-  const int code = campaign(options, *faults, *records);
-  if (code == 2) return code;
+  const auto no_alarm = run_campaign(options, *faults, *records);
+  if (!no_alarm) {
+    std::cerr << no_alarm.error().message() << '\n';
+    return 2;
+  }
   print_summary(driver_rows(rows_of(*faults, *records)));
   if (!options.tables.empty()) {
     if (const auto written = write_tables(options.tables, *faults, *records); !written) {
@@ -140,7 +87,7 @@ int run_all(const Options& options) {
   }
   const std::vector<std::string> left = survivors(*faults, *records);
   for (const std::string& name : left) std::cout << "not noticed: " << name << '\n';
-  return left.empty() ? code : 1;
+  return left.empty() && *no_alarm ? 0 : 1;
 }
 
 }  // namespace

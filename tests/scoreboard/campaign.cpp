@@ -1,0 +1,151 @@
+#include "campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "drivers.hpp"
+#include "rows.hpp"
+#include "watch_apart.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+bool is_wanted(const std::vector<std::string>& names, std::string_view name) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// Properties come in turn by the time that they take: no run repeats another.
+bool takes_the_same_course(Driver driver) {
+  return driver != Driver::kProperties;
+}
+
+/// One driver with one seed against all faults.
+class Course {
+ public:
+  Course(Driver driver, std::uint64_t seed, const CampaignOptions& options,
+         const std::vector<Fault>& faults, Records& records)
+      : driver_(driver),
+        seed_(seed),
+        limit_(is_weak(driver) ? options.weak_seconds : options.seconds),
+        options_(options),
+        faults_(faults),
+        records_(records) {}
+
+  /// Whether there was no false alarm.
+  Result<bool> run() {
+    if (auto r = run_one(planted::kNone, limit_); !r) return tl::unexpected(r.error());
+    const Record clean = *known(kNoFault, limit_);
+    if (clean.detected) {
+      std::cout << fmt::format("false alarm: {} seed {}: {}\n", clean.driver, seed_, clean.found);
+      return false;
+    }
+    const bool watches = takes_the_same_course(driver_) && std::ranges::any_of(faults_, missing());
+    if (watches && known(kWatchedFaults, limit_) == nullptr) {
+      if (auto r = watch(clean.executions); !r) return tl::unexpected(r.error());
+    }
+    for (std::size_t f = 0; f < faults_.size(); ++f) {
+      if (!missing()(faults_[f])) continue;
+      if (auto r = run_one(static_cast<int>(f + 1), limit_of(faults_[f])); !r) {
+        return tl::unexpected(r.error());
+      }
+    }
+    return true;
+  }
+
+ private:
+  double limit_of(const Fault& fault) const {
+    return fault.equivalent.empty() ? limit_ : std::min(limit_, options_.weak_seconds);
+  }
+  const Record* known(const std::string& fault, double limit) const {
+    return records_.find(std::string(name_of(driver_)), fault, seed_, limit);
+  }
+  std::function<bool(const Fault&)> missing() const {
+    return [this](const Fault& fault) {
+      if (!is_wanted(options_.faults, fault.name)) return false;
+      if (!fault.equivalent.empty() && seed_ > 1) return false;
+      return known(fault.name, limit_of(fault)) == nullptr;
+    };
+  }
+
+  Result<void> run_one(int f, double limit) {
+    const std::string fault = f == planted::kNone ? kNoFault : faults_[f - 1].name;
+    if (known(fault, limit) != nullptr) return {};
+    const Report report =
+        run_apart(f, limit, [&](const auto& done) { drive(driver_, seed_, {limit}, done); });
+    return add(fault, limit, report);
+  }
+
+  /// As many executions as the clean run had, which take longer where all faults are watched.
+  Result<void> watch(std::uint64_t executions) {
+    constexpr double kLonger = 6;
+    const WatchReport seen = watch_apart(kLonger * limit_, [&](const auto& done) {
+      drive(driver_, seed_, {kLonger * limit_, executions}, done);
+    });
+    const bool whole = !seen.report.detected && seen.report.executions >= executions;
+    for (std::size_t f = 0; whole && f < faults_.size(); ++f) {
+      const int number = static_cast<int>(f + 1);
+      if (!missing()(faults_[f]) || seen.faults.triggered[number]) continue;
+      Report decided = seen.report;
+      decided.reached = seen.faults.reached[number] ? 1 : 0;
+      decided.triggered = 0;
+      decided.seconds = limit_;
+      if (auto r = add(faults_[f].name, limit_, decided, true); !r) return r;
+    }
+    return add(kWatchedFaults, limit_, seen.report);
+  }
+
+  Result<void> add(const std::string& fault, double limit, const Report& report,
+                   bool watched = false) {
+    const Record record{std::string(name_of(driver_)),
+                        fault,
+                        seed_,
+                        limit,
+                        report.reached,
+                        report.triggered,
+                        report.executions,
+                        report.detected,
+                        watched,
+                        report.seconds,
+                        report.found};
+    if (options_.verbose) {
+      std::cout << fmt::format("{:13} {:36} {} {:>9} {:>8} {}\n", record.driver, fault, seed_,
+                               watched ? "not triggered"
+                               : record.detected
+                                   ? seconds_text(record.seconds)
+                                   : fmt::format("- ({})", seconds_text(record.seconds)),
+                               record.executions, record.found)
+                << std::flush;
+    }
+    return records_.add(record);
+  }
+
+  Driver driver_;
+  std::uint64_t seed_;
+  double limit_;
+  const CampaignOptions& options_;
+  const std::vector<Fault>& faults_;
+  Records& records_;
+};
+
+}  // namespace
+
+Result<bool> run_campaign(const CampaignOptions& options, const std::vector<Fault>& faults,
+                          Records& records) {
+  bool quiet = true;
+  // Seed by seed: a campaign that is stopped has something of every fault.
+  for (std::uint64_t seed = 1; seed <= std::max(options.seeds, options.weak_seeds); ++seed) {
+    for (const Driver driver : kDrivers) {
+      if (seed > (is_weak(driver) ? options.weak_seeds : options.seeds)) continue;
+      if (!is_wanted(options.drivers, name_of(driver)) || !is_built(driver)) continue;
+      const auto no_alarm = Course(driver, seed, options, faults, records).run();
+      if (!no_alarm) return tl::unexpected(no_alarm.error());
+      quiet = quiet && *no_alarm;
+    }
+  }
+  return quiet;
+}
+
+}  // namespace ccdfuzz
