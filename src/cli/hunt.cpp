@@ -13,6 +13,7 @@
 #include "cli/output.hpp"
 #include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
+#include "corpus/failure.hpp"
 #include "eval/table.hpp"
 
 namespace ccdfuzz {
@@ -109,19 +110,22 @@ Table cell_table(const HuntReport& report) {
   return table;
 }
 
-/// "missed by tdibm, tdibm-e (claims none); late by tdibm-h-rel:1e-12".
+/// "missed by tdibm, tdibm-e (claims none); error (hang) by plugin:./libmine.so".
 std::string failures_text(const HuntFind& find) {
-  std::map<Outcome, std::string> by_outcome;
+  std::map<std::pair<Outcome, std::string>, std::string> by_outcome;
   for (const std::string& method : find.failures) {
-    std::string& methods = by_outcome[find.value.expect.at(method)];
+    std::string& methods =
+        by_outcome[{find.value.expect.at(method), error_name(find.value, method)}];
     if (!methods.empty()) methods += ", ";
     methods += method;
     if (breaks_claim(method, find.value.expect.at(method))) methods += " (claims none)";
   }
   std::string text;
-  for (const auto& [outcome, methods] : by_outcome) {
+  for (const auto& [failure, methods] : by_outcome) {
+    const auto& [outcome, error] = failure;
     if (!text.empty()) text += "; ";
-    text += fmt::format("{} by {}", name_of(outcome), methods);
+    text += fmt::format("{}{} by {}", name_of(outcome), error.empty() ? "" : " (" + error + ")",
+                        methods);
   }
   return text;
 }
@@ -161,7 +165,11 @@ void print_report_json(const HuntReport& report) {
   }
   for (const HuntFind& find : report.finds) {
     nlohmann::ordered_json expect = nlohmann::ordered_json::object();
-    for (const auto& [method, outcome] : find.value.expect) expect[method] = name_of(outcome);
+    nlohmann::ordered_json errors = nlohmann::ordered_json::object();
+    for (const auto& [method, outcome] : find.value.expect) {
+      expect[method] = name_of(outcome);
+      if (outcome == Outcome::kError) errors[method] = error_name(find.value, method);
+    }
     print_json({{"row", "find"},
                 {"path", find.path},
                 {"class", find.value.origin.contact},
@@ -170,6 +178,7 @@ void print_report_json(const HuntReport& report) {
                 {"failures", find.failures},
                 {"breaks_claim", find.breaks_claim},
                 {"expect", expect},
+                {"errors", errors},
                 {"reproduce", reproduction(find.path, find.value.expect)}});
   }
   print_json({{"row", "summary"},

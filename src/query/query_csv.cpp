@@ -161,7 +161,10 @@ struct CsvReader::State {
       const auto text = lines.next();
       if (!text) return tl::unexpected(text.error());
       if (!*text) return std::vector<std::string_view>();
-      const std::string_view row = trimmed(**text);
+      std::string_view row = **text;
+      // Spreadsheets begin files with a byte order mark.
+      if (lines.line() == 1 && row.starts_with("\xEF\xBB\xBF")) row.remove_prefix(3);
+      row = trimmed(row);
       if (row.empty() || row.front() == '#') continue;
       std::vector<std::string_view> fields = fields_of(row);
       if (fields.size() == 6 || fields.size() == 7) return fields;
@@ -172,8 +175,8 @@ struct CsvReader::State {
 
   Result<void> end_of_file(size_t row, size_t rows) {
     if (row > 0) {
-      return input_error(lines.path(), fmt::format("ends after row {} of the {} of {} query", row,
-                                                   rows, name_of(layout)));
+      return input_error(here(), fmt::format("ends after row {} of the {} of its last {} query",
+                                             row, rows, name_of(layout)));
     }
     if (given == 0) return input_error(lines.path(), "holds no query");
     if (truths && truths->size() != given) {

@@ -63,6 +63,32 @@ TEST(QueryCsv, ReadsRowsWithCommentsAndBlanks) {
   EXPECT_EQ(query->patches[1].positions[2], Vec3<double>(1, 0, 0));
 }
 
+/// All of `from` in a text, or all lines of it, by `to`.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+TEST(QueryCsv, ReadsWhateverEndsAndBeginsALine) {
+  const std::string rows = kVertexFaceRows;
+  for (const std::string& text :
+       {replaced(rows, "\n", "\r\n"), replaced(rows, "\n", " \t\n"), rows + "\n",
+        "\xEF\xBB\xBF" + rows, "\xEF\xBB\xBF# a comment\n" + rows, replaced(rows, ",", " ,\t"),
+        replaced(rows, "\n", "\n  # 1,2,3\n"), replaced(rows, "\n", "\n\n \n")}) {
+    const auto queries = read(text, CsvLayout::kVertexFace);
+    ASSERT_TRUE(queries) << queries.error().message() << "\n" << text;
+    ASSERT_EQ(queries->size(), 1U) << text;
+    EXPECT_EQ(queries->front().label, true);
+    EXPECT_EQ(queries->front().start[0][0], Vec3<Rational>(Rational(1, 4), Rational(1, 4), 1));
+  }
+  const auto truncated =
+      read(rows + "\n" + rows.substr(0, rows.size() / 2), CsvLayout::kVertexFace);
+  ASSERT_FALSE(truncated);
+  EXPECT_THAT(truncated.error().message(), testing::ContainsRegex("q.csv:1[0-9]: "));
+}
+
 TEST(QueryCsv, WritesWhatItReads) {
   for (const CsvLayout layout : kAllCsvLayouts) {
     Query query{{MovingPatch<double>{csv_shapes(layout)[0], {}, {}},
@@ -161,7 +187,7 @@ TEST(QueryCsv, NamesFileRowColumnAndValue) {
       {"1,4, 1,4, 1,1, 1", "1,4, 1,4, 1", "q.csv:2: 5 columns, not 6 or 7"},
       {"1,1, 1\n", "1,1, 2\n", "q.csv:2: column 7 (truth): \"2\" is neither 0 nor 1"},
       {"1,1, 1\n", "1,1, 0\n", "q.csv:3: column 7 (truth): differs from that of the query's row"},
-      {"\n1,1,0,1,0,1,1", "", "q.csv: ends after row 6 of the 8 of vertex-face query"},
+      {"\n1,1,0,1,0,1,1", "", "ends after row 6 of the 8 of its last vertex-face query"},
       {kVertexFaceRows, "# nothing\n", "q.csv: holds no query"},
   };
   for (const Spoilt& spoilt : all) {

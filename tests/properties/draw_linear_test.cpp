@@ -1,0 +1,157 @@
+// What kinds of degenerate linear queries are drawn, and how many of each: exact for every query.
+#include "properties/draw_linear.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "certify/linear/first_contact.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// Polynomials in t, exact: the coefficient of t^k at k.
+using Poly = std::array<Rational, 4>;
+using PolyVector = std::array<Poly, 3>;
+
+Poly times(const Poly& a, const Poly& b) {
+  Poly out{};
+  for (size_t i = 0; i < 4; ++i) {
+    for (size_t j = 0; i + j < 4; ++j) out[i + j] += a[i] * b[j];
+  }
+  return out;
+}
+Poly minus(const Poly& a, const Poly& b) {
+  Poly out{};
+  for (size_t i = 0; i < 4; ++i) out[i] = a[i] - b[i];
+  return out;
+}
+PolyVector minus(const PolyVector& a, const PolyVector& b) {
+  return {minus(a[0], b[0]), minus(a[1], b[1]), minus(a[2], b[2])};
+}
+PolyVector cross(const PolyVector& a, const PolyVector& b) {
+  return {minus(times(a[1], b[2]), times(a[2], b[1])), minus(times(a[2], b[0]), times(a[0], b[2])),
+          minus(times(a[0], b[1]), times(a[1], b[0]))};
+}
+bool is_zero(const Poly& p) {
+  return p == Poly{};
+}
+bool is_zero(const PolyVector& v) {
+  return is_zero(v[0]) && is_zero(v[1]) && is_zero(v[2]);
+}
+
+/// Whether a polynomial has a root twice: its discriminant is 0.
+bool has_double_root(const Poly& p) {
+  const auto& [d, c, b, a] = p;
+  if (a == 0 && b == 0) return false;
+  const Rational discriminant = b * b * c * c - 4 * a * c * c * c - 4 * b * b * b * d -
+                                27 * a * a * d * d + 18 * a * b * c * d;
+  return discriminant == 0;
+}
+
+std::vector<PolyVector> moving_points(const Query& query) {
+  std::vector<PolyVector> points;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      PolyVector& p = points.emplace_back();
+      for (int k = 0; k < 3; ++k) {
+        p[static_cast<size_t>(k)] = {exact(patch.positions[i][k]), exact(patch.velocities[i][k]), 0,
+                                     0};
+      }
+    }
+  }
+  return points;
+}
+
+bool is_at(linear::FirstContact& contact, double t) {
+  const Rational at = exact(t);
+  return contact.time.sign_of(linear::Polynomial({-at.get_num(), at.get_den()})) == 0;
+}
+
+/// Whether one coordinate of one point, moved by one float, decides between contact and none.
+bool hangs_on_one_float(const Query& query, bool touches) {
+  for (size_t side = 0; side < 2; ++side) {
+    for (size_t i = 0; i < query.patches[side].positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
+          Query moved = query;
+          double& x = moved.patches[side].positions[i][k];
+          if (x != 0) x = std::nextafter(x, towards);
+          if (linear::first_contact(moved).has_value() != touches) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+TEST(DrawLinear, DrawsEveryKindOfDegenerateQuery) {
+  const char* const effort = std::getenv("CCDFUZZ_EFFORT");
+  const size_t count = 2000 / kOneIn * (effort == nullptr ? 1 : std::strtoul(effort, nullptr, 10));
+  constexpr size_t kMovedOneIn = 50 / kOneIn + 1;  // moving every coordinate takes long
+  std::map<std::string, size_t> drawn;
+  size_t moved = 0;
+  size_t queries = 0;
+  for (size_t n = 0; n < count; ++n) {
+    RandomChoices choices(Random::keyed({1, n}));
+    const Result<Query> query = draw_linear(choices);
+    if (!query) continue;
+    ++queries;
+    const std::vector<PolyVector> p = moving_points(*query);
+    const bool edges = query->patches[0].shape.kind == ShapeKind::kCurve &&
+                       query->patches[1].shape.kind == ShapeKind::kCurve;
+    const auto note = [&](const char* kind, bool is) { drawn[kind] += is ? 1 : 0; };
+    if (p.size() == 4) {
+      const PolyVector a = minus(p[1], p[0]);
+      const PolyVector b = edges ? minus(p[3], p[2]) : minus(p[2], p[0]);
+      const PolyVector c = minus(p[edges ? 2 : 3], p[0]);
+      const PolyVector normal = cross(a, b);
+      Poly volume{};
+      for (size_t k = 0; k < 3; ++k) {
+        const Poly term = times(normal[k], c[k]);
+        for (size_t i = 0; i < 4; ++i) volume[i] += term[i];
+      }
+      note("coplanar motion", is_zero(volume));
+      note("double root of coplanarity", !is_zero(volume) && has_double_root(volume));
+      if (edges) {
+        const auto at_start = [](const PolyVector& v) {
+          return v[0][0] == 0 && v[1][0] == 0 && v[2][0] == 0;
+        };
+        const bool parallel = is_zero(normal) && !is_zero(a) && !is_zero(b);
+        note("edges parallel at the start", at_start(normal) && !at_start(a) && !at_start(b));
+        note("edges parallel at all times", parallel);
+        note("edges on one line at all times", parallel && is_zero(cross(a, c)));
+      }
+    }
+    bool still = true;
+    for (const PolyVector& point : p) {
+      for (size_t k = 0; k < 3; ++k) still = still && point[k][1] == p[0][k][1];
+    }
+    note("static", still);
+    auto contact = linear::first_contact(*query);
+    note("contact", contact.has_value());
+    if (contact) {
+      note("contact at t = 0", is_at(*contact, 0));
+      note("contact at t = 1", is_at(*contact, 1));
+      note("contact at t_max > 0", query->t_max > 0 && is_at(*contact, query->t_max));
+    }
+    if (n % kMovedOneIn == 0) {
+      ++moved;
+      note("touching within one float", hangs_on_one_float(*query, contact.has_value()));
+    }
+  }
+  ASSERT_GT(queries, count / 2);
+  for (const auto& [kind, of_it] : drawn) {
+    const size_t among = kind == "touching within one float" ? moved : queries;
+    RecordProperty(kind, fmt::format("{} of {}", of_it, among));
+    EXPECT_GT(200 * of_it, among) << kind << ": only " << of_it << " of " << among;
+  }
+  EXPECT_EQ(drawn.size(), 11U);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
