@@ -28,7 +28,7 @@ TEST(Plugins, ThatMisbehaveLeaveTheHuntRunningAndAreOneFindEach) {
   const ScratchFolder folder;
   std::vector<std::string> methods;
   for (const char* does :
-       {"crash", "exit", "throw", "hang:seconds=0.1", "memory:mb=100", "print", "silent", "nan",
+       {"crash", "exit", "throw", "hang:seconds=0.05", "memory:mb=64", "print", "silent", "nan",
         "outside", "verdict", "small", "overrun", "stale", "describe-abort"}) {
     // Only what hangs comes to this limit, however busy the machine is.
     const bool hangs = std::string(does).starts_with("hang");
