@@ -11,6 +11,7 @@
 #include "method/method.hpp"
 #include "properties/draw_patch.hpp"
 #include "properties/no_false_negative.hpp"
+#include "properties/symmetry.hpp"
 #include "query/case_json.hpp"
 
 namespace ccdfuzz {
@@ -72,12 +73,19 @@ double extent(const MovingPatch<double>& patch, int k, double t) {
   return width;
 }
 
-/// A hit on a one-sided scene, whose first contact is proven. Cells of width h have control points
-/// within n·h times the patch's extent of each other, n the degree, so boxes that cannot be told
-/// apart are that near, and the gap along the plane's normal closes at a speed that is known.
-Check check_not_early(ChoiceSource& choices) {
-  constexpr double kPrecision = 0x1p-10;
-  constexpr SearchOptions kFine = {kPrecision, 2000, SearchOptions().max_bytes};
+constexpr double kFinePrecision = 0x1p-10;
+constexpr SearchOptions kFineSearch = {kFinePrecision, 2000, SearchOptions().max_bytes};
+
+/// A one-sided scene, whose first contact is proven. Cells of width h have control points within
+/// n·h times the patch's extent of each other, n the degree, so boxes that cannot be told apart are
+/// that near, and the gap along the plane's normal closes at a speed that is known.
+struct FirstContact {
+  Query query;
+  double t = 0;      ///< when they first touch
+  double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
+};
+
+Result<FirstContact> draw_first_contact(ChoiceSource& choices) {
   const ContactClass contact = choices.pick(kContactClasses);
   OneSidedStyle style;
   style.contact_bits = 20, style.contact_unit = -16;
@@ -86,11 +94,8 @@ Check check_not_early(ChoiceSource& choices) {
   Random random(choices.choose(~std::uint64_t{0}));
   const Scene scene = one_sided_scene(contact, style, random);
   const auto query = to_query(scene);
-  if (!query) return Check::discarded("a number is not a double");
-  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
-  const Answer answer = (*make_method(name))->answer(*query, kFine);
-  if (answer.verdict != Verdict::kHit) return Check::discarded("no hit");
-  const double t = *scene.contact.t.to_double_exactly();
+  if (!query) return input_error("", "a number is not a double");
+  FirstContact out{*query, *scene.contact.t.to_double_exactly()};
   double reach = 0;
   std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
   const Vec3<double> normal = {scene.normal[0].rational().get_d(),
@@ -99,19 +104,61 @@ Check check_not_early(ChoiceSource& choices) {
   for (std::size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query->patches[s];
     for (int k = 0; k < 3; ++k) {
-      reach += std::abs(normal[k]) * kQuadratic.n * kPrecision * extent(patch, k, t);
+      reach += std::abs(normal[k]) * kQuadratic.n * kFinePrecision * extent(patch, k, out.t);
     }
     for (const Vec3<double>& v : patch.velocities) {
       const double along = normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
       rate[s] = s == 0 ? std::max(rate[s], along) : std::min(rate[s], along);
     }
   }
-  const double early = t - *answer.toi, allowed = reach / (rate[1] - rate[0]);
-  if (early <= allowed) return Check::holds();
+  out.early = reach / (rate[1] - rate[0]);
+  return out;
+}
+
+Check check_not_early(ChoiceSource& choices) {
+  const Result<FirstContact> drawn = draw_first_contact(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
+  const Answer answer = (*make_method(name))->answer(drawn->query, kFineSearch);
+  if (answer.verdict != Verdict::kHit) return Check::discarded("no hit");
+  const double early = drawn->t - *answer.toi;
+  if (early <= drawn->early) return Check::holds();
   Case about;
-  about.query = *query;
+  about.query = drawn->query;
   return Check::fails(fmt::format("{} is early by {} of {}, and {} is explained by its cells\n{}",
-                                  name, early, t, allowed, to_json(about)));
+                                  name, early, drawn->t, drawn->early, to_json(about)));
+}
+
+/// One of the patches is split: control points of parts are within those of the whole, and so are
+/// the boxes of their cells.
+Check check_split(ChoiceSource& choices) {
+  const Result<FirstContact> drawn = draw_first_contact(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
+  const auto method = *make_method(name);
+  const Answer whole = method->answer(drawn->query, kFineSearch);
+  const std::size_t side = choices.choose(1);
+  const MovingPatch<double>& patch = drawn->query.patches[side];
+  Answer least;
+  for (int c = 0; c < patch.shape.child_count(); ++c) {
+    const auto part = part_over(patch, Cell().child(patch.shape, c));
+    if (!part) return Check::discarded("a part is not of doubles");
+    Query of_part = drawn->query;
+    of_part.patches[side] = *part;
+    const Answer answer = method->answer(of_part, kFineSearch);
+    if (answer.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
+    if (answer.verdict != Verdict::kHit) continue;
+    if (least.verdict != Verdict::kHit || *answer.toi < *least.toi) least = answer;
+  }
+  if (whole.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
+  bool alike = whole.verdict == Verdict::kHit && least.verdict == Verdict::kHit;
+  alike = alike && *least.toi <= drawn->t && std::abs(*least.toi - *whole.toi) <= drawn->early;
+  if (alike) return Check::holds();
+  Case about;
+  about.query = drawn->query;
+  return Check::fails(fmt::format("{}: {}, but of the parts of patch {}: {}; contact at {}\n{}",
+                                  name, summary(whole), side + 1, summary(least), drawn->t,
+                                  to_json(about)));
 }
 
 /// A parallelogram, a triangle or a line by any degree: parts of it have the same axes.
@@ -175,6 +222,9 @@ std::vector<Property> search_properties() {
       {"methods.not_early",
        "A hit is early by no more than the time in which boxes of its precision meet",
        "src/ccd/certified/tdibm_c.hpp", kHolds, check_not_early},
+      {"methods.split",
+       "The answer over two patches is the least over the parts of either, as far as boxes tell",
+       "src/ccd/certified/tdibm_c.hpp", kHolds, check_split},
       {"methods.optimised_alike",
        "The optimised form of a method answers as the plain one where all parts are alike",
        "src/ccd/DERIVATION.md", kHolds, check_optimised_alike},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "bezier/cell.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/similar.hpp"
 #include "properties/elevate.hpp"
@@ -151,8 +150,7 @@ bool cut(Case& value, std::size_t side, ChoiceSource& choices) {
     }
   }
   if (patch.shape.kind == ShapeKind::kPoint) return true;
-  const auto part = as_doubles(
-      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape))));
+  const auto part = part_over(patch, cell);
   if (!part) return false;
   uv = local_parameters(patch.shape, cell, uv);
   patch = *part;
@@ -160,6 +158,11 @@ bool cut(Case& value, std::size_t side, ChoiceSource& choices) {
 }
 
 }  // namespace
+
+std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, const Cell& cell) {
+  return as_doubles(
+      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape))));
+}
 
 std::string_view name_of(Symmetry symmetry) {
   constexpr std::array<std::string_view, kSymmetries.size()> kNames = {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "bezier/cell.hpp"
 #include "properties/choices.hpp"
 #include "query/case.hpp"
 
@@ -30,6 +31,9 @@ inline constexpr std::array kSymmetries = {Symmetry::kSwapPatches, Symmetry::kRe
                                            Symmetry::kPart};
 
 std::string_view name_of(Symmetry symmetry);
+
+/// The sub-patch over a cell, exactly; nothing if a number of it is not a double.
+std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, const Cell& cell);
 
 /// The case after a drawn change of this kind, its truth being the witness alone. Nothing if some
 /// number of it is not a double then. Requires a witness with dyadic parameters.
