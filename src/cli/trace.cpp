@@ -49,6 +49,9 @@ Result<std::vector<TraceOptions>> trace_options(const TraceArguments& options,
 Result<int> run_trace(const TraceArguments& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
+  for (const std::string& method : *methods) {  // a plug-in has no tracer
+    if (const auto tracer = make_tracer(method); !tracer) return tl::unexpected(tracer.error());
+  }
   const Result<SearchOptions> search = options.search.parse();
   if (!search) return tl::unexpected(search.error());
   if (options.generate > 0) {

@@ -74,6 +74,19 @@ TEST(Trace, ACaseWithoutAWitnessInItsStepIsAnErrorThatNamesIt) {
   EXPECT_EQ(past.out, "");
 }
 
+TEST(Trace, AMethodThatCannotBeTracedIsBadInput) {
+  const std::string naive = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
+  for (const std::vector<std::string>& what :
+       {std::vector<std::string>{regression("tdibm-e-underflow")}, {"--generate", "2"}}) {
+    std::vector<std::string> arguments = {"trace", "--methods", "tdibm," + naive};
+    arguments.insert(arguments.end(), what.begin(), what.end());
+    const Finished refused = ccdfuzz(arguments);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("cannot be traced"), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
 TEST(Trace, TheTableHasARowForEachTrace) {
   const ScratchFolder folder;
   const std::string single = folder / "single.json";
