@@ -194,6 +194,15 @@ TEST(PluginClaims, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
   EXPECT_EQ(where.size(), 36U);  // 2 patches, 2 kinds, 3 coordinates, 3 values
 }
 
+TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
+  EXPECT_EQ(method_info(kClaiming)->description, "claiming 1");
+  const auto info = method_info(kClaiming + ":claims=1:tolerance=0.25:kind=2:separation=0.5:nan=3");
+  EXPECT_TRUE(info->claims_no_false_negative);
+  EXPECT_EQ(info->description,
+            "claiming 1; open t_max, no contact at 0, tolerance 0.25 (space), minimum separation "
+            "0.5, NaN: hit");
+}
+
 TEST(PluginClaims, InLinesThatCannotBeReadAreGarbageAndNotGuessedAt) {
   EXPECT_TRUE(read_description(R"({"protocol":1})"));
   EXPECT_TRUE(read_description(R"({"protocol":1,"nan_policy":"hit","tolerance_kind":"space"})"));

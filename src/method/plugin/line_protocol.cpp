@@ -240,6 +240,10 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
   return same_bits(*answer.toi, *other.answer.toi) && answer.uv == other.answer.uv;
 }
 
+std::string_view name_of(ToleranceKind kind) {
+  return kToleranceKinds[static_cast<size_t>(kind)];
+}
+
 std::string_view name_of(NanPolicy policy) {
   return kNanPolicies[static_cast<size_t>(policy)];
 }

@@ -17,6 +17,7 @@ enum class ToleranceKind : std::uint8_t { kTime, kTimeRelative, kSpace, kSpaceRe
 /// What it says to a query that is not finite; undefined: anything, so that it is not asked.
 enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit };
 std::string_view name_of(NanPolicy policy);
+std::string_view name_of(ToleranceKind kind);
 
 /// What a plug-in says of itself.
 struct PluginDescription {

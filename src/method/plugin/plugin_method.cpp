@@ -17,6 +17,23 @@ namespace {
 /// of the time of a run by cases.
 constexpr int kMostHangs = 8;
 
+/// "; tolerance 1e-06 (space), NaN: error", or nothing if it claims nothing out of the ordinary.
+std::string claims_text(const PluginDescription& d) {
+  std::vector<std::string> claims;
+  if (!d.closed_t_max) claims.emplace_back("open t_max");
+  if (!d.contact_at_zero) claims.emplace_back("no contact at 0");
+  if (d.tolerance > 0) {
+    claims.push_back(fmt::format("tolerance {} ({})", d.tolerance, name_of(d.tolerance_kind)));
+  }
+  if (d.minimum_separation > 0) {
+    claims.push_back(fmt::format("minimum separation {}", d.minimum_separation));
+  }
+  if (d.nan_policy != NanPolicy::kUndefined) {
+    claims.push_back(fmt::format("NaN: {}", name_of(d.nan_policy)));
+  }
+  return claims.empty() ? "" : fmt::format("; {}", fmt::join(claims, ", "));
+}
+
 std::string text_of(const Answer& answer) {
   switch (answer.verdict) {
     case Verdict::kHit:
@@ -265,6 +282,7 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   }
   const PluginDescription& d = *plugin.description;
   info.description = d.version.empty() ? d.name : d.name + " " + d.version;
+  info.description += claims_text(d);
   info.claims_no_false_negative = d.conservative;
   return info;
 }
