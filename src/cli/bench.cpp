@@ -145,12 +145,14 @@ Result<int> run_bench(const BenchArguments& options) {
   Progress progress;
   const double total =
       static_cast<double>(plan->classes.size()) * 2 * static_cast<double>(options.count);
-  double done = 0;
+  std::uint64_t done = 0;
   for (const ContactClass contact : plan->classes) {
     Race race(plan->methods, plan->search, plan->search_of_trad);
     for_each_query(*plan, options, contact, [&](const Query& query) {
       race.ask(query);
-      progress.show(++done / total, std::string(name_of(contact)));
+      ++done;
+      progress.show(static_cast<double>(done) / total, std::string(name_of(contact)), done,
+                    "queries");
       return !interrupted;
     });
     if (options.json) {

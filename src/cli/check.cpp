@@ -82,7 +82,8 @@ Tallied check(const Property& property, const CheckArguments& options,
     progress.show(
         seconds ? std::min(1.0, tally.seconds / *seconds)
                 : static_cast<double>(tally.checked) / static_cast<double>(limit),
-        fmt::format("{}: {} checked, {} failed", property.name, tally.checked, tally.failed));
+        fmt::format("{}: {} checked, {} failed", property.name, tally.checked, tally.failed),
+        tally.checked, "inputs");
   }
   return tally;
 }
@@ -199,10 +200,10 @@ Result<int> run_check(const CheckArguments& arguments) {
                {"", Align::kLeft}});
   std::string failures;
   bool broken = false;
-  Progress progress;
   const std::atomic<bool>& interrupted = catch_interrupts();
   for (const Property& property : *chosen) {
     if (interrupted) break;
+    Progress progress;
     Tallied tally = check(property, options, seconds, interrupted, progress);
     progress.clear();
     if (const auto kept = keep_find(property, options, tally); !kept) {

@@ -74,7 +74,10 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
   const std::atomic<bool>& interrupted = catch_interrupts();
   const Result<LinearReport> report = evaluate_linear(
       *files, options.methods, options.search, options.threads,
-      [&](double share) { progress.show(share, "linear queries"); }, &interrupted);
+      [&](double share, std::uint64_t queries) {
+        progress.show(share, "linear queries", queries, "queries");
+      },
+      &interrupted);
   progress.clear();
   if (!report) return tl::unexpected(report.error());
   if (json) {

@@ -193,7 +193,7 @@ Result<int> run_generate(const GenerateArguments& options) {
         written = destination->write(generated.value);
         if (!written) stop = true;
         progress.show(static_cast<double>(counts.accepted()) / static_cast<double>(count),
-                      fmt::format("{} cases", counts.accepted()));
+                      fmt::format("{} cases", counts.accepted()), counts.accepted(), "cases");
       },
       &stop);
   progress.clear();

@@ -199,7 +199,8 @@ Result<int> generate_paper(const GeneratePaperOptions& options) {
         if (!kept || interrupted) stop = true;
         const PaperItem& item = items[options.shard.item(journal->size() - 1)];
         progress.show(static_cast<double>(journal->size()) / static_cast<double>(total),
-                      fmt::format("{} {}", name_of(item.contact), name_of(item.kind)));
+                      fmt::format("{} {}", name_of(item.contact), name_of(item.kind)),
+                      journal->size() - before, "constructions");
       },
       &stop);
   progress.clear();

@@ -8,13 +8,13 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
+#include "cli/hunt_table.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/failure.hpp"
-#include "eval/table.hpp"
 
 namespace ccdfuzz {
 
@@ -69,47 +69,6 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   return parsed;
 }
 
-Table cell_table(const HuntReport& report) {
-  Table table({{"class", Align::kLeft},
-               {"method", Align::kLeft},
-               {"n"},
-               {"mean"},
-               {"FN missed"},
-               {"FN late"},
-               {"FP"},
-               {"undecided"},
-               {"error"},
-               {"mutants"},
-               {"lost"}});
-  const HuntCell* previous = nullptr;
-  for (const HuntCell& cell : report.cells) {
-    if (previous && previous->contact != cell.contact) table.start_group();
-    previous = &cell;
-    const Tally& tally = cell.tally;
-    const auto count = [&](Outcome outcome, std::uint64_t of) -> TableCell {
-      const bool bad = is_false_negative(outcome) || outcome == Outcome::kError;
-      const std::uint64_t n = tally.count(outcome);
-      return {count_text(n, of), n == 0 ? Emphasis::kFaint
-                                 : bad  ? Emphasis::kBad
-                                        : Emphasis::kPlain};
-    };
-    table.add_row(
-        {{std::string(name_of(cell.contact))},
-         {cell.method},
-         {fmt::format("{}", tally.n)},
-         {tally.n == 0 ? "-" : duration_text(cell.cpu_seconds / static_cast<double>(tally.n))},
-         count(Outcome::kMissed, tally.positives),
-         count(Outcome::kLate, tally.positives),
-         count(Outcome::kFalsePositive, tally.negatives),
-         count(Outcome::kUndecided, tally.n),
-         count(Outcome::kError, tally.n),
-         {fmt::format("{}", cell.bred.mutants)},
-         {count_text(cell.bred.lost, cell.bred.mutants),
-          cell.bred.lost == 0 ? Emphasis::kFaint : Emphasis::kBad}});
-  }
-  return table;
-}
-
 /// "missed by tdibm, tdibm-e (claims none); error (hang) by plugin:./libmine.so".
 std::string failures_text(const HuntFind& find) {
   std::map<std::pair<Outcome, std::string>, std::string> by_outcome;
@@ -137,7 +96,7 @@ std::uint64_t query_count(const HuntReport& report) {
 }
 
 void print_report(const HuntReport& report, const HuntArguments& options) {
-  print_out(cell_table(report).to_text(wants_colour(stdout)));
+  print_out(hunt_table(report.cells).to_text(wants_colour(stdout)));
   print_out(
       fmt::format("\n{} queries about {} cases in {:.1f} s; {:.1f} s of CPU time went into "
                   "making the cases\n",
@@ -152,17 +111,7 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
 }
 
 void print_report_json(const HuntReport& report) {
-  for (const HuntCell& cell : report.cells) {
-    const Tally& tally = cell.tally;
-    nlohmann::ordered_json row = {
-        {"row", "cell"}, {"class", name_of(cell.contact)}, {"method", cell.method},
-        {"n", tally.n},  {"positives", tally.positives},   {"negatives", tally.negatives}};
-    for (const Outcome o : kAllOutcomes) row[std::string(name_of(o))] = tally.count(o);
-    row["cpu_seconds"] = cell.cpu_seconds;
-    row["mutants"] = cell.bred.mutants;
-    row["lost_mutants"] = cell.bred.lost;
-    print_json(row);
-  }
+  for (const HuntCell& cell : report.cells) print_json(cell_json(cell));
   for (const HuntFind& find : report.finds) {
     nlohmann::ordered_json expect = nlohmann::ordered_json::object();
     nlohmann::ordered_json errors = nlohmann::ordered_json::object();
@@ -188,13 +137,41 @@ void print_report_json(const HuntReport& report) {
               {"seconds", report.seconds}});
 }
 
+/// What was asked for, but for what no result depends on.
+std::string hunt_command(const HuntArguments& options) {
+  const HuntArguments usual;
+  std::string text = shell_word(program_name()) + " hunt";
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format(" {} {}", name, shell_word(value));
+  };
+  if (options.cases > 0) {
+    add("--cases", fmt::format("{}", options.cases));
+  } else {
+    add("--seconds", options.seconds);
+  }
+  if (!options.shard.empty()) add("--shard", options.shard);
+  if (options.linear) text += " --linear";
+  if (options.within > 0) add("--within", fmt::format("{}", options.within));
+  add("--seed", fmt::format("{}", options.seed));
+  if (options.methods != usual.methods) add("--methods", options.methods);
+  if (options.search.max_pops != kDefaultPops) {
+    add("--max-pops", fmt::format("{}", options.search.max_pops));
+  }
+  if (!options.search.max_seconds.empty()) add("--max-seconds", options.search.max_seconds);
+  if (options.shrink != usual.shrink) add("--shrink", options.shrink);
+  add("--corpus", options.corpus);
+  add("--report", options.page);
+  return text;
+}
+
 Result<void> write_hunt_page(const HuntReport& report, const HuntArguments& options,
-                             const std::vector<HuntSample>& samples) {
-  Result<ReportPage> page = hunt_page(report, options.corpus, samples);
+                             const HuntCourse& course) {
+  HuntRecord record{
+      hunt_command(options), options.corpus, report.seconds, report.cells, {}, course};
+  for (const HuntFind& find : report.finds) record.finds.push_back(find.path);
+  if (auto done = write_hunt_record(options.page, record); !done) return done;
+  const Result<ReportPage> page = hunt_page(record);
   if (!page) return tl::unexpected(page.error());
-  page->command = fmt::format("{} hunt --seed {} --methods {} --corpus {} --report {}",
-                              shell_word(program_name()), options.seed, options.methods,
-                              shell_word(options.corpus), shell_word(options.page));
   if (auto done = write_report(*page, options.page, options.threads); !done) return done;
   if (!options.json) print_out(fmt::format("{}/index.html shows them\n", options.page));
   return {};
@@ -214,7 +191,7 @@ Result<int> run_hunt(const HuntArguments& options) {
 
   const std::atomic<bool>& interrupted = catch_interrupts();
   Progress progress;
-  HuntSamples samples;
+  CourseNotes notes(parsed->methods, parsed->cases.has_value());
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -222,14 +199,14 @@ Result<int> run_hunt(const HuntArguments& options) {
   const HuntReport report = hunt(
       *parsed, *store,
       [&](const HuntProgress& p) {
-        samples.note(seconds(), p.queries, p.finds);
+        notes.note(seconds(), p);
         progress.show(p.share, fmt::format("{} counterexamples", p.finds), p.queries, "queries");
       },
       interrupted);
   progress.clear();
   options.json ? print_report_json(report) : print_report(report, options);
   if (!options.page.empty()) {
-    if (auto done = write_hunt_page(report, options, samples.all()); !done) {
+    if (auto done = write_hunt_page(report, options, notes.course()); !done) {
       return tl::unexpected(report.error ? *report.error : done.error());
     }
   }
@@ -273,8 +250,10 @@ void add_hunt(CommandLine& line) {
             "Whose counterexamples to minimise at the end, for at most as long again or "
             "20 seconds: none, plugins or all")
       .one_of({"none", "plugins", "all"});
-  command.text("--report", options->page,
-               "Folder for a page (index.html) of the counterexamples and the hunt's course");
+  command.text(
+      "--report", options->page,
+      "Folder for a page (index.html) of the counterexamples and the hunt's course; `report "
+      "FOLDER` makes it again");
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
   add_threads(command, options->threads);

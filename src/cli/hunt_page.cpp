@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <map>
 
+#include "cli/hunt_table.hpp"
 #include "cli/shell_word.hpp"
 #include "corpus/entries.hpp"
 
@@ -27,43 +28,49 @@ ReportedCase reported_find(const std::string& path, const Case& value, bool is_n
 
 }  // namespace
 
-void HuntSamples::note(double seconds, std::uint64_t queries, std::uint64_t finds) {
-  if (seconds < next_) return;
-  if (samples_.size() == kMostSamples) {
+void CourseNotes::note(double seconds, const HuntProgress& progress) {
+  const double at = by_cases_ ? static_cast<double>(steps_++) : seconds;
+  if (at < next_) return;
+  std::vector<HuntSample>& samples = course_.samples;
+  if (samples.size() == kMostSamples) {
     // Half as many, for twice as long.
-    for (size_t i = 0; 2 * i < samples_.size(); ++i) samples_[i] = samples_[2 * i];
-    samples_.resize(kMostSamples / 2);
+    for (size_t i = 0; 2 * i < samples.size(); ++i) samples[i] = std::move(samples[2 * i]);
+    samples.resize(kMostSamples / 2);
     step_ *= 2;
   }
-  samples_.push_back({seconds, queries, finds});
-  next_ = seconds + step_;
+  samples.push_back(
+      {seconds, progress.queries, progress.mutants, progress.finds, progress.margins});
+  next_ = at + step_;
 }
 
-Result<ReportPage> hunt_page(const HuntReport& hunted, const std::string& store,
-                             const std::vector<HuntSample>& samples) {
+Result<ReportPage> hunt_page(const HuntRecord& record) {
   ReportPage report;
-  report.title = fmt::format("Hunt of {:.0f} s", hunted.seconds);
-  report.samples = samples;
-  for (const HuntCell& cell : hunted.cells) {
+  report.title = fmt::format("Hunt of {:.0f} s", record.seconds);
+  report.command = record.command;
+  report.course = record.course;
+  for (const HuntCell& cell : record.cells) {
     ReportGroup group{
         std::string(name_of(cell.contact)), "", std::nullopt, cell.method, cell.tally, {}};
     group.tally.seconds = cell.cpu_seconds;
     report.groups.push_back(std::move(group));
   }
-  std::set<std::string> found;
-  for (const HuntFind& find : hunted.finds) {
-    found.insert(find.path);
-    report.cases.push_back(reported_find(find.path, find.value, true));
-  }
-  const Result<std::vector<std::string>> paths = list_entries(store);
+  report.tables.push_back(
+      report_table("hunt", "What the hunt asked, bred and lost", hunt_table(record.cells)));
+  const Result<std::vector<std::string>> paths = list_entries(record.store);
   if (!paths) return tl::unexpected(paths.error());
-  if (paths->size() > found.size()) {
-    const Result<std::vector<NamedCase>> entries = load_corpus(store);
+  if (!paths->empty()) {
+    const Result<std::vector<NamedCase>> entries = load_corpus(record.store);
     if (!entries) return tl::unexpected(entries.error());
-    for (const NamedCase& entry : *entries) {
-      if (!found.contains(entry.id)) {
-        report.cases.push_back(reported_find(entry.id, entry.value, false));
-      }
+    std::map<std::string, const Case*> known;
+    for (const NamedCase& entry : *entries) known.emplace(entry.id, &entry.value);
+    for (const std::string& path : record.finds) {
+      const auto found = known.find(path);
+      if (found == known.end()) continue;  // a later hunt has found a smaller one
+      report.cases.push_back(reported_find(path, *found->second, true));
+      known.erase(found);
+    }
+    for (const auto& [path, value] : known) {
+      report.cases.push_back(reported_find(path, *value, false));
     }
   }
   keep_most_telling(report);

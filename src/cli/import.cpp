@@ -80,6 +80,7 @@ Result<int> run_import(const ImportArguments& options) {
                {"as rounded", Align::kLeft}});
   ImportCounts counts;
   Progress progress;
+  std::uint64_t imported = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
   for (size_t f = 0; f < options.files.size(); ++f) {
     Result<CsvReader> reader = CsvReader::open(options.files[f], layouts[f], options.truths);
@@ -110,7 +111,8 @@ Result<int> run_import(const ImportArguments& options) {
       if (const auto written = writer->write(query->value); !written) {
         return tl::unexpected(written.error());
       }
-      progress.show(static_cast<double>(f) / static_cast<double>(options.files.size()), query->id);
+      progress.show(static_cast<double>(f) / static_cast<double>(options.files.size()), query->id,
+                    ++imported, "queries");
     }
   }
   progress.clear();

@@ -153,7 +153,6 @@ Result<int> merge_data_sets(const std::vector<std::string>& inputs, const std::s
   std::map<CaseSeries, std::uint64_t> last;  ///< index of each series
   std::optional<CasePlace> before;
   std::uint64_t count = 0;
-  Progress progress;
   for (;;) {
     std::erase_if(readers, [](const SortedCases& r) { return !r.current(); });
     if (readers.empty()) break;

@@ -101,7 +101,8 @@ Result<int> run_prove(const ProveArguments& options) {
         }
         if (written) written = destination->write(std::move(completed.value), completed.tree);
         if (!written || interrupted) stop = true;
-        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id);
+        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id, done,
+                      "cases");
       },
       &stop);
   progress.clear();

@@ -91,7 +91,7 @@ Result<int> run_replay(const ReplayArguments& options) {
       [&](Judged judged) {
         const Question& q = (*questions)[answers.size()];
         progress.show(static_cast<double>(answers.size()) / static_cast<double>(questions->size()),
-                      q.entry->id);
+                      q.entry->id, answers.size(), "answers");
         answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
       });
   progress.clear();

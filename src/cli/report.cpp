@@ -10,6 +10,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/hunt_page.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/shell_word.hpp"
@@ -30,6 +31,7 @@ struct ReportArguments {
   std::string source = "corpus";
   std::string methods = kDefaultMethods;
   SearchFlags search;
+  std::string scoreboard;
   std::string folder;
   int threads = 1;
 };
@@ -159,19 +161,36 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   return report;
 }
 
+Result<ReportPage> report_source(const ReportArguments& options,
+                                 const std::atomic<bool>& interrupted) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(options.source, error)) {
+    return report_data_set(options, interrupted);
+  }
+  if (std::filesystem::exists(EvaluationFolder::answers_path(options.source), error)) {
+    return report_run(options);
+  }
+  if (std::filesystem::exists(hunt_record_path(options.source), error)) {
+    return read_hunt_record(options.source).and_then(hunt_page);
+  }
+  return report_corpus(options, interrupted);
+}
+
 Result<int> run_report(const ReportArguments& options) {
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
-  std::error_code error;
-  const bool is_folder = std::filesystem::is_directory(options.source, error);
+  Scoreboard scoreboard;
+  if (!options.scoreboard.empty()) {
+    Result<Scoreboard> read = read_scoreboard(options.scoreboard);
+    if (!read) return tl::unexpected(read.error());
+    scoreboard = *std::move(read);
+  }
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const bool is_run =
-      is_folder && std::filesystem::exists(EvaluationFolder::answers_path(options.source), error);
-  Result<ReportPage> report = is_run      ? report_run(options)
-                              : is_folder ? report_corpus(options, interrupted)
-                                          : report_data_set(options, interrupted);
+  Result<ReportPage> report = report_source(options, interrupted);
   if (!report) return tl::unexpected(report.error());
-  report->command = fmt::format("{} report {} -o {}", shell_word(program_name()),
-                                shell_word(options.source), shell_word(options.folder));
+  report->scoreboard = std::move(scoreboard);
+  if (report->command.empty())
+    report->command = fmt::format("{} report {} -o {}", shell_word(program_name()),
+                                  shell_word(options.source), shell_word(options.folder));
   if (auto done = write_report(*report, options.folder, options.threads); !done) {
     return tl::unexpected(done.error());
   }
@@ -185,11 +204,15 @@ void add_report(CommandLine& line) {
   auto [command, options] = line.add<ReportArguments>(
       "report", "Show a corpus or a data set as a page of figures, tables and watchable cases",
       run_report);
-  command.text("source", options->source,
-               "A corpus (its entries and what they expect), the folder of an `evaluate -o`, or a "
-               "file of cases (which the methods are asked about)");
+  command.text(
+      "source", options->source,
+      "A corpus (its entries and what they expect), the folder of an `evaluate -o` or of a "
+      "`hunt --report`, or a file of cases (which the methods are asked about)");
   command.text("--methods", options->methods, "Methods to ask about a file of cases");
   options->search.add_to(command);
+  command.text("--scoreboard", options->scoreboard,
+               "Also show how the tests fare with planted faults: a .json that "
+               "`ccdfuzz-scoreboard --tables` wrote");
   command.text("-o,--output", options->folder, "Folder for index.html and the tables as CSV")
       .required();
   add_threads(command, options->threads);

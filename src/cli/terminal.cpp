@@ -31,11 +31,11 @@ std::string clock_text(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-/// What came so far, gone on like that; nothing before there is enough to reckon with.
-std::string time_left_text(double share, double elapsed) {
+/// What came since `before`, gone on like that; nothing before there is enough to reckon with.
+std::string time_left_text(double share, double before, double elapsed) {
   constexpr double kEnough = 0.5, kTooLong = 100 * 3600;  // seconds
-  if (elapsed < kEnough || !(share > 0) || share >= 1) return "";
-  const double left = elapsed * (1 - share) / share;
+  if (elapsed < kEnough || !(share > before) || share >= 1) return "";
+  const double left = elapsed * (1 - share) / (share - before);
   return left > kTooLong ? "" : clock_text(left) + " left  ";
 }
 
@@ -65,10 +65,14 @@ void Progress::show(double share, const std::string& note, std::uint64_t done,
   constexpr size_t kBarWidth = 30;
   const auto filled =
       static_cast<size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kBarWidth));
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  std::string line = fmt::format(
-      "[{}{}] {:3.0f} %  {}{}{}", std::string(filled, '#'), std::string(kBarWidth - filled, '.'),
-      100 * share, time_left_text(share, elapsed), rate_text(done, unit, elapsed), note);
+  if (!first_) first_ = {share, now};
+  const auto seconds_since = [now](auto then) {
+    return std::chrono::duration<double>(now - then).count();
+  };
+  std::string line = fmt::format("[{}{}] {:3.0f} %  {}{}{}", std::string(filled, '#'),
+                                 std::string(kBarWidth - filled, '.'), 100 * share,
+                                 time_left_text(share, first_->share, seconds_since(first_->at)),
+                                 rate_text(done, unit, seconds_since(start_)), note);
   // One column is left free: a terminal wraps when the last one is written.
   if (const size_t room = terminal_width() - 1; line.size() > room) line.resize(room);
   fmt::print(stderr, "\r\x1b[K{}", line);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,10 +23,10 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// share: how much is done, in [0, 1]; the time left is reckoned from it. note: what to show
+  /// share: how much is done, in [0, 1]; the time left is reckoned from it and from the first call,
+  /// before which an earlier run may have done a part. note: what to show
   /// beside the bar, of one line. done: how many `unit`s so far, of which the rate is shown.
-  void show(double share, const std::string& note, std::uint64_t done = 0,
-            std::string_view unit = {});
+  void show(double share, const std::string& note, std::uint64_t done, std::string_view unit);
   /// Wipes the line, so that other output may follow.
   void clear();
 
@@ -37,6 +38,11 @@ class Progress {
   bool drawn_ = false;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point next_{};
+  struct Seen {
+    double share;
+    std::chrono::steady_clock::time_point at;
+  };
+  std::optional<Seen> first_;
 };
 
 }  // namespace ccdfuzz

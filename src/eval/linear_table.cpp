@@ -95,11 +95,11 @@ Result<std::vector<LinearFile>> linear_files(const std::string& folder) {
   return files;
 }
 
-Result<LinearReport> evaluate_linear(const std::vector<LinearFile>& files,
-                                     const std::vector<std::string>& methods,
-                                     const SearchOptions& search, int threads,
-                                     const std::function<void(double share)>& progress,
-                                     const std::atomic<bool>* stop) {
+Result<LinearReport> evaluate_linear(
+    const std::vector<LinearFile>& files, const std::vector<std::string>& methods,
+    const SearchOptions& search, int threads,
+    const std::function<void(double share, std::uint64_t queries)>& progress,
+    const std::atomic<bool>* stop) {
   LinearReport report;
   for (const CsvLayout layout : {CsvLayout::kEdgeEdge, CsvLayout::kVertexFace}) {
     for (const std::string& method : methods) report.groups.push_back({layout, method, {}, {}});
@@ -145,7 +145,7 @@ Result<LinearReport> evaluate_linear(const std::vector<LinearFile>& files,
         stop);
     if (!failed) return tl::unexpected(failed.error());
     if (stop && *stop) break;
-    progress(static_cast<double>(++done_files) / static_cast<double>(files.size()));
+    progress(static_cast<double>(++done_files) / static_cast<double>(files.size()), report.queries);
   }
   std::erase_if(report.groups, [](const LinearGroup& group) { return group.tally.n == 0; });
   return report;

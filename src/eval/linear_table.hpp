@@ -41,11 +41,11 @@ struct LinearReport {
 /// numbers rounded to doubles where they are none, which is counted. Times are CPU time (of
 /// plug-ins what they say they took), the least of three answers, of one that took longer than 10
 /// ms. stop ends it early.
-Result<LinearReport> evaluate_linear(const std::vector<LinearFile>& files,
-                                     const std::vector<std::string>& methods,
-                                     const SearchOptions& search, int threads,
-                                     const std::function<void(double share)>& progress,
-                                     const std::atomic<bool>* stop = nullptr);
+Result<LinearReport> evaluate_linear(
+    const std::vector<LinearFile>& files, const std::vector<std::string>& methods,
+    const SearchOptions& search, int threads,
+    const std::function<void(double share, std::uint64_t queries)>& progress,
+    const std::atomic<bool>* stop = nullptr);
 
 /// The shape of the paper's Table 3, with its numbers beside where it has them.
 Table linear_table(const std::vector<LinearGroup>& groups);

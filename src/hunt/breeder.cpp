@@ -24,9 +24,10 @@ Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scal
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
-std::optional<double> Breeder::nearness(const WitnessedQuery& q, TracerSet& tracers) const {
+std::optional<double> Breeder::nearness(const WitnessedQuery& q, TracerSet& tracers) {
   const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
   if (trace.lost) return std::nullopt;
+  if (trace.margin) tally_.margin = std::min(tally_.margin.value_or(~0ULL), trace.margin->ulps);
   if (aim_ == Aim::kNothing) return 0;
   // Methods that compare at the ends of windows tell by how much (slack); of the others it is the
   // time between the contact and what was excluded.

@@ -17,6 +17,9 @@ namespace ccdfuzz {
 struct BreedTally {
   std::uint64_t mutants = 0;  ///< made and traced
   std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
+  /// By how many ulps the contacts that were not lost survived (Trace::Margin), the least of it;
+  /// founders count, too.
+  std::optional<std::uint64_t> margin;
 };
 
 /// What decides which of a population have offspring.
@@ -55,7 +58,7 @@ class Breeder {
   };
 
   /// Of a method that can be traced: how near it was to losing the contact. nullopt: it lost it.
-  std::optional<double> nearness(const WitnessedQuery& q, TracerSet& tracers) const;
+  std::optional<double> nearness(const WitnessedQuery& q, TracerSet& tracers);
   void join(Member member);
   const WitnessedQuery& parent();
 

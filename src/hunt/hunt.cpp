@@ -85,9 +85,7 @@ class Hunt {
       hunt_by_time();
     }
     if (failure_) std::rethrow_exception(failure_);
-    for (size_t c = 0; c < nurseries_.size(); ++c) {
-      report_.cells[c].bred = nurseries_[c].breeder.tally();
-    }
+    for (size_t c = 0; c < nurseries_.size(); ++c) count_bred(c);
     if (!report_.error && !stop_) shrink();
     if (!report_.error && !stop_) note(trophies_.complete(stop_));
     Result<std::vector<HuntFind>> finds = trophies_.finds();
@@ -154,8 +152,19 @@ class Hunt {
   }
 
   void show(double share) const {
-    on_progress_({std::min(share, 1.0), queries_, trophies_.count()});
+    HuntProgress now{std::min(share, 1.0), queries_, 0, trophies_.count(), {}};
+    now.margins.resize(method_count());
+    for (size_t c = 0; c < report_.cells.size(); ++c) {
+      const BreedTally& bred = report_.cells[c].bred;
+      std::optional<std::uint64_t>& least = now.margins[c % method_count()];
+      now.mutants += bred.mutants;
+      if (bred.margin && (!least || *bred.margin < *least)) least = bred.margin;
+    }
+    on_progress_(now);
   }
+
+  /// What the population of a cell has come to, for others to see; its thread says so.
+  void count_bred(size_t cell) { report_.cells[cell].bred = nurseries_[cell].breeder.tally(); }
 
   /// Steps of the cell's population while more() says so; what they found.
   template <class More>
@@ -199,6 +208,7 @@ class Hunt {
         [&](const std::vector<Found>& all) {
           const std::uint64_t cell = options_.shard.item(recorded++);
           for (const Found& found : all) offer(report_.cells[cell].method, found);
+          count_bred(cell);
           show(1);
           if (stop_) ended_ = true;
         },
@@ -289,7 +299,10 @@ class Hunt {
       if (founds) nursery.breeder.add(asked, tracers);
     }
     lock.lock();
-    if (founds) nursery.taken = false;
+    if (founds) {
+      nursery.taken = false;
+      count_bred(cell);
+    }
     nursery.drawn_seconds += turn.cpu_seconds;
     report_.draw_cpu_seconds += draw_cpu;
     record(turn, *drawn);
@@ -312,6 +325,7 @@ class Hunt {
     lock.lock();
     nursery.taken = false;
     nursery.bred_seconds += seconds;
+    count_bred(cell);
     for (const Found& found : all) offer(report_.cells[cell].method, found);
     return seconds;
   }

@@ -71,8 +71,11 @@ struct HuntReport {
 /// What to show while the hunt runs.
 struct HuntProgress {
   double share = 0;
-  std::uint64_t queries = 0;
+  std::uint64_t queries = 0;  ///< answered and judged
+  std::uint64_t mutants = 0;
   std::uint64_t finds = 0;
+  /// Of each of HuntOptions::methods: BreedTally::margin over all classes.
+  std::vector<std::optional<std::uint64_t>> margins;
 };
 
 /// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds

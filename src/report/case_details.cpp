@@ -6,6 +6,7 @@
 
 #include "corpus/store.hpp"
 #include "query/case_json.hpp"
+#include "query/test_snippet.hpp"
 #include "report/loss.hpp"
 
 namespace ccdfuzz {
@@ -154,6 +155,7 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
   Json cells = Json::array();
   share_cells(traces, cells);
   const Json details = {{"reproduce", reported.reproduce},
+                        {"gtest", test_snippet({{reported.id, known}}, TestFramework::kGoogleTest)},
                         {"answers", answers},
                         {"cells", cells},
                         {"traces", traces}};

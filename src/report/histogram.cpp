@@ -8,7 +8,7 @@ namespace ccdfuzz {
 namespace {
 
 constexpr double kPerDecade = 10;
-constexpr size_t kLinearBins = 40;
+constexpr size_t kLinearBins = 200;
 
 }  // namespace
 

@@ -17,7 +17,7 @@ struct Histogram {
 /// others are left out. Empty if none is.
 Histogram log_histogram(const std::vector<double>& samples);
 
-/// 40 bins from 0 to the sample that `share` of them do not exceed (nearest rank); the last bin
+/// 200 bins from 0 to the sample that `share` of them do not exceed (nearest rank); the last bin
 /// holds those past it, too. Empty if there is none above 0. Requires 0 < share ≤ 1.
 Histogram linear_histogram(const std::vector<double>& samples, double share);
 

@@ -109,6 +109,51 @@ Json paper_json(const std::vector<std::string>& methods) {
   return rows;
 }
 
+/// {"methods", "samples": [[seconds, queries, mutants, finds, margins], …]}, or null.
+Json course_json(const HuntCourse& course) {
+  if (course.samples.empty()) return nullptr;
+  Json samples = Json::array();
+  for (const HuntSample& s : course.samples) {
+    Json margins = Json::array();
+    for (const auto& margin : s.margins) margins.push_back(margin ? Json(*margin) : Json());
+    samples.push_back(Json::array({s.seconds, s.queries, s.mutants, s.finds, margins}));
+  }
+  return {{"methods", course.methods}, {"samples", samples}};
+}
+
+Json scoreboard_json(const Scoreboard& board) {
+  if (board.empty()) return nullptr;
+  Json drivers = Json::array(), rows = Json::array();
+  for (const ScoreboardDriver& d : board.drivers) {
+    drivers.push_back({{"driver", d.driver},
+                       {"faults", d.faults},
+                       {"killed", d.killed},
+                       {"reached", d.reached},
+                       {"triggered", d.triggered},
+                       {"clean_runs", d.clean_runs},
+                       {"false_alarms", d.false_alarms},
+                       {"seconds", d.seconds},
+                       {"executions", d.executions},
+                       {"censored", d.censored}});
+  }
+  for (const ScoreboardRow& r : board.rows) {
+    rows.push_back({{"driver", r.driver},
+                    {"fault", r.fault},
+                    {"what", r.what},
+                    {"equivalent", r.equivalent},
+                    {"runs", r.runs},
+                    {"reached", r.reached},
+                    {"triggered", r.triggered},
+                    {"detected", r.detected},
+                    {"kill", r.is_kill()},
+                    {"seconds", r.seconds},
+                    {"executions", r.executions},
+                    {"limit", r.limit},
+                    {"found", r.found}});
+  }
+  return {{"drivers", drivers}, {"rows", rows}};
+}
+
 std::string script_element(const std::string& id, const char* type, const std::string& text) {
   return fmt::format("<script id=\"{}\" type=\"{}\">{}</script>\n", id, type, text);
 }
@@ -140,16 +185,13 @@ std::string report_page(const ReportPage& report, int threads) {
       });
   close_chunk();
 
-  Json groups = Json::array(), tables = Json::array(), samples = Json::array();
+  Json groups = Json::array(), tables = Json::array();
   for (const ReportGroup& group : report.groups) groups.push_back(group_json(group));
   for (const ReportTable& table : report.tables) {
     tables.push_back({{"id", table.id},
                       {"title", table.title},
                       {"columns", table.columns},
                       {"rows", table.rows}});
-  }
-  for (const HuntSample& sample : report.samples) {
-    samples.push_back(Json::array({sample.seconds, sample.queries, sample.finds}));
   }
   const Histogram curvature = log_histogram(report.curvatures);
   const Json data = {{"format", "ccdfuzz-report"},
@@ -160,7 +202,8 @@ std::string report_page(const ReportPage& report, int threads) {
                      {"groups", groups},
                      {"paper", paper_json(methods)},
                      {"tables", tables},
-                     {"samples", samples},
+                     {"course", course_json(report.course)},
+                     {"scoreboard", scoreboard_json(report.scoreboard)},
                      {"curvature", histogram_json(curvature)},
                      {"cases", rows},
                      {"cases_left_out", report.cases_left_out},

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <map>
 
-#include "eval/table.hpp"
 #include "query/output_file.hpp"
+#include "report/page_tables.hpp"
 
 namespace ccdfuzz {
 
@@ -20,53 +20,6 @@ std::string sort_of(const ReportedCase& reported) {
     key += fmt::format(" {}={}", answer.method, name_of(answer.outcome));
   }
   return key;
-}
-
-std::string optional_text(const std::optional<double>& x) {
-  return x ? fmt::format("{}", *x) : "";
-}
-
-std::string groups_csv(const ReportPage& report) {
-  std::string out = "class,kind,t_max_factor,method,n,positives,negatives";
-  for (const Outcome outcome : kAllOutcomes) out += fmt::format(",{}", name_of(outcome));
-  out += ",mean_seconds,median_seconds,p99_seconds\n";
-  for (const ReportGroup& group : report.groups) {
-    const Tally& tally = group.tally;
-    out += fmt::format("{},{},{},{},{},{},{}", csv_field(group.contact), csv_field(group.kind),
-                       optional_text(group.factor), csv_field(group.method), tally.n,
-                       tally.positives, tally.negatives);
-    for (const Outcome outcome : kAllOutcomes) out += fmt::format(",{}", tally.count(outcome));
-    const bool timed = !group.timings.all().empty();
-    out += timed ? fmt::format(",{},{},{}\n", tally.mean_seconds(), group.timings.median(),
-                               group.timings.p99())
-                 : ",,,\n";
-  }
-  return out;
-}
-
-std::string counterexamples_csv(const ReportPage& report) {
-  std::string out = "case,class,kind,generator,method,outcome,toi\n";
-  for (const ReportedCase& reported : report.cases) {
-    const Origin& origin = reported.value.origin;
-    for (const ReportedAnswer& answer : reported.answers) {
-      out +=
-          fmt::format("{},{},{},{},{},{},{}\n", csv_field(reported.id), csv_field(origin.contact),
-                      csv_field(origin.kind), csv_field(origin.generator), csv_field(answer.method),
-                      name_of(answer.outcome), optional_text(answer.toi));
-    }
-  }
-  return out;
-}
-
-std::string table_csv(const ReportTable& table) {
-  std::string out;
-  const auto add = [&](const std::vector<std::string>& fields) {
-    for (size_t i = 0; i < fields.size(); ++i) out += (i == 0 ? "" : ",") + csv_field(fields[i]);
-    out += "\n";
-  };
-  add(table.columns);
-  for (const std::vector<std::string>& row : table.rows) add(row);
-  return out;
 }
 
 }  // namespace
@@ -93,23 +46,23 @@ void keep_most_telling(ReportPage& report, std::size_t most) {
   report.cases = std::move(kept);
 }
 
-Result<void> write_report(const ReportPage& report, const std::string& folder, int threads) {
+Result<void> write_report(ReportPage report, const std::string& folder, int threads,
+                          std::size_t most_bytes) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return input_error(folder, "cannot make the folder: " + error.message());
-  if (!report.groups.empty()) {
-    if (auto done = write_file(folder + "/groups.csv", groups_csv(report)); !done) return done;
+  std::string page = report_page(report, threads);
+  while (page.size() > most_bytes && !report.cases.empty()) {
+    // Cases are most of what a page can have too much of; the tenth is for those that are larger.
+    const double share = 0.9 * static_cast<double>(most_bytes) / static_cast<double>(page.size());
+    keep_most_telling(report,
+                      static_cast<std::size_t>(share * static_cast<double>(report.cases.size())));
+    page = report_page(report, threads);
   }
-  if (!report.cases.empty()) {
-    const std::string csv = counterexamples_csv(report);
-    if (auto done = write_file(folder + "/counterexamples.csv", csv); !done) return done;
+  for (const auto& [name, text] : page_csvs(report)) {
+    if (auto done = write_file(folder + "/" + name, text); !done) return done;
   }
-  for (const ReportTable& table : report.tables) {
-    if (auto done = write_file(folder + "/" + table.id + ".csv", table_csv(table)); !done) {
-      return done;
-    }
-  }
-  return write_file(folder + "/index.html", report_page(report, threads));
+  return write_file(folder + "/index.html", page);
 }
 
 }  // namespace ccdfuzz

@@ -8,6 +8,7 @@
 #include "eval/table.hpp"
 #include "eval/tally.hpp"
 #include "query/case.hpp"
+#include "report/scoreboard.hpp"
 
 namespace ccdfuzz {
 
@@ -48,11 +49,21 @@ struct ReportedCase {
   std::string reproduce;       ///< the command that shows it again; may be empty
 };
 
-/// A moment of a hunt.
+/// A moment of a hunt: what there was until then.
 struct HuntSample {
   double seconds = 0;
-  std::uint64_t queries = 0;
+  std::uint64_t queries = 0;  ///< answered and judged
+  std::uint64_t mutants = 0;  ///< bred and traced
   std::uint64_t finds = 0;
+  /// Of each method of the course the least number of ulps by which a contact survived its tests;
+  /// nothing while none was traced.
+  std::vector<std::optional<std::uint64_t>> margins;
+};
+
+/// How a hunt went.
+struct HuntCourse {
+  std::vector<std::string> methods;
+  std::vector<HuntSample> samples;  ///< in order
 };
 
 /// Everything that a page shows. Parts that are empty have no tab in it.
@@ -61,7 +72,8 @@ struct ReportPage {
   std::string command;  ///< that made it
   std::vector<ReportTable> tables;
   std::vector<ReportGroup> groups;
-  std::vector<HuntSample> samples;
+  HuntCourse course;  ///< of a hunt
+  Scoreboard scoreboard;
   /// Of both patches of the positive cases at their contacts, as rms_curvature.
   std::vector<double> curvatures;
   std::vector<ReportedCase> cases;
@@ -70,6 +82,7 @@ struct ReportPage {
 
 /// What a page holds at most, so that it stays small and quick to open.
 inline constexpr std::size_t kMostReportedCases = 5000;
+inline constexpr std::size_t kMostPageBytes = 19'000'000;
 
 /// True iff any method's outcome is a failure: a false negative or positive, or an error.
 bool has_failure(const ReportedCase& reported);
@@ -83,8 +96,12 @@ void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases
 std::string report_page(const ReportPage& report, int threads);
 
 /// Writes folder/index.html, and as tables for programs folder/groups.csv,
-/// folder/counterexamples.csv and one file for each further table, called by its id; each appears
-/// whole or not at all. Makes the folder if need be. Errors: of the system, naming the path.
-Result<void> write_report(const ReportPage& report, const std::string& folder, int threads);
+/// folder/counterexamples.csv, folder/course.csv, folder/scoreboard.csv and
+/// folder/scoreboard-drivers.csv, as far as the page has them, and one file for each further table,
+/// called by its id; each appears whole or not at all. A page of more than most_bytes is made of
+/// fewer cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the
+/// path.
+Result<void> write_report(ReportPage report, const std::string& folder, int threads,
+                          std::size_t most_bytes = kMostPageBytes);
 
 }  // namespace ccdfuzz

@@ -52,6 +52,61 @@ TEST(ReportCommand, ShowsTheFolderOfAnEvaluation) {
   EXPECT_EQ(read_text(folder / "page/groups.csv"), read_text(folder / "again/groups.csv"));
 }
 
+/// The lines of a hunt's record without what is of time or of its own folders.
+std::vector<nlohmann::ordered_json> record_without_times(const std::string& path) {
+  std::vector<nlohmann::ordered_json> rows = json_lines(read_text(path));
+  for (nlohmann::ordered_json& row : rows) {
+    for (const char* key : {"seconds", "cpu_seconds", "command", "store", "path"}) row.erase(key);
+  }
+  return rows;
+}
+
+TEST(ReportCommand, ShowsTheFolderOfAHunt) {
+  const ScratchFolder folder;
+  for (const char* threads : {"1", "2"}) {
+    const std::string own = folder / threads;
+    const Finished hunted =
+        ccdfuzz({"hunt", "--cases", "2", "--methods", "tdibm,tdibm-c", "--max-pops", "10", "--seed",
+                 "3", "--threads", threads, "--corpus", own + "/finds", "--report", own + "/page"});
+    ASSERT_EQ(hunted.code, 0) << hunted.err;
+  }
+  const auto rows = record_without_times(folder / "1/page/hunt.jsonl");
+  EXPECT_EQ(rows, record_without_times(folder / "2/page/hunt.jsonl"))
+      << "a hunt by cases repeats exactly, its course included";
+  EXPECT_EQ(rows[0]["methods"].size(), 2U);
+  EXPECT_EQ(rows.back()["row"], "sample");
+  EXPECT_GT(rows.back()["mutants"], 0);
+  EXPECT_TRUE(rows.back()["margins"][1].is_number_unsigned()) << rows.back();
+
+  const Finished again = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(read_text(folder / "1/page/index.html"), read_text(folder / "again/index.html"));
+  EXPECT_EQ(read_text(folder / "1/page/course.csv"), read_text(folder / "again/course.csv"));
+
+  std::string record = read_text(folder / "1/page/hunt.jsonl");
+  record.replace(record.find("\"n\":"), 4, "\"n\":-");
+  write_text(folder / "1/page/hunt.jsonl", record);
+  const Finished refused = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("hunt.jsonl:2: n: -"));
+}
+
+TEST(ReportCommand, ShowsTheScoreboard) {
+  const ScratchFolder folder;
+  const std::string board = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/results.json";
+  const Finished made = ccdfuzz(
+      {"report", kEntry, "--methods", "tdibm-c", "--scoreboard", board, "-o", folder / "page"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(read_text(folder / "page/scoreboard.csv"), HasSubstr("\nproperties,end.sign,"));
+  EXPECT_THAT(read_text(folder / "page/scoreboard-drivers.csv"), HasSubstr("\nproperties,142,"));
+  write_text(folder / "board.json", "{\"format\": \"else\"}");
+  const Finished refused =
+      ccdfuzz({"report", kEntry, "--scoreboard", folder / "board.json", "-o", folder / "other"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("board.json: format: \"else\""));
+  EXPECT_FALSE(std::filesystem::exists(folder / "other/index.html"));
+}
+
 TEST(ReportCommand, RefusesWhatItCannotRead) {
   const ScratchFolder folder;
   EXPECT_EQ(ccdfuzz({"report", folder / "nothing.json", "-o", folder / "page"}).code, 2);

@@ -7,6 +7,7 @@
 #include "report/report.hpp"
 #include "report/rows.hpp"
 #include "report/template.hpp"
+#include "scratch_folder.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -69,6 +70,34 @@ TEST(ReportPage, NoTextOfACaseEndsTheElementThatHoldsIt) {
   EXPECT_EQ(count(page, "</script>"), count(empty, "</script>") + 1) << "one for the details";
   EXPECT_EQ(data_of(page)["title"], report.title);
   EXPECT_EQ(data_of(page)["cases"][0][0], report.cases[0].id);
+}
+
+TEST(ReportPage, HasTheCourseOfAHuntAndTheScoreboard) {
+  ReportPage report;
+  report.course = {{"tdibm", "trad"}, {{0.5, 10, 100, 1, {3, std::nullopt}}}};
+  report.scoreboard.rows = {{"hunt", "end.sign", "a sign", false, 3, 3, 3, 2, .25, 10, 2, "x"}};
+  const Json data = data_of(report_page(report, 1));
+  EXPECT_EQ(data["course"]["samples"][0], Json::parse("[0.5, 10, 100, 1, [3, null]]"));
+  EXPECT_EQ(data["scoreboard"]["rows"][0]["kill"], true);
+  const Json none = data_of(report_page({}, 1));
+  EXPECT_TRUE(none["course"].is_null() && none["scoreboard"].is_null());
+}
+
+TEST(ReportPage, OfTooManyBytesHasFewerCases) {
+  ReportPage report;
+  for (int i = 0; i < 150; ++i) {
+    report.cases.push_back(reported("VV", Outcome::kMissed));
+    report.cases.back().id = std::to_string(i);
+  }
+  const ScratchFolder folder;
+  const size_t most = report_page({}, 1).size() + 10'000;
+  ASSERT_GT(report_page(report, 1).size(), most);
+  ASSERT_TRUE(write_report(report, folder / "page", 1, most));
+  const std::string page = read_text(folder / "page/index.html");
+  EXPECT_LE(page.size(), most);
+  const size_t kept = data_of(page)["cases"].size();
+  EXPECT_GT(kept, 0U);
+  EXPECT_EQ(data_of(page)["cases_left_out"], 150 - kept);
 }
 
 TEST(ReportPage, IsTheSameWithAnyNumberOfThreads) {

@@ -2,8 +2,10 @@ import './style.css';
 import { cases, report } from './data.js';
 import { h } from './dom.js';
 import { CaseList } from './list.js';
-import { fig5, fig8, fig9, huntFigures } from './figures.js';
+import { fig5, fig8, fig9 } from './figures.js';
+import { huntFigures } from './hunt.js';
 import { overview } from './overview.js';
+import { scoreboard } from './scoreboard.js';
 import { allTables } from './tables.js';
 import { Viewer } from './viewer.js';
 
@@ -43,7 +45,8 @@ const definitions = [
   ['cases', 'Counterexamples', cases.length > 0, fillCases],
   ['figures', 'Figures', report.groups?.length > 0, (panel) => panel.append(h('div.figures', ...fig8(), ...fig5(), ...fig9()))],
   ['tables', 'Tables', report.groups?.length > 0 || report.tables?.length > 0, (panel) => panel.append(...allTables())],
-  ['hunt', 'Hunt', report.samples?.length > 1, (panel) => panel.append(h('div.figures', ...huntFigures()))],
+  ['hunt', 'Hunt', report.course?.samples.length > 1, (panel) => panel.append(h('div.figures', ...huntFigures()))],
+  ['scoreboard', 'Planted faults', report.scoreboard, (panel) => panel.append(...scoreboard())],
 ];
 if (!cases.some((c) => c.failed.length)) definitions[1][1] = 'Cases';
 

@@ -1,36 +1,20 @@
 // One case to watch: patches in 3-D, time, the boxes along the trace, and the exact numbers.
 import { details } from './data.js';
-import { copyButton, h, scientific, ulpsText } from './dom.js';
-import { compare, hexFloat, toNumber, ulpOf, fractionOf, subtract } from './exact.js';
-import { cellCorners, centreOf, localPatches, partOf, real, shapeOf } from './local.js';
+import { copyButton, h, scientific } from './dom.js';
+import { toNumber, ulpOf, fractionOf, subtract } from './exact.js';
+import { cellAt, cellOfPatch, largest, relativeSpeed, unit } from './geometry.js';
+import { centreOf, localPatches, real, shapeOf } from './local.js';
+import { numbersTable } from './numbers.js';
+import { bands, ladder } from './timeline.js';
 import { heightsPlot, marginPlot } from './trace_plots.js';
-import { googleTest } from './snippet.js';
+import { verdict } from './verdict.js';
 import { Stage } from './scene.js';
 import { colourOf } from './colours.js';
 
 const kDeepest = 50;
 
-/** The cell of a level that holds the centre, the lowest one if several do. */
-function cellAt({ kind }, uv, level) {
-  if (kind === 'point') return [0, 0, 0];
-  const size = 1n << BigInt(level);
-  const lowest = ([p, q]) => {
-    const k = (p * size) / q;
-    const exact = k * q === p * size;
-    return exact && k > 0n ? k - 1n : k;
-  };
-  let [i, j] = uv.map(lowest);
-  if (kind !== 'triangle') return [Number(i), kind === 'curve' ? 0 : Number(j), 0];
-  const [[p, q], [r, s]] = uv;
-  const past = (p * s + r * q) * size > (i + j + 1n) * q * s;
-  return [Number(i), Number(j), past ? 1 : 0];
-}
-
 const worth = ({ outcome }) => ['missed', 'late', 'false_positive', 'error'].includes(outcome) ? 0 : 1;
 const failuresFirst = ([, a], [, b]) => worth(a) - worth(b);
-const largest = (controls) => Math.max(0, ...controls.flatMap(({ p }) => p.map(Math.abs)));
-const relativeSpeed = ([a, b]) => Math.hypot(...a.terms[0].v.map((x, k) => x - b.terms[0].v[k]));
-
 export class Viewer {
   constructor(root) {
     this.root = root;
@@ -154,89 +138,27 @@ export class Viewer {
     this.method = method;
     this.level = level;
     this.fillChips();
-    this.fillLadder();
-    this.fillSentence();
-    this.fillNumbers();
+    const trace = this.traceOf(method);
+    const answer = this.details.answers[method];
+    this.ladder.replaceChildren(...ladder(trace, this.details.traces, level, (l) => this.select(method, l)));
+    this.sentence.replaceChildren(...verdict(method, answer, trace, this.centre.t));
+    this.numbers.replaceChildren(numbersTable({
+      known: this.case, centre: this.centre, local: this.local, tMax: this.tMax, method, answer, loss: trace?.loss,
+    }));
     this.setZoom(level);
-  }
-
-  fillLadder() {
-    const trace = this.traceOf(this.method);
-    const deepest = Math.max(14, ...this.details.traces.map((t) => t.levels));
-    const rungs = [];
-    for (let level = 0; level <= deepest; ++level) {
-      const step = trace?.steps.find((s) => s[0] === level);
-      const lost = trace?.loss?.level === level;
-      const gone = trace?.loss && level > trace.loss.level;
-      const margin = step && step[3] !== null ? `, ${ulpsText(step[3])} to spare` : '';
-      const title = lost ? `Level ${level}: the contact is lost here` : gone ? `Level ${level}: not reached` : `Level ${level}${margin}`;
-      rungs.push(h('button', {
-        type: 'button', title, 'aria-label': title,
-        class: `rung ${lost ? 'lost' : gone ? 'gone' : step ? 'kept' : 'idle'}`,
-        'aria-pressed': String(level === this.level),
-        onclick: () => this.select(this.method, level),
-      }, String(level)));
-    }
-    this.ladder.replaceChildren(...rungs);
-  }
-
-  fillSentence() {
-    const answer = this.details.answers[this.method];
-    const trace = this.traceOf(this.method);
-    if (!answer) {
-      this.sentence.textContent = '';
-      return;
-    }
-    const strong = (text) => h('strong', text);
-    const says = {
-      missed: ' says that there is no contact. ', late: ' reports the contact too late. ',
-      false_positive: ' reports a contact that is none. ', correct: ' answers well. ',
-    }[answer.outcome] ?? ` is ${answer.outcome}. `;
-    const parts = [h('b', this.method), says];
-    if (answer.outcome === 'late' && answer.toi !== null) {
-      const late = toNumber(subtract(fractionOf(answer.toi), this.centre.t));
-      parts.push('It is late by ', strong(scientific(late)), '. ');
-    }
-    if (answer.outcome === 'false_positive' && answer.toi !== null) parts.push(`It stops at t = ${answer.toi}. `);
-    const loss = trace?.loss;
-    if (loss) {
-      parts.push('The contact is lost at ', strong(`level ${loss.level}`), ` of ${Math.max(14, trace.levels)}`);
-      if (loss.axis === undefined) parts.push(': no axis claims t*, but what is left of the window leaves it out.');
-      else {
-        parts.push(': ', strong(`axis ${loss.axis}`), ' claims that these two boxes are apart ');
-        const early = wrongEnd(loss, this.centre.t) === 0;
-        if (loss.ulps_past === null) parts.push('for all that is left of the time, the contact included');
-        else if (loss.ulps_past === 0) parts.push(early ? 'already from' : 'until', ' less than ', strong('1 ulp'), early ? ' before it' : ' after it');
-        else parts.push(early ? 'already from ' : 'until ', strong(ulpsText(loss.ulps_past)), early ? ' before it' : ' after it');
-        if (loss.overlap !== null && loss.overlap !== undefined) {
-          const ulps = loss.overlap / loss.height_ulp;
-          parts.push('. In exact arithmetic they ');
-          if (loss.overlap === 0) parts.push(strong('just touch'), ' along it: an overlap of 0, which any rounding error turns into a gap.');
-          else parts.push('overlap along it by ', strong(scientific(loss.overlap)), ', ', strong(ulpsText(ulps)), ' of their heights.');
-        } else parts.push('. The axis is no direction at all: it has run out of the range of doubles.');
-      }
-    } else if (trace) {
-      parts.push(trace.lost ? '' : `The contact is kept through all ${trace.levels} levels`);
-      if (!trace.lost) parts.push(trace.margin ? `, by ${ulpsText(trace.margin.ulps)} at the closest (level ${trace.margin.level}).` : '.');
-    }
-    this.sentence.replaceChildren(...parts);
   }
 
   setZoom(zoom) {
     this.zoomLevel = zoom;
     this.zoom.value = zoom;
     const { patches, uv } = this.local;
-    const controlsOf = (patch, s, level, cell) => {
-      const corners = cellCorners(patch.shape, cell, level, uv[s]);
-      return { corners, controls: partOf(patch, corners) };
-    };
     const parts = patches.map((patch, s) => {
       const cellOf = (level) => this.cellsOf(level)?.[s] ?? cellAt(patch.shape, uv[s], level);
       const boxes = [];
       for (let level = Math.min(this.level, Math.max(0, zoom - 1)); level <= this.level; ++level) {
-        boxes.push({ ...controlsOf(patch, s, level, cellOf(level)), faint: level !== this.level });
+        boxes.push({ ...cellOfPatch(patch, level, cellOf(level), uv[s]), faint: level !== this.level });
       }
-      return { patch, ...controlsOf(patch, s, zoom, cellOf(zoom)), boxes };
+      return { patch, ...cellOfPatch(patch, zoom, cellOf(zoom), uv[s]), boxes };
     });
     const scale = Math.max(...parts.map(({ controls }) => largest(controls))) || 1;
     const speed = relativeSpeed(patches);
@@ -259,7 +181,10 @@ export class Viewer {
     this.scale = scale;
     this.zoomText.textContent = zoom === 0 ? 'whole patches' : `1 : 2^${zoom}`;
     this.scaleText.textContent = `${scientific(scale, 2)} across`;
-    this.drawTrack();
+    this.track.replaceChildren(...bands({
+      range: this.range, step, excluded: this.excluded(), toi: this.details.answers[this.method]?.toi,
+      contact: this.centre.witness, tStar: this.tStar,
+    }));
     this.fillPlots();
     const at = this.centre.witness ? -this.range[0] / (this.range[1] - this.range[0]) : 0;
     this.slider.value = 1000 * at;
@@ -281,8 +206,8 @@ export class Viewer {
     let zoom = 0;
     for (; zoom < kDeepest; ++zoom) {
       const scale = largest(this.local.patches.flatMap((patch, s) => {
-        const cell = cellAt(patch.shape, this.local.uv[s], zoom + 1);
-        return partOf(patch, cellCorners(patch.shape, cell, zoom + 1, this.local.uv[s]));
+        const uv = this.local.uv[s];
+        return cellOfPatch(patch, zoom + 1, cellAt(patch.shape, uv, zoom + 1), uv).controls;
       }));
       if (!(speed > 0) || (0.6 * scale) / speed < 6 * error) break;
     }
@@ -301,25 +226,6 @@ export class Viewer {
     this.timeText.textContent = this.dt === 0 ? `t = ${name} = ${t}` : `t = ${name} ${this.dt < 0 ? '−' : '+'} ${scientific(Math.abs(this.dt))}`;
     this.slider.setAttribute('aria-valuetext', this.timeText.textContent);
     this.plots.style.setProperty('--now', share);
-  }
-
-  /** Bands under the slider: the method's window, what it excludes, the contact, the answer. */
-  drawTrack() {
-    const [lo, hi] = this.range;
-    const place = (dt) => Math.min(100, Math.max(0, (100 * (dt - lo)) / (hi - lo)));
-    const band = (name, [from, to], title) =>
-      h(`span.${name}`, { style: `left:${place(from)}%;width:${Math.max(0.4, place(to) - place(from))}%`, title });
-    const mark = (name, dt, title) => dt >= lo && dt <= hi ? h(`span.${name}`, { style: `left:${place(dt)}%`, title }) : null;
-    const step = this.step();
-    const excluded = this.excluded();
-    const toi = this.details.answers[this.method]?.toi;
-    const marks = [
-      step && band('window', step[1], 'the time that this test starts with'),
-      excluded && band('excluded', excluded, 'the time that the axis excludes'),
-      this.centre.witness && mark('contact', 0, 'the contact, t*'),
-      typeof toi === 'number' && mark('toi', toi - this.tStar, 'the time that the method reports'),
-    ];
-    this.track.replaceChildren(...marks.filter(Boolean));
   }
 
   /** The level's own window and a little more, or where the eye is magnified further, what it sees. */
@@ -347,7 +253,7 @@ export class Viewer {
       const step = this.step();
       const cells = this.cellsOf(this.level);
       const controls = this.local.patches.map((patch, s) =>
-        partOf(patch, cellCorners(patch.shape, cells[s], this.level, this.local.uv[s])));
+        cellOfPatch(patch, this.level, cells[s], this.local.uv[s]).controls);
       const loss = trace.loss?.level === this.level ? trace.loss : null;
       nodes.push(heightsPlot({
         controls,
@@ -363,56 +269,12 @@ export class Viewer {
     this.plots.replaceChildren(...nodes);
   }
 
-  fillNumbers() {
-    const rows = [];
-    const add = (label, ...value) => rows.push(h('tr', h('th', { scope: 'row' }, label), h('td', ...value)));
-    const witness = this.case.truth?.witness;
-    if (witness) {
-      add('t*', h('code', witness.t), ` ≈ ${this.tStar}`);
-      witness.uv.forEach((pair, s) => add(`u, v of patch ${s + 1}`, h('code', pair.join(', '))));
-      add('contact point', h('code', this.local.origin.map((x) => String(x)).join(', ')));
-      if (this.local.apart) add('', 'the two patches differ there');
-    }
-    add('t_max', h('code', hexFloat(this.tMax)), ` = ${this.tMax}`);
-    const answer = this.details.answers[this.method];
-    if (answer?.toi !== null && answer?.toi !== undefined) add(`toi of ${this.method}`, h('code', hexFloat(answer.toi)), ` = ${answer.toi}`);
-    const loss = this.traceOf(this.method)?.loss;
-    if (loss) {
-      add('lost in', `level ${loss.level}, cells ${loss.cells.map(([i, j, inv]) => `(${i}, ${j}${inv ? ', inverted' : ''})`).join(' and ')}`);
-      add('window', h('code', loss.window.map(hexFloat).join(' … ')));
-      if (loss.axis !== undefined) {
-        add(`axis ${loss.axis}`, h('code', loss.direction.map(hexFloat).join(', ')));
-        const [cutLo, cutHi] = loss.cut;
-        add('excluded', h('code', `${cutLo ? '[' : '('}${loss.excluded.map(hexFloat).join(', ')}${cutHi ? ']' : ')'}`),
-          compare(fractionOf(loss.excluded[1]), this.centre.t) === 0 ? ' t* is its end' : ' holds t*');
-        if (loss.overlap !== null) add('exact overlap at t*', `${scientific(loss.overlap, 6)} (an ulp of the heights is ${scientific(loss.height_ulp, 3)})`);
-      }
-      add('left of the window', h('code', loss.left ? loss.left.map(hexFloat).join(' … ') : 'nothing'));
-    }
-    if (this.case.origin?.note) add('note', this.case.origin.note);
-    this.numbers.replaceChildren(h('table', h('tbody', rows)));
-  }
-
   fillButtons() {
     const command = this.details.reproduce || `ccdfuzz query '${this.row.id}'`;
     this.buttons.replaceChildren(
       copyButton('Copy case (JSON)', () => JSON.stringify(this.case)),
       copyButton('Copy command', () => command),
-      copyButton('Copy GoogleTest', () => googleTest(this.row, this.case)),
+      copyButton('Copy GoogleTest', () => this.details.gtest),
       h('code.command', command));
   }
-}
-
-/** Which end of the excluded times is on the wrong side of t*: 0 the first, 1 the last. */
-function wrongEnd({ excluded, cut }, t) {
-  if (cut[0] !== cut[1]) return cut[0] ? 1 : 0;
-  const [from, to] = excluded.map((x) => Math.abs(toNumber(subtract(fractionOf(x), t))));
-  return from < to ? 0 : 1;
-}
-
-function unit(axis) {
-  const most = Math.max(...axis.map(Math.abs));
-  const scaled = axis.map((x) => x / most);
-  const length = Math.hypot(...scaled);
-  return scaled.map((x) => x / length);
 }

@@ -40,7 +40,9 @@ for (const contact of ['FF', 'EF', 'EE', 'VF', 'VE', 'VV']) {
 }
 run('evaluate', ...['FF', 'EF', 'EE', 'VF', 'VE', 'VV'].flatMap((c) => [data(`${c}RP.jsonl`), data(`${c}RN.jsonl`)]),
   '--methods', 'tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-c', '--report', data('evaluation'));
-run('hunt', '--seconds', '2', '--methods', 'tdibm,tdibm-e,tdibm-c', '--max-pops', '2000', '--corpus', data('finds'), '--report', data('hunt'));
+run('hunt', '--seconds', '3', '--shrink', 'none', '--methods', 'tdibm,tdibm-e,tdibm-c', '--max-pops', '2000', '--corpus', data('finds'), '--report', data('hunt-run'));
+run('report', data('hunt-run'), '--scoreboard', join('tests', 'scoreboard', 'results.json'), '-o', data('hunt'));
+run('export', data('one-entry/' + first), '--as', 'gtest', '-o', data('one.cpp'));
 
 // glTF: Khronos' validator finds nothing wrong with it.
 {
@@ -122,7 +124,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   for (const [label, holds] of [
     ['Copy case (JSON)', (t) => JSON.parse(t).format === 'ccdfuzz-case'],
     ['Copy command', (t) => /ccdfuzz query \S+ --methods \S+/.test(t)],
-    ['Copy GoogleTest', (t) => t.includes('TEST(Counterexample,') && t.includes('0x')],
+    ['Copy GoogleTest', (t) => t === readFileSync(data('one.cpp'), 'utf8')],
   ]) {
     const button = tab.locator('button.copy', { hasText: label });
     const handle = await button.elementHandle();
@@ -177,6 +179,49 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   await close();
 }
 
+// A hunt's course and the scoreboard.
+{
+  const { tab, errors, close } = await open('hunt', { viewport: { width: 1120, height: 1000 } }, '#hunt');
+  const { course, scoreboard } = await tab.evaluate(() => JSON.parse(document.getElementById('report').textContent));
+  const figure = (title, what) => tab.$$eval('#panel-hunt figure.card', (all, [t, w]) =>
+    [...(all.find((f) => f.querySelector('h3').innerText === t)?.querySelectorAll(w) ?? [])].map((e) => e.getAttribute('d') ?? Number(e.getAttribute('height'))), [title, what]);
+  for (const title of ['Queries', 'Mutants']) {
+    const bars = await figure(title, '[aria-label=rect] rect');
+    claim(`hunt: ${title} a second has a bar a time`, bars.length > 3 && bars.some((height) => height > 10), bars);
+  }
+  const least = course.samples.at(-1)[4];
+  const known = least.filter((m) => m !== null).length;
+  const margins = await figure('Smallest margins', '[aria-label=line] path');
+  claim('hunt: margins have a line for each method that was traced', known > 0 && margins.length === known, margins.length, least);
+  claim('hunt: counterexamples have their line', (await figure('Counterexamples', '[aria-label=line] path')).some((d) => d.split(',').length > 3));
+  await shot(tab, 'hunt');
+
+  await openTab(tab, 'scoreboard');
+  claim('scoreboard: a row for each driver', (await tab.$$('#drivers tbody tr')).length === scoreboard.drivers.length);
+  const asked = scoreboard.rows.filter((r) => r.fault !== 'none' && !r.equivalent);
+  const dots = await tab.$$eval('#panel-scoreboard svg [aria-label=dot] > *', (all) => all.length);
+  const perFacet = await tab.$$eval('#panel-scoreboard svg [aria-label=dot] circle, #panel-scoreboard svg [aria-label=dot] path', (all) => all.length);
+  claim('scoreboard: a dot for each fault and driver', perFacet === asked.length, perFacet, dots, asked.length);
+  const faults = new Set(scoreboard.rows.filter((r) => r.fault !== 'none').map((r) => r.fault)).size;
+  const rows = () => tab.$$eval('#faults tbody tr', (all) => all.map((r) => r.innerText.split('\t')));
+  claim('scoreboard: a row for each fault', (await rows()).length === faults, (await rows()).length, faults);
+  const missed = asked.filter((r) => r.driver === 'hunt' && !r.kill).length;
+  await tab.selectOption('select[aria-label="Killed or not"]', '-hunt');
+  claim('scoreboard: filters', (await rows()).length === missed, (await rows()).length, missed);
+  await tab.selectOption('select[aria-label="Killed or not"]', '+properties');
+  await tab.focus('#faults th:nth-child(1) button');
+  await tab.keyboard.press('Enter');
+  const names = (await rows()).map((r) => r[0].trim());
+  claim('scoreboard: sorts, by key', names.length > 9 && names.every((n, i) => i === 0 || names[i - 1] <= n), names.slice(0, 5));
+  claim('scoreboard: the sorted column keeps the focus', await tab.evaluate(() => document.activeElement.innerText.startsWith('fault')));
+  await tab.fill('input[aria-label="Fault holds"]', 'no such fault');
+  claim('scoreboard: finds nothing where there is nothing', (await rows()).length === 0);
+  await tab.fill('input[aria-label="Fault holds"]', '');
+  await shot(tab, 'scoreboard', { fullPage: false });
+  claim('hunt: no console error', errors.length === 0, errors);
+  await close();
+}
+
 // Keyboard alone: from the tabs to a case, its levels and its time.
 {
   const { tab, close } = await open('corpus');
@@ -222,6 +267,14 @@ for (const [look, options] of Object.entries({
   await shot(tab, `case-${look}`);
   claim(`${look}: no console error`, errors.length === 0, errors);
   await close();
+  const hunt = await open('hunt', options, '#hunt');
+  for (const one of ['hunt', 'scoreboard']) {
+    await openTab(hunt.tab, one);
+    await shot(hunt.tab, `${one}-${look}`);
+    const over = await hunt.tab.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    claim(`${look}: nothing sticks out of ${one}`, over <= 0, over);
+  }
+  await hunt.close();
 }
 await browser.close();
 console.log(failures === 0 ? 'all as claimed' : `${failures} claims do not hold`);

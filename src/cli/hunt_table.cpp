@@ -1,0 +1,62 @@
+#include "cli/hunt_table.hpp"
+
+#include <fmt/format.h>
+
+namespace ccdfuzz {
+
+Table hunt_table(const std::vector<HuntCell>& cells) {
+  Table table({{"class", Align::kLeft},
+               {"method", Align::kLeft},
+               {"n"},
+               {"mean"},
+               {"FN missed"},
+               {"FN late"},
+               {"FP"},
+               {"undecided"},
+               {"error"},
+               {"mutants"},
+               {"lost"}});
+  const HuntCell* previous = nullptr;
+  for (const HuntCell& cell : cells) {
+    if (previous && previous->contact != cell.contact) table.start_group();
+    previous = &cell;
+    const Tally& tally = cell.tally;
+    const auto count = [&](Outcome outcome, std::uint64_t of) -> TableCell {
+      const bool bad = is_false_negative(outcome) || outcome == Outcome::kError;
+      const std::uint64_t n = tally.count(outcome);
+      return {count_text(n, of), n == 0 ? Emphasis::kFaint
+                                 : bad  ? Emphasis::kBad
+                                        : Emphasis::kPlain};
+    };
+    table.add_row(
+        {{std::string(name_of(cell.contact))},
+         {cell.method},
+         {fmt::format("{}", tally.n)},
+         {tally.n == 0 ? "-" : duration_text(cell.cpu_seconds / static_cast<double>(tally.n))},
+         count(Outcome::kMissed, tally.positives),
+         count(Outcome::kLate, tally.positives),
+         count(Outcome::kFalsePositive, tally.negatives),
+         count(Outcome::kUndecided, tally.n),
+         count(Outcome::kError, tally.n),
+         {fmt::format("{}", cell.bred.mutants)},
+         {count_text(cell.bred.lost, cell.bred.mutants),
+          cell.bred.lost == 0 ? Emphasis::kFaint : Emphasis::kBad}});
+  }
+  return table;
+}
+
+nlohmann::ordered_json cell_json(const HuntCell& cell) {
+  const Tally& tally = cell.tally;
+  nlohmann::ordered_json row = {
+      {"row", "cell"}, {"class", name_of(cell.contact)}, {"method", cell.method},
+      {"n", tally.n},  {"positives", tally.positives},   {"negatives", tally.negatives}};
+  for (const Outcome o : kAllOutcomes) row[std::string(name_of(o))] = tally.count(o);
+  row["cpu_seconds"] = cell.cpu_seconds;
+  row["mutants"] = cell.bred.mutants;
+  row["lost_mutants"] = cell.bred.lost;
+  row["margin_ulps"] = nullptr;
+  if (cell.bred.margin) row["margin_ulps"] = *cell.bred.margin;
+  return row;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,73 @@
+#include "report/scoreboard.hpp"
+
+#include "query/input_bytes.hpp"
+#include "report/json_field.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+ScoreboardDriver scoreboard_driver(const JsonField& row) {
+  ScoreboardDriver d;
+  d.driver = row["driver"].text();
+  d.faults = row["faults"].count();
+  d.reached = row["reached"].count();
+  d.triggered = row["triggered"].count();
+  d.killed = row["killed"].count();
+  if (d.killed > d.faults) row["killed"].refuse("is more than there are faults");
+  d.clean_runs = row["clean_runs"].count();
+  d.false_alarms = row["false_alarms"].count();
+  if (d.false_alarms > d.clean_runs) row["false_alarms"].refuse("is more than there are runs");
+  d.seconds = row["seconds"].amount();
+  d.executions = row["executions"].amount();
+  d.mean_seconds = row["mean_seconds"].amount();
+  d.censored = row["censored"].truth();
+  return d;
+}
+
+ScoreboardRow scoreboard_row(const JsonField& row) {
+  ScoreboardRow r;
+  r.driver = row["driver"].text();
+  r.fault = row["fault"].text();
+  r.what = row["what"].text();
+  r.equivalent = row["equivalent"].truth();
+  r.runs = row["runs"].count();
+  r.reached = row["reached"].count();
+  r.triggered = row["triggered"].count();
+  r.detected = row["detected"].count();
+  if (r.detected > r.runs) row["detected"].refuse("is more than there are runs");
+  r.seconds = row["seconds"].amount();
+  r.executions = row["executions"].amount();
+  r.limit = row["limit"].amount();
+  r.found = row["found"].text();
+  return r;
+}
+
+}  // namespace
+
+Result<Scoreboard> read_scoreboard(const std::string& path) {
+  auto input = open_input(path, false);
+  if (!input) return tl::unexpected(input.error());
+  constexpr size_t kPiece = 1 << 20;
+  std::string text;
+  for (;;) {
+    const Result<std::string> piece = (*input)->read(kPiece);
+    if (!piece) return tl::unexpected(piece.error());
+    if (piece->empty()) break;
+    text += *piece;
+  }
+  Scoreboard board;
+  return read_fields(text, path,
+                     [&](const JsonField& top) {
+                       expect_format(top, "ccdfuzz-scoreboard");
+                       for (const JsonField& row : top["drivers"].items()) {
+                         board.drivers.push_back(scoreboard_driver(row));
+                       }
+                       for (const JsonField& row : top["rows"].items()) {
+                         board.rows.push_back(scoreboard_row(row));
+                       }
+                     })
+      .map([&] { return std::move(board); });
+}
+
+}  // namespace ccdfuzz
