@@ -87,7 +87,7 @@ export class CaseList {
     this.draw();
     this.box.setAttribute('aria-activedescendant', `case-${index}`);
     if (focus) this.box.focus();
-    this.onOpen(cases[index]);
+    this.onOpen(cases[index], this.method.value);
   }
 
   key(event) {

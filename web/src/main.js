@@ -24,9 +24,9 @@ function fillCases(panel) {
   const stage = h('div.case', { id: 'case' });
   panel.append(h('div.cases', side, stage));
   viewer = new Viewer(stage);
-  list = new CaseList(side, (row) => {
+  list = new CaseList(side, (row, method) => {
     history.replaceState(null, '', `#case=${row.index}`);
-    viewer.open(row);
+    viewer.open(row, method);
   });
 }
 

@@ -68,7 +68,8 @@ export class Viewer {
       view('Gap', 'As near as the error is large', () => this.zoomToGap()));
   }
 
-  async open(row) {
+  /** Shows a case; of its methods the one asked for, if it was traced, or else the one that lost most. */
+  async open(row, method) {
     this.row = row;
     const found = await details(row.index);
     if (this.row !== row) return;
@@ -87,7 +88,7 @@ export class Viewer {
     this.tMax = real(this.case.t_max);
     this.fillHead();
     const worst = row.worst ?? {};
-    const trace = this.traceOf(worst.method) ?? found.traces.find((t) => t.lost) ?? found.traces[0];
+    const trace = this.traceOf(method) ?? this.traceOf(worst.method) ?? found.traces.find((t) => t.lost) ?? found.traces[0];
     this.select(trace?.method ?? row.failed[0], trace?.loss?.level ?? 0);
     if (this.stage?.axis) this.stage.lookAcross(this.stage.axis, 0.75);
     else this.stage?.reset();

@@ -264,6 +264,7 @@ for (const [look, options] of Object.entries({
   const before = await tab.innerText('.case-id');
   await tab.click('.item');
   await tab.waitForFunction((b) => document.querySelector('.case-id').innerText !== b, before);
+  claim(`${look}: it is shown of the method asked for`, (await tab.innerText('.sentence b')) === 'tdibm', await tab.innerText('.sentence'));
   await shot(tab, `case-${look}`);
   claim(`${look}: no console error`, errors.length === 0, errors);
   await close();
