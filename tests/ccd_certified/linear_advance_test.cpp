@@ -90,6 +90,29 @@ TEST(LinearAdvance, NeverPassesAContact) {
   EXPECT_GE(10 * reached, contacts);
 }
 
+// The nearest point of a resting triangle is on the edge u + v = 1, at parameters that add up to
+// more when each is rounded.
+TEST(LinearAdvance, StopsAtParametersInTheirDomain) {
+  NormalisedQuery normalised;
+  const MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  MovingPatch<double> face{Shape::triangle(1), {{-1, -1, 0}, {}, {}}, {3, Vec3<double>::Zero()}};
+  Random random = Random::keyed({13});
+  int stopped = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = std::abs(full_double(random)), y = std::abs(full_double(random));
+    face.positions[1] = {x, -y, 0};
+    face.positions[2] = {-x, y, 0};
+    if (i % 2 != 0) face.positions[2] *= 0.25;
+    const Query query{{face, point}, 0};
+    normalise(query, normalised);
+    const Advanced advanced = advance(normalised);
+    if (advanced.kind != Advanced::Kind::kStopped) continue;
+    ++stopped;
+    ASSERT_TRUE(face.shape.contains(advanced.uv[0])) << to_json({query, {}, {}, {}});
+  }
+  EXPECT_GT(stopped, 900);
+}
+
 TEST(LinearAdvance, TakesLinearShapesAlone) {
   EXPECT_TRUE(can_advance(Shape::point(), Shape::triangle(1)));
   EXPECT_FALSE(can_advance(Shape::curve(1), Shape::triangle(1)));

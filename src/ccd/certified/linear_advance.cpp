@@ -4,6 +4,7 @@
 
 #include "ccd/certified/pair_axes.hpp"
 #include "ccd/certified/projection.hpp"
+#include "ccd/next_double.hpp"
 
 namespace ccdfuzz::certified {
 
@@ -104,6 +105,13 @@ std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& 
   }
   const double sum = (of_a + of_b) + of_c;
   return sum > 0 ? std::array{of_b / sum, of_c / sum} : std::array{0.0, 0.0};
+}
+
+/// The parameters of a face's point with these weights of control points 1 and 2, (0, 1) and (1,
+/// 0): inside of its domain, though a weight is rounded. Of 1 − c and of 1 − v one is exact.
+Uv<double> uv_of(double of_b, double of_c) {
+  const double v = std::min(of_b, 1 - of_c);
+  return {of_c, of_c > 1 - v ? next_down(v) : v};
 }
 
 class Advancing {
@@ -211,8 +219,7 @@ class Advancing {
     if (clear_) return;
     const auto [of_b, of_c] = nearest_of_face(a, b, c);
     uv_ = {};
-    // Control points 0, 1, 2 have the parameters (0, 0), (0, 1), (1, 0).
-    uv_[static_cast<size_t>(differences_.face_side)] = {of_c, of_b};
+    uv_[static_cast<size_t>(differences_.face_side)] = uv_of(of_b, of_c);
     follow(plus(a, plus(scaled(ab, of_b), scaled(ac, of_c))));
     const std::array<std::array<const Axis*, 2>, 3> edges = {{{&ab, &a}, {&ac, &a}, {&bc, &b}}};
     for (const auto& [edge, corner] : edges) {

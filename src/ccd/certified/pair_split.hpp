@@ -289,9 +289,10 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
       trim_by_chord(gaps, bounds[k], trimmed);
       if (shared.level < kNewtonLevels) {
         const HeightLines lines(nets, axis(k));
+        const Window by_chord = trimmed;
         for (int sign = 0; sign < 2; ++sign) {
           const bool low = gaps.at_lo[sign] < -bounds[k], high = gaps.at_hi[sign] < -bounds[k];
-          if (low || high) trim_by_newton(lines, bounds[k], sign, low, trimmed);
+          if (low || high) trim_by_newton(lines, bounds[k], sign, low, by_chord, trimmed);
         }
       }
       if constexpr (Observer::kListens) {

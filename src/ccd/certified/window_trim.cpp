@@ -1,5 +1,6 @@
 #include "ccd/certified/window_trim.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace ccdfuzz::certified {
@@ -29,14 +30,19 @@ HeightLines::Gap HeightLines::gap(int below, double t) const {
   return {most - least, slope_of_most - slope_of_least};
 }
 
-bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end, Window& w) {
+bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
+                    const Window& seen, Window& w) {
   constexpr int kSteps = 4;
-  double t = low_end ? w.hi : w.lo;
-  const double end = low_end ? w.lo : w.hi;
+  double t = low_end ? seen.hi : seen.lo;
+  const double end = low_end ? seen.lo : seen.hi;
   for (int step = 0; step < kSteps; ++step) {
     const HeightLines::Gap gap = lines.gap(sign, t);
     if (gap.height < -bound) {
-      (low_end ? w.lo : w.hi) = t;
+      if (low_end) {
+        w.lo = std::max(w.lo, t);
+      } else {
+        w.hi = std::min(w.hi, t);
+      }
       return true;
     }
     // h rises towards the other end, so the tangent there leads back to this one. Aiming half a

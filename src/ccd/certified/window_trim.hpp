@@ -76,7 +76,9 @@ class HeightLines {
 };
 
 /// Moves one end of w inward to a time at which separation is certified again, by Newton's
-/// iteration from the other end. sign: which side is below. Returns false if no step was certified.
-bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end, Window& w);
+/// iteration from the other end of `seen`. sign: which side is below; that both sides look at the
+/// same window is what makes a mirror change nothing. Returns false if no step was certified.
+bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
+                    const Window& seen, Window& w);
 
 }  // namespace ccdfuzz::certified

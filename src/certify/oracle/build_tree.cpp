@@ -146,7 +146,7 @@ class Builder {
       if (!low && !(g.at_hi[sign] < -e)) continue;
       Window w{time(pair.lo), time(pair.hi)};
       trim_by_chord(g, e, w);  // first: the gaps are those at the ends of w
-      trim_by_newton(lines, e, sign, low, w);
+      trim_by_newton(lines, e, sign, low, Window(w), w);
       const double steps = std::ldexp((low ? w.lo : w.hi) / until_, kTimeBits);
       std::uint64_t m = static_cast<std::uint64_t>(
           std::clamp(low ? std::floor(steps) : std::ceil(steps), static_cast<double>(pair.lo),
