@@ -25,7 +25,7 @@ if(CCDFUZZ_FUZZ)
     message(FATAL_ERROR "CCDFUZZ_FUZZ needs clang for libFuzzer, not ${CMAKE_CXX_COMPILER_ID}; "
                         "use the preset: cmake --preset fuzz")
   endif()
-  add_compile_options(-fsanitize=fuzzer-no-link)
+  set(ccdfuzz_guidance -fsanitize=fuzzer-no-link)  # what the targets run tells libFuzzer where it is
   add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 if(CCDFUZZ_COVERAGE)
@@ -40,14 +40,23 @@ set(CMAKE_UNITY_BUILD_BATCH_SIZE 32)
 
 include(cmake/fp_rules.cmake)
 
-# ccdfuzz_library(NAME SOURCES ... DEPENDS ...): one library a folder, so that the layers of the
-# design are also the links of the build.
+# Of what asks, counts and prints; what takes time is elsewhere. It compiles in half the time, under
+# sanitizers in a third.
+set(ccdfuzz_quick_to_compile $<IF:$<CONFIG:Release>,-O1,-O0>)
+
+# ccdfuzz_library(NAME [QUICK] SOURCES ... DEPENDS ...): one library a folder, so that the layers of
+# the design are also the links of the build. QUICK: to compile, and no fuzz target runs it.
 function(ccdfuzz_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "" "SOURCES;DEPENDS" ${ARGN})
   if(ARG_SOURCES)
     add_library(ccdfuzz_${name} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)
     target_link_libraries(ccdfuzz_${name} PRIVATE $<BUILD_INTERFACE:ccdfuzz_warnings>)
+    if(ARG_QUICK)
+      target_compile_options(ccdfuzz_${name} PRIVATE ${ccdfuzz_quick_to_compile})
+    else()
+      target_compile_options(ccdfuzz_${name} PRIVATE ${ccdfuzz_guidance})
+    endif()
   else()
     add_library(ccdfuzz_${name} INTERFACE)
     set(scope INTERFACE)
