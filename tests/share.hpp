@@ -5,11 +5,11 @@
 namespace ccdfuzz {
 
 /// Of the cases of a long test, one in this many is looked at: all where code is optimised, few
-/// under asserts and sanitizers, which take ten times as long.
+/// under asserts and sanitizers, which take ten to thirty times as long.
 #ifdef NDEBUG
 inline constexpr std::size_t kOneIn = 1;
 #else
-inline constexpr std::size_t kOneIn = 8;
+inline constexpr std::size_t kOneIn = 16;
 #endif
 
 }  // namespace ccdfuzz
