@@ -68,6 +68,12 @@ Check check_claims_agree_anywhere(ChoiceSource& choices) {
       }
     }
     query.t_max = static_cast<double>(choices.integer(0, 4));
+    // Their first corners meet, at a time of which they need not say so.
+    if (choices.coin()) {
+      const double t = static_cast<double>(choices.integer(0, 4));
+      auto& [a, b] = query.patches;
+      b.positions[0] = a.positions[0] + (a.velocities[0] - b.velocities[0]) * t;
+    }
   }
   constexpr std::uint64_t kPops = 12;
   return claims_agree(query, kPops);

@@ -44,11 +44,35 @@ bool is_written_alike(const CsvQuery& read) {
   return again && (rounded > 0 || (again->start == read.start && again->end == read.end));
 }
 
-/// Any bytes as a query CSV.
+/// Queries in the layout, one byte of which may be another.
+std::string draw_rows(ChoiceSource& choices, CsvLayout layout) {
+  std::string text;
+  for (std::uint64_t queries = choices.choose(2); queries > 0; --queries) {
+    const std::string_view label = choices.pick(std::array<std::string_view, 3>{"", ",0", ",1"});
+    int points = 0;
+    for (const Shape& shape : csv_shapes(layout)) points += 2 * shape.control_count();
+    for (; points > 0; --points) {
+      for (int k = 0; k < 3; ++k) {
+        const std::int64_t numerator = choices.integer(-9, 9);
+        const int denominator = choices.pick(std::array{1, 2, 4, 3});
+        text += fmt::format("{}{},{}", k == 0 ? "" : ",", numerator, denominator);
+      }
+      text += label;
+      text += '\n';
+    }
+  }
+  if (!text.empty() && choices.coin()) {
+    const std::uint64_t at = choices.choose(text.size() - 1);
+    text[at] = choices.pick(std::array{' ', ',', '0', '-', '#', '\n', '.', '\0'});
+  }
+  return text;
+}
+
+/// Any bytes as a query CSV, and what almost is one.
 Check check_csv(ChoiceSource& choices) {
   constexpr std::size_t kLongest = 1 << 14;
   const CsvLayout layout = choices.pick(kAllCsvLayouts);
-  const std::string text = choices.text(kLongest);
+  const std::string text = choices.coin() ? draw_rows(choices, layout) : choices.text(kLongest);
   const MemoryFile file(text);
   Result<CsvReader> reader = CsvReader::open(file.path(), layout, "");
   if (!reader) return Check::fails("it cannot be opened: " + reader.error().message());
@@ -69,7 +93,7 @@ Check check_csv(ChoiceSource& choices) {
 
 /// A line that is almost what a plug-in should answer.
 std::string draw_line(ChoiceSource& choices) {
-  constexpr std::array<std::string_view, 20> kWords = {
+  constexpr std::array<std::string_view, 21> kWords = {
       "\"id\":7",
       "\"verdict\":\"hit\"",
       "\"verdict\":\"miss\"",
@@ -89,8 +113,9 @@ std::string draw_line(ChoiceSource& choices) {
       "\"fault\":\"hang\"",
       "\"minimum_separation\":-0",
       "\"accepts\":[[{\"shape\":\"curve\",\"max_degree\":99},{\"shape\":\"point\"}]]",
+      "\"accepts\":[[{\"shape\":\"triangle\",\"max_degree\":2},{\"shape\":\"tensor\"}]]",
       "\"message\":\"\\\"NaN"};
-  std::string line = "{\"id\":7";
+  std::string line = choices.coin() ? "{\"id\":7" : "{\"protocol\":1";
   for (std::uint64_t left = choices.choose(6); left > 0; --left) {
     line += ',';
     line += choices.pick(kWords);

@@ -36,6 +36,11 @@ TEST(Import, DecidesExactlyAndListsWrongLabels) {
   EXPECT_EQ((*cases)[0].value.truth.witness->t, Rational(2, 3));
   EXPECT_EQ((*cases)[0].value.origin.more.at("label"), "1");
   EXPECT_EQ((*cases)[1].value.truth.proof, "L");
+  const auto rows = json_lines(ccdfuzz({"import", csv, "-o", out, "--json"}).out);
+  ASSERT_GE(rows.size(), 2U);
+  EXPECT_EQ(rows[1]["query"], csv + ":9");
+  EXPECT_EQ(rows[1]["label"], true);
+  EXPECT_EQ(rows[1]["in_file"], false);
 }
 
 TEST(Import, TellsWhereRoundingChangesTheTruth) {
@@ -114,6 +119,11 @@ TEST(EvaluateLinear, PrintsTable3OfAFolder) {
   EXPECT_EQ(rows[0]["positives"], 2);
   EXPECT_EQ(rows[0]["correct"], 3);
   EXPECT_EQ(rows[2]["in_file"], false);
+  std::vector<std::string> with_page = command;
+  with_page.insert(with_page.end(), {"--report", folder / "page"});
+  EXPECT_EQ(ccdfuzz(with_page).code, 0);
+  EXPECT_THAT(read_text(folder / "page/table-3.csv"), HasSubstr("tdibm-c,"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "page/index.html"));
   EXPECT_EQ(ccdfuzz({"evaluate", "--linear", folder / "scene/vertex-face/0.csv"}).code, 2);
   EXPECT_EQ(ccdfuzz({"evaluate"}).code, 2);
 }

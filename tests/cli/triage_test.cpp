@@ -1,0 +1,69 @@
+// triage and corpus merge: what fuzzers found becomes entries of a corpus.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+
+std::size_t entries_of(const std::string& folder) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    count += entry.path().extension() == ".json" ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(Triage, StoresEachFailureOnceAndShrunk) {
+  const ScratchFolder folder;
+  const std::string drawn = generated(folder, "VV", "RP", 6), finds = folder / "finds";
+  const std::vector<std::string> command = {"triage",    drawn,   "-o",    finds,
+                                            "--methods", "tdibm", "--json"};
+  const auto rows = json_lines(ccdfuzz(command).out);
+  ASSERT_GE(rows.size(), 2U);
+  const auto& summary = rows.back();
+  EXPECT_EQ(summary["inputs"], 6);
+  EXPECT_EQ(summary["finds"], rows.size() - 1);
+  EXPECT_EQ(entries_of(finds), rows.size() - 1);
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
+    EXPECT_EQ(rows[i]["method"], "tdibm");
+    const std::string entry = finds + "/" + rows[i]["address"].get<std::string>() + ".json";
+    EXPECT_LT(read_text(entry).size(), 2000U) << entry;
+  }
+  EXPECT_EQ(ccdfuzz({"replay", finds}).code, 0);
+  const Finished again =
+      ccdfuzz({"triage", drawn, "-o", folder / "new", "--known", finds, "--methods", "tdibm"});
+  EXPECT_THAT(again.out, HasSubstr("; 0 new in "));
+}
+
+TEST(Triage, RefusesWhatIsNoInput) {
+  const ScratchFolder folder;
+  write_text(folder / "bytes", "a");
+  const Finished refused = ccdfuzz({"triage", folder / "bytes", "-o", folder / "finds"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("is neither a case file nor an input of a fuzz target"));
+  const Finished absent = ccdfuzz({"triage", folder / "none", "-o", folder / "finds"});
+  EXPECT_EQ(absent.code, 2);
+  EXPECT_THAT(absent.err, HasSubstr("no such file or folder"));
+}
+
+TEST(CorpusMerge, KeepsOneOfEachFailure) {
+  const ScratchFolder folder;
+  const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
+  ASSERT_EQ(ccdfuzz({"triage", drawn, "-o", finds, "--methods", "tdibm"}).code, 0);
+  std::filesystem::copy(finds, folder / "twin", std::filesystem::copy_options::recursive);
+  const Finished merged =
+      ccdfuzz({"corpus", "merge", finds, folder / "twin", "-o", folder / "all"});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_GT(entries_of(finds), 0U);
+  EXPECT_EQ(entries_of(folder / "all"), entries_of(finds));
+  EXPECT_EQ(ccdfuzz({"corpus", "split", finds, "-o", folder / "all"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"corpus", "merge", "-o", folder / "all"}).code, 2);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
