@@ -87,7 +87,7 @@ class Course {
     const bool whole = !seen.report.detected && seen.report.executions >= executions;
     for (std::size_t f = 0; whole && f < faults_.size(); ++f) {
       const int number = static_cast<int>(f + 1);
-      if (!missing()(faults_[f]) || seen.faults.triggered[number]) continue;
+      if (seen.faults.triggered[number] || known(faults_[f].name, limit_) != nullptr) continue;
       Report decided = seen.report;
       decided.reached = seen.faults.reached[number] ? 1 : 0;
       decided.triggered = 0;

@@ -151,7 +151,9 @@ void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
   const double end = cpu_seconds_used() + limit.cpu_seconds;
   const Step step = step_of(driver, seed);
   DriverRun run;
+  Heartbeat heart;
   while (run.found.empty() && run.executions < limit.executions && cpu_seconds_used() < end) {
+    heart.beat();
     try {
       run.found = step(run.executions);
     } catch (const std::exception& error) {

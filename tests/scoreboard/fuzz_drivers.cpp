@@ -33,6 +33,7 @@ struct FuzzerRun {
   double end = 0;
   std::uint64_t most = 0;
   DriverRun result;
+  Heartbeat heart;
   const std::function<void(const DriverRun&)>* done = nullptr;
 };
 
@@ -102,6 +103,7 @@ std::string check_decoded(std::span<const std::uint8_t> data) {
 int test_one(const std::uint8_t* data, std::size_t size) {
   FuzzerRun& run = current_run();
   const std::span input(data, size);
+  run.heart.beat();
   std::string found;
   try {
     found = run.driver == Driver::kRawFuzzer ? check_raw(input) : check_decoded(input);
@@ -137,7 +139,7 @@ std::size_t begin_anew(std::uint8_t* data, std::size_t max_size, Random& random)
 
 void drive_fuzzer(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                   const std::function<void(const DriverRun&)>& done) {
-  current_run() = {driver, cpu_seconds_used() + limit.cpu_seconds, limit.executions, {}, &done};
+  current_run() = {driver, cpu_seconds_used() + limit.cpu_seconds, limit.executions, {}, {}, &done};
   if (std::freopen("/dev/null", "w", stderr) == nullptr) std::abort();
   std::vector<std::string> words = {"scoreboard",
                                     fmt::format("-seed={}", seed),

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <iostream>
 #include <stdexcept>
 
@@ -38,14 +40,24 @@ Report death(int status, const rusage& usage) {
   died.detected = died.died = true;
   died.seconds = static_cast<double>(usage.ru_utime.tv_sec) +
                  static_cast<double>(usage.ru_utime.tv_usec) * 1e-6;
-  const std::string what = WIFSIGNALED(status)
-                               ? fmt::format("the process ends by signal {}", WTERMSIG(status))
-                               : fmt::format("the process ends by itself: {}", WEXITSTATUS(status));
+  const std::string what = !WIFSIGNALED(status)
+                               ? fmt::format("the process ends by itself: {}", WEXITSTATUS(status))
+                           : WTERMSIG(status) == SIGPROF
+                               ? fmt::format("it hangs: one step takes {} s", Heartbeat::kHang)
+                               : fmt::format("the process ends by signal {}", WTERMSIG(status));
   what.copy(died.found, sizeof died.found - 1);
   return died;
 }
 
 }  // namespace
+
+void Heartbeat::beat() {
+  const double now = cpu_seconds_used();
+  if (now - last_ < 0.1 * kHang) return;
+  last_ = now;
+  const itimerval once{{0, 0}, {static_cast<time_t>(kHang), 0}};
+  setitimer(ITIMER_PROF, &once, nullptr);  // then SIGPROF
+}
 
 Report run_apart(
     int fault, double seconds,
