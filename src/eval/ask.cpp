@@ -15,20 +15,22 @@ Judged failed(const std::exception& error, std::string name) {
 }  // namespace
 
 Judged ask(Method& method, const Case& known, const SearchOptions& options) {
+  Answer answer;
   try {
-    Answer answer = method.answer(known.query, options);
-    const Outcome outcome = judge(known.query, known.truth, answer, method.terms());
-    // A wrong answer to the query itself weighs more.
-    const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
-    if (const auto broken = method.broken_claim(); broken && !wrong) {
-      return failed(*broken, broken->name());
-    }
-    return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
+    answer = method.answer(known.query, options);
   } catch (const MethodFault& fault) {
     return failed(fault, fault.name());
   } catch (const std::exception& error) {
     return failed(error, "exception");
   }
+  // What throws here is no fault of the method.
+  const Outcome outcome = judge(known.query, known.truth, answer, method.terms());
+  // A wrong answer to the query itself weighs more.
+  const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
+  if (const auto broken = method.broken_claim(); broken && !wrong) {
+    return failed(*broken, broken->name());
+  }
+  return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
 }
 
 }  // namespace ccdfuzz

@@ -37,7 +37,8 @@ class Table {
   /// What stands in the rows.
   std::vector<std::vector<std::string>> texts() const;
 
-  /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes.
+  /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes. Control
+  /// characters are shown as in JSON, in Markdown, too.
   std::string to_text(bool colour) const;
   std::string to_markdown() const;
 

@@ -25,6 +25,18 @@ TEST(Table, TextAlignsByCodePointsAndLeavesNoTrailingBlanks) {
             "long name  1000  x\n");
 }
 
+TEST(Table, ShowsControlCharactersAndDoesNotSendThem) {
+  Table table({{"name", Align::kLeft}, {"n"}});
+  table.add_row({{"a\x1b[31m\nb"}, {"1"}});
+  EXPECT_EQ(table.to_text(false),
+            "name            n\n"
+            "a\\u001b[31m\\nb  1\n");
+  EXPECT_EQ(table.to_markdown(),
+            "| name | n |\n"
+            "|:--|--:|\n"
+            "| a\\u001b[31m\\nb | 1 |\n");
+}
+
 TEST(Table, ColourOnlyAddsEscapes) {
   std::string coloured = sample().to_text(true);
   EXPECT_NE(coloured, sample().to_text(false));
