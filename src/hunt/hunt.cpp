@@ -48,7 +48,9 @@ struct Nursery {
 };
 
 /// A hunt by time depends on the clock anyway: no query may hold up its end, or Ctrl-C, for longer
-/// than this. Pops alone do not bound that: one of exact arithmetic on high degrees takes 50 ms.
+/// than this. Pops alone do not bound that: one of exact arithmetic on high degrees takes 50 ms. A
+/// plug-in is told so, and begins nothing new with a query after it; but what it was asked it has
+/// its own time for (seconds=S), so that it may hold up the end for so long besides.
 constexpr double kLongestQuerySeconds = 5;
 
 HuntOptions within_its_time(HuntOptions options) {

@@ -1,7 +1,9 @@
 // A plug-in that claims and answers what its options say: "claims=5:kind=2:tolerance=0.5:
 // separation=0.25:nan=1", and "verdict=1:toi=0.5:uv=0.25:achieved=0.125", where uv is all four
 // parameters. "poisoned=2" is its verdict, at 0, on what is not finite; without, it is as any
-// other; 9: it crashes.
+// other; 8: it hangs; 9: it crashes.
+#include <unistd.h>
+
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -56,6 +58,7 @@ struct Claiming {
     for (auto& uv : answer.uv) uv[0] = uv[1] = number("uv", ccd::kUnknown);
     const std::uint32_t poisoned = whole("poisoned", 0);
     if (poisoned != 0 && !is_finite(query)) {
+      while (poisoned == 8) ::pause();
       if (poisoned == 9) std::raise(SIGSEGV);
       answer.verdict = poisoned;
       answer.toi_lower = 0;

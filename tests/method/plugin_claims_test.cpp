@@ -167,6 +167,54 @@ TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
   EXPECT_EQ(outcome_of(hit(1) + ":nan=1", known), "late");
 }
 
+TEST(PluginClaims, WhoHangsOnWhatIsNotFiniteAgainAndAgainIsAskedNoMore) {
+  const Case known = meeting_at(0.5, 2);
+  auto method = make_method(kClaiming + ":nan=1:poisoned=8:seconds=0.05" + hit(0.5));
+  ASSERT_TRUE(method);
+  for (int i = 0; i < 8; ++i) {
+    const Judged judged = ask(**method, known, {});
+    EXPECT_EQ(judged.error, "hang") << judged.answer.note;
+  }
+  const Judged judged = ask(**method, known, {});
+  EXPECT_EQ(judged.outcome, Outcome::kUndecided);
+  EXPECT_THAT(judged.answer.note, testing::HasSubstr("asked no more"));
+}
+
+TEST(PluginClaims, ThatOverflowAreTheLargestAndOfNoneIsNone) {
+  EXPECT_EQ(
+      outcome_of(hit(2) + ":kind=2:tolerance=1.7e308:separation=1.7e308", meeting_at(2.25, 2)),
+      "correct");
+  // Two points at a distance of 100 that run off the end of double.
+  Case known = meeting_at(2.25, 2);
+  known.truth = {};
+  known.truth.collides = false;
+  known.query.patches[0] = {Shape::point(), {{0, 100, 0}}, {{1.7e308, 0, 0}}};
+  known.query.patches[1] = {Shape::point(), {{0, 0, 0}}, {{1.7e308, 0, 0}}};
+  EXPECT_EQ(outcome_of(hit(2) + ":kind=3", known), "false_positive");
+  EXPECT_EQ(outcome_of(hit(2) + ":kind=3:tolerance=0.1:achieved=0", known), "false_positive");
+  EXPECT_EQ(outcome_of(hit(2) + ":kind=3:tolerance=0.1", known), "correct");
+}
+
+class NotOnItsTerms : public Method {
+ public:
+  Answer answer(const Query& /*query*/, const SearchOptions& /*options*/) override {
+    Answer given;
+    given.verdict = Verdict::kHit;
+    given.toi = 0.5;
+    return given;
+  }
+  AnswerTerms terms() const override {
+    AnswerTerms terms;
+    terms.time_tolerance = std::numeric_limits<double>::infinity();
+    return terms;
+  }
+};
+
+TEST(Ask, DoesNotBlameAMethodForWhatIsBrokenInTheJudge) {
+  NotOnItsTerms method;
+  EXPECT_THROW(ask(method, meeting_at(0.5, 2), {}), InternalError);
+}
+
 TEST(PluginClaims, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
   std::set<std::string> where;
   for (int i = 1; i <= 200; ++i) {

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include "method/method.hpp"
 #include "method/plugin/plugin_method.hpp"
@@ -125,6 +127,14 @@ TEST(Plugin, ThatHangsAgainAndAgainIsAskedNoMore) {
   EXPECT_THAT(answer.note, testing::HasSubstr("asked no more"));
 }
 
+TEST(Plugin, IsAskedNothingMoreOfAQueryOnceItsTimeIsOver) {
+  const auto method = made(kMisbehaving + ":stale:seconds=30");
+  SearchOptions options;
+  options.max_seconds = 0;
+  EXPECT_EQ(method->answer(falling_vertex(), options).verdict, Verdict::kHit);
+  EXPECT_EQ(fault_of(*made(kMisbehaving + ":stale:seconds=30")).first, "stale");
+}
+
 TEST(Plugin, IsToldItsOptionsAndNotThoseOfTheHost) {
   EXPECT_FALSE(make_method(kMisbehaving + ":mb=100:refuse"));
   EXPECT_TRUE(make_method(kMisbehaving + ":refuse:other"));
@@ -200,6 +210,40 @@ TEST(Plugin, LeavesNoProcessBehindThatItStarted) {
   const std::string printed = "it printed: ";
   ASSERT_NE(note.find(printed), std::string::npos) << note;
   EXPECT_FALSE(lives(std::stoi(note.substr(note.find(printed) + printed.size()))));
+}
+
+bool ends_soon(pid_t pid) {
+  for (int i = 0; i < 5000 && lives(pid); ++i) ::usleep(1000);
+  return !lives(pid);
+}
+
+class Murders : public testing::TestWithParam<const char*> {};
+
+TEST_P(Murders, OfWhoWatchesOverAPluginAreKnownAndLeaveNothingBehind) {
+  const std::string whom = GetParam();
+  const auto [name, note] =
+      fault_of(*made(kMisbehavingProgram + ":murder " + whom + ":repeat=no:seconds=15"));
+  EXPECT_EQ(name, "crash SIGKILL") << note;
+  std::istringstream printed(note.substr(note.rfind(':') + 1));
+  std::vector<pid_t> left;
+  for (pid_t pid = 0; printed >> pid;) left.push_back(pid);
+  EXPECT_EQ(left.size(), 2U) << note;
+  for (const pid_t pid : left) {
+    // Of both: nobody is there any more who knows what it has started.
+    EXPECT_TRUE(whom == "both" || ends_soon(pid)) << pid;
+    if (lives(pid)) ::kill(pid, SIGKILL);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Murders, testing::Values("parent", "group", "grandparent", "both"));
+
+TEST(Plugin, EndsAsItDidWhereSigchldIsIgnored) {
+  const auto before = std::signal(SIGCHLD, SIG_IGN);
+  const auto [name, note] = fault_of(*made(kMisbehaving + ":exit:seconds=30"));
+  EXPECT_EQ(name, "exit 7") << note;
+  std::signal(SIGCHLD, SIG_IGN);
+  EXPECT_EQ(fault_of(*made(kMisbehavingProgram + ":exit:seconds=30")).first, "exit 3");
+  std::signal(SIGCHLD, before);
 }
 
 TEST(Plugin, LeavesNoProcessBehind) {

@@ -13,8 +13,9 @@ namespace ccdfuzz {
 
 namespace {
 
-/// After so many hangs one after the other a plug-in is asked no more, so that it cannot take all
-/// of the time of a run by cases.
+/// After so many queries one after the other in which it hangs, be it asked again or with what is
+/// not finite, a plug-in is asked no more, so that it cannot take all of the time of a run by
+/// cases.
 constexpr int kMostHangs = 8;
 
 /// "; tolerance 1e-06 (space), NaN: error", or nothing if it claims nothing out of the ordinary.
@@ -61,6 +62,11 @@ double extent(const Query& query) {
   return largest;
 }
 
+/// A tolerance in a larger unit: of none, none; of what overflows, the largest.
+double scaled(double tolerance, double unit) {
+  return tolerance == 0 ? 0 : std::min(tolerance * unit, std::numeric_limits<double>::max());
+}
+
 bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
   return shape.kind == kind && std::max(shape.n, shape.m) <= max_degree;
 }
@@ -77,6 +83,20 @@ class PluginMethod : public Method {
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
       return none;
     }
+    try {
+      return answer_or_throw(query, options);
+    } catch (const MethodFault& fault) {
+      hangs_ = fault.name() == "hang" ? hangs_ + 1 : 0;
+      throw;
+    }
+  }
+
+  AnswerTerms terms() const override { return terms_; }
+  std::optional<MethodFault> broken_claim() const override { return broken_claim_; }
+  bool runs_elsewhere() const override { return true; }
+
+ private:
+  Answer answer_or_throw(const Query& query, const SearchOptions& options) {
     if (!plugin_->description) throw_fault(plugin_->description.error());
     const std::optional<bool> swapped = order_of(query);
     if (!swapped) {
@@ -88,16 +108,12 @@ class PluginMethod : public Method {
     Query asked = query;
     if (*swapped) std::swap(asked.patches[0], asked.patches[1]);
     PluginAnswer given = ask_unless_killed(asked, options);
+    hangs_ = 0;
     if (*swapped) std::swap(given.answer.uv[0], given.answer.uv[1]);
     terms_ = terms_of(query, given);
     return std::move(given.answer);
   }
 
-  AnswerTerms terms() const override { return terms_; }
-  std::optional<MethodFault> broken_claim() const override { return broken_claim_; }
-  bool runs_elsewhere() const override { return true; }
-
- private:
   /// Whether the patches must be swapped to be as the plug-in takes them; absent if it takes
   /// neither.
   std::optional<bool> order_of(const Query& query) const {
@@ -117,7 +133,6 @@ class PluginMethod : public Method {
   }
 
   [[noreturn]] void throw_fault(const PluginFault& fault) {
-    hangs_ = fault.name == "hang" ? hangs_ + 1 : 0;
     worker_.kill();
     throw MethodFault(fault.name, fault.note);
   }
@@ -146,11 +161,19 @@ class PluginMethod : public Method {
     return ask_and_repeat(query, options);
   }
 
+  /// Where the time of a query is limited, nothing more is asked of it once that is over.
   PluginAnswer ask_and_repeat(const Query& query, const SearchOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto is_over = [&] {
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+      return elapsed.count() >= options.max_seconds;
+    };
     PluginAnswer given = ask_once(query, options);
-    if (!plugin_->spec.repeats) return given;
+    if (!plugin_->spec.repeats || is_over()) return given;
     ask_once(decoy_query(query), options);
+    if (is_over()) return given;
     check_nan_policy(query, options);
+    if (is_over()) return given;
     if (!ask_once(query, options).agrees_with(given)) {
       throw_fault({"stale", "gave the same query two answers, asked again after another"});
     }
@@ -172,9 +195,7 @@ class PluginMethod : public Method {
     if (!worker_.runs()) start();
     const double max_seconds = std::min(options.max_seconds, plugin_->spec.seconds);
     const std::string line = query_request(query, options, max_seconds, ++last_id_);
-    const std::string reply = exchange(line);
-    hangs_ = 0;
-    return read_answer(reply, last_id_, query.t_max);
+    return read_answer(exchange(line), last_id_, query.t_max);
   }
 
   /// Asks the query with one coordinate that is not finite, if the plug-in claims to know what to
@@ -215,10 +236,14 @@ class PluginMethod : public Method {
                           d.tolerance_kind == ToleranceKind::kSpaceRelative;
     double tolerance = d.tolerance;
     if (d.tolerance > 0 && std::isfinite(given.tolerance)) tolerance = given.tolerance;
-    if (d.tolerance_kind == ToleranceKind::kTimeRelative) tolerance *= query.t_max;
-    if (d.tolerance_kind == ToleranceKind::kSpaceRelative) tolerance *= extent(query);
-    if (!std::isfinite(tolerance)) tolerance = std::numeric_limits<double>::max();
-    terms.space_tolerance = d.minimum_separation + (in_space ? tolerance : 0);
+    if (d.tolerance_kind == ToleranceKind::kTimeRelative) {
+      tolerance = scaled(tolerance, query.t_max);
+    }
+    if (d.tolerance_kind == ToleranceKind::kSpaceRelative) {
+      tolerance = scaled(tolerance, extent(query));
+    }
+    terms.space_tolerance = std::min(d.minimum_separation + (in_space ? tolerance : 0),
+                                     std::numeric_limits<double>::max());
     if (!in_space) {
       terms.early_tolerance = tolerance;
       if (!d.conservative) terms.time_tolerance = tolerance;

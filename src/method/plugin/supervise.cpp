@@ -55,9 +55,9 @@ void end_descendants() {
   }
 }
 
-}  // namespace
-
-void continue_in_supervised_child() {
+void continue_below_a_watcher() {
+  // Where it is ignored, which exec hands on, nobody is told that a child has ended.
+  ::signal(SIGCHLD, SIG_DFL);
   sigset_t awaited;
   sigset_t before;
   sigemptyset(&awaited);
@@ -65,11 +65,21 @@ void continue_in_supervised_child() {
   ::sigprocmask(SIG_BLOCK, &awaited, &before);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1);
   ::prctl(PR_SET_PDEATHSIG, SIGHUP);
+  const pid_t watcher = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) std::_Exit(1);
   if (child > 0) supervise(child, awaited);
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != watcher) std::_Exit(1);  // it was gone before that
+}
+
+}  // namespace
+
+void continue_in_supervised_child() {
+  continue_below_a_watcher();
+  ::setpgid(0, 0);  // so that the watcher above is not of it
+  continue_below_a_watcher();
 }
 
 }  // namespace ccdfuzz

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -25,6 +26,8 @@ constexpr size_t kMostPrintedBytes = 1 << 20;  ///< between two questions
 constexpr size_t kKeptPrintedBytes = 300;
 /// How long a process that closed its output may take to die before it is killed.
 constexpr auto kTimeToDie = std::chrono::milliseconds(500);
+/// How long a process may be dead, its output held open by another, before that is noticed.
+constexpr long kMostBetweenLooks = 50;  // ms
 
 [[noreturn]] void system_refused(const char* what, int error) {
   throw std::runtime_error(fmt::format("cannot {}: {}", what, std::strerror(error)));
@@ -51,6 +54,18 @@ struct DescriptorPair {
 void close_descriptor(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
   descriptor = -1;
+}
+
+/// Where SIGCHLD is ignored, which exec hands on, nobody can ask how a child ended. A handler
+/// stays.
+void let_ends_be_known() {
+  struct sigaction action {};
+  ::sigaction(SIGCHLD, nullptr, &action);
+  const bool ignored = action.sa_handler == SIG_IGN;
+  if (!ignored && (action.sa_flags & SA_NOCLDWAIT) == 0) return;
+  if (ignored) action.sa_handler = SIG_DFL;
+  action.sa_flags &= ~SA_NOCLDWAIT;
+  ::sigaction(SIGCHLD, &action, nullptr);
 }
 
 std::string signal_name(int number) {
@@ -85,6 +100,7 @@ void WorkerProcess::start() {
   kill();
   const Result<std::string> program = find_worker_program();
   if (!program) throw std::runtime_error(program.error().message());
+  let_ends_be_known();
   const DescriptorPair questions = DescriptorPair::sockets();
   const DescriptorPair replies = DescriptorPair::pipe();
   const DescriptorPair printed = DescriptorPair::pipe();
@@ -107,7 +123,7 @@ void WorkerProcess::start() {
   posix_spawn_file_actions_adddup2(&files, printed.ends[1], STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // A group of its own: Ctrl-C is for us to handle, and its children end with it.
+  // A group of its own: Ctrl-C is for us to handle.
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
   const int failed =
@@ -166,9 +182,10 @@ tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to
     std::array<pollfd, 3> watched = {{{replies_, POLLIN, 0},
                                       {printed_, POLLIN, 0},
                                       {to_send.empty() ? -1 : questions_, POLLOUT, 0}}};
-    if (::poll(watched.data(), watched.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
-      system_refused("wait for a worker", errno);
-    }
+    const auto wait = static_cast<int>(std::min<long>(left, kMostBetweenLooks));
+    const int ready = ::poll(watched.data(), watched.size(), wait);
+    if (ready < 0 && errno != EINTR) system_refused("wait for a worker", errno);
+    const bool dead = ready == 0 && is_dead();  // before the look at what it wrote
     if (!read_printed()) {
       return tl::unexpected(stopped(
           "output", fmt::format("printed more than {} bytes", kMostPrintedBytes) + last_words()));
@@ -183,7 +200,7 @@ tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to
       return tl::unexpected(stopped(
           "output", fmt::format("answered with a line of more than {} bytes", kMostReplyBytes)));
     }
-    if (!open) return tl::unexpected(ended());
+    if (!open || dead) return tl::unexpected(ended());
   }
 }
 
@@ -232,6 +249,12 @@ PluginFault WorkerProcess::stopped(const std::string& name, const std::string& n
   return {name, note};
 }
 
+bool WorkerProcess::is_dead() const {
+  siginfo_t info{};
+  return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         info.si_pid == pid_;
+}
+
 /// Waits a little. Returns pid_ iff it has ended.
 pid_t WorkerProcess::await_end(int* status, rusage* used) const {
   const auto until = Clock::now() + kTimeToDie;
@@ -242,7 +265,7 @@ pid_t WorkerProcess::await_end(int* status, rusage* used) const {
   return gone;
 }
 
-/// It closed its output: how did it end?
+/// It closed its output, or is dead: how did it end?
 PluginFault WorkerProcess::ended() {
   int status = 0;
   rusage used{};

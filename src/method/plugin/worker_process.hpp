@@ -21,7 +21,8 @@ struct PluginFault {
 
 /// A process that answers lines with lines: the worker that loads a plug-in's library, or a plug-in
 /// that is a program. It has a process group of its own, limited memory, and dies with us, with all
-/// that it has started. Whatever it does, an exchange ends: with its answer or with what it did
+/// that it has started, unless it seeks out and kills both processes that watch over it
+/// (supervise.hpp). Whatever it does, an exchange ends: with its answer or with what it did
 /// instead. For one thread.
 class WorkerProcess {
  public:
@@ -31,7 +32,8 @@ class WorkerProcess {
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
   bool runs() const { return pid_ > 0; }
-  /// Starts it anew. Errors (thrown as std::runtime_error): the system refuses a process.
+  /// Starts it anew. If this process ignores SIGCHLD, it does so no more. Errors (thrown as
+  /// std::runtime_error): the system refuses a process.
   void start();
   /// Ends it, at once and for sure.
   void kill();
@@ -44,6 +46,7 @@ class WorkerProcess {
   using Clock = std::chrono::steady_clock;
 
   tl::expected<std::string, PluginFault> await_reply(std::string to_send, Clock::time_point until);
+  bool is_dead() const;
   PluginFault ended();
   pid_t await_end(int* status, rusage* used) const;
   PluginFault stopped(const std::string& name, const std::string& note);
