@@ -43,7 +43,10 @@ class ExactScene {
       const size_t count = patch.positions.size();
       s.position.resize(count);
       s.velocity.resize(count);
-      if (s.projected.size() < count) s.projected.resize(count);
+      for (Part& part : s.parts) {
+        part.cell.depth = kNoDepth;
+        if (part.points.size() < count) part.points.resize(count);
+      }
       if (net_.size() < count) net_.resize(count);
       for (size_t i = 0; i < count; ++i) {
         for (size_t k = 0; k < 3; ++k) {
@@ -78,10 +81,27 @@ class ExactScene {
   /// Parameters as integers over 2^depth.
   using IntegerUv = std::array<std::int64_t, 2>;
 
+  /// A control point of a cell, times 2^(depth·blossom_steps).
+  struct MovingPoint {
+    Vector position, velocity;
+  };
+
+  /// The control points of a cell that some predicate needed.
+  struct Part {
+    Cell cell;
+    std::array<IntegerUv, 3> corners;
+    std::array<bool, kMaxControls> made;
+    std::vector<MovingPoint> points;
+  };
+  static constexpr int kNoDepth = -1;
+
   struct Side {
     Shape shape;
     std::vector<Vector> position, velocity;
-    std::vector<Int> projected;
+    /// Those asked of last: as many as a split has children, each of which meets all of the other
+    /// side's, on many axes.
+    std::array<Part, 4> parts;
+    size_t oldest = 0;
   };
 
   static Int shift(const Int& x, int by) {
@@ -99,32 +119,43 @@ class ExactScene {
     }
   }
 
-  /// The projections of all control points of the whole patch at time t.
-  void project(Side& side, const Axis& axis, double t) {
-    const DoubleParts parts = parts_of(t);
-    CCDFUZZ_ASSERT(parts.mantissa == 0 || parts.exponent >= units_.time);
-    const std::int64_t time =
-        parts.mantissa == 0 ? 0 : parts.mantissa << (parts.exponent - units_.time);
-    for (size_t i = 0; i < side.position.size(); ++i) {
-      Int sum(0);
-      for (size_t k = 0; k < 3; ++k) {
-        sum += times(side.position[i][k] + times(side.velocity[i][k], time), axis.l[k]);
-      }
-      side.projected[i] = sum;
+  static Part& part_of(Side& side, const Cell& cell) {
+    for (Part& part : side.parts) {
+      if (part.cell == cell) return part;
     }
+    Part& part = side.parts[side.oldest];
+    side.oldest = (side.oldest + 1) % side.parts.size();
+    part.cell = cell;
+    part.made.fill(false);
+    const std::array<Uv<double>, 3> at = cell.corners(side.shape);
+    for (size_t c = 0; c < 3; ++c) {
+      for (size_t k = 0; k < 2; ++k) {
+        part.corners[c][k] = static_cast<std::int64_t>(std::ldexp(at[c][k], cell.depth));
+      }
+    }
+    return part;
+  }
+
+  const MovingPoint& point(const Side& side, Part& part, int i, int j) {
+    const auto at = static_cast<size_t>(side.shape.index(i, j));
+    MovingPoint& out = part.points[at];
+    if (part.made[at]) return out;
+    part.made[at] = true;
+    for (size_t k = 0; k < 3; ++k) {
+      out.position[k] = control(side.shape, side.position, k, part, i, j);
+      out.velocity[k] = control(side.shape, side.velocity, k, part, i, j);
+    }
+    return out;
   }
 
   Int extreme(size_t which, bool maximum, const Cell& cell, const Axis& axis, double t,
               std::span<const std::uint8_t> candidates) {
+    const DoubleParts parts = parts_of(t);
+    CCDFUZZ_ASSERT(parts.mantissa == 0 || parts.exponent >= units_.time);
+    const std::int64_t time =
+        parts.mantissa == 0 ? 0 : parts.mantissa << (parts.exponent - units_.time);
     Side& side = sides_[which];
-    project(side, axis, t);
-    const std::array<Uv<double>, 3> at = cell.corners(side.shape);
-    std::array<IntegerUv, 3> corners;
-    for (size_t c = 0; c < 3; ++c) {
-      for (size_t k = 0; k < 2; ++k) {
-        corners[c][k] = static_cast<std::int64_t>(std::ldexp(at[c][k], cell.depth));
-      }
-    }
+    Part& part = part_of(side, cell);
     Int best(0);
     bool any = false;
     const Shape& shape = side.shape;
@@ -133,7 +164,11 @@ class ExactScene {
       const int columns = shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
       for (int j = 0; j <= columns; ++j) {
         if (candidates[static_cast<size_t>(shape.index(i, j))] == 0) continue;
-        const Int value = control(side, corners, cell.depth, i, j);
+        const MovingPoint& p = point(side, part, i, j);
+        Int value(0);
+        for (size_t k = 0; k < 3; ++k) {
+          value += times(p.position[k] + times(p.velocity[k], time), axis.l[k]);
+        }
         if (!any || (maximum ? value > best : value < best)) best = value;
         any = true;
       }
@@ -142,13 +177,14 @@ class ExactScene {
     return best;
   }
 
-  /// 2^(depth·blossom_steps) times control point (i, j) of the cell, projected: the blossom of the
-  /// projections at i corners of the u end, j of the v end and the origin for the rest, with
+  /// 2^(depth·blossom_steps) times a coordinate of control point (i, j) of the cell: the blossom of
+  /// the patch's at i corners of the u end, j of the v end and the origin for the rest, with
   /// homogeneous parameters (weights of sum 2^depth).
-  Int control(const Side& side, const std::array<IntegerUv, 3>& corners, int depth, int i, int j) {
-    const std::int64_t one = std::int64_t{1} << depth;
-    const Shape& shape = side.shape;
-    std::copy(side.projected.begin(), side.projected.begin() + shape.control_count(), net_.begin());
+  Int control(const Shape& shape, const std::vector<Vector>& controls, size_t coordinate,
+              const Part& part, int i, int j) {
+    const std::array<IntegerUv, 3>& corners = part.corners;
+    const std::int64_t one = std::int64_t{1} << part.cell.depth;
+    for (size_t a = 0; a < controls.size(); ++a) net_[a] = controls[a][coordinate];
     const auto lerp = [&](const Int& p, const Int& q, std::int64_t s) {
       return Int(times(p, one - s) + times(q, s));
     };
