@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kPerFamily = 5, kPerPairOfShapes = 2;
 /// Both forms are templates, slow without optimisation: fewer still are looked at then.
-constexpr std::size_t kComparedOneIn = kOneIn == 1 ? 1 : 4 * kOneIn;
+constexpr std::size_t kComparedOneIn = kOneIn == 1 ? 1 : 2 * kOneIn;
 
 /// Cases of every contact class and family as they stand, and past the contact; then planted
 /// contacts of every pair of shapes.
