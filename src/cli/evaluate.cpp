@@ -137,6 +137,7 @@ std::string progress_note(const AnswerRecord& record) {
 }
 
 Result<void> write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
+                                   const std::vector<std::string>& methods,
                                    const EvaluateArguments& options) {
   ReportPage page;
   page.title = options.files.size() == 1
@@ -145,6 +146,7 @@ Result<void> write_evaluation_page(ReportRows& rows, const std::vector<Generatio
   page.command = fmt::format("{} evaluate … --methods {} --report {}", shell_word(program_name()),
                              options.methods, shell_word(options.page));
   rows.finish(page, costs);
+  page.plugins = plugins_among(methods);
   return write_report(page, options.page, options.threads);
 }
 
@@ -194,7 +196,8 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
     return folder->add(*record);
   });
   if (done) done = folder->finish(costs, figure_5_lines(cases, options.shard));
-  if (done && !flags.page.empty()) done = write_evaluation_page(page, costs, flags);
+  if (done && !flags.page.empty())
+    done = write_evaluation_page(page, costs, options.methods, flags);
   if (done) done = journal->remove();
   if (!done) return tl::unexpected(done.error());
   print_evaluation(folder->groups(), costs, flags.json);
@@ -235,7 +238,7 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
   progress.clear();
   print_evaluation(groups.in_order(), *costs, options.json);
   if (!options.page.empty()) {
-    if (auto done = write_evaluation_page(page, *costs, options); !done) {
+    if (auto done = write_evaluation_page(page, *costs, parsed->methods, options); !done) {
       return tl::unexpected(done.error());
     }
   }

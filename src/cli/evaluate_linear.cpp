@@ -49,8 +49,8 @@ std::string notable_text(const Imported& query) {
                      text(*query.value.truth.collides));
 }
 
-Result<void> write_linear_page(const std::string& folder, const LinearReport& report, int threads,
-                               const std::string& page_folder) {
+Result<void> write_linear_page(const std::string& folder, const LinearReport& report,
+                               const EvaluateOptions& options, const std::string& page_folder) {
   ReportPage page;
   page.title = fmt::format("Linear queries of {}", folder);
   page.command = fmt::format("{} evaluate --linear {} --report {}", shell_word(program_name()),
@@ -61,7 +61,8 @@ Result<void> write_linear_page(const std::string& folder, const LinearReport& re
   }
   page.tables.push_back(
       report_table("table-3", "Table 3. Linear queries", linear_table(report.groups)));
-  return write_report(page, page_folder, threads);
+  page.plugins = plugins_among(options.methods);
+  return write_report(page, page_folder, options.threads);
 }
 
 }  // namespace
@@ -96,7 +97,7 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
         report->queries, wrong, report->labels, report->rounded_values, report->rounded_queries));
   }
   if (!page.empty()) {
-    if (auto done = write_linear_page(folder, *report, options.threads, page); !done) {
+    if (auto done = write_linear_page(folder, *report, options, page); !done) {
       return tl::unexpected(done.error());
     }
   }

@@ -7,6 +7,7 @@
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/course_notes.hpp"
 #include "cli/hunt_page.hpp"
 #include "cli/hunt_table.hpp"
 #include "cli/interrupt.hpp"
@@ -167,7 +168,8 @@ std::string hunt_command(const HuntArguments& options) {
 Result<void> write_hunt_page(const HuntReport& report, const HuntArguments& options,
                              const HuntCourse& course) {
   HuntRecord record{
-      hunt_command(options), options.corpus, report.seconds, report.cells, {}, course};
+      hunt_command(options),        options.corpus, report.seconds, report.cells, {}, course,
+      plugins_among(course.methods)};
   for (const HuntFind& find : report.finds) record.finds.push_back(find.path);
   if (auto done = write_hunt_record(options.page, record); !done) return done;
   const Result<ReportPage> page = hunt_page(record);

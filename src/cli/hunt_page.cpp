@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <filesystem>
 #include <map>
 
 #include "cli/hunt_table.hpp"
@@ -11,8 +13,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-constexpr size_t kMostSamples = 400;
 
 ReportedCase reported_find(const std::string& path, const Case& value, bool is_new) {
   ReportedCase reported;
@@ -26,28 +26,24 @@ ReportedCase reported_find(const std::string& path, const Case& value, bool is_n
   return reported;
 }
 
-}  // namespace
-
-void CourseNotes::note(double seconds, const HuntProgress& progress) {
-  const double at = by_cases_ ? static_cast<double>(steps_++) : seconds;
-  if (at < next_) return;
-  std::vector<HuntSample>& samples = course_.samples;
-  if (samples.size() == kMostSamples) {
-    // Half as many, for twice as long.
-    for (size_t i = 0; 2 * i < samples.size(); ++i) samples[i] = std::move(samples[2 * i]);
-    samples.resize(kMostSamples / 2);
-    step_ *= 2;
-  }
-  samples.push_back(
-      {seconds, progress.queries, progress.mutants, progress.finds, progress.margins});
-  next_ = at + step_;
+/// A page without its finds says where they were.
+void add_absent_finds(const HuntRecord& record, ReportPage& report) {
+  fmt::print(stderr, "ccdfuzz: {}: the store of the hunt is not there; the page shows no find\n",
+             record.store);
+  ReportTable table{
+      "finds", "New counterexamples, not at hand: their store is not there", {"path"}, {}};
+  for (const std::string& path : record.finds) table.rows.push_back({path});
+  report.tables.push_back(std::move(table));
 }
+
+}  // namespace
 
 Result<ReportPage> hunt_page(const HuntRecord& record) {
   ReportPage report;
   report.title = fmt::format("Hunt of {:.0f} s", record.seconds);
   report.command = record.command;
   report.course = record.course;
+  report.plugins = record.plugins;
   for (const HuntCell& cell : record.cells) {
     ReportGroup group{
         std::string(name_of(cell.contact)), "", std::nullopt, cell.method, cell.tally, {}};
@@ -56,6 +52,10 @@ Result<ReportPage> hunt_page(const HuntRecord& record) {
   }
   report.tables.push_back(
       report_table("hunt", "What the hunt asked, bred and lost", hunt_table(record.cells)));
+  if (std::error_code error; !std::filesystem::is_directory(record.store, error)) {
+    add_absent_finds(record, report);
+    return report;
+  }
   const Result<std::vector<std::string>> paths = list_entries(record.store);
   if (!paths) return tl::unexpected(paths.error());
   if (!paths->empty()) {

@@ -31,7 +31,6 @@ std::optional<std::uint64_t> optional_count(const JsonField& field) {
 HuntCell cell_of(const JsonField& row) {
   HuntCell cell;
   cell.method = row["method"].text();
-  if (const auto info = method_info(cell.method); !info) row["method"].refuse(info.error().what);
   const auto contact = contact_class_named(row["class"].text());
   if (!contact) row["class"].refuse("is no contact class");
   cell.contact = *contact;
@@ -74,16 +73,42 @@ void read_head(const JsonField& row, HuntRecord& record) {
   }
 }
 
-void read_row(const JsonField& row, HuntRecord& record) {
+MethodInfo plugin_of(const JsonField& row) {
+  MethodInfo info;
+  info.spec = row["method"].text();
+  info.source = row["source"].text();
+  info.description = row["description"].text();
+  info.claims_no_false_negative = row["claims_no_false_negative"].truth();
+  return info;
+}
+
+/// The store and what was found in it as they stand seen from here: as the hunt was told, unless
+/// the record has been moved and the store with it. from_record: the way from one to the other.
+void follow_store(const std::string& folder, const std::string& from_record, HuntRecord& record) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path beside = fs::canonical(fs::path(folder) / from_record, error);
+  if (error || fs::equivalent(beside, record.store, error)) return;
+  for (std::string& path : record.finds) {
+    path = (beside / fs::path(path).lexically_relative(record.store)).string();
+  }
+  record.store = beside.string();
+}
+
+void read_row(const JsonField& row, HuntRecord& record, std::string& from_record) {
   const std::string& kind = row["row"].text();
-  if (kind == "cell") {
+  if (kind == "store") {
+    from_record = row["from_record"].text();
+  } else if (kind == "plugin") {
+    record.plugins.push_back(plugin_of(row));
+  } else if (kind == "cell") {
     record.cells.push_back(cell_of(row));
   } else if (kind == "find") {
     record.finds.push_back(row["path"].text());
   } else if (kind == "sample") {
     record.course.samples.push_back(sample_of(row, record.course.methods.size()));
   } else {
-    row["row"].refuse("is none of \"cell\", \"find\" and \"sample\"");
+    row["row"].refuse("is none of \"store\", \"plugin\", \"cell\", \"find\" and \"sample\"");
   }
 }
 
@@ -108,6 +133,15 @@ Result<void> write_hunt_record(const std::string& folder, const HuntRecord& reco
        {"seconds", record.seconds},
        {"methods", record.course.methods}});
   for (const HuntCell& cell : record.cells) add(cell_json(cell));
+  const std::filesystem::path way = std::filesystem::proximate(record.store, folder, error);
+  if (!error) add({{"row", "store"}, {"from_record", way.string()}});
+  for (const MethodInfo& info : record.plugins) {
+    add({{"row", "plugin"},
+         {"method", info.spec},
+         {"source", info.source},
+         {"description", info.description},
+         {"claims_no_false_negative", info.claims_no_false_negative}});
+  }
   for (const std::string& path : record.finds) add({{"row", "find"}, {"path", path}});
   for (const HuntSample& sample : record.course.samples) add(sample_json(sample));
   return write_file(hunt_record_path(folder), lines);
@@ -118,15 +152,17 @@ Result<HuntRecord> read_hunt_record(const std::string& folder) {
   std::ifstream file(path);
   if (!file) return system_error(path, "read", errno);
   HuntRecord record;
+  std::string from_record;
   size_t number = 0;
   for (std::string line; std::getline(file, line);) {
     const std::string where = fmt::format("{}:{}", path, ++number);
     const auto read = read_fields(line, where, [&](const JsonField& row) {
-      number == 1 ? read_head(row, record) : read_row(row, record);
+      number == 1 ? read_head(row, record) : read_row(row, record, from_record);
     });
     if (!read) return tl::unexpected(read.error());
   }
   if (number == 0) return input_error(path, "is empty");
+  if (!from_record.empty()) follow_store(folder, from_record, record);
   return record;
 }
 

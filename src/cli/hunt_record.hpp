@@ -16,17 +16,19 @@ struct HuntRecord {
   std::vector<HuntCell> cells;
   std::vector<std::string> finds;  ///< paths of the new counterexamples
   HuntCourse course;
+  std::vector<MethodInfo> plugins;  ///< among the methods
 };
 
 /// FOLDER/hunt.jsonl: one JSON object a line, {"format": "ccdfuzz-hunt", "version": 1, "command",
-/// "store", "seconds", "methods"} first, then rows "cell", "find" and "sample". Not .json, so that
-/// a folder that is a corpus, too, has no entry more.
+/// "store", "seconds", "methods"} first, then rows "cell", "store", "plugin", "find" and "sample".
+/// Not .json, so that a folder that is a corpus, too, has no entry more.
 std::string hunt_record_path(const std::string& folder);
 
 /// Makes the folder if need be. Errors: of the system, naming the path.
 Result<void> write_hunt_record(const std::string& folder, const HuntRecord& record);
 
-/// Errors: naming file, line, field and value.
+/// Runs no method, and needs none that it names. A store that has been moved along with the record
+/// is found beside it. Errors: naming file, line, field and value.
 Result<HuntRecord> read_hunt_record(const std::string& folder);
 
 }  // namespace ccdfuzz

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <list>
 #include <map>
+#include <set>
 
 #include "certify/checker/check_truth.hpp"
 #include "cli/command.hpp"
@@ -86,6 +87,11 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
       },
       &interrupted);
   if (!read) return tl::unexpected(read.error());
+  std::set<std::string> expected;
+  for (const ReportedCase& reported : report.cases) {
+    for (const ReportedAnswer& answer : reported.answers) expected.insert(answer.method);
+  }
+  report.plugins = plugins_among({expected.begin(), expected.end()});
   keep_most_telling(report);
   return report;
 }
@@ -117,6 +123,7 @@ Result<ReportPage> report_data_set(const ReportArguments& options,
       &interrupted);
   ReportPage report;
   report.title = fmt::format("Evaluation of {}", options.source);
+  report.plugins = plugins_among(asked.methods);
   rows.finish(report, *record ? (*record)->costs : std::vector<GenerationCost>());
   return report;
 }

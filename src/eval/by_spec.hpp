@@ -13,14 +13,19 @@ namespace ccdfuzz {
 template <class T, Result<std::unique_ptr<T>> (*make)(const std::string& spec)>
 class BySpec {
  public:
-  /// Requires a spec that parse_method_list accepted.
-  T& operator[](const std::string& spec) {
+  /// Null where there is none for this spec: a plug-in has no tracer.
+  T* find(const std::string& spec) {
     std::unique_ptr<T>& one = made_[spec];
     if (!one) {
-      Result<std::unique_ptr<T>> made = make(spec);
-      CCDFUZZ_VERIFY(made.has_value());
-      one = std::move(*made);
+      if (Result<std::unique_ptr<T>> made = make(spec)) one = std::move(*made);
     }
+    return one.get();
+  }
+
+  /// Requires a spec that make accepts: of methods, one that parse_method_list accepted.
+  T& operator[](const std::string& spec) {
+    T* const one = find(spec);
+    CCDFUZZ_VERIFY(one != nullptr);
     return *one;
   }
 

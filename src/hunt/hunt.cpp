@@ -25,6 +25,9 @@ constexpr std::uint64_t kMutantsPerDraw = 16;
 /// Draws that such a population begins with.
 constexpr std::uint64_t kFounders = 64;
 
+/// Of a hunt by cases; the rest of it goes by the populations bred.
+constexpr double kDrawingShare = 0.5;
+
 /// What one method said of one draw.
 struct Turn {
   size_t cell = 0;
@@ -97,6 +100,7 @@ class Hunt {
       report_.error = finds.error();
     }
     report_.seconds = elapsed();
+    show(1);
     return std::move(report_);
   }
 
@@ -193,9 +197,10 @@ class Hunt {
       TracerSet tracers;
     };
     tbb::enumerable_thread_specific<Workshop> workshops;
+    const std::uint64_t populations = options_.shard.size(report_.cells.size());
     size_t recorded = 0;
     run_in_order<std::vector<Found>>(
-        options_.shard.size(report_.cells.size()), options_.threads,
+        populations, options_.threads,
         [&](size_t k) {
           const std::uint64_t cell = options_.shard.item(k);
           Workshop& workshop = workshops.local();
@@ -211,7 +216,8 @@ class Hunt {
           const std::uint64_t cell = options_.shard.item(recorded++);
           for (const Found& found : all) offer(report_.cells[cell].method, found);
           count_bred(cell);
-          show(1);
+          show(kDrawingShare + (1 - kDrawingShare) * static_cast<double>(recorded) /
+                                   static_cast<double>(populations));
           if (stop_) ended_ = true;
         },
         &ended_);
@@ -247,7 +253,7 @@ class Hunt {
           for (const Turn& turn : answered.turns) record(turn, answered.drawn);
           ++report_.cases;
           report_.draw_cpu_seconds += answered.draw_cpu_seconds;
-          show(static_cast<double>(report_.cases) / static_cast<double>(total));
+          show(kDrawingShare * static_cast<double>(report_.cases) / static_cast<double>(total));
           if (stop_) ended_ = true;
         },
         &ended_);

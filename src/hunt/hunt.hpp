@@ -70,7 +70,7 @@ struct HuntReport {
 
 /// What to show while the hunt runs.
 struct HuntProgress {
-  double share = 0;
+  double share = 0;           ///< 1 at its end, with all that was found
   std::uint64_t queries = 0;  ///< answered and judged
   std::uint64_t mutants = 0;
   std::uint64_t finds = 0;

@@ -107,8 +107,9 @@ Triage::Signature Triage::signature_of(const std::string& method, const Case& va
 
 std::string Triage::loss_of(const std::string& method, const Case& value) {
   const std::optional<Witness>& witness = value.truth.witness;
-  if (!witness || witness->t > exact(value.query.t_max) || !make_tracer(method)) return "";
-  return loss_signature(tracers_[method].trace(value.query, *witness, {}));
+  if (!witness || witness->t > exact(value.query.t_max)) return "";
+  Tracer* const tracer = tracers_.find(method);
+  return tracer ? loss_signature(tracer->trace(value.query, *witness, {})) : "";
 }
 
 void Triage::complete(Case& value) {

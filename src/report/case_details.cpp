@@ -144,9 +144,11 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
     outcomes[static_cast<size_t>(at - methods.begin())] = letter_of(answer.outcome);
     answers[answer.method] = {{"outcome", name_of(answer.outcome)}, {"toi", or_null(answer.toi)}};
     if (!traceable || (failed && !trace_all && !is_failure(answer.outcome))) continue;
+    Tracer* const tracer = tracers.find(answer.method);
+    if (!tracer) continue;  // a plug-in, of which nothing is seen but its answer
     const TraceOptions options{reported.precision, false, true};
-    traces.push_back(trace_json(known, answer.method,
-                                tracers[answer.method].trace(known.query, *witness, options)));
+    traces.push_back(
+        trace_json(known, answer.method, tracer->trace(known.query, *witness, options)));
     const Json& trace = traces.back();
     if (is_failure(answer.outcome) && worst.is_null() && trace.contains("loss")) {
       worst = worst_json(answer.method, trace["loss"]);

@@ -17,7 +17,7 @@ struct CaseText {
 };
 
 /// Traces the witness of the case, if it has one within t_max, through every method that has failed
-/// on it; with trace_all, or if none has, through all that were asked.
+/// on it; with trace_all, or if none has, through all that were asked; not through plug-ins.
 /// The row: [id, class, kind, generator, outcomes, new, worst], with a letter for each method in
 /// `outcomes` (letter_of; "-" where it was not asked) and `worst` the first loss of a method that
 /// has failed, [method, level, axis, ulps in time or null, ulps in height or null], or null.

@@ -6,6 +6,7 @@
 
 #include "eval/in_order.hpp"
 #include "eval/paper_rates.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "numeric/verify.hpp"
 #include "query/taxonomy.hpp"
 #include "report/case_details.hpp"
@@ -29,6 +30,7 @@ constexpr size_t kFewCases = 200;
 /// Where the family of a method stands among those registered; those unknown come last.
 size_t rank_of_method(const std::string& method) {
   const std::vector<MethodInfo>& all = registered_methods();
+  if (names_plugin(method)) return all.size();
   const Result<MethodInfo> info = method_info(method);
   if (!info) return all.size();
   const auto at = std::ranges::find(all, info->spec, &MethodInfo::spec);
@@ -50,11 +52,20 @@ std::vector<std::string> methods_of(const ReportPage& report) {
   return methods;
 }
 
-Json methods_json(const std::vector<std::string>& methods) {
+/// Without asking a plug-in.
+std::optional<MethodInfo> known_info(const ReportPage& report, const std::string& method) {
+  const auto plugin = std::ranges::find(report.plugins, method, &MethodInfo::spec);
+  if (plugin != report.plugins.end()) return *plugin;
+  if (names_plugin(method)) return std::nullopt;
+  const Result<MethodInfo> info = method_info(method);
+  return info ? std::optional(*info) : std::nullopt;
+}
+
+Json methods_json(const ReportPage& report, const std::vector<std::string>& methods) {
   Json rows = Json::array();
   for (const std::string& method : methods) {
     Json row = {{"spec", method}};
-    if (const Result<MethodInfo> info = method_info(method)) {
+    if (const std::optional<MethodInfo> info = known_info(report, method)) {
       row["source"] = info->source;
       row["description"] = info->description;
       row["claims"] = info->claims_no_false_negative;
@@ -198,7 +209,7 @@ std::string report_page(const ReportPage& report, int threads) {
                      {"version", 1},
                      {"title", report.title},
                      {"command", report.command},
-                     {"methods", methods_json(methods)},
+                     {"methods", methods_json(report, methods)},
                      {"groups", groups},
                      {"paper", paper_json(methods)},
                      {"tables", tables},

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "eval/table.hpp"
+#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 
@@ -104,9 +107,17 @@ std::vector<std::pair<std::string, std::string>> page_csvs(const ReportPage& rep
     files.emplace_back("scoreboard-drivers.csv", drivers_csv(report.scoreboard));
   }
   for (const ReportTable& table : report.tables) {
+    CCDFUZZ_VERIFY(std::ranges::find(kReportTableIds, table.id) != kReportTableIds.end());
     files.emplace_back(table.id + ".csv", table_csv(table));
   }
   return files;
+}
+
+std::vector<std::string> all_page_csv_names() {
+  std::vector<std::string> names = {"groups.csv", "counterexamples.csv", "course.csv",
+                                    "scoreboard.csv", "scoreboard-drivers.csv"};
+  for (const std::string_view id : kReportTableIds) names.push_back(std::string(id) + ".csv");
+  return names;
 }
 
 }  // namespace ccdfuzz

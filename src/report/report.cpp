@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 
+#include "method/plugin/plugin_spec.hpp"
 #include "query/output_file.hpp"
 #include "report/page_tables.hpp"
 
@@ -23,6 +24,15 @@ std::string sort_of(const ReportedCase& reported) {
 }
 
 }  // namespace
+
+std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods) {
+  std::vector<MethodInfo> infos;
+  for (const std::string& method : methods) {
+    if (!names_plugin(method)) continue;
+    if (Result<MethodInfo> info = method_info(method)) infos.push_back(*std::move(info));
+  }
+  return infos;
+}
 
 ReportTable report_table(const std::string& id, const std::string& title, const Table& table) {
   return {id, title, table.titles(), table.texts()};
@@ -59,8 +69,14 @@ Result<void> write_report(ReportPage report, const std::string& folder, int thre
                       static_cast<std::size_t>(share * static_cast<double>(report.cases.size())));
     page = report_page(report, threads);
   }
+  std::vector<std::string> stale = all_page_csv_names();
   for (const auto& [name, text] : page_csvs(report)) {
     if (auto done = write_file(folder + "/" + name, text); !done) return done;
+    std::erase(stale, name);
+  }
+  for (const std::string& name : stale) {
+    std::filesystem::remove(folder + "/" + name, error);
+    if (error) return system_error(folder + "/" + name, "remove", error.value());
   }
   return write_file(folder + "/index.html", page);
 }

@@ -1,24 +1,33 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "eval/table.hpp"
 #include "eval/tally.hpp"
+#include "method/method.hpp"
 #include "query/case.hpp"
 #include "report/scoreboard.hpp"
 
 namespace ccdfuzz {
 
+inline constexpr std::array<std::string_view, 4> kReportTableIds = {"finds", "hunt", "table-3",
+                                                                    "table-4"};
+
 /// A table of texts, shown as it is.
 struct ReportTable {
-  std::string id;     ///< [a-z0-9-]+
+  std::string id;     ///< of kReportTableIds
   std::string title;  ///< one line
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< each as long as columns
 };
+
+/// What the plug-ins among the methods say that they are; those start for it that did not before.
+std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods);
 
 ReportTable report_table(const std::string& id, const std::string& title, const Table& table);
 
@@ -72,6 +81,8 @@ struct ReportPage {
   std::string command;  ///< that made it
   std::vector<ReportTable> tables;
   std::vector<ReportGroup> groups;
+  /// What is known of the plug-ins among the methods: to make a page starts none of them.
+  std::vector<MethodInfo> plugins;
   HuntCourse course;  ///< of a hunt
   Scoreboard scoreboard;
   /// Of both patches of the positive cases at their contacts, as rms_curvature.
@@ -98,7 +109,8 @@ std::string report_page(const ReportPage& report, int threads);
 /// Writes folder/index.html, and as tables for programs folder/groups.csv,
 /// folder/counterexamples.csv, folder/course.csv, folder/scoreboard.csv and
 /// folder/scoreboard-drivers.csv, as far as the page has them, and one file for each further table,
-/// called by its id; each appears whole or not at all. A page of more than most_bytes is made of
+/// called by its id; each appears whole or not at all, and those of them that an earlier page had
+/// and this one has not are removed. A page of more than most_bytes is made of
 /// fewer cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the
 /// path.
 Result<void> write_report(ReportPage report, const std::string& folder, int threads,

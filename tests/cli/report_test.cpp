@@ -9,6 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json";
+const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
 TEST(ReportCommand, ShowsAFileOfCases) {
   const ScratchFolder folder;
@@ -89,6 +90,63 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
   const Finished refused = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("hunt.jsonl:2: n: -"));
+}
+
+TEST(ReportCommand, ShowsAPluginsAnswers) {
+  const ScratchFolder folder;
+  const Finished evaluated =
+      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c," + kPlugin, "--report", folder / "page"});
+  EXPECT_EQ(evaluated.code, 0) << evaluated.err;
+  EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"" + kPlugin + "\""));
+  std::filesystem::create_directories(folder / "corpus");
+  nlohmann::ordered_json entry = nlohmann::ordered_json::parse(read_text(kEntry));
+  entry["expect"] = {{"tdibm-c", "correct"}, {kPlugin, "missed"}};
+  write_text(folder / "corpus/entry.json", entry.dump());
+  const Finished made = ccdfuzz({"report", folder / "corpus", "-o", folder / "page"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(read_text(folder / "page/counterexamples.csv"), HasSubstr(kPlugin + ",missed,"));
+}
+
+TEST(ReportCommand, OfAHuntNeedsNeitherItsPluginsNorTheFolderItRanIn) {
+  const ScratchFolder folder;
+  std::filesystem::copy(CCDFUZZ_TEST_NAIVE_PLUGIN, folder / "libmine.so");
+  const Finished hunted =
+      shell(fmt::format("cd {} && $ccdfuzz hunt --cases 1 --shrink none --methods "
+                        "plugin:./libmine.so --corpus finds --report page",
+                        folder.path()));
+  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  std::filesystem::remove(folder / "libmine.so");
+  const Finished again = ccdfuzz({"report", folder / "page", "-o", folder / "again"});
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(read_text(folder / "page/groups.csv"), read_text(folder / "again/groups.csv"));
+  EXPECT_THAT(read_text(folder / "again/counterexamples.csv"),
+              HasSubstr("plugin:./libmine.so,missed,"));
+
+  std::filesystem::rename(folder / "finds", folder / "elsewhere");
+  const Finished without = ccdfuzz({"report", folder / "page", "-o", folder / "again"});
+  EXPECT_EQ(without.code, 0) << without.err;
+  EXPECT_THAT(without.err, HasSubstr("finds: the store of the hunt is not there"));
+  EXPECT_THAT(read_text(folder / "again/finds.csv"), HasSubstr("\nfinds/"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "again/counterexamples.csv"));
+}
+
+TEST(ReportCommand, ShowsTheEndOfAHuntByTime) {
+  const ScratchFolder folder;
+  const Finished hunted =
+      ccdfuzz({"hunt", "--seconds", "0.3", "--methods", "tdibm,tdibm-c", "--max-pops", "10",
+               "--corpus", folder / "finds", "--report", folder / "page"});
+  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  std::uint64_t queries = 0, mutants = 0, finds = 0;
+  const auto rows = json_lines(read_text(folder / "page/hunt.jsonl"));
+  for (const nlohmann::ordered_json& row : rows) {
+    finds += row.value("row", "") == "find" ? 1 : 0;
+    if (row.value("row", "") != "cell") continue;
+    queries += row["n"].get<std::uint64_t>();
+    mutants += row["mutants"].get<std::uint64_t>();
+  }
+  EXPECT_EQ(rows.back()["queries"], queries);
+  EXPECT_EQ(rows.back()["mutants"], mutants);
+  EXPECT_EQ(rows.back()["finds"], finds);
 }
 
 TEST(ReportCommand, ShowsTheScoreboard) {

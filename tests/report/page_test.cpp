@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "report/pack.hpp"
 #include "report/report.hpp"
@@ -81,6 +83,39 @@ TEST(ReportPage, HasTheCourseOfAHuntAndTheScoreboard) {
   EXPECT_EQ(data["scoreboard"]["rows"][0]["kill"], true);
   const Json none = data_of(report_page({}, 1));
   EXPECT_TRUE(none["course"].is_null() && none["scoreboard"].is_null());
+}
+
+TEST(ReportPage, OfPluginsThatAreGoneHasAllButTheirTraces) {
+  ReportPage report;
+  const std::string gone = "plugin:./gone.so", known = "plugin-exec:./known";
+  report.cases = {reported("VV", Outcome::kMissed)};
+  report.cases[0].answers.push_back({gone, Outcome::kMissed, std::nullopt});
+  report.cases[0].answers.push_back({known, Outcome::kCorrect, 0.5});
+  report.plugins = {{known, "./known", "mine 1.0", true}};
+  const Json data = data_of(report_page(report, 1));
+  EXPECT_EQ(data["methods"][0]["spec"], "tdibm");
+  EXPECT_EQ(data["methods"][1], Json::parse(R"({"spec": "plugin-exec:./known", "source": "./known",
+                                    "description": "mine 1.0", "claims": true})"));
+  EXPECT_EQ(data["methods"][2], (Json{{"spec", gone}}));
+  EXPECT_EQ(data["cases"][0][4], "mcm");
+}
+
+TEST(ReportPage, TakesThePlaceOfAnEarlierOneWithItsTables) {
+  ReportPage report;
+  report.scoreboard.rows = {{"hunt", "end.sign", "a sign", false, 3, 3, 3, 2, .25, 10, 2, "x"}};
+  report.tables = {{"table-3", "Linear queries", {"a"}, {{"b"}}}};
+  report.cases = {reported("VV", Outcome::kMissed)};
+  const ScratchFolder folder;
+  ASSERT_TRUE(write_report(report, folder.path(), 1));
+  write_text(folder / "mine.csv", "of the user");
+  report.scoreboard = {};
+  report.tables.clear();
+  ASSERT_TRUE(write_report(report, folder.path(), 1));
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.insert(entry.path().filename());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"counterexamples.csv", "index.html", "mine.csv"}));
 }
 
 TEST(ReportPage, OfTooManyBytesHasFewerCases) {
