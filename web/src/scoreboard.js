@@ -32,7 +32,7 @@ function summary() {
     { title: 'killed', number: true, text: (d) => `${d.killed} of ${d.faults}` },
     { title: 'reached', number: true, text: (d) => d.reached },
     { title: 'triggered', number: true, text: (d) => d.triggered },
-    { title: 'median CPU time to a kill', number: true, text: (d) => `${d.censored ? '≥ ' : ''}${durationText(d.seconds)}` },
+    { title: 'median CPU time, misses counted as the limit', number: true, text: (d) => `${d.censored ? '≥ ' : ''}${durationText(d.seconds)}` },
     { title: 'false alarms', number: true, text: (d) => `${d.false_alarms} of ${d.clean_runs}`, mark: (d) => (d.false_alarms > 0 ? 'bad' : '') },
   ];
   const data = () => csv([['driver', 'killed', 'faults', 'reached', 'triggered', 'median_seconds', 'censored', 'false_alarms', 'clean_runs'],
@@ -40,7 +40,7 @@ function summary() {
   return h('section.card', { id: 'drivers' },
     h('div.table-head', h('h3', 'Planted faults: would the tests notice?'), saveButton('CSV', 'scoreboard-drivers.csv', data)),
     h('div.scroll', table(columns, drivers)),
-    h('p.note', 'Each fault is compiled into the sources and made active alone; a driver kills it when it reports a failure within its limit of CPU time. The median counts a miss as its limit, and is “≥” where it is one. Reached: the faulty line ran; triggered: it computed something else than the right one. False alarms: failures on the right sources.'));
+    h('p.note', 'Each fault is compiled into the sources and made active alone; a driver kills it when it reports a failure within its limit of CPU time. The median is over all faults, and is “≥” where it is that of a miss. Reached: the faulty line ran; triggered: it computed something else than the right one. False alarms: failures on the right sources.'));
 }
 
 /** One dot a fault and driver, on a logarithmic scale of CPU time. */
