@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
+#include <limits>
 
 #include "cli/hunt_table.hpp"
+#include "query/line_reader.hpp"
 #include "query/output_file.hpp"
 #include "report/json_field.hpp"
 
@@ -149,19 +150,21 @@ Result<void> write_hunt_record(const std::string& folder, const HuntRecord& reco
 
 Result<HuntRecord> read_hunt_record(const std::string& folder) {
   const std::string path = hunt_record_path(folder);
-  std::ifstream file(path);
-  if (!file) return system_error(path, "read", errno);
+  auto lines = LineReader::open(path, false, std::numeric_limits<size_t>::max());
+  if (!lines) return tl::unexpected(lines.error());
   HuntRecord record;
   std::string from_record;
-  size_t number = 0;
-  for (std::string line; std::getline(file, line);) {
-    const std::string where = fmt::format("{}:{}", path, ++number);
-    const auto read = read_fields(line, where, [&](const JsonField& row) {
-      number == 1 ? read_head(row, record) : read_row(row, record, from_record);
+  for (;;) {
+    const auto line = lines->next();
+    if (!line) return tl::unexpected(line.error());
+    if (!*line) break;
+    const std::string where = fmt::format("{}:{}", path, lines->line());
+    const auto read = read_fields(**line, where, [&](const JsonField& row) {
+      lines->line() == 1 ? read_head(row, record) : read_row(row, record, from_record);
     });
     if (!read) return tl::unexpected(read.error());
   }
-  if (number == 0) return input_error(path, "is empty");
+  if (lines->line() == 0) return input_error(path, "is empty");
   if (!from_record.empty()) follow_store(folder, from_record, record);
   return record;
 }

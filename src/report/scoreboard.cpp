@@ -1,6 +1,8 @@
 #include "report/scoreboard.hpp"
 
-#include "query/input_bytes.hpp"
+#include <limits>
+
+#include "query/line_reader.hpp"
 #include "report/json_field.hpp"
 
 namespace ccdfuzz {
@@ -46,18 +48,12 @@ ScoreboardRow scoreboard_row(const JsonField& row) {
 }  // namespace
 
 Result<Scoreboard> read_scoreboard(const std::string& path) {
-  auto input = open_input(path, false);
-  if (!input) return tl::unexpected(input.error());
-  constexpr size_t kPiece = 1 << 20;
-  std::string text;
-  for (;;) {
-    const Result<std::string> piece = (*input)->read(kPiece);
-    if (!piece) return tl::unexpected(piece.error());
-    if (piece->empty()) break;
-    text += *piece;
-  }
+  auto file = LineReader::open(path, false, std::numeric_limits<size_t>::max());
+  if (!file) return tl::unexpected(file.error());
+  const auto text = file->next(true);
+  if (!text) return tl::unexpected(text.error());
   Scoreboard board;
-  return read_fields(text, path,
+  return read_fields(text->value_or(""), path,
                      [&](const JsonField& top) {
                        expect_format(top, "ccdfuzz-scoreboard");
                        for (const JsonField& row : top["drivers"].items()) {
