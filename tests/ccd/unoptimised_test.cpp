@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t kPerFamily = 5, kPerPairOfShapes = 2;
 /// Both forms are templates, slow without optimisation: fewer still are looked at then.
-constexpr std::size_t kComparedOneIn = kOneIn == 1 ? 1 : 2 * kOneIn;
+constexpr std::size_t kComparedOneIn = kOneIn == 1 ? 1 : 3 * kOneIn;
 
 /// Cases of every contact class and family as they stand, and past the contact; then planted
 /// contacts of every pair of shapes.
@@ -46,7 +46,9 @@ std::vector<Query> mixed_queries() {
     }
   }
   Random random = Random::keyed({8});
-  queries.push_back(plant_contact(random, Shape::tensor(8, 8), Shape::triangle(8)).query);
+  const int degree = kOneIn == 1 ? 8 : 4;
+  queries.push_back(
+      plant_contact(random, Shape::tensor(degree, degree), Shape::triangle(degree)).query);
   return queries;
 }
 
@@ -93,7 +95,9 @@ TYPED_TEST(Unoptimised, AnswersBitForBitTheSame) {
   }
   EXPECT_GE(queries.size(), 400U / kComparedOneIn);  // 2,000 comparisons over the five policies
   EXPECT_GT(hits, 100U / kComparedOneIn);
-  EXPECT_GT(misses, 3U / kComparedOneIn);
+  if (kOneIn == 1) {
+    EXPECT_GT(misses, 3U);
+  }
 }
 
 }  // namespace
