@@ -1,0 +1,30 @@
+#!/bin/bash -eu
+# Builds every fuzz target as OSS-Fuzz and ClusterFuzzLite ask for it: the compiler and its flags come
+# from CC, CXX, CFLAGS and CXXFLAGS, the engine from LIB_FUZZING_ENGINE, the sources are in
+# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, T_seed_corpus.zip, and T.dict and T.options
+# where there are any. What the targets need comes with them: libraries are linked statically.
+cd -P "$SRC/ccdfuzz"
+build=$WORK/ccdfuzz
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
+  -DCCDFUZZ_TESTS=OFF -DCCDFUZZ_BENCH=OFF -DCCDFUZZ_EXAMPLES=OFF \
+  -DCCDFUZZ_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" -DCMAKE_FIND_LIBRARY_SUFFIXES=.a
+cmake --build "$build" --target fuzz_targets witnessed_inputs
+
+seeds=$WORK/seeds
+rm -rf "$seeds"
+mkdir -p "$seeds"
+"$build/fuzz/witnessed_inputs" encode "$seeds/cases" corpus/*/*.json
+
+while IFS= read -r target; do
+  name=fuzz_$target
+  cp "$build/fuzz/$name" "$OUT/"
+  for kind in dict options; do
+    if [ -e "fuzz/$target.$kind" ]; then cp "fuzz/$target.$kind" "$OUT/$name.$kind"; fi
+  done
+  rm -f "$OUT/${name}_seed_corpus.zip"
+  case $target in
+    query | witnessed) zip -q -j "$OUT/${name}_seed_corpus.zip" "$seeds"/cases/* ;;
+    case_reader) zip -q -j "$OUT/${name}_seed_corpus.zip" corpus/*/*.json ;;
+    *) if [ -d "fuzz/seeds/$target" ]; then zip -q -j "$OUT/${name}_seed_corpus.zip" "fuzz/seeds/$target"/*; fi ;;
+  esac
+done <"$build/fuzz-targets.txt"
