@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <sstream>
 
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "query/json_tree.hpp"
 
 namespace ccdfuzz {
 
@@ -17,8 +19,10 @@ namespace {
 
 std::string called_as = "ccdfuzz";
 
+/// The message may hold what a file or a plug-in says.
 int complain(const std::string& message, int code) {
-  fmt::print(stderr, "ccdfuzz: {}\n", message);
+  std::istringstream lines("ccdfuzz: " + message);
+  for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}\n", shown_line(line));
   return code;
 }
 

@@ -20,15 +20,6 @@ size_t width(const std::string& text) {
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// A text as people may see it: with a control character, which a terminal would obey, as in JSON.
-std::string shown_cell(const std::string& text) {
-  const bool plain =
-      std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; });
-  if (plain) return text;
-  const std::string quoted = json_string(text);
-  return quoted.substr(1, quoted.size() - 2);
-}
-
 std::string padded(const std::string& text, size_t to, Align align) {
   const std::string blanks(to - std::min(to, width(text)), ' ');
   return align == Align::kLeft ? text + blanks : blanks + text;
@@ -90,7 +81,7 @@ std::string Table::to_text(bool colour) const {
   for (size_t c = 0; c < columns_.size(); ++c) {
     widths.push_back(width(columns_[c].title));
     for (const Row& row : rows_) {
-      widths[c] = std::max(widths[c], width(shown_cell(row.cells[c].text)));
+      widths[c] = std::max(widths[c], width(shown_line(row.cells[c].text)));
     }
   }
   std::string header;
@@ -105,7 +96,7 @@ std::string Table::to_text(bool colour) const {
     std::string line;
     for (size_t c = 0; c < columns_.size(); ++c) {
       if (c > 0) line += "  ";
-      const std::string cell = padded(shown_cell(row.cells[c].text), widths[c], columns_[c].align);
+      const std::string cell = padded(shown_line(row.cells[c].text), widths[c], columns_[c].align);
       const Emphasis emphasis = row.cells[c].emphasis;
       line +=
           colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
@@ -125,7 +116,7 @@ std::string Table::to_markdown() const {
   for (const Row& row : rows_) {
     out += "|";
     for (const TableCell& cell : row.cells)
-      out += fmt::format(" {} |", markdown_field(shown_cell(cell.text)));
+      out += fmt::format(" {} |", markdown_field(shown_line(cell.text)));
     out += "\n";
   }
   return out;

@@ -150,5 +150,12 @@ TEST(Methods, ListsAllAsTableAndAsJson) {
   }
 }
 
+TEST(Usage, WhatAnErrorMessageQuotesIsShownAndNotObeyedByATerminal) {
+  const Finished refused = ccdfuzz({"query", "no\x1b[2Jsuch.json"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err.find('\x1b'), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("no\\u001b[2Jsuch.json"), std::string::npos) << refused.err;
+}
+
 }  // namespace
 }  // namespace ccdfuzz
