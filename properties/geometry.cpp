@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "bezier/elevate.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
 #include "properties/draw_patch.hpp"
-#include "properties/elevate.hpp"
 
 namespace ccdfuzz {
 
@@ -80,19 +80,17 @@ Check check_blossom_symmetry(ChoiceSource& choices) {
              : drawn.fails("another order of the arguments gives another blossom");
 }
 
-/// Degree elevation gives the same patch. Denominators are those of rationals.
+/// Degree elevation gives the same patch.
 Check check_elevation(ChoiceSource& choices) {
   const DrawnPatch drawn = draw_patch(choices);
-  Points<Rational> points;
-  for (const Vec3<Dyadic>& p : drawn.points) {
-    points.push_back({p[0].rational(), p[1].rational(), p[2].rational()});
+  const Vec3<Dyadic> here = evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv);
+  for (const bool in_v : {false, true}) {
+    const Elevated<Dyadic> higher = elevated(drawn.shape, drawn.points, in_v);
+    if (evaluate<Dyadic>(higher.shape, higher.points, drawn.uv) != here * Dyadic(higher.times)) {
+      return drawn.fails("the patch of a higher degree is elsewhere");
+    }
   }
-  const Uv<Rational> uv{drawn.uv[0].rational(), drawn.uv[1].rational()};
-  const Elevated<Rational> higher = elevated<Rational>(drawn.shape, points);
-  return evaluate<Rational>(higher.shape, higher.points, uv) ==
-                 evaluate<Rational>(drawn.shape, points, uv)
-             ? Check::holds()
-             : drawn.fails("the patch of a higher degree is elsewhere");
+  return Check::holds();
 }
 
 /// A point of a cell is a point of one of its children, and of nothing but the cell.

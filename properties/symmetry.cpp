@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "bezier/elevate.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/similar.hpp"
-#include "properties/elevate.hpp"
 
 namespace ccdfuzz {
 
@@ -109,7 +109,8 @@ bool elevate(Case& value, std::size_t side) {
     MovingPatch<Dyadic> patch = exact_patch<Dyadic>(value.query.patches[s]);
     for (Points<Dyadic>* points : {&patch.positions, &patch.velocities}) {
       if (s == side) {
-        Elevated<Dyadic> higher = elevated<Dyadic>(shape, *points, true);
+        Elevated<Dyadic> higher = elevated(shape, *points);
+        if (shape.kind == ShapeKind::kTensor) higher = elevated(higher.shape, higher.points, true);
         *points = std::move(higher.points);
         patch.shape = higher.shape;
       } else {

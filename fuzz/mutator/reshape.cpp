@@ -1,6 +1,7 @@
 #include "fuzz/mutator/reshape.hpp"
 
 #include "bezier/cell.hpp"
+#include "bezier/elevate.hpp"
 #include "bezier/restrict.hpp"
 #include "bezier/to_doubles.hpp"
 #include "fuzz/mutator/small_dyadic.hpp"
@@ -57,90 +58,16 @@ std::optional<Vec3<S>> divided(const Vec3<S>& v, int by) {
   return out;
 }
 
-/// sum += point·times.
+/// The points of a patch with a degree one higher, where they are dyadic.
 template <class S>
-void add_times(Vec3<S>& sum, const Vec3<S>& point, int times) {
-  for (int k = 0; k < 3; ++k) sum[k] += point[k] * S(times);
-}
-
-template <class S>
-Vec3<S> zero_vector() {
-  return {S(0), S(0), S(0)};
-}
-
-/// Degree elevation of a row of control points: each is a mean of two of its neighbours.
-template <class S>
-std::optional<Points<S>> elevated_row(const Points<S>& row) {
-  const int n = static_cast<int>(row.size());  // the new degree
-  Points<S> out;
-  for (int i = 0; i <= n; ++i) {
-    Vec3<S> sum = zero_vector<S>();
-    if (i > 0) add_times(sum, row[static_cast<size_t>(i - 1)], i);
-    if (i < n) add_times(sum, row[static_cast<size_t>(i)], n - i);
-    const auto mean = divided(sum, n);
+std::optional<Points<S>> points_of_higher(const Shape& shape, const Points<S>& points, bool in_v) {
+  Elevated<S> higher = elevated(shape, points, in_v);
+  for (Vec3<S>& p : higher.points) {
+    const auto mean = divided(p, higher.times);
     if (!mean) return std::nullopt;
-    out.push_back(*mean);
+    p = *mean;
   }
-  return out;
-}
-
-template <class S>
-std::optional<Points<S>> elevated_triangle(const Shape& shape, const Points<S>& points) {
-  const int n = shape.n + 1;
-  Points<S> out;
-  for (int i = 0; i <= n; ++i) {
-    for (int j = 0; j <= n - i; ++j) {
-      const int k = n - i - j;
-      Vec3<S> sum = zero_vector<S>();
-      const auto add = [&](int times, int a, int b) {
-        if (times > 0) add_times(sum, points[static_cast<size_t>(shape.index(a, b))], times);
-      };
-      add(i, i - 1, j);
-      add(j, i, j - 1);
-      add(k, i, j);
-      const auto mean = divided(sum, n);
-      if (!mean) return std::nullopt;
-      out.push_back(*mean);
-    }
-  }
-  return out;
-}
-
-template <class S>
-std::optional<Points<S>> elevated_tensor(const Shape& shape, const Points<S>& points, bool in_v) {
-  const int rows = in_v ? shape.n : shape.m;  // how many lines less one are elevated
-  const Shape higher =
-      in_v ? Shape::tensor(shape.n, shape.m + 1) : Shape::tensor(shape.n + 1, shape.m);
-  Points<S> out(static_cast<size_t>(higher.control_count()));
-  for (int r = 0; r <= rows; ++r) {
-    const auto place = [&](const Shape& s, int i) { return in_v ? s.index(r, i) : s.index(i, r); };
-    Points<S> row;
-    for (int i = 0; i <= (in_v ? shape.m : shape.n); ++i) {
-      row.push_back(points[static_cast<size_t>(place(shape, i))]);
-    }
-    const auto elevated = elevated_row(row);
-    if (!elevated) return std::nullopt;
-    for (size_t i = 0; i < elevated->size(); ++i) {
-      out[static_cast<size_t>(place(higher, static_cast<int>(i)))] = (*elevated)[i];
-    }
-  }
-  return out;
-}
-
-/// The points of shape.n + 1, or of shape.m + 1 if in_v.
-template <class S>
-std::optional<Points<S>> elevated(const Shape& shape, const Points<S>& points, bool in_v) {
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      return std::nullopt;
-    case ShapeKind::kCurve:
-      return elevated_row(points);
-    case ShapeKind::kTriangle:
-      return elevated_triangle(shape, points);
-    case ShapeKind::kTensor:
-      return elevated_tensor(shape, points, in_v);
-  }
-  return std::nullopt;
+  return std::move(higher.points);
 }
 
 template <class S>
@@ -233,7 +160,7 @@ bool elevate_patch(WitnessedQuery& q, int side, bool in_v) {
   in_v = in_v && higher.kind == ShapeKind::kTensor;
   (in_v ? higher.m : higher.n) += 1;
   if (!higher.valid()) return false;
-  const auto make = [&](const auto& points) { return elevated(patch.shape, points, in_v); };
+  const auto make = [&](const auto& points) { return points_of_higher(patch.shape, points, in_v); };
   if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {
     return false;
   }

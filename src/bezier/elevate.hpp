@@ -1,0 +1,52 @@
+#pragma once
+
+#include "bezier/patch.hpp"
+
+namespace ccdfuzz {
+
+/// A patch whose control points are all multiplied by `times`.
+template <class S>
+struct Elevated {
+  Shape shape;
+  Points<S> points;
+  int times;
+};
+
+/// The same patch with a degree one higher: of a tensor patch that of v if `in_v`, else that of u.
+/// All points are multiplied by the new degree, which needs no division; a point stays, times 1.
+/// Curve: (n+1)·b'_i = i·b_(i−1) + (n+1−i)·b_i; triangle: (n+1)·b'_ijk = i·b_(i−1)jk +
+/// j·b_i(j−1)k + k·b_ij(k−1); tensor: as curves.
+/// Requires that degree below kMaxDegree.
+template <class S>
+Elevated<S> elevated(const Shape& shape, const Points<S>& points, bool in_v = false) {
+  if (shape.kind == ShapeKind::kPoint) return {shape, points, 1};
+  in_v = in_v && shape.kind == ShapeKind::kTensor;
+  Shape to = shape;
+  const int degree = ++(in_v ? to.m : to.n);
+  const Vec3<S> none{S(0), S(0), S(0)};
+  Elevated<S> out{to, Points<S>(static_cast<size_t>(to.control_count()), none), degree};
+  const bool is_triangle = shape.kind == ShapeKind::kTriangle;
+  for (int i = 0; i <= shape.n; ++i) {
+    for (int j = 0; j <= (is_triangle ? shape.n - i : shape.m); ++j) {
+      const Vec3<S>& p = points[static_cast<size_t>(shape.index(i, j))];
+      const auto give = [&](int to_i, int to_j, int weight) {
+        Vec3<S>& sum = out.points[static_cast<size_t>(to.index(to_i, to_j))];
+        for (int k = 0; k < 3; ++k) sum[k] += p[k] * S(weight);
+      };
+      if (is_triangle) {
+        give(i + 1, j, i + 1);
+        give(i, j + 1, j + 1);
+        give(i, j, degree - i - j);
+      } else if (in_v) {
+        give(i, j + 1, j + 1);
+        give(i, j, degree - j);
+      } else {
+        give(i + 1, j, i + 1);
+        give(i, j, degree - i);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace ccdfuzz
