@@ -7,7 +7,7 @@ cd -P "$SRC/ccdfuzz"
 build=$WORK/ccdfuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
   -DCCDFUZZ_TESTS=OFF -DCCDFUZZ_BENCH=OFF -DCCDFUZZ_EXAMPLES=OFF \
-  -DCCDFUZZ_FUZZ_ENGINE="$LIB_FUZZING_ENGINE" -DCMAKE_FIND_LIBRARY_SUFFIXES=.a
+  -DCCDFUZZ_FUZZ_ENGINE="$LIB_FUZZING_ENGINE"
 cmake --build "$build" --target fuzz_targets witnessed_inputs
 
 seeds=$WORK/seeds

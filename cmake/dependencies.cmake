@@ -6,6 +6,9 @@ find_package(fmt 9 REQUIRED)
 # Fuzzing engines bring a C++ library of their own, with which Debian's binaries do not go.
 if(CCDFUZZ_FUZZ_ENGINE)
   set(CCDFUZZ_FMT fmt::fmt-header-only)
+  # Where a target runs, there may be none of the libraries: they go into it. (A value from outside does
+  # not last: project() sets it anew.)
+  set(CMAKE_FIND_LIBRARY_SUFFIXES .a)
 else()
   set(CCDFUZZ_FMT fmt::fmt)
 endif()
