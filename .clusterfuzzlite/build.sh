@@ -1,8 +1,8 @@
 #!/bin/bash -eu
 # Builds every fuzz target as OSS-Fuzz and ClusterFuzzLite ask for it: the compiler and its flags come
 # from CC, CXX, CFLAGS and CXXFLAGS, the engine from LIB_FUZZING_ENGINE, the sources are in
-# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, T_seed_corpus.zip, and T.dict and T.options
-# where there are any. What the targets need comes with them: libraries are linked statically.
+# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, and T_seed_corpus.zip, T.dict and T.options where
+# there are any. What the targets need comes with them: libraries are linked statically.
 cd -P "$SRC/ccdfuzz"
 build=$WORK/ccdfuzz
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
@@ -25,6 +25,5 @@ while IFS= read -r target; do
   case $target in
     query | witnessed) zip -q -j "$OUT/${name}_seed_corpus.zip" "$seeds"/cases/* ;;
     case_reader) zip -q -j "$OUT/${name}_seed_corpus.zip" corpus/*/*.json ;;
-    *) if [ -d "fuzz/seeds/$target" ]; then zip -q -j "$OUT/${name}_seed_corpus.zip" "fuzz/seeds/$target"/*; fi ;;
   esac
 done <"$build/fuzz-targets.txt"
