@@ -19,10 +19,13 @@ namespace {
 
 std::string called_as = "ccdfuzz";
 
-/// The message may hold what a file or a plug-in says.
+/// The message may quote what a file or a plug-in says: no line of it is taken for one of ours.
 int complain(const std::string& message, int code) {
-  std::istringstream lines("ccdfuzz: " + message);
-  for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}\n", shown_line(line));
+  std::istringstream lines(message);
+  const char* margin = "ccdfuzz: ";
+  for (std::string line; std::getline(lines, line); margin = "  ") {
+    fmt::print(stderr, "{}{}\n", margin, shown_line(line));
+  }
   return code;
 }
 
@@ -125,7 +128,10 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const bool asked_for_help = error.get_exit_code() == 0;
     errno = 0;
-    app_->exit(error);
+    std::ostringstream complaints;
+    app_->exit(error, std::cout, complaints);
+    std::istringstream lines(complaints.str());
+    for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}\n", shown_line(line));
     std::cout.flush();
     if (!std::cout) {
       return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);

@@ -181,11 +181,22 @@ std::string json_string(std::string_view text) {
 }
 
 std::string shown_line(std::string_view text) {
-  const bool plain =
-      std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < ' '; });
-  if (plain) return std::string(text);
-  const std::string quoted = json_string(text);
-  return quoted.substr(1, quoted.size() - 2);
+  std::string shown;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    if (byte == '\n') {
+      shown += "\\n";
+    } else if (byte < ' ' || byte == 0x7f) {
+      shown += fmt::format("\\u{:04x}", byte);
+    } else if (byte == 0xc2 && 0x80 <= next && next < 0xa0) {  // U+0080 to U+009F in UTF-8
+      shown += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      shown += text[i];
+    }
+  }
+  return shown;
 }
 
 }  // namespace ccdfuzz

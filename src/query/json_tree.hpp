@@ -41,8 +41,7 @@ std::string member_path(const std::string& path, std::string_view key);
 /// The text as a JSON string, quotes included. Bytes that are not UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
-/// One line as people may see it: with a control character, which a terminal would obey, as in
-/// JSON.
+/// One line as people may see it: control characters, which a terminal would obey, as \u00xx or \n.
 std::string shown_line(std::string_view text);
 
 /// The shortest JSON number that reads back as the finite x, bit by bit; −0 is -0.0.
