@@ -85,6 +85,7 @@ Check check_elevation(ChoiceSource& choices) {
   const DrawnPatch drawn = draw_patch(choices);
   const Vec3<Dyadic> here = evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv);
   for (const bool in_v : {false, true}) {
+    if (in_v && drawn.shape.kind != ShapeKind::kTensor) break;
     const Elevated<Dyadic> higher = elevated(drawn.shape, drawn.points, in_v);
     if (evaluate<Dyadic>(higher.shape, higher.points, drawn.uv) != here * Dyadic(higher.times)) {
       return drawn.fails("the patch of a higher degree is elsewhere");

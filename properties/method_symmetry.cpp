@@ -117,11 +117,13 @@ std::vector<Property> method_symmetry_properties() {
        [](ChoiceSource& c) { return same_answer(kScaleFree, Symmetry::kScaleTime, c); }},
       {"methods.mirror", "A mirror changes no answer", "Section 3", kHolds,
        [](ChoiceSource& c) { return same_answer(kMirrorFree, Symmetry::kMirror, c); }},
-      {"tdibm-e.mirror", "Nor of the error-bounded methods", "Section 4.6", Expectation::kFails,
+      {"tdibm-e.mirror", "A mirror changes no answer of the error-bounded methods", "Section 4.6",
+       Expectation::kFails,
        [](ChoiceSource& c) { return same_answer(kErrorBounded, Symmetry::kMirror, c); }},
       {"methods.swap", "Swapping the patches changes no answer", "Section 3", kHolds,
        [](ChoiceSource& c) { return same_answer(kOrderFree, Symmetry::kSwapPatches, c); }},
-      {"tdibm-e.swap", "Nor of the error-bounded methods", "Section 4.6", Expectation::kFails,
+      {"tdibm-e.swap", "Swapping the patches changes no answer of the error-bounded methods",
+       "Section 4.6", Expectation::kFails,
        [](ChoiceSource& c) { return same_answer(kErrorBounded, Symmetry::kSwapPatches, c); }},
   };
 }
