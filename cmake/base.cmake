@@ -47,7 +47,7 @@ include(cmake/fp_rules.cmake)
 # sanitizers in a third.
 set(ccdfuzz_quick_to_compile $<IF:$<CONFIG:Release>,-O1,-O0>)
 
-# ccdfuzz_library(NAME [QUICK] SOURCES ... DEPENDS ...): one library a folder, so that the layers of
+# ccdfuzz_library(NAME [QUICK | COLD] SOURCES ... DEPENDS ...): one library a folder, so that the layers of
 # the design are also the links of the build. QUICK: to compile, and no fuzz target runs it. COLD: what
 # takes its time is in the libraries below it; optimising it would take long and make nothing quicker.
 function(ccdfuzz_library name)

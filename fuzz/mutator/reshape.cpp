@@ -156,9 +156,7 @@ void reparametrise_patch(WitnessedQuery& q, int side, std::uint64_t way) {
 
 bool elevate_patch(WitnessedQuery& q, int side, bool in_v) {
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
-  Shape higher = patch.shape;
-  in_v = in_v && higher.kind == ShapeKind::kTensor;
-  (in_v ? higher.m : higher.n) += 1;
+  const Shape higher = elevated(patch.shape, in_v);
   if (!higher.valid()) return false;
   const auto make = [&](const auto& points) { return points_of_higher(patch.shape, points, in_v); };
   if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {

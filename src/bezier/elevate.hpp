@@ -4,6 +4,13 @@
 
 namespace ccdfuzz {
 
+/// The shape with a degree one higher: of a tensor patch that of v if `in_v`, else that of u. A
+/// point becomes no valid shape.
+constexpr Shape elevated(Shape shape, bool in_v) {
+  ++(in_v && shape.kind == ShapeKind::kTensor ? shape.m : shape.n);
+  return shape;
+}
+
 /// A patch whose control points are all multiplied by `times`.
 template <class S>
 struct Elevated {
@@ -12,17 +19,16 @@ struct Elevated {
   int times;
 };
 
-/// The same patch with a degree one higher: of a tensor patch that of v if `in_v`, else that of u.
-/// All points are multiplied by the new degree, which needs no division; a point stays, times 1.
-/// Curve: (n+1)·b'_i = i·b_(i−1) + (n+1−i)·b_i; triangle: (n+1)·b'_ijk = i·b_(i−1)jk +
-/// j·b_i(j−1)k + k·b_ij(k−1); tensor: as curves.
-/// Requires that degree below kMaxDegree.
+/// The same patch in that shape. All points are multiplied by the new degree, which needs no
+/// division; a point stays, times 1. Curve: (n+1)·b'_i = i·b_(i−1) + (n+1−i)·b_i; triangle:
+/// (n+1)·b'_ijk = i·b_(i−1)jk + j·b_i(j−1)k + k·b_ij(k−1); tensor: as curves. Requires that degree
+/// below kMaxDegree.
 template <class S>
 Elevated<S> elevated(const Shape& shape, const Points<S>& points, bool in_v = false) {
   if (shape.kind == ShapeKind::kPoint) return {shape, points, 1};
   in_v = in_v && shape.kind == ShapeKind::kTensor;
-  Shape to = shape;
-  const int degree = ++(in_v ? to.m : to.n);
+  const Shape to = elevated(shape, in_v);
+  const int degree = in_v ? to.m : to.n;
   const Vec3<S> none{S(0), S(0), S(0)};
   Elevated<S> out{to, Points<S>(static_cast<size_t>(to.control_count()), none), degree};
   const bool is_triangle = shape.kind == ShapeKind::kTriangle;

@@ -19,13 +19,16 @@ namespace {
 
 std::string called_as = "ccdfuzz";
 
+void print_shown_lines(const std::string& text, const char* first_margin, const char* margin) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line); first_margin = margin) {
+    fmt::print(stderr, "{}{}\n", first_margin, shown_line(line));
+  }
+}
+
 /// The message may quote what a file or a plug-in says: no line of it is taken for one of ours.
 int complain(const std::string& message, int code) {
-  std::istringstream lines(message);
-  const char* margin = "ccdfuzz: ";
-  for (std::string line; std::getline(lines, line); margin = "  ") {
-    fmt::print(stderr, "{}{}\n", margin, shown_line(line));
-  }
+  print_shown_lines(message, "ccdfuzz: ", "  ");
   return code;
 }
 
@@ -130,8 +133,7 @@ int CommandLine::parse_and_run(int argc, char** argv) {
     errno = 0;
     std::ostringstream complaints;
     app_->exit(error, std::cout, complaints);
-    std::istringstream lines(complaints.str());
-    for (std::string line; std::getline(lines, line);) fmt::print(stderr, "{}\n", shown_line(line));
+    print_shown_lines(complaints.str(), "", "");
     std::cout.flush();
     if (!std::cout) {
       return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);

@@ -38,7 +38,7 @@ class Table {
   std::vector<std::vector<std::string>> texts() const;
 
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes. Control
-  /// characters are shown as in JSON, in Markdown, too.
+  /// characters are shown (shown_line), in Markdown, too.
   std::string to_text(bool colour) const;
   std::string to_markdown() const;
 
