@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
 #include <set>
 
 namespace ccdfuzz {
@@ -35,6 +39,33 @@ TEST(Registry, TheSameChoicesGiveTheSameResult) {
     EXPECT_EQ(a.text, b.text) << p.name;
     EXPECT_EQ(first.bytes(), second.bytes()) << p.name;
   }
+}
+
+/// The names of claims in the text of a fuzz target; those of files have a known end.
+std::vector<std::string> claims_named_in(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  static const std::regex name("\"([a-z][a-z-]*\\.(?!cpp\"|hpp\"|json\")[a-zA-Z_]+)\"");
+  std::vector<std::string> found;
+  for (std::sregex_iterator m(text.begin(), text.end(), name), end; m != end; ++m) {
+    found.push_back((*m)[1]);
+  }
+  return found;
+}
+
+// The targets look their claims up when they start, and not every build has them.
+TEST(FuzzTargets, NameOnlyClaimsThatThereAreAndThatAreThoughtToHold) {
+  std::size_t named = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(CCDFUZZ_SOURCE_DIR "/fuzz")) {
+    if (entry.path().extension() != ".cpp") continue;
+    for (const std::string& claim : claims_named_in(entry.path())) {
+      ++named;
+      const auto property = property_named(claim);
+      ASSERT_TRUE(property) << entry.path() << ": " << claim;
+      EXPECT_EQ(property->expected, Expectation::kHolds) << entry.path() << ": " << claim;
+    }
+  }
+  EXPECT_GT(named, 20U);
 }
 
 }  // namespace
