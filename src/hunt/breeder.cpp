@@ -1,8 +1,6 @@
 #include "hunt/breeder.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "corpus/store.hpp"
 #include "eval/horizons.hpp"
@@ -13,7 +11,8 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr size_t kMembers = 64;
+/// Of the population whose members nobody compares.
+constexpr std::uint64_t kPlaces = 64;
 
 }  // namespace
 
@@ -24,61 +23,49 @@ Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scal
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
-std::optional<double> Breeder::nearness(const WitnessedQuery& q, TracerSet& tracers) {
+bool Breeder::keeps(const WitnessedQuery& q, TracerSet& tracers) {
   const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
-  if (trace.lost) return std::nullopt;
+  if (trace.lost) return false;
   if (trace.margin) tally_.margin = std::min(tally_.margin.value_or(~0ULL), trace.margin->ulps);
-  if (aim_ == Aim::kNothing) return 0;
-  // Methods that compare at the ends of windows tell by how much (slack); of the others it is the
-  // time between the contact and what was excluded.
-  if (trace.slack) return trace.slack->value;
-  if (trace.margin) return std::log2(1 + static_cast<double>(trace.margin->ulps));
-  return std::numeric_limits<double>::infinity();
+  if (aim_ == Aim::kMargins) nearest_.join(q, standing_of(q, trace));
+  return true;
+}
+
+void Breeder::drift(WitnessedQuery q) {
+  const auto place = static_cast<std::int16_t>(random_.below(kPlaces));
+  drifting_.join(std::move(q), {{Niche::By::kNothing, 0, place}, 0});
 }
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<WitnessedQuery> q = witnessed_query(known);
   if (!q || (scale_ && !is_within_scale(q->query, *scale_))) return;
   founders_.insert(content_address(known.query));
+  if (traceable_) keeps(*q, tracers);
   // Founders that are lost are as good as any: half of their mutants are not.
-  const double near = traceable_ ? nearness(*q, tracers).value_or(0) : 0;
-  join({*std::move(q), near});
+  drift(*std::move(q));
 }
 
-void Breeder::join(Member member) {
-  if (members_.size() < kMembers) {
-    members_.push_back(std::move(member));
-    return;
-  }
-  const auto farthest = std::ranges::max_element(members_, {}, &Member::nearness);
-  // The younger of equals stays, so that the population drifts.
-  if (member.nearness <= farthest->nearness) *farthest = std::move(member);
-}
-
-const WitnessedQuery& Breeder::parent() {
-  const Member& a = members_[random_.below(members_.size())];
-  const Member& b = members_[random_.below(members_.size())];
-  return a.nearness <= b.nearness ? a.q : b.q;
+const WitnessedQuery& Breeder::mother() {
+  const bool by_margin = !nearest_.empty() && random_.below(2) == 0;
+  return by_margin ? nearest_.nearer_of_two(random_) : drifting_.any(random_);
 }
 
 void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
-  if (members_.empty()) return;
-  const WitnessedQuery& mother = parent();
-  const WitnessedQuery& father = members_[random_.below(members_.size())].q;
-  WitnessedQuery mutant = mutate(mother, father, random_);
+  if (drifting_.empty()) return;
+  const WitnessedQuery& first = mother();
+  WitnessedQuery mutant = mutate(first, drifting_.any(random_), random_);
   if (scale_ && !is_within_scale(mutant.query, *scale_)) return;
   ++tally_.mutants;
-  const std::optional<double> near = traceable_ ? nearness(mutant, tracers) : std::nullopt;
-  if (near) {
-    join({std::move(mutant), *near});
+  if (traceable_ && keeps(mutant, tracers)) {
+    drift(std::move(mutant));
     return;
   }
   const Case known = case_of(mutant);
   if (traceable_) {
     ++tally_.lost;
   } else {
-    join({std::move(mutant), 0});
+    drift(std::move(mutant));
   }
   const CaseSize size = size_of(known.query);
   if (smallest_failure_ && !(size < *smallest_failure_)) return;

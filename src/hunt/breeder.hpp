@@ -5,11 +5,10 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "corpus/content_address.hpp"
 #include "eval/ask.hpp"
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "hunt/population.hpp"
 
 namespace ccdfuzz {
 
@@ -24,13 +23,14 @@ struct BreedTally {
 
 /// What decides which of a population have offspring.
 enum class Aim : std::uint8_t {
-  kMargins,  ///< how nearly the method lost the contact
+  kMargins,  ///< how nearly the method lost the contact, in each niche
   kNothing,  ///< chance: for comparison
 };
 
 /// A population of contacts that is bred towards what one method nearly loses: mutants take the
 /// place of members that the method's own tests keep by more (the margin or slack of the witness
-/// trace). A trace takes microseconds, so thousands of mutants cost what a few queries do.
+/// trace) at the same place and for the same reason (Niche). A trace takes microseconds, so
+/// thousands of mutants cost what a few queries do.
 ///
 /// A mutant whose contact is lost is put to the method, up to the contact and past it, if it is
 /// smaller than what failed before; a failure there is a counterexample, unless the moves have led
@@ -52,22 +52,17 @@ class Breeder {
   const BreedTally& tally() const { return tally_; }
 
  private:
-  struct Member {
-    WitnessedQuery q;
-    double nearness = 0;  ///< to being lost: less is nearer
-  };
-
-  /// Of a method that can be traced: how near it was to losing the contact. nullopt: it lost it.
-  std::optional<double> nearness(const WitnessedQuery& q, TracerSet& tracers);
-  void join(Member member);
-  const WitnessedQuery& parent();
+  /// Traces q; of what is kept, the nearest to a loss are remembered.
+  bool keeps(const WitnessedQuery& q, TracerSet& tracers);
+  void drift(WitnessedQuery q);
+  const WitnessedQuery& mother();
 
   std::string method_;
   bool traceable_;
   std::optional<int> scale_;
   Aim aim_;
   Random random_;
-  std::vector<Member> members_;
+  Population nearest_, drifting_;
   std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;
