@@ -6,13 +6,14 @@
 #include "eval/horizons.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "hunt/scale.hpp"
+#include "hunt/standing.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// Of the population whose members nobody compares.
-constexpr std::uint64_t kPlaces = 64;
+/// Members of the population that drifts: as many as a hunt by cases begins with (hunt.cpp).
+constexpr size_t kDrifting = 64;
 
 }  // namespace
 
@@ -23,7 +24,7 @@ Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scal
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
-bool Breeder::keeps(const WitnessedQuery& q, TracerSet& tracers) {
+bool Breeder::trace_and_note(const WitnessedQuery& q, TracerSet& tracers) {
   const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
   if (trace.lost) return false;
   if (trace.margin) tally_.margin = std::min(tally_.margin.value_or(~0ULL), trace.margin->ulps);
@@ -32,32 +33,35 @@ bool Breeder::keeps(const WitnessedQuery& q, TracerSet& tracers) {
 }
 
 void Breeder::drift(WitnessedQuery q) {
-  const auto place = static_cast<std::int16_t>(random_.below(kPlaces));
-  drifting_.join(std::move(q), {{Niche::By::kNothing, 0, place}, 0});
+  if (drifting_.size() < kDrifting) {
+    drifting_.push_back(std::move(q));
+  } else {
+    drifting_[random_.below(kDrifting)] = std::move(q);
+  }
 }
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<WitnessedQuery> q = witnessed_query(known);
   if (!q || (scale_ && !is_within_scale(q->query, *scale_))) return;
   founders_.insert(content_address(known.query));
-  if (traceable_) keeps(*q, tracers);
   // Founders that are lost are as good as any: half of their mutants are not.
+  if (traceable_) trace_and_note(*q, tracers);
   drift(*std::move(q));
 }
 
 const WitnessedQuery& Breeder::mother() {
   const bool by_margin = !nearest_.empty() && random_.below(2) == 0;
-  return by_margin ? nearest_.nearer_of_two(random_) : drifting_.any(random_);
+  return by_margin ? nearest_.nearer_of_two(random_) : drifting_[random_.below(drifting_.size())];
 }
 
 void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
   if (drifting_.empty()) return;
   const WitnessedQuery& first = mother();
-  WitnessedQuery mutant = mutate(first, drifting_.any(random_), random_);
+  WitnessedQuery mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_);
   if (scale_ && !is_within_scale(mutant.query, *scale_)) return;
   ++tally_.mutants;
-  if (traceable_ && keeps(mutant, tracers)) {
+  if (traceable_ && trace_and_note(mutant, tracers)) {
     drift(std::move(mutant));
     return;
   }

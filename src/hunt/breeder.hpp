@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "corpus/content_address.hpp"
 #include "eval/ask.hpp"
@@ -27,15 +28,15 @@ enum class Aim : std::uint8_t {
   kNothing,  ///< chance: for comparison
 };
 
-/// A population of contacts that is bred towards what one method nearly loses: mutants take the
-/// place of members that the method's own tests keep by more (the margin or slack of the witness
-/// trace) at the same place and for the same reason (Niche). A trace takes microseconds, so
+/// Contacts of one method, bred from two populations, either as often: from those that its own
+/// tests nearly lose (the margin or slack of the witness trace), the nearest of each niche, and
+/// from one that drifts, where what is kept takes the place of any. A trace takes microseconds, so
 /// thousands of mutants cost what a few queries do.
 ///
 /// A mutant whose contact is lost is put to the method, up to the contact and past it, if it is
 /// smaller than what failed before; a failure there is a counterexample, unless the moves have led
 /// back to a founder, which is a case of its own. A plug-in cannot be traced: every mutant is put
-/// to it, and the population drifts without aim.
+/// to it, and there is the drifting population alone.
 class Breeder {
  public:
   /// scale: as in HuntOptions.
@@ -52,8 +53,8 @@ class Breeder {
   const BreedTally& tally() const { return tally_; }
 
  private:
-  /// Traces q; of what is kept, the nearest to a loss are remembered.
-  bool keeps(const WitnessedQuery& q, TracerSet& tracers);
+  /// Whether the method keeps the contact; if so, the nearest to a loss are remembered.
+  bool trace_and_note(const WitnessedQuery& q, TracerSet& tracers);
   void drift(WitnessedQuery q);
   const WitnessedQuery& mother();
 
@@ -62,7 +63,8 @@ class Breeder {
   std::optional<int> scale_;
   Aim aim_;
   Random random_;
-  Population nearest_, drifting_;
+  Population nearest_;
+  std::vector<WitnessedQuery> drifting_;
   std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;

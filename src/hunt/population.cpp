@@ -1,71 +1,8 @@
 #include "hunt/population.hpp"
 
-#include <cmath>
-#include <limits>
-
-#include "bezier/bernstein.hpp"
+#include <utility>
 
 namespace ccdfuzz {
-
-namespace {
-
-Niche niche_at(Niche::By by, const TracePlace& place, int axis) {
-  return {by, static_cast<std::int16_t>(place.level), static_cast<std::int16_t>(axis)};
-}
-
-/// Within a few ulps; for guides alone.
-double about(const Dyadic& x) {
-  long exponent = 0;
-  const double mantissa = mpz_get_d_2exp(&exponent, x.mantissa().get_mpz_t());
-  return std::ldexp(mantissa, static_cast<int>(exponent + x.exponent()));
-}
-
-/// What an axis makes of both patches at a time: how fast they close in the contact, and the
-/// largest number that their heights are computed from.
-struct OnAxis {
-  double closing = 0, magnitude = 0;
-
-  OnAxis(const WitnessedQuery& q, const Vec3<double>& axis, double t) {
-    for (size_t s = 0; s < 2; ++s) {
-      const MovingPatch<double>& patch = q.query.patches[s];
-      const auto weights =
-          bernstein_weights<double>(patch.shape, {about(q.uv[s][0]), about(q.uv[s][1])});
-      for (size_t i = 0; i < weights.size(); ++i) {
-        const double speed = axis.dot(patch.velocities[i]);
-        closing += (s == 0 ? 1 : -1) * weights[i] * speed;
-        magnitude = std::max(magnitude, axis.cwiseAbs().dot(patch.positions[i].cwiseAbs() +
-                                                            t * patch.velocities[i].cwiseAbs()));
-      }
-    }
-  }
-};
-
-double nearness(const WitnessedQuery& q, const Trace::Margin& margin) {
-  constexpr double kRounding = 0x1p-53;
-  const double t = about(q.t), ulp = std::nextafter(t, std::numeric_limits<double>::infinity()) - t;
-  const OnAxis on(q, margin.by.direction, t);
-  const double gap = static_cast<double>(margin.ulps) * ulp * std::abs(on.closing);
-  const double near = gap / (kRounding * on.magnitude);
-  // Where nothing closes, nothing is near for that.
-  return near > 0 ? near : margin.ulps == 0 ? 0 : std::numeric_limits<double>::infinity();
-}
-
-}  // namespace
-
-Standing standing_of(const WitnessedQuery& q, const Trace& trace) {
-  if (trace.slack) {
-    return {niche_at(Niche::By::kGap, trace.slack->place, trace.slack->gap.axis),
-            trace.slack->value};
-  }
-  if (trace.margin) {
-    const Exclusion& by = trace.margin->by;
-    const bool at_start = by.times.lo <= trace.margin->place.window.lo;
-    return {niche_at(at_start ? Niche::By::kExcludedStart : Niche::By::kExcludedRest,
-                     trace.margin->place, by.axis),
-            nearness(q, *trace.margin)};
-  }
-  return {{}, std::numeric_limits<double>::infinity()};
-}
 
 void Population::join(WitnessedQuery q, const Standing& standing) {
   const auto [at, is_new] = places_.try_emplace(standing.niche, members_.size());
@@ -76,13 +13,9 @@ void Population::join(WitnessedQuery q, const Standing& standing) {
   }
 }
 
-const WitnessedQuery& Population::any(Random& random) const {
-  return draw(random).q;
-}
-
 const WitnessedQuery& Population::nearer_of_two(Random& random) const {
-  const Member& a = draw(random);
-  const Member& b = draw(random);
+  const Member& a = members_[random.below(members_.size())];
+  const Member& b = members_[random.below(members_.size())];
   return a.nearness <= b.nearness ? a.q : b.q;
 }
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <vector>
 
-#include "ccd/witness_trace/trace.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "generators/random.hpp"
 
@@ -15,16 +14,19 @@ namespace ccdfuzz {
 /// to a loss of its own.
 struct Niche {
   enum class By : std::uint8_t {
-    kNothing,        ///< nothing was excluded, or nobody looked
+    kNothing,        ///< nothing was excluded
     kExcludedStart,  ///< an exclusion that begins with the window
     kExcludedRest,   ///< one that begins later
     kGap,            ///< the gap at an end of a window (AxisGap)
   };
   By by = By::kNothing;
   std::int16_t level = 0;  ///< of the pair (TracePlace)
-  std::int16_t axis = 0;   ///< of those that the method tries; of kNothing: any number
+  std::int16_t axis = 0;   ///< of those that the method tries
 
-  friend auto operator<=>(const Niche&, const Niche&) = default;
+  friend bool operator==(const Niche&, const Niche&) = default;
+  friend bool operator<(const Niche& a, const Niche& b) {
+    return std::tie(a.by, a.level, a.axis) < std::tie(b.by, b.level, b.axis);
+  }
 };
 
 /// A contact's place in a population.
@@ -32,14 +34,6 @@ struct Standing {
   Niche niche;
   double nearness = 0;  ///< to being lost: less is nearer
 };
-
-/// How nearly the contact of q was lost in its trace, and what decided that. Of methods that
-/// compare at the ends of windows: the slack. Of the others: how far apart the patches still are
-/// where the nearest exclusion ends, by the speed at which they close there, in units of what
-/// rounding may do to a height (2^-53 of the largest on the way). Time alone would favour patches
-/// that are fast, not those whose heights are rounded most. Computed in double precision: a guide,
-/// no proof.
-Standing standing_of(const WitnessedQuery& q, const Trace& trace);
 
 /// The contacts that came nearest to being lost, one a niche: so none takes the place of all
 /// others, whatever it is that it nearly fails by.
@@ -50,9 +44,7 @@ class Population {
   void join(WitnessedQuery q, const Standing& standing);
 
   bool empty() const { return members_.empty(); }
-  /// Any member. Requires one.
-  const WitnessedQuery& any(Random& random) const;
-  /// The nearer of two.
+  /// The nearer of two that are drawn. Requires a member.
   const WitnessedQuery& nearer_of_two(Random& random) const;
 
  private:
@@ -60,8 +52,6 @@ class Population {
     WitnessedQuery q;
     double nearness;
   };
-
-  const Member& draw(Random& random) const { return members_[random.below(members_.size())]; }
 
   std::vector<Member> members_;
   std::map<Niche, std::size_t> places_;  ///< in members_

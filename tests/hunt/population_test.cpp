@@ -1,4 +1,4 @@
-#include "hunt/population.hpp"
+#include "hunt/standing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 
 #include "eval/by_spec.hpp"
 #include "hunt/draw.hpp"
+#include "hunt/scale.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -21,7 +22,7 @@ WitnessedQuery numbered(double t_max) {
 std::set<double> numbers_in(const Population& population) {
   std::set<double> found;
   Random random(1);
-  for (int i = 0; i < 200; ++i) found.insert(population.any(random).query.t_max);
+  for (int i = 0; i < 200; ++i) found.insert(population.nearer_of_two(random).query.t_max);
   return found;
 }
 
@@ -48,36 +49,80 @@ TEST(Population, PrefersTheNearer) {
   for (int i = 0; i < kDraws; ++i) {
     nearer += population.nearer_of_two(random).query.t_max == 10 ? 1 : 0;
   }
-  // 3 in 4; half would be 500 ± 5 standard deviations of 16.
+  // 3 in 4. Half would be 500, and 580 is 5 standard deviations above that.
   EXPECT_GT(nearer, 580);
 }
 
-// A power of two changes no rounding, and so not how near its errors come.
-TEST(Standing, DoesNotDependOnTheScaleOfSpace) {
-  TracerSet tracers;
-  int compared = 0;
-  for (std::uint64_t i = 0; i < 20; ++i) {
-    for (const Case& asked : draw(ContactClass::kVV, 1, i).asked) {
-      std::optional<WitnessedQuery> q = witnessed_query(asked);
-      if (!q) continue;
-      WitnessedQuery scaled = *q;
-      for (MovingPatch<double>& patch : scaled.query.patches) {
-        for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-          for (Vec3<double>& p : *points) p *= 0x1p7;
-        }
-      }
-      const auto standing = [&](const WitnessedQuery& of) {
-        return standing_of(of, tracers["tdibm"].trace(of.query, of.witness(), {}));
-      };
-      const Standing a = standing(*q), b = standing(scaled);
-      if (a.niche.by == Niche::By::kNothing) continue;
-      ++compared;
-      EXPECT_EQ(a.niche, b.niche) << i;
-      EXPECT_EQ(a.nearness, b.nearness) << i;
-      EXPECT_FALSE(std::isnan(a.nearness)) << i;
+/// The contact of q, with space and time scaled by powers of two.
+WitnessedQuery scaled(const WitnessedQuery& q, double space, int time) {
+  WitnessedQuery other = q;
+  for (MovingPatch<double>& patch : other.query.patches) {
+    for (Vec3<double>& p : patch.positions) p *= space;
+    for (Vec3<double>& v : patch.velocities) v *= std::ldexp(space, -time);
+  }
+  other.query.t_max = std::ldexp(q.query.t_max, time);
+  other.t = q.t.scaled(time);
+  return other;
+}
+
+std::vector<WitnessedQuery> drawn_contacts(ContactClass contact, std::uint64_t draws) {
+  std::vector<WitnessedQuery> found;
+  for (std::uint64_t i = 0; i < draws; ++i) {
+    for (const Case& asked : draw(contact, 1, i).asked) {
+      if (std::optional<WitnessedQuery> q = witnessed_query(asked)) found.push_back(*std::move(q));
     }
   }
+  return found;
+}
+
+Standing standing_by(const std::string& method, const WitnessedQuery& q) {
+  TracerSet tracers;
+  return standing_of(q, tracers[method].trace(q.query, q.witness(), {}));
+}
+
+// A power of two changes no rounding, and so not how near its errors come.
+TEST(Standing, DoesNotDependOnTheScaleOfSpaceOrTime) {
+  int compared = 0;
+  for (const WitnessedQuery& q : drawn_contacts(ContactClass::kVV, 40)) {
+    if (!is_within_scale(q.query, 100)) continue;
+    const Standing a = standing_by("tdibm", q), b = standing_by("tdibm", scaled(q, 0x1p7, 5));
+    EXPECT_FALSE(std::isnan(a.nearness));
+    if (std::isinf(a.nearness)) continue;
+    ++compared;
+    EXPECT_EQ(a.niche, b.niche);
+    EXPECT_EQ(a.nearness, b.nearness);
+  }
   EXPECT_GT(compared, 10);
+}
+
+// A double next to 0 is no nearer to it than rounding makes of heights.
+TEST(Standing, AContactAtTheStartIsNotNearForThat) {
+  WitnessedQuery q = falling_point();
+  q.t = Dyadic(0);
+  Trace trace;
+  trace.margin = Trace::Margin{};
+  trace.margin->by.direction = {0, 0, 1};
+  trace.margin->by.times = {0.5, 1, false, true};
+  for (MovingPatch<double>& patch : q.query.patches) {
+    for (Vec3<double>& p : patch.positions) p = {0, 0, 1};
+    for (Vec3<double>& v : patch.velocities) v = {0, 0, 0};
+  }
+  for (Vec3<double>& v : q.query.patches[0].velocities) v = {0, 0, -1};
+  // They are 0.5 apart then, of heights of 1.
+  EXPECT_EQ(standing_of(q, trace).nearness, 0x1p52);
+  EXPECT_EQ(standing_of(q, trace).niche.by, Niche::By::kExcludedRest);
+}
+
+TEST(Standing, IsTheSlackOfMethodsThatCompareAndNothingWhereNothingWasExcluded) {
+  Trace trace;
+  EXPECT_EQ(standing_of(falling_point(), trace).niche, Niche{});
+  trace.margin = Trace::Margin{};
+  trace.slack = Trace::Slack{};
+  trace.slack->value = 3;
+  trace.slack->place.level = 4;
+  trace.slack->gap.axis = 5;
+  EXPECT_EQ(standing_of(falling_point(), trace).niche, (Niche{Niche::By::kGap, 4, 5}));
+  EXPECT_EQ(standing_of(falling_point(), trace).nearness, 3);
 }
 
 }  // namespace
