@@ -63,6 +63,7 @@ struct Store::State {
   Result<Added> add(const Case& find);
   bool surely_known(const Case& find, const Rank& rank) const;
   Result<Plan> plan(const Case& find, const Rank& rank) const;
+  Result<void> supersede(const Case& larger, const std::string& method, const Case& simpler);
   Result<void> take_away(const std::string& path, const std::set<FailureKey>& keys);
   Result<void> tidy();
 };
@@ -164,6 +165,29 @@ Result<void> Store::State::take_away(const std::string& path, const std::set<Fai
   return failures_of(value).empty() ? remove_file(path) : write_entry(path, value);
 }
 
+Result<void> Store::State::supersede(const Case& larger, const std::string& method,
+                                     const Case& simpler) {
+  const std::lock_guard one_at_a_time(mutex);
+  const auto lock = FolderLock::take(home);
+  if (!lock) return tl::unexpected(lock.error());
+  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
+  const std::string* old_path = index.find(content_address(larger.query));
+  const std::string* path = index.find(content_address(simpler.query));
+  if (old_path == nullptr || path == nullptr || *old_path == *path) return {};
+  const Case& old = index.entries().at(*old_path).value;
+  const Case& kept = index.entries().at(*path).value;
+  const auto old_outcome = old.expect.find(method), outcome = kept.expect.find(method);
+  if (index.entries().at(*old_path).fixed || old_outcome == old.expect.end() ||
+      outcome == kept.expect.end() || old_outcome->second != outcome->second ||
+      old.origin.contact != kept.origin.contact ||
+      error_name(old, method) != error_name(kept, method)) {
+    return {};
+  }
+  return take_away(*old_path, {failure_key(old, method, old_outcome->second)}).and_then([&] {
+    return index.refresh(folder, home);
+  });
+}
+
 /// Establishes law 3. Requires the lock and a fresh index; leaves the index fresh.
 Result<void> Store::State::tidy() {
   std::map<std::string, std::set<FailureKey>> superfluous;
@@ -227,6 +251,10 @@ Store::~Store() = default;
 
 Result<Store::Added> Store::add(const Case& find) {
   return state_->add(find);
+}
+
+Result<void> Store::supersede(const Case& larger, const std::string& method, const Case& simpler) {
+  return state_->supersede(larger, method, simpler);
 }
 
 Result<std::vector<NamedCase>> Store::load() const {

@@ -46,6 +46,12 @@ class Store {
   /// entries so far stand; an origin.name that is no file name or names another case.
   Result<Added> add(const Case& find);
 
+  /// Takes the failure of a method away from the entry of `larger`, and the entry if it then stands
+  /// for none, where the entry of `simpler` stands for the same one of another kind or generator,
+  /// which laws 2 and 3 tell apart: what two finds come down to is one entry, and has one origin.
+  /// Nothing happens to named entries, or where either is not there. Errors: as add.
+  Result<void> supersede(const Case& larger, const std::string& method, const Case& simpler);
+
   /// All entries, ordered by path; none is no error.
   Result<std::vector<NamedCase>> load() const;
 

@@ -12,7 +12,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Members of the population that drifts: as many as a hunt by cases begins with (hunt.cpp).
+/// Members of the population that drifts. A draw adds up to four: so that it replaces few.
 constexpr size_t kDrifting = 64;
 
 }  // namespace

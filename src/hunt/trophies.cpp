@@ -95,7 +95,8 @@ Result<void> Trophies::shrink(const std::function<bool()>& stop) {
       },
       [&](const Case& smaller) {
         const Task& task = tasks[done++];
-        if (stored) stored = offer(task.method, smaller, task.failure);
+        stored = stored.and_then([&] { return offer(task.method, smaller, task.failure); })
+                     .and_then([&] { return store_.supersede(*task.found, task.method, smaller); });
         if (!stored || stop()) ended = true;
       },
       &ended);

@@ -106,6 +106,40 @@ TEST(Store, NamedEntriesAreNeverTakenAway) {
   EXPECT_EQ(cases_in(folder.path()).size(), 3U);
 }
 
+TEST(Store, WhatTwoFindsComeDownToTakesThePlaceOfBoth) {
+  const ScratchFolder folder;
+  Store store = open_store(folder.path());
+  Case other = find_of(15);
+  other.origin.generator = "mutant";
+  add(store, find_of(3));
+  add(store, other);
+  Case simpler = find_of(3);
+  simpler.origin.generator = "mutant";
+  EXPECT_EQ(add(store, simpler), Added::kKnown);  // under the origin that it has already
+  EXPECT_EQ(cases_in(folder.path()).size(), 2U);
+  ASSERT_TRUE(store.supersede(other, "tdibm", simpler));
+  EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3)));
+}
+
+TEST(Store, OtherFailuresAndNamedEntriesAreNotSuperseded) {
+  const ScratchFolder folder;
+  Store store = open_store(folder.path());
+  add(store, find_of(3));
+  const Case late = find_of(15, "tdibm", Outcome::kLate);
+  const Case other_class = find_of(17, "tdibm", Outcome::kMissed, "VE");
+  const Case other_method = find_of(19, "trad");
+  Case named = find_of(21);
+  named.origin.name = "kept";
+  for (const Case& find : {late, other_class, other_method, named}) {
+    add(store, find);
+    ASSERT_TRUE(store.supersede(find, find.expect.begin()->first, find_of(3)));
+  }
+  ASSERT_TRUE(store.supersede(find_of(3), "tdibm", find_of(3)));
+  ASSERT_TRUE(store.supersede(find_of(3), "tdibm", find_of(33)));  // which is not there
+  ASSERT_TRUE(store.supersede(find_of(33), "tdibm", find_of(3)));
+  EXPECT_EQ(cases_in(folder.path()).size(), 5U);
+}
+
 TEST(Store, AFindMayGetANameLater) {
   const ScratchFolder folder;
   Store store = open_store(folder.path());
