@@ -1,7 +1,6 @@
 #include "run_apart.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "method/process_limits.hpp"
 #include "property_turns.hpp"
 #include "scoreboard/planted.hpp"
 
@@ -17,22 +17,10 @@ namespace ccdfuzz {
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kReservesMemory = true;  // a sanitizer: far more than it uses
-#elif defined(__has_feature)
-constexpr bool kReservesMemory = __has_feature(address_sanitizer);
-#else
-constexpr bool kReservesMemory = false;
-#endif
-
 void limit_process(double seconds) {
-  const auto limit = static_cast<rlim_t>(seconds) + 5;
-  const rlimit cpu{limit, limit};
-  setrlimit(RLIMIT_CPU, &cpu);
-  const rlimit memory{rlim_t{2} << 30, rlim_t{2} << 30};
-  if (!kReservesMemory) setrlimit(RLIMIT_AS, &memory);
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
+  limit_resource(RLIMIT_CPU, static_cast<rlim_t>(seconds) + 5);
+  if (!kReservesMemory) limit_resource(RLIMIT_AS, rlim_t{2} << 30);
+  limit_resource(RLIMIT_CORE, 0);
 }
 
 Report death(int status, const rusage& usage) {

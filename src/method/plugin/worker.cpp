@@ -4,7 +4,6 @@
 // It is built without sanitizers: it loads what users built.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -21,6 +20,7 @@
 
 #include "method/plugin/ccdfuzz_plugin.h"
 #include "method/plugin/supervise.hpp"
+#include "method/process_limits.hpp"
 
 namespace {
 
@@ -315,14 +315,6 @@ class Plugin {
   std::_Exit(0);
 }
 
-void limit(int resource, rlim_t most) {
-  rlimit now{};
-  ::getrlimit(resource, &now);
-  if (now.rlim_max != RLIM_INFINITY && now.rlim_max < most) most = now.rlim_max;
-  now.rlim_cur = most;
-  ::setrlimit(resource, &now);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -330,9 +322,7 @@ int main(int argc, char** argv) {
     std::fputs("ccdfuzz-plugin-worker is started by ccdfuzz\n", stderr);
     return 2;
   }
-  limit(RLIMIT_AS, static_cast<rlim_t>(std::strtoull(argv[1], nullptr, 10)) << 20);
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, rlim_t{16} << 20);
+  ccdfuzz::limit_answering_process(std::strtoull(argv[1], nullptr, 10) << 20);
   ccdfuzz::continue_in_supervised_child();
   const auto seconds = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
   if (std::strcmp(argv[3], "load") == 0) serve(argv[4], seconds);

@@ -17,13 +17,14 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "method/process_end.hpp"
+
 namespace ccdfuzz {
 
 namespace {
 
 constexpr size_t kMostReplyBytes = 64 << 10;
 constexpr size_t kMostPrintedBytes = 1 << 20;  ///< between two questions
-constexpr size_t kKeptPrintedBytes = 300;
 /// How long a process that closed its output may take to die before it is killed.
 constexpr auto kTimeToDie = std::chrono::milliseconds(500);
 /// How long a process may be dead, its output held open by another, before that is noticed.
@@ -54,23 +55,6 @@ struct DescriptorPair {
 void close_descriptor(int& descriptor) {
   if (descriptor >= 0) ::close(descriptor);
   descriptor = -1;
-}
-
-/// Where SIGCHLD is ignored, which exec hands on, nobody can ask how a child ended. A handler
-/// stays.
-void let_ends_be_known() {
-  struct sigaction action {};
-  ::sigaction(SIGCHLD, nullptr, &action);
-  const bool ignored = action.sa_handler == SIG_IGN;
-  if (!ignored && (action.sa_flags & SA_NOCLDWAIT) == 0) return;
-  if (ignored) action.sa_handler = SIG_DFL;
-  action.sa_flags &= ~SA_NOCLDWAIT;
-  ::sigaction(SIGCHLD, &action, nullptr);
-}
-
-std::string signal_name(int number) {
-  const char* const name = ::sigabbrev_np(number);
-  return name == nullptr ? fmt::format("signal {}", number) : std::string("SIG") + name;
 }
 
 }  // namespace
@@ -176,8 +160,8 @@ tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
     if (left <= 0) {
-      return tl::unexpected(
-          stopped("hang", fmt::format("no answer within {} s", spec_.seconds) + last_words()));
+      return tl::unexpected(stopped(
+          "hang", fmt::format("no answer within {} s", spec_.seconds) + last_words(printed_text_)));
     }
     std::array<pollfd, 3> watched = {{{replies_, POLLIN, 0},
                                       {printed_, POLLIN, 0},
@@ -187,8 +171,9 @@ tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to
     if (ready < 0 && errno != EINTR) system_refused("wait for a worker", errno);
     const bool dead = ready == 0 && is_dead();  // before the look at what it wrote
     if (!read_printed()) {
-      return tl::unexpected(stopped(
-          "output", fmt::format("printed more than {} bytes", kMostPrintedBytes) + last_words()));
+      return tl::unexpected(
+          stopped("output", fmt::format("printed more than {} bytes", kMostPrintedBytes) +
+                                last_words(printed_text_)));
     }
     const bool open = read_reply();
     if (const size_t end = reply_.find('\n'); end != std::string::npos) {
@@ -232,18 +217,6 @@ bool WorkerProcess::read_printed() {
   return false;
 }
 
-/// "; it printed: …".
-std::string WorkerProcess::last_words() const {
-  std::string text = printed_text_;
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) {
-    text.pop_back();
-  }
-  for (char& c : text) {
-    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
-  }
-  return text.empty() ? "" : "; it printed: " + text;
-}
-
 PluginFault WorkerProcess::stopped(const std::string& name, const std::string& note) {
   kill();
   return {name, note};
@@ -271,21 +244,15 @@ PluginFault WorkerProcess::ended() {
   rusage used{};
   const pid_t gone = await_end(&status, &used);
   read_printed();
-  const std::string words = last_words();
-  if (gone != pid_) return stopped("garbage", "closed its output without an answer" + words);
+  const std::string printed = printed_text_;
+  if (gone != pid_) {
+    return stopped("garbage", "closed its output without an answer" + last_words(printed));
+  }
   pid_ = -1;
   kill();
-  // Out of memory shows as many things; ru_maxrss counts KiB.
-  if (static_cast<std::uint64_t>(used.ru_maxrss) > spec_.megabytes << 9) {
-    return {"memory", fmt::format("ended after it had used {} MiB of its {} MiB{}",
-                                  used.ru_maxrss >> 10, spec_.megabytes, words)};
-  }
-  if (WIFSIGNALED(status)) {
-    const std::string signal = signal_name(WTERMSIG(status));
-    return {"crash " + signal, "ended by " + signal + words};
-  }
-  return {fmt::format("exit {}", WEXITSTATUS(status)),
-          fmt::format("called exit({}){}", WEXITSTATUS(status), words)};
+  const auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
+  const MethodFault fault = fault_of_end(status, kibibytes, spec_.megabytes, printed);
+  return {fault.name(), fault.what()};
 }
 
 }  // namespace ccdfuzz

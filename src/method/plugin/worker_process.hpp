@@ -52,7 +52,6 @@ class WorkerProcess {
   PluginFault stopped(const std::string& name, const std::string& note);
   bool read_reply();
   bool read_printed();
-  std::string last_words() const;
 
   PluginSpec spec_;
   pid_t pid_ = -1;
