@@ -7,6 +7,7 @@
 #include "corpus/content_address.hpp"
 #include "corpus/failure.hpp"
 #include "hunt/shrink.hpp"
+#include "method/method_apart.hpp"
 #include "query/case_json.hpp"
 #include "query/output_file.hpp"
 
@@ -37,7 +38,11 @@ Result<int> run_minimize(const MinimizeArguments& options) {
   const NamedCase& found = cases->front();
   const Result<SearchOptions> search = options.search.parse_for(found);
   if (!search) return tl::unexpected(search.error());
-  Result<std::unique_ptr<Method>> method = make_method(options.method);
+  const auto expected = found.value.expect.find(options.method);
+  const bool may_crash =
+      expected != found.value.expect.end() && expected->second == Outcome::kError;
+  const auto make = may_crash ? make_method_apart : make_method;
+  Result<std::unique_ptr<Method>> method = make(options.method);
   if (!method) return tl::unexpected(method.error());
   const Judged failure = ask(**method, found.value, *search);
   if (!is_failure(failure.outcome)) {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include <algorithm>
 #include <map>
+#include <span>
 
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
@@ -14,6 +16,7 @@
 #include "corpus/entries.hpp"
 #include "eval/in_order.hpp"
 #include "eval/table.hpp"
+#include "method/method_apart.hpp"
 
 namespace ccdfuzz {
 
@@ -29,6 +32,7 @@ struct ReplayArguments {
 struct Question {
   const NamedCase* entry;
   std::string method;
+  Outcome expected;
   SearchOptions search;
 };
 
@@ -42,10 +46,15 @@ Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries
       if (const auto made = make_method(method); !made) {
         return input_error(entry.id + ": expect", made.error().what);
       }
-      questions.push_back({&entry, method, *own});
+      questions.push_back({&entry, method, outcome, *own});
     }
   }
   return questions;
+}
+
+/// An entry may be there for a crash or a hang of a method that runs in this process.
+bool may_end_its_process(const Question& question) {
+  return question.expected == Outcome::kError && !names_plugin(question.method);
 }
 
 nlohmann::ordered_json row_json(const ReplayRow& row) {
@@ -76,24 +85,30 @@ Result<int> run_replay(const ReplayArguments& options) {
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   const Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
   if (!entries) return tl::unexpected(entries.error());
-  const Result<std::vector<Question>> questions = questions_of(*entries, options.search);
+  Result<std::vector<Question>> questions = questions_of(*entries, options.search);
   if (!questions) return tl::unexpected(questions.error());
 
   std::map<std::pair<const Case*, std::string>, Judged> answers;
-  tbb::enumerable_thread_specific<MethodSet> methods;
   Progress progress;
+  const auto note = [&](const Question& q, Judged judged) {
+    progress.show(static_cast<double>(answers.size()) / static_cast<double>(questions->size()),
+                  q.entry->id, answers.size(), "answers");
+    answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
+  };
+  // Before there are other threads.
+  const auto others = std::ranges::stable_partition(*questions, may_end_its_process);
+  MethodSet apart(make_method_apart);
+  for (const Question& q : std::span(questions->begin(), others.begin())) {
+    note(q, ask(apart[q.method], q.entry->value, q.search));
+  }
+  tbb::enumerable_thread_specific<MethodSet> methods;
   run_in_order<Judged>(
-      questions->size(), options.threads,
+      others.size(), options.threads,
       [&](size_t i) {
-        const Question& q = (*questions)[i];
+        const Question& q = others[i];
         return ask(methods.local()[q.method], q.entry->value, q.search);
       },
-      [&](Judged judged) {
-        const Question& q = (*questions)[answers.size()];
-        progress.show(static_cast<double>(answers.size()) / static_cast<double>(questions->size()),
-                      q.entry->id, answers.size(), "answers");
-        answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
-      });
+      [&](Judged judged) { note((*questions)[answers.size()], std::move(judged)); });
   progress.clear();
   const Result<ReplayReport> report =
       replay(*entries, [&](const std::string& method, const Case& entry) -> Result<Judged> {

@@ -83,11 +83,13 @@ void tell(const TriageFind& find, const std::string& id, bool json) {
                 {"class", find.value.origin.contact},
                 {"method", find.method},
                 {"outcome", name_of(find.outcome)},
+                {"error", find.error},
                 {"loss", find.loss},
                 {"address", content_address(find.value.query)}});
   } else {
+    const std::string& how = find.error.empty() ? find.loss : find.error;
     print_out(fmt::format("{} {} by {}: {}\n", find.value.origin.contact, name_of(find.outcome),
-                          find.method, find.loss.empty() ? "nothing to trace" : find.loss));
+                          find.method, how.empty() ? "nothing to trace" : how));
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,15 +10,19 @@
 
 namespace ccdfuzz {
 
-/// One object for each spec, made when first asked for; for one thread.
+/// One object for each spec, made when first asked for, by make unless by another; for one thread.
 template <class T, Result<std::unique_ptr<T>> (*make)(const std::string& spec)>
 class BySpec {
  public:
+  using Make = std::function<Result<std::unique_ptr<T>>(const std::string& spec)>;
+  BySpec() = default;
+  explicit BySpec(Make other) : make_(std::move(other)) {}
+
   /// Null where there is none for this spec: a plug-in has no tracer.
   T* find(const std::string& spec) {
     std::unique_ptr<T>& one = made_[spec];
     if (!one) {
-      if (Result<std::unique_ptr<T>> made = make(spec)) one = std::move(*made);
+      if (Result<std::unique_ptr<T>> made = make_(spec)) one = std::move(*made);
     }
     return one.get();
   }
@@ -30,6 +35,7 @@ class BySpec {
   }
 
  private:
+  Make make_ = make;
   std::map<std::string, std::unique_ptr<T>> made_;
 };
 

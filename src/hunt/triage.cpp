@@ -9,14 +9,14 @@
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
+#include "method/method_apart.hpp"
+#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// The truth of a case that has none, as far as little effort gives one.
-Case with_truth(const Case& candidate) {
-  if (candidate.truth.collides) return candidate;
+Case decided_with_little_effort(const Case& candidate) {
   OracleOptions little;
   little.max_pops = 2000;
   little.max_tree_nodes = 20'000;
@@ -38,6 +38,13 @@ Case with_truth(const Case& candidate) {
 
 }  // namespace
 
+Triage::Triage(Store& store, TriageOptions options)
+    : store_(store),
+      options_(std::move(options)),
+      methods_([make = options_.make, limits = options_.apart](const std::string& spec) {
+        return make(spec).map([&](auto method) { return asked_apart(std::move(method), limits); });
+      }) {}
+
 void Triage::know(const Case& entry) {
   for (const auto& [method, outcome] : entry.expect) {
     if (!is_failure(outcome)) continue;
@@ -58,24 +65,25 @@ Result<void> Triage::add(const Case& candidate,
     if (!failure) continue;
     fails = true;
     ++tally_.failures;
-    const auto is_new = [&](const Case& value) {
-      return had_.insert(signature_of(method, value, failure->judged)).second;
-    };
-    if (!is_new(failure->asked)) {
+    const Signature signature = signature_of(method, failure->asked, failure->judged);
+    if (!had_.insert(signature).second) {
       ++tally_.known;
       continue;
     }
-    const Case small = shrink(failure->asked, method, methods_[method], failure->judged,
-                              options_.search, {options_.shrink_trials, options_.stop})
-                           .value;
-    // What is not shrunk to the end is left to another time, which would find it anew.
-    if (options_.stop()) continue;
+    const Case small = with_truth(shrink(failure->asked, method, methods_[method], failure->judged,
+                                         options_.search, {options_.shrink_trials, options_.stop})
+                                      .value);
+    // What is not shrunk to the end is left to another time, which would find it anew; but not a
+    // hang, which would take as long again.
+    if (options_.stop() && failure->judged.error != "hang") continue;
     // Shrinking may make one loss into another, which was had.
-    if (!(small.query == failure->asked.query) && !is_new(small)) {
+    const Signature shrunk = signature_of(method, small, failure->judged);
+    if (shrunk != signature && !had_.insert(shrunk).second) {
       ++tally_.known;
       continue;
     }
-    TriageFind find{method, failure->judged.outcome, loss_of(method, small), small};
+    TriageFind find{method, failure->judged.outcome, failure->judged.error,
+                    std::get<kLossPlace>(shrunk), small};
     set_loss(find.value, method, find.loss);
     complete(find.value);
     if (const auto added = store_.add(find.value); !added) return tl::unexpected(added.error());
@@ -83,6 +91,13 @@ Result<void> Triage::add(const Case& candidate,
   }
   if (!fails) ++tally_.saved;
   return {};
+}
+
+Case Triage::with_truth(const Case& candidate) const {
+  if (candidate.truth.collides) return candidate;
+  const auto decided =
+      work_apart([&] { return to_json(decided_with_little_effort(candidate)); }, options_.apart);
+  return decided ? parse_case(*decided, "what the oracle decided").value() : candidate;
 }
 
 std::optional<Triage::Failure> Triage::confirm(const std::string& method, const Case& known) {
@@ -102,6 +117,7 @@ std::optional<Triage::Failure> Triage::confirm(const std::string& method, const 
 
 Triage::Signature Triage::signature_of(const std::string& method, const Case& value,
                                        const Judged& judged) {
+  if (judged.outcome == Outcome::kError) return {method, "", judged.outcome, judged.error, ""};
   return {method, value.origin.contact, judged.outcome, judged.error, loss_of(method, value)};
 }
 
@@ -109,15 +125,20 @@ std::string Triage::loss_of(const std::string& method, const Case& value) {
   const std::optional<Witness>& witness = value.truth.witness;
   if (!witness || witness->t > exact(value.query.t_max)) return "";
   Tracer* const tracer = tracers_.find(method);
-  return tracer ? loss_signature(tracer->trace(value.query, *witness, {})) : "";
+  if (tracer == nullptr) return "";
+  // It answers the query, but the trace may look further than the search did.
+  return work_apart([&] { return loss_signature(tracer->trace(value.query, *witness, {})); },
+                    options_.apart)
+      .value_or("");
 }
 
 void Triage::complete(Case& value) {
   expect_of_others(value, options_.methods, methods_, options_.search,
                    [&](const std::string& method, const Judged& judged) {
                      if (!is_failure(judged.outcome)) return;
-                     had_.insert(signature_of(method, value, judged));
-                     set_loss(value, method, loss_of(method, value));
+                     const Signature signature = signature_of(method, value, judged);
+                     had_.insert(signature);
+                     set_loss(value, method, std::get<kLossPlace>(signature));
                    });
 }
 

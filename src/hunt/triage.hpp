@@ -8,6 +8,7 @@
 
 #include "corpus/store.hpp"
 #include "eval/ask.hpp"
+#include "method/process_apart.hpp"
 
 namespace ccdfuzz {
 
@@ -16,6 +17,8 @@ struct TriageOptions {
   SearchOptions search;
   std::uint64_t shrink_trials = 1000;                 ///< of one find
   std::function<bool()> stop = [] { return false; };  ///< true ends shrinking
+  MethodSet::Make make = make_method;                 ///< what is asked of a spec
+  ApartLimits apart;                                  ///< of each question
 };
 
 /// What became of the inputs.
@@ -30,17 +33,20 @@ struct TriageTally {
 struct TriageFind {
   std::string method;
   Outcome outcome = Outcome::kUnknown;
-  std::string loss;  ///< loss_signature; empty where nothing is traced
-  Case value;        ///< shrunk, as it was stored
+  std::string error;  ///< its name; empty of other outcomes
+  std::string loss;   ///< loss_signature; empty where nothing is traced
+  Case value;         ///< shrunk, as it was stored
 };
 
 /// What fuzzers found, on its way into a store: confirmed by full runs up to the contact and past
 /// it, classified by the judge, shrunk exactly, and kept if nothing like it was had: no failure of
 /// the same method, contact class, outcome and loss_signature, which is level, axes and what of the
-/// axis' claim is wrong.
+/// axis' claim is wrong; of errors ("crash SIGSEGV", "hang"), none of the same method and name.
+/// Methods and oracle work apart from this process (work_apart), which therefore survives whatever
+/// they do, and must have no other thread.
 class Triage {
  public:
-  Triage(Store& store, TriageOptions options) : store_(store), options_(std::move(options)) {}
+  Triage(Store& store, TriageOptions options);
 
   /// The failures that a case expects are had.
   void know(const Case& entry);
@@ -56,9 +62,12 @@ class Triage {
     Case asked;
     Judged judged;
   };
-  /// Method, contact class, outcome, name of an error, loss.
+  /// Method, contact class, outcome, name of an error, loss; of an error, its method and name.
   using Signature = std::tuple<std::string, std::string, Outcome, std::string, std::string>;
+  static constexpr std::size_t kLossPlace = 4;
 
+  /// The truth of a case that has none, as far as little effort gives one.
+  Case with_truth(const Case& candidate) const;
   std::optional<Failure> confirm(const std::string& method, const Case& known);
   Signature signature_of(const std::string& method, const Case& value, const Judged& judged);
   std::string loss_of(const std::string& method, const Case& value);

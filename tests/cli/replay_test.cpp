@@ -45,6 +45,21 @@ TEST(Replay, AnyChangeExits1AlsoForTheBetter) {
   EXPECT_EQ(rows[1].at("expected"), rows[1].at("outcome"));
 }
 
+// Whose method is asked in a process of its own, before the others.
+TEST(Replay, ACrashThatIsNoneAnyMoreIsAChange) {
+  const ScratchFolder folder;
+  const std::string corpus = corpus_of(folder, {{"tdibm-c", Outcome::kCorrect},
+                                                {"tdibm-e", Outcome::kError},
+                                                {"tdibm-rational", Outcome::kCorrect}});
+  const Finished finished = ccdfuzz({"replay", corpus, "--json", "--threads", "2"});
+  EXPECT_EQ(finished.code, 1) << finished.err;
+  const auto rows = json_lines(finished.out);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1].at("method"), "tdibm-e");
+  EXPECT_EQ(rows[1].at("expected"), "error");
+  for (const auto& row : rows) EXPECT_EQ(row.at("outcome"), "correct") << row;
+}
+
 TEST(Replay, AnEmptyCorpusIsAnError) {
   const ScratchFolder folder;
   const Finished finished = ccdfuzz({"replay", folder.path()});

@@ -2,7 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "certify/checker/check_truth.hpp"
+#include "corpus/content_address.hpp"
+#include "corpus/failure.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/draw.hpp"
 #include "query/case_json.hpp"
@@ -74,6 +79,79 @@ TEST(Triage, DecidesWhatComesWithoutTruth) {
   std::vector<Case> raw = raw_finds();
   for (Case& c : raw) c.truth = {};
   EXPECT_GE(triaged(triage, raw).size(), 1U);
+}
+
+/// Fails on contacts by its spec's name: where a velocity of the first patch is not 0.
+struct Failing : Method {
+  explicit Failing(std::string how_) : how(std::move(how_)) {}
+
+  Answer answer(const Query& query, const SearchOptions&) override {
+    const auto& velocities = query.patches[0].velocities;
+    Answer answer;
+    if (std::ranges::all_of(velocities, [](const auto& v) { return v.isZero(); })) return answer;
+    if (how == "aborts") std::abort();
+    if (how == "throws") throw std::runtime_error("cannot");
+    while (how == "spins") asm volatile("");
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+
+  std::string how;
+};
+
+/// A method that spins is given little time, so that others are not to be judged by what they do.
+TriageOptions failing_options(const std::vector<std::string>& methods) {
+  TriageOptions options = quick_options();
+  options.methods = methods;
+  if (methods.front() == "spins") options.apart.cpu_seconds = 0.04;
+  options.make = [](const std::string& spec) -> Result<std::unique_ptr<Method>> {
+    if (spec == "tdibm-c") return make_method(spec);
+    return std::make_unique<Failing>(spec);
+  };
+  return options;
+}
+
+TEST(Triage, KeepsACrashOfEachNameShrunkWithWhatOthersSay) {
+  const std::vector<Case> raw = raw_finds();
+  const std::map<std::string, std::string> names = {
+      {"aborts", "crash SIGABRT"}, {"throws", "exception"}, {"spins", "hang"}};
+  for (const auto& [method, name] : names) {
+    const ScratchFolder folder;
+    Store store = Store::open(folder.path()).value();
+    Triage triage(store, failing_options({method, "tdibm-c"}));
+    const std::vector<TriageFind> finds = triaged(triage, {raw.begin(), raw.begin() + 1});
+    ASSERT_EQ(finds.size(), 1U) << method;
+    const TriageFind& find = finds.front();
+    EXPECT_EQ(find.outcome, Outcome::kError);
+    EXPECT_EQ(find.error, name);
+    EXPECT_EQ(find.loss, "");
+    EXPECT_EQ(find.value.expect.at(method), Outcome::kError);
+    EXPECT_EQ(error_name(find.value, method), name);
+    EXPECT_LT(size_of(find.value.query), size_of(raw.front().query)) << to_json(find.value);
+    EXPECT_TRUE(check_truth(find.value)) << to_json(find.value);
+    if (method != "spins") {
+      EXPECT_TRUE(find.value.truth.collides) << to_json(find.value);
+      EXPECT_EQ(find.value.expect.at("tdibm-c"), Outcome::kCorrect) << to_json(find.value);
+    }
+
+    Triage again(store, failing_options({method}));
+    const std::vector<NamedCase> entries = store.load().value();
+    for (const NamedCase& entry : entries) again.know(entry.value);
+    const auto few = raw.begin() + (method == "spins" ? 1 : 3);
+    EXPECT_THAT(triaged(again, {raw.begin(), few}), testing::IsEmpty());
+    EXPECT_EQ(again.tally().known, few - raw.begin());
+  }
+}
+
+TEST(Triage, KeepsWhatCannotBeTraced) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  Triage triage(store, failing_options({"misses"}));
+  const std::vector<TriageFind> finds = triaged(triage, raw_finds());
+  ASSERT_EQ(finds.size(), 1U) << "one class";
+  EXPECT_EQ(finds[0].outcome, Outcome::kMissed);
+  EXPECT_EQ(finds[0].loss, "");
+  EXPECT_EQ(store.load().value().size(), 1U);
 }
 
 }  // namespace
