@@ -95,17 +95,17 @@ Result<int> run_replay(const ReplayArguments& options) {
                   q.entry->id, answers.size(), "answers");
     answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
   };
-  // Before there are other threads.
-  const auto others = std::ranges::stable_partition(*questions, may_end_its_process);
-  MethodSet apart(make_method_apart);
-  for (const Question& q : std::span(questions->begin(), others.begin())) {
-    note(q, ask(apart[q.method], q.entry->value, q.search));
+  const auto middle = std::partition(questions->begin(), questions->end(), may_end_its_process);
+  const std::span<const Question> apart(questions->begin(), middle), here(middle, questions->end());
+  MethodSet methods_apart(make_method_apart);
+  for (const Question& q : apart) {  // before there are other threads
+    note(q, ask(methods_apart[q.method], q.entry->value, q.search));
   }
   tbb::enumerable_thread_specific<MethodSet> methods;
   run_in_order<Judged>(
-      others.size(), options.threads,
+      here.size(), options.threads,
       [&](size_t i) {
-        const Question& q = others[i];
+        const Question& q = here[i];
         return ask(methods.local()[q.method], q.entry->value, q.search);
       },
       [&](Judged judged) { note((*questions)[answers.size()], std::move(judged)); });
