@@ -93,7 +93,7 @@ Check check_csv(ChoiceSource& choices) {
 
 /// A line that is almost what a plug-in should answer.
 std::string draw_line(ChoiceSource& choices) {
-  constexpr std::array<std::string_view, 21> kWords = {
+  constexpr std::array<std::string_view, 22> kWords = {
       "\"id\":7",
       "\"verdict\":\"hit\"",
       "\"verdict\":\"miss\"",
@@ -105,6 +105,7 @@ std::string draw_line(ChoiceSource& choices) {
       "\"uv\":[[0,1],[0.5,null]]",
       "\"uv\":[[NaN]]",
       "\"tolerance\":1e-6",
+      "\"tolerance\":\"inf\"",
       "\"iterations\":1e300",
       "\"seconds\":-1",
       "\"protocol\":1",

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# Runs each fuzz target against each fault planted into what it is there for (target_faults.txt), as
+# `script/fuzz` would, without a corpus but the tracked one, and prints a table: the executions and
+# seconds of CPU time until the target stops on its own.
+#   tests/scoreboard/targets.sh BUILD [SECONDS [TARGET...]]
+# BUILD: a build by clang with -DCCDFUZZ_FUZZ=ON -DCCDFUZZ_SCOREBOARD=ON, target planted_fuzz_targets.
+# Exits 1 if a target stops without a fault, or with none.
+set -euo pipefail
+build=$(cd "$1" && pwd) seconds=${2:-60}
+shift $(($# < 2 ? $# : 2))
+cd "$(dirname "$0")/../.."
+here=tests/scoreboard
+mapfile -t faults < <(awk -F': ' '
+  $1 == "fault" { if (name) print name; name = $2 } $1 == "equivalent" { name = "" }
+  END { if (name) print name }' $here/faults.txt)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+"$build"/fuzz/witnessed_inputs encode "$scratch/seeds" corpus/*/*.json >/dev/null
+
+# Sets status, runs and used (CPU seconds).
+run_target() {  # target, seconds, fault or nothing
+  local options=()
+  case $1 in
+    case_reader) options=(-dict=fuzz/case_reader.dict corpus) ;;
+    plugin_lines) options=(-dict=fuzz/plugin_lines.dict) ;;
+    query | witnessed) options=(-max_len=8192 "$scratch/seeds") ;;
+  esac
+  rm -rf "$scratch/corpus"
+  mkdir "$scratch/corpus"
+  status=0
+  local TIMEFORMAT=%U
+  { time CCDFUZZ_FAULT=${3-} "$build/tests/scoreboard/planted_fuzz_$1" -seed=1 -timeout=20 \
+      -max_total_time="$2" -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/corpus" \
+      "${options[@]}" >"$scratch/log" 2>&1 || status=$?; } 2>"$scratch/time"
+  used=$(tail -n 1 "$scratch/time")
+  runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$scratch/log")
+}
+
+wrong=0
+echo '| target | fault | noticed after | executions |'
+echo '|---|---|---|---|'
+while IFS=': ' read -r target patterns; do
+  [ $# -eq 0 ] || [[ " $* " == *" $target "* ]] || continue
+  run_target "$target" 5
+  if [ $status -ne 0 ]; then
+    echo "| $target | none | **false alarm** | $runs |"
+    wrong=1
+  fi
+  noticed=0
+  for fault in "${faults[@]}"; do
+    for pattern in $patterns; do
+      # shellcheck disable=SC2053
+      [[ $fault == $pattern ]] || continue
+      run_target "$target" "$seconds" "$fault"
+      if [ $status -ne 0 ]; then
+        echo "| $target | $fault | $used s | $runs |"
+        noticed=$((noticed + 1))
+      else
+        echo "| $target | $fault | - ($used s) | $runs |"
+      fi
+    done
+  done
+  [ $noticed -gt 0 ] || wrong=1
+done < <(grep -v '^#' $here/target_faults.txt)
+exit $wrong
