@@ -1,7 +1,8 @@
-// How soon a method's first false negative is found, from nothing: in CPU seconds of one thread, by
-// draws alone, by breeding them without a look at the margins of the witness trace, and by breeding
-// every other one from those with small margins. Medians over seeds; a run that found nothing
-// counts as longer than any.
+// What guides a hunt, from nothing, in CPU seconds of one thread: how soon a method's first false
+// negative is found, or (--losses) how many contacts it loses on the way, by draws alone, by
+// breeding them without a look at the margins of the witness trace, and by breeding every other one
+// from those with small margins. Medians over seeds; a run that found nothing counts as longer than
+// any.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -67,6 +68,30 @@ class Run {
 
   /// CPU seconds until the first false negative; kNever if that is more than `most`.
   double seconds_to_first(double most) {
+    asks_ = true;
+    return seconds_used(most);
+  }
+
+  /// Draws that the method's trace loses in so much time; of the other searches mutants of the
+  /// first kFounders draws of each class. No query is asked.
+  double losses_in(double seconds) {
+    seconds_used(seconds);
+    double all = search_ == Strategy::kDraws ? static_cast<double>(lost_draws_) : 0;
+    for (const Cell& cell : cells_) all += static_cast<double>(cell.breeder.tally().lost);
+    return all;
+  }
+
+ private:
+  static constexpr std::uint64_t kFounders = 3;
+
+  struct Cell {
+    ContactClass contact;
+    Breeder breeder;
+    std::uint64_t next_draw;
+    double drawn_seconds, bred_seconds;
+  };
+
+  double seconds_used(double most) {
     const double start = thread_cpu_seconds();
     Scheduler scheduler(cells_.size());
     while (!found_ && thread_cpu_seconds() - start < most) {
@@ -78,18 +103,12 @@ class Run {
     return found_ ? thread_cpu_seconds() - start : kNever;
   }
 
- private:
-  struct Cell {
-    ContactClass contact;
-    Breeder breeder;
-    std::uint64_t next_draw;
-    double drawn_seconds, bred_seconds;
-  };
-
   void take_turn(Cell& cell) {
     const double begin = thread_cpu_seconds();
     const auto used = [&] { return thread_cpu_seconds() - begin; };
-    if (search_ != Strategy::kDraws && cell.bred_seconds < cell.drawn_seconds) {
+    const bool has_founders =
+        asks_ ? cell.bred_seconds < cell.drawn_seconds : cell.next_draw == kFounders;
+    if (search_ != Strategy::kDraws && has_founders) {
       constexpr double kSlice = 0.02;
       while (!found_ && used() < kSlice) {
         cell.breeder.step(methods_, tracers_, budget(),
@@ -98,21 +117,35 @@ class Run {
       cell.bred_seconds += used();
       return;
     }
+    bool lost = false;  // the same contact, up to it and past it
     for (const Case& asked : draw(cell.contact, seed_, cell.next_draw++, quarry_.scale).asked) {
-      note(ask(methods_[quarry_.method], asked, budget()));
+      if (asks_) {
+        note(ask(methods_[quarry_.method], asked, budget()));
+      } else {
+        lost = lost || loses(asked);
+      }
       if (found_) return;
       if (search_ != Strategy::kDraws) cell.breeder.add(asked, tracers_);
     }
+    lost_draws_ += lost ? 1 : 0;
     cell.drawn_seconds += used();
   }
 
-  static SearchOptions budget() {
+  SearchOptions budget() const {
     SearchOptions search;
-    search.max_pops = 10'000;
+    search.max_pops = asks_ ? 10'000 : 0;
     return search;
   }
 
-  void note(const Judged& judged) { found_ = found_ || is_false_negative(judged.outcome); }
+  bool loses(const Case& asked) {
+    const std::optional<Witness>& witness = asked.truth.witness;
+    if (!witness || witness->t > exact(asked.query.t_max)) return false;
+    return tracers_[quarry_.method].trace(asked.query, *witness, {}).lost;
+  }
+
+  void note(const Judged& judged) {
+    found_ = found_ || (asks_ && is_false_negative(judged.outcome));
+  }
 
   const Quarry& quarry_;
   Strategy search_;
@@ -120,15 +153,20 @@ class Run {
   MethodSet methods_;
   TracerSet tracers_;
   std::vector<Cell> cells_;
-  bool found_ = false;
+  bool asks_ = false, found_ = false;
+  std::uint64_t lost_draws_ = 0;
 };
 
-std::string median_text(std::vector<double> seconds, double most) {
-  std::ranges::sort(seconds);
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+std::string seconds_text(const std::vector<double>& seconds, double most) {
   const auto found = std::ranges::count_if(seconds, [](double s) { return s < kNever; });
-  const double median = seconds[seconds.size() / 2];
+  const double middle = median(seconds);
   const std::string text =
-      median < kNever ? fmt::format("{:.3g} s", median) : fmt::format("> {:g} s", most);
+      middle < kNever ? fmt::format("{:.3g} s", middle) : fmt::format("> {:g} s", most);
   const bool all = static_cast<std::size_t>(found) == seconds.size();
   return all ? text : fmt::format("{} ({} of {})", text, found, seconds.size());
 }
@@ -138,25 +176,30 @@ std::string median_text(std::vector<double> seconds, double most) {
 
 int main(int argc, char** argv) {
   using namespace ccdfuzz;  // NOLINT: the program's own
-  CLI::App app{"Times to the first false negative, from nothing; medians over seeds."};
+  CLI::App app{"How soon and how often contacts are lost, from nothing; medians over seeds."};
   std::uint64_t seeds = 5;
   double most = 60;
   std::string only;
+  bool losses = false;
   app.add_option("--seeds", seeds, "Runs of each search")->check(CLI::PositiveNumber);
   app.add_option("--seconds", most, "CPU seconds after which a run ends");
   app.add_option("--only", only, "Rows whose name begins so");
+  app.add_flag("--losses", losses, "Count the contacts lost in all that time, asking no query");
   CLI11_PARSE(app, argc, argv);
-  fmt::print("| first false negative of | draws | bred, margins unseen | bred by margins, too |\n");
+  fmt::print("| {} | draws | bred, margins unseen | bred by margins, too |\n",
+             losses ? fmt::format("contacts lost in {:g} s by", most) : "first false negative of");
   fmt::print("|---|---|---|---|\n");
   for (const Quarry& quarry : quarries()) {
     if (!quarry.name.starts_with(only)) continue;
     fmt::print("| {} |", quarry.name);
     for (const Strategy search : kStrategies) {
-      std::vector<double> seconds;
+      std::vector<double> values;
       for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        seconds.push_back(Run(quarry, search, seed).seconds_to_first(most));
+        Run run(quarry, search, seed);
+        values.push_back(losses ? run.losses_in(most) : run.seconds_to_first(most));
       }
-      fmt::print(" {} |", median_text(std::move(seconds), most));
+      fmt::print(" {} |",
+                 losses ? fmt::format("{:g}", median(values)) : seconds_text(values, most));
       std::cout.flush();
     }
     fmt::print("\n");
