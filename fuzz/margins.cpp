@@ -3,39 +3,55 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+
+namespace ccdfuzz {
 
 namespace {
 
-constexpr std::size_t kPerDoubling = 8;
-/// Margins and slacks from 2^-64 to 2^64 of their unit.
-constexpr std::size_t kDoublings = 128;
-constexpr std::size_t kPerMethod = kPerDoubling * kDoublings;
+/// Margins and slacks from 2^-64 to 2^64 of their unit, in buckets of four doublings.
+constexpr std::size_t kBuckets = 32;
+constexpr double kLeast = -64, kDoublingsEach = 4;
+constexpr std::size_t kLevels = 24;  // the last stands for all that are deeper
+constexpr std::size_t kPerMethod = kLevels * kBuckets * 2;
+
+struct Nearness {
+  double distance;
+  const TracePlace* place;
+  bool later;  ///< by an exclusion that begins later than the window
+};
+
+std::optional<Nearness> nearness_of(const Trace& trace) {
+  if (trace.lost && trace.loss) return Nearness{0, &trace.loss->place, false};
+  if (trace.slack) return Nearness{std::max(trace.slack->value, 0.0), &trace.slack->place, false};
+  if (!trace.margin) return std::nullopt;
+  const TracePlace& place = trace.margin->place;
+  return Nearness{static_cast<double>(trace.margin->ulps), &place,
+                  trace.margin->by.times.lo > place.window.lo};
+}
 
 }  // namespace
+
+}  // namespace ccdfuzz
 
 // libFuzzer reads this section. Static, or unread by anybody, it would be left out.
 extern "C" {
 __attribute__((section("__libfuzzer_extra_counters"))) volatile std::uint8_t
-    ccdfuzz_margin_counters[ccdfuzz::Margins::kMethods * kPerMethod];
+    ccdfuzz_margin_counters[ccdfuzz::Margins::kMethods * ccdfuzz::kPerMethod];
 }
 
 namespace ccdfuzz {
 
 void Margins::note(std::size_t method, const Trace& trace) {
-  if (!trace.slack && !trace.margin && !trace.lost) return;
-  double distance = 0;
-  if (trace.slack) {
-    distance = std::max(trace.slack->value, 0.0);
-  } else if (trace.margin) {
-    distance = static_cast<double>(trace.margin->ulps);
-  }
-  if (trace.lost) distance = 0;
-  // −64 for 0 and all that is as good as 0.
-  const double doublings = std::clamp(std::log2(distance), -64.0, 63.99);
-  const auto nearness = static_cast<std::size_t>((64 - doublings) * kPerDoubling);
-  for (std::size_t i = 0; i < std::min(nearness, kPerMethod); ++i) {
-    ccdfuzz_margin_counters[method * kPerMethod + i] = 1;
-  }
+  static const bool is_off = std::getenv("CCDFUZZ_WITHOUT_MARGINS") != nullptr;
+  const std::optional<Nearness> near = is_off ? std::nullopt : nearness_of(trace);
+  if (!near) return;
+  // The least for 0 and all that is as good as 0.
+  const double doublings = std::clamp(std::log2(near->distance), kLeast, -kLeast - 1);
+  const auto bucket = static_cast<std::size_t>((doublings - kLeast) / kDoublingsEach);
+  const auto level = std::min(static_cast<std::size_t>(near->place->level), kLevels - 1);
+  const std::size_t place = ((method * kLevels + level) * 2 + (near->later ? 1 : 0)) * kBuckets;
+  ccdfuzz_margin_counters[place + bucket] = 1;
 }
 
 }  // namespace ccdfuzz
