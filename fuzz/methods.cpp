@@ -4,12 +4,21 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 7> kClaims = {
+  static constexpr std::array<std::string_view, 16> kClaims = {
       "methods.not_contradicted",
+      "methods.not_contradicted_anywhere",
       "methods.optimised",
+      "methods.optimised_alike",
       "methods.no_state",
       "methods.sensible_answers",
+      "methods.budget",
+      "methods.long_time_step",
+      "methods.not_early",
+      "methods.split",
+      "methods.miss_what_is_far_apart",
+      "methods.hit_where_points_meet",
       "methods.scale",
+      "methods.scale_time",
       "methods.mirror",
       "tdibm.swap",
   };
