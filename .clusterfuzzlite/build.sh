@@ -1,7 +1,7 @@
 #!/bin/bash -eu
 # Builds every fuzz target as OSS-Fuzz and ClusterFuzzLite ask for it: the compiler and its flags come
 # from CC, CXX, CFLAGS and CXXFLAGS, the engine from LIB_FUZZING_ENGINE, the sources are in
-# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, and T_seed_corpus.zip, T.dict and T.options where
+# $SRC/ccdfuzz. Leaves in $OUT, for each target T: T, T.options, and T_seed_corpus.zip and T.dict where
 # there are any. What the targets need comes with them: libraries are linked statically.
 cd -P "$SRC/ccdfuzz"
 build=$WORK/ccdfuzz
@@ -18,6 +18,7 @@ mkdir -p "$seeds"
 while IFS= read -r target; do
   name=fuzz_$target
   cp "$build/fuzz/$name" "$OUT/"
+  cp fuzz/target.options "$OUT/$name.options"  # unless it has its own
   for kind in dict options; do
     if [ -e "fuzz/$target.$kind" ]; then cp "fuzz/$target.$kind" "$OUT/$name.$kind"; fi
   done

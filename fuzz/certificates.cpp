@@ -4,12 +4,14 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 11> kClaims = {
+  static constexpr std::array<std::string_view, 13> kClaims = {
       "checker.refuses_malformed_trees",
       "checker.refuses_touching_leaves",
       "checker.refuses_changed_planes",
       "checker.refuses_changed_boxes",
       "checker.refuses_moved_contacts",
+      "checker.refuses_contacts_after_t_max",
+      "checker.refuses_clearance_past_a_contact",
       "checker.refuses_wrong_trees",
       "checker.refuses_wrong_planes",
       "checker.refuses_wrong_boxes",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -57,9 +58,19 @@ constexpr std::array<std::string_view, 22> kTokens = {"\"",
                                                       "[[[[[[[[",
                                                       "99999999999999999999"};
 
+/// The next number from there on is another one, or what almost is one.
+void spoil_number(ChoiceSource& choices, std::string& text, std::size_t at) {
+  constexpr std::array<std::string_view, 8> kNumbers = {
+      "0", "-0", "1e999", "-1e999", "1e-400", "1e308", "9007199254740993", "\"0x1.8p1\""};
+  constexpr const char* kDigits = "0123456789.eE+-";
+  const std::size_t first = std::min(text.find_first_of("0123456789", at), text.size());
+  const std::size_t end = std::min(text.find_first_not_of(kDigits, first), text.size());
+  text.replace(first, end - first, choices.pick(kNumbers));
+}
+
 void spoil_text(ChoiceSource& choices, std::string& text) {
   const std::size_t at = choices.choose(text.size());
-  switch (choices.choose(3)) {
+  switch (choices.choose(4)) {
     case 0:
       text.insert(at, choices.pick(kTokens));
       break;
@@ -70,6 +81,9 @@ void spoil_text(ChoiceSource& choices, std::string& text) {
     }
     case 2:
       if (at < text.size()) text[at] = static_cast<char>(choices.choose(255));
+      break;
+    case 3:
+      spoil_number(choices, text, at);
       break;
     default: {
       const std::size_t from = choices.choose(text.size());
@@ -114,7 +128,9 @@ Check case_round_trip(const Case& value) {
 }
 
 std::string draw_spoilt_text(ChoiceSource& choices, std::string text) {
-  for (std::uint64_t left = choices.choose(4); left > 0; --left) spoil_text(choices, text);
+  // Once mostly: what is spoilt often is refused for one reason alone.
+  const std::uint64_t times = choices.coin() ? 1 : choices.choose(4);
+  for (std::uint64_t left = times; left > 0; --left) spoil_text(choices, text);
   return text;
 }
 

@@ -47,6 +47,8 @@ bool is_written_alike(const CsvQuery& read) {
 /// Queries in the layout, one byte of which may be another.
 std::string draw_rows(ChoiceSource& choices, CsvLayout layout) {
   std::string text;
+  // Thirds are rounded: what is written alike is all the rest.
+  const std::uint64_t last = choices.coin() ? 2 : 3;
   for (std::uint64_t queries = choices.choose(2); queries > 0; --queries) {
     const std::string_view label = choices.pick(std::array<std::string_view, 3>{"", ",0", ",1"});
     int points = 0;
@@ -54,7 +56,8 @@ std::string draw_rows(ChoiceSource& choices, CsvLayout layout) {
     for (; points > 0; --points) {
       for (int k = 0; k < 3; ++k) {
         const std::int64_t numerator = choices.integer(-9, 9);
-        const int denominator = choices.pick(std::array{1, 2, 4, 3});
+        constexpr std::array kDenominators = {1, 2, 4, 3};
+        const int denominator = kDenominators[choices.choose(last)];
         text += fmt::format("{}{},{}", k == 0 ? "" : ",", numerator, denominator);
       }
       text += label;

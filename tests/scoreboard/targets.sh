@@ -19,11 +19,13 @@ trap 'rm -rf "$scratch"' EXIT
 
 # Sets status, runs and used (CPU seconds).
 run_target() {  # target, seconds, fault or nothing
-  local options=()
+  local from=fuzz/$1.options options dictionary=fuzz/$1.dict
+  [ -e "$from" ] || from=fuzz/target.options
+  mapfile -t options < <(sed -n 's/^\([a-z_]*\) = /-\1=/p' "$from")
+  [ ! -e "$dictionary" ] || options+=("-dict=$dictionary")
   case $1 in
-    case_reader) options=(-dict=fuzz/case_reader.dict corpus) ;;
-    plugin_lines) options=(-dict=fuzz/plugin_lines.dict) ;;
-    query | witnessed) options=(-max_len=8192 "$scratch/seeds") ;;
+    case_reader) options+=(corpus) ;;
+    query | witnessed) options+=("$scratch/seeds") ;;
   esac
   rm -rf "$scratch/corpus"
   mkdir "$scratch/corpus"
