@@ -46,8 +46,9 @@ void Margins::note(std::size_t method, const Trace& trace) {
   static const bool is_off = std::getenv("CCDFUZZ_WITHOUT_MARGINS") != nullptr;
   const std::optional<Nearness> near = is_off ? std::nullopt : nearness_of(trace);
   if (!near) return;
-  // The least for 0 and all that is as good as 0.
-  const double doublings = std::clamp(std::log2(near->distance), kLeast, -kLeast - 1);
+  // The least for 0 and all that is as good as 0, and for what is no number.
+  const double doublings =
+      near->distance > 0 ? std::clamp(std::log2(near->distance), kLeast, -kLeast - 1) : kLeast;
   const auto bucket = static_cast<std::size_t>((doublings - kLeast) / kDoublingsEach);
   const auto level = std::min(static_cast<std::size_t>(near->place->level), kLevels - 1);
   const std::size_t place = ((method * kLevels + level) * 2 + (near->later ? 1 : 0)) * kBuckets;
