@@ -6,6 +6,7 @@
 set -euo pipefail
 program=$(realpath "$1") seconds=${2:-60} runs=${3:-5}
 cd "$(dirname "$0")/.."
+mapfile -t options < <(fuzz/target_options.sh witnessed)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -16,7 +17,7 @@ kinds_kept() {  # seed, margins or nothing
   (
     ulimit -t "$seconds"
     [ -n "$2" ] || export CCDFUZZ_WITHOUT_MARGINS=1
-    CCDFUZZ_LOST=$scratch/lost "$program" -seed="$1" -len_control=0 -max_len=8192 "$scratch/corpus" \
+    CCDFUZZ_LOST=$scratch/lost "$program" -seed="$1" "${options[@]}" "$scratch/corpus" \
       >"$scratch/log" 2>&1
   ) 2>/dev/null || true
   ! grep -q 'loses the contact' "$scratch/log" || { tail "$scratch/log" >&2; exit 1; }

@@ -19,10 +19,8 @@ trap 'rm -rf "$scratch"' EXIT
 
 # Sets status, runs and used (CPU seconds).
 run_target() {  # target, seconds, fault or nothing
-  local from=fuzz/$1.options options dictionary=fuzz/$1.dict
-  [ -e "$from" ] || from=fuzz/target.options
-  mapfile -t options < <(sed -n 's/^\([a-z_]*\) = /-\1=/p' "$from")
-  [ ! -e "$dictionary" ] || options+=("-dict=$dictionary")
+  local options
+  mapfile -t options < <(fuzz/target_options.sh "$1")
   case $1 in
     case_reader) options+=(corpus) ;;
     query | witnessed) options+=("$scratch/seeds") ;;
