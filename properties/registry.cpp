@@ -22,6 +22,7 @@
 #include "properties/rounding.hpp"
 #include "properties/search_claims.hpp"
 #include "properties/spoilt_certificates.hpp"
+#include "properties/step_three.hpp"
 #include "properties/sub_patch.hpp"
 #include "properties/traced.hpp"
 
@@ -121,8 +122,8 @@ const std::vector<Property>& properties() {
     std::vector<Property> list;
     for (const auto& family :
          {mixed_properties, rounding_properties, coefficient_properties, predicate_properties,
-          omission_properties, intersection_properties, geometry_properties, linear_properties,
-          arithmetic_properties, generator_properties, method_answer_properties,
+          omission_properties, intersection_properties, step_three_properties, geometry_properties,
+          linear_properties, arithmetic_properties, generator_properties, method_answer_properties,
           method_symmetry_properties, traced_properties, search_properties, certificate_properties,
           miss_tree_properties, spoilt_certificate_properties, outside_data_properties}) {
       for (const Property& property : family()) list.push_back(property);

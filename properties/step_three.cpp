@@ -1,0 +1,166 @@
+#include "properties/step_three.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "ccd/separation.hpp"
+#include "properties/draw_lines.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Lines a[i]·t + b[i] of the max envelope of patch 1, and of the min envelope of patch 2.
+struct PaperEnvelopes {
+  Lines<double> first, second;
+};
+
+/// The indices alpha, beta at which the walk of Section 3 ends; nothing if it runs out of lines, or
+/// if the envelopes come apart no more.
+template <class Policy>
+std::optional<std::pair<int, int>> first_crossing(const Policy& policy,
+                                                  const PaperEnvelopes& envelopes, double t_end) {
+  const Lines<double>&one = envelopes.first, &two = envelopes.second;
+  const auto a = [&](int i, int j) { return one[i].slope - two[j].slope; };
+  const auto b = [&](int i, int j) { return one[i].intercept - two[j].intercept; };
+  int alpha = 0, beta = 0;
+  while (alpha < one.size() && beta < two.size() && a(alpha, beta) < 0) {
+    const double slope = a(alpha, beta), intercept = b(alpha, beta);
+    const auto negative = [&](bool is_last, auto&& next_slope, auto&& next_intercept) {
+      if (is_last) return policy.negative(EndValue<double>{slope, intercept, t_end});
+      return policy.negative(
+          ProductDifference<double>{next_slope(), intercept, slope, next_intercept()});
+    };
+    // Eq. 9, then Eq. 8.
+    const bool before_beta_turns = negative(
+        beta + 1 == two.size(), [&] { return a(alpha, beta + 1); },
+        [&] { return b(alpha, beta + 1); });
+    if (!before_beta_turns) {
+      ++beta;
+      continue;
+    }
+    const bool before_alpha_turns = negative(
+        alpha + 1 == one.size(), [&] { return a(alpha + 1, beta); },
+        [&] { return b(alpha + 1, beta); });
+    if (before_alpha_turns) return std::pair(alpha, beta);
+    ++alpha;
+  }
+  return {};
+}
+
+/// The same lines by −t, in their order there.
+Lines<double> backwards(const Lines<double>& lines) {
+  Lines<double> out;
+  for (int i = lines.size() - 1; i >= 0; --i) out.push_back({-lines[i].slope, lines[i].intercept});
+  return out;
+}
+
+Lines<double> upside_down(const Lines<double>& lines) {
+  Lines<double> out;
+  for (const Line<double>& line : lines) out.push_back({-line.slope, -line.intercept});
+  return out;
+}
+
+/// Step III: from the left, and from the right as from the left by −t. f and g as separation() has
+/// them.
+template <class Policy>
+std::optional<Separation<double>> literal_separation(const Policy& policy, const Lines<double>& f,
+                                                     const Lines<double>& g,
+                                                     const TimeWindow<double>& w) {
+  const auto apart_at = [&](int i, int j, double t) {  // Eq. 7
+    return policy.negative(
+        EndValue<double>{f[i].slope + g[j].slope, f[i].intercept + g[j].intercept, t});
+  };
+  const int last_f = f.size() - 1, last_g = g.size() - 1;
+  Separation<double> found{w.lo, w.hi, apart_at(0, 0, w.lo), apart_at(last_f, last_g, w.hi)};
+  const PaperEnvelopes forth{f, upside_down(g)};
+  if (!found.has_lo) {
+    const auto pair = first_crossing(policy, forth, w.hi);
+    if (!pair) return {};
+    found.lo = policy.left_root(f, g, pair->first, pair->second, w);
+  }
+  if (!found.has_hi) {
+    const PaperEnvelopes back{backwards(forth.first), backwards(forth.second)};
+    const auto pair = first_crossing(policy, back, -w.lo);
+    if (!pair) return {};
+    found.hi = policy.right_root(f, g, last_f - pair->first, last_g - pair->second, w);
+  }
+  if (found.lo > found.hi || (found.lo == found.hi && !(found.has_lo && found.has_hi))) return {};
+  return found;
+}
+
+/// Half of the windows begin or end where two lines cross, up to a few floats.
+void draw_window(ChoiceSource& choices, LinePairs& pairs) {
+  const Line<double> x = pairs.f[choices.choose(pairs.f.size() - 1)];
+  const Line<double> y = pairs.g[choices.choose(pairs.g.size() - 1)];
+  const double slope = x.slope + y.slope;
+  if (slope == 0 || choices.coin()) return;
+  const double t = choices.nudged(-((x.intercept + y.intercept) / slope), 2);
+  const bool begins = choices.coin();
+  if (begins && 0 <= t && t <= pairs.window.hi) pairs.window.lo = t;
+  if (!begins && pairs.window.lo <= t && t <= 4) pairs.window.hi = t;
+}
+
+/// To where products of two of their numbers are subnormal or 0.
+void make_tiny(ChoiceSource& choices, LinePairs& pairs) {
+  const int scale = static_cast<int>(choices.integer(-545, -530));
+  for (auto* lines : {&pairs.f, &pairs.g}) {
+    for (Line<double>& line : *lines) {
+      line = {std::ldexp(line.slope, scale), std::ldexp(line.intercept, scale)};
+    }
+  }
+}
+
+/// The envelopes are raised as after Step II, by a drawn error, whose rounding moves lines that
+/// were in order past each other.
+template <class Policy>
+Check follows_the_equations(const Policy& policy, const LinePairs& pairs, double error) {
+  std::array<Lines<double>, 2> envelopes;
+  for (std::size_t s = 0; s < 2; ++s) {
+    Lines<double> sorted;
+    for (const Line<double>& line : s == 0 ? pairs.f : pairs.g) sorted.push_back(line);
+    sort_lines(sorted);
+    upper_envelope(policy, sorted, pairs.window, envelopes[s]);
+    policy.raise(envelopes[s], error);
+  }
+  const auto found = separation(policy, envelopes[0], envelopes[1], pairs.window);
+  const auto literal = literal_separation(policy, envelopes[0], envelopes[1], pairs.window);
+  const bool same =
+      found.has_value() == literal.has_value() &&
+      (!found || (found->lo == literal->lo && found->hi == literal->hi &&
+                  found->has_lo == literal->has_lo && found->has_hi == literal->has_hi));
+  if (same) return Check::holds();
+  const auto text = [](const std::optional<Separation<double>>& s) {
+    return s ? to_hex_text(TimeWindow<double>{s->lo, s->hi}) : "nothing";
+  };
+  return Check::fails(fmt::format("f {} g {} on {} raised by {}: {}, not {}", to_hex_text(pairs.f),
+                                  to_hex_text(pairs.g), to_hex_text(pairs.window), to_hex(error),
+                                  text(found), text(literal)));
+}
+
+Check check_step_three(ChoiceSource& choices) {
+  LinePairs pairs = draw_line_pairs(choices);
+  draw_window(choices, pairs);
+  const double error = std::ldexp(static_cast<double>(choices.integer(0, 255)),
+                                  static_cast<int>(choices.integer(-60, 0)));
+  if (choices.coin()) {
+    // There, Phi < -eps holds of no line, and what Step III walks along is no envelope.
+    make_tiny(choices, pairs);
+    return follows_the_equations(ErrorBoundPrinted(), pairs, std::ldexp(error, -541));
+  }
+  if (choices.coin()) return follows_the_equations(Plain(), pairs, error);
+  return follows_the_equations(ErrorBoundIntended(), pairs, error);
+}
+
+}  // namespace
+
+std::vector<Property> step_three_properties() {
+  return {{"paper.step_three",
+           "In doubles too, Step III ends an interval at the pairs of lines that Eqs. 7 to 9 name",
+           "Section 3, Eqs. 7-9", Expectation::kHolds, check_step_three}};
+}
+
+}  // namespace ccdfuzz
