@@ -138,7 +138,8 @@ Result<bool> run_campaign(const CampaignOptions& options, const std::vector<Faul
   // Seed by seed: a campaign that is stopped has something of every fault.
   for (std::uint64_t seed = 1; seed <= std::max(options.seeds, options.weak_seeds); ++seed) {
     for (const Driver driver : kDrivers) {
-      if (seed > (is_weak(driver) ? options.weak_seeds : options.seeds)) continue;
+      const std::uint64_t seeds = is_weak(driver) ? options.weak_seeds : options.seeds;
+      if (seed > (is_drawn(driver) ? seeds : 1)) continue;
       if (!is_wanted(options.drivers, name_of(driver)) || !is_built(driver)) continue;
       const auto no_alarm = Course(driver, seed, options, faults, records).run();
       if (!no_alarm) return tl::unexpected(no_alarm.error());

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "corpus_driver.hpp"
 #include "fuzz_drivers.hpp"
-#include "hunt/breeder.hpp"
-#include "hunt/traced_cases.hpp"
+#include "hunt_driver.hpp"
 #include "properties/envelope.hpp"
 #include "properties/registry.hpp"
 #include "property_turns.hpp"
@@ -67,52 +67,28 @@ Step rapidcheck_driver(std::uint64_t seed) {
   };
 }
 
-/// By turns a generated contact, and mutants of those that there were, bred towards what one of the
-/// methods nearly loses. One case of a block in four is asked too.
-class Hunt {
- public:
-  explicit Hunt(std::uint64_t seed) : seed_(seed) {
-    for (const char* method : kSoundMethods) {
-      const bool bounded = std::string_view(method) == "tdibm-e";
-      breeders_.emplace_back(method, seed,
-                             bounded ? std::optional<int>(kErrorBoundScale) : std::nullopt);
-    }
+/// What of a hunt a driver is, if it is one.
+std::optional<HuntParts> hunt_parts(Driver driver) {
+  switch (driver) {
+    case Driver::kContacts:
+      return HuntParts{{.traces = false}, {}};
+    case Driver::kTraces:
+      return HuntParts{{.asks = false}, {}};
+    case Driver::kChance:
+      return HuntParts{{}, Aim::kNothing};
+    case Driver::kHunt:
+      return HuntParts{{}, Aim::kMargins};
+    default:
+      return {};
   }
-
-  std::string operator()(std::uint64_t index) {
-    std::string found = generate(index);
-    for (Breeder& breeder : breeders_) {
-      for (int i = 0; found.empty() && i < kMutants; ++i) {
-        breeder.step(methods_, tracers_, kDriverSearch, [&](const Case&, const Judged& judged) {
-          found = fmt::format("a mutant's answer is {}", name_of(judged.outcome));
-        });
-        if (breeder.tally().lost > 0) found = "a mutant's contact is lost";
-      }
-    }
-    return found;
-  }
-
- private:
-  static constexpr int kMutants = 4;
-
-  std::string generate(std::uint64_t index) {
-    const std::uint64_t place = index % kTracedBlock;
-    if (place == 0) block_ = traced_block(seed_, index / kTracedBlock);
-    const Case& known = block_.cases[place];
-    std::string found = lost_contact(known, place % 4 == 0, tracers_);
-    if (!found.empty() || place % 8 != 0) return found;
-    for (Breeder& breeder : breeders_) breeder.add(known, tracers_);
-    return found;
-  }
-
-  std::uint64_t seed_;
-  TracedBlock block_;
-  MethodSet methods_;
-  TracerSet tracers_;
-  std::vector<Breeder> breeders_;
-};
+}
 
 Step step_of(Driver driver, std::uint64_t seed) {
+  if (const auto parts = hunt_parts(driver)) {
+    return [hunt = std::make_shared<HuntDriver>(seed, *parts)](std::uint64_t index) {
+      return (*hunt)(index);
+    };
+  }
   switch (driver) {
     case Driver::kRandom:
       return random_driver(seed);
@@ -122,20 +98,17 @@ Step step_of(Driver driver, std::uint64_t seed) {
       return [turns = std::make_shared<PropertyTurns>(properties(), seed)](std::uint64_t) {
         return (*turns)();
       };
-    case Driver::kHunt:
-      return [hunt = std::make_shared<Hunt>(seed)](std::uint64_t index) { return (*hunt)(index); };
-    case Driver::kRawFuzzer:
-    case Driver::kFuzzer:
-      break;
+    default:
+      return {};
   }
-  return {};
 }
 
 }  // namespace
 
 std::string_view name_of(Driver driver) {
   constexpr std::array<std::string_view, kDrivers.size()> kNames = {
-      "random", "rapidcheck", "libfuzzer-raw", "libfuzzer", "properties", "hunt"};
+      "random", "rapidcheck", "libfuzzer-raw", "contacts",   "traces",
+      "corpus", "by-chance",  "libfuzzer",     "properties", "hunt"};
   return kNames[static_cast<std::size_t>(driver)];
 }
 
@@ -149,10 +122,16 @@ void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
     drive_fuzzer(driver, seed, limit, done);
   }
   const double end = cpu_seconds_used() + limit.cpu_seconds;
-  const Step step = step_of(driver, seed);
+  Step step = step_of(driver, seed);
+  std::uint64_t most = limit.executions;
+  if (driver == Driver::kCorpus) {
+    const auto corpus = std::make_shared<CorpusDriver>(CCDFUZZ_CORPUS);
+    most = std::min(most, corpus->size());
+    step = [corpus](std::uint64_t index) { return (*corpus)(index); };
+  }
   DriverRun run;
   Heartbeat heart;
-  while (run.found.empty() && run.executions < limit.executions && cpu_seconds_used() < end) {
+  while (run.found.empty() && run.executions < most && cpu_seconds_used() < end) {
     heart.beat();
     try {
       run.found = step(run.executions);

@@ -97,7 +97,7 @@ std::string check_decoded(std::span<const std::uint8_t> data) {
   for (std::size_t m = 0; m < kSoundMethods.size(); ++m) {
     Margins::note(m, tracers[kSoundMethods[m]].trace(q->query, witness, {.precision = 0x1p-8}));
   }
-  return lost_contact(case_of(*q), data.back() % 4 == 0, tracers);
+  return lost_contact(case_of(*q), {.asks = data.back() % 4 == 0}, tracers);
 }
 
 int test_one(const std::uint8_t* data, std::size_t size) {

@@ -55,6 +55,12 @@ Row row_of(const std::vector<const Record*>& runs) {
 /// Under the table of drivers.
 constexpr const char* kLegend =
     R"(
+`random`: random patches. `rapidcheck`: its own arbitrary doubles. `libfuzzer-raw`: patches that are
+bytes. `contacts`: whole queries of generated contacts. `traces`: their witnesses followed through
+the methods. `corpus`: the stored counterexamples, traced and asked, each once. `by-chance`: contacts,
+traces, and mutants bred by chance. `hunt`: the same, bred by margins. `libfuzzer`: our decoders and
+mutator. `properties`: every property that holds, on draws of its own.
+
 Times are medians over the seeds, and over the faults: of a run that did not notice, the limit. Each
 cell below is the median time to a kill, "missed" (in some run the fault's wrong value differed from
 the right one, and nothing was noticed), "not triggered" (it was computed and never differed), "not

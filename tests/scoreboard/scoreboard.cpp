@@ -99,16 +99,18 @@ int main(int argc, char** argv) {
       "Plants faults one at a time and measures how soon each driver notices. Exits 1 on a "
       "false alarm, or if a fault is left that neither properties nor hunt notice."};
   Options options;
-  app.add_option("--drivers", options.drivers,
-                 "random, rapidcheck, libfuzzer-raw, libfuzzer, properties, hunt; by default all "
-                 "that this build has: libFuzzer needs clang and CCDFUZZ_FUZZ")
+  app.add_option(
+         "--drivers", options.drivers,
+         "random, rapidcheck, libfuzzer-raw, contacts, traces, corpus, by-chance, libfuzzer, "
+         "properties, hunt; by default all that this build has: libFuzzer needs clang and "
+         "CCDFUZZ_FUZZ")
       ->delimiter(',');
   app.add_option("--faults", options.faults, "Names; by default all")->delimiter(',');
   app.add_option("--seeds", options.seeds, "Runs of each driver against each fault");
   app.add_option("--seconds", options.seconds, "CPU time of a run");
   app.add_option("--weak-seeds", options.weak_seeds,
-                 "The same of random, rapidcheck, libfuzzer-raw");
-  app.add_option("--weak-seconds", options.weak_seconds, "The same of these three");
+                 "The same of all but libfuzzer, properties, hunt");
+  app.add_option("--weak-seconds", options.weak_seconds, "The same of these");
   app.add_option("--tables", options.tables,
                  "Writes what the records say to PREFIX.csv, PREFIX.md and PREFIX.json");
   app.add_option("--records", options.records,

@@ -20,8 +20,13 @@ inline constexpr int kErrorBoundScale = 60;
 /// What the sources without the fault prove of a query, against what those with it say.
 std::string contradiction(const Query& query);
 
-/// The witness of a case, which is checked, followed through the tests of the sound methods.
-/// ask: put the query to them too.
-std::string lost_contact(const Case& known, bool ask, TracerSet& tracers);
+/// What is done with a contact.
+struct Look {
+  bool traces = true;  ///< follow the witness, if there is one, through the methods' tests
+  bool asks = true;    ///< put the query to them
+};
+
+/// Checks what is known of a case, and puts it to the sound methods.
+std::string lost_contact(const Case& known, Look look, TracerSet& tracers);
 
 }  // namespace ccdfuzz

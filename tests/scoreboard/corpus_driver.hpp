@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "query/case_files.hpp"
+#include "sound.hpp"
+
+namespace ccdfuzz {
+
+/// The stored counterexamples, one an execution: what is known of them, their contacts traced, and
+/// the answer of every method that an entry expects something of.
+class CorpusDriver {
+ public:
+  /// Reads them all. An error of it is what the first execution finds.
+  explicit CorpusDriver(const std::string& corpus);
+  std::uint64_t size() const { return entries_.size(); }
+  std::string operator()(std::uint64_t index);
+
+ private:
+  std::string trouble_;
+  std::vector<NamedCase> entries_;
+  MethodSet methods_;
+  TracerSet tracers_;
+};
+
+}  // namespace ccdfuzz
