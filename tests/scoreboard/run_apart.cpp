@@ -13,9 +13,22 @@
 #include "property_turns.hpp"
 #include "scoreboard/planted.hpp"
 
+#ifdef CCDFUZZ_COVERAGE
+extern "C" void __gcov_dump();
+#endif
+
 namespace ccdfuzz {
 
 namespace {
+
+/// Ends this copy of the process, which leaves all that is not its own as it is. The lines that it
+/// ran count: only here do properties say what refutes them.
+[[noreturn]] void end_copy(int status) {
+#ifdef CCDFUZZ_COVERAGE
+  __gcov_dump();
+#endif
+  _exit(status);
+}
 
 /// Far above what a driver may take, which ends by itself, and of which a step that hangs is ended
 /// by Heartbeat: the kernel counts whole ticks, on a loaded machine a tenth more than were used.
@@ -72,9 +85,9 @@ Report run_apart(
       const std::string line = result.found.substr(0, result.found.find('\n'));
       line.copy(report.found, sizeof report.found - 1);
       [[maybe_unused]] const auto written = write(ends[1], &report, sizeof report);
-      _exit(0);
+      end_copy(0);
     });
-    _exit(1);
+    end_copy(1);
   }
   close(ends[1]);
   Report report;
