@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <regex>
 
 #include "drivers.hpp"
 #include "rows.hpp"
@@ -15,6 +16,12 @@ namespace {
 
 bool is_wanted(const std::vector<std::string>& names, std::string_view name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+/// Files by their names, whatever folder this was built in.
+std::string without_folders(const std::string& text) {
+  static const std::regex kFolders(R"(/[^ :]*/([^ /:]+:))");
+  return std::regex_replace(text, kFolders, "$1");
 }
 
 /// Properties come in turn by the time that they take: no run repeats another.
@@ -109,7 +116,7 @@ class Course {
                         report.detected,
                         watched,
                         report.seconds,
-                        report.found};
+                        without_folders(report.found)};
     if (options_.verbose) {
       std::cout << fmt::format("{:13} {:36} {} {:>9} {:>8} {}\n", record.driver, fault, seed_,
                                watched ? "not triggered"

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <sstream>
 
 #include "drivers.hpp"
@@ -22,12 +21,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// Files of the sources, in whatever folder they were built, by their names.
-std::string without_folders(const std::string& text) {
-  static const std::regex kFolders(R"(/[^ :]*/([^ /:]+:[0-9]))");
-  return std::regex_replace(text, kFolders, "$1");
-}
-
 Row row_of(const std::vector<const Record*>& runs) {
   Row row;
   std::vector<double> seconds, executions;
@@ -37,7 +30,7 @@ Row row_of(const std::vector<const Record*>& runs) {
     row.reached += r->reached > 0 || r->detected ? 1 : 0;
     row.triggered += r->triggered > 0 || r->detected ? 1 : 0;
     row.detected += r->detected ? 1 : 0;
-    if (r->detected && row.found.empty()) row.found = without_folders(r->found);
+    if (r->detected && row.found.empty()) row.found = r->found;
     row.watched += r->watched ? 1 : 0;
     if (!r->detected) {
       row.limit = std::min(row.limit, r->limit);
