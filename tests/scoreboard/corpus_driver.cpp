@@ -22,7 +22,7 @@ CorpusDriver::CorpusDriver(const std::string& corpus) {
 std::string CorpusDriver::operator()(std::uint64_t index) {
   if (!trouble_.empty()) return trouble_;
   const NamedCase& entry = entries_[index];
-  const std::string lost = lost_contact(entry.value, {.asks = false}, tracers_);
+  std::string lost = lost_contact(entry.value, {.asks = false}, tracers_);
   if (!lost.empty()) return lost;
   const Result<ReplayReport> report =
       replay({entry}, [&](const std::string& method, const Case& known) -> Result<Judged> {
