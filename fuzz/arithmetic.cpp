@@ -4,9 +4,14 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 7> kClaims = {
-      "dyadic.round_trip", "wide_int.is_gmp",   "double.parts", "interval.encloses",
-      "interval.is_tight", "rational.rounding", "number.texts",
-  };
+  static constexpr auto kClaims = std::to_array<std::string_view>({
+      "dyadic.round_trip",
+      "wide_int.is_gmp",
+      "double.parts",
+      "interval.encloses",
+      "interval.is_tight",
+      "rational.rounding",
+      "number.texts",
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

@@ -4,7 +4,7 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 13> kClaims = {
+  static constexpr auto kClaims = std::to_array<std::string_view>({
       "checker.refuses_malformed_trees",
       "checker.refuses_touching_leaves",
       "checker.refuses_changed_planes",
@@ -18,6 +18,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "checker.refuses_wrong_texts",
       "checker.refuses_wrong_witnesses",
       "miss_tree.round_trip",
-  };
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

@@ -4,10 +4,16 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 9> kClaims = {
-      "generator.coincidence",    "generator.tangency",      "generator.extraction",
-      "generator.motion",         "generator.first_contact", "generator.cases",
-      "generator.other_contacts", "generator.clearance",     "generator.refuses_planes",
-  };
+  static constexpr auto kClaims = std::to_array<std::string_view>({
+      "generator.coincidence",
+      "generator.tangency",
+      "generator.extraction",
+      "generator.motion",
+      "generator.first_contact",
+      "generator.cases",
+      "generator.other_contacts",
+      "generator.clearance",
+      "generator.refuses_planes",
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

@@ -4,7 +4,7 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 16> kClaims = {
+  static constexpr auto kClaims = std::to_array<std::string_view>({
       "methods.not_contradicted",
       "methods.not_contradicted_anywhere",
       "methods.optimised",
@@ -20,6 +20,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "methods.scale",
       "methods.scale_time",
       "methods.mirror",
-  };
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

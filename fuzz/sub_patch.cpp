@@ -5,7 +5,7 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 8> kClaims = {
+  static constexpr auto kClaims = std::to_array<std::string_view>({
       "sub_patch.is_the_restriction",
       "paper.sub_patch_error",
       "cell.children_cover",
@@ -14,6 +14,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "patch.partition_of_unity",
       "patch.blossom_symmetry",
       "patch.elevation",
-  };
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

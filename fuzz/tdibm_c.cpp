@@ -5,7 +5,7 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 15> kClaims = {
+  static constexpr auto kClaims = std::to_array<std::string_view>({
       "tdibm-c.no_false_negative",
       "tdibm-c.no_false_negative_underflow",
       "tdibm-c.no_false_negative_anywhere",
@@ -21,6 +21,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "tdibm-c.contact_backwards",
       "tdibm-c.contact_elevated",
       "tdibm-c.contact_in_a_part",
-  };
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

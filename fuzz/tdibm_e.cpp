@@ -5,10 +5,10 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 3> kClaims = {
+  static constexpr auto kClaims = std::to_array<std::string_view>({
       "tdibm-e.no_false_negative",
       "tdibm-e.trace",
       "tdibm-e.contact_transformed",
-  };
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

@@ -4,11 +4,11 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static constexpr std::array<std::string_view, 4> kClaims = {
+  static constexpr auto kClaims = std::to_array<std::string_view>({
       "tdibm-rational.no_false_negative",
       "tdibm-rational.no_false_negative_fine",
       "tdibm-rational.no_false_negative_linear",
       "tdibm-rational.trace",
-  };
+  });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }
