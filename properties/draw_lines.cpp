@@ -85,6 +85,13 @@ LinePairs draw_touching_pairs(ChoiceSource& choices) {
   return pairs;
 }
 
+Lines<double> sorted_lines(const std::vector<Line<double>>& lines) {
+  Lines<double> sorted;
+  for (const Line<double>& line : lines) sorted.push_back(line);
+  sort_lines(sorted);
+  return sorted;
+}
+
 std::string to_hex_text(const std::vector<Line<double>>& lines) {
   std::vector<std::string> parts;
   for (const Line<double>& line : lines) {

@@ -25,6 +25,9 @@ LinePairs draw_line_pairs(ChoiceSource& choices);
 /// wherever all lines of f meet, and rises and falls by next to nothing there.
 LinePairs draw_touching_pairs(ChoiceSource& choices);
 
+/// As Step II takes them: by rising slope. At most kMaxControls.
+Lines<double> sorted_lines(const std::vector<Line<double>>& lines);
+
 /// For failure texts.
 std::string to_hex_text(const std::vector<Line<double>>& lines);
 std::string to_hex_text(const TimeWindow<double>& window);

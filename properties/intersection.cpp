@@ -177,11 +177,9 @@ Check check_pull_apart_path(ChoiceSource& choices) {
        {-1, .5}},
       {0, 1}};
   const ErrorBoundIntended policy;
-  std::array<Lines<double>, 2> sorted, envelopes;
+  std::array<Lines<double>, 2> envelopes;
   for (std::size_t s = 0; s < 2; ++s) {
-    for (const Line<double>& line : s == 0 ? pairs.f : pairs.g) sorted[s].push_back(line);
-    sort_lines(sorted[s]);
-    upper_envelope(policy, sorted[s], pairs.window, envelopes[s]);
+    upper_envelope(policy, sorted_lines(s == 0 ? pairs.f : pairs.g), pairs.window, envelopes[s]);
   }
   const auto found = separation(policy, envelopes[0], envelopes[1], pairs.window);
   if (!found || found->has_lo) return Check::discarded("no left end is found");

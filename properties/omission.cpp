@@ -64,9 +64,7 @@ Check delta_phi_is_at_most(ChoiceSource& choices, int factor) {
 /// by at most 2(|b_alpha − b_(gamma−1)| + |b_gamma − b_(gamma−1)|)[(1 + eps)^4 − 1].
 Check check_delta_Phi(ChoiceSource& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
-  Lines<double> sorted;
-  for (const Line<double>& line : pairs.f) sorted.push_back(line);
-  sort_lines(sorted);
+  const Lines<double> sorted = sorted_lines(pairs.f);
   if (sorted.size() < 3) return Check::discarded("fewer than three lines");
   const auto first =
       static_cast<int>(choices.choose(static_cast<std::uint64_t>(sorted.size() - 3)));
@@ -90,9 +88,7 @@ Check check_delta_Phi(ChoiceSource& choices) {
 
 Lines<double> selected(const LinePairs& pairs, const auto& policy, Lines<double>& sorted) {
   Lines<double> envelope;
-  sorted.clear();
-  for (const Line<double>& line : pairs.f) sorted.push_back(line);
-  sort_lines(sorted);
+  sorted = sorted_lines(pairs.f);
   upper_envelope(policy, sorted, pairs.window, envelope);
   return envelope;
 }

@@ -16,9 +16,7 @@ namespace {
 std::vector<Line<double>> draw_sorted(ChoiceSource& choices, std::size_t count,
                                       const std::vector<Line<double>>& from) {
   if (from.size() < count) return {};
-  Lines<double> sorted;
-  for (const Line<double>& line : from) sorted.push_back(line);
-  sort_lines(sorted);
+  const Lines<double> sorted = sorted_lines(from);
   const auto first = static_cast<int>(choices.choose(from.size() - count));
   return {sorted.begin() + first, sorted.begin() + first + static_cast<int>(count)};
 }

@@ -120,10 +120,7 @@ template <class Policy>
 Check follows_the_equations(const Policy& policy, const LinePairs& pairs, double error) {
   std::array<Lines<double>, 2> envelopes;
   for (std::size_t s = 0; s < 2; ++s) {
-    Lines<double> sorted;
-    for (const Line<double>& line : s == 0 ? pairs.f : pairs.g) sorted.push_back(line);
-    sort_lines(sorted);
-    upper_envelope(policy, sorted, pairs.window, envelopes[s]);
+    upper_envelope(policy, sorted_lines(s == 0 ? pairs.f : pairs.g), pairs.window, envelopes[s]);
     policy.raise(envelopes[s], error);
   }
   const auto found = separation(policy, envelopes[0], envelopes[1], pairs.window);

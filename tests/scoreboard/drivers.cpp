@@ -83,21 +83,31 @@ std::optional<HuntParts> hunt_parts(Driver driver) {
   }
 }
 
-Step step_of(Driver driver, std::uint64_t seed) {
+/// What a driver does, and how many times, if there is an end to it.
+struct Work {
+  Step step;
+  std::uint64_t size = std::numeric_limits<std::uint64_t>::max();
+};
+
+Work work_of(Driver driver, std::uint64_t seed) {
   if (const auto parts = hunt_parts(driver)) {
-    return [hunt = std::make_shared<HuntDriver>(seed, *parts)](std::uint64_t index) {
+    return {[hunt = std::make_shared<HuntDriver>(seed, *parts)](std::uint64_t index) {
       return (*hunt)(index);
-    };
+    }};
   }
   switch (driver) {
     case Driver::kRandom:
-      return random_driver(seed);
+      return {random_driver(seed)};
     case Driver::kRapidCheck:
-      return rapidcheck_driver(seed);
+      return {rapidcheck_driver(seed)};
     case Driver::kProperties:
-      return [turns = std::make_shared<PropertyTurns>(properties(), seed)](std::uint64_t) {
+      return {[turns = std::make_shared<PropertyTurns>(properties(), seed)](std::uint64_t) {
         return (*turns)();
-      };
+      }};
+    case Driver::kCorpus: {
+      const auto corpus = std::make_shared<CorpusDriver>(CCDFUZZ_CORPUS);
+      return {[corpus](std::uint64_t index) { return (*corpus)(index); }, corpus->size()};
+    }
     default:
       return {};
   }
@@ -122,19 +132,14 @@ void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
     drive_fuzzer(driver, seed, limit, done);
   }
   const double end = cpu_seconds_used() + limit.cpu_seconds;
-  Step step = step_of(driver, seed);
-  std::uint64_t most = limit.executions;
-  if (driver == Driver::kCorpus) {
-    const auto corpus = std::make_shared<CorpusDriver>(CCDFUZZ_CORPUS);
-    most = std::min(most, corpus->size());
-    step = [corpus](std::uint64_t index) { return (*corpus)(index); };
-  }
+  const Work work = work_of(driver, seed);
+  const std::uint64_t most = std::min(limit.executions, work.size);
   DriverRun run;
   Heartbeat heart;
   while (run.found.empty() && run.executions < most && cpu_seconds_used() < end) {
     heart.beat();
     try {
-      run.found = step(run.executions);
+      run.found = work.step(run.executions);
     } catch (const std::exception& error) {
       run.found = std::string("an exception: ") + error.what();
     }
