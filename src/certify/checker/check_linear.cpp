@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "certify/checker/shown.hpp"
@@ -139,32 +140,34 @@ std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
 
 enum class Found { kOutside, kInside, kUndecided };
 
-/// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s.
+/// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s. All parts
+/// of one length before any shorter, so that a contact between two is found before one of them is
+/// halved towards it without end.
 Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
   struct Part {
     Triangle triangle;
     bool closed;
-    int halvings;  ///< left
   };
-  std::vector<Part> left = {{triangle, closed, most_halvings}};
-  while (!left.empty()) {
-    const Part part = std::move(left.back());
-    left.pop_back();
-    const Conditions conditions(part.triangle);
-    if (is_outside(conditions, part.closed)) continue;
-    if (contains_origin_at_start(conditions)) return Found::kInside;
-    if (part.halvings == 0) return Found::kUndecided;
-    Part first{{}, true, part.halvings - 1}, second{{}, part.closed, part.halvings - 1};
-    for (size_t i = 0; i < 3; ++i) {
-      for (size_t k = 0; k < 3; ++k) {
-        const auto& [start, end] = part.triangle[i][k];
-        const Integer middle = start + end;  // all doubled
-        first.triangle[i][k] = {Integer(2 * start), middle};
-        second.triangle[i][k] = {middle, Integer(2 * end)};
+  std::vector<Part> parts = {{triangle, closed}}, shorter;
+  for (int halvings = 0; !parts.empty(); ++halvings) {
+    for (const Part& part : parts) {
+      const Conditions conditions(part.triangle);
+      if (is_outside(conditions, part.closed)) continue;
+      if (contains_origin_at_start(conditions)) return Found::kInside;
+      if (halvings == most_halvings) return Found::kUndecided;
+      Part first{{}, true}, second{{}, part.closed};
+      for (size_t i = 0; i < 3; ++i) {
+        for (size_t k = 0; k < 3; ++k) {
+          const auto& [start, end] = part.triangle[i][k];
+          const Integer middle = start + end;  // all doubled
+          first.triangle[i][k] = {Integer(2 * start), middle};
+          second.triangle[i][k] = {middle, Integer(2 * end)};
+        }
       }
+      shorter.push_back(std::move(first));
+      shorter.push_back(std::move(second));
     }
-    left.push_back(std::move(second));
-    left.push_back(std::move(first));
+    parts = std::exchange(shorter, {});
   }
   return Found::kOutside;
 }
