@@ -23,8 +23,8 @@ Planar difference(const Planar& a, const Planar& b) {
 
 }  // namespace
 
-Frame random_frame(Random& random) {
-  Frame frame;
+PlaneFrame random_frame(Random& random) {
+  PlaneFrame frame;
   const Vec3<Dyadic> zero = {Dyadic(), Dyadic(), Dyadic()};
   do {
     for (Vec3<Dyadic>& t : frame.tangent) t = integer_vector(random);

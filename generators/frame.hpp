@@ -6,14 +6,14 @@
 namespace ccdfuzz {
 
 /// A plane and a direction out of it, of integers up to kFrameBound.
-struct Frame {
+struct PlaneFrame {
   std::array<Vec3<Dyadic>, 2> tangent;
   Vec3<Dyadic> out;
   Vec3<Dyadic> normal;  ///< tangent[0] × tangent[1]; normal·out > 0
 };
 inline constexpr int kFrameBound = 31;
 
-Frame random_frame(Random& random);
+PlaneFrame random_frame(Random& random);
 
 /// Coordinates on the frame's plane.
 using Planar = std::array<Dyadic, 2>;
@@ -26,7 +26,7 @@ std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long
 inline constexpr int kTangentBits = 11;
 
 /// τ[0]·T1 + τ[1]·T2 + height·m
-inline Vec3<Dyadic> point_of(const Frame& frame, const Planar& tau, const Dyadic& height) {
+inline Vec3<Dyadic> point_of(const PlaneFrame& frame, const Planar& tau, const Dyadic& height) {
   return frame.tangent[0] * tau[0] + frame.tangent[1] * tau[1] + frame.out * height;
 }
 

@@ -86,7 +86,7 @@ Vec3<Dyadic> upward_velocity(const Vec3<Dyadic>& normal, Random& random) {
   }
 }
 
-Vec3<Dyadic> tangential_velocity(const Frame& frame, Random& random) {
+Vec3<Dyadic> tangential_velocity(const PlaneFrame& frame, Random& random) {
   Vec3<Dyadic> v = {Dyadic(), Dyadic(), Dyadic()};
   for (const Vec3<Dyadic>& t : frame.tangent) v += t * random.dyadic(kTangentBits, kTangentUnit);
   return v;
@@ -96,7 +96,7 @@ Vec3<Dyadic> tangential_velocity(const Frame& frame, Random& random) {
 
 Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Random& random) {
   const std::array<Feature, 2> features = features_of(contact);
-  const Frame frame = random_frame(random);
+  const PlaneFrame frame = random_frame(random);
   Scene scene;
   scene.contact.t = style.t;
   scene.t_max = style.t_max;

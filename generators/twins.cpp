@@ -88,7 +88,7 @@ void nudge(Vec3<Dyadic>& position, Vec3<Dyadic>& velocity, const Dyadic& t, bool
   }
 }
 
-MovingPatch<Dyadic> twin_patch(const Frame& frame, const Barycentric& x, const Dyadic& t,
+MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, const Dyadic& t,
                                Random& random) {
   const int corner = twin_corner(x, random);
   const bool in_contact = feature_at(x) == Feature::kFace;
@@ -113,7 +113,7 @@ MovingPatch<Dyadic> twin_patch(const Frame& frame, const Barycentric& x, const D
 }
 
 /// A small flat patch with one velocity, its point x at `contact` at time t.
-MovingPatch<Dyadic> sweeping_patch(const Frame& frame, const Barycentric& x, const Dyadic& t,
+MovingPatch<Dyadic> sweeping_patch(const PlaneFrame& frame, const Barycentric& x, const Dyadic& t,
                                    const Vec3<Dyadic>& contact, Random& random) {
   const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -18, random);
   const Dyadic speed(Integer(static_cast<long>(random.between(512, 1024))), kStep);
@@ -129,7 +129,7 @@ MovingPatch<Dyadic> sweeping_patch(const Frame& frame, const Barycentric& x, con
 
 Scene twin_scene(ContactClass contact, Random& random) {
   const std::array<Feature, 2> features = features_of(contact);
-  const Frame frame = random_frame(random);
+  const PlaneFrame frame = random_frame(random);
   Scene scene;
   scene.t_max = 1;
   scene.normal = frame.normal;

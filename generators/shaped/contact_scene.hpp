@@ -30,7 +30,7 @@ struct ContactScene {
 /// Where the frame of the contact stands in space: x → 2^exponent·(frame(x) + shift + t·drift),
 /// exponents by coordinate.
 struct Placement {
-  Frame frame;
+  PlaneFrame frame;
   Vec3<Dyadic> shift = {Dyadic(), Dyadic(), Dyadic()};
   Vec3<Dyadic> drift = {Dyadic(), Dyadic(), Dyadic()};
   std::array<long, 3> exponent{};
