@@ -12,6 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "generator.first_contact",
       "generator.cases",
       "generator.other_contacts",
+      "generator.grazing",
+      "generator.grazing_shapes",
       "generator.clearance",
       "generator.refuses_planes",
   });

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "certify/checker/check_box.hpp"
@@ -132,11 +133,12 @@ Check check_plane_of_scene(ChoiceSource& choices) {
 
 /// A contact box about a point that falls through a flat triangle: unknowns u, v and t, in each of
 /// which the contact is off the centre by a number of its own. It proves the contact iff none is
-/// further off than the radius, and the box stays inside of the triangle.
+/// further off than the radius, the box stays inside of the triangle and in t ≥ 0, and its matrix
+/// is regular.
 Check check_contact_box(ChoiceSource& choices) {
   constexpr int kSteps = 16;
   const auto steps = [](std::int64_t n) { return std::ldexp(static_cast<double>(n), -4); };
-  std::array<std::int64_t, 2> x, off;
+  std::array<std::int64_t, 3> x, off;
   for (auto& place : x) place = choices.integer(0, kSteps);
   for (auto& place : off) place = choices.integer(-2, 2);
   const std::int64_t radius = choices.integer(1, 4);
@@ -144,22 +146,26 @@ Check check_contact_box(ChoiceSource& choices) {
   Query query;
   query.patches[0] = {Shape::triangle(1), {{0, 0, 0}, {0, scale, 0}, {scale, 0, 0}}, {}};
   query.patches[0].velocities.resize(3, Vec3<double>(0, 0, 0));
-  query.patches[1] = {Shape::point(),
-                      {{scale * steps(x[0] + off[0]), scale * steps(x[1] + off[1]), scale}},
-                      {{0, 0, -scale}}};
+  query.patches[1] = {
+      Shape::point(),
+      {{scale * steps(x[0] + off[0]), scale * steps(x[1] + off[1]), scale * steps(x[2] + off[2])}},
+      {{0, 0, -scale}}};
   ContactBox box;
-  box.centre = {steps(x[0]), steps(x[1]), 0, 0, 1};
+  box.centre = {steps(x[0]), steps(x[1]), 0, 0, steps(x[2])};
   box.varied = {0, 1, ContactBox::kTime};
   box.radius.fill(steps(radius));
   for (std::size_t i = 0; i < 3; ++i) box.inverse[i] = {0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) box.inverse[i][i] = 1 / scale;
-  const bool inside =
-      x[0] >= radius && x[1] >= radius && x[0] + x[1] + 2 * radius <= std::int64_t{kSteps};
-  const bool near = std::abs(off[0]) <= radius && std::abs(off[1]) <= radius;
+  const std::uint64_t without = choices.choose(7);  // a row of the matrix, or none
+  if (without < 3) box.inverse[without] = {0, 0, 0};
+  const bool inside = x[0] >= radius && x[1] >= radius &&
+                      x[0] + x[1] + 2 * radius <= std::int64_t{kSteps} && x[2] >= radius;
+  const bool near = std::ranges::all_of(off, [&](auto o) { return std::abs(o) <= radius; });
   Case about;
   about.query = query;
   about.truth.contact_box = box;
-  return accepted_iff(check_box(query, box).has_value(), inside && near, "the box", about);
+  return accepted_iff(check_box(query, box).has_value(), inside && near && without >= 3, "the box",
+                      about);
 }
 
 }  // namespace
@@ -181,8 +187,8 @@ std::vector<Property> certificate_properties() {
        "changed so that it proves nothing",
        "src/certify/checker/check_plane.hpp", kHolds, check_changed_plane},
       {"checker.refuses_changed_boxes",
-       "A contact box is accepted iff its centre is near enough to the contact and it lies in the "
-       "domain",
+       "A contact box is accepted iff its centre is near enough to the contact, it lies in the "
+       "domain and in t >= 0, and its matrix is regular",
        "src/certify/checker/check_box.hpp", kHolds, check_contact_box},
       {"generator.refuses_planes",
        "No plane is found to separate patches of which either reaches beyond it",

@@ -150,14 +150,29 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
   return drawn;
 }
 
-GeneratorOptions draw_generator_options(ChoiceSource& choices) {
+GeneratorOptions draw_regular_options(ChoiceSource& choices) {
   GeneratorOptions options;
   options.construction = Construction::kOneSided;
   options.contact = choices.pick(kContactClasses);
-  options.family = choices.pick(kFamilies);
-  if (!is_made(options.family, options.contact, CaseKind::kRP)) options.family = Family::kRegular;
-  if (options.family == Family::kRegular) options.kind = choices.pick(kCaseKinds);
+  options.kind = choices.pick(kCaseKinds);
   options.seed = choices.choose(~std::uint64_t{0});
+  if (choices.coin()) {
+    constexpr int kMostDegree = 3;
+    const Shape first = draw_shape(choices, kMostDegree);
+    options.shapes = {first, draw_shape(choices, kMostDegree)};
+    if (!validate(options)) options.shapes.reset();
+  }
+  return options;
+}
+
+GeneratorOptions draw_generator_options(ChoiceSource& choices) {
+  const Family family = choices.pick(kFamilies);
+  GeneratorOptions options = draw_regular_options(choices);
+  if (family == Family::kRegular || !is_made(family, options.contact, CaseKind::kRP))
+    return options;
+  options.family = family;
+  options.shapes.reset();
+  if (!is_made(family, options.contact, options.kind)) options.kind = CaseKind::kRP;
   return options;
 }
 

@@ -27,5 +27,7 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range);
 
 /// A case of the inverse construction to generate: of any class, family and kind that is made.
 GeneratorOptions draw_generator_options(ChoiceSource& choices);
+/// The same of the regular family, half of the time of other shapes than quadratic triangles.
+GeneratorOptions draw_regular_options(ChoiceSource& choices);
 
 }  // namespace ccdfuzz

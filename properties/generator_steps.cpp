@@ -8,12 +8,15 @@
 #include "generators/extract.hpp"
 #include "generators/finalize.hpp"
 #include "generators/generate.hpp"
+#include "generators/grazing.hpp"
 #include "generators/motion.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
+#include "generators/paper.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/shaped/features.hpp"
+#include "generators/shaped/point_contacts.hpp"
 #include "generators/static_contact.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_patch.hpp"
@@ -140,8 +143,65 @@ Check check_one_sided(ChoiceSource& choices) {
 }
 
 std::string text_of(const GeneratorOptions& options) {
-  return fmt::format("{} {} {} seed {}", name_of(options.contact), name_of(options.kind),
-                     name_of(options.family), options.seed);
+  std::string shapes;
+  if (options.shapes) {
+    shapes = fmt::format(" {},{}", to_text((*options.shapes)[0]), to_text((*options.shapes)[1]));
+  }
+  return fmt::format("{} {} {}{} seed {}", name_of(options.contact), name_of(options.kind),
+                     name_of(options.family), shapes, options.seed);
+}
+
+/// Step IV of a near-hit: at t* the contact points meet, and slide along the contact plane; what
+/// has no share in the contact comes from its patch's side. The near-miss of it is apart.
+Check check_grazing(ChoiceSource& choices) {
+  const ContactClass contact = choices.pick(kContactClasses);
+  Random random(draw_seed(choices));
+  std::optional<Scene> scene = paper_scene(contact, true, random);
+  if (!scene) return Check::discarded("no plane is found");
+  const auto fails = [&](const char* what) {
+    return Check::fails(fmt::format("{}: {}", name_of(contact), what));
+  };
+  const Contact& at = scene->contact;
+  const auto place = [&](std::size_t s) { return point_at(scene->patches[s].at(at.t), at.x[s]); };
+  const auto above = [&](const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
+    return dot<Dyadic>(scene->normal, Vec3<Dyadic>(a - b)).sign();
+  };
+  if (!(place(0) == place(1))) return fails("they do not meet");
+  std::array<Vec3<Dyadic>, 2> v;
+  for (std::size_t s = 0; s < 2; ++s) v[s] = point_at(scene->patches[s].velocities, at.x[s]);
+  if (v[0] == v[1] || above(v[0], v[1]) != 0) return fails("they do not slide");
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const Vec3<Dyadic>& rate : scene->patches[s].velocities) {
+      if (above(rate, v[s]) * (s == 0 ? 1 : -1) > 0) return fails("a part comes from elsewhere");
+    }
+  }
+  part(*scene, static_cast<int>(choices.integer(kLeastGap, kLargestGap)));
+  return above(place(1), place(0)) < 0 ? Check::holds() : fails("its near-miss is none");
+}
+
+/// The same of any shapes, whose contact plane is z = 0.
+Check check_grazing_shapes(ChoiceSource& choices) {
+  GeneratorOptions options = draw_regular_options(choices);
+  const bool near_miss = choices.coin();
+  options.kind = near_miss ? CaseKind::kNMN : CaseKind::kNHP;
+  if (!validate(options)) options.shapes.reset();
+  if (!options.shapes) options.shapes = {Shape::triangle(2), Shape::triangle(2)};
+  Random random(options.seed);
+  const ContactScene scene =
+      grazing_variant(near_miss, options.contact, *options.shapes, random).scene;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const ContactSide& side = scene.sides[s];
+    const int height = evaluate<Dyadic>(side.shape, side.points, side.at)[2].sign();
+    if (height != (near_miss && s == 1 ? -1 : 0)) {
+      return Check::fails(fmt::format("{}: patch {} is not in its place", text_of(options), s + 1));
+    }
+    for (const Vec3<Dyadic>& rate : side.rates) {
+      if (rate[2].sign() != 0) {
+        return Check::fails(fmt::format("{}: patch {} crosses", text_of(options), s + 1));
+      }
+    }
+  }
+  return Check::holds();
 }
 
 /// A generated case is what it says: its witness is one, at the features of its class; its numbers
@@ -170,10 +230,8 @@ Check check_generated(ChoiceSource& choices) {
 
 /// The oracle proves no contact in a generated negative, nor before clear_until in a positive.
 Check check_generated_clearance(ChoiceSource& choices) {
-  GeneratorOptions options = draw_generator_options(choices);
-  options.family = Family::kRegular;
-  options.kind = choices.pick(kCaseKinds);
-  Case made = generate(options, 0).value;
+  const GeneratorOptions options = draw_regular_options(choices);
+  const Case made = generate(options, 0).value;
   if (!made.truth.clear_until) return Check::discarded("nothing is said of the time before");
   OracleOptions little;
   little.max_pops = 100;
@@ -219,6 +277,11 @@ std::vector<Property> generator_properties() {
        "Section 5.1, Step IV, Section 5.2", kHolds, check_motion},
       {"generator.first_contact", "The moving plane of a one-sided scene proves its first contact",
        "generators/one_sided.hpp", kHolds, check_one_sided},
+      {"generator.grazing",
+       "Grazing patches meet at t*, slide along the contact plane, and are apart in a near-miss",
+       "Section 5.2", kHolds, check_grazing},
+      {"generator.grazing_shapes", "The same of patches of any shapes",
+       "generators/shaped/point_contacts.hpp", kHolds, check_grazing_shapes},
       {"generator.cases", "A generated case has the truth, the class and the numbers that it says",
        "Section 5.1, Step VI, Section 5.4", kHolds, check_generated},
       {"generator.clearance", "Nothing proves a contact where a case claims that there is none",

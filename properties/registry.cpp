@@ -11,6 +11,7 @@
 #include "properties/generator_steps.hpp"
 #include "properties/geometry.hpp"
 #include "properties/intersection.hpp"
+#include "properties/linear_certificates.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/method_answers.hpp"
 #include "properties/method_symmetry.hpp"
@@ -120,12 +121,26 @@ std::vector<Property> mixed_properties() {
 const std::vector<Property>& properties() {
   static const std::vector<Property> all = [] {
     std::vector<Property> list;
-    for (const auto& family :
-         {mixed_properties, rounding_properties, coefficient_properties, predicate_properties,
-          omission_properties, intersection_properties, step_three_properties, geometry_properties,
-          linear_properties, arithmetic_properties, generator_properties, method_answer_properties,
-          method_symmetry_properties, traced_properties, search_properties, certificate_properties,
-          miss_tree_properties, spoilt_certificate_properties, outside_data_properties}) {
+    for (const auto& family : {mixed_properties,
+                               rounding_properties,
+                               coefficient_properties,
+                               predicate_properties,
+                               omission_properties,
+                               intersection_properties,
+                               step_three_properties,
+                               geometry_properties,
+                               linear_properties,
+                               arithmetic_properties,
+                               generator_properties,
+                               method_answer_properties,
+                               method_symmetry_properties,
+                               traced_properties,
+                               search_properties,
+                               certificate_properties,
+                               linear_certificate_properties,
+                               miss_tree_properties,
+                               spoilt_certificate_properties,
+                               outside_data_properties}) {
       for (const Property& property : family()) list.push_back(property);
     }
     return list;
