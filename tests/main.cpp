@@ -1,7 +1,7 @@
 // The main of every test executable: RapidCheck draws the same cases in every run, unless told
 // otherwise, and a failure prints the one command that shows it again.
 //   CCDFUZZ_SEED     seed of RapidCheck, default 1; "random" draws one (and prints it)
-//   CCDFUZZ_EFFORT   whole factor on the number of cases, default 1
+//   CCDFUZZ_EFFORT   whole factor on the number of cases, 1 to 1000000, default 1
 //   RC_PARAMS        RapidCheck's own, instead of both
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +11,7 @@
 #include <random>
 #include <string>
 
+#include "numeric/effort.hpp"
 #include "share.hpp"
 
 namespace {
@@ -31,14 +32,21 @@ unsigned long number(const std::string& name, const std::string& text) {
   return std::stoul(text);
 }
 
+unsigned long effort_or_exit() {
+  const auto effort = ccdfuzz::effort();
+  if (effort) return *effort;
+  std::cerr << effort.error().message() << "\n";
+  std::exit(2);
+}
+
 /// What a run depends on, as the assignments that stand before its command.
 std::string fix_random_cases() {
+  const unsigned long effort = effort_or_exit();
   const std::string own = from_environment("RC_PARAMS", "");
   if (!own.empty()) return "RC_PARAMS='" + own + "' ";
   const std::string asked = from_environment("CCDFUZZ_SEED", "1");
   const unsigned long seed =
       asked == "random" ? std::random_device{}() : number("CCDFUZZ_SEED", asked);
-  const unsigned long effort = number("CCDFUZZ_EFFORT", from_environment("CCDFUZZ_EFFORT", "1"));
   const std::string params =
       "seed=" + std::to_string(seed) + " max_success=" + std::to_string(kCasesPerProperty * effort);
   setenv("RC_PARAMS", params.c_str(), 1);  // before RapidCheck reads it, at the first property

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
 #include "certify/linear/first_contact.hpp"
+#include "numeric/effort.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {
@@ -90,8 +90,7 @@ bool hangs_on_one_float(const Query& query, bool touches) {
 }
 
 TEST(DrawLinear, DrawsEveryKindOfDegenerateQuery) {
-  const char* const effort = std::getenv("CCDFUZZ_EFFORT");
-  const size_t count = 2000 / kOneIn * (effort == nullptr ? 1 : std::strtoul(effort, nullptr, 10));
+  const size_t count = 2000 / kOneIn * *effort();
   constexpr size_t kMovedOneIn = 50 / kOneIn + 1;  // moving every coordinate takes long
   std::map<std::string, size_t> drawn;
   size_t moved = 0;
