@@ -76,33 +76,52 @@ std::vector<std::vector<std::string>> Table::texts() const {
   return texts;
 }
 
-std::string Table::to_text(bool colour) const {
+std::vector<size_t> Table::widths_from(size_t row) const {
   std::vector<size_t> widths;
   for (size_t c = 0; c < columns_.size(); ++c) {
-    widths.push_back(width(columns_[c].title));
-    for (const Row& row : rows_) {
-      widths[c] = std::max(widths[c], width(shown_line(row.cells[c].text)));
+    widths.push_back(std::max(width(columns_[c].title), columns_[c].least_width));
+    for (size_t r = row; r < rows_.size(); ++r) {
+      widths[c] = std::max(widths[c], width(shown_line(rows_[r].cells[c].text)));
     }
   }
+  return widths;
+}
+
+std::string Table::header_text(const std::vector<size_t>& widths, bool colour) const {
   std::string header;
   for (size_t c = 0; c < columns_.size(); ++c) {
     if (c > 0) header += "  ";
     header += padded(columns_[c].title, widths[c], columns_[c].align);
   }
   strip_trailing_blanks(header);
-  std::string out = colour ? "\x1b[1m" + header + "\x1b[0m\n" : header + "\n";
-  for (const Row& row : rows_) {
-    if (row.starts_group) out += "\n";
-    std::string line;
-    for (size_t c = 0; c < columns_.size(); ++c) {
-      if (c > 0) line += "  ";
-      const std::string cell = padded(shown_line(row.cells[c].text), widths[c], columns_[c].align);
-      const Emphasis emphasis = row.cells[c].emphasis;
-      line +=
-          colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
-    }
-    strip_trailing_blanks(line);
-    out += line + "\n";
+  return colour ? "\x1b[1m" + header + "\x1b[0m\n" : header + "\n";
+}
+
+std::string Table::row_text(const Row& row, const std::vector<size_t>& widths, bool colour) const {
+  std::string line;
+  for (size_t c = 0; c < columns_.size(); ++c) {
+    if (c > 0) line += "  ";
+    const std::string cell = padded(shown_line(row.cells[c].text), widths[c], columns_[c].align);
+    const Emphasis emphasis = row.cells[c].emphasis;
+    line += colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
+  }
+  strip_trailing_blanks(line);
+  return (row.starts_group ? "\n" : "") + line + "\n";
+}
+
+std::string Table::to_text(bool colour) const {
+  const std::vector<size_t> widths = widths_from(0);
+  std::string out = header_text(widths, colour);
+  for (const Row& row : rows_) out += row_text(row, widths, colour);
+  return out;
+}
+
+std::string Table::next_text(bool colour) {
+  std::string out;
+  if (!std::exchange(header_shown_, true)) out = header_text(widths_from(rows_.size()), colour);
+  while (rows_shown_ < rows_.size()) {
+    const Row& row = rows_[rows_shown_++];
+    out += row_text(row, widths_from(rows_.size()), colour);
   }
   return out;
 }

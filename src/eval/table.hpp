@@ -22,6 +22,7 @@ class Table {
   struct Column {
     std::string title;
     Align align = Align::kRight;
+    size_t least_width = 0;  ///< of aligned text
   };
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
@@ -40,6 +41,9 @@ class Table {
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes. Control
   /// characters are shown (shown_line), in Markdown, too.
   std::string to_text(bool colour) const;
+  /// What to_text has more than at the last call: for a table that is read while it grows. A text
+  /// wider than its column's title and least_width moves its own row only.
+  std::string next_text(bool colour);
   std::string to_markdown() const;
 
  private:
@@ -48,9 +52,16 @@ class Table {
     bool starts_group = false;
   };
 
+  std::string header_text(const std::vector<size_t>& widths, bool colour) const;
+  std::string row_text(const Row& row, const std::vector<size_t>& widths, bool colour) const;
+  /// Of the columns with the rows from this one on.
+  std::vector<size_t> widths_from(size_t row) const;
+
   std::vector<Column> columns_;
   std::vector<Row> rows_;
   bool group_pending_ = false;
+  bool header_shown_ = false;
+  size_t rows_shown_ = 0;
 };
 
 /// RFC 4180: a text with a comma, a quote or a line break is quoted.
