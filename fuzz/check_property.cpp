@@ -44,7 +44,7 @@ class Checker {
     ++failed_;
     std::cout << fmt::format("{} fails on {}: {}\nreproduce: {} {} --hex {}\n", property_.name,
                              input, result.text, program_, property_.name,
-                             to_hex_bytes(choices.bytes()));
+                             to_hex_word(choices.bytes()));
   }
 
   int finish() const {

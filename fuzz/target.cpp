@@ -24,7 +24,7 @@ int check_property_on(const Property& property, std::span<const std::uint8_t> by
   if (check.status == Check::Status::kDiscarded) return -1;  // not for the corpus
   if (check.status == Check::Status::kFails) {
     std::cerr << fmt::format("{} fails: {}\nreproduce: {} {} --hex {}\n", property.name, check.text,
-                             CCDFUZZ_CHECK_PROPERTY, property.name, to_hex_bytes(choices.bytes()));
+                             CCDFUZZ_CHECK_PROPERTY, property.name, to_hex_word(choices.bytes()));
     std::abort();
   }
   return 0;

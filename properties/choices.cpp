@@ -116,6 +116,10 @@ std::string to_hex_bytes(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
+std::string to_hex_word(std::span<const std::uint8_t> bytes) {
+  return bytes.empty() ? "''" : to_hex_bytes(bytes);
+}
+
 Result<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text) {
   const auto digit = [](char c) -> int {
     return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;

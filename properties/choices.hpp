@@ -94,6 +94,8 @@ class RandomChoices : public ChoiceSource {
 
 /// "00ff1a": how choices stand in messages and on command lines.
 std::string to_hex_bytes(std::span<const std::uint8_t> bytes);
+/// The same as one word of a shell, which '' is for no bytes.
+std::string to_hex_word(std::span<const std::uint8_t> bytes);
 Result<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text);
 
 }  // namespace ccdfuzz

@@ -86,6 +86,8 @@ TEST(Choices, OneByteChangesOneChoiceOnly) {
 TEST(Choices, HexTextOfOtherFormsIsRefused) {
   for (const char* bad : {"0", "0g", "0x", "00 ", "AB"}) EXPECT_FALSE(parse_hex_bytes(bad)) << bad;
   EXPECT_EQ(parse_hex_bytes(""), std::vector<std::uint8_t>());
+  EXPECT_EQ(to_hex_word({}), "''");
+  EXPECT_EQ(to_hex_word(std::vector<std::uint8_t>{0, 255}), "00ff");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 /// The one command that shows a failure again, whatever becomes of RapidCheck's seeds.
 std::string replay_command(const Property& property, const ChoiceSource& choices) {
   return fmt::format("reproduce: {} {} --hex {}", CCDFUZZ_CHECK_PROPERTY, property.name,
-                     to_hex_bytes(choices.bytes()));
+                     to_hex_word(choices.bytes()));
 }
 
 class EveryProperty : public testing::TestWithParam<Property> {};
