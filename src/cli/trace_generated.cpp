@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "cli/trace_row.hpp"
 #include "query/case_files.hpp"
@@ -46,15 +47,15 @@ class Losses {
                                     {"class", lost.value.origin.contact},
                                     {"generator", lost.value.origin.generator},
                                     {"breaks_claim", lost.breaks_claim},
-                                    {"reproduce", program_name() + " " + again}};
+                                    {"reproduce", shell_word(program_name()) + " " + again}};
       row.update(trace_row(fmt::format("{}", lost.number), lost.method, lost.trace));
       print_json(row);
     } else if (++told_ <= kShown) {
       print_out(fmt::format("lost: case {} ({} {}) by {}{}, level {}, axis {}\n  {} {}\n",
                             lost.number, lost.value.origin.contact, lost.value.origin.generator,
                             lost.method, lost.breaks_claim ? " (claims none)" : "",
-                            lost.trace.loss->place.level, lost.trace.loss->by.axis, program_name(),
-                            again));
+                            lost.trace.loss->place.level, lost.trace.loss->by.axis,
+                            shell_word(program_name()), again));
     }
     // A case that several methods lose comes from them one after the other.
     if (!writer_ || !written_ || last_ == lost.number) return;
