@@ -148,9 +148,9 @@ const std::vector<Property>& properties() {
   return all;
 }
 
-Result<Property> property_named(std::string_view name) {
+Result<Property> property_named(std::string_view name, const std::vector<Property>& among) {
   std::string names;
-  for (const Property& p : properties()) {
+  for (const Property& p : among) {
     if (p.name == name) return p;
     names += fmt::format("{}{}", names.empty() ? "" : ", ", p.name);
   }

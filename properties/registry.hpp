@@ -10,6 +10,7 @@ namespace ccdfuzz {
 const std::vector<Property>& properties();
 
 /// Errors: an unknown name, with the names that there are.
-Result<Property> property_named(std::string_view name);
+Result<Property> property_named(std::string_view name,
+                                const std::vector<Property>& among = properties());
 
 }  // namespace ccdfuzz

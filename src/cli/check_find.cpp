@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/command.hpp"
+#include "cli/shell_word.hpp"
 #include "generators/random.hpp"
 #include "query/output_file.hpp"
 
@@ -28,10 +29,9 @@ std::string test_name(std::string_view property) {
 }  // namespace
 
 CheckFind make_find(const Property& property, const ChoiceNumbers& numbers, std::uint64_t tries) {
-  CheckFind find{shrunk_counterexample(property, numbers, tries), "", "", ""};
-  // No bytes at all are zeros, as many as are asked for.
-  const std::string hex = find.least.bytes.empty() ? "00" : to_hex_bytes(find.least.bytes);
-  find.reproduce = fmt::format("{} check {} --hex {}", program_name(), property.name, hex);
+  CheckFind find{shrunk_counterexample(property, numbers, tries), "", ""};
+  find.reproduce = fmt::format("{} check {} --hex {}", shell_word(program_name()), property.name,
+                               to_hex_word(find.least.bytes));
   find.test = fmt::format(
       "TEST(Found, {}) {{\n"
       "  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");\n"
@@ -39,15 +39,22 @@ CheckFind make_find(const Property& property, const ChoiceNumbers& numbers, std:
       "  const auto check = ccdfuzz::run(*ccdfuzz::property_named(\"{}\"), choices);\n"
       "  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;\n"
       "}}\n",
-      test_name(property.name), hex, property.name);
+      test_name(property.name), to_hex_bytes(find.least.bytes), property.name);
   return find;
+}
+
+Result<void> make_find_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return system_error(folder, "make the folder", error.value());
+  return OutputFile::create(folder + "/a file").map([](const OutputFile&) {});
 }
 
 Result<std::string> save_find(const std::string& folder, const Property& property,
                               const CheckFind& find) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return system_error(folder, "make the folder", error.value());
+  if (const Result<void> made = make_find_folder(folder); !made) {
+    return tl::unexpected(made.error());
+  }
   std::uint64_t key = 0;
   for (const std::uint8_t byte : find.least.bytes) key = Random::keyed({key, byte}).next();
   const std::string path = fmt::format("{}/{}-{:016x}.txt", folder, property.name, key);

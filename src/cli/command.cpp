@@ -78,6 +78,12 @@ Option Command::text(const std::string& name, std::string& value, const std::str
   return Option(app_->add_option(name, value, description)->capture_default_str());
 }
 
+Option Command::text(const std::string& name, std::optional<std::string>& value,
+                     const std::string& description) {
+  return Option(app_->add_option_function<std::string>(
+      name, [&value](const std::string& text) { value = text; }, description));
+}
+
 Option Command::texts(const std::string& name, std::vector<std::string>& values,
                       const std::string& description) {
   return Option(app_->add_option(name, values, description));

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,8 @@ class Option;
 }  // namespace CLI
 
 namespace ccdfuzz {
+
+struct Property;
 
 /// What every command ends with. A command that was interrupted ends with 128 + the signal.
 enum ExitCode : int {
@@ -53,6 +56,9 @@ class Command {
   explicit Command(CLI::App* app) : app_(app) {}
 
   Option text(const std::string& name, std::string& value, const std::string& description);
+  /// The same, where an empty text is not the same as none.
+  Option text(const std::string& name, std::optional<std::string>& value,
+              const std::string& description);
   /// Any number of them, without an option's name in front.
   Option texts(const std::string& name, std::vector<std::string>& values,
                const std::string& description);
@@ -98,7 +104,8 @@ class CommandLine {
 };
 
 void add_bench(CommandLine& line);
-void add_check(CommandLine& line);
+/// known: all the properties that there are.
+void add_check(CommandLine& line, const std::vector<Property>& known);
 void add_corpus(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_export(CommandLine& line);

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "cli/command.hpp"
+#include "properties/registry.hpp"
 
 int main(int argc, char** argv) {
   try {
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_report(line);
     ccdfuzz::add_bench(line);
     ccdfuzz::add_methods(line);
-    ccdfuzz::add_check(line);
+    ccdfuzz::add_check(line, ccdfuzz::properties());
     ccdfuzz::add_properties(line);
     return line.parse_and_run(argc, argv);
   } catch (const std::exception& error) {

@@ -44,7 +44,13 @@ TEST(Check, EffortMultipliesTheInputs) {
   const auto rows = json_lines(shell("CCDFUZZ_EFFORT=4 " + command).out);
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].at("checked"), 12);
-  EXPECT_EQ(shell("CCDFUZZ_EFFORT=none " + command).code, 2);
+  for (const char* bad : {"none", "0", "1000001"}) {
+    const Finished refused = shell(fmt::format("CCDFUZZ_EFFORT={} {}", bad, command));
+    EXPECT_EQ(refused.code, 2) << bad;
+    EXPECT_EQ(refused.err, fmt::format("ccdfuzz: CCDFUZZ_EFFORT: \"{}\" is not a whole number "
+                                       "from 1 to 1000000\n",
+                                       bad));
+  }
 }
 
 TEST(Check, DependsOnSeedAndIndicesAlone) {
@@ -60,6 +66,67 @@ TEST(Check, DependsOnSeedAndIndicesAlone) {
              tail = check({name, "--count", "200", "--first", "100"});
   EXPECT_EQ(head.at(0).at("discarded").get<int>() + tail.at(0).at("discarded").get<int>(),
             one[0].at("discarded").get<int>());
+}
+
+TEST(Check, ByHoweverLittleTimeSomethingIsChecked) {
+  for (const char* name : {"dyadic.round_trip", "paper.one_interval"}) {
+    const auto rows = check({name, "--seconds", "1e-9", "--first", "7"});
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_GT(rows[0].at("checked"), rows[0].at("discarded")) << rows[0];
+    EXPECT_EQ(rows[0].at("first"), 7);
+  }
+}
+
+TEST(Check, ByTimeItNeedsRoomForAnInput) {
+  const Finished refused =
+      ccdfuzz({"check", "dyadic.round_trip", "--seconds", "1", "--first", "18446744073709551615"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("--first"), std::string::npos) << refused.err;
+}
+
+TEST(Check, TheEmptyInputIsOneInputAndNotNone) {
+  const Finished run = ccdfuzz({"check", "dyadic.round_trip", "--hex", ""});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out, "dyadic.round_trip holds\n");
+}
+
+TEST(Check, OptionsThatWouldBeIgnoredAreRefused) {
+  const std::vector<std::vector<std::string>> pairs = {
+      {"--hex", "00", "--seconds", "1"}, {"--hex", "00", "--count", "5"},
+      {"--hex", "00", "--seed", "2"},    {"--hex", "00", "--first", "3"},
+      {"--hex", "00", "--save", "x"},    {"--seconds", "1", "--count", "5"}};
+  for (std::vector<std::string> pair : pairs) {
+    const std::string first = pair[0], second = pair[2];
+    pair.insert(pair.begin(), {"check", "dyadic.round_trip"});
+    const Finished refused = ccdfuzz(pair);
+    EXPECT_EQ(refused.code, 2) << first << " " << second;
+    EXPECT_NE(refused.err.find(first), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find(second), std::string::npos) << refused.err;
+  }
+  const Finished empty = ccdfuzz({"check", "dyadic.round_trip", "--seconds", ""});
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_NE(empty.err.find("--seconds: \"\" is not a number"), std::string::npos) << empty.err;
+}
+
+TEST(Check, APropertyThatIsNamedTwiceIsCheckedOnce) {
+  const auto rows =
+      check({"dyadic.round_trip", "case_file.mutants", "dyadic.round_trip", "--count", "5"});
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("property"), "dyadic.round_trip");
+  EXPECT_EQ(rows[1].at("property"), "case_file.mutants");
+}
+
+TEST(Check, TheSummaryNamesSeedAndInputs) {
+  const Finished run =
+      ccdfuzz({"check", "dyadic.round_trip", "--count", "5", "--seed", "42", "--first", "6"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("\n1 property, inputs from 6 of seed 42: 0 failed that should hold\n"),
+            std::string::npos)
+      << run.out;
+}
+
+TEST(Check, TheHelpNamesTheEnvironmentThatItReads) {
+  EXPECT_NE(ccdfuzz({"check", "--help"}).out.find("CCDFUZZ_EFFORT"), std::string::npos);
 }
 
 TEST(Check, ByTimeChecksEveryPropertyThatIsListed) {

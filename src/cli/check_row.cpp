@@ -1,0 +1,72 @@
+#include "cli/check_row.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/output.hpp"
+
+namespace ccdfuzz {
+
+void print_check_json(const CheckedInputs& inputs, const CheckedProperty& checked) {
+  const CheckTally& tally = checked.tally;
+  nlohmann::ordered_json row = {{"property", checked.property.name},
+                                {"expected_to_fail", checked.known_false()},
+                                {"seed", inputs.seed},
+                                {"first", inputs.first},
+                                {"checked", tally.checked},
+                                {"discarded", tally.discarded},
+                                {"failed", tally.failed},
+                                {"seconds", tally.seconds}};
+  if (tally.all_discarded()) row["nothing_checked"] = true;
+  if (tally.failed > 0) row.update({{"failure", tally.text}, {"reproduce", checked.reproduce}});
+  if (checked.find) {
+    row.update({{"shrunk", checked.find->least.check.text},
+                {"reproduce_shrunk", checked.find->reproduce},
+                {"test", checked.find->test}});
+  }
+  if (!checked.saved) {
+    row["not_saved"] = checked.saved.error().message();
+  } else if (!checked.saved->empty()) {
+    row["saved"] = *checked.saved;
+  }
+  print_json(row);
+}
+
+Table check_table(const std::vector<Property>& properties) {
+  size_t name = 0;
+  for (const Property& property : properties) name = std::max(name, property.name.size());
+  return Table({{"property", Align::kLeft, name},
+                {"checked", Align::kRight, 9},
+                {"discarded"},
+                {"failed", Align::kRight, 9},
+                {"time", Align::kRight, 7},
+                {"", Align::kLeft}});
+}
+
+void print_check_row(Table& table, const CheckedProperty& checked) {
+  const CheckTally& tally = checked.tally;
+  const TableCell note = tally.all_discarded()
+                             ? TableCell{"nothing was checked", Emphasis::kBad}
+                             : TableCell{checked.known_false() ? "known to be false" : ""};
+  table.add_row(
+      {{std::string(checked.property.name)},
+       {fmt::format("{}", tally.checked)},
+       {fmt::format("{}", tally.discarded)},
+       {fmt::format("{}", tally.failed), checked.is_finding() ? Emphasis::kBad : Emphasis::kPlain},
+       {duration_text(tally.seconds)},
+       note});
+  print_out(table.next_text(wants_colour(stdout)));
+  if (!checked.find) return;
+  print_out(fmt::format("\n{} fails: {}\nreproduce: {}\nas found: {}\n", checked.property.name,
+                        checked.find->least.check.text, checked.find->reproduce,
+                        checked.reproduce));
+  if (!checked.saved) {
+    print_out(fmt::format("not saved: {}\n", checked.saved.error().message()));
+  } else if (!checked.saved->empty()) {
+    print_out(fmt::format("saved: {}\n", *checked.saved));
+  }
+  print_out(checked.find->test + "\n");
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,158 @@
+// `ccdfuzz check` where properties do not hold, or worse: the program misbehaving_properties.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kProgram = CCDFUZZ_TEST_MISBEHAVING_PROPERTIES;
+
+Finished misbehaving(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "check");
+  return Process(std::move(arguments), "", kProgram).wait();
+}
+
+/// The rest of the line that begins so; empty if there is none.
+std::string line_after(const std::string& text, const std::string& beginning) {
+  const size_t at = text.find("\n" + beginning);
+  if (at == std::string::npos) return "";
+  const size_t from = at + 1 + beginning.size();
+  return text.substr(from, text.find('\n', from) - from);
+}
+
+struct Crash {
+  std::string property, signal;
+  int code;
+};
+
+class CrashingProperty : public testing::TestWithParam<Crash> {};
+
+TEST_P(CrashingProperty, IsNamedWithTheCommandThatShowsItAfterWhatWasFoundBefore) {
+  const ScratchFolder folder;
+  const auto& [property, signal, code] = GetParam();
+  for (const char* threads : {"1", "2"}) {
+    const Finished run = misbehaving({"made_up.fails_on_all", property, "made_up.holds", "--save",
+                                      folder.path(), "--seed", "3", "--threads", threads});
+    EXPECT_EQ(run.code, code) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("made_up.fails_on_all fails: drew 0\n"));
+    EXPECT_THAT(run.out, HasSubstr("saved: " + folder.path()));
+    EXPECT_THAT(run.out, Not(HasSubstr("made_up.holds")));
+    EXPECT_THAT(run.err, HasSubstr("ccdfuzz: " + signal + " on an input of " + property + "\n"));
+    const std::string command = line_after(run.err, "reproduce: ");
+    EXPECT_THAT(command, HasSubstr(" check " + property + " --seed 3 --first "));
+    const Finished again = shell(command);
+    EXPECT_EQ(again.code, code) << command;
+    EXPECT_EQ(line_after(again.err, "reproduce: "), command);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , CrashingProperty,
+    testing::Values(Crash{"made_up.segfaults", "SIGSEGV", 128 + SIGSEGV},
+                    Crash{"made_up.aborts", "SIGABRT", 128 + SIGABRT},
+                    Crash{"made_up.aborts_when_shrunk", "SIGABRT", 128 + SIGABRT},
+                    Crash{"made_up.overflows_the_stack", "SIGSEGV", 128 + SIGSEGV}),
+    [](const auto& crash) { return crash.param.property.substr(std::string("made_up.").size()); });
+
+TEST(Check, ThatIsInterruptedNamesTheInputThatDoesNotEnd) {
+  const ScratchFolder folder;
+  // The signal comes after the first row, and the one that kills after the words or half a minute.
+  const Finished run = shell(fmt::format(
+      "cd '{}'; {} check made_up.holds made_up.hangs --threads 2 >out 2>err & "
+      "for i in $(seq 300); do grep -qs holds out && break; sleep 0.1; done; kill -s TERM $!; "
+      "for i in $(seq 300); do grep -qs hangs err && break; sleep 0.1; done; "
+      "kill -s TERM $!; wait $!",
+      folder.path(), kProgram));
+  EXPECT_EQ(run.code, 128 + SIGTERM);
+  const std::string text = read_text(folder / "err");
+  EXPECT_THAT(text, HasSubstr("the first waits for an input of made_up.hangs"));
+  EXPECT_THAT(line_after(text, "reproduce: "), HasSubstr(" check made_up.hangs --seed 1 --first "));
+}
+
+TEST(Check, TheEmptyCounterexampleIsReproducedByTheCommandThatIsPrinted) {
+  const ScratchFolder folder;
+  const Finished run = misbehaving({"made_up.fails_on_empty", "--save", folder.path()});
+  EXPECT_EQ(run.code, 1) << run.err;
+  const std::string command = line_after(run.out, "reproduce: ");
+  EXPECT_TRUE(command.ends_with(" check made_up.fails_on_empty --hex ''")) << command;
+  EXPECT_THAT(run.out, HasSubstr("parse_hex_bytes(\"\")"));
+  const Finished again = shell(command);
+  EXPECT_EQ(again.code, 1) << again.err;
+  EXPECT_EQ(again.out, "made_up.fails_on_empty fails: the text is empty\n");
+  EXPECT_EQ(shell(line_after(run.out, "as found: ") + " --save " + folder.path()).code, 1);
+}
+
+TEST(Check, AFindIsSavedAsItIsPrinted) {
+  const ScratchFolder folder;
+  const Finished run = misbehaving({"made_up.fails_on_all", "--save", folder / "new/finds"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  const std::string saved = line_after(run.out, "saved: ");
+  const std::string text = read_text(saved);
+  EXPECT_THAT(text, HasSubstr("drew 0"));
+  EXPECT_THAT(text, HasSubstr("TEST(Found, MadeUpFailsOnAll)"));
+  EXPECT_EQ(line_after(text, "reproduce: "), line_after(run.out, "reproduce: "));
+}
+
+TEST(Check, AFindThatCannotBeSavedIsToldAndTheOthersAreChecked) {
+  const ScratchFolder folder;
+  write_text(folder / "finds", "a file where the folder would be");
+  for (const std::string more : {"", " --json"}) {
+    const Finished run = shell(fmt::format(
+        "cd '{}' && {} check made_up.fails_on_all made_up.holds{}", folder.path(), kProgram, more));
+    EXPECT_EQ(run.code, 1) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("drew 0"));
+    EXPECT_THAT(run.out, HasSubstr(more.empty() ? "not saved: finds/properties: cannot "
+                                                : "\"not_saved\":\"finds/properties: cannot "));
+    EXPECT_THAT(run.out, HasSubstr("made_up.holds"));
+  }
+}
+
+TEST(Check, AFolderThatCannotBeUsedIsRefusedBeforeTheRun) {
+  const ScratchFolder folder;
+  write_text(folder / "file", "");
+  for (const std::string& bad : {std::string(), std::string("/proc/x"), folder / "file"}) {
+    const Finished run = misbehaving({"made_up.fails_on_all", "--save", bad});
+    EXPECT_EQ(run.code, 2) << bad;
+    EXPECT_EQ(run.out, "") << bad;
+    EXPECT_THAT(run.err, HasSubstr("--save: " + (bad.empty() ? "\"\"" : bad)));
+  }
+}
+
+TEST(Check, WhereNothingIsCheckedItDoesNotPass) {
+  const Finished run = misbehaving({"made_up.is_discarded", "made_up.holds"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, HasSubstr("nothing was checked"));
+  const Finished json = misbehaving({"made_up.is_discarded", "--json"});
+  EXPECT_EQ(json.code, 1);
+  const auto rows = json_lines(json.out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].at("nothing_checked"), true);
+  const Finished by_time = misbehaving({"made_up.is_discarded", "--seconds", "1e-9", "--json"});
+  EXPECT_EQ(by_time.code, 1);
+  EXPECT_GE(json_lines(by_time.out).at(0).at("discarded"), 1000);
+  const Finished one = misbehaving({"made_up.is_discarded", "--hex", "00"});
+  EXPECT_EQ(one.code, 0);
+  EXPECT_EQ(one.out, "made_up.is_discarded is discarded: as all are\n");
+}
+
+TEST(Check, AProgramWithABlankInItsPathIsQuotedInWhatIsPrinted) {
+  const ScratchFolder folder;
+  const std::string program = folder / "a program";
+  std::filesystem::create_symlink(kProgram, program);
+  const Finished run =
+      Process({"check", "made_up.fails_on_all", "--save", folder.path()}, "", program).wait();
+  EXPECT_EQ(run.code, 1) << run.err;
+  for (const char* beginning : {"reproduce: ", "as found: "}) {
+    const std::string command = line_after(run.out, beginning);
+    EXPECT_TRUE(command.starts_with("'" + program + "' check ")) << command;
+  }
+  EXPECT_EQ(shell(line_after(run.out, "reproduce: ")).code, 1);
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,92 @@
+// `ccdfuzz check` of made-up properties, each of which misbehaves as its name says.
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <thread>
+
+#include "cli/command.hpp"
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+Check holds(ChoiceSource& choices) {
+  choices.choose(9);
+  return Check::holds();
+}
+
+/// True of every input with a byte of text; the counterexample is the empty one.
+Check fails_on_empty(ChoiceSource& choices) {
+  return choices.text(8).empty() ? Check::fails("the text is empty") : Check::holds();
+}
+
+/// Shrinks to the byte 0.
+Check fails_on_all(ChoiceSource& choices) {
+  return Check::fails("drew " + std::to_string(choices.choose(1) == 0 ? 0 : 1));
+}
+
+Check is_discarded(ChoiceSource& choices) {
+  choices.choose(9);
+  return Check::discarded("as all are");
+}
+
+bool one_in_a_hundred(ChoiceSource& choices) {
+  return choices.choose(std::uint64_t{1} << 40) % 100 == 99;
+}
+
+Check segfaults(ChoiceSource& choices) {
+  if (one_in_a_hundred(choices)) std::raise(SIGSEGV);
+  return Check::holds();
+}
+
+Check aborts(ChoiceSource& choices) {
+  if (one_in_a_hundred(choices)) std::abort();
+  return Check::holds();
+}
+
+/// Deeper than any stack; the sum keeps the calls from becoming a loop.
+int depth(volatile int* below) {
+  volatile int here[64] = {*below + 1};
+  return here[0] == 1'000'000'000 ? 0 : depth(here) + here[0];
+}
+
+Check overflows_the_stack(ChoiceSource& choices) {
+  volatile int none = 0;
+  if (one_in_a_hundred(choices)) none = depth(&none);
+  return Check::holds();
+}
+
+/// Fails on large numbers, and aborts on what they are shrunk to.
+Check aborts_when_shrunk(ChoiceSource& choices) {
+  const std::uint64_t number = choices.choose(std::uint64_t{1} << 40);
+  if (number > 1000) return Check::fails("a large number");
+  if (number > 500) std::abort();
+  return Check::holds();
+}
+
+Check hangs(ChoiceSource& choices) {
+  while (one_in_a_hundred(choices)) std::this_thread::sleep_for(std::chrono::seconds(1000));
+  return Check::holds();
+}
+
+std::vector<Property> misbehaving() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {{"made_up.holds", "", "", kHolds, holds},
+          {"made_up.fails_on_empty", "", "", kHolds, fails_on_empty},
+          {"made_up.fails_on_all", "", "", kHolds, fails_on_all},
+          {"made_up.is_discarded", "", "", kHolds, is_discarded},
+          {"made_up.segfaults", "", "", kHolds, segfaults},
+          {"made_up.aborts", "", "", kHolds, aborts},
+          {"made_up.overflows_the_stack", "", "", kHolds, overflows_the_stack},
+          {"made_up.aborts_when_shrunk", "", "", kHolds, aborts_when_shrunk},
+          {"made_up.hangs", "", "", kHolds, hangs}};
+}
+
+}  // namespace
+}  // namespace ccdfuzz
+
+int main(int argc, char** argv) {
+  ccdfuzz::CommandLine line;
+  ccdfuzz::add_check(line, ccdfuzz::misbehaving());
+  return line.parse_and_run(argc, argv);
+}
