@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iostream>
 #include <regex>
+#include <stdexcept>
 
 #include "drivers.hpp"
 #include "rows.hpp"
@@ -77,19 +78,33 @@ class Course {
     };
   }
 
+  /// What a run gives; what prevents it is said to be of that run.
+  template <class Run>
+  auto of_the_run(const std::string& fault, const Run& run) const {
+    try {
+      return run();
+    } catch (const std::exception& error) {
+      throw std::runtime_error(
+          fmt::format("{}, fault {}, seed {}: {}", name_of(driver_), fault, seed_, error.what()));
+    }
+  }
+
   Result<void> run_one(int f, double limit) {
     const std::string fault = f == planted::kNone ? kNoFault : faults_[f - 1].name;
     if (known(fault, limit) != nullptr) return {};
-    const Report report =
-        run_apart(f, limit, [&](const auto& done) { drive(driver_, seed_, {limit}, done); });
+    const Report report = of_the_run(fault, [&] {
+      return run_apart(f, limit, [&](const auto& done) { drive(driver_, seed_, {limit}, done); });
+    });
     return add(fault, limit, report);
   }
 
   /// As many executions as the clean run had, which take longer where all faults are watched.
   Result<void> watch(std::uint64_t executions) {
     constexpr double kLonger = 6;
-    const WatchReport seen = watch_apart(kLonger * limit_, [&](const auto& done) {
-      drive(driver_, seed_, {kLonger * limit_, executions}, done);
+    const WatchReport seen = of_the_run(kWatchedFaults, [&] {
+      return watch_apart(kLonger * limit_, [&](const auto& done) {
+        drive(driver_, seed_, {kLonger * limit_, executions}, done);
+      });
     });
     const bool whole = !seen.report.detected && seen.report.executions >= executions;
     for (std::size_t f = 0; whole && f < faults_.size(); ++f) {

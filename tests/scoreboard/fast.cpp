@@ -75,5 +75,10 @@ int run_fast(const std::string& path, bool all) {
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
-  return ccdfuzz::run_fast(argv[1], argc > 2);
+  try {
+    return ccdfuzz::run_fast(argv[1], argc > 2);
+  } catch (const std::exception& error) {
+    std::cerr << "scoreboard_fast: " << error.what() << '\n';
+    return 3;
+  }
 }

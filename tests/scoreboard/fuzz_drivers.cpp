@@ -148,6 +148,8 @@ void drive_fuzzer(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                                     "-detect_leaks=0",
                                     "-rss_limit_mb=0",
                                     "-timeout=600",
+                                    "-handle_int=0",  // an end from outside must look like one
+                                    "-handle_term=0",
                                     "-reload=0",
                                     "-exact_artifact_path=/dev/null"};
   std::vector<char*> pointers;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace ccdfuzz {
 
@@ -18,7 +19,10 @@ struct Report {
   double seconds = 0;  ///< CPU
   bool detected = false;
   bool died = false;     ///< the process ended before the driver did: that is detected
-  char found[200] = "";  ///< its first line
+  char found[512] = "";  ///< its first line, or as much of it as there is room for, and "…"
+
+  /// Sets found.
+  void tell(std::string_view text);
 };
 
 /// Ends its process by a signal if a step takes kHang CPU seconds, which no step does where the
@@ -33,7 +37,9 @@ class Heartbeat {
 };
 
 /// Runs a driver with one fault active (or planted::kNone) in a process of its own, which ends when
-/// the driver calls done. One that dies has noticed the fault.
+/// the driver calls done. One that dies has noticed the fault. Errors: throws where the system
+/// gives no process, and where the process was ended from outside (SIGKILL, SIGTERM, …): such a run
+/// says nothing.
 Report run_apart(
     int fault, double seconds,
     const std::function<void(const std::function<void(const DriverRun&)>& done)>& drive);

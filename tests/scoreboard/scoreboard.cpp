@@ -121,5 +121,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  return run_all(options);
+  try {
+    return run_all(options);
+  } catch (const std::exception& error) {
+    std::cerr << "ccdfuzz-scoreboard: " << error.what() << '\n';
+    return 3;
+  }
 }
