@@ -12,10 +12,16 @@ void JsonField::refuse(const std::string& why) const {
 }
 
 JsonField JsonField::operator[](const char* key) const {
+  const auto found = find(key);
+  if (!found) refuse(fmt::format("has no \"{}\"", key));
+  return *found;
+}
+
+std::optional<JsonField> JsonField::find(const char* key) const {
   if (value_->kind != JsonKind::kObject) refuse("is not an object");
   const JsonValue* const found = value_->find(key);
-  if (!found) refuse(fmt::format("has no \"{}\"", key));
-  return {*found, *file_, member_path(path_, key)};
+  if (!found) return std::nullopt;
+  return JsonField(*found, *file_, member_path(path_, key));
 }
 
 std::vector<JsonField> JsonField::items() const {

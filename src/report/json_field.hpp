@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class JsonField {
 
   /// The member of this object. Refused: it is no object, or has no such member.
   JsonField operator[](const char* key) const;
+  /// The same where it may be missing.
+  std::optional<JsonField> find(const char* key) const;
   /// The items of this array.
   std::vector<JsonField> items() const;
   bool is_null() const { return value_->kind == JsonKind::kNull; }

@@ -131,7 +131,8 @@ class Course {
                         report.detected,
                         watched,
                         report.seconds,
-                        without_folders(report.found)};
+                        without_folders(report.found),
+                        ""};
     if (options_.verbose) {
       std::cout << fmt::format("{:13} {:36} {} {:>9} {:>8} {}\n", record.driver, fault, seed_,
                                watched ? "not triggered"

@@ -115,17 +115,6 @@ Work work_of(Driver driver, std::uint64_t seed) {
 
 }  // namespace
 
-std::string_view name_of(Driver driver) {
-  constexpr std::array<std::string_view, kDrivers.size()> kNames = {
-      "random", "rapidcheck", "libfuzzer-raw", "contacts",   "traces",
-      "corpus", "by-chance",  "libfuzzer",     "properties", "hunt"};
-  return kNames[static_cast<std::size_t>(driver)];
-}
-
-bool is_built(Driver driver) {
-  return kHasFuzzer || (driver != Driver::kRawFuzzer && driver != Driver::kFuzzer);
-}
-
 void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
            const std::function<void(const DriverRun&)>& done) {
   if (driver == Driver::kRawFuzzer || driver == Driver::kFuzzer) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "numeric/result.hpp"
 #include "run_apart.hpp"
 
 namespace ccdfuzz {
@@ -28,6 +29,8 @@ inline constexpr std::array kDrivers = {
     Driver::kRandom, Driver::kRapidCheck, Driver::kRawFuzzer, Driver::kContacts,   Driver::kTraces,
     Driver::kCorpus, Driver::kChance,     Driver::kFuzzer,    Driver::kProperties, Driver::kHunt};
 std::string_view name_of(Driver driver);
+/// Errors: an unknown name, with the names that there are.
+Result<Driver> driver_named(std::string_view name);
 
 /// Those that know nothing of the problem, and parts of the hunt: they get less time.
 constexpr bool is_weak(Driver driver) {

@@ -2,46 +2,100 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "fault_hash.hpp"
+#include "query/json_tree.hpp"
+#include "query/line_reader.hpp"
+#include "query/output_file.hpp"
+#include "record_line.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-nlohmann::ordered_json to_json(const Record& r) {
-  return {{"driver", r.driver},     {"fault", r.fault},           {"seed", r.seed},
-          {"limit", r.limit},       {"reached", r.reached},       {"triggered", r.triggered},
-          {"detected", r.detected}, {"executions", r.executions}, {"seconds", r.seconds},
-          {"found", r.found},       {"watched", r.watched}};
-}
-
-Record from_json(const nlohmann::json& j) {
-  Record r;
-  r.driver = j.at("driver"), r.fault = j.at("fault"), r.seed = j.at("seed");
-  r.limit = j.at("limit"), r.reached = j.at("reached"), r.triggered = j.at("triggered");
-  r.detected = j.at("detected"), r.executions = j.at("executions"), r.seconds = j.at("seconds");
-  r.found = j.at("found"), r.watched = j.value("watched", false);
-  return r;
+/// All that a file of records holds, each line ended, but for one that was being written when its
+/// writer ended.
+Result<std::string> text_of(const std::string& path) {
+  auto file = LineReader::open(path, false, std::numeric_limits<std::size_t>::max());
+  if (!file) return tl::unexpected(file.error());
+  const auto whole = file->next(true);
+  if (!whole) return tl::unexpected(whole.error());
+  std::string text(whole->value_or(""));
+  if (text.empty() || text.ends_with('\n')) return text;
+  const std::size_t last = text.rfind('\n') + 1;  // npos + 1 is 0
+  const bool finished = parse_json(std::string_view(text).substr(last), path).has_value();
+  return finished ? text + '\n' : text.substr(0, last);
 }
 
 }  // namespace
 
-Result<Records> Records::open(const std::string& path) {
-  Records records;
+Records::Records(const std::vector<Fault>& faults) : faults_(&faults) {
+  for (const Fault& fault : faults) definitions_[fault.name] = definition_hash(fault);
+}
+
+Result<Records> Records::open(const std::string& path, const std::vector<Fault>& faults, Use use) {
+  Records records(faults);
+  if (path.empty()) return records;
   records.path_ = path;
-  std::ifstream in(path);
-  int number = 0;
-  for (std::string line; in && std::getline(in, line);) {
-    ++number;
-    try {
-      const Record r = from_json(nlohmann::json::parse(line));
-      records.records_[{r.driver, r.fault, r.seed}] = r;
-    } catch (const nlohmann::json::exception& error) {
-      return input_error(fmt::format("{}:{}", path, number), error.what());
-    }
+  const bool is_there = std::filesystem::exists(path);
+  const bool has_journal = std::filesystem::exists(Journal::path_for(path));
+  if (is_there || (use == Use::kRead && !has_journal)) {
+    if (auto read = records.read_file(); !read) return tl::unexpected(read.error());
+  }
+  if (use == Use::kExtend || has_journal) {
+    if (auto read = records.read_journal(); !read) return tl::unexpected(read.error());
   }
   return records;
+}
+
+Result<void> Records::read_file() {
+  const Result<std::string> text = text_of(path_);
+  if (!text) return tl::unexpected(text.error());
+  int number = 0;
+  for (std::size_t begin = 0; begin < text->size();) {
+    const std::size_t end = text->find('\n', begin);
+    const std::string_view line = std::string_view(*text).substr(begin, end - begin);
+    const auto record = parse_record(line, fmt::format("{}:{}", path_, ++number), *faults_);
+    if (!record) return tl::unexpected(record.error());
+    take(*record);
+    lines_.emplace(line);
+    begin = end + 1;
+  }
+  return {};
+}
+
+Result<void> Records::read_journal() {
+  // That it can be written is asked now, and not when the campaign is over.
+  if (const auto probed = OutputFile::create(path_); !probed) {
+    return tl::unexpected(probed.error());
+  }
+  const std::string where = Journal::path_for(path_);
+  auto journal = Journal::open(where, {{"format", "ccdfuzz-scoreboard-records"}});
+  if (!journal) return tl::unexpected(journal.error());
+  journal_.emplace(*std::move(journal));
+  return journal_->for_each([&](std::string_view line) -> Result<void> {
+    const auto record = parse_record(line, where, *faults_);
+    if (!record) return tl::unexpected(record.error());
+    take(*record);
+    // Both have it where a campaign was interrupted between write_file and remove.
+    if (!lines_.contains(line)) added_.append(line) += '\n';
+    return {};
+  });
+}
+
+void Records::take(const Record& record) {
+  const Key key = {record.driver, record.fault, record.seed};
+  const auto defined = definitions_.find(record.fault);
+  const bool other = defined != definitions_.end() && !record.definition.empty() &&
+                     record.definition != defined->second;
+  if (other) {
+    outdated_.insert(key);
+  } else {
+    records_[key] = record;
+  }
 }
 
 const Record* Records::find(const std::string& driver, const std::string& fault, std::uint64_t seed,
@@ -51,13 +105,34 @@ const Record* Records::find(const std::string& driver, const std::string& fault,
   return found->second.detected || found->second.limit >= limit ? &found->second : nullptr;
 }
 
-Result<void> Records::add(const Record& record) {
+Result<void> Records::add(Record record) {
+  if (const auto d = definitions_.find(record.fault); d != definitions_.end()) {
+    record.definition = d->second;
+  }
   records_[{record.driver, record.fault, record.seed}] = record;
-  if (path_.empty()) return {};
-  std::ofstream out(path_, std::ios::app);
-  out << to_json(record).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  if (!out) return input_error(path_, "cannot be written");
-  return {};
+  if (!journal_) return {};
+  const std::string line = to_line(record);
+  added_.append(line) += '\n';
+  return journal_->append(line);
+}
+
+Result<void> Records::finish() {
+  if (!journal_) return {};
+  if (!added_.empty()) {
+    // What others may have put there meanwhile stays.
+    Result<std::string> text =
+        std::filesystem::exists(path_) ? text_of(path_) : Result<std::string>("");
+    if (!text) return tl::unexpected(text.error());
+    if (auto written = write_file(path_, *text + added_); !written) return written;
+  }
+  auto removed = journal_->remove();
+  journal_.reset();
+  return removed;
+}
+
+std::size_t Records::outdated() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(outdated_, [&](const Key& key) { return !records_.contains(key); }));
 }
 
 }  // namespace ccdfuzz

@@ -2,10 +2,14 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <vector>
 
-#include "numeric/result.hpp"
+#include "fault_list.hpp"
+#include "query/journal.hpp"
 
 namespace ccdfuzz {
 
@@ -16,9 +20,9 @@ inline constexpr const char* kWatchedFaults = "watched";
 
 /// What one run of a driver against one fault gave.
 struct Record {
-  std::string driver, fault;  ///< fault: its name, or kNoFault
-  std::uint64_t seed = 0;
-  double limit = 0;  ///< CPU seconds
+  std::string driver, fault;  ///< fault: its name, or kNoFault, or kWatchedFaults
+  std::uint64_t seed = 0;     ///< from 1
+  double limit = 0;           ///< CPU seconds
   std::uint64_t reached = 0, triggered = 0, executions = 0;
   bool detected = false;
   /// No run of its own: the fault's wrong value never differed in a run of the right sources with
@@ -26,27 +30,51 @@ struct Record {
   bool watched = false;
   double seconds = 0;  ///< CPU, until it was detected or the limit
   std::string found;   ///< its first line
+  /// definition_hash of the fault that it was; empty: not known, or no fault.
+  std::string definition;
 };
 
-/// The records of a campaign, kept in a file of a JSON object a line, so that a campaign that is
-/// interrupted goes on where it was.
+/// The records of a campaign, kept in a file of a JSON object a line. Those of a campaign that goes
+/// on stand in a journal beside it, so that one that is interrupted goes on where it was.
 class Records {
  public:
-  /// Reads what the file has, if there is one. Errors: a line that is no record.
-  static Result<Records> open(const std::string& path);
+  enum class Use : std::uint8_t {
+    kRead,    ///< the file or its journal must be there
+    kExtend,  ///< both are begun where they are not
+  };
+
+  /// Reads what file and journal have; no path: begins with nothing, and keeps it in memory. A last
+  /// line that is unfinished is left out. Errors: a line that is no record (parse_record); the file
+  /// or its folder cannot be written to; another campaign is at it.
+  static Result<Records> open(const std::string& path, const std::vector<Fault>& faults, Use use);
 
   /// The record of a run with at least this limit, if there is one.
   const Record* find(const std::string& driver, const std::string& fault, std::uint64_t seed,
                      double limit) const;
-  /// Adds a record, in the file too.
-  Result<void> add(const Record& record);
+  /// Adds a record, in the journal too.
+  Result<void> add(Record record);
+  /// Puts the journal's records into the file.
+  Result<void> finish();
 
   using Key = std::tuple<std::string, std::string, std::uint64_t>;
   const std::map<Key, Record>& all() const { return records_; }
+  /// How many runs are not among all() because their fault was another by the same name.
+  std::size_t outdated() const;
 
  private:
+  explicit Records(const std::vector<Fault>& faults);
+  Result<void> read_file();
+  Result<void> read_journal();
+  void take(const Record& record);
+
   std::string path_;
+  const std::vector<Fault>* faults_;
+  std::map<std::string, std::string> definitions_;  ///< of a fault's name
   std::map<Key, Record> records_;
+  std::set<Key> outdated_;
+  std::set<std::string, std::less<>> lines_;  ///< of the file
+  std::optional<Journal> journal_;
+  std::string added_;  ///< the lines that are in the journal only
 };
 
 }  // namespace ccdfuzz

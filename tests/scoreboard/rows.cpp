@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "drivers.hpp"
+#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 
@@ -162,13 +162,6 @@ std::string markdown(const std::vector<Fault>& faults, const std::vector<Row>& r
   return out.str();
 }
 
-Result<void> write_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file) return input_error(path, "cannot be written");
-  return {};
-}
-
 }  // namespace
 
 std::string seconds_text(double seconds) {
@@ -232,6 +225,15 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
   return out;
 }
 
+Result<void> probe_tables(const std::string& prefix) {
+  for (const char* ending : {".csv", ".md", ".json"}) {
+    if (auto file = OutputFile::create(prefix + ending); !file) {
+      return tl::unexpected(file.error());
+    }
+  }
+  return {};
+}
+
 Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& faults,
                           const Records& records) {
   const std::vector<Row> rows = rows_of(faults, records);
@@ -253,9 +255,9 @@ Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& f
     json["rows"].push_back(to_json(r, fault == faults.end() ? "" : fault->what));
   }
   const auto replace = nlohmann::json::error_handler_t::replace;
-  if (auto r = write_text(prefix + ".csv", csv.str()); !r) return r;
-  if (auto r = write_text(prefix + ".md", markdown(faults, rows)); !r) return r;
-  return write_text(prefix + ".json", json.dump(1, ' ', false, replace) + '\n');
+  if (auto r = write_file(prefix + ".csv", csv.str()); !r) return r;
+  if (auto r = write_file(prefix + ".md", markdown(faults, rows)); !r) return r;
+  return write_file(prefix + ".json", json.dump(1, ' ', false, replace) + '\n');
 }
 
 }  // namespace ccdfuzz

@@ -54,8 +54,12 @@ std::string seconds_text(double seconds);
 ///    "rows": [{"driver", "fault", "what", "equivalent", "runs", "watched", "reached",
 ///              "triggered", "detected", "seconds", "executions", "limit", "most",
 ///              "found"}, …]}
-/// with the fields of DriverRow and Row, "what" being the fault in words.
+/// with the fields of DriverRow and Row, "what" being the fault in words. Each appears whole or not
+/// at all.
 Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& faults,
                           const Records& records);
+
+/// Errors: write_tables could not write there. Leaves nothing.
+Result<void> probe_tables(const std::string& prefix);
 
 }  // namespace ccdfuzz

@@ -68,14 +68,28 @@ int run_all(const Options& options) {
     std::cerr << faults.error().message() << '\n';
     return 2;
   }
-  auto records = Records::open(options.records);
+  if (!options.tables.empty()) {
+    if (const auto probed = probe_tables(options.tables); !probed) {
+      std::cerr << probed.error().message() << '\n';
+      return 2;
+    }
+  }
+  auto records = Records::open(options.records, *faults, Records::Use::kExtend);
   if (!records) {
     std::cerr << records.error().message() << '\n';
     return 2;
   }
+  if (const std::size_t outdated = records->outdated(); outdated > 0) {
+    std::cerr << fmt::format("{}: {} runs are left out: their faults are defined otherwise now\n",
+                             options.records, outdated);
+  }
   const auto no_alarm = run_campaign(options, *faults, *records);
   if (!no_alarm) {
     std::cerr << no_alarm.error().message() << '\n';
+    return 2;
+  }
+  if (const auto finished = records->finish(); !finished) {
+    std::cerr << finished.error().message() << '\n';
     return 2;
   }
   print_summary(driver_rows(rows_of(*faults, *records)));

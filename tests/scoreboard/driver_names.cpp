@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers.hpp"
+#include "fuzz_drivers.hpp"
+
+namespace ccdfuzz {
+
+std::string_view name_of(Driver driver) {
+  constexpr std::array<std::string_view, kDrivers.size()> kNames = {
+      "random", "rapidcheck", "libfuzzer-raw", "contacts",   "traces",
+      "corpus", "by-chance",  "libfuzzer",     "properties", "hunt"};
+  return kNames[static_cast<std::size_t>(driver)];
+}
+
+Result<Driver> driver_named(std::string_view name) {
+  const auto found = std::ranges::find(kDrivers, name, [](Driver d) { return name_of(d); });
+  if (found != kDrivers.end()) return *found;
+  std::string names;
+  for (const Driver driver : kDrivers) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(driver));
+  }
+  return input_error("", fmt::format("no driver \"{}\"; there are: {}", name, names));
+}
+
+bool is_built(Driver driver) {
+  return kHasFuzzer || (driver != Driver::kRawFuzzer && driver != Driver::kFuzzer);
+}
+
+}  // namespace ccdfuzz
