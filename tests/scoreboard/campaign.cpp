@@ -9,15 +9,12 @@
 
 #include "drivers.hpp"
 #include "rows.hpp"
+#include "verdict.hpp"
 #include "watch_apart.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-bool is_wanted(const std::vector<std::string>& names, std::string_view name) {
-  return names.empty() || std::ranges::find(names, name) != names.end();
-}
 
 /// Files by their names, whatever folder this was built in.
 std::string without_folders(const std::string& text) {
@@ -42,25 +39,20 @@ class Course {
         faults_(faults),
         records_(records) {}
 
-  /// Whether there was no false alarm.
-  Result<bool> run() {
-    if (auto r = run_one(planted::kNone, limit_); !r) return tl::unexpected(r.error());
+  Result<void> run() {
+    if (auto r = run_one(planted::kNone, limit_); !r) return r;
     const Record clean = *known(kNoFault, limit_);
-    if (clean.detected) {
-      std::cout << fmt::format("false alarm: {} seed {}: {}\n", clean.driver, seed_, clean.found);
-      return false;
+    if (clean.detected) return {};
+    if (is_watch_missing()) {
+      if (auto r = watch(clean.executions); !r) return r;
     }
-    const bool watches = takes_the_same_course(driver_) && std::ranges::any_of(faults_, missing());
-    if (watches && known(kWatchedFaults, limit_) == nullptr) {
-      if (auto r = watch(clean.executions); !r) return tl::unexpected(r.error());
-    }
+    const Record* const watched = known(kWatchedFaults, limit_);
+    if (watched != nullptr && watched->detected) return {};
     for (std::size_t f = 0; f < faults_.size(); ++f) {
       if (!missing()(faults_[f])) continue;
-      if (auto r = run_one(static_cast<int>(f + 1), limit_of(faults_[f])); !r) {
-        return tl::unexpected(r.error());
-      }
+      if (auto r = run_one(static_cast<int>(f + 1), limit_of(faults_[f])); !r) return r;
     }
-    return true;
+    return {};
   }
 
  private:
@@ -70,10 +62,15 @@ class Course {
   const Record* known(const std::string& fault, double limit) const {
     return records_.find(std::string(name_of(driver_)), fault, seed_, limit);
   }
+  bool is_watch_missing() const {
+    if (!takes_the_same_course(driver_) || known(kWatchedFaults, limit_) != nullptr) return false;
+    return std::ranges::find(options_.faults, kWatchedFaults) != options_.faults.end() ||
+           std::ranges::any_of(faults_, missing());
+  }
   std::function<bool(const Fault&)> missing() const {
     return [this](const Fault& fault) {
       if (!is_wanted(options_.faults, fault.name)) return false;
-      if (!fault.equivalent.empty() && seed_ > 1) return false;
+      if (!fault.equivalent.empty() && seed_ > 1 && !options_.only_seed) return false;
       return known(fault.name, limit_of(fault)) == nullptr;
     };
   }
@@ -142,6 +139,9 @@ class Course {
                                record.executions, record.found)
                 << std::flush;
     }
+    if (const std::string text = alarm(record, faults_); !text.empty()) {
+      std::cerr << text << std::endl;
+    }
     return records_.add(record);
   }
 
@@ -155,21 +155,23 @@ class Course {
 
 }  // namespace
 
-Result<bool> run_campaign(const CampaignOptions& options, const std::vector<Fault>& faults,
+Result<void> run_campaign(const CampaignOptions& options, const std::vector<Fault>& faults,
                           Records& records) {
-  bool quiet = true;
+  const std::uint64_t first = options.only_seed.value_or(1);
+  const std::uint64_t last =
+      options.only_seed.value_or(std::max(options.seeds, options.weak_seeds));
   // Seed by seed: a campaign that is stopped has something of every fault.
-  for (std::uint64_t seed = 1; seed <= std::max(options.seeds, options.weak_seeds); ++seed) {
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
     for (const Driver driver : kDrivers) {
-      const std::uint64_t seeds = is_weak(driver) ? options.weak_seeds : options.seeds;
-      if (seed > (is_drawn(driver) ? seeds : 1)) continue;
       if (!is_wanted(options.drivers, name_of(driver)) || !is_built(driver)) continue;
-      const auto no_alarm = Course(driver, seed, options, faults, records).run();
-      if (!no_alarm) return tl::unexpected(no_alarm.error());
-      quiet = quiet && *no_alarm;
+      const std::uint64_t seeds = is_weak(driver) ? options.weak_seeds : options.seeds;
+      if (!options.only_seed && seed > seeds) continue;
+      if (!is_drawn(driver) && seed > first) continue;
+      const std::uint64_t its_seed = is_drawn(driver) ? seed : 1;
+      if (auto run = Course(driver, its_seed, options, faults, records).run(); !run) return run;
     }
   }
-  return quiet;
+  return {};
 }
 
 }  // namespace ccdfuzz

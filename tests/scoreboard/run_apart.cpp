@@ -139,7 +139,9 @@ Report run_apart(
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);  // it was gone before that
-    close(ends[0]);
+    // An open journal would stay locked for as long as this runs.
+    close_range(STDERR_FILENO + 1, static_cast<unsigned>(ends[1]) - 1, 0);
+    close_range(static_cast<unsigned>(ends[1]) + 1, ~0U, 0);
     work();
   }
   const int error = errno;

@@ -1,5 +1,6 @@
 #include "run_apart.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -93,6 +94,15 @@ TEST(RunApart, ADeathFromOutsideSaysNothingOfTheSources) {
 TEST(RunApart, AnEndWithoutAReportSaysNothingEither) {
   EXPECT_EQ(trouble_of([](const Done&) { _exit(0); }), "the run ended without a report");
   EXPECT_EQ(trouble_of([](const Done&) {}), "the run ended without a report");
+}
+
+TEST(RunApart, ACopyHoldsNoFileOfItsCaller) {
+  const int file = open("/dev/null", O_RDONLY);
+  const Report report = run_with([&](const Done& done) {
+    done({1, fcntl(file, F_GETFD) < 0 ? "" : "it is open"});
+  });
+  close(file);
+  EXPECT_STREQ(report.found, "");
 }
 
 /// In a process of its own: where there are no more processes for this user.

@@ -7,16 +7,19 @@
 #include <iostream>
 
 #include "campaign.hpp"
+#include "cli/number_text.hpp"
 #include "eval/table.hpp"
 #include "fault_list.hpp"
 #include "records.hpp"
 #include "rows.hpp"
+#include "verdict.hpp"
 
 namespace ccdfuzz {
 namespace {
 
 struct Options : CampaignOptions {
   std::string records, tables;
+  bool no_runs = false;
 };
 
 /// A row a driver: how many faults it noticed, and how soon; misses count as the limit.
@@ -45,63 +48,104 @@ void print_summary(const std::vector<DriverRow>& drivers) {
   std::cout << table.to_text(false);
 }
 
-/// The faults that neither our properties nor the hunt noticed in any run.
-std::vector<std::string> survivors(const std::vector<Fault>& faults, const Records& records) {
-  std::vector<std::string> out;
-  for (const Fault& fault : faults) {
-    if (!fault.equivalent.empty()) continue;
-    bool asked = false, killed = false;
-    for (const auto& [key, record] : records.all()) {
-      if (record.fault != fault.name) continue;
-      if (record.driver != "properties" && record.driver != "hunt") continue;
-      asked = true;
-      killed = killed || record.detected;
-    }
-    if (asked && !killed) out.push_back(fault.name);
-  }
-  return out;
+int fail(const InputError& error) {
+  std::cerr << error.message() << '\n';
+  return 2;
 }
 
 int run_all(const Options& options) {
   const auto faults = read_faults(CCDFUZZ_FAULTS);
-  if (!faults) {
-    std::cerr << faults.error().message() << '\n';
-    return 2;
-  }
+  if (!faults) return fail(faults.error());
+  if (const auto checked = check_options(options, *faults); !checked) return fail(checked.error());
   if (!options.tables.empty()) {
-    if (const auto probed = probe_tables(options.tables); !probed) {
-      std::cerr << probed.error().message() << '\n';
-      return 2;
-    }
+    if (const auto probed = probe_tables(options.tables); !probed) return fail(probed.error());
   }
-  auto records = Records::open(options.records, *faults, Records::Use::kExtend);
-  if (!records) {
-    std::cerr << records.error().message() << '\n';
-    return 2;
-  }
+  auto records = Records::open(options.records, *faults,
+                               options.no_runs ? Records::Use::kRead : Records::Use::kExtend);
+  if (!records) return fail(records.error());
   if (const std::size_t outdated = records->outdated(); outdated > 0) {
     std::cerr << fmt::format("{}: {} runs are left out: their faults are defined otherwise now\n",
                              options.records, outdated);
   }
-  const auto no_alarm = run_campaign(options, *faults, *records);
-  if (!no_alarm) {
-    std::cerr << no_alarm.error().message() << '\n';
-    return 2;
+  if (!options.no_runs) {
+    if (const auto run = run_campaign(options, *faults, *records); !run) return fail(run.error());
   }
-  if (const auto finished = records->finish(); !finished) {
-    std::cerr << finished.error().message() << '\n';
-    return 2;
-  }
+  if (records->all().empty()) return fail({options.records, "has no record"});
+  if (const auto finished = records->finish(); !finished) return fail(finished.error());
   print_summary(driver_rows(rows_of(*faults, *records)));
   if (!options.tables.empty()) {
     if (const auto written = write_tables(options.tables, *faults, *records); !written) {
-      std::cerr << written.error().message() << '\n';
-      return 2;
+      return fail(written.error());
     }
   }
-  const std::vector<std::string> left = survivors(*faults, *records);
-  for (const std::string& name : left) std::cout << "not noticed: " << name << '\n';
-  return left.empty() && *no_alarm ? 0 : 1;
+  const std::vector<std::string> wrong = complaints(*faults, *records);
+  for (const std::string& text : wrong) std::cout << text << '\n';
+  if (!std::cout.flush()) return fail({"stdout", "cannot be written"});
+  return wrong.empty() ? 0 : 1;
+}
+
+/// What is wrong with a count of seeds, as CLI11 wants it.
+std::string check_whole(const std::string& text) {
+  constexpr std::uint64_t kMost = 1'000'000;
+  const Result<std::uint64_t> number = parse_whole("", text);
+  if (!number) return number.error().what;
+  return 1 <= *number && *number <= kMost ? "" : fmt::format("{} is not in [1, {}]", text, kMost);
+}
+
+/// The same of a time limit.
+std::string check_seconds(const std::string& text) {
+  constexpr double kMost = 1e6;
+  const Result<double> seconds = parse_seconds("", text);
+  if (!seconds) return seconds.error().what;
+  return *seconds <= kMost ? "" : fmt::format("{} is more than {} s", text, kMost);
+}
+
+void add_options(CLI::App& app, Options& options) {
+  std::vector<CLI::Option*> of_runs;
+  const auto add_names = [&](const char* name, auto& values, const char* description) {
+    of_runs.push_back(app.add_option(name, values, description)->delimiter(','));
+  };
+  const auto add_whole = [&](const char* name, auto& value, const char* description) {
+    of_runs.push_back(app.add_option(name, value, description)->check(check_whole)->type_name("N"));
+    return of_runs.back();
+  };
+  const auto add_seconds = [&](const char* name, double& value, const char* description) {
+    const auto set = [&value](const std::string& text) { value = *parse_seconds("", text); };
+    of_runs.push_back(app.add_option_function<std::string>(name, set, description)
+                          ->check(check_seconds)
+                          ->type_name("S")
+                          ->default_str(fmt::format("{}", value)));
+  };
+  add_names("--drivers", options.drivers,
+            "random, rapidcheck, libfuzzer-raw, contacts, traces, corpus, by-chance, libfuzzer, "
+            "properties, hunt; by default all that this build has: libFuzzer needs clang and "
+            "CCDFUZZ_FUZZ");
+  add_names(
+      "--faults", options.faults,
+      "Names; by default all. Each driver runs on the right sources first; \"none\": on these "
+      "alone, \"watched\": then with all faults watched");
+  add_whole("--seeds", options.seeds, "Runs of each driver against each fault, seeds 1 to N")
+      ->capture_default_str();
+  add_seconds("--seconds", options.seconds, "CPU time of a run");
+  add_whole("--weak-seeds", options.weak_seeds, "The same of all but libfuzzer, properties, hunt")
+      ->capture_default_str();
+  add_seconds("--weak-seconds", options.weak_seconds, "The same of these");
+  add_whole("--only-seed", options.only_seed, "Runs with this seed alone")
+      ->excludes(app.get_option("--seeds"))
+      ->excludes(app.get_option("--weak-seeds"));
+  of_runs.push_back(app.add_flag("--verbose", options.verbose, "A line a run"));
+  app.add_option("--tables", options.tables,
+                 "Writes what the records say to PREFIX.csv, PREFIX.md and PREFIX.json")
+      ->type_name("PREFIX");
+  CLI::Option* const records =
+      app.add_option("--records", options.records,
+                     "What is known already. New records stand in FILE.partial until the campaign "
+                     "is over: one that stopped goes on from there")
+          ->type_name("FILE");
+  CLI::Option* const no_runs = app.add_flag(
+      "--no-runs", options.no_runs, "Runs nothing: prints, and writes, what the records say");
+  no_runs->needs(records);
+  for (CLI::Option* option : of_runs) no_runs->excludes(option);
 }
 
 }  // namespace
@@ -111,25 +155,10 @@ int main(int argc, char** argv) {
   using namespace ccdfuzz;
   CLI::App app{
       "Plants faults one at a time and measures how soon each driver notices. Exits 1 on a "
-      "false alarm, or if a fault is left that neither properties nor hunt notice."};
+      "false alarm, if a fault is noticed that is said to change nothing, or if one is left that "
+      "neither properties nor hunt notice."};
   Options options;
-  app.add_option(
-         "--drivers", options.drivers,
-         "random, rapidcheck, libfuzzer-raw, contacts, traces, corpus, by-chance, libfuzzer, "
-         "properties, hunt; by default all that this build has: libFuzzer needs clang and "
-         "CCDFUZZ_FUZZ")
-      ->delimiter(',');
-  app.add_option("--faults", options.faults, "Names; by default all")->delimiter(',');
-  app.add_option("--seeds", options.seeds, "Runs of each driver against each fault");
-  app.add_option("--seconds", options.seconds, "CPU time of a run");
-  app.add_option("--weak-seeds", options.weak_seeds,
-                 "The same of all but libfuzzer, properties, hunt");
-  app.add_option("--weak-seconds", options.weak_seconds, "The same of these");
-  app.add_option("--tables", options.tables,
-                 "Writes what the records say to PREFIX.csv, PREFIX.md and PREFIX.json");
-  app.add_option("--records", options.records,
-                 "File of what is known already; a campaign that stopped goes on from it");
-  app.add_flag("--verbose", options.verbose, "A line a run");
+  add_options(app, options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,37 @@
+#include "campaign_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers.hpp"
+#include "records.hpp"
+
+namespace ccdfuzz {
+
+bool is_wanted(const std::vector<std::string>& names, std::string_view name) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+Result<void> check_options(const CampaignOptions& options, const std::vector<Fault>& faults) {
+  for (const std::string& name : options.drivers) {
+    const Result<Driver> driver = driver_named(name);
+    if (!driver) return input_error("--drivers", driver.error().what);
+    if (!is_built(*driver)) {
+      return input_error("--drivers", fmt::format("{} is not in this build: it needs clang and "
+                                                  "CCDFUZZ_FUZZ",
+                                                  name));
+    }
+  }
+  for (const std::string& name : options.faults) {
+    if (name == kNoFault || name == kWatchedFaults) continue;
+    if (std::ranges::find(faults, name, &Fault::name) == faults.end()) {
+      return input_error("--faults", fmt::format("no fault \"{}\"; faults.txt has their names, and "
+                                                 "there are {} and {}",
+                                                 name, kNoFault, kWatchedFaults));
+    }
+  }
+  return {};
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,113 @@
+// Starts the real scoreboard; what needs no process is tested in its parts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kTrackedRecords = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/records.jsonl";
+
+Finished run(const std::vector<std::string>& arguments) {
+  return Process(arguments).wait();
+}
+
+TEST(ScoreboardCommand, RefusesWhatItCannotRun) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"--drivers", "nosuch"}, "--drivers: no driver \"nosuch\"; there are: random, "},
+      {{"--faults", "nosuch"}, "--faults: no fault \"nosuch\""},
+      {{"--seeds", "0"}, "--seeds: 0 is not in [1, "},
+      {{"--seeds", "-1"}, "--seeds: \"-1\" is not a whole number"},
+      {{"--weak-seeds", "0"}, "--weak-seeds: 0 is not in [1, "},
+      {{"--only-seed", "0"}, "--only-seed: 0 is not in [1, "},
+      {{"--only-seed", "1", "--seeds", "2"}, "--seeds excludes --only-seed"},
+      {{"--seconds", "nan"}, "--seconds: \"nan\" is not a number"},
+      {{"--seconds", "-1"}, "--seconds: -1 is not above 0"},
+      {{"--weak-seconds", "0"}, "--weak-seconds: 0 is not above 0"},
+      {{"--seconds", "1e300"}, "--seconds: 1e300 is more than "},
+      {{"--tables", "/nosuch/t"}, "/nosuch/t.csv: cannot write: "},
+      {{"--records", "/nosuch/r"}, "/nosuch/r: cannot write: "},
+      {{"--no-runs"}, "--no-runs requires --records"},
+      {{"--no-runs", "--records", "/nosuch/r"}, "/nosuch/r: cannot read: "},
+      {{"--no-runs", "--records", "/dev/null"}, "/dev/null: has no record"},
+      {{"--no-runs", "--records", kTrackedRecords, "--seeds", "1"}, "excludes --no-runs"}};
+  for (const auto& [arguments, message] : wrong) {
+    const Finished refused = run(arguments);
+    EXPECT_EQ(refused.code, 2) << message;
+    EXPECT_THAT(refused.err, HasSubstr(message));
+    EXPECT_EQ(refused.out, "");
+  }
+}
+
+TEST(ScoreboardCommand, PrintsAndWritesWhatRecordsSayWithoutRunning) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r";
+  std::filesystem::copy_file(kTrackedRecords, path);
+  const Finished done = run({"--no-runs", "--records", path, "--tables", folder / "t"});
+  EXPECT_EQ(done.code, 0) << done.err << done.out;
+  EXPECT_THAT(done.out, AllOf(StartsWith("driver"), HasSubstr("\nproperties ")));
+  EXPECT_EQ(folder.entry_count(), 4);
+  EXPECT_EQ(read_text(path), read_text(kTrackedRecords));
+  EXPECT_THAT(read_text(folder / "t.md"), StartsWith("| driver |"));
+}
+
+TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
+  const ScratchFolder folder;
+  write_text(folder / "r",
+             R"({"driver":"hunt","fault":"separation.no_stop","seed":2,"limit":10.0,"reached":1,)"
+             R"("triggered":1,"detected":true,"executions":1,"seconds":0.5,"found":"x",)"
+             R"("watched":false})"
+             "\n");
+  const Finished done = run({"--no-runs", "--records", folder / "r"});
+  EXPECT_EQ(done.code, 1);
+  EXPECT_THAT(done.out, HasSubstr("\nequivalent, but noticed: separation.no_stop by hunt seed 2"));
+}
+
+TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r", journal = path + ".partial";
+  const std::vector<std::string> all = {"--drivers",      "properties,corpus",
+                                        "--faults",       "product.sign,bound.zero",
+                                        "--seeds",        "2",
+                                        "--seconds",      "1",
+                                        "--weak-seconds", "1",
+                                        "--records",      path};
+  {
+    Process killed(all);
+    const auto is_begun = [&] {
+      std::error_code ignored;
+      return std::filesystem::file_size(journal, ignored) > 500 && !ignored;
+    };
+    for (int i = 0; i < 6000 && !is_begun(); ++i) usleep(10000);
+    ASSERT_TRUE(is_begun());
+  }
+  const std::uintmax_t size = std::filesystem::file_size(journal);
+  EXPECT_FALSE(std::filesystem::exists(path));
+  const Finished done = run(all);
+  EXPECT_EQ(done.code, 0) << done.err << done.out;
+  EXPECT_EQ(folder.entry_count(), 1);
+  EXPECT_GT(std::filesystem::file_size(path), size / 2);
+  const std::string text = read_text(path);
+  for (const char* start : {R"({"driver":"properties","fault":"none","seed":1,)",
+                            R"({"driver":"properties","fault":"bound.zero","seed":2,)",
+                            R"({"driver":"corpus","fault":"product.sign","seed":1,)"}) {
+    const std::size_t at = text.find(start);
+    EXPECT_NE(at, text.npos) << start;
+    EXPECT_EQ(text.find(start, at + 1), text.npos) << start;
+  }
+}
+
+TEST(ScoreboardCommand, RunsOnTheRightSourcesAlone) {
+  const Finished done = run({"--drivers", "properties", "--faults", "none", "--only-seed", "9",
+                             "--seconds", "0.2", "--verbose"});
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, StartsWith("properties    none                                 9 - ("));
+}
+
+}  // namespace
+}  // namespace ccdfuzz

@@ -1,0 +1,61 @@
+#include "verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "drivers.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+std::string indented(const std::string& command) {
+  return "\n  again: ccdfuzz-scoreboard " + command;
+}
+
+std::string repetition(const Record& r) {
+  const auto driver = driver_named(r.driver);
+  return indented(fmt::format("--drivers {} --faults {} --only-seed {} --{}seconds {}", r.driver,
+                              r.fault, r.seed, driver && is_weak(*driver) ? "weak-" : "", r.limit));
+}
+
+bool is_survivor(const Fault& fault, const Records& records) {
+  bool asked = false;
+  for (const auto& [key, record] : records.all()) {
+    if (record.fault != fault.name) continue;
+    if (record.driver != "properties" && record.driver != "hunt") continue;
+    if (record.detected) return false;
+    asked = true;
+  }
+  return asked && fault.equivalent.empty();
+}
+
+}  // namespace
+
+std::string alarm(const Record& r, const std::vector<Fault>& faults) {
+  if (!r.detected) return "";
+  if (r.fault == kNoFault || r.fault == kWatchedFaults) {
+    return fmt::format("false alarm: {} seed {}{}: {}{}", r.driver, r.seed,
+                       r.fault == kNoFault ? "" : ", all faults watched", r.found, repetition(r));
+  }
+  const auto fault = std::ranges::find(faults, r.fault, &Fault::name);
+  if (fault == faults.end() || fault->equivalent.empty()) return "";
+  return fmt::format("equivalent, but noticed: {} by {} seed {}: {}{}", r.fault, r.driver, r.seed,
+                     r.found, repetition(r));
+}
+
+std::vector<std::string> complaints(const std::vector<Fault>& faults, const Records& records) {
+  std::vector<std::string> all;
+  for (const auto& [key, record] : records.all()) {
+    if (std::string text = alarm(record, faults); !text.empty()) all.push_back(std::move(text));
+  }
+  for (const Fault& fault : faults) {
+    if (!is_survivor(fault, records)) continue;
+    all.push_back(fmt::format("not noticed: {}{}", fault.name,
+                              indented("--drivers properties,hunt --faults " + fault.name)));
+  }
+  return all;
+}
+
+}  // namespace ccdfuzz
