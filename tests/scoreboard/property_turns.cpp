@@ -21,11 +21,14 @@ PropertyTurns::PropertyTurns(const std::vector<Property>& properties, std::uint6
 std::string PropertyTurns::operator()() {
   Turn& turn = *std::ranges::min_element(turns_, {}, &Turn::seconds);
   const double start = cpu_seconds_used();
-  RandomChoices choices{Random::keyed({seed_, turn.index++})};
+  const std::uint64_t index = turn.index++;
+  RandomChoices choices{Random::keyed({seed_, index})};
   const Check check = run(turn.property, choices);
   turn.seconds += cpu_seconds_used() - start;
   const bool fails = check.status == Check::Status::kFails;
-  return fails ? fmt::format("{}: {}", turn.property.name, check.text) : "";
+  return fails ? fmt::format("ccdfuzz check {} --seed {} --first {} --count 1: {}",
+                             turn.property.name, seed_, index, check.text)
+               : "";
 }
 
 }  // namespace ccdfuzz

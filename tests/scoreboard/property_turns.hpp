@@ -11,7 +11,8 @@ namespace ccdfuzz {
 double cpu_seconds_used();
 
 /// Those of the properties that hold, on choices of their own draw; the one next that has taken the
-/// least time. Each call checks one; what fails, or nothing.
+/// least time. Each call checks one; what fails, after the command that checks it on the same
+/// choices, or nothing.
 class PropertyTurns {
  public:
   PropertyTurns(const std::vector<Property>& properties, std::uint64_t seed);
