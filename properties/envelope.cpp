@@ -120,4 +120,30 @@ CCDFUZZ_INSTANTIATE(ErrorBoundIntended)
 CCDFUZZ_INSTANTIATE(ErrorBoundPrinted)
 #undef CCDFUZZ_INSTANTIATE
 
+std::vector<Property> envelope_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  return {
+      {"tdibm.envelope", "The envelope of Step II is nowhere below the exact maximum of its lines",
+       "Section 3, Eqs. 5-6, in double arithmetic", kFails, check_envelope<Plain>},
+      {"tdibm-e.envelope",
+       "The envelope of Step II, raised by eps_constr, is nowhere below the exact maximum of its "
+       "lines",
+       "Section 4.4, Eqs. 11-16", kHolds, check_envelope<ErrorBoundIntended>},
+      {"tdibm.separation", "Where Step III finds two patches separated, they are",
+       "Section 3, Eqs. 7-10, in double arithmetic", kFails, check_separation<Plain>},
+      {"tdibm-e.separation", "Where Step III finds two patches separated, they are",
+       "Section 4.5, Eqs. 17-18, with eps_Phi's sign as Fig. 2 means it", kHolds,
+       check_separation<ErrorBoundIntended>},
+      {"tdibm-e-literal.separation", "Where Step III finds two patches separated, they are",
+       "Sections 4.4 and 4.5, with eps_Phi's sign as printed", kFails,
+       check_separation<ErrorBoundPrinted>},
+      {"tdibm.ends",
+       "An end that Step III finds is the root of two lines that fall there, or rise if it is the "
+       "right one, also where rounding misleads it",
+       "Section 3, Eqs. 7-10, in double arithmetic", kHolds, check_ends<Plain>},
+      {"tdibm-e.ends", "The same with the guards of Sections 4.4 and 4.5", "Sections 4.4 and 4.5",
+       kHolds, check_ends<ErrorBoundIntended>},
+  };
+}
+
 }  // namespace ccdfuzz

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "ccd/separation.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/property.hpp"
@@ -38,5 +40,8 @@ template <class Policy>
 Check check_ends(ChoiceSource& choices) {
   return ends_are_of_their_side(Policy(), draw_touching_pairs(choices));
 }
+
+/// These claims of each of the methods.
+std::vector<Property> envelope_properties();
 
 }  // namespace ccdfuzz

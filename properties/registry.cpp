@@ -40,9 +40,8 @@ constexpr ContactRange kAnywhere{-1000, 900, 5};
 /// What users ask with, but for a budget that static and grazing contacts run out of.
 constexpr SearchOptions kFullSearch = {1e-4, 2000, SearchOptions().max_bytes};
 
-/// The first properties that there were, of every kind.
-std::vector<Property> mixed_properties() {
-  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+std::vector<Property> basic_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
   return {
       {"dyadic.round_trip",
        "A double goes to exact numbers and back without loss, and both exact number types agree on "
@@ -57,29 +56,12 @@ std::vector<Property> mixed_properties() {
        "the case format", kHolds, check_reader_on_bytes},
       {"case_file.mutants", "The same of texts that are almost case files", "the case format",
        kHolds, check_reader_on_mutants},
+  };
+}
 
-      {"tdibm.envelope", "The envelope of Step II is nowhere below the exact maximum of its lines",
-       "Section 3, Eqs. 5-6, in double arithmetic", kFails, check_envelope<Plain>},
-      {"tdibm-e.envelope",
-       "The envelope of Step II, raised by eps_constr, is nowhere below the exact maximum of its "
-       "lines",
-       "Section 4.4, Eqs. 11-16", kHolds, check_envelope<ErrorBoundIntended>},
-      {"tdibm.separation", "Where Step III finds two patches separated, they are",
-       "Section 3, Eqs. 7-10, in double arithmetic", kFails, check_separation<Plain>},
-      {"tdibm-e.separation", "Where Step III finds two patches separated, they are",
-       "Section 4.5, Eqs. 17-18, with eps_Phi's sign as Fig. 2 means it", kHolds,
-       check_separation<ErrorBoundIntended>},
-      {"tdibm-e-literal.separation", "Where Step III finds two patches separated, they are",
-       "Sections 4.4 and 4.5, with eps_Phi's sign as printed", kFails,
-       check_separation<ErrorBoundPrinted>},
-
-      {"tdibm.ends",
-       "An end that Step III finds is the root of two lines that fall there, or rise if it is the "
-       "right one, also where rounding misleads it",
-       "Section 3, Eqs. 7-10, in double arithmetic", kHolds, check_ends<Plain>},
-      {"tdibm-e.ends", "The same with the guards of Sections 4.4 and 4.5", "Sections 4.4 and 4.5",
-       kHolds, check_ends<ErrorBoundIntended>},
-
+std::vector<Property> no_false_negative_properties() {
+  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  return {
       {"tdibm.no_false_negative", "No proven contact is missed, and none reported late",
        "Section 3, in double arithmetic", kFails,
        [](ChoiceSource& c) { return check_no_false_negative("tdibm", kOrdinary, c); }},
@@ -121,7 +103,9 @@ std::vector<Property> mixed_properties() {
 const std::vector<Property>& properties() {
   static const std::vector<Property> all = [] {
     std::vector<Property> list;
-    for (const auto& family : {mixed_properties,
+    for (const auto& family : {basic_properties,
+                               envelope_properties,
+                               no_false_negative_properties,
                                rounding_properties,
                                coefficient_properties,
                                predicate_properties,

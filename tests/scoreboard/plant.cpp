@@ -1,8 +1,9 @@
 // plant FAULTS SOURCES OUT: writes to OUT the files of the source tree that faults stand in, each
 // right text replaced by a choice between it and the wrong ones, made when the program runs.
 // Nothing else of the project knows of faults. A text that is not there just once is left out with
-// a warning, so that whoever changes a source can build; the exit code is 1 if OUT is "-" and these
-// are more than one in twenty, which is how a test says that the list must follow.
+// a warning, and named in OUT/left_out.txt, so that whoever changes a source can build; the exit
+// code is 1 if OUT is "-" and these are more than one in twenty, which is how a test says that the
+// list must follow.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -58,6 +59,7 @@ int plant(const std::string& list, const fs::path& sources, const fs::path& out)
     by_file[(*faults)[n].file][(*faults)[n].from].push_back(n);
   }
   std::size_t stale = 0;
+  std::string left_out;
   for (const auto& [file, places] : by_file) {
     std::string text = content_of(sources / file);
     if (text.empty()) return fail(file + ": cannot be read");
@@ -70,6 +72,7 @@ int plant(const std::string& list, const fs::path& sources, const fs::path& out)
         std::cerr << fmt::format("plant: {} is left out: its text is not just once in {}: {}\n",
                                  name, file, from);
         stale += numbers.size();
+        for (const std::size_t n : numbers) left_out += (*faults)[n].name + '\n';
         continue;
       }
       found[at] = &numbers;
@@ -85,6 +88,9 @@ int plant(const std::string& list, const fs::path& sources, const fs::path& out)
     if (out == "-") continue;
     if (!write_if_changed(out / file, text))
       return fail((out / file).string() + ": cannot be written");
+  }
+  if (out != "-" && !write_if_changed(out / "left_out.txt", left_out)) {
+    return fail((out / "left_out.txt").string() + ": cannot be written");
   }
   return 20 * stale > faults->size() && out == "-" ? 1 : 0;
 }
