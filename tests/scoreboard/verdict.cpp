@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "drivers.hpp"
-
 namespace ccdfuzz {
 
 namespace {
@@ -14,10 +12,12 @@ std::string indented(const std::string& command) {
   return "\n  again: ccdfuzz-scoreboard " + command;
 }
 
+/// Twice the time: the machine may be slower then, and properties come in turn by the time that
+/// they take.
 std::string repetition(const Record& r) {
-  const auto driver = driver_named(r.driver);
-  return indented(fmt::format("--drivers {} --faults {} --only-seed {} --{}seconds {}", r.driver,
-                              r.fault, r.seed, driver && is_weak(*driver) ? "weak-" : "", r.limit));
+  return indented(
+      fmt::format("--drivers {} --faults {} --only-seed {} --seconds {} --weak-seconds {}",
+                  r.driver, r.fault, r.seed, 2 * r.limit, 2 * r.limit));
 }
 
 bool is_survivor(const Fault& fault, const Records& records) {

@@ -35,18 +35,19 @@ TEST(Verdict, IsSilentWhereAllIsAsItShouldBe) {
 TEST(Verdict, NamesFalseAlarmsAndTheirRuns) {
   EXPECT_THAT(said_of("hunt", "none", true),
               ElementsAre("false alarm: hunt seed 3: x is wrong\n  again: ccdfuzz-scoreboard "
-                          "--drivers hunt --faults none --only-seed 3 --seconds 2.5"));
+                          "--drivers hunt --faults none --only-seed 3 --seconds 5 "
+                          "--weak-seconds 5"));
   EXPECT_THAT(said_of("random", "watched", true),
               ElementsAre("false alarm: random seed 3, all faults watched: x is wrong\n  again: "
                           "ccdfuzz-scoreboard --drivers random --faults watched --only-seed 3 "
-                          "--weak-seconds 2.5"));
+                          "--seconds 5 --weak-seconds 5"));
 }
 
 TEST(Verdict, NamesEquivalentFaultsThatWereNoticed) {
   EXPECT_THAT(said_of("random", "same", true),
               ElementsAre("equivalent, but noticed: same by random seed 3: x is wrong\n  again: "
                           "ccdfuzz-scoreboard --drivers random --faults same --only-seed 3 "
-                          "--weak-seconds 2.5"));
+                          "--seconds 5 --weak-seconds 5"));
 }
 
 TEST(Verdict, NamesFaultsThatNobodyNoticed) {
