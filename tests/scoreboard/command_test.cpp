@@ -59,13 +59,13 @@ TEST(ScoreboardCommand, PrintsAndWritesWhatRecordsSayWithoutRunning) {
 TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
   const ScratchFolder folder;
   write_text(folder / "r",
-             R"({"driver":"hunt","fault":"separation.no_stop","seed":2,"limit":10.0,"reached":1,)"
+             R"({"driver":"hunt","fault":"tdibm.stale_window","seed":2,"limit":10.0,"reached":1,)"
              R"("triggered":1,"detected":true,"executions":1,"seconds":0.5,"found":"x",)"
              R"("watched":false})"
              "\n");
   const Finished done = run({"--no-runs", "--records", folder / "r"});
   EXPECT_EQ(done.code, 1);
-  EXPECT_THAT(done.out, HasSubstr("\nequivalent, but noticed: separation.no_stop by hunt seed 2"));
+  EXPECT_THAT(done.out, HasSubstr("\nequivalent, but noticed: tdibm.stale_window by hunt seed 2"));
 }
 
 TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
