@@ -13,12 +13,6 @@ namespace ccdfuzz {
 
 namespace {
 
-using ExactPatches = std::array<MovingPatch<Rational>, 2>;
-
-ExactPatches exact_patches(const Query& query) {
-  return {exact_patch<Rational>(query.patches[0]), exact_patch<Rational>(query.patches[1])};
-}
-
 Check refuted(const char* what, const Query& query, const Truth& certificate) {
   return Check::fails(fmt::format("{}\n{}", what, to_json({query, certificate, {}, {}})));
 }
@@ -62,7 +56,7 @@ Check check_clearance_of_linear(ChoiceSource& choices) {
 /// that asks for numbers that no double holds.
 std::optional<Query> moved_along_an_edge(ChoiceSource& choices, const Query& query,
                                          const Rational& t) {
-  const auto corners = exact_patches(query)[choices.choose(1)].at(t);
+  const auto corners = linear::exact_patches(query)[choices.choose(1)].at(t);
   if (corners.size() < 2) return std::nullopt;
   const std::size_t from = choices.choose(corners.size() - 2);
   const auto times = static_cast<long>(choices.integer(-3, 3));
@@ -79,12 +73,13 @@ std::optional<Query> moved_along_an_edge(ChoiceSource& choices, const Query& que
 }
 
 bool touch_within(const Query& query, const Rational& from, const Rational& by) {
-  ExactPatches patches = exact_patches(query);
+  auto patches = linear::exact_patches(query);
   for (MovingPatch<Rational>& patch : patches) patch.positions = patch.at(from);
   return linear::first_contact(patches, by - from).has_value();
 }
 
-/// What an accepted root must be: a contact at it, or where it has no name in its interval.
+/// What an accepted root must be: a contact at it, if it is rational by its polynomial, or else in
+/// its interval.
 bool is_contact(const Query& query, const ContactRoot& root) {
   if (root.from < 0) return false;
   if (root.polynomial.size() != 2) return touch_within(query, root.from, root.by);

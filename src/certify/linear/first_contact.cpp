@@ -75,10 +75,12 @@ std::optional<FirstContact> first_contact(const Patches& patches, const Rational
   return first;
 }
 
+std::array<MovingPatch<Rational>, 2> exact_patches(const Query& query) {
+  return {exact_patch<Rational>(query.patches[0]), exact_patch<Rational>(query.patches[1])};
+}
+
 std::optional<FirstContact> first_contact(const Query& query) {
-  return first_contact(
-      {exact_patch<Rational>(query.patches[0]), exact_patch<Rational>(query.patches[1])},
-      exact(query.t_max));
+  return first_contact(exact_patches(query), exact(query.t_max));
 }
 
 std::array<Uv<Rational>, 2> parameters_at(const Patches& patches, const Corners& corners,

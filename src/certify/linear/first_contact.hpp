@@ -35,6 +35,9 @@ struct FirstContact {
 std::optional<FirstContact> first_contact(const std::array<MovingPatch<Rational>, 2>& patches,
                                           const Rational& until);
 
+/// The patches of a valid query.
+std::array<MovingPatch<Rational>, 2> exact_patches(const Query& query);
+
 /// The same in [0, t_max]. Requires a valid query.
 std::optional<FirstContact> first_contact(const Query& query);
 

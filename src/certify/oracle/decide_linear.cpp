@@ -31,8 +31,7 @@ Decision decide_linear(const Query& query, const OracleOptions& options) {
   Rational until = t_max;
   if (options.wanted_clear) until = std::max(until, *options.wanted_clear);
   if (options.known) until = std::max(until, options.known->t);
-  const std::array<MovingPatch<Rational>, 2> patches = {exact_patch<Rational>(query.patches[0]),
-                                                        exact_patch<Rational>(query.patches[1])};
+  const std::array<MovingPatch<Rational>, 2> patches = linear::exact_patches(query);
   Decision out;
   Truth& truth = out.truth;
   auto contact = linear::first_contact(patches, until);
