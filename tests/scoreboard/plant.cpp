@@ -1,5 +1,6 @@
 // plant FAULTS SOURCES OUT: writes to OUT the files of the source tree that faults stand in, each
 // right text replaced by a choice between it and the wrong ones, made when the program runs.
+// OUT/faults.txt is the list as it was then: faults are known by their places in it.
 // Nothing else of the project knows of faults. A text that is not there just once is left out with
 // a warning, and named in OUT/left_out.txt, so that whoever changes a source can build; the exit
 // code is 1 if OUT is "-" and these are more than one in twenty, which is how a test says that the
@@ -89,8 +90,12 @@ int plant(const std::string& list, const fs::path& sources, const fs::path& out)
     if (!write_if_changed(out / file, text))
       return fail((out / file).string() + ": cannot be written");
   }
-  if (out != "-" && !write_if_changed(out / "left_out.txt", left_out)) {
-    return fail((out / "left_out.txt").string() + ": cannot be written");
+  const std::map<std::string, std::string> about = {{"left_out.txt", left_out},
+                                                    {"faults.txt", content_of(list)}};
+  for (const auto& [name, text] : about) {
+    if (out != "-" && !write_if_changed(out / name, text)) {
+      return fail((out / name).string() + ": cannot be written");
+    }
   }
   return 20 * stale > faults->size() && out == "-" ? 1 : 0;
 }
