@@ -51,7 +51,8 @@ class Checker {
     if (checked_ == 0) return refuse("nothing to check: name files, --hex or --random");
     std::cout << fmt::format("{}: {} checked, {} discarded, {} failed\n", property_.name, checked_,
                              discarded_, failed_);
-    return failed_ == 0 ? 0 : 1;
+    if (discarded_ == checked_) std::cout << "nothing was checked: all inputs were discarded\n";
+    return failed_ == 0 && discarded_ < checked_ ? 0 : 1;
   }
 
  private:
@@ -103,7 +104,7 @@ int check_all(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace ccdfuzz;
-  CLI::App app{"Checks one property. Exits 1 if it fails on any input."};
+  CLI::App app{"Checks one property. Exits 1 if it fails on any input or discards them all."};
   Options options;
   options.program = argv[0];
   std::string names = "One of:";
