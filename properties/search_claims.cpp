@@ -118,13 +118,17 @@ Result<FirstContact> draw_first_contact(ChoiceSource& choices) {
 Check check_not_early(ChoiceSource& choices) {
   const Result<FirstContact> drawn = draw_first_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
-  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
+  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
   const Answer answer = (*make_method(name))->answer(drawn->query, kFineSearch);
-  if (answer.verdict != Verdict::kHit) return Check::discarded("no hit");
-  const double early = drawn->t - *answer.toi;
-  if (early <= drawn->early) return Check::holds();
+  if (answer.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
   Case about;
   about.query = drawn->query;
+  if (answer.verdict == Verdict::kMiss) {
+    return Check::fails(
+        fmt::format("{} misses the contact at {}\n{}", name, drawn->t, to_json(about)));
+  }
+  const double early = drawn->t - *answer.toi;
+  if (early <= drawn->early) return Check::holds();
   return Check::fails(fmt::format("{} is early by {} of {}, and {} is explained by its cells\n{}",
                                   name, early, drawn->t, drawn->early, to_json(about)));
 }
