@@ -1,6 +1,7 @@
-// The claims that are known to be false, each with the simplest counterexample that shrinking
-// found: stored choices, not seeds. One that passes is an alert: a claim was repaired, or a draw
-// changed and the choices mean something else; `ccdfuzz check PROPERTY` finds and shrinks it anew.
+// The claims that are known to be false, each with a counterexample that is as simple as
+// shrinking made it: stored choices, not seeds. One that passes is an alert: a claim was repaired,
+// or a draw changed and the choices mean something else; `ccdfuzz check PROPERTY` finds and shrinks
+// it anew.
 #include <gtest/gtest.h>
 
 #include <algorithm>
