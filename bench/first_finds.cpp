@@ -26,7 +26,7 @@ constexpr std::array kStrategies = {Strategy::kDraws, Strategy::kDrift, Strategy
 struct Quarry {
   std::string method;
   std::vector<ContactClass> classes;
-  std::optional<int> scale;  ///< as in HuntOptions
+  HuntGround ground;
   std::string name;
 };
 
@@ -38,14 +38,16 @@ std::vector<Quarry> quarries() {
   std::vector<Quarry> all;
   for (const char* method :
        {"tdibm", "tdibm-h:1e-16", "tdibm-h-rel:1e-12", "tdibm-e-literal", "tdibm-e"}) {
-    all.push_back({method, all_classes(), std::nullopt, method});
+    all.push_back({method, all_classes(), {}, method});
   }
   // Rarer ones: inside of patches, and where nothing under- or overflows.
   constexpr int kOrdinary = 40;
+  HuntGround ordinary;
+  ordinary.scale = kOrdinary;
   for (const char* method : {"tdibm", "tdibm-h:1e-16", "tdibm-h-rel:1e-12", "tdibm-e-literal"}) {
     all.push_back({method,
                    {ContactClass::kFF, ContactClass::kEF},
-                   kOrdinary,
+                   ordinary,
                    fmt::format("{}, FF and EF within 2^±{}", method, kOrdinary)});
   }
   return all;
@@ -58,12 +60,11 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 class Run {
  public:
   Run(const Quarry& quarry, Strategy search, std::uint64_t seed)
-      : quarry_(quarry), search_(search) {
+      : quarry_(quarry), search_(search), draws_(seed, quarry.ground) {
     for (const ContactClass contact : quarry.classes) {
       const Aim aim = search == Strategy::kMargins ? Aim::kMargins : Aim::kNothing;
-      cells_.push_back({contact, Breeder(quarry.method, seed, quarry.scale, aim), 0, 0, 0});
+      cells_.push_back({contact, Breeder(quarry.method, seed, quarry.ground, aim), 0, 0, 0});
     }
-    seed_ = seed;
   }
 
   /// CPU seconds until the first false negative; kNever if that is more than `most`.
@@ -118,7 +119,7 @@ class Run {
       return;
     }
     bool lost = false;  // the same contact, up to it and past it
-    for (const Case& asked : draw(cell.contact, seed_, cell.next_draw++, quarry_.scale).asked) {
+    for (const Case& asked : draws_.at(cell.contact, cell.next_draw++).asked) {
       if (asks_) {
         note(ask(methods_[quarry_.method], asked, budget()));
       } else {
@@ -149,7 +150,7 @@ class Run {
 
   const Quarry& quarry_;
   Strategy search_;
-  std::uint64_t seed_ = 0;
+  Draws draws_;
   MethodSet methods_;
   TracerSet tracers_;
   std::vector<Cell> cells_;

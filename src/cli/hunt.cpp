@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -13,9 +14,11 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/shape_text.hpp"
 #include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/failure.hpp"
+#include "hunt/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -30,6 +33,7 @@ struct HuntArguments {
   std::uint64_t cases = 0;
   std::string shard;
   int within = 0;  ///< 0: any scale
+  std::optional<std::string> shape;
   std::uint64_t seed = 1;
   std::string corpus = "finds";
   std::string fail_on = "none";
@@ -51,7 +55,13 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   HuntOptions parsed;
   parsed.methods = std::move(*methods);
   parsed.seed = options.seed;
-  if (options.within > 0) parsed.scale = options.within;
+  if (options.within > 0) parsed.ground.scale = options.within;
+  parsed.ground.linear = options.linear;
+  if (options.shape) {
+    const auto shapes = parse_shapes("--shape", *options.shape);
+    if (!shapes) return tl::unexpected(shapes.error());
+    parsed.ground.shapes = *shapes;
+  }
   parsed.threads = options.threads;
   parsed.seconds = *seconds;
   if (options.cases > 0) parsed.cases = options.cases;
@@ -59,11 +69,10 @@ Result<HuntOptions> parse(const HuntArguments& options) {
     return input_error("--shard", "needs --cases: a hunt by time has no shares");
   }
   const Result<Shard> shard =
-      parse_shard(options.shard, options.cases * kContactClasses.size(), "draws");
+      parse_shard(options.shard, options.cases * Draws(0, parsed.ground).classes().size(), "draws");
   if (!shard) return tl::unexpected(shard.error());
   parsed.shard = *shard;
   parsed.search = *search;
-  parsed.linear = options.linear;
   parsed.shrink = options.shrink == "all"    ? Shrink::kAll
                   : options.shrink == "none" ? Shrink::kNone
                                              : Shrink::kPlugins;
@@ -152,6 +161,7 @@ std::string hunt_command(const HuntArguments& options) {
   }
   if (!options.shard.empty()) add("--shard", options.shard);
   if (options.linear) text += " --linear";
+  if (options.shape) add("--shape", *options.shape);
   if (options.within > 0) add("--within", fmt::format("{}", options.within));
   add("--seed", fmt::format("{}", options.seed));
   if (options.methods != usual.methods) add("--methods", options.methods);
@@ -238,8 +248,14 @@ void add_hunt(CommandLine& line) {
              1, kWidest)
       .without_default();
   command.whole("--seed", options->seed, "Seed of the cases");
-  command.flag("--linear", options->linear,
-               "Draw linear queries (vertex-face, edge-edge, degenerate ones above all)");
+  const Option shape = command.text(
+      "--shape", options->shape,
+      "Only patches of this shape, or of two with a comma between: point, curve:N, triangle:N, "
+      "tensor:NxM");
+  command
+      .flag("--linear", options->linear,
+            "Draw linear queries (vertex-face, edge-edge, degenerate ones above all)")
+      .excludes(shape);
   command.text("--corpus", options->corpus,
                "Folder to store counterexamples in; `corpus` promotes them to regressions");
   command

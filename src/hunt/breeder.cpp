@@ -5,7 +5,6 @@
 #include "corpus/store.hpp"
 #include "eval/horizons.hpp"
 #include "fuzz/mutator/mutate.hpp"
-#include "hunt/scale.hpp"
 #include "hunt/standing.hpp"
 
 namespace ccdfuzz {
@@ -17,10 +16,10 @@ constexpr size_t kDrifting = 64;
 
 }  // namespace
 
-Breeder::Breeder(std::string method, std::uint64_t seed, std::optional<int> scale, Aim aim)
+Breeder::Breeder(std::string method, std::uint64_t seed, const HuntGround& ground, Aim aim)
     : method_(std::move(method)),
       traceable_(make_tracer(method_).has_value()),
-      scale_(scale),
+      ground_(ground),
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
@@ -42,7 +41,7 @@ void Breeder::drift(WitnessedQuery q) {
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<WitnessedQuery> q = witnessed_query(known);
-  if (!q || (scale_ && !is_within_scale(q->query, *scale_))) return;
+  if (!q || !ground_.has(q->query)) return;
   founders_.insert(content_address(known.query));
   // Founders that are lost are as good as any: half of their mutants are not.
   if (traceable_) trace_and_note(*q, tracers);
@@ -59,7 +58,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   if (drifting_.empty()) return;
   const WitnessedQuery& first = mother();
   WitnessedQuery mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_);
-  if (scale_ && !is_within_scale(mutant.query, *scale_)) return;
+  if (!ground_.has(mutant.query)) return;
   ++tally_.mutants;
   if (traceable_ && trace_and_note(mutant, tracers)) {
     drift(std::move(mutant));
@@ -75,7 +74,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   if (smallest_failure_ && !(size < *smallest_failure_)) return;
   for (const double factor : kHorizonFactors) {
     const std::optional<Case> asked = at_horizon(known, factor);
-    if (!asked || (scale_ && !is_within_scale(asked->query, *scale_))) continue;
+    if (!asked || !ground_.has(asked->query)) continue;
     const Judged judged = ask(methods[method_], *asked, search);
     if (!is_failure(judged.outcome) || founders_.contains(content_address(asked->query))) continue;
     smallest_failure_ = size;

@@ -9,6 +9,7 @@
 
 #include "corpus/content_address.hpp"
 #include "eval/ask.hpp"
+#include "hunt/ground.hpp"
 #include "hunt/population.hpp"
 
 namespace ccdfuzz {
@@ -39,8 +40,7 @@ enum class Aim : std::uint8_t {
 /// to it, and there is the drifting population alone.
 class Breeder {
  public:
-  /// scale: as in HuntOptions.
-  Breeder(std::string method, std::uint64_t seed, std::optional<int> scale = std::nullopt,
+  Breeder(std::string method, std::uint64_t seed, const HuntGround& ground = {},
           Aim aim = Aim::kMargins);
 
   /// A case joins the population, if it has a dyadic witness within its t_max.
@@ -60,7 +60,7 @@ class Breeder {
 
   std::string method_;
   bool traceable_;
-  std::optional<int> scale_;
+  HuntGround ground_;
   Aim aim_;
   Random random_;
   Population nearest_;

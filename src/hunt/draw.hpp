@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generators/generate.hpp"
+#include "hunt/ground.hpp"
 #include "query/case.hpp"
 
 namespace ccdfuzz {
@@ -19,23 +20,40 @@ struct Draw {
   std::vector<Case> asked;
 };
 
-/// Draw number `index` of a contact class. The draws go round both constructions and all stress
-/// families that have the class. scale: leaves out what is not within it (is_within_scale), if need
-/// be all. Depends on the arguments alone.
-Draw draw(ContactClass contact, std::uint64_t seed, std::uint64_t index,
-          std::optional<int> scale = std::nullopt);
+/// The draws of a hunt: an endless sequence for each contact class, which depends on the seed and
+/// the ground alone. It goes round both constructions and all stress families that have the class
+/// and the ground's shapes, and leaves out what is not on the ground, if need be all of a draw.
+class Draws {
+ public:
+  explicit Draws(std::uint64_t seed, const HuntGround& ground = {});
 
-/// The same of linear queries, of one of kLinearClasses.
-Draw draw_of_linear(ContactClass contact, std::uint64_t seed, std::uint64_t index,
-                    std::optional<int> scale = std::nullopt);
+  /// Those that have draws: of shapes, those whose features they have, so VV at least.
+  const std::vector<ContactClass>& classes() const { return classes_; }
+  /// Requires one of these classes.
+  Draw at(ContactClass contact, std::uint64_t index) const;
+
+ private:
+  /// What the draws of a class go round, with the kinds of cases that are made of it.
+  struct Source {
+    GeneratorOptions options;
+    std::vector<CaseKind> kinds;
+  };
+
+  std::vector<Source> sources_of(ContactClass contact) const;
+  Case generated(ContactClass contact, std::uint64_t index) const;
+
+  std::uint64_t seed_;
+  HuntGround ground_;
+  std::vector<ContactClass> classes_;
+  std::array<std::vector<Source>, kContactClasses.size()> sources_;
+};
 
 /// The latest draws of each class, kept because the methods of a class walk the same sequence and
 /// most of them stay close together. Safe to call from several threads.
 class DrawCache {
  public:
-  explicit DrawCache(std::uint64_t seed, std::optional<int> scale = std::nullopt,
-                     bool linear = false)
-      : seed_(seed), scale_(scale), linear_(linear) {}
+  /// draws must outlive it.
+  explicit DrawCache(const Draws& draws) : draws_(draws) {}
 
   std::shared_ptr<const Draw> get(ContactClass contact, std::uint64_t index);
 
@@ -47,9 +65,7 @@ class DrawCache {
     std::shared_ptr<const Draw> draw;
   };
 
-  std::uint64_t seed_;
-  std::optional<int> scale_;
-  bool linear_;
+  const Draws& draws_;
   std::mutex mutex_;
   std::array<std::vector<Slot>, kContactClasses.size()> slots_;
 };

@@ -11,7 +11,6 @@
 #include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
 #include "hunt/draw.hpp"
-#include "hunt/draw_linear_case.hpp"
 #include "hunt/scheduler.hpp"
 #include "hunt/trophies.hpp"
 #include "numeric/verify.hpp"
@@ -71,13 +70,11 @@ class Hunt {
         on_progress_(on_progress),
         stop_(stop),
         trophies_(store, options_),
-        draws_(options.seed, options.scale, options.linear),
-        classes_(options.linear ? Classes(kLinearClasses.begin(), kLinearClasses.end())
-                                : Classes(kContactClasses.begin(), kContactClasses.end())) {
-    for (const ContactClass contact : classes_) {
+        draws_(options.seed, options.ground) {
+    for (const ContactClass contact : draws_.classes()) {
       for (const std::string& method : options.methods) {
         const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
-        nurseries_.push_back(Nursery{Breeder(method, seed, options.scale)});
+        nurseries_.push_back(Nursery{Breeder(method, seed, options.ground)});
         report_.cells.push_back({method, contact, {}, 0, {}});
       }
     }
@@ -206,7 +203,7 @@ class Hunt {
           Workshop& workshop = workshops.local();
           Breeder& breeder = nurseries_[cell].breeder;
           for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
-            const auto drawn = draws_.get(report_.cells[cell].contact, i);
+            const auto drawn = latest_.get(report_.cells[cell].contact, i);
             for (const Case& asked : drawn->asked) breeder.add(asked, workshop.tracers);
           }
           std::uint64_t left = count * kMutantsPerDraw;
@@ -230,7 +227,7 @@ class Hunt {
       std::vector<Turn> turns;
       double draw_cpu_seconds = 0;
     };
-    const size_t classes = classes_.size();
+    const size_t classes = draws_.classes().size();
     const std::uint64_t total = options_.shard.size(count * classes);
     tbb::enumerable_thread_specific<MethodSet> methods;
     run_in_order<Answered>(
@@ -239,9 +236,7 @@ class Hunt {
           const std::uint64_t i = options_.shard.item(k);
           const size_t contact = i % classes;
           const double start = thread_cpu_seconds();
-          const auto make = options_.linear ? draw_of_linear : draw;
-          Answered answered{
-              make(classes_[contact], options_.seed, i / classes, options_.scale), {}, 0};
+          Answered answered{draws_.at(draws_.classes()[contact], i / classes), {}, 0};
           answered.draw_cpu_seconds = thread_cpu_seconds() - start;
           for (size_t m = 0; m < method_count() && !stop_; ++m) {
             answered.turns.push_back(
@@ -300,7 +295,7 @@ class Hunt {
     const std::uint64_t index = next_draw_[cell]++;
     lock.unlock();
     const double start = thread_cpu_seconds();
-    const std::shared_ptr<const Draw> drawn = draws_.get(report_.cells[cell].contact, index);
+    const std::shared_ptr<const Draw> drawn = latest_.get(report_.cells[cell].contact, index);
     const double draw_cpu = thread_cpu_seconds() - start;
     const Turn turn = take_turn(cell, *drawn, methods);
     for (const Case& asked : drawn->asked) {
@@ -353,9 +348,8 @@ class Hunt {
   const std::atomic<bool>& stop_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Trophies trophies_;
-  DrawCache draws_;
-  using Classes = std::vector<ContactClass>;
-  Classes classes_;
+  const Draws draws_;
+  DrawCache latest_{draws_};
   std::vector<Nursery> nurseries_;  ///< one a cell
 
   std::mutex mutex_;  ///< of all below, while workers run

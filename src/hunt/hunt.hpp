@@ -29,10 +29,7 @@ struct HuntOptions {
   std::optional<std::uint64_t> cases;
   /// Of those draws, and of the populations of mutants; a hunt by time has all.
   Shard shard;
-  /// Only queries within this scale (is_within_scale), in bits.
-  std::optional<int> scale;
-  /// Draw linear queries, of kLinearClasses alone, and not curved ones.
-  bool linear = false;
+  HuntGround ground;
   Shrink shrink = Shrink::kPlugins;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <thread>
 
 #include "process.hpp"
@@ -202,6 +203,34 @@ TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
   EXPECT_NE(finished.out.find("File too large"), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("FN missed"), std::string::npos) << finished.out;
   EXPECT_TRUE(files_in(finds).empty());
+}
+
+TEST(Hunt, OfShapesHasTheClassesThatTheyHaveAndFindsThemAlone) {
+  const ScratchFolder folder;
+  const Finished finished =
+      ccdfuzz(hunt(folder / "finds", {"--cases", "12", "--shape", "point,curve:2", "--json"}));
+  std::set<std::string> classes;
+  for (const auto& row : json_lines(finished.out)) {
+    if (row.at("row") == "cell") classes.insert(row.at("class"));
+  }
+  EXPECT_EQ(classes, (std::set<std::string>{"VE", "VV"}));
+  ASSERT_TRUE(has_entry(folder / "finds")) << finished.out << finished.err;
+  for (const auto& [name, text] : files_in(folder / "finds")) {
+    if (!name.ends_with(".json") || name.starts_with('.')) continue;
+    const auto found = nlohmann::json::parse(text);
+    EXPECT_EQ(found.at("patches").at(0).at("shape"), "point") << text;
+    EXPECT_EQ(found.at("patches").at(1).at("shape"), "curve") << text;
+  }
+}
+
+TEST(Hunt, RefusesShapesThatAreNone) {
+  const ScratchFolder folder;
+  for (const char* shape : {"", "cube:2", "triangle:9", "tensor:2"}) {
+    const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", "1", "--shape", shape}));
+    EXPECT_EQ(finished.code, 2) << shape << finished.out;
+    EXPECT_NE(finished.err.find("--shape"), std::string::npos) << finished.err;
+  }
+  EXPECT_EQ(ccdfuzz(hunt(folder / "x", {"--shape", "point", "--linear"})).code, 2);
 }
 
 TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {

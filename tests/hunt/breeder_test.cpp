@@ -17,13 +17,13 @@ struct Bred {
 };
 
 Bred bred_by(const std::string& method, ContactClass contact, std::size_t steps,
-             std::optional<int> scale = std::nullopt, Aim aim = Aim::kMargins,
-             std::uint64_t seed = 1) {
+             const HuntGround& ground = {}, Aim aim = Aim::kMargins, std::uint64_t seed = 1) {
   MethodSet methods;
   TracerSet tracers;
-  Breeder breeder(method, seed, scale, aim);
+  Breeder breeder(method, seed, ground, aim);
+  const Draws draws(seed, ground);
   for (std::uint64_t i = 0; i < 3; ++i) {
-    for (const Case& asked : draw(contact, seed, i).asked) breeder.add(asked, tracers);
+    for (const Case& asked : draws.at(contact, i).asked) breeder.add(asked, tracers);
   }
   SearchOptions search;
   search.max_pops = 10'000;
@@ -52,7 +52,7 @@ TEST(Breeder, MarginsLoseMoreContactsThanChance) {
   std::uint64_t by_margins = 0, by_chance = 0;
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto lost = [&](Aim aim) {
-      return bred_by("tdibm-h:1e-16", ContactClass::kVV, 2'000, std::nullopt, aim, seed).tally.lost;
+      return bred_by("tdibm-h:1e-16", ContactClass::kVV, 2'000, {}, aim, seed).tally.lost;
     };
     by_margins += lost(Aim::kMargins);
     by_chance += lost(Aim::kNothing);
@@ -69,10 +69,25 @@ TEST(Breeder, TheSoundMethodsLoseNoMutant) {
 
 TEST(Breeder, KeepsWithinAScale) {
   constexpr int kScale = 12;
-  const Bred bred = bred_by("tdibm", ContactClass::kVV, 300 / kOneIn, kScale);
+  HuntGround ground;
+  ground.scale = kScale;
+  const Bred bred = bred_by("tdibm", ContactClass::kVV, 300 / kOneIn, ground);
   EXPECT_GE(bred.tally.mutants, 20 / kOneIn);
   EXPECT_GE(bred.found.size(), 1U);
   for (const Case& c : bred.found) EXPECT_TRUE(is_within_scale(c.query, kScale)) << to_json(c);
+}
+
+TEST(Breeder, KeepsTheShapes) {
+  HuntGround ground;
+  ground.shapes = {Shape::curve(3), Shape::tensor(2, 2)};
+  const Bred bred = bred_by("tdibm", ContactClass::kVV, 300 / kOneIn, ground);
+  EXPECT_GE(bred.tally.mutants, 20 / kOneIn);
+  EXPECT_GE(bred.found.size(), 1U);
+  for (const Case& c : bred.found) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      EXPECT_EQ(c.query.patches[s].shape, (*ground.shapes)[s]) << to_json(c);
+    }
+  }
 }
 
 TEST(Breeder, DependsOnItsSeedAlone) {

@@ -13,16 +13,16 @@ namespace {
 
 TEST(Draw, DependsOnItsArgumentsAlone) {
   for (const ContactClass contact : kContactClasses) {
-    const Draw a = draw(contact, 3, 8), b = draw(contact, 3, 8);
+    const Draw a = Draws(3).at(contact, 8), b = Draws(3).at(contact, 8);
     EXPECT_EQ(a.asked, b.asked);
-    EXPECT_NE(a.asked, draw(contact, 4, 8).asked) << "another seed";
+    EXPECT_NE(a.asked, Draws(4).at(contact, 8).asked) << "another seed";
   }
 }
 
 TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t index = 0; index < 40; index += 3 * kOneIn) {
-      const Draw drawn = draw(contact, 1, index);
+      const Draw drawn = Draws(1).at(contact, index);
       ASSERT_FALSE(drawn.asked.empty());
       for (const Case& asked : drawn.asked) {
         const Result<void> checked = check_truth(asked);
@@ -42,7 +42,7 @@ TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
 TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   std::set<std::string> seen, wanted;
   for (std::uint64_t index = 0; index < 80; ++index) {
-    const Origin origin = draw(ContactClass::kVV, 1, index).asked[0].origin;
+    const Origin origin = Draws(1).at(ContactClass::kVV, index).asked[0].origin;
     seen.insert(origin.generator + " " + origin.kind);
   }
   for (const CaseKind kind : kCaseKinds) {
@@ -61,16 +61,49 @@ TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   EXPECT_FALSE(seen.contains("ruled RP")) << "there is none of VV";
 }
 
+TEST(Draw, OfShapesGoesRoundTheClassesAndFamiliesThatTheyHave) {
+  struct Expected {
+    std::array<Shape, 2> shapes;
+    std::vector<ContactClass> classes;
+  };
+  const std::vector<ContactClass> all(kContactClasses.begin(), kContactClasses.end());
+  using enum ContactClass;
+  for (const auto& [shapes, classes] :
+       {Expected{{Shape::triangle(8), Shape::triangle(8)}, all},
+        Expected{{Shape::tensor(1, 5), Shape::triangle(3)}, all},
+        Expected{{Shape::curve(4), Shape::curve(1)}, {kEE, kVE, kVV}},
+        Expected{{Shape::point(), Shape::tensor(3, 3)}, {kVF, kVE, kVV}},
+        Expected{{Shape::point(), Shape::point()}, {kVV}}}) {
+    HuntGround ground;
+    ground.shapes = shapes;
+    const Draws draws(1, ground);
+    EXPECT_EQ(draws.classes(), classes) << to_text(shapes[0]) << " " << to_text(shapes[1]);
+    for (const ContactClass contact : draws.classes()) {
+      std::set<std::string> seen;
+      for (std::uint64_t index = 0; index < 18; index += kOneIn) {
+        for (const Case& asked : draws.at(contact, index).asked) {
+          EXPECT_EQ(asked.query.patches[0].shape, shapes[0]);
+          EXPECT_EQ(asked.query.patches[1].shape, shapes[1]);
+          EXPECT_TRUE(check_truth(asked));
+          seen.insert(asked.origin.generator);
+        }
+      }
+      EXPECT_GE(seen.size(), 6 / kOneIn) << name_of(contact);
+    }
+  }
+}
+
 TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {
-  DrawCache cache(5);
+  const Draws draws(5);
+  DrawCache cache(draws);
   for (const std::uint64_t index : {0U, 600U, 88U, 600U, 0U}) {
-    EXPECT_EQ(cache.get(ContactClass::kVE, index)->asked, draw(ContactClass::kVE, 5, index).asked)
+    EXPECT_EQ(cache.get(ContactClass::kVE, index)->asked, draws.at(ContactClass::kVE, index).asked)
         << index;
   }
 }
 
 TEST(Horizon, ATimePastTheContactKeepsTheTruth) {
-  const Case known = draw(ContactClass::kVV, 1, 1).asked[0];
+  const Case known = Draws(1).at(ContactClass::kVV, 1).asked[0];
   const auto later = at_horizon(known, 1.5);
   ASSERT_TRUE(later);
   EXPECT_EQ(exact(later->query.t_max), known.truth.witness->t * Rational(3, 2));

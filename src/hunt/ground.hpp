@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "bezier/shape.hpp"
+#include "hunt/scale.hpp"
+#include "query/query.hpp"
+
+namespace ccdfuzz {
+
+/// Which queries a hunt is about; by default all.
+struct HuntGround {
+  /// Within this scale (is_within_scale), in bits.
+  std::optional<int> scale;
+  /// Of patches 1 and 2.
+  std::optional<std::array<Shape, 2>> shapes;
+  /// Linear queries, of kLinearClasses alone, and not curved ones. Then shapes are not set.
+  bool linear = false;
+
+  /// Whether a query is of that scale and of those shapes.
+  bool has(const Query& query) const {
+    const auto is_of_shape = [&](std::size_t s) { return query.patches[s].shape == (*shapes)[s]; };
+    return (!scale || is_within_scale(query, *scale)) &&
+           (!shapes || (is_of_shape(0) && is_of_shape(1)));
+  }
+};
+
+}  // namespace ccdfuzz
