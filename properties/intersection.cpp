@@ -22,17 +22,16 @@ Check overlap_is(ChoiceSource& choices, bool as_printed) {
       side.push_back(choices.integer(-8, 8));
     }
   }
-  const auto [min_p, max_p] = std::ranges::minmax(heights[0]);
-  const auto [min_q, max_q] = std::ranges::minmax(heights[1]);
+  const auto p = std::ranges::minmax(heights[0]), q = std::ranges::minmax(heights[1]);
   bool common = false;
   for (std::int64_t x = -8; x <= 8; ++x) {
-    common = common || (min_p <= x && x <= max_p && min_q <= x && x <= max_q);
+    common = common || (p.min <= x && x <= p.max && q.min <= x && x <= q.max);
   }
   const auto text = [&] {
-    return fmt::format("p in [{}, {}], q in [{}, {}]", min_p, max_p, min_q, max_q);
+    return fmt::format("p in [{}, {}], q in [{}, {}]", p.min, p.max, q.min, q.max);
   };
   const bool claimed =
-      as_printed ? max_p <= min_q && max_q <= min_p : max_p >= min_q && max_q >= min_p;
+      as_printed ? p.max <= q.min && q.max <= p.min : p.max >= q.min && q.max >= p.min;
   if (claimed != common) return Check::fails(text());
   if (as_printed) return Check::holds();
   // Points at rest, on the axis and on its opposite.

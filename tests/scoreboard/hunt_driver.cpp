@@ -16,9 +16,9 @@ constexpr std::uint64_t kOneBredIn = 8;
 HuntDriver::HuntDriver(std::uint64_t seed, const HuntParts& parts) : seed_(seed), parts_(parts) {
   if (!parts_.bred) return;
   for (const char* method : kSoundMethods) {
-    const bool bounded = std::string_view(method) == "tdibm-e";
-    breeders_.emplace_back(
-        method, seed, bounded ? std::optional<int>(kErrorBoundScale) : std::nullopt, *parts_.bred);
+    HuntGround ground;
+    if (std::string_view(method) == "tdibm-e") ground.scale = kErrorBoundScale;
+    breeders_.emplace_back(method, seed, ground, *parts_.bred);
   }
 }
 
