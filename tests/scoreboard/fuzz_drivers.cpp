@@ -147,7 +147,7 @@ void drive_fuzzer(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                                     "-len_control=0",
                                     "-detect_leaks=0",
                                     "-rss_limit_mb=0",
-                                    "-timeout=600",
+                                    "-timeout=0",     // hangs are the heartbeat's, in CPU time
                                     "-handle_int=0",  // an end from outside must look like one
                                     "-handle_term=0",
                                     "-reload=0",
