@@ -61,10 +61,10 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Check, ThatIsInterruptedNamesTheInputThatDoesNotEnd) {
   const ScratchFolder folder;
-  // The signal comes after the first row, and the one that kills after the words or half a minute.
+  // The signal comes when an input hangs, and the one that kills after the words or half a minute.
   const Finished run = shell(fmt::format(
       "cd '{}'; {} check made_up.holds made_up.hangs --threads 2 >out 2>err & "
-      "for i in $(seq 300); do grep -qs holds out && break; sleep 0.1; done; kill -s TERM $!; "
+      "for i in $(seq 300); do grep -qs hanging out && break; sleep 0.1; done; kill -s TERM $!; "
       "for i in $(seq 300); do grep -qs hangs err && break; sleep 0.1; done; "
       "kill -s TERM $!; wait $!",
       folder.path(), kProgram));
