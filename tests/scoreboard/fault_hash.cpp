@@ -5,10 +5,23 @@
 
 namespace ccdfuzz {
 
-std::string definition_hash(const Fault& fault) {
-  const std::string text = fmt::format("{}\n{}\n{}\n{}", fault.file,
-                                       fault.statement ? "stmt" : "expr", fault.from, fault.to);
+namespace {
+
+std::string hash_of(const std::string& text) {
   return fmt::format("{:08x}", XXH3_64bits(text.data(), text.size()) >> 32);
+}
+
+}  // namespace
+
+std::string definition_hash(const Fault& fault) {
+  return hash_of(fmt::format("{}\n{}\n{}\n{}", fault.file, fault.statement ? "stmt" : "expr",
+                             fault.from, fault.to));
+}
+
+std::string definition_hash(const std::vector<Fault>& faults) {
+  std::string all;
+  for (const Fault& fault : faults) all += definition_hash(fault) + " " + fault.name + "\n";
+  return hash_of(all);
 }
 
 }  // namespace ccdfuzz

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fault_list.hpp"
 
@@ -8,5 +9,8 @@ namespace ccdfuzz {
 
 /// Eight hex digits that change with what a fault is: its file, the right text and the wrong one.
 std::string definition_hash(const Fault& fault);
+
+/// The same of all faults of a list, in their order.
+std::string definition_hash(const std::vector<Fault>& faults);
 
 }  // namespace ccdfuzz

@@ -34,6 +34,7 @@ Result<std::string> text_of(const std::string& path) {
 
 Records::Records(const std::vector<Fault>& faults) : faults_(&faults) {
   for (const Fault& fault : faults) definitions_[fault.name] = definition_hash(fault);
+  definitions_[kWatchedFaults] = definition_hash(faults);
 }
 
 Result<Records> Records::open(const std::string& path, const std::vector<Fault>& faults, Use use) {

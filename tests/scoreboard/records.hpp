@@ -30,7 +30,8 @@ struct Record {
   bool watched = false;
   double seconds = 0;  ///< CPU, until it was detected or the limit
   std::string found;   ///< its first line
-  /// definition_hash of the fault that it was; empty: not known, or no fault.
+  /// definition_hash of the fault that it was, or of all that were watched; empty: not known, or no
+  /// fault.
   std::string definition;
 };
 
@@ -69,7 +70,7 @@ class Records {
 
   std::string path_;
   const std::vector<Fault>* faults_;
-  std::map<std::string, std::string> definitions_;  ///< of a fault's name
+  std::map<std::string, std::string> definitions_;  ///< of what Record::fault may name
   std::map<Key, Record> records_;
   std::set<Key> outdated_;
   std::set<std::string, std::less<>> lines_;  ///< of the file

@@ -160,6 +160,23 @@ TEST(Records, OfAFaultThatIsAnotherNowAreLeftOut) {
   EXPECT_EQ(Records::open(path, with_field(&Fault::to), Use::kRead)->all().size(), 1);
 }
 
+TEST(Records, OfARunWithAllFaultsWatchedAreLeftOutWhereThereAreOthersNow) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r";
+  Record watched = record_of(1);
+  watched.fault = kWatchedFaults;
+  auto records = Records::open(path, kFaults, Use::kExtend);
+  ASSERT_TRUE(records && records->add(watched) && records->finish());
+  EXPECT_EQ(Records::open(path, kFaults, Use::kRead)->all().size(), 1);
+  std::vector<Fault> more = kFaults;
+  more.push_back(kFault);
+  more.back().name = "b.fault";
+  const auto others = Records::open(path, more, Use::kRead);
+  ASSERT_TRUE(others) << others.error().message();
+  EXPECT_EQ(others->find("hunt", kWatchedFaults, 1, 10), nullptr);
+  EXPECT_EQ(others->outdated(), 1);
+}
+
 TEST(Records, WhereNothingCanBeWrittenSaySoAtOnce) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "d");
