@@ -4,11 +4,12 @@
 # how nearly it lost one.
 #   bench/hunt_by_shape.sh RECORDS METHOD [SECONDS [SEED]]
 # RECORDS: one JSON object a line, for what was hunted; what is there already is not hunted again, so
-# that a session can be stopped and gone on with. SECONDS: of CPU time for each of the 40 pairs of
-# shapes (default 360, which are four hours in all). Finds go to finds/by-shape.
+# that a session can be stopped and gone on with. SECONDS: of one thread for each of the 40 pairs of
+# shapes (default 360, which are four hours in all), as many at once as there are processors. Finds
+# go to finds/by-shape.
 set -euo pipefail
+records=$(realpath "${1:?RECORDS}") method=${2:?METHOD} seconds=${3:-360} seed=${4:-1}
 cd "$(dirname "$0")/.."
-records=${1:?RECORDS} method=${2:?METHOD} seconds=${3:-360} seed=${4:-1}
 ccdfuzz=${CCDFUZZ:-build/release/ccdfuzz}
 touch "$records"
 
@@ -21,17 +22,18 @@ hunt_one() {  # shapes
     "$seed" "$(grep '"row":"cell"' <<<"$rows" | paste -sd, -)" >>"$records"
 }
 
-shapes=()
+shapes=() hunts=()
 for n in 1 2 3 4 5 6 7 8; do
   shapes+=("triangle:$n" "tensor:${n}x$n" "curve:$n" "point,tensor:${n}x$((9 - n))" "triangle:$n,tensor:$((9 - n))x$n")
 done
 for shape in "${shapes[@]}"; do
   ! grep -qF "{\"shape\":\"$shape\",\"method\":\"$method\",\"seconds\":$seconds,\"seed\":$seed," "$records" || continue
-  while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do wait -n; done
+  while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done  # its status is asked for below
   echo "$shape" >&2
   hunt_one "$shape" &
+  hunts+=($!)
 done
-wait
+for hunt in "${hunts[@]}"; do wait "$hunt"; done
 
 python3 - "$records" "$method" <<'END'
 import json, sys
@@ -53,10 +55,6 @@ for line in open(sys.argv[1]):
             t["margin"] = min(margins, default=None)
 print("| shapes | queries | undecided | missed or late | mutants traced | lost | smallest margin, ulps |")
 print("|---|---|---|---|---|---|---|")
-for name, t in tallies.items():
-    if name != "all":
-        print(f"| {name} | {t['n']:,} | {t['undecided']:,} | {t['failed']} | {t['mutants']:,} | {t['lost']} | {t['margin']} |")
-if "all" in tallies:
-    t = tallies["all"]
-    print(f"| all | {t['n']:,} | {t['undecided']:,} | {t['failed']} | {t['mutants']:,} | {t['lost']} | {t['margin']} |")
+for name, t in sorted(tallies.items(), key=lambda item: item[0] == "all"):
+    print(f"| {name} | {t['n']:,} | {t['undecided']:,} | {t['failed']} | {t['mutants']:,} | {t['lost']} | {t['margin']} |")
 END
