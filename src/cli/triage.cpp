@@ -135,6 +135,7 @@ Result<int> run_triage(const TriageArguments& options) {
     const Result<std::vector<NamedCase>> cases = cases_of(file);
     if (!cases) return tl::unexpected(cases.error());
     for (const NamedCase& input : *cases) {
+      if (is_over()) break;
       const Result<void> added = triage.add(input.value, [&](const TriageFind& find) {
         progress.clear();
         tell(find, input.id, options.json);
@@ -142,6 +143,7 @@ Result<int> run_triage(const TriageArguments& options) {
       });
       if (!added) return tl::unexpected(added.error());
     }
+    if (is_over()) break;
     ++done;
     progress.show(static_cast<double>(done) / static_cast<double>(files->size()),
                   fmt::format("{} new", finds), done, "inputs");

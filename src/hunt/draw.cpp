@@ -29,7 +29,7 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     options.seed = seed_;
     for (const CaseKind kind : kCaseKinds) {
       options.kind = kind;
-      if (is_made(family, contact, kind) && validate(options)) source.kinds.push_back(kind);
+      if (validate(options)) source.kinds.push_back(kind);
     }
     if (!source.kinds.empty()) sources.push_back(std::move(source));
   };

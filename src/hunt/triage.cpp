@@ -61,6 +61,7 @@ Result<void> Triage::add(const Case& candidate,
   const Case known = with_truth(candidate);
   bool fails = false;
   for (const std::string& method : options_.methods) {
+    if (options_.stop()) return {};
     const std::optional<Failure> failure = confirm(method, known);
     if (!failure) continue;
     fails = true;

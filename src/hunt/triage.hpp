@@ -15,10 +15,11 @@ namespace ccdfuzz {
 struct TriageOptions {
   std::vector<std::string> methods;  ///< specs that parse_method_list accepted
   SearchOptions search;
-  std::uint64_t shrink_trials = 1000;                 ///< of one find
-  std::function<bool()> stop = [] { return false; };  ///< true ends shrinking
-  MethodSet::Make make = make_method;                 ///< what is asked of a spec
-  ApartLimits apart;                                  ///< of each question
+  std::uint64_t shrink_trials = 1000;  ///< of one find
+  /// True ends shrinking, and asking before the next method.
+  std::function<bool()> stop = [] { return false; };
+  MethodSet::Make make = make_method;  ///< what is asked of a spec
+  ApartLimits apart;                   ///< of each question
 };
 
 /// What became of the inputs.

@@ -93,6 +93,21 @@ TEST(Draw, OfShapesGoesRoundTheClassesAndFamiliesThatTheyHave) {
   }
 }
 
+TEST(Draw, OfShapesHasTheKindsOfNegativesThatTheirFamiliesHave) {
+  HuntGround ground;
+  ground.shapes = {Shape::triangle(3), Shape::triangle(1)};
+  const Draws draws(1, ground);
+  std::set<std::string> seen;
+  for (std::uint64_t index = 0; index < 40; ++index) {
+    for (const Case& asked : draws.at(ContactClass::kVV, index).asked) {
+      seen.insert(asked.origin.generator + " " + asked.origin.kind);
+    }
+  }
+  for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+    EXPECT_TRUE(seen.contains("scaled " + std::string(name_of(kind)))) << name_of(kind);
+  }
+}
+
 TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {
   const Draws draws(5);
   DrawCache cache(draws);

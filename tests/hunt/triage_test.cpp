@@ -72,6 +72,22 @@ TEST(Triage, StoresWhatFailsShrunkWithItsTruthAndFindsNothingTwice) {
   EXPECT_EQ(again.tally().failures, again.tally().known);
 }
 
+TEST(Triage, AsksNoMethodOnceItIsToStop) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  TriageOptions options = quick_options();
+  int asked = 0;
+  options.make = [&](const std::string& spec) {
+    ++asked;
+    return make_method(spec);
+  };
+  options.stop = [&] { return asked == 1; };
+  Triage triage(store, options);
+  EXPECT_TRUE(triaged(triage, {raw_finds().front()}).empty());
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(triage.tally().saved, 0U) << "not all methods were asked";
+}
+
 TEST(Triage, DecidesWhatComesWithoutTruth) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();
