@@ -11,6 +11,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "interval.encloses",
       "interval.is_tight",
       "rational.rounding",
+      "paper.rounding",
+      "paper.nextafter_bounds",
       "number.texts",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);

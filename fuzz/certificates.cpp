@@ -17,6 +17,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "checker.refuses_wrong_boxes",
       "checker.refuses_wrong_texts",
       "checker.refuses_wrong_witnesses",
+      "checker.refuses_wrong_linear_clearances",
+      "checker.refuses_wrong_roots",
       "miss_tree.round_trip",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);

@@ -20,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "methods.scale",
       "methods.scale_time",
       "methods.mirror",
+      "judge.sees_misses_and_late_answers",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

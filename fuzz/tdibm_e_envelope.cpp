@@ -10,6 +10,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "tdibm-e.conservative_decisions",
       "tdibm-e.convex_chain",
       "tdibm-e.coefficient_error",
+      "lines.sorting",
+      "paper.axis_error",
       "paper.linear_bound",
       "paper.eps_coeff",
       "paper.eps_Phi",

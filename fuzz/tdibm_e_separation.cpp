@@ -14,6 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "paper.overlap",
       "paper.one_interval",
       "paper.steps_are_exact",
+      "paper.step_three",
+      "tdibm.ends",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }
