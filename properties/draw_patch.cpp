@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "query/case_json.hpp"
+
 namespace ccdfuzz {
 
 Shape draw_shape(ChoiceSource& choices, int max_degree) {
@@ -69,6 +71,43 @@ std::string text_of(const Dyadic& x) {
   return d ? to_hex(*d) : to_text(x.rational());
 }
 
+/// Any finite double, and as often one of the largest: with the exponent 1022 or 1023.
+double draw_base(ChoiceSource& choices) {
+  if (!choices.coin()) return choices.finite_double();
+  constexpr int kBits = 4;  // of the 53
+  const auto digits = static_cast<double>(choices.integer(1 << (kBits - 1), (1 << kBits) - 1));
+  const double x = std::ldexp(digits, 1024 - kBits - static_cast<int>(choices.choose(1)));
+  return choices.coin() ? -x : x;
+}
+
+/// The exponent of a lattice of 8-bit coordinates, as often one of the lowest.
+long draw_unit(ChoiceSource& choices) {
+  constexpr int kLowest = -1074, kHighest = 1024 - 8;
+  const bool low = choices.coin();
+  return static_cast<long>(choices.integer(kLowest, low ? kLowest + 8 : kHighest));
+}
+
+/// Coordinates as they are hardest to bring to one magnitude: along each axis all alike, all alike
+/// but for a few floats, on a lattice of any unit, or any at all.
+void draw_coordinates(ChoiceSource& choices, bool all_alike,
+                      std::array<Points<double>*, 2> points) {
+  enum Style : std::uint64_t { kAlike, kLattice, kNudged, kAny };
+  for (int k = 0; k < 3; ++k) {
+    const std::uint64_t style = all_alike ? kAlike : choices.choose(kAny);
+    const double base = draw_base(choices);
+    const long unit = draw_unit(choices);
+    for (Points<double>* side : points) {
+      for (Vec3<double>& p : *side) {
+        p[k] = base;
+        if (style == kLattice) p[k] = *choices.dyadic(8, unit).to_double_exactly();
+        if (style == kNudged) p[k] = choices.nudged(base, 20);
+        if (style == kAny) p[k] = choices.finite_double();
+        if (!std::isfinite(p[k])) p[k] = base;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Query draw_any_query(ChoiceSource& choices) {
@@ -86,6 +125,23 @@ Query draw_any_query(ChoiceSource& choices) {
   return drawn;
 }
 
+Query draw_extreme_query(ChoiceSource& choices) {
+  Query drawn;
+  for (MovingPatch<double>& patch : drawn.patches) {
+    patch.shape = draw_shape(choices, 2);
+    const auto count = static_cast<std::size_t>(patch.shape.control_count());
+    patch.positions.resize(count);
+    patch.velocities.resize(count);
+  }
+  auto& [a, b] = drawn.patches;
+  // Where the ones are all alike, the scale is that of the others alone.
+  const std::uint64_t alike = choices.choose(3);
+  draw_coordinates(choices, alike == 1, {&a.positions, &b.positions});
+  draw_coordinates(choices, alike == 2, {&a.velocities, &b.velocities});
+  drawn.t_max = choices.coin() ? std::abs(choices.finite_double()) : 1;
+  return drawn;
+}
+
 std::string to_hex_text(const Points<double>& points) {
   return list(points, [](double x) { return to_hex(x); });
 }
@@ -96,6 +152,12 @@ std::string to_text(const Points<Dyadic>& points) {
 
 std::string to_text(const Uv<Dyadic>& uv) {
   return fmt::format("({}, {})", text_of(uv[0]), text_of(uv[1]));
+}
+
+std::string to_text(const Query& query) {
+  Case about;
+  about.query = query;
+  return to_json(about);
 }
 
 }  // namespace ccdfuzz

@@ -22,9 +22,14 @@ Cell draw_cell(ChoiceSource& choices, const Shape& shape, int max_depth);
 /// Any finite numbers at all, in any two shapes of degree at most 2.
 Query draw_any_query(ChoiceSource& choices);
 
-/// For failure texts.
+/// Finite numbers that are hard to bring to one magnitude, in any two shapes of degree at most 2:
+/// along each axis all alike, all alike but for a few floats, on a lattice of any unit, or any.
+Query draw_extreme_query(ChoiceSource& choices);
+
+/// For failure texts; a query as a case file.
 std::string to_hex_text(const Points<double>& points);
 std::string to_text(const Points<Dyadic>& points);
 std::string to_text(const Uv<Dyadic>& uv);
+std::string to_text(const Query& query);
 
 }  // namespace ccdfuzz

@@ -17,4 +17,22 @@ inline Dyadic theorem_4_1_bound(const Dyadic& magnitude, int roundings) {
   return magnitude * (power - Dyadic(1));
 }
 
+/// u and η: half an ulp of 1, and the least double above 0.
+inline Dyadic half_ulp() {
+  return {Integer(1), -53};
+}
+inline Dyadic least_double() {
+  return {Integer(1), -1074};
+}
+
+/// ≥ (1 + u)^k − 1, since (1 + u)^k − 1 ≤ ku(1 + ku) where ku < 1.
+inline Dyadic within_roundings(int k) {
+  const Dyadic ku = Dyadic(k) * half_ulp();
+  return ku * (Dyadic(1) + ku);
+}
+
+inline Dyadic larger(const Dyadic& a, const Dyadic& b) {
+  return a < b ? b : a;
+}
+
 }  // namespace ccdfuzz

@@ -5,9 +5,11 @@
 #include "properties/arithmetic.hpp"
 #include "properties/case_file.hpp"
 #include "properties/certificates.hpp"
+#include "properties/certified_bounds.hpp"
 #include "properties/coefficients.hpp"
 #include "properties/dyadic_round_trip.hpp"
 #include "properties/envelope.hpp"
+#include "properties/filter_bound.hpp"
 #include "properties/generator_steps.hpp"
 #include "properties/geometry.hpp"
 #include "properties/intersection.hpp"
@@ -19,9 +21,11 @@
 #include "properties/no_false_negative.hpp"
 #include "properties/omission.hpp"
 #include "properties/outside_data.hpp"
+#include "properties/pair_windows.hpp"
 #include "properties/predicates.hpp"
 #include "properties/rounding.hpp"
 #include "properties/search_claims.hpp"
+#include "properties/shifts.hpp"
 #include "properties/spoilt_certificates.hpp"
 #include "properties/step_three.hpp"
 #include "properties/sub_patch.hpp"
@@ -110,6 +114,7 @@ const std::vector<Property>& properties() {
                                coefficient_properties,
                                predicate_properties,
                                omission_properties,
+                               shift_properties,
                                intersection_properties,
                                step_three_properties,
                                geometry_properties,
@@ -120,6 +125,9 @@ const std::vector<Property>& properties() {
                                method_symmetry_properties,
                                traced_properties,
                                search_properties,
+                               certified_bound_properties,
+                               pair_window_properties,
+                               filter_bound_properties,
                                certificate_properties,
                                linear_certificate_properties,
                                miss_tree_properties,

@@ -25,10 +25,13 @@ struct NormalisedQuery {
   /// Component k = 0..2 of position i at [side][i][k], of velocity at [side][i][k + 3].
   std::array<std::vector<std::array<double, 6>>, 2> controls;
   double t_max = 0;
-  int time = 0;          ///< t = t'·2^time
-  int space = 0;         ///< lengths are scaled by 2^space
-  double magnitude = 0;  ///< ≥ Σ over sides of max|p'| + max|v'| (the M of DERIVATION.md)
-  double absolute = 0;   ///< the absolute part of the error above, ≥ kLeastAbsolute
+  int time = 0;   ///< t = t'·2^time
+  int space = 0;  ///< lengths are scaled by 2^space
+  /// Σ over sides of max|p'| + max|v'|, three sums rounded to nearest (the M of DERIVATION.md).
+  double magnitude = 0;
+  /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite where lengths that underflow
+  /// may be all that there is, beside others of 2^1022 that are alike: nothing is separated then.
+  double absolute = 0;
 };
 
 /// Keeps the memory of `out`.

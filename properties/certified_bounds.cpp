@@ -1,0 +1,188 @@
+#include "properties/certified_bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bezier/restrict.hpp"
+#include "ccd/certified/cell_tree.hpp"
+#include "ccd/certified/normalise.hpp"
+#include "ccd/certified/projection.hpp"
+#include "properties/draw_patch.hpp"
+#include "properties/error_bound.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// One component, before and after.
+struct Pair {
+  Dyadic given, stored;
+};
+
+/// Whether some c has |stored − 2^scale·(given − c)| ≤ u·|2^scale·(given − c)| + absolute for all:
+/// some has if two at a time agree on one, since what agrees with each is an interval.
+bool is_moved_by_one(const std::vector<Pair>& pairs, long scale, const Dyadic& absolute) {
+  std::vector<Dyadic> errors;
+  for (const Pair& p : pairs) {
+    // |x| ≤ (|stored| + absolute)/(1 − u) ≤ (|stored| + absolute)(1 + 2u) for the x that is meant.
+    const Dyadic most = (abs(p.stored) + absolute) * (Dyadic(1) + half_ulp().scaled(1));
+    errors.push_back(half_ulp() * most + absolute);
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Pair &p = pairs[i], &q = pairs[j];
+      const Dyadic off = (p.stored - q.stored) - (p.given - q.given).scaled(scale);
+      if (errors[i] + errors[j] < abs(off)) return false;
+    }
+  }
+  return true;
+}
+
+Check check_normalised(ChoiceSource& choices) {
+  const Query query = draw_extreme_query(choices);
+  certified::NormalisedQuery out;
+  certified::normalise(query, out);
+  const auto fails = [&](const std::string& what) {
+    return Check::fails(fmt::format("{}; space {}, time {}, absolute {}\n{}", what, out.space,
+                                    out.time, to_hex(out.absolute), to_text(query)));
+  };
+  if (Dyadic::exact(out.t_max).scaled(out.time) != Dyadic::exact(query.t_max)) {
+    return fails("t_max is another");
+  }
+  // Underflow may have taken any length that there is: nothing is certified then.
+  if (std::isinf(out.absolute)) return Check::holds();
+  const Dyadic absolute = Dyadic::exact(out.absolute);
+  Dyadic magnitude;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const bool is_position = k < 3;
+    if (!is_position && query.t_max == 0) continue;  // nothing moves in no time
+    std::vector<Pair> pairs;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto& patch = query.patches[s];
+      for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+        const Vec3<double>& from = is_position ? patch.positions[i] : patch.velocities[i];
+        const double stored = out.controls[s][i][k];
+        if (!(std::abs(stored) <= 1)) return fails("larger than 1: " + to_hex(stored));
+        pairs.push_back({Dyadic::exact(from[static_cast<int>(k % 3)]), Dyadic::exact(stored)});
+      }
+    }
+    const long scale = out.space + (is_position ? 0 : out.time);
+    if (!is_moved_by_one(pairs, scale, absolute)) return fails(fmt::format("component {}", k));
+  }
+  for (std::size_t s = 0; s < 2; ++s) {
+    Dyadic position, velocity;
+    for (const auto& x : out.controls[s]) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        position = larger(position, abs(Dyadic::exact(x[k])));
+        velocity = larger(velocity, abs(Dyadic::exact(x[k + 3])));
+      }
+    }
+    magnitude += position + velocity;
+  }
+  // Three sums, each u too low at most.
+  const Dyadic lost = magnitude * half_ulp() * Dyadic(3);
+  if (Dyadic::exact(out.magnitude) < magnitude - lost) return fails("M is too small");
+  return Check::holds();
+}
+
+/// Control points of magnitude at most 1, the positions and velocities of a net.
+std::vector<std::array<double, 6>> draw_controls(ChoiceSource& choices, const Shape& shape) {
+  std::vector<std::array<double, 6>> controls(static_cast<std::size_t>(shape.control_count()));
+  for (auto& control : controls) {
+    for (double& x : control) x = *choices.dyadic(53, -53).to_double_exactly();
+  }
+  return controls;
+}
+
+Check check_sub_patches(ChoiceSource& choices) {
+  const Shape shape = draw_shape(choices, 3);
+  const auto controls = draw_controls(choices, shape);
+  certified::CellTree tree;
+  tree.reset(shape, controls);
+  certified::CellTree::Node node = 0;
+  for (auto levels = choices.choose(6); levels > 0; --levels) {
+    const auto which = choices.choose(static_cast<std::uint64_t>(shape.child_count() - 1));
+    node = tree.children(node) + static_cast<certified::CellTree::Node>(which);
+  }
+  const int depth = tree.depth(node), k = tree.roundings(depth);
+  const Cell cell = tree.cell(node);
+  const auto fails = [&](const std::string& what) {
+    std::string numbers;
+    for (const auto& control : controls) {
+      for (const double x : control) numbers += " " + to_hex(x);
+    }
+    return Check::fails(fmt::format("{} over cell i = {}, j = {}, depth = {}: {};{}",
+                                    to_text(shape), cell.i, cell.j, depth, what, numbers));
+  };
+  // An average for each argument of each blossom (DERIVATION.md, 2).
+  if (k < (shape.n + shape.m) * depth) return fails(fmt::format("{} roundings", k));
+  const auto corners = exact_corners<Dyadic>(cell.corners(shape));
+  for (int part = 0; part < 2; ++part) {
+    Points<Dyadic> whole(controls.size()), exact(controls.size());
+    Vec3<Dyadic> most;
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      for (int c = 0; c < 3; ++c) {
+        whole[i][c] = Dyadic::exact(controls[i][static_cast<std::size_t>(3 * part + c)]);
+        most[c] = larger(most[c], abs(whole[i][c]));
+      }
+    }
+    restrict_to<Dyadic>(shape, whole, corners, exact);
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      for (int c = 0; c < 3; ++c) {
+        const double made =
+            tree.net(node)[i * certified::kPerPoint + static_cast<std::size_t>(4 * part + c)];
+        const Dyadic bound = within_roundings(k) * most[c] + Dyadic(k) * least_double().scaled(-1);
+        if (abs(Dyadic::exact(made) - exact[i][c]) <= bound) continue;
+        return fails(
+            fmt::format("component {} of control point {} is {}", 3 * part + c, i, to_hex(made)));
+      }
+    }
+  }
+  return Check::holds();
+}
+
+/// E against what DERIVATION.md, 3, adds up: u·(D·d + 8)·M·|l|₁ with all higher powers of u, four
+/// times `absolute` and 2048·η times |l|₁, and 16·η.
+Check check_derived_bound(ChoiceSource& choices) {
+  constexpr int kMostRoundings = 16 * 50;  // D·d
+  const auto count = static_cast<int>(choices.integer(0, kMostRoundings));
+  const double magnitude = *abs(choices.dyadic(53, -51)).to_double_exactly();
+  const double absolute = std::ldexp(1.0, static_cast<int>(choices.integer(-1000, -10)));
+  certified::Axis axis;
+  for (double& x : axis) x = *choices.dyadic(53, -51).to_double_exactly();
+  const certified::ErrorBound bound(magnitude, absolute, count);
+  certified::AxisBatch batch;
+  for (std::size_t k = 0; k < 3; ++k) batch.axes[k][0] = axis[k];
+  Dyadic norm;
+  for (const double x : axis) norm += abs(Dyadic::exact(x));
+  const Dyadic per_norm = within_roundings(count + 8) * Dyadic::exact(magnitude) +
+                          Dyadic::exact(absolute).scaled(2) + least_double().scaled(11);
+  const Dyadic least_bound = per_norm * norm + least_double().scaled(4);
+  for (const double computed : {bound.for_axis(certified::norm1(axis)), bound.for_axes(batch)[0]}) {
+    if (least_bound <= Dyadic::exact(computed)) continue;
+    return Check::fails(fmt::format("M = {}, absolute = {}, {} roundings, axis {} {} {}: {}",
+                                    to_hex(magnitude), to_hex(absolute), count, to_hex(axis[0]),
+                                    to_hex(axis[1]), to_hex(axis[2]), to_hex(computed)));
+  }
+  return Check::holds();
+}
+
+}  // namespace
+
+std::vector<Property> certified_bound_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"tdibm-c.normalised",
+       "Of any finite doubles, the control points are those of the query, moved and scaled alike, "
+       "up to the stated errors, and of magnitude 1 at most",
+       "src/ccd/certified/normalise.hpp", kHolds, check_normalised},
+      {"tdibm-c.sub_patches", "Control points of cells are off by the roundings counted at most",
+       "src/ccd/certified/DERIVATION.md, 2", kHolds, check_sub_patches},
+      {"tdibm-c.error_bound", "E is no less than what was derived",
+       "src/ccd/certified/DERIVATION.md, 3", kHolds, check_derived_bound},
+  };
+}
+
+}  // namespace ccdfuzz

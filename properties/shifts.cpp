@@ -1,0 +1,104 @@
+#include "properties/shifts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ccd/robustness.hpp"
+#include "properties/draw_lines.hpp"
+#include "properties/error_bound.hpp"
+#include "properties/exact_lines.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Of the intercepts.
+std::array<Dyadic, 2> extremes(const ExactLines& lines) {
+  std::array<Dyadic, 2> out = {lines[0].intercept, lines[0].intercept};
+  for (const Line<Dyadic>& line : lines) {
+    if (line.intercept < out[0]) out[0] = line.intercept;
+    if (out[1] < line.intercept) out[1] = line.intercept;
+  }
+  return out;
+}
+
+/// eps_constr = t·eps_a + eps_b + I·B·[(1 + eps)^4 − 1], B the larger of 4 Delta_b and
+/// t·Delta_a + Delta_b.
+Check check_eps_constr(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  const Lines<double> sorted = sorted_lines(pairs.f);
+  CoefficientError error;
+  error.slope = *abs(choices.dyadic(8, -60)).to_double_exactly();
+  error.intercept = *abs(choices.dyadic(8, -60)).to_double_exactly();
+  const double t = pairs.window.hi;
+  const double computed = ErrorBoundIntended::envelope_error(sorted, error, t);
+
+  const ExactLines lines = exact_lines(sorted);
+  const auto [lowest, highest] = extremes(lines);
+  const Dyadic delta_b = highest - lowest;
+  const Dyadic four = delta_b.scaled(2);
+  const Dyadic swept = Dyadic::exact(t) * (lines.back().slope - lines[0].slope) + delta_b;
+  const Dyadic arithmetic =
+      Dyadic(sorted.size()) * theorem_4_1_bound(four < swept ? swept : four, 4);
+  const Dyadic coefficients =
+      Dyadic::exact(t) * Dyadic::exact(error.slope) + Dyadic::exact(error.intercept);
+  // A product and two sums of what is not negative, each u = eps/2 too low at most. The room that
+  // Appendix B leaves is of eps_arith alone.
+  const Dyadic lost = coefficients * section_4_3_epsilon().scaled(1);
+  if (coefficients - lost + arithmetic <= Dyadic::exact(computed)) return Check::holds();
+  return Check::fails(fmt::format("lines {} up to t = {}, eps_a = {}, eps_b = {}: {} is too little",
+                                  to_hex_text(pairs.f), to_hex(t), to_hex(error.slope),
+                                  to_hex(error.intercept), to_hex(computed)));
+}
+
+/// Section 4.5: an end of a separated interval is where the envelopes meet that were pulled apart
+/// by I·delta each, I the steps from the end that the sweep began at, or further inward.
+Check check_pulled_roots(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  const Lines<double> f = sorted_lines(pairs.f), g = sorted_lines(pairs.g);
+  const auto draw_index = [&](const Lines<double>& lines) {
+    return static_cast<int>(choices.choose(static_cast<std::uint64_t>(lines.size() - 1)));
+  };
+  const int i = draw_index(f);
+  const int j = draw_index(g);
+  const ExactLines fx = exact_lines(f), gx = exact_lines(g);
+  const auto [f_low, f_high] = extremes(fx);
+  const auto [g_low, g_high] = extremes(gx);
+  const Dyadic low = abs(f_low + g_low), high = abs(f_high + g_high);
+  const Dyadic delta = theorem_4_1_bound((low < high ? high : low).scaled(1), 4);
+  const auto at = [](const ExactLines& lines, int k) -> const Line<Dyadic>& {
+    return lines[static_cast<std::size_t>(k)];
+  };
+  const Dyadic slope = at(fx, i).slope + at(gx, j).slope;
+  if (slope.sign() == 0) return Check::discarded("they never cross");
+  const bool is_left = slope.sign() < 0;  // separated where the sum of both is below 0
+  const int steps = is_left ? i + j : (f.size() - 1 - i) + (g.size() - 1 - j);
+  const Dyadic intercept =
+      at(fx, i).intercept + at(gx, j).intercept + (Dyadic(steps) * delta).scaled(1);
+  const double end = is_left ? ErrorBoundIntended::left_root(f, g, i, j, pairs.window)
+                             : ErrorBoundIntended::right_root(f, g, i, j, pairs.window);
+  // slope·end + intercept ≤ 0 inside of the root; an end at the window's own excludes nothing.
+  const bool excludes = is_left ? end < pairs.window.hi : pairs.window.lo < end;
+  if (!excludes) return Check::holds();
+  if ((slope * Dyadic::exact(end) + intercept).sign() <= 0) return Check::holds();
+  return Check::fails(fmt::format(
+      "{} and {} on {}: lines {} and {} meet inside of {} = {}", to_hex_text(pairs.f),
+      to_hex_text(pairs.g), to_hex_text(pairs.window), i, j, is_left ? "tL" : "tR", to_hex(end)));
+}
+
+}  // namespace
+
+std::vector<Property> shift_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"tdibm-e.eps_constr", "What envelopes are shifted by is no less than eps_coeff + eps_arith",
+       "Eqs. 11, 12, 16", kHolds, check_eps_constr},
+      {"tdibm-e.pulled_roots",
+       "An end of a separated interval is no further out than where envelopes meet that are pulled "
+       "apart by I delta each",
+       "Section 4.5", kHolds, check_pulled_roots},
+  };
+}
+
+}  // namespace ccdfuzz
