@@ -127,7 +127,9 @@ TEST(Records, RefuseWhatIsNoneNamingLineFieldAndValue) {
       {R"("seed":1)", R"("seed":-1)", "r:2: seed: -1 is not a whole number"},
       {R"("limit":10.0)", R"("limit":0.0)", "r:2: limit: 0.0 is not a time limit"},
       {R"("limit":10.0)", R"("limit":-5)", "r:2: limit: -5 is negative"},
-      {R"("detected":false,)", "", R"(r:2: an object has no "detected")"}};
+      {R"("detected":false,)", "", R"(r:2: an object has no "detected")"},
+      {R"("found":)", R"("gone":1,"found":)", "r:2: gone: 1 is unknown"},
+      {R"("found":)", R"("Found":"","found":)", R"(r:2: Found: "" is unknown)"}};
   for (const auto& [from, to, message] : wrong) {
     EXPECT_THAT(refusal_of(good + with(good, from, to)), StartsWith(message));
   }
