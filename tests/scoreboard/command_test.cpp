@@ -56,6 +56,23 @@ TEST(ScoreboardCommand, PrintsAndWritesWhatRecordsSayWithoutRunning) {
   EXPECT_THAT(read_text(folder / "t.md"), StartsWith("| driver |"));
 }
 
+TEST(ScoreboardCommand, ReadsTheRecordsOfACampaignThatGoesOn) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r", journal = path + ".partial";
+  Process running({"--drivers", "properties", "--faults", "none", "--seeds", "100", "--seconds",
+                   "1", "--records", path});
+  const auto is_begun = [&] {
+    std::error_code ignored;
+    return std::filesystem::file_size(journal, ignored) > 200 && !ignored;
+  };
+  for (int i = 0; i < 6000 && !is_begun(); ++i) usleep(10000);
+  const Finished seen = run({"--no-runs", "--records", path});
+  EXPECT_EQ(seen.code, 0) << seen.err;
+  EXPECT_THAT(seen.out, StartsWith("driver"));
+  EXPECT_TRUE(is_begun());
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
   const ScratchFolder folder;
   write_text(folder / "r",

@@ -78,6 +78,22 @@ TEST(Records, AreThereAgainWhereTheCampaignWasKilled) {
   EXPECT_EQ(folder.entry_count(), 1);
 }
 
+TEST(Records, OfACampaignThatGoesOnAreReadAndLeftWhereTheyAre) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r", journal = Journal::path_for(path);
+  auto running = Records::open(path, kFaults, Use::kExtend);
+  ASSERT_TRUE(running && running->add(record_of(1)));
+  const std::string text = read_text(journal);
+  auto seen = Records::open(path, kFaults, Use::kRead);
+  ASSERT_TRUE(seen) << seen.error().message();
+  EXPECT_NE(seen->find("hunt", kFault.name, 1, 10), nullptr);
+  ASSERT_TRUE(seen->finish());
+  EXPECT_EQ(folder.entry_count(), 1);
+  EXPECT_EQ(read_text(journal), text);
+  ASSERT_TRUE(running->add(record_of(2)) && running->finish());
+  EXPECT_EQ(Records::open(path, kFaults, Use::kRead)->all().size(), 2);
+}
+
 TEST(Records, AreNotThereTwiceWhereItWasKilledAtItsEnd) {
   const ScratchFolder folder;
   const std::string path = folder / "r", journal = Journal::path_for(path);

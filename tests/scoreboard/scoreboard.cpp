@@ -143,7 +143,10 @@ void add_options(CLI::App& app, Options& options) {
                      "is over: one that stopped goes on from there")
           ->type_name("FILE");
   CLI::Option* const no_runs = app.add_flag(
-      "--no-runs", options.no_runs, "Runs nothing: prints, and writes, what the records say");
+      "--no-runs", options.no_runs,
+      "Runs nothing: prints, and writes to --tables, what the records say, with those of "
+      "FILE.partial: of a campaign that goes on they are only read, of one that ended put into "
+      "FILE");
   no_runs->needs(records);
   for (CLI::Option* option : of_runs) no_runs->excludes(option);
 }
