@@ -119,6 +119,23 @@ TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
   }
 }
 
+TEST(ScoreboardCommand, TellsOfTheFaultsThatWereAskedForAlone) {
+  const ScratchFolder folder;
+  const Finished done =
+      run({"--drivers", "traces", "--faults", "bound.zero", "--only-seed", "1", "--weak-seconds",
+           "0.5", "--verbose", "--tables", folder / "t", "--records", folder / "r"});
+  EXPECT_NE(done.code, 2) << done.err;
+  std::istringstream lines(done.out);
+  int runs = 0;
+  for (std::string line; std::getline(lines, line) && !line.starts_with("driver"); ++runs) {
+    EXPECT_THAT(line, testing::ContainsRegex("^traces +(none|watched|bound.zero) ")) << line;
+  }
+  EXPECT_GE(runs, 2) << done.out;
+  EXPECT_THAT(done.out, testing::ContainsRegex("\ntraces +1 ")) << done.out;
+  const std::string csv = read_text(folder / "t.csv");
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 3) << csv;
+}
+
 TEST(ScoreboardCommand, RunsOnTheRightSourcesAlone) {
   const Finished done = run({"--drivers", "properties", "--faults", "none", "--only-seed", "9",
                              "--seconds", "0.2", "--verbose"});
