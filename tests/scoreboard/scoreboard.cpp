@@ -22,7 +22,7 @@ struct Options : CampaignOptions {
   bool no_runs = false;
 };
 
-/// A row a driver: how many faults it noticed, and how soon; misses count as the limit.
+/// A row a driver: how many faults it noticed, and how soon (rows.hpp).
 void print_summary(const std::vector<DriverRow>& drivers) {
   Table table({{"driver", Align::kLeft},
                {"faults"},
