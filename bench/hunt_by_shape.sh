@@ -5,13 +5,43 @@
 #   bench/hunt_by_shape.sh RECORDS METHOD [SECONDS [SEED]]
 # RECORDS: one JSON object a line, for what was hunted; what is there already is not hunted again, so
 # that a session can be stopped and gone on with. SECONDS: of one thread for each of the 40 pairs of
-# shapes (default 360, which are four hours in all), as many at once as there are processors. Finds
-# go to finds/by-shape.
+# shapes (default 360, which are four hours in all), as many at once as there are processors. SEED:
+# a whole number (default 1). The table is of the records with this METHOD, SECONDS and SEED. Finds
+# go to finds/by-shape. CCDFUZZ names the program, by default build/release/ccdfuzz.
 set -euo pipefail
-records=$(realpath "${1:?RECORDS}") method=${2:?METHOD} seconds=${3:-360} seed=${4:-1}
+
+usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
+
+refuse() {
+  echo "bench/hunt_by_shape.sh: $1" >&2
+  exit 2
+}
+
+case ${1-} in -h | --help) usage; exit ;; esac
+if [ $# -lt 2 ] || [ $# -gt 4 ]; then
+  usage >&2
+  exit 2
+fi
+method=$2 seconds=${3-360} seed=${4-1}
+[[ $seconds =~ ^(0|[1-9][0-9]*)(\.[0-9]+)?$ && $seconds =~ [1-9] ]] ||
+  refuse "SECONDS: \"$seconds\" is no number > 0, such as 360 or 0.5"
+[[ $seed =~ ^(0|[1-9][0-9]*)$ ]] || refuse "SEED: \"$seed\" is no whole number"
+[[ $method != *[,\"\\]* ]] || refuse "METHOD: \"$method\" is no single method"
+records=$(realpath -- "$1") || exit 2
 cd "$(dirname "$0")/.."
 ccdfuzz=${CCDFUZZ:-build/release/ccdfuzz}
-touch "$records"
+command -v "$ccdfuzz" >/dev/null || refuse "there is no program $ccdfuzz"
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+# Too short to ask anything, which is exit 1; 2 says what is wrong with METHOD or SEED.
+status=0
+"$ccdfuzz" hunt --json --seconds 1e-9 --methods "$method" --seed "$seed" --corpus "$scratch/finds" \
+  >"$scratch/out" 2>"$scratch/err" || status=$?
+[ $status -le 1 ] || refuse "METHOD or SEED: $(cat "$scratch/err")"
+
+[ -e "$records" ] || : >"$records" || exit 2
+bench/by_shape_records.py hunted "$records" "$method" "$seconds" "$seed" >"$scratch/hunted"
 
 # Queries may take 1,000 boxes: more are needed only where nothing is found, at seconds each.
 hunt_one() {  # shapes
@@ -27,34 +57,11 @@ for n in 1 2 3 4 5 6 7 8; do
   shapes+=("triangle:$n" "tensor:${n}x$n" "curve:$n" "point,tensor:${n}x$((9 - n))" "triangle:$n,tensor:$((9 - n))x$n")
 done
 for shape in "${shapes[@]}"; do
-  ! grep -qF "{\"shape\":\"$shape\",\"method\":\"$method\",\"seconds\":$seconds,\"seed\":$seed," "$records" || continue
+  ! grep -qxF "$shape" "$scratch/hunted" || continue
   while [ "$(jobs -pr | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done  # its status is asked for below
   echo "$shape" >&2
   hunt_one "$shape" &
   hunts+=($!)
 done
 for hunt in "${hunts[@]}"; do wait "$hunt"; done
-
-python3 - "$records" "$method" <<'END'
-import json, sys
-
-tallies = {}
-for line in open(sys.argv[1]):
-    record = json.loads(line)
-    if record["method"] != sys.argv[2]:
-        continue
-    for row in record["cells"]:
-        for name in (record["shape"], "all"):
-            t = tallies.setdefault(name, {"n": 0, "undecided": 0, "failed": 0, "mutants": 0, "lost": 0, "margin": None})
-            t["n"] += row["n"]
-            t["undecided"] += row["undecided"]
-            t["failed"] += row["missed"] + row["late"]
-            t["mutants"] += row["mutants"]
-            t["lost"] += row["lost_mutants"]
-            margins = [m for m in (t["margin"], row["margin_ulps"]) if m is not None]
-            t["margin"] = min(margins, default=None)
-print("| shapes | queries | undecided | missed or late | mutants traced | lost | smallest margin, ulps |")
-print("|---|---|---|---|---|---|---|")
-for name, t in sorted(tallies.items(), key=lambda item: item[0] == "all"):
-    print(f"| {name} | {t['n']:,} | {t['undecided']:,} | {t['failed']} | {t['mutants']:,} | {t['lost']} | {t['margin']} |")
-END
+bench/by_shape_records.py table "$records" "$method" "$seconds" "$seed"

@@ -82,6 +82,10 @@ Result<int> check_hex(const CheckArguments& options) {
     print_out(fmt::format("{} {}{}{}\n", property->name, status, check.text.empty() ? "" : ": ",
                           check.text));
   }
+  if (check.status == Check::Status::kDiscarded) {
+    fmt::print(stderr, "ccdfuzz: nothing was checked: the input was discarded\n");
+    return kCheckFailed;
+  }
   return fails && property->expected == Expectation::kHolds ? kCheckFailed : kDone;
 }
 
@@ -174,9 +178,9 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
   seconds.excludes(count);
   const Option seed = command.whole("--seed", options->inputs.seed, "Seed of the inputs");
   const Option first = command.whole("--first", options->inputs.first, "Index of the first input");
-  const Option save =
-      command.text("--save", options->save,
-                   fmt::format("Folder for what fails, shrunk; by default {}", kFolder));
+  const Option save = command.text(
+      "--save", options->save,
+      fmt::format("Folder for what fails that should hold, shrunk; by default {}", kFolder));
   Option hex = command.text("--hex", options->hex,
                             "Instead: one input of one property, as a find prints it");
   for (const Option& other : {count, seconds, seed, first, save}) hex.excludes(other);

@@ -27,6 +27,9 @@ namespace {
 /// What TDIBM needs stays far below; trad alone reaches it, after about a second.
 constexpr std::uint64_t kDefaultPops = 10'000;
 
+/// Of each class: with it, all draws and all mutants can be counted.
+constexpr std::uint64_t kMostCases = 1'000'000'000'000'000'000;
+
 struct HuntArguments {
   std::string methods = std::string("trad,") + kDefaultMethods;
   std::string seconds = "60";
@@ -189,6 +192,22 @@ Result<void> write_hunt_page(const HuntReport& report, const HuntArguments& opti
   return {};
 }
 
+/// No draw stands on the ground, or there was no time for any: then nothing was checked.
+bool asked_nothing(const HuntReport& report) {
+  return query_count(report) == 0 &&
+         std::ranges::all_of(report.cells, [](const HuntCell& c) { return c.bred.mutants == 0; });
+}
+
+void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments& options) {
+  std::string why = "the time was over before";
+  if (report.cases > 0) {
+    why = fmt::format("none of {} cases drawn can be", report.cases);
+    if (options.within > 0) why += fmt::format(" with --within {}", options.within);
+  }
+  fmt::print(stderr, "ccdfuzz: nothing was checked: no query was asked; {}: try more {}\n", why,
+             options.cases > 0 ? "--cases" : "--seconds");
+}
+
 bool fails(const HuntReport& report, const std::string& fail_on) {
   if (fail_on == "any") return !report.finds.empty();
   return fail_on == "claims" &&
@@ -224,6 +243,11 @@ Result<int> run_hunt(const HuntArguments& options) {
   }
   if (report.error) return tl::unexpected(*report.error);
   if (interrupted) return interrupted_exit_code();
+  if (asked_nothing(report)) {
+    print_that_nothing_was_asked(report, options);
+    // A share may have nothing to ask where the whole has.
+    if (parsed->shard.is_whole()) return kCheckFailed;
+  }
   return fails(report, options.fail_on) ? kCheckFailed : kDone;
 }
 
@@ -235,7 +259,8 @@ void add_hunt(CommandLine& line) {
   const Option seconds = command.text("--seconds", options->seconds, "How long to hunt");
   command
       .whole("--cases", options->cases,
-             "Instead: this many cases of each class, each put to every method; repeats exactly", 1)
+             "Instead: this many cases of each class, each put to every method; repeats exactly", 1,
+             kMostCases)
       .excludes(seconds)
       .without_default();
   add_shard(command, options->shard);

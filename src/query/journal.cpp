@@ -80,6 +80,35 @@ std::optional<std::string> value_in(const std::string& text, const std::string& 
   return text.substr(at, text.find('\n', at) - at);
 }
 
+/// The text of the journal's header; nothing if it was killed before there was anything in it.
+/// Errors: it belongs to a run with another header; it is no journal.
+Result<std::optional<std::string>> matching_header(const std::string& path, int descriptor,
+                                                   const Journal::Header& header) {
+  const auto line = read_at(path, descriptor, 0, kJournalLine.size());
+  if (!line) return tl::unexpected(line.error());
+  if (!kJournalLine.starts_with(*line)) {
+    return input_error(path, "is not the journal of a run; it is in the way");
+  }
+  auto text = frame_at(path, descriptor, kJournalLine.size());
+  if (!text || !*text) return text;
+  for (const auto& [name, value] : header) {
+    const std::optional<std::string> theirs = value_in(**text, name);
+    if (theirs != value) {
+      return input_error(path, fmt::format("belongs to a run with {} {}, and this one has {}; "
+                                           "take the file away to begin anew",
+                                           name, theirs.value_or("not given"), value));
+    }
+  }
+  if (**text != header_text(header)) {
+    return input_error(path, "belongs to a run of another kind; take the file away to begin anew");
+  }
+  return text;
+}
+
+std::uint64_t end_of_header(const std::string& text) {
+  return kJournalLine.size() + kFrameHead + text.size();
+}
+
 /// True iff the descriptor's file is the one that stands at the path.
 bool stands_at(const std::string& path, int descriptor) {
   struct stat named {
@@ -121,6 +150,23 @@ Result<Journal> Journal::open(const std::string& path, const Header& header) {
   }
 }
 
+Result<std::vector<std::string>> Journal::read(const std::string& path, const Header& header) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return system_error(path, "read", errno);
+  const Journal closes(path, descriptor);
+  std::vector<std::string> records;
+  const auto text = matching_header(path, descriptor, header);
+  if (!text) return tl::unexpected(text.error());
+  if (!*text) return records;
+  for (std::uint64_t end = end_of_header(**text);;) {
+    auto record = frame_at(path, descriptor, end);
+    if (!record) return tl::unexpected(record.error());
+    if (!*record) return records;
+    end += kFrameHead + (*record)->size();
+    records.push_back(**std::move(record));
+  }
+}
+
 Result<void> Journal::begin(const Header& header) {
   if (::ftruncate(descriptor_, 0) != 0) return system_error(path_, "write", errno);
   const std::string text = header_text(header);
@@ -137,26 +183,10 @@ Result<void> Journal::begin(const Header& header) {
 }
 
 Result<void> Journal::resume(const Header& header) {
-  const auto line = read_at(path_, descriptor_, 0, kJournalLine.size());
-  if (!line) return tl::unexpected(line.error());
-  if (!kJournalLine.starts_with(*line)) {
-    return input_error(path_, "is not the journal of a run; it is in the way");
-  }
-  const auto text = frame_at(path_, descriptor_, kJournalLine.size());
+  const auto text = matching_header(path_, descriptor_, header);
   if (!text) return tl::unexpected(text.error());
-  if (!*text) return begin(header);  // killed before there was anything in it
-  for (const auto& [name, value] : header) {
-    const std::optional<std::string> theirs = value_in(**text, name);
-    if (theirs != value) {
-      return input_error(path_, fmt::format("belongs to a run with {} {}, and this one has {}; "
-                                            "take the file away to begin anew",
-                                            name, theirs.value_or("not given"), value));
-    }
-  }
-  if (**text != header_text(header)) {
-    return input_error(path_, "belongs to a run of another kind; take the file away to begin anew");
-  }
-  std::uint64_t end = first_record_ = kJournalLine.size() + kFrameHead + (*text)->size();
+  if (!*text) return begin(header);
+  std::uint64_t end = first_record_ = end_of_header(**text);
   for (;;) {
     const auto record = frame_at(path_, descriptor_, end);
     if (!record) return tl::unexpected(record.error());

@@ -31,6 +31,9 @@ class Journal {
   /// the file system has locks); it is something else; what the system says. What stands there then
   /// stays.
   static Result<Journal> open(const std::string& path, const Header& header);
+  /// The records that stand in the journal at path, which may be of a run that goes on; nothing is
+  /// written or locked. Errors: as of open, but for those of writing.
+  static Result<std::vector<std::string>> read(const std::string& path, const Header& header);
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
   ~Journal();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace ccdfuzz {
@@ -22,6 +23,13 @@ std::optional<JsonField> JsonField::find(const char* key) const {
   const JsonValue* const found = value_->find(key);
   if (!found) return std::nullopt;
   return JsonField(*found, *file_, member_path(path_, key));
+}
+
+void JsonField::expect_only(std::initializer_list<std::string_view> keys) const {
+  if (value_->kind != JsonKind::kObject) refuse("is not an object");
+  for (const std::string& key : value_->keys) {
+    if (std::ranges::find(keys, key) == keys.end()) (*this)[key.c_str()].refuse("is unknown");
+  }
 }
 
 std::vector<JsonField> JsonField::items() const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "query/json_tree.hpp"
@@ -24,6 +26,8 @@ class JsonField {
   JsonField operator[](const char* key) const;
   /// The same where it may be missing.
   std::optional<JsonField> find(const char* key) const;
+  /// Refused: a member of this object that is none of these.
+  void expect_only(std::initializer_list<std::string_view> keys) const;
   /// The items of this array.
   std::vector<JsonField> items() const;
   bool is_null() const { return value_->kind == JsonKind::kNull; }

@@ -8,8 +8,8 @@
 
 namespace ccdfuzz {
 
-/// How soon one driver detects one planted fault: medians over its runs, where a run that did not
-/// detect it counts as its limit.
+/// How soon one driver detects one planted fault: medians over its runs, where one that did not
+/// detect it counts as longer than all that did; if that is the median, it is at least so much.
 struct ScoreboardRow {
   std::string driver, fault, what;
   bool equivalent = false;  ///< the fault changes nothing that could be noticed

@@ -90,6 +90,24 @@ TEST(Check, TheEmptyInputIsOneInputAndNotNone) {
   EXPECT_EQ(run.out, "dyadic.round_trip holds\n");
 }
 
+TEST(Check, ADiscardedInputChecksNothingAndFails) {
+  const Finished run = ccdfuzz({"check", "paper.one_interval", "--hex", "", "--json"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(json_lines(run.out).at(0).at("status"), "is discarded");
+  EXPECT_EQ(run.err, "ccdfuzz: nothing was checked: the input was discarded\n");
+}
+
+TEST(Check, OnlyWhatShouldHoldIsSaved) {
+  const ScratchFolder folder;
+  const Finished run =
+      ccdfuzz({"check", "tdibm.separation", "--count", "200", "--save", folder / "saved"});
+  EXPECT_NE(run.out.find("reproduce: "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("saved"), std::string::npos) << run.out;
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "saved"));
+  EXPECT_NE(ccdfuzz({"check", "--help"}).out.find("what fails that should hold"),
+            std::string::npos);
+}
+
 TEST(Check, OptionsThatWouldBeIgnoredAreRefused) {
   const std::vector<std::vector<std::string>> pairs = {
       {"--hex", "00", "--seconds", "1"}, {"--hex", "00", "--count", "5"},

@@ -233,6 +233,47 @@ TEST(Hunt, RefusesShapesThatAreNone) {
   EXPECT_EQ(ccdfuzz(hunt(folder / "x", {"--shape", "point", "--linear"})).code, 2);
 }
 
+/// No triangle of degree 2 is drawn first whose numbers are all 0 or between 1/2 and 2.
+const std::vector<std::string> kNothingToAsk = {"--cases",  "1", "--shape",   "triangle:2",
+                                                "--within", "1", "--methods", "tdibm"};
+
+TEST(Hunt, ThatAskedNothingFailsAndSaysWhy) {
+  const ScratchFolder folder;
+  std::vector<std::string> arguments = {"hunt", "--json", "--corpus", folder / "finds"};
+  arguments.insert(arguments.end(), kNothingToAsk.begin(), kNothingToAsk.end());
+  const Finished finished = ccdfuzz(arguments);
+  EXPECT_EQ(finished.code, 1);
+  EXPECT_EQ(finished.err,
+            "ccdfuzz: nothing was checked: no query was asked; none of 6 cases drawn can be with "
+            "--within 1: try more --cases\n");
+  EXPECT_EQ(json_lines(finished.out).back().at("queries"), 0);
+  const Finished no_time = ccdfuzz(hunt(folder / "finds", {"--seconds", "1e-9"}));
+  EXPECT_EQ(no_time.code, 1);
+  EXPECT_NE(no_time.err.find("the time was over before: try more --seconds"), std::string::npos)
+      << no_time.err;
+}
+
+TEST(Hunt, AShareMayHaveNothingToAsk) {
+  const ScratchFolder folder;
+  std::vector<std::string> arguments = {"hunt", "--shard", "5/6", "--corpus", folder / "finds"};
+  arguments.insert(arguments.end(), kNothingToAsk.begin(), kNothingToAsk.end());
+  const Finished finished = ccdfuzz(arguments);
+  EXPECT_EQ(finished.code, 0);
+  EXPECT_NE(finished.err.find("nothing was checked"), std::string::npos) << finished.err;
+}
+
+TEST(Hunt, RefusesMoreCasesThanItCanCount) {
+  const ScratchFolder folder;
+  for (const char* cases : {"1000000000000000001", "18446744073709551615"}) {
+    const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", cases, "--shard", "5/7"}));
+    EXPECT_EQ(finished.code, 2) << cases;
+    EXPECT_TRUE(finished.err.starts_with(
+        fmt::format("--cases: {} is not in [1, 1000000000000000000]\n", cases)))
+        << finished.err;
+  }
+  EXPECT_EQ(folder.entry_count(), 0);
+}
+
 TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
   const ScratchFolder folder;
   EXPECT_EQ(ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err, "");

@@ -101,6 +101,21 @@ TEST_F(JournalTest, OneProcessAtATime) {
   EXPECT_NE(second.error().message().find("another process"), std::string::npos);
 }
 
+TEST_F(JournalTest, IsReadWhileItsRunGoesOnAndStaysAsItIs) {
+  fill(records_);
+  Journal running = open();
+  write_text(folder_ / "x", read_text(path_));
+  std::filesystem::resize_file(path_, std::filesystem::file_size(path_) - 1);
+  const auto seen = Journal::read(path_, kRun);
+  ASSERT_TRUE(seen) << seen.error().message();
+  EXPECT_EQ(*seen, std::vector(records_.begin(), records_.begin() + 3));
+  EXPECT_EQ(std::filesystem::file_size(path_) + 1, std::filesystem::file_size(folder_ / "x"));
+  const auto other = Journal::read(path_, {{"run", "other"}});
+  ASSERT_FALSE(other);
+  EXPECT_NE(other.error().message().find("belongs to a run with run test"), std::string::npos);
+  EXPECT_FALSE(Journal::read(folder_ / "nosuch", kRun));
+}
+
 TEST_F(JournalTest, RemoveTakesItAway) {
   Journal journal = open();
   ASSERT_TRUE(journal.remove());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "drivers.hpp"
 #include "records.hpp"
@@ -11,6 +12,17 @@ namespace ccdfuzz {
 
 bool is_wanted(const std::vector<std::string>& names, std::string_view name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
+}
+
+bool is_asked(const CampaignOptions& options, std::string_view fault) {
+  return is_wanted(options.faults, fault) || is_wanted(options.faults, kWatchedFaults);
+}
+
+std::vector<Fault> asked_faults(const CampaignOptions& options, const std::vector<Fault>& faults) {
+  std::vector<Fault> asked;
+  std::ranges::copy_if(faults, std::back_inserter(asked),
+                       [&](const Fault& fault) { return is_asked(options, fault.name); });
+  return asked;
 }
 
 Result<void> check_options(const CampaignOptions& options, const std::vector<Fault>& faults) {

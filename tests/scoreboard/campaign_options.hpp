@@ -21,6 +21,10 @@ struct CampaignOptions {
 /// Whether a list of names, all if it is empty, has this one.
 bool is_wanted(const std::vector<std::string>& names, std::string_view name);
 
+/// Whether results about this fault are wanted: a run with all faults watched is about all of them.
+bool is_asked(const CampaignOptions& options, std::string_view fault);
+std::vector<Fault> asked_faults(const CampaignOptions& options, const std::vector<Fault>& faults);
+
 /// Errors: a driver or a fault that is none, a driver that this build has not; naming the option.
 Result<void> check_options(const CampaignOptions& options, const std::vector<Fault>& faults);
 

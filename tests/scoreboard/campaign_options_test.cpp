@@ -33,6 +33,21 @@ TEST(CampaignOptions, ADriverThatIsNotBuiltIsRefused) {
               StartsWith("--drivers: libfuzzer is not in this build"));
 }
 
+TEST(CampaignOptions, WhatIsAskedForIsNamedUnlessAllFaultsAreWatched) {
+  std::vector<Fault> faults = {kFewFaults[0], kFewFaults[0]};
+  faults[1].name = "b.fault";
+  CampaignOptions options;
+  EXPECT_EQ(asked_faults(options, faults).size(), 2);
+  options.faults = {"b.fault", "none"};
+  ASSERT_EQ(asked_faults(options, faults).size(), 1);
+  EXPECT_EQ(asked_faults(options, faults)[0].name, "b.fault");
+  EXPECT_FALSE(is_asked(options, "a.fault"));
+  options.faults = {"none"};
+  EXPECT_TRUE(asked_faults(options, faults).empty());
+  options.faults = {"watched"};
+  EXPECT_EQ(asked_faults(options, faults).size(), 2);
+}
+
 TEST(CampaignOptions, EveryDriverIsFoundByItsName) {
   for (const Driver driver : kDrivers) EXPECT_EQ(driver_named(name_of(driver)), driver);
 }

@@ -56,6 +56,23 @@ TEST(ScoreboardCommand, PrintsAndWritesWhatRecordsSayWithoutRunning) {
   EXPECT_THAT(read_text(folder / "t.md"), StartsWith("| driver |"));
 }
 
+TEST(ScoreboardCommand, ReadsTheRecordsOfACampaignThatGoesOn) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r", journal = path + ".partial";
+  Process running({"--drivers", "properties", "--faults", "none", "--seeds", "100", "--seconds",
+                   "1", "--records", path});
+  const auto is_begun = [&] {
+    std::error_code ignored;
+    return std::filesystem::file_size(journal, ignored) > 200 && !ignored;
+  };
+  for (int i = 0; i < 6000 && !is_begun(); ++i) usleep(10000);
+  const Finished seen = run({"--no-runs", "--records", path});
+  EXPECT_EQ(seen.code, 0) << seen.err;
+  EXPECT_THAT(seen.out, StartsWith("driver"));
+  EXPECT_TRUE(is_begun());
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
   const ScratchFolder folder;
   write_text(folder / "r",
@@ -100,6 +117,23 @@ TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
     EXPECT_NE(at, text.npos) << start;
     EXPECT_EQ(text.find(start, at + 1), text.npos) << start;
   }
+}
+
+TEST(ScoreboardCommand, TellsOfTheFaultsThatWereAskedForAlone) {
+  const ScratchFolder folder;
+  const Finished done =
+      run({"--drivers", "traces", "--faults", "bound.zero", "--only-seed", "1", "--weak-seconds",
+           "0.5", "--verbose", "--tables", folder / "t", "--records", folder / "r"});
+  EXPECT_NE(done.code, 2) << done.err;
+  std::istringstream lines(done.out);
+  int runs = 0;
+  for (std::string line; std::getline(lines, line) && !line.starts_with("driver"); ++runs) {
+    EXPECT_THAT(line, testing::ContainsRegex("^traces +(none|watched|bound.zero) ")) << line;
+  }
+  EXPECT_GE(runs, 2) << done.out;
+  EXPECT_THAT(done.out, testing::ContainsRegex("\ntraces +1 ")) << done.out;
+  const std::string csv = read_text(folder / "t.csv");
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 3) << csv;
 }
 
 TEST(ScoreboardCommand, RunsOnTheRightSourcesAlone) {

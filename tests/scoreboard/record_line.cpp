@@ -16,6 +16,8 @@ bool is_name_of_fault(const std::string& name, const std::vector<Fault>& faults)
 }
 
 Record read_record(const JsonField& line, const std::vector<Fault>& faults) {
+  line.expect_only({"driver", "fault", "seed", "limit", "reached", "triggered", "detected",
+                    "executions", "seconds", "found", "watched", "definition"});
   Record r;
   r.driver = line["driver"].text();
   if (!driver_named(r.driver)) line["driver"].refuse("is not a driver");

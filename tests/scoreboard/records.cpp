@@ -16,6 +16,8 @@ namespace ccdfuzz {
 
 namespace {
 
+const Journal::Header kHeader = {{"format", "ccdfuzz-scoreboard-records"}};
+
 /// All that a file of records holds, each line ended, but for one that was being written when its
 /// writer ended.
 Result<std::string> text_of(const std::string& path) {
@@ -41,14 +43,15 @@ Result<Records> Records::open(const std::string& path, const std::vector<Fault>&
   Records records(faults);
   if (path.empty()) return records;
   records.path_ = path;
-  const bool is_there = std::filesystem::exists(path);
+  // The journal first: a campaign that ends meanwhile takes it away once the file has it all.
   const bool has_journal = std::filesystem::exists(Journal::path_for(path));
-  if (is_there || (use == Use::kRead && !has_journal)) {
+  Result<std::vector<std::string>> journal;
+  if (use == Use::kExtend || has_journal) journal = records.read_journal(use);
+  if (!journal) return tl::unexpected(journal.error());
+  if (std::filesystem::exists(path) || (use == Use::kRead && !has_journal)) {
     if (auto read = records.read_file(); !read) return tl::unexpected(read.error());
   }
-  if (use == Use::kExtend || has_journal) {
-    if (auto read = records.read_journal(); !read) return tl::unexpected(read.error());
-  }
+  if (auto taken = records.take_lines(*journal); !taken) return tl::unexpected(taken.error());
   return records;
 }
 
@@ -68,23 +71,40 @@ Result<void> Records::read_file() {
   return {};
 }
 
-Result<void> Records::read_journal() {
+Result<std::vector<std::string>> Records::read_journal(Use use) {
+  std::vector<std::string> lines;
+  if (const auto begun = begin_journal(); !begun) {
+    if (use == Use::kRead) return Journal::read(Journal::path_for(path_), kHeader);
+    return tl::unexpected(begun.error());
+  }
+  return journal_
+      ->for_each([&](std::string_view line) -> Result<void> {
+        lines.emplace_back(line);
+        return {};
+      })
+      .map([&] { return lines; });
+}
+
+Result<void> Records::begin_journal() {
   // That it can be written is asked now, and not when the campaign is over.
   if (const auto probed = OutputFile::create(path_); !probed) {
     return tl::unexpected(probed.error());
   }
-  const std::string where = Journal::path_for(path_);
-  auto journal = Journal::open(where, {{"format", "ccdfuzz-scoreboard-records"}});
+  auto journal = Journal::open(Journal::path_for(path_), kHeader);
   if (!journal) return tl::unexpected(journal.error());
   journal_.emplace(*std::move(journal));
-  return journal_->for_each([&](std::string_view line) -> Result<void> {
-    const auto record = parse_record(line, where, *faults_);
+  return {};
+}
+
+Result<void> Records::take_lines(const std::vector<std::string>& journal) {
+  for (const std::string& line : journal) {
+    const auto record = parse_record(line, Journal::path_for(path_), *faults_);
     if (!record) return tl::unexpected(record.error());
     take(*record);
     // Both have it where a campaign was interrupted between write_file and remove.
     if (!lines_.contains(line)) added_.append(line) += '\n';
-    return {};
-  });
+  }
+  return {};
 }
 
 void Records::take(const Record& record) {

@@ -40,7 +40,9 @@ struct Record {
 class Records {
  public:
   enum class Use : std::uint8_t {
-    kRead,    ///< the file or its journal must be there
+    /// The file or its journal must be there. The journal of a campaign that goes on, or that
+    /// cannot be written to, is read, and finish() leaves both as they are.
+    kRead,
     kExtend,  ///< both are begun where they are not
   };
 
@@ -65,7 +67,9 @@ class Records {
  private:
   explicit Records(const std::vector<Fault>& faults);
   Result<void> read_file();
-  Result<void> read_journal();
+  Result<std::vector<std::string>> read_journal(Use use);
+  Result<void> begin_journal();
+  Result<void> take_lines(const std::vector<std::string>& journal);
   void take(const Record& record);
 
   std::string path_;

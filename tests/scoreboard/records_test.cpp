@@ -78,6 +78,22 @@ TEST(Records, AreThereAgainWhereTheCampaignWasKilled) {
   EXPECT_EQ(folder.entry_count(), 1);
 }
 
+TEST(Records, OfACampaignThatGoesOnAreReadAndLeftWhereTheyAre) {
+  const ScratchFolder folder;
+  const std::string path = folder / "r", journal = Journal::path_for(path);
+  auto running = Records::open(path, kFaults, Use::kExtend);
+  ASSERT_TRUE(running && running->add(record_of(1)));
+  const std::string text = read_text(journal);
+  auto seen = Records::open(path, kFaults, Use::kRead);
+  ASSERT_TRUE(seen) << seen.error().message();
+  EXPECT_NE(seen->find("hunt", kFault.name, 1, 10), nullptr);
+  ASSERT_TRUE(seen->finish());
+  EXPECT_EQ(folder.entry_count(), 1);
+  EXPECT_EQ(read_text(journal), text);
+  ASSERT_TRUE(running->add(record_of(2)) && running->finish());
+  EXPECT_EQ(Records::open(path, kFaults, Use::kRead)->all().size(), 2);
+}
+
 TEST(Records, AreNotThereTwiceWhereItWasKilledAtItsEnd) {
   const ScratchFolder folder;
   const std::string path = folder / "r", journal = Journal::path_for(path);
@@ -127,7 +143,9 @@ TEST(Records, RefuseWhatIsNoneNamingLineFieldAndValue) {
       {R"("seed":1)", R"("seed":-1)", "r:2: seed: -1 is not a whole number"},
       {R"("limit":10.0)", R"("limit":0.0)", "r:2: limit: 0.0 is not a time limit"},
       {R"("limit":10.0)", R"("limit":-5)", "r:2: limit: -5 is negative"},
-      {R"("detected":false,)", "", R"(r:2: an object has no "detected")"}};
+      {R"("detected":false,)", "", R"(r:2: an object has no "detected")"},
+      {R"("found":)", R"("gone":1,"found":)", "r:2: gone: 1 is unknown"},
+      {R"("found":)", R"("Found":"","found":)", R"(r:2: Found: "" is unknown)"}};
   for (const auto& [from, to, message] : wrong) {
     EXPECT_THAT(refusal_of(good + with(good, from, to)), StartsWith(message));
   }

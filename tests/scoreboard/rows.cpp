@@ -21,9 +21,26 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// What was measured until something was noticed, or until the end without that.
+struct Measured {
+  double value = 0;
+  bool is_whole = false;  ///< noticed
+};
+
+/// What was not noticed took longer than all that was, whatever its limit. Where the median is of
+/// such, it is the least that the ends leave.
+double median(const std::vector<Measured>& all, bool is_whole) {
+  std::vector<double> values;
+  for (const Measured& m : all) {
+    const bool last = is_whole && !m.is_whole;
+    values.push_back(last ? std::numeric_limits<double>::infinity() : m.value);
+  }
+  return median(std::move(values));
+}
+
 Row row_of(const std::vector<const Record*>& runs) {
   Row row;
-  std::vector<double> seconds, executions;
+  std::vector<Measured> seconds, executions;
   row.limit = std::numeric_limits<double>::infinity();
   for (const Record* r : runs) {
     ++row.runs;
@@ -36,12 +53,12 @@ Row row_of(const std::vector<const Record*>& runs) {
       row.limit = std::min(row.limit, r->limit);
       row.most = std::max(row.most, r->limit);
     }
-    seconds.push_back(r->detected ? r->seconds : r->limit);
-    executions.push_back(static_cast<double>(r->executions));
+    seconds.push_back({r->detected ? r->seconds : r->limit, r->detected});
+    executions.push_back({static_cast<double>(r->executions), r->detected});
   }
   if (row.detected == row.runs) row.limit = 0;
-  row.seconds = median(seconds);
-  row.executions = median(executions);
+  row.seconds = median(seconds, row.is_kill());
+  row.executions = median(executions, row.is_kill());
   return row;
 }
 
@@ -54,7 +71,8 @@ the methods. `corpus`: the stored counterexamples, traced and asked, each once. 
 traces, and mutants bred by chance. `hunt`: the same, bred by margins. `libfuzzer`: our decoders and
 mutator. `properties`: every property that holds, on draws of its own.
 
-Times are medians over the seeds, and over the faults: of a run that did not notice, the limit. Each
+Times are medians over the seeds, and over the faults: a run that did not notice counts as longer than
+all that did, whatever its limit; where the median is of such, it is at least (≥) the limit. Each
 cell below is the median time to a kill, "missed" (in some run the fault's wrong value differed from
 the right one, and nothing was noticed), "not triggered" (it was computed and never differed), "not
 reached", or empty where nothing was measured; (3 of 5) is the share of seeds that noticed. Except
@@ -193,7 +211,7 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
   for (const Driver driver : kDrivers) {
     DriverRow d;
     d.driver = name_of(driver);
-    std::vector<double> seconds, executions;
+    std::vector<Measured> seconds, executions;
     for (const Row& row : rows) {
       if (row.driver != d.driver || row.equivalent) continue;
       if (row.fault == kNoFault) {
@@ -211,15 +229,15 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
         d.limit = d.most_limit == 0 ? row.limit : std::min(d.limit, row.limit);
         d.most_limit = std::max(d.most_limit, row.most);
       }
-      seconds.push_back(row.seconds);
-      executions.push_back(row.executions);
+      seconds.push_back({row.seconds, row.is_kill()});
+      executions.push_back({row.executions, row.is_kill()});
       d.mean_seconds += row.seconds;
     }
     if (d.faults == 0) continue;
     d.mean_seconds /= static_cast<double>(d.faults);
-    d.seconds = median(seconds);
-    d.executions = median(executions);
     d.censored = 2 * d.killed <= d.faults;
+    d.seconds = median(seconds, !d.censored);
+    d.executions = median(executions, !d.censored);
     out.push_back(d);
   }
   return out;

@@ -10,7 +10,8 @@
 namespace ccdfuzz {
 
 /// What the runs of one driver against one fault say together; times and executions are medians
-/// over the runs, where a run that did not detect the fault counts as its limit ("censored").
+/// over the runs, where one that did not detect the fault counts as longer than all that did,
+/// whatever its limit; where the median is of such a run, it is at least so much ("censored").
 struct Row {
   std::string driver, fault;  ///< fault "none": false alarms
   bool equivalent = false;
@@ -34,7 +35,7 @@ struct DriverRow {
   double limit = 0, most_limit = 0;           ///< CPU seconds of the runs that detected nothing
   std::size_t watched = 0;                    ///< faults decided without a run of their own
   double seconds = 0, executions = 0;         ///< medians over the faults, misses censored
-  double mean_seconds = 0;                    ///< restricted to the limit
+  double mean_seconds = 0;                    ///< restricted to the limits
   bool censored = false;  ///< the median is that of a miss: it is at least so much
 };
 

@@ -22,7 +22,7 @@ struct Options : CampaignOptions {
   bool no_runs = false;
 };
 
-/// A row a driver: how many faults it noticed, and how soon; misses count as the limit.
+/// A row a driver: how many faults it noticed, and how soon (rows.hpp).
 void print_summary(const std::vector<DriverRow>& drivers) {
   Table table({{"driver", Align::kLeft},
                {"faults"},
@@ -72,13 +72,15 @@ int run_all(const Options& options) {
   }
   if (records->all().empty()) return fail({options.records, "has no record"});
   if (const auto finished = records->finish(); !finished) return fail(finished.error());
-  print_summary(driver_rows(rows_of(*faults, *records)));
+  // The watched run, and the file of records, tell of more.
+  const std::vector<Fault> asked = asked_faults(options, *faults);
+  print_summary(driver_rows(rows_of(asked, *records)));
   if (!options.tables.empty()) {
-    if (const auto written = write_tables(options.tables, *faults, *records); !written) {
+    if (const auto written = write_tables(options.tables, asked, *records); !written) {
       return fail(written.error());
     }
   }
-  const std::vector<std::string> wrong = complaints(*faults, *records);
+  const std::vector<std::string> wrong = complaints(asked, *records);
   for (const std::string& text : wrong) std::cout << text << '\n';
   if (!std::cout.flush()) return fail({"stdout", "cannot be written"});
   return wrong.empty() ? 0 : 1;
@@ -120,10 +122,10 @@ void add_options(CLI::App& app, Options& options) {
             "random, rapidcheck, libfuzzer-raw, contacts, traces, corpus, by-chance, libfuzzer, "
             "properties, hunt; by default all that this build has: libFuzzer needs clang and "
             "CCDFUZZ_FUZZ");
-  add_names(
-      "--faults", options.faults,
-      "Names; by default all. Each driver runs on the right sources first; \"none\": on these "
-      "alone, \"watched\": then with all faults watched");
+  add_names("--faults", options.faults,
+            "Names; by default all. What is printed and written to --tables is of these alone. "
+            "Each driver runs on the right sources first; \"none\": on these "
+            "alone, \"watched\": then with all faults watched");
   add_whole("--seeds", options.seeds, "Runs of each driver against each fault, seeds 1 to N")
       ->capture_default_str();
   add_seconds("--seconds", options.seconds, "CPU time of a run");
@@ -143,7 +145,10 @@ void add_options(CLI::App& app, Options& options) {
                      "is over: one that stopped goes on from there")
           ->type_name("FILE");
   CLI::Option* const no_runs = app.add_flag(
-      "--no-runs", options.no_runs, "Runs nothing: prints, and writes, what the records say");
+      "--no-runs", options.no_runs,
+      "Runs nothing: prints, and writes to --tables, what the records say, with those of "
+      "FILE.partial: of a campaign that goes on they are only read, of one that ended put into "
+      "FILE");
   no_runs->needs(records);
   for (CLI::Option* option : of_runs) no_runs->excludes(option);
 }
