@@ -10,6 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "tdibm-e.conservative_decisions",
       "tdibm-e.convex_chain",
       "tdibm-e.coefficient_error",
+      "tdibm-e.eps_constr",
       "lines.sorting",
       "paper.axis_error",
       "paper.linear_bound",

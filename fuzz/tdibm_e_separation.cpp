@@ -7,6 +7,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static constexpr auto kClaims = std::to_array<std::string_view>({
       "tdibm-e.separation",
       "tdibm-e.ends",
+      "tdibm-e.pulled_roots",
       "tdibm-e.safe_roots",
       "tdibm-e.safe_roots_of_sums",
       "paper.eps_Psi",

@@ -9,6 +9,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "tdibm-rational.no_false_negative_fine",
       "tdibm-rational.no_false_negative_linear",
       "tdibm-rational.trace",
+      "tdibm-rational.error_bound",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }
