@@ -19,6 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "checker.refuses_wrong_witnesses",
       "checker.refuses_wrong_linear_clearances",
       "checker.refuses_wrong_roots",
+      "checker.decides_quadratics",
+      "checker.refuses_negative_polynomials",
+      "checker.sees_nonnegative_rows",
       "miss_tree.round_trip",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);

@@ -19,6 +19,7 @@
 #include "properties/no_false_negative.hpp"
 #include "properties/omission.hpp"
 #include "properties/outside_data.hpp"
+#include "properties/polynomials.hpp"
 #include "properties/predicates.hpp"
 #include "properties/rounding.hpp"
 #include "properties/search_claims.hpp"
@@ -121,6 +122,7 @@ const std::vector<Property>& properties() {
                                traced_properties,
                                search_properties,
                                certificate_properties,
+                               polynomial_properties,
                                linear_certificate_properties,
                                miss_tree_properties,
                                spoilt_certificate_properties,
