@@ -12,6 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "checker.refuses_moved_contacts",
       "checker.refuses_contacts_after_t_max",
       "checker.refuses_clearance_past_a_contact",
+      "checker.refuses_wrong_claims",
+      "checker.refuses_proofs_before_start",
       "checker.refuses_wrong_trees",
       "checker.refuses_wrong_planes",
       "checker.refuses_wrong_boxes",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "properties/arithmetic.hpp"
+#include "properties/case_claims.hpp"
 #include "properties/case_file.hpp"
 #include "properties/certificates.hpp"
 #include "properties/coefficients.hpp"
@@ -122,6 +123,7 @@ const std::vector<Property>& properties() {
                                traced_properties,
                                search_properties,
                                certificate_properties,
+                               case_claim_properties,
                                polynomial_properties,
                                linear_certificate_properties,
                                miss_tree_properties,
