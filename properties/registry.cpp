@@ -12,6 +12,7 @@
 #include "properties/generator_steps.hpp"
 #include "properties/geometry.hpp"
 #include "properties/intersection.hpp"
+#include "properties/judge_claims.hpp"
 #include "properties/linear_certificates.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/method_answers.hpp"
@@ -119,6 +120,7 @@ const std::vector<Property>& properties() {
                                arithmetic_properties,
                                generator_properties,
                                method_answer_properties,
+                               judge_properties,
                                method_symmetry_properties,
                                traced_properties,
                                search_properties,
