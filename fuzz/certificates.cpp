@@ -12,6 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "checker.refuses_moved_contacts",
       "checker.refuses_contacts_after_t_max",
       "checker.refuses_clearance_past_a_contact",
+      "checker.refuses_wrong_claims",
+      "checker.refuses_proofs_before_start",
       "checker.refuses_wrong_trees",
       "checker.refuses_wrong_planes",
       "checker.refuses_wrong_boxes",
@@ -19,6 +21,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "checker.refuses_wrong_witnesses",
       "checker.refuses_wrong_linear_clearances",
       "checker.refuses_wrong_roots",
+      "checker.decides_quadratics",
+      "checker.refuses_negative_polynomials",
+      "checker.sees_nonnegative_rows",
       "miss_tree.round_trip",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);

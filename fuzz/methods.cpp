@@ -21,6 +21,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "methods.scale_time",
       "methods.mirror",
       "judge.sees_misses_and_late_answers",
+      "judge.sees_false_positives",
+      "judge.keeps_to_terms_of_time",
+      "judge.keeps_to_terms_of_space",
   });
   return ccdfuzz::check_bytes_of_any(kClaims, data, size);
 }

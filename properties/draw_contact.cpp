@@ -1,5 +1,8 @@
 #include "properties/draw_contact.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "bezier/blossom.hpp"
 #include "properties/draw_patch.hpp"
 
@@ -150,6 +153,12 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
   return drawn;
 }
 
+double draw_double_near(ChoiceSource& choices, const Rational& near) {
+  const double x = choices.nudged(round_down(near), 2);
+  const int exponent = choices.pick(std::array{0, 0, 0, -1, 1});
+  return std::max(0.0, std::ldexp(x, exponent));
+}
+
 GeneratorOptions draw_regular_options(ChoiceSource& choices) {
   GeneratorOptions options;
   options.construction = Construction::kOneSided;
@@ -174,6 +183,14 @@ GeneratorOptions draw_generator_options(ChoiceSource& choices) {
   options.shapes.reset();
   if (!is_made(family, options.contact, options.kind)) options.kind = CaseKind::kRP;
   return options;
+}
+
+Case draw_generated(ChoiceSource& choices) {
+  constexpr std::uint64_t kRare = 31;
+  GeneratorOptions options = draw_generator_options(choices);
+  const bool rare = choices.choose(kRare) == kRare;
+  if (options.kind == CaseKind::kNHP && !options.shapes && !rare) options.kind = CaseKind::kRP;
+  return generate(options, 0).value;
 }
 
 }  // namespace ccdfuzz

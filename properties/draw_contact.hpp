@@ -25,9 +25,17 @@ struct ContactRange {
 /// holds.
 Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range);
 
+/// A time that a query may end at: the double below `near` ≥ 0, one of a few next to it, or one
+/// half or twice as large.
+double draw_double_near(ChoiceSource& choices, const Rational& near);
+
 /// A case of the inverse construction to generate: of any class, family and kind that is made.
 GeneratorOptions draw_generator_options(ChoiceSource& choices);
 /// The same of the regular family, half of the time of other shapes than quadratic triangles.
 GeneratorOptions draw_regular_options(ChoiceSource& choices);
+
+/// A generated case of those options. Near-hits of quadratic triangles are rare, as they are
+/// searched for and take as long as a hundred others.
+Case draw_generated(ChoiceSource& choices);
 
 }  // namespace ccdfuzz

@@ -174,30 +174,6 @@ Check check_meeting_points(ChoiceSource& choices) {
   return Check::fails(fmt::format("{}, points that meet at {}\n{}", name, t, to_json(asked)));
 }
 
-/// The judge on made-up answers about a proven contact.
-Check check_judge(ChoiceSource& choices) {
-  const Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded("a number is not a double");
-  const double t = *to_double_exactly(drawn->truth.witness->t), t_max = drawn->query.t_max;
-  const auto outcome = [&](Verdict verdict, std::optional<double> toi) {
-    Answer answer;
-    answer.verdict = verdict;
-    answer.toi = toi;
-    return judge(drawn->query, drawn->truth, answer);
-  };
-  const double after = std::nextafter(t, HUGE_VAL);
-  const bool right =
-      outcome(Verdict::kMiss, {}) == Outcome::kMissed &&
-      outcome(Verdict::kHit, t) == Outcome::kCorrect &&
-      outcome(Verdict::kHit, 0) == Outcome::kCorrect &&
-      outcome(Verdict::kHit, after) == (after <= t_max ? Outcome::kLate : Outcome::kError) &&
-      outcome(Verdict::kHit, {}) == Outcome::kError &&
-      outcome(Verdict::kHit, std::nan("")) == Outcome::kError &&
-      outcome(Verdict::kHit, std::nextafter(t_max, HUGE_VAL)) == Outcome::kError &&
-      outcome(Verdict::kUndecided, {}) == Outcome::kUndecided;
-  return right ? Check::holds() : Check::fails(to_json(*drawn));
-}
-
 /// The checker refuses a witness at another time unless the patches touch there too.
 Check check_wrong_witness(ChoiceSource& choices) {
   Result<Case> drawn = draw_contact(choices, {});
@@ -252,9 +228,6 @@ std::vector<Property> method_answer_properties() {
        "Section 3", kHolds, check_far_apart},
       {"methods.hit_where_points_meet", "Methods that claim to miss nothing hit where points meet",
        "Section 3", kHolds, check_meeting_points},
-      {"judge.sees_misses_and_late_answers",
-       "A miss and a toi after a proven contact are false negatives, and nonsense is an error",
-       "src/query/judge.hpp", kHolds, check_judge},
       {"checker.refuses_wrong_witnesses", "A witness is accepted iff the patches touch in it",
        "src/certify/checker/check_witness.hpp", kHolds, check_wrong_witness},
   };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "properties/arithmetic.hpp"
+#include "properties/case_claims.hpp"
 #include "properties/case_file.hpp"
 #include "properties/certificates.hpp"
 #include "properties/certified_bounds.hpp"
@@ -13,6 +14,7 @@
 #include "properties/generator_steps.hpp"
 #include "properties/geometry.hpp"
 #include "properties/intersection.hpp"
+#include "properties/judge_claims.hpp"
 #include "properties/linear_certificates.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/method_answers.hpp"
@@ -22,6 +24,7 @@
 #include "properties/omission.hpp"
 #include "properties/outside_data.hpp"
 #include "properties/pair_windows.hpp"
+#include "properties/polynomials.hpp"
 #include "properties/predicates.hpp"
 #include "properties/rounding.hpp"
 #include "properties/search_claims.hpp"
@@ -122,6 +125,7 @@ const std::vector<Property>& properties() {
                                arithmetic_properties,
                                generator_properties,
                                method_answer_properties,
+                               judge_properties,
                                method_symmetry_properties,
                                traced_properties,
                                search_properties,
@@ -129,6 +133,8 @@ const std::vector<Property>& properties() {
                                pair_window_properties,
                                filter_bound_properties,
                                certificate_properties,
+                               case_claim_properties,
+                               polynomial_properties,
                                linear_certificate_properties,
                                miss_tree_properties,
                                spoilt_certificate_properties,

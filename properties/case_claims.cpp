@@ -1,0 +1,179 @@
+#include "properties/case_claims.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "certify/linear/first_contact.hpp"
+#include "properties/draw_contact.hpp"
+#include "properties/draw_linear.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// k·2^-e, of either sign; 0 is not rare.
+Rational draw_step(ChoiceSource& choices, int most_bits) {
+  const auto steps = static_cast<long>(choices.integer(-2, 2));
+  return steps * power_of_two(-static_cast<long>(choices.integer(0, most_bits)));
+}
+
+/// A linear query, clear up to its first contact by the checker's own decision, and its witness if
+/// the contact comes at a rational time.
+Result<Case> draw_linear_proofs(ChoiceSource& choices) {
+  Result<Query> query = draw_linear(choices);
+  if (!query) return tl::unexpected(query.error());
+  Case proven;
+  proven.query = *std::move(query);
+  LinearClearance clearance{exact(proven.query.t_max), choices.coin()};
+  if (auto contact = linear::first_contact(proven.query)) {
+    constexpr long kFinest = -64;  // the last bit of any double from 2^-12 on
+    contact->time.narrow(power_of_two(kFinest));
+    clearance.until = contact->time.lo();
+    if (contact->time.is_rational()) {
+      proven.truth.witness = linear::witness_of(linear::exact_patches(proven.query), *contact);
+    }
+    if (clearance.closed) clearance.until /= 2;
+    clearance.closed = clearance.closed && clearance.until < contact->time.lo();
+  }
+  proven.truth.clearance = clearance;
+  return proven;
+}
+
+/// A case with what it proves, a contact, its absence or both, and nothing that it says. A tree
+/// stands in no file: check_absence comes as far as that.
+Result<Case> draw_proofs(ChoiceSource& choices) {
+  enum class Source : std::uint8_t { kGenerated, kContact, kLinear, kTree };
+  const Source source = choices.pick(
+      std::array{Source::kGenerated, Source::kContact, Source::kLinear, Source::kTree});
+  if (source == Source::kLinear) return draw_linear_proofs(choices);
+  if (source == Source::kContact) return draw_contact(choices, {});
+  Case made = draw_generated(choices);
+  if (source == Source::kTree && made.truth.clear_until) {
+    made.truth.clearance = MissTree{*made.truth.clear_until, {}};
+  }
+  return made;
+}
+
+/// A time that the case's proofs are about.
+Rational draw_proven_time(ChoiceSource& choices, const Case& proven) {
+  const Truth& truth = proven.truth;
+  const bool of_contact = choices.coin();
+  if (truth.witness && (of_contact || !truth.clearance)) return truth.witness->t;
+  return truth.clearance ? until_of(*truth.clearance) : exact(proven.query.t_max);
+}
+
+/// Whether the proofs of contact bear what a case says.
+bool contact_bears(const Case& claim) {
+  const Truth& truth = claim.truth;
+  const Rational t_max = exact(claim.query.t_max);
+  const bool touches = truth.witness && truth.witness->t <= t_max;
+  if (truth.collides && *truth.collides != touches) return false;
+  if (!truth.clear_until) return true;
+  return *truth.clear_until >= 0 && !(truth.witness && truth.witness->t < *truth.clear_until);
+}
+
+/// Whether the clearance, which is open at its end or closed, bears what a case says of absence.
+bool clearance_bears(const Case& claim) {
+  const Truth& truth = claim.truth;
+  if (!truth.clearance) return false;
+  const Rational& until = until_of(*truth.clearance);
+  const bool open = std::holds_alternative<MovingPlane>(*truth.clearance) ||
+                    (std::holds_alternative<LinearClearance>(*truth.clearance) &&
+                     !std::get<LinearClearance>(*truth.clearance).closed);
+  const Rational t_max = exact(claim.query.t_max);
+  const bool reaches = open ? t_max < until : t_max <= until;
+  if (truth.collides == false && !reaches) return false;
+  return !truth.clear_until || *truth.clear_until <= until;
+}
+
+bool absence_is_accepted(const Case& claim) {
+  const auto checked = check_absence(claim, "no file");
+  return checked || checked.error().where == "truth.certificate.clear.tree";
+}
+
+Check borne_iff(bool accepted, bool expected, const char* what, const Case& claim) {
+  if (accepted == expected) return Check::holds();
+  return Check::fails(
+      fmt::format("{} {}\n{}", accepted ? "accepts" : "refuses", what, to_json(claim)));
+}
+
+/// A case that is proven, asked up to another time, and with other things said of it.
+Check check_claims_of_case(ChoiceSource& choices) {
+  Result<Case> drawn = draw_proofs(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  Case& claim = *drawn;
+  const Rational end = draw_proven_time(choices, claim);
+  claim.query.t_max = draw_double_near(choices, end);
+  constexpr std::array<std::optional<bool>, 3> kSaid = {std::nullopt, false, true};
+  claim.truth.collides = choices.pick(kSaid);
+  claim.truth.clear_until.reset();
+  if (choices.coin()) {
+    constexpr int kMostBits = 60;
+    const Rational near = draw_proven_time(choices, claim);
+    const Rational until = near + draw_step(choices, kMostBits);
+    claim.truth.clear_until = until;
+  }
+  const Check of_contact = borne_iff(check_truth(claim).has_value(), contact_bears(claim),
+                                     "what is said, by its contact", claim);
+  if (of_contact.status == Check::Status::kFails) return of_contact;
+  return borne_iff(absence_is_accepted(claim), clearance_bears(claim),
+                   "what is said, by its clearance", claim);
+}
+
+/// The same motion from another time on; false if it takes numbers that no double holds.
+bool begin_at(Case& moving, const Rational& start) {
+  for (MovingPatch<double>& patch : moving.query.patches) {
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const Rational moved = exact(patch.positions[i][k]) + start * exact(patch.velocities[i][k]);
+        const auto x = to_double_exactly(moved);
+        if (!x) return false;
+        patch.positions[i][k] = *x;
+      }
+    }
+  }
+  if (moving.truth.witness) moving.truth.witness->t -= start;
+  if (moving.truth.clearance) std::get<MovingPlane>(*moving.truth.clearance).until -= start;
+  return true;
+}
+
+/// What is proven of a time is proven of the motion from another time on, unless it comes before
+/// t = 0 then.
+Check check_other_start(ChoiceSource& choices) {
+  Result<Case> drawn =
+      choices.coin() ? Result<Case>(draw_generated(choices)) : draw_contact(choices, {});
+  if (!drawn) return Check::discarded(drawn.error().message());
+  Case& moved = *drawn;
+  moved.truth.collides.reset();
+  moved.truth.clear_until.reset();
+  constexpr int kMostBits = 8;
+  const Rational time = draw_proven_time(choices, moved);
+  const Rational start = time + draw_step(choices, kMostBits);
+  if (!begin_at(moved, start)) return Check::discarded("a number is not a double");
+  const auto& witness = moved.truth.witness;
+  const auto& clearance = moved.truth.clearance;
+  const Check of_contact =
+      borne_iff(check_truth(moved).has_value(), !witness || witness->t >= 0, "the witness", moved);
+  if (of_contact.status == Check::Status::kFails || !clearance) return of_contact;
+  return borne_iff(check_clearance(moved.query, *clearance, "").has_value(),
+                   until_of(*clearance) >= 0, "the plane", moved);
+}
+
+}  // namespace
+
+std::vector<Property> case_claim_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"checker.refuses_wrong_claims",
+       "What a case says of collision up to any t_max and of clear_until is accepted iff the times "
+       "of its contact and of its clearance bear it",
+       "src/certify/checker/check_truth.hpp", kHolds, check_claims_of_case},
+      {"checker.refuses_proofs_before_start",
+       "The proofs of a motion are accepted of the same motion from another time on, and refused "
+       "iff what they prove comes before t = 0 then",
+       "src/certify/checker/check_witness.hpp", kHolds, check_other_start},
+  };
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,256 @@
+#include "properties/polynomials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "certify/checker/nonnegative.hpp"
+#include "properties/draw_patch.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// factor·u^a·v^b.
+struct Monomial {
+  int a, b;
+  Rational factor;
+};
+using Polynomial = std::vector<Monomial>;
+
+/// x·(x − 1)·… of so many factors.
+Rational falling(int x, int factors) {
+  Rational product = 1;
+  for (int k = 0; k < factors; ++k) product *= x - k;
+  return product;
+}
+
+/// Whether the shape has a polynomial of that term, and so of its Bernstein coefficients.
+bool has_term(const Shape& shape, int a, int b) {
+  return shape.kind == ShapeKind::kTriangle ? a + b <= shape.n : a <= shape.n && b <= shape.m;
+}
+
+int last_in_v(const Shape& shape, int i) {
+  return shape.kind == ShapeKind::kTriangle ? shape.n - i : shape.m;
+}
+
+/// In Shape's order. u^a·v^b has the coefficients C(i,a)/C(n,a)·C(j,b)/C(m,b), on a triangle
+/// i!/(i−a)!·j!/(j−b)!·(n−a−b)!/n!, by a multiplication with (u + w)^(n−a) and so on.
+std::vector<Rational> coefficients_of(const Shape& shape, const Polynomial& polynomial) {
+  const bool triangle = shape.kind == ShapeKind::kTriangle;
+  std::vector<Rational> out;
+  for (int i = 0; i <= shape.n; ++i) {
+    for (int j = 0; j <= last_in_v(shape, i); ++j) {
+      Rational sum = 0;
+      for (const auto& [a, b, factor] : polynomial) {
+        const Rational whole = triangle ? falling(shape.n, a + b)
+                                        : Rational(falling(shape.n, a) * falling(shape.m, b));
+        sum += factor * falling(i, a) * falling(j, b) / whole;
+      }
+      out.push_back(sum);
+    }
+  }
+  return out;
+}
+
+Rational value_at(const Polynomial& polynomial, const Uv<Rational>& at) {
+  Rational sum = 0;
+  for (const auto& [a, b, factor] : polynomial) {
+    Rational term = factor;
+    for (int k = 0; k < a; ++k) term *= at[0];
+    for (int k = 0; k < b; ++k) term *= at[1];
+    sum += term;
+  }
+  return sum;
+}
+
+/// The corners of a shape's domain, in a cycle.
+std::vector<Uv<Rational>> domain_corners(const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return {{0, 0}};
+    case ShapeKind::kCurve:
+      return {{0, 0}, {1, 0}};
+    case ShapeKind::kTriangle:
+      return {{0, 0}, {1, 0}, {0, 1}};
+    case ShapeKind::kTensor:
+      return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  }
+  return {};
+}
+
+/// Where a quadratic is least inside of the domain: where both derivatives are 0, if it is convex
+/// both ways there. If it is convex one way only and flat the other, it is as low on the boundary.
+std::optional<Uv<Rational>> least_inside(const Shape& shape, const Polynomial& quadratic) {
+  const auto factor = [&](int a, int b) {
+    Rational sum = 0;
+    for (const Monomial& m : quadratic) {
+      if (m.a == a && m.b == b) sum += m.factor;
+    }
+    return sum;
+  };
+  const Rational uu = factor(2, 0), uv = factor(1, 1), vv = factor(0, 2);
+  const Rational u = factor(1, 0), v = factor(0, 1);
+  const Rational determinant = 4 * uu * vv - uv * uv;
+  if (determinant <= 0 || uu <= 0) return std::nullopt;
+  const Uv<Rational> at = {Rational((uv * v - 2 * vv * u) / determinant),
+                           Rational((uv * u - 2 * uu * v) / determinant)};
+  if (!shape.contains(at)) return std::nullopt;
+  return at;
+}
+
+/// The least value of a polynomial of total degree at most 2 on the domain.
+Rational least_of_quadratic(const Shape& shape, const Polynomial& quadratic) {
+  const auto corners = domain_corners(shape);
+  Rational least = value_at(quadratic, corners[0]);
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const Uv<Rational>&p = corners[c], &q = corners[(c + 1) % corners.size()];
+    const auto along = [&](const Rational& s) {
+      const Uv<Rational> at = {Rational(p[0] + s * (q[0] - p[0])),
+                               Rational(p[1] + s * (q[1] - p[1]))};
+      return value_at(quadratic, at);
+    };
+    // value + slope·s + bend·s² on the edge
+    const Rational value = along(0), end = along(1);
+    const Rational bend = 2 * (value + end - 2 * along(Rational(1, 2)));
+    const Rational slope = end - value - bend;
+    least = std::min(least, value);
+    if (bend <= 0) continue;
+    const Rational lowest = -slope / (2 * bend);
+    if (0 < lowest && lowest < 1) least = std::min(least, along(lowest));
+  }
+  if (const auto at = least_inside(shape, quadratic)) {
+    least = std::min(least, value_at(quadratic, *at));
+  }
+  return least;
+}
+
+/// All terms up to a degree that the shape has, of small whole factors, and none of degree 0.
+Polynomial draw_terms(ChoiceSource& choices, const Shape& shape, int max_degree) {
+  constexpr int kLargest = 4;
+  Polynomial drawn;
+  for (int degree = 1; degree <= max_degree; ++degree) {
+    for (int b = 0; b <= degree; ++b) {
+      if (!has_term(shape, degree - b, b)) continue;
+      const auto factor = static_cast<long>(choices.integer(-kLargest, kLargest));
+      drawn.push_back({degree - b, b, factor});
+    }
+  }
+  return drawn;
+}
+
+/// From 1 down to where a sum with the numbers drawn here would be rounded in doubles.
+Rational draw_little(ChoiceSource& choices) {
+  constexpr int kFinest = -60;
+  return power_of_two(static_cast<long>(choices.integer(kFinest, 0)));
+}
+
+/// How far above 0 the least value is to be.
+Rational draw_gap(ChoiceSource& choices, int least) {
+  const auto units = static_cast<long>(choices.integer(least, 1));
+  return units * draw_little(choices);
+}
+
+Check decided_iff(const Shape& shape, const std::vector<Rational>& coefficients, bool expected,
+                  const char* what) {
+  if (is_nonnegative(shape, coefficients) == expected) return Check::holds();
+  std::string text =
+      fmt::format("{} {}, {}:", expected ? "does not see" : "takes for ≥ 0", what, to_text(shape));
+  for (const Rational& c : coefficients) text += " " + to_text(c);
+  return Check::fails(text);
+}
+
+/// Of total degree at most 2 the decision is for certain, in whatever shape.
+Check check_quadratics(ChoiceSource& choices) {
+  constexpr int kMaxShapeDegree = 3;
+  const Shape shape = draw_shape(choices, kMaxShapeDegree);
+  Polynomial drawn = draw_terms(choices, shape, 2);
+  const Rational gap = draw_gap(choices, -1);
+  const Rational constant = gap - least_of_quadratic(shape, drawn);
+  drawn.push_back({0, 0, constant});
+  return decided_iff(shape, coefficients_of(shape, drawn), gap >= 0, "a least value of known sign");
+}
+
+/// Nothing of any degree is ≥ 0 that is not so at a point of a lattice.
+Check check_negative_somewhere(ChoiceSource& choices) {
+  constexpr int kMaxShapeDegree = 3, kSteps = 4;
+  const Shape shape = draw_shape(choices, kMaxShapeDegree);
+  Polynomial drawn = draw_terms(choices, shape, shape.n + shape.m);
+  std::optional<Rational> least;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const Uv<Rational> at = {Rational(i) / kSteps, Rational(j) / kSteps};
+      if (!shape.contains(at)) continue;
+      const Rational value = value_at(drawn, at);
+      if (!least || value < *least) least = value;
+    }
+  }
+  const Rational below = draw_little(choices);
+  const Rational constant = -*least - below;
+  drawn.push_back({0, 0, constant});
+  return decided_iff(shape, coefficients_of(shape, drawn), false, "what is negative somewhere");
+}
+
+/// A polynomial in one variable that is ≥ 0 on [0, 1], of whichever kind is_nonnegative promises
+/// to see, by its coefficients.
+std::vector<Rational> draw_row(ChoiceSource& choices, int degree) {
+  constexpr int kLargest = 4;
+  if (degree < 2 || choices.coin()) {
+    std::vector<Rational> row;
+    for (int k = 0; k <= degree; ++k) {
+      row.emplace_back(static_cast<long>(choices.integer(0, kLargest)));
+    }
+    return row;
+  }
+  const Shape curve = Shape::curve(degree);
+  Polynomial drawn = draw_terms(choices, curve, 2);
+  const Rational constant = draw_gap(choices, 0) - least_of_quadratic(curve, drawn);
+  drawn.push_back({0, 0, constant});
+  return coefficients_of(curve, drawn);
+}
+
+/// Rows that are ≥ 0 along u, v or, on a triangle, its third edge.
+Check check_rows(ChoiceSource& choices) {
+  constexpr int kMostDegree = 4;
+  const bool triangle = choices.coin();
+  const auto n = static_cast<int>(choices.integer(1, kMostDegree));
+  const auto m = static_cast<int>(choices.integer(1, kMostDegree));
+  const Shape shape = triangle ? Shape::triangle(n) : Shape::tensor(n, m);
+  const std::uint64_t direction = choices.choose(triangle ? 2 : 1);
+  std::vector<Rational> coefficients(static_cast<std::size_t>(shape.control_count()));
+  const int rows = direction == 1 && !triangle ? shape.m : shape.n;
+  for (int r = 0; r <= rows; ++r) {
+    const int degree = triangle ? shape.n - r : shape.n + shape.m - rows;
+    const std::vector<Rational> row = draw_row(choices, degree);
+    for (int k = 0; k <= degree; ++k) {
+      const int place = direction == 0   ? shape.index(r, k)
+                        : direction == 1 ? shape.index(k, r)
+                                         : shape.index(shape.n - r - k, k);
+      coefficients[static_cast<std::size_t>(place)] = row[static_cast<std::size_t>(k)];
+    }
+  }
+  return decided_iff(shape, coefficients, true, "rows that are ≥ 0");
+}
+
+}  // namespace
+
+std::vector<Property> polynomial_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  constexpr auto kSource = "src/certify/checker/nonnegative.hpp";
+  return {
+      {"checker.decides_quadratics",
+       "A polynomial of total degree at most 2 is seen to be >= 0 iff its least value is, among "
+       "those of corners, edges and where it is level",
+       kSource, kHolds, check_quadratics},
+      {"checker.refuses_negative_polynomials",
+       "No polynomial of any degree that is negative at a point is taken for one that is >= 0",
+       kSource, kHolds, check_negative_somewhere},
+      {"checker.sees_nonnegative_rows",
+       "A polynomial whose rows along either parameter, or any edge of a triangle, are >= 0 is "
+       "seen to be so",
+       kSource, kHolds, check_rows},
+  };
+}
+
+}  // namespace ccdfuzz
