@@ -8,6 +8,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "dyadic.round_trip",
       "wide_int.is_gmp",
       "double.parts",
+      "double.exact_sums",
       "interval.encloses",
       "interval.is_tight",
       "rational.rounding",

@@ -7,6 +7,7 @@
 #include "ccd/line.hpp"
 #include "ccd/next_double.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "generators/exact_sum.hpp"
 #include "numeric/double_parts.hpp"
 #include "numeric/interval.hpp"
 #include "numeric/wide_int.hpp"
@@ -202,6 +203,18 @@ Check check_tree_bits(ChoiceSource& choices) {
   return reader.at_end() ? Check::holds() : Check::fails("something is left after" + text);
 }
 
+Check check_exact_sums(ChoiceSource& choices) {
+  const double a = draw_double(choices);
+  const double b = choices.coin() ? draw_double(choices) : choices.nudged(-a, 20);
+  double sum = a;
+  const bool is_exact = add_exactly(sum, b);
+  const std::optional<double> exact_sum = (Dyadic::exact(a) + Dyadic::exact(b)).to_double_exactly();
+  const bool holds = exact_sum ? is_exact && sum == *exact_sum : !is_exact;
+  if (holds) return Check::holds();
+  return Check::fails(fmt::format("{} + {} is said to be {} {}", to_hex(a), to_hex(b),
+                                  is_exact ? "exactly" : "about", to_hex(sum)));
+}
+
 }  // namespace
 
 std::vector<Property> arithmetic_properties() {
@@ -217,6 +230,8 @@ std::vector<Property> arithmetic_properties() {
        "src/numeric/wide_int.hpp", kHolds, check_wide_int},
       {"double.parts", "A double is its mantissa times its power of two, and next_up is nextafter",
        "src/numeric/double_parts.hpp", kHolds, check_double_parts},
+      {"double.exact_sums", "A sum of doubles is told from a rounded one",
+       "generators/exact_sum.hpp", kHolds, check_exact_sums},
       {"number.texts", "Numbers come back from the texts that files hold", "the case format",
        kHolds, check_number_texts},
       {"paper.every_dyadic_is_a_double", "p/2^k with |p| < 2^53 is a double for any p and k",

@@ -32,7 +32,7 @@ function summary() {
     { title: 'killed', number: true, text: (d) => `${d.killed} of ${d.faults}` },
     { title: 'reached', number: true, text: (d) => d.reached },
     { title: 'triggered', number: true, text: (d) => d.triggered },
-    { title: 'median CPU time, misses counted as the limit', number: true, text: (d) => `${d.censored ? '≥ ' : ''}${durationText(d.seconds)}` },
+    { title: 'median CPU time, misses counted as longest', number: true, text: (d) => `${d.censored ? '≥ ' : ''}${durationText(d.seconds)}` },
     { title: 'false alarms', number: true, text: (d) => `${d.false_alarms} of ${d.clean_runs}`, mark: (d) => (d.false_alarms > 0 ? 'bad' : '') },
   ];
   const data = () => csv([['driver', 'killed', 'faults', 'reached', 'triggered', 'median_seconds', 'censored', 'false_alarms', 'clean_runs'],
