@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "ccd/certified/tdibm_c.hpp"
 
@@ -34,6 +35,23 @@ TEST(TdibmC, ProvesAMissJustBeforeTheContact) {
   for (const double scale : {1.0, 0x1p-1000, 0x1p900, 0x1p1019}) {
     const Query query{{triangle(0, 0, scale), triangle(1, -1, scale)}, 1 - 0x1p-30};
     EXPECT_EQ(ask(query).verdict, Verdict::kMiss) << to_hex(scale);
+  }
+}
+
+TEST(TdibmC, IsNotLateWherePositionsOrVelocitiesAreTheLargestDoubles) {
+  for (const auto& [position, velocity] :
+       {std::pair{1023, 1023}, std::pair{1023, 1000}, std::pair{1000, 1023}, std::pair{0, 1023}}) {
+    Query query{{triangle(0, 0, 1), triangle(1, -1, 1)}, 0};
+    for (MovingPatch<double>& patch : query.patches) {
+      for (auto& p : patch.positions) p *= std::ldexp(1.0, position);
+      for (auto& v : patch.velocities) v *= std::ldexp(1.0, velocity);
+    }
+    const double contact = std::ldexp(1.0, position - velocity);
+    query.t_max = 4 * contact;
+    const Answer answer = ask(query);
+    EXPECT_EQ(answer.verdict, Verdict::kHit) << position << " " << velocity;
+    EXPECT_LE(answer.toi.value_or(query.t_max), contact) << position << " " << velocity;
+    EXPECT_GE(answer.toi.value_or(0), 0.9 * contact) << position << " " << velocity;
   }
 }
 
