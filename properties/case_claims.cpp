@@ -114,8 +114,8 @@ Check check_claims_of_case(ChoiceSource& choices) {
     const Rational until = near + draw_step(choices, kMostBits);
     claim.truth.clear_until = until;
   }
-  const Check of_contact = borne_iff(check_truth(claim).has_value(), contact_bears(claim),
-                                     "what is said, by its contact", claim);
+  Check of_contact = borne_iff(check_truth(claim).has_value(), contact_bears(claim),
+                               "what is said, by its contact", claim);
   if (of_contact.status == Check::Status::kFails) return of_contact;
   return borne_iff(absence_is_accepted(claim), clearance_bears(claim),
                    "what is said, by its clearance", claim);
@@ -153,7 +153,7 @@ Check check_other_start(ChoiceSource& choices) {
   if (!begin_at(moved, start)) return Check::discarded("a number is not a double");
   const auto& witness = moved.truth.witness;
   const auto& clearance = moved.truth.clearance;
-  const Check of_contact =
+  Check of_contact =
       borne_iff(check_truth(moved).has_value(), !witness || witness->t >= 0, "the witness", moved);
   if (of_contact.status == Check::Status::kFails || !clearance) return of_contact;
   return borne_iff(check_clearance(moved.query, *clearance, "").has_value(),

@@ -119,12 +119,12 @@ Check check_sub_patches(ChoiceSource& choices) {
   // An average for each argument of each blossom (DERIVATION.md, 2).
   if (k < (shape.n + shape.m) * depth) return fails(fmt::format("{} roundings", k));
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
-  for (int part = 0; part < 2; ++part) {
+  for (std::size_t part = 0; part < 2; ++part) {
     Points<Dyadic> whole(controls.size()), exact(controls.size());
     Vec3<Dyadic> most;
     for (std::size_t i = 0; i < controls.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        whole[i][c] = Dyadic::exact(controls[i][static_cast<std::size_t>(3 * part + c)]);
+        whole[i][c] = Dyadic::exact(controls[i][3 * part + static_cast<std::size_t>(c)]);
         most[c] = larger(most[c], abs(whole[i][c]));
       }
     }
@@ -132,7 +132,7 @@ Check check_sub_patches(ChoiceSource& choices) {
     for (std::size_t i = 0; i < controls.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         const double made =
-            tree.net(node)[i * certified::kPerPoint + static_cast<std::size_t>(4 * part + c)];
+            tree.net(node)[i * certified::kPerPoint + 4 * part + static_cast<std::size_t>(c)];
         const Dyadic bound = within_roundings(k) * most[c] + Dyadic(k) * least_double().scaled(-1);
         if (abs(Dyadic::exact(made) - exact[i][c]) <= bound) continue;
         return fails(

@@ -62,8 +62,8 @@ class CandidateAxes {
   }
   void add_rest();
 
-  const Skeleton &a_, &b_;
   std::array<AxisBatch, (kMost + kLanes - 1) / kLanes> batches_{};
+  const Skeleton &a_, &b_;
   int count_ = 0;
   bool complete_ = false;
 };
