@@ -75,8 +75,8 @@ Check check_normalised(ChoiceSource& choices) {
     Dyadic position, velocity;
     for (const auto& x : out.controls[s]) {
       for (std::size_t k = 0; k < 3; ++k) {
-        position = larger(position, abs(Dyadic::exact(x[k])));
-        velocity = larger(velocity, abs(Dyadic::exact(x[k + 3])));
+        position = std::max(position, abs(Dyadic::exact(x[k])));
+        velocity = std::max(velocity, abs(Dyadic::exact(x[k + 3])));
       }
     }
     magnitude += position + velocity;
@@ -125,7 +125,7 @@ Check check_sub_patches(ChoiceSource& choices) {
     for (std::size_t i = 0; i < controls.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
         whole[i][c] = Dyadic::exact(controls[i][3 * part + static_cast<std::size_t>(c)]);
-        most[c] = larger(most[c], abs(whole[i][c]));
+        most[c] = std::max(most[c], abs(whole[i][c]));
       }
     }
     restrict_to<Dyadic>(shape, whole, corners, exact);

@@ -31,8 +31,4 @@ inline Dyadic within_roundings(int k) {
   return ku * (Dyadic(1) + ku);
 }
 
-inline Dyadic larger(const Dyadic& a, const Dyadic& b) {
-  return a < b ? b : a;
-}
-
 }  // namespace ccdfuzz

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "ccd/line.hpp"
-#include "numeric/dyadic.hpp"
+#include "properties/error_bound.hpp"
 
 namespace ccdfuzz {
 
@@ -28,6 +30,26 @@ inline Dyadic maximum(const ExactLines& lines, const Dyadic& t) {
     if (greatest < value) greatest = value;
   }
   return greatest;
+}
+
+/// The least and the greatest intercept.
+inline std::array<Dyadic, 2> intercept_range(const ExactLines& lines) {
+  std::array<Dyadic, 2> out = {lines[0].intercept, lines[0].intercept};
+  for (const Line<Dyadic>& line : lines) {
+    out[0] = std::min(out[0], line.intercept);
+    out[1] = std::max(out[1], line.intercept);
+  }
+  return out;
+}
+
+/// eps_arith of lines by rising slope up to t (Eq. 16): I·B·[(1 + eps)^4 − 1], B the larger of
+/// 4 Delta_b and t·Delta_a + Delta_b.
+inline Dyadic eps_arith(const ExactLines& sorted, const Dyadic& t) {
+  const auto [lowest, highest] = intercept_range(sorted);
+  const Dyadic delta_b = highest - lowest;
+  const Dyadic swept = t * (sorted.back().slope - sorted[0].slope) + delta_b;
+  return Dyadic(static_cast<int>(sorted.size())) *
+         theorem_4_1_bound(std::max(delta_b.scaled(2), swept), 4);
 }
 
 }  // namespace ccdfuzz

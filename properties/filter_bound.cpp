@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bezier/restrict.hpp"
 #include "ccd/rational/gap.hpp"
@@ -24,8 +25,8 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
           return abs(Dyadic::exact(points[i][k]) - Dyadic::exact(origin[0][k]));
         };
         const MovingPatch<double>& first = query.patches[0];
-        position = larger(position, from(patch.positions, first.positions));
-        velocity = larger(velocity, from(patch.velocities, first.velocities));
+        position = std::max(position, from(patch.positions, first.positions));
+        velocity = std::max(velocity, from(patch.velocities, first.velocities));
       }
     }
   }
@@ -37,18 +38,14 @@ std::array<Dyadic, 2> heights(const MovingPatch<double>& patch, const Cell& cell
                               const exact_ccd::Axis& axis, const Dyadic& t) {
   const MovingPatch<Dyadic> part = restrict_to<Dyadic>(
       exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
-  std::array<Dyadic, 2> out;
-  for (std::size_t i = 0; i < part.positions.size(); ++i) {
+  std::optional<std::array<Dyadic, 2>> out;
+  for (const Vec3<Dyadic>& p : part.at(t)) {
     Dyadic height;
-    for (int k = 0; k < 3; ++k) {
-      const Dyadic l(axis.l[static_cast<std::size_t>(k)]);
-      height += l * (part.positions[i][k] + t * part.velocities[i][k]);
-    }
-    if (i == 0) out = {height, height};
-    if (height < out[0]) out[0] = height;
-    if (out[1] < height) out[1] = height;
+    for (int k = 0; k < 3; ++k) height += Dyadic(axis.l[static_cast<std::size_t>(k)]) * p[k];
+    if (!out) out = {height, height};
+    out = {std::min((*out)[0], height), std::max((*out)[1], height)};
   }
-  return out;
+  return *out;
 }
 
 Check check_rational_filter(ChoiceSource& choices) {

@@ -40,10 +40,7 @@ Check check_judge(ChoiceSource& choices) {
   if (!drawn) return Check::discarded("a number is not a double");
   const double t = *to_double_exactly(drawn->truth.witness->t), t_max = drawn->query.t_max;
   const auto outcome = [&](Verdict verdict, std::optional<double> toi) {
-    Answer answer;
-    answer.verdict = verdict;
-    answer.toi = toi;
-    return judge(drawn->query, drawn->truth, answer);
+    return judge(drawn->query, drawn->truth, says(verdict, toi));
   };
   const double after = std::nextafter(t, HUGE_VAL);
   const bool right =

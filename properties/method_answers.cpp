@@ -148,9 +148,7 @@ Check check_far_apart(ChoiceSource& choices) {
   const auto method = *make_method(name);
   const Answer answer = method->answer(query, kQuickSearch);
   if (answer.verdict == Verdict::kMiss) return Check::holds();
-  Case asked;
-  asked.query = query;
-  return Check::fails(fmt::format("{} does not say so of\n{}", name, to_json(asked)));
+  return Check::fails(fmt::format("{} does not say so of\n{}", name, to_text(query)));
 }
 
 /// Two points meet: a method that claims to miss nothing says hit, and neither misses nor gives up.

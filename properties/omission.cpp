@@ -99,16 +99,8 @@ Check check_eps_arith(ChoiceSource& choices) {
   Lines<double> sorted;
   const ExactLines kept = exact_lines(selected(pairs, ErrorBoundIntended(), sorted));
   const ExactLines all = exact_lines(sorted);
-  Dyadic lowest = all[0].intercept, highest = lowest;
-  for (const Line<Dyadic>& line : all) {
-    if (line.intercept < lowest) lowest = line.intercept;
-    if (highest < line.intercept) highest = line.intercept;
-  }
   const Dyadic lo = Dyadic::exact(pairs.window.lo), hi = Dyadic::exact(pairs.window.hi);
-  const Dyadic delta_b = highest - lowest;
-  const Dyadic one = delta_b.scaled(2), other = hi * (all.back().slope - all[0].slope) + delta_b;
-  const Dyadic bound =
-      Dyadic(static_cast<int>(all.size())) * theorem_4_1_bound(one < other ? other : one, 4);
+  const Dyadic bound = eps_arith(all, hi);
   for (int part = 0; part <= 16; ++part) {
     const Dyadic t = lo + (hi - lo) * Dyadic(Integer(part), -4);
     if (maximum(kept, t) + bound < maximum(all, t)) {

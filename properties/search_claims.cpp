@@ -121,16 +121,14 @@ Check check_not_early(ChoiceSource& choices) {
   const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
   const Answer answer = (*make_method(name))->answer(drawn->query, kFineSearch);
   if (answer.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
-  Case about;
-  about.query = drawn->query;
   if (answer.verdict == Verdict::kMiss) {
     return Check::fails(
-        fmt::format("{} misses the contact at {}\n{}", name, drawn->t, to_json(about)));
+        fmt::format("{} misses the contact at {}\n{}", name, drawn->t, to_text(drawn->query)));
   }
   const double early = drawn->t - *answer.toi;
   if (early <= drawn->early) return Check::holds();
   return Check::fails(fmt::format("{} is early by {} of {}, and {} is explained by its cells\n{}",
-                                  name, early, drawn->t, drawn->early, to_json(about)));
+                                  name, early, drawn->t, drawn->early, to_text(drawn->query)));
 }
 
 /// One of the patches is split: control points of parts are within those of the whole, and so are
@@ -158,11 +156,9 @@ Check check_split(ChoiceSource& choices) {
   bool alike = whole.verdict == Verdict::kHit && least.verdict == Verdict::kHit;
   alike = alike && *least.toi <= drawn->t && std::abs(*least.toi - *whole.toi) <= drawn->early;
   if (alike) return Check::holds();
-  Case about;
-  about.query = drawn->query;
   return Check::fails(fmt::format("{}: {}, but of the parts of patch {}: {}; contact at {}\n{}",
                                   name, summary(whole), side + 1, summary(least), drawn->t,
-                                  to_json(about)));
+                                  to_text(drawn->query)));
 }
 
 /// A parallelogram, a triangle or a line by any degree: parts of it have the same axes.

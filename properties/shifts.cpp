@@ -13,18 +13,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Of the intercepts.
-std::array<Dyadic, 2> extremes(const ExactLines& lines) {
-  std::array<Dyadic, 2> out = {lines[0].intercept, lines[0].intercept};
-  for (const Line<Dyadic>& line : lines) {
-    if (line.intercept < out[0]) out[0] = line.intercept;
-    if (out[1] < line.intercept) out[1] = line.intercept;
-  }
-  return out;
-}
-
-/// eps_constr = t·eps_a + eps_b + I·B·[(1 + eps)^4 − 1], B the larger of 4 Delta_b and
-/// t·Delta_a + Delta_b.
+/// eps_constr = t·eps_a + eps_b + eps_arith.
 Check check_eps_constr(ChoiceSource& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const Lines<double> sorted = sorted_lines(pairs.f);
@@ -34,13 +23,7 @@ Check check_eps_constr(ChoiceSource& choices) {
   const double t = pairs.window.hi;
   const double computed = ErrorBoundIntended::envelope_error(sorted, error, t);
 
-  const ExactLines lines = exact_lines(sorted);
-  const auto [lowest, highest] = extremes(lines);
-  const Dyadic delta_b = highest - lowest;
-  const Dyadic four = delta_b.scaled(2);
-  const Dyadic swept = Dyadic::exact(t) * (lines.back().slope - lines[0].slope) + delta_b;
-  const Dyadic arithmetic =
-      Dyadic(sorted.size()) * theorem_4_1_bound(four < swept ? swept : four, 4);
+  const Dyadic arithmetic = eps_arith(exact_lines(sorted), Dyadic::exact(t));
   const Dyadic coefficients =
       Dyadic::exact(t) * Dyadic::exact(error.slope) + Dyadic::exact(error.intercept);
   // A product and two sums of what is not negative, each u = eps/2 too low at most. The room that
@@ -63,10 +46,10 @@ Check check_pulled_roots(ChoiceSource& choices) {
   const int i = draw_index(f);
   const int j = draw_index(g);
   const ExactLines fx = exact_lines(f), gx = exact_lines(g);
-  const auto [f_low, f_high] = extremes(fx);
-  const auto [g_low, g_high] = extremes(gx);
+  const auto [f_low, f_high] = intercept_range(fx);
+  const auto [g_low, g_high] = intercept_range(gx);
   const Dyadic low = abs(f_low + g_low), high = abs(f_high + g_high);
-  const Dyadic delta = theorem_4_1_bound((low < high ? high : low).scaled(1), 4);
+  const Dyadic delta = theorem_4_1_bound(std::max(low, high).scaled(1), 4);
   const auto at = [](const ExactLines& lines, int k) -> const Line<Dyadic>& {
     return lines[static_cast<std::size_t>(k)];
   };

@@ -131,7 +131,6 @@ Result<int> run_triage(const TriageArguments& options) {
   Progress progress;
   std::uint64_t finds = 0, done = 0;
   for (const std::string& file : *files) {
-    if (is_over()) break;
     const Result<std::vector<NamedCase>> cases = cases_of(file);
     if (!cases) return tl::unexpected(cases.error());
     for (const NamedCase& input : *cases) {

@@ -109,6 +109,18 @@ std::uint64_t end_of_header(const std::string& text) {
   return kJournalLine.size() + kFrameHead + text.size();
 }
 
+/// Hands on the records from `at` to the last whole one; returns where that ends.
+Result<std::uint64_t> walk_records(const std::string& path, int descriptor, std::uint64_t at,
+                                   const std::function<void(std::string&&)>& visit) {
+  for (;;) {
+    auto record = frame_at(path, descriptor, at);
+    if (!record) return tl::unexpected(record.error());
+    if (!*record) return at;
+    at += kFrameHead + (*record)->size();
+    visit(**std::move(record));
+  }
+}
+
 /// True iff the descriptor's file is the one that stands at the path.
 bool stands_at(const std::string& path, int descriptor) {
   struct stat named {
@@ -158,13 +170,9 @@ Result<std::vector<std::string>> Journal::read(const std::string& path, const He
   const auto text = matching_header(path, descriptor, header);
   if (!text) return tl::unexpected(text.error());
   if (!*text) return records;
-  for (std::uint64_t end = end_of_header(**text);;) {
-    auto record = frame_at(path, descriptor, end);
-    if (!record) return tl::unexpected(record.error());
-    if (!*record) return records;
-    end += kFrameHead + (*record)->size();
-    records.push_back(**std::move(record));
-  }
+  return walk_records(path, descriptor, end_of_header(**text),
+                      [&](std::string&& record) { records.push_back(std::move(record)); })
+      .map([&](std::uint64_t) { return records; });
 }
 
 Result<void> Journal::begin(const Header& header) {
@@ -186,15 +194,10 @@ Result<void> Journal::resume(const Header& header) {
   const auto text = matching_header(path_, descriptor_, header);
   if (!text) return tl::unexpected(text.error());
   if (!*text) return begin(header);
-  std::uint64_t end = first_record_ = end_of_header(**text);
-  for (;;) {
-    const auto record = frame_at(path_, descriptor_, end);
-    if (!record) return tl::unexpected(record.error());
-    if (!*record) break;
-    end += kFrameHead + (*record)->size();
-    ++size_;
-  }
-  if (::ftruncate(descriptor_, static_cast<off_t>(end)) != 0 ||
+  first_record_ = end_of_header(**text);
+  const auto end = walk_records(path_, descriptor_, first_record_, [&](std::string&&) { ++size_; });
+  if (!end) return tl::unexpected(end.error());
+  if (::ftruncate(descriptor_, static_cast<off_t>(*end)) != 0 ||
       ::lseek(descriptor_, 0, SEEK_END) < 0) {
     return system_error(path_, "write", errno);
   }
