@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/hunt_table.hpp"
+#include "query/json_text.hpp"
 #include "query/line_reader.hpp"
 #include "query/output_file.hpp"
 #include "report/json_field.hpp"
@@ -124,9 +125,7 @@ Result<void> write_hunt_record(const std::string& folder, const HuntRecord& reco
   std::filesystem::create_directories(folder, error);
   if (error) return input_error(folder, "cannot make the folder: " + error.message());
   std::string lines;
-  const auto add = [&](const RecordJson& row) {
-    lines += row.dump(-1, ' ', false, RecordJson::error_handler_t::replace) + "\n";
-  };
+  const auto add = [&](const RecordJson& row) { lines += json_text(row) + "\n"; };
   add({{"format", "ccdfuzz-hunt"},
        {"version", 1},
        {"command", record.command},

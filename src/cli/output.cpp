@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "query/json_text.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -22,8 +24,7 @@ void print_out(const std::string& text) {
 }
 
 void print_json(const nlohmann::ordered_json& object) {
-  // File names need not be UTF-8; whatever is not is shown, not refused.
-  print_out(object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  print_out(json_text(object) + "\n");
 }
 
 Result<void> flush_stdout() {

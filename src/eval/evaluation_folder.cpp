@@ -8,6 +8,7 @@
 
 #include "eval/figures.hpp"
 #include "eval/paper_tables.hpp"
+#include "query/json_text.hpp"
 
 namespace ccdfuzz {
 
@@ -23,7 +24,7 @@ std::string run_json(const EvaluationRun& run) {
                                        {"asked", run.asked},
                                        {"methods", run.methods},
                                        {"shard", {run.shard.index, run.shard.of}}};
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 Result<EvaluationRun> read_run(const std::string& path) {
@@ -31,7 +32,7 @@ Result<EvaluationRun> read_run(const std::string& path) {
   if (!file) return input_error(path, "cannot be read: this is no folder of an evaluation");
   EvaluationRun run;
   try {
-    const auto json = nlohmann::json::parse(file);
+    const auto json = nlohmann::ordered_json::parse(file);
     if (json.at("format") != kEvaluationFormat || json.at("version") != 1) {
       throw std::invalid_argument("is not of the format ccdfuzz-evaluation, version 1");
     }

@@ -9,6 +9,7 @@
 
 #include "eval/paper_rates.hpp"
 #include "numeric/verify.hpp"
+#include "query/json_text.hpp"
 #include "query/output_file.hpp"
 
 namespace ccdfuzz {
@@ -53,7 +54,7 @@ std::string to_json(const GenerationCost& cost) {
       {"contact", cost.contact}, {"kind", cost.kind}, {"cases", cost.cases}, {"begun", cost.begun}};
   for (const auto& [step, count] : cost.discarded) row["discarded"][step] = count;
   row["cpu_seconds"] = cost.cpu_seconds;
-  return row.dump();
+  return json_text(row);
 }
 
 GenerationCost& GenerationCost::operator+=(const GenerationCost& o) {
@@ -100,7 +101,7 @@ Result<void> write_generation(const std::string& path, const GenerationRecord& r
                                {"version", 1},
                                {"run", record.run},
                                {"shard", {record.shard.index, record.shard.of}}};
-  std::string lines = head.dump() + "\n";
+  std::string lines = json_text(head) + "\n";
   for (const GenerationCost& cost : record.costs) lines += to_json(cost) + "\n";
   return write_file(path, lines);
 }

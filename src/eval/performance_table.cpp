@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/paper_tables.hpp"
+#include "query/json_text.hpp"
 
 namespace ccdfuzz {
 
@@ -42,7 +43,7 @@ nlohmann::ordered_json group_row(const EvaluatedGroup& group) {
 }  // namespace
 
 std::string to_json(const EvaluatedGroup& group) {
-  return group_row(group).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return json_text(group_row(group));
 }
 
 std::string performance_csv(const std::vector<EvaluatedGroup>& groups) {
@@ -56,7 +57,7 @@ std::string performance_csv(const std::vector<EvaluatedGroup>& groups) {
       header += comma + key;
       const std::string text = value.is_string() ? value.get<std::string>()
                                : value.is_null() ? ""
-                                                 : value.dump();
+                                                 : json_text(value);
       line += comma + csv_field(text);
     }
     lines += line + "\n";

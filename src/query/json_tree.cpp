@@ -4,10 +4,8 @@
 
 #include <algorithm>
 
-// nlohmann's lexer asserts that strtod understood all of a number, which it does not under a locale
-// with a decimal comma. Its value is not used: json_real.cpp reads the text, under any locale.
-#define JSON_ASSERT(condition) static_cast<void>(0)
-#include <nlohmann/json.hpp>
+#include "query/json_library.hpp"
+#include "query/json_text.hpp"
 
 namespace ccdfuzz {
 
@@ -177,7 +175,7 @@ std::string member_path(const std::string& path, std::string_view key) {
 }
 
 std::string json_string(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json_text(text);
 }
 
 std::string shown_line(std::string_view text) {

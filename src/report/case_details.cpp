@@ -6,6 +6,7 @@
 
 #include "corpus/store.hpp"
 #include "query/case_json.hpp"
+#include "query/json_text.hpp"
 #include "query/test_snippet.hpp"
 #include "report/loss.hpp"
 
@@ -164,7 +165,7 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
                         {"traces", traces}};
   const Origin& origin = known.origin;
   const Json is_new = reported.is_new ? Json(*reported.is_new) : Json();
-  std::string text = details.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string text = json_text(details);
   text.pop_back();
   return {Json::array({reported.id, origin.contact, origin.kind, origin.generator, outcomes, is_new,
                        worst}),

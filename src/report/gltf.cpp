@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bezier/blossom.hpp"
+#include "query/json_text.hpp"
 #include "report/pack.hpp"
 #include "report/tessellate.hpp"
 
@@ -193,7 +194,7 @@ class Gltf {
     gltf["materials"] = materials();
     if (!animation_.is_null()) gltf["animations"] = Json::array({animation_});
     binary_.write_to(gltf);
-    return gltf.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return json_text(gltf);
   }
 
  private:

@@ -8,6 +8,7 @@
 #include "eval/paper_rates.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "numeric/verify.hpp"
+#include "query/json_text.hpp"
 #include "query/taxonomy.hpp"
 #include "report/case_details.hpp"
 #include "report/histogram.hpp"
@@ -224,8 +225,7 @@ std::string report_page(const ReportPage& report, int threads) {
   const size_t mark = page.find(kReportDataMark);
   CCDFUZZ_VERIFY(mark != std::string_view::npos);
   std::string out(page.substr(0, mark));
-  out += script_element("report", "application/json",
-                        script_safe(data.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  out += script_element("report", "application/json", script_safe(json_text(data)));
   out += chunks;
   out += page.substr(mark + kReportDataMark.size());
   return out;
