@@ -32,6 +32,7 @@ struct TriageArguments {
   std::string seconds = "60";
   SearchFlags search;
   bool json = false;
+  bool remove = false;
 };
 
 /// The files that the arguments name, in order; folders stand for what is in them.
@@ -144,6 +145,9 @@ Result<int> run_triage(const TriageArguments& options) {
     }
     if (is_over()) break;
     ++done;
+    if (std::error_code error; options.remove && !fs::remove(file, error)) {
+      return input_error(file, "cannot be removed: " + error.message());
+    }
     progress.show(static_cast<double>(done) / static_cast<double>(files->size()),
                   fmt::format("{} new", finds), done, "inputs");
   }
@@ -182,6 +186,7 @@ void add_triage(CommandLine& line) {
   command.text("--seconds", options->seconds, "What is not done by then is left undone");
   options->search.max_pops = 10'000;
   options->search.add_budget_to(command);
+  command.flag("--remove", options->remove, "Removes each input file that is done");
   command.flag("--json", options->json, "One JSON object a find, and a summary");
 }
 

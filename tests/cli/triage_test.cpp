@@ -41,6 +41,19 @@ TEST(Triage, StoresEachFailureOnceAndShrunk) {
   EXPECT_THAT(again.out, HasSubstr("; 0 new in "));
 }
 
+TEST(Triage, RemovesWhatIsDoneAlone) {
+  const ScratchFolder folder;
+  const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
+  std::vector<std::string> command = {"triage", drawn,      "-o",        finds,  "--methods",
+                                      "tdibm",  "--remove", "--seconds", "1e-9", "--json"};
+  EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 0);
+  EXPECT_TRUE(std::filesystem::exists(drawn));
+  command[8] = "600";
+  EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 1);
+  EXPECT_FALSE(std::filesystem::exists(drawn));
+  EXPECT_GT(entries_of(finds), 0U);
+}
+
 TEST(Triage, RefusesWhatIsNoInput) {
   const ScratchFolder folder;
   write_text(folder / "bytes", "a");

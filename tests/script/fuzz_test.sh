@@ -5,17 +5,25 @@ set -eu
 source=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-mkdir -p "$work/script" "$work/bin" "$work/fuzz" "$work/build/libfuzzer/fuzz"
+mkdir -p "$work/script" "$work/bin" "$work/fuzz" "$work/build/libfuzzer/fuzz" "$work/build/release"
 cp "$source/script/fuzz" "$work/script/fuzz"
-echo one >"$work/build/libfuzzer/fuzz-targets.txt"
-for stand_in in script/setup bin/cmake fuzz/target_options.sh; do
+printf 'one\nquery\n' >"$work/build/libfuzzer/fuzz-targets.txt"
+for stand_in in script/setup bin/cmake fuzz/target_options.sh build/libfuzzer/fuzz/witnessed_inputs; do
   printf '#!/bin/sh\n' >"$work/$stand_in"
 done
 cat >"$work/build/libfuzzer/fuzz/fuzz_one" <<END
 #!/bin/sh
 echo "\$*" >>'$work/calls'
 END
-chmod +x "$work"/script/* "$work"/bin/* "$work"/fuzz/* "$work"/build/libfuzzer/fuzz/*
+cat >"$work/build/libfuzzer/fuzz/fuzz_query" <<END
+#!/bin/sh
+touch "\$CCDFUZZ_LOST/input"
+END
+cat >"$work/build/release/ccdfuzz" <<END
+#!/bin/sh
+echo "\$*" >>'$work/calls'
+END
+chmod +x "$work"/build/release/* "$work"/script/* "$work"/bin/* "$work"/fuzz/* "$work"/build/libfuzzer/fuzz/*
 PATH=$work/bin:$PATH
 
 fail() {
@@ -49,7 +57,7 @@ fuzz 2 --runs
 fuzz 2 --fresh=yes
 says 'unknown option --fresh=yes'
 fuzz 2 -- --runs
-says 'no target "--runs"; there are: one'
+says 'no target "--runs"; there are: one query'
 
 ran_with() { grep -qF -- "$1" "$work/calls" || fail "not run with $1: $(cat "$work/calls")"; }
 fuzz 0 --seconds=5 --runs 2147483647 --jobs=2 one
@@ -57,4 +65,9 @@ ran_with '-runs=2147483647 -max_total_time=5 '
 [ "$(wc -l <"$work/calls")" -eq 2 ] || fail 'not two processes'
 fuzz 0 --seconds 5 -- one
 ran_with '-runs=-1 -max_total_time=5 '
+
+# What methods lost is put to triage, which alone takes away what it is done with.
+fuzz 0 query --seconds 5
+ran_with 'triage build/fuzz-lost/query --remove --known corpus -o finds --seconds 20'
+[ -e "$work/build/fuzz-lost/query/input" ] || fail 'an input that nobody looked at is gone'
 echo PASSED
