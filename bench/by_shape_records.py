@@ -65,12 +65,13 @@ def print_table(records):
 
 def main(what, path, method, seconds, seed):
     asked = (method, float(seconds), int(seed))
-    records = [r for r in read(path) if (r["method"], r["seconds"], r["seed"]) == asked]
+    # Each shape once, though two hunts at a time may have written it.
+    records = {r["shape"]: r for r in read(path) if (r["method"], r["seconds"], r["seed"]) == asked}
     if what == "table":
-        print_table(records)
+        print_table(records.values())
     else:
-        for record in records:
-            print(record["shape"])
+        for shape in records:
+            print(shape)
 
 
 try:

@@ -27,13 +27,21 @@ method=$2 seconds=${3-360} seed=${4-1}
   refuse "SECONDS: \"$seconds\" is no number > 0, such as 360 or 0.5"
 [[ $seed =~ ^(0|[1-9][0-9]*)$ ]] || refuse "SEED: \"$seed\" is no whole number"
 [[ $method != *[,\"\\]* ]] || refuse "METHOD: \"$method\" is no single method"
+[[ $method != plugin:[!/]* ]] || refuse "METHOD: \"$method\" is no absolute path"
 records=$(realpath -- "$1") || exit 2
-cd "$(dirname "$0")/.."
-ccdfuzz=${CCDFUZZ:-build/release/ccdfuzz}
+ccdfuzz=$(realpath -- "${CCDFUZZ:-$(dirname "$0")/../build/release/ccdfuzz}") || exit 2
 command -v "$ccdfuzz" >/dev/null || refuse "there is no program $ccdfuzz"
+cd "$(dirname "$0")/.."
 
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+set -m  # a process group for each hunt, which ends as a whole
+stop_hunts() {
+  local hunt
+  for hunt in $(jobs -pr); do kill -- "-$hunt" 2>/dev/null || true; done
+}
+trap 'trap "" INT TERM; stop_hunts; wait; rm -rf "$scratch"' EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
 # Too short to ask anything, which is exit 1; 2 says what is wrong with METHOD or SEED.
 status=0
 "$ccdfuzz" hunt --json --seconds 1e-9 --methods "$method" --seed "$seed" --corpus "$scratch/finds" \
@@ -63,5 +71,7 @@ for shape in "${shapes[@]}"; do
   hunt_one "$shape" &
   hunts+=($!)
 done
-for hunt in "${hunts[@]}"; do wait "$hunt"; done
+status=0
+for hunt in "${hunts[@]}"; do wait "$hunt" || status=$?; done
 bench/by_shape_records.py table "$records" "$method" "$seconds" "$seed"
+exit $status

@@ -103,8 +103,40 @@ hunt 2 "$records" tdibm 0.5
 hunt 2 "$work/nosuch/records" tdibm 0.5
 hunt 2 "$work" tdibm 0.5
 
-# A hunt that fails fails.
+# A shape that two hunts at a time wrote counts once.
+{ cat "$work/whole"; head -n 3 "$work/whole"; } >"$records"
+hunt 0 "$records" tdibm 0.5
+says out '| all | 200 |'
+
+# Paths are those of where it is called.
+(cd "$work" && CCDFUZZ=./ccdfuzz && hunt 0 records tdibm 0.5 && hunts 0)
+hunt 2 "$records" plugin:./lib.so 1
+says err 'METHOD: "plugin:./lib.so" is no absolute path'
+
+# A hunt that fails fails, and what the others came to is told.
 printf '#!/bin/sh\ncase " $* " in *" 1e-9 "*) exit 1 ;; esac\nexit 3\n' >"$CCDFUZZ"
 head -n 39 "$work/whole" >"$records"
 hunt 3 "$records" tdibm 0.5
+says out '| all | 195 |'
+
+# None goes on behind one that is stopped.
+cat >"$CCDFUZZ" <<'END'
+#!/bin/sh
+case " $* " in *' 1e-9 '*) exit 1 ;; esac
+trap 'echo stopped >>"$CALLS"; exit 1' TERM
+echo begun >>"$CALLS"
+sleep 600 &
+wait
+END
+: >"$CALLS"
+"$script" "$records" tdibm 0.5 >"$work/out" 2>"$work/err" &
+stopped=$!
+until [ -s "$CALLS" ]; do sleep 0.1; done
+kill "$stopped"
+status=0
+wait "$stopped" || status=$?
+[ "$status" -eq 143 ] || fail "exit $status of one that was stopped"
+is_stopped() { [ "$(grep -c stopped "$CALLS")" -ge "$(grep -c begun "$CALLS")" ]; }
+for _ in $(seq 100); do is_stopped || sleep 0.1; done
+is_stopped || fail 'a hunt goes on'
 echo PASSED
