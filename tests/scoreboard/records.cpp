@@ -44,12 +44,21 @@ Result<Records> Records::open(const std::string& path, const std::vector<Fault>&
   if (path.empty()) return records;
   records.path_ = path;
   // The journal first: a campaign that ends meanwhile takes it away once the file has it all.
-  const bool has_journal = std::filesystem::exists(Journal::path_for(path));
+  const std::string journal_path = Journal::path_for(path);
+  const bool has_journal = std::filesystem::exists(journal_path);
   Result<std::vector<std::string>> journal;
-  if (use == Use::kExtend || has_journal) journal = records.read_journal(use);
+  if (use == Use::kExtend) {
+    journal = records.begin_journal();
+  } else if (has_journal) {
+    journal = Journal::read(journal_path, kHeader);
+    if (!journal && !std::filesystem::exists(journal_path)) journal.emplace();
+  }
   if (!journal) return tl::unexpected(journal.error());
   if (std::filesystem::exists(path) || (use == Use::kRead && !has_journal)) {
-    if (auto read = records.read_file(); !read) return tl::unexpected(read.error());
+    if (auto read = records.read_file(); !read) {
+      if (records.journal_ && journal->empty()) (void)records.journal_->remove();
+      return tl::unexpected(read.error());
+    }
   }
   if (auto taken = records.take_lines(*journal); !taken) return tl::unexpected(taken.error());
   return records;
@@ -71,21 +80,7 @@ Result<void> Records::read_file() {
   return {};
 }
 
-Result<std::vector<std::string>> Records::read_journal(Use use) {
-  std::vector<std::string> lines;
-  if (const auto begun = begin_journal(); !begun) {
-    if (use == Use::kRead) return Journal::read(Journal::path_for(path_), kHeader);
-    return tl::unexpected(begun.error());
-  }
-  return journal_
-      ->for_each([&](std::string_view line) -> Result<void> {
-        lines.emplace_back(line);
-        return {};
-      })
-      .map([&] { return lines; });
-}
-
-Result<void> Records::begin_journal() {
+Result<std::vector<std::string>> Records::begin_journal() {
   // That it can be written is asked now, and not when the campaign is over.
   if (const auto probed = OutputFile::create(path_); !probed) {
     return tl::unexpected(probed.error());
@@ -93,7 +88,13 @@ Result<void> Records::begin_journal() {
   auto journal = Journal::open(Journal::path_for(path_), kHeader);
   if (!journal) return tl::unexpected(journal.error());
   journal_.emplace(*std::move(journal));
-  return {};
+  std::vector<std::string> lines;
+  return journal_
+      ->for_each([&](std::string_view line) -> Result<void> {
+        lines.emplace_back(line);
+        return {};
+      })
+      .map([&] { return lines; });
 }
 
 Result<void> Records::take_lines(const std::vector<std::string>& journal) {

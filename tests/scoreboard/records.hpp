@@ -40,9 +40,7 @@ struct Record {
 class Records {
  public:
   enum class Use : std::uint8_t {
-    /// The file or its journal must be there. The journal of a campaign that goes on, or that
-    /// cannot be written to, is read, and finish() leaves both as they are.
-    kRead,
+    kRead,    ///< the file or its journal must be there; nothing is written
     kExtend,  ///< both are begun where they are not
   };
 
@@ -67,8 +65,8 @@ class Records {
  private:
   explicit Records(const std::vector<Fault>& faults);
   Result<void> read_file();
-  Result<std::vector<std::string>> read_journal(Use use);
-  Result<void> begin_journal();
+  /// What the journal has, which may have been begun for that.
+  Result<std::vector<std::string>> begin_journal();
   Result<void> take_lines(const std::vector<std::string>& journal);
   void take(const Record& record);
 

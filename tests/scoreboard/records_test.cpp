@@ -75,7 +75,11 @@ TEST(Records, AreThereAgainWhereTheCampaignWasKilled) {
   EXPECT_NE(records->find("hunt", kFault.name, 1, 10), nullptr);
   EXPECT_EQ(records->find("hunt", kFault.name, 2, 10), nullptr);
   ASSERT_TRUE(records->finish());
+  EXPECT_FALSE(std::filesystem::exists(path));
+  auto begun_again = Records::open(path, kFaults, Use::kExtend);
+  ASSERT_TRUE(begun_again && begun_again->finish());
   EXPECT_EQ(folder.entry_count(), 1);
+  EXPECT_EQ(Records::open(path, kFaults, Use::kRead)->all().size(), 1);
 }
 
 TEST(Records, OfACampaignThatGoesOnAreReadAndLeftWhereTheyAre) {
@@ -193,6 +197,13 @@ TEST(Records, OfARunWithAllFaultsWatchedAreLeftOutWhereThereAreOthersNow) {
   ASSERT_TRUE(others) << others.error().message();
   EXPECT_EQ(others->find("hunt", kWatchedFaults, 1, 10), nullptr);
   EXPECT_EQ(others->outdated(), 1);
+}
+
+TEST(Records, ThatAreRefusedLeaveNoJournal) {
+  const ScratchFolder folder;
+  write_text(folder / "r", "{\n" + old_line(1));
+  EXPECT_FALSE(Records::open(folder / "r", kFaults, Use::kExtend));
+  EXPECT_EQ(folder.entry_count(), 1);
 }
 
 TEST(Records, WhereNothingCanBeWrittenSaySoAtOnce) {

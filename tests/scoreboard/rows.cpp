@@ -72,7 +72,7 @@ traces, and mutants bred by chance. `hunt`: the same, bred by margins. `libfuzze
 mutator. `properties`: every property that holds, on draws of its own.
 
 Times are medians over the seeds, and over the faults: a run that did not notice counts as longer than
-all that did, whatever its limit; where the median is of such, it is at least (≥) the limit. Each
+all that did, whatever its limit; where the median is of such, it is at least (≥) that. Each
 cell below is the median time to a kill, "missed" (in some run the fault's wrong value differed from
 the right one, and nothing was noticed), "not triggered" (it was computed and never differed), "not
 reached", or empty where nothing was measured; (3 of 5) is the share of seeds that noticed. Except
