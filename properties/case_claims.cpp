@@ -1,12 +1,11 @@
 #include "properties/case_claims.hpp"
 
-#include <fmt/format.h>
-
 #include "certify/checker/check_truth.hpp"
 #include "certify/linear/first_contact.hpp"
+#include "certify/oracle/decide_linear.hpp"
+#include "properties/accepted.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 
@@ -18,8 +17,8 @@ Rational draw_step(ChoiceSource& choices, int most_bits) {
   return steps * power_of_two(-static_cast<long>(choices.integer(0, most_bits)));
 }
 
-/// A linear query, clear up to its first contact by the checker's own decision, and its witness if
-/// the contact comes at a rational time.
+/// A linear query, clear up to its first contact by the checker's own decision, and its witness, or
+/// its root if the contact comes at an irrational time.
 Result<Case> draw_linear_proofs(ChoiceSource& choices) {
   Result<Query> query = draw_linear(choices);
   if (!query) return tl::unexpected(query.error());
@@ -32,6 +31,8 @@ Result<Case> draw_linear_proofs(ChoiceSource& choices) {
     clearance.until = contact->time.lo();
     if (contact->time.is_rational()) {
       proven.truth.witness = linear::witness_of(linear::exact_patches(proven.query), *contact);
+    } else {
+      proven.truth.contact_root = decide_linear(proven.query, {}).truth.contact_root;
     }
     if (clearance.closed) clearance.until /= 2;
     clearance.closed = clearance.closed && clearance.until < contact->time.lo();
@@ -55,11 +56,18 @@ Result<Case> draw_proofs(ChoiceSource& choices) {
   return made;
 }
 
+/// When the contact has come, if one is proven: by one proof, where cases are drawn here.
+const Rational* contact_time(const Truth& truth) {
+  if (truth.witness) return &truth.witness->t;
+  return truth.contact_root ? &truth.contact_root->by : nullptr;
+}
+
 /// A time that the case's proofs are about.
 Rational draw_proven_time(ChoiceSource& choices, const Case& proven) {
   const Truth& truth = proven.truth;
+  const Rational* const contact = contact_time(truth);
   const bool of_contact = choices.coin();
-  if (truth.witness && (of_contact || !truth.clearance)) return truth.witness->t;
+  if (contact != nullptr && (of_contact || !truth.clearance)) return *contact;
   return truth.clearance ? until_of(*truth.clearance) : exact(proven.query.t_max);
 }
 
@@ -67,10 +75,11 @@ Rational draw_proven_time(ChoiceSource& choices, const Case& proven) {
 bool contact_bears(const Case& claim) {
   const Truth& truth = claim.truth;
   const Rational t_max = exact(claim.query.t_max);
-  const bool touches = truth.witness && truth.witness->t <= t_max;
+  const Rational* const contact = contact_time(truth);
+  const bool touches = contact != nullptr && *contact <= t_max;
   if (truth.collides && *truth.collides != touches) return false;
   if (!truth.clear_until) return true;
-  return *truth.clear_until >= 0 && !(truth.witness && truth.witness->t < *truth.clear_until);
+  return *truth.clear_until >= 0 && (contact == nullptr || *truth.clear_until <= *contact);
 }
 
 /// Whether the clearance, which is open at its end or closed, bears what a case says of absence.
@@ -92,12 +101,6 @@ bool absence_is_accepted(const Case& claim) {
   return checked || checked.error().where == "truth.certificate.clear.tree";
 }
 
-Check borne_iff(bool accepted, bool expected, const char* what, const Case& claim) {
-  if (accepted == expected) return Check::holds();
-  return Check::fails(
-      fmt::format("{} {}\n{}", accepted ? "accepts" : "refuses", what, to_json(claim)));
-}
-
 /// A case that is proven, asked up to another time, and with other things said of it.
 Check check_claims_of_case(ChoiceSource& choices) {
   Result<Case> drawn = draw_proofs(choices);
@@ -114,11 +117,11 @@ Check check_claims_of_case(ChoiceSource& choices) {
     const Rational until = near + draw_step(choices, kMostBits);
     claim.truth.clear_until = until;
   }
-  Check of_contact = borne_iff(check_truth(claim).has_value(), contact_bears(claim),
-                               "what is said, by its contact", claim);
+  Check of_contact = accepted_iff(check_truth(claim).has_value(), contact_bears(claim),
+                                  "what is said, by its contact", claim);
   if (of_contact.status == Check::Status::kFails) return of_contact;
-  return borne_iff(absence_is_accepted(claim), clearance_bears(claim),
-                   "what is said, by its clearance", claim);
+  return accepted_iff(absence_is_accepted(claim), clearance_bears(claim),
+                      "what is said, by its clearance", claim);
 }
 
 /// The same motion from another time on; false if it takes numbers that no double holds.
@@ -153,11 +156,11 @@ Check check_other_start(ChoiceSource& choices) {
   if (!begin_at(moved, start)) return Check::discarded("a number is not a double");
   const auto& witness = moved.truth.witness;
   const auto& clearance = moved.truth.clearance;
-  Check of_contact =
-      borne_iff(check_truth(moved).has_value(), !witness || witness->t >= 0, "the witness", moved);
+  Check of_contact = accepted_iff(check_truth(moved).has_value(), !witness || witness->t >= 0,
+                                  "the witness", moved);
   if (of_contact.status == Check::Status::kFails || !clearance) return of_contact;
-  return borne_iff(check_clearance(moved.query, *clearance, "").has_value(),
-                   until_of(*clearance) >= 0, "the plane", moved);
+  return accepted_iff(check_clearance(moved.query, *clearance, "").has_value(),
+                      until_of(*clearance) >= 0, "the plane", moved);
 }
 
 }  // namespace
@@ -170,7 +173,8 @@ std::vector<Property> case_claim_properties() {
        "of its contact and of its clearance bear it",
        "src/certify/checker/check_truth.hpp", kHolds, check_claims_of_case},
       {"checker.refuses_proofs_before_start",
-       "The proofs of a motion are accepted of the same motion from another time on, and refused "
+       "Witness and plane of a motion are accepted of the same motion from another time on, and "
+       "refused "
        "iff what they prove comes before t = 0 then",
        "src/certify/checker/check_witness.hpp", kHolds, check_other_start},
   };

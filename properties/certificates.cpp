@@ -12,18 +12,13 @@
 #include "generators/finalize.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
+#include "properties/accepted.hpp"
 #include "properties/draw_contact.hpp"
 #include "query/case_json.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-Check accepted_iff(bool accepted, bool expected, const std::string& what, const Case& about) {
-  if (accepted == expected) return Check::holds();
-  return Check::fails(
-      fmt::format("{} {}\n{}", accepted ? "accepts" : "refuses", what, to_json(about)));
-}
 
 /// The two points of a witness stay apart if one patch is moved, along whichever axis.
 Check check_moved_contact(ChoiceSource& choices) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
@@ -40,6 +41,27 @@ bool is_moved_by_one(const std::vector<Pair>& pairs, long scale, const Dyadic& a
   return true;
 }
 
+/// What underflow takes at most, in scaled lengths: numbers are made four times smaller where one
+/// is 2^1022 or more, which costs each of them an eta on that scale. Where that is no double,
+/// `absolute` is infinite, and nothing is certified.
+Dyadic most_underflow(const Query& query, const certified::NormalisedQuery& normalised) {
+  bool of_positions = false, of_velocities = false;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        of_positions = of_positions || std::abs(patch.positions[i][k]) >= 0x1p1022;
+        of_velocities = of_velocities || std::abs(patch.velocities[i][k]) >= 0x1p1022;
+      }
+    }
+  }
+  constexpr int kShift = 2;
+  const int scale = normalised.space + kShift;
+  Dyadic most;
+  if (of_positions) most += least_double().scaled(scale);
+  if (of_velocities && query.t_max != 0) most += least_double().scaled(scale + normalised.time);
+  return most;
+}
+
 Check check_normalised(ChoiceSource& choices) {
   const Query query = draw_extreme_query(choices);
   certified::NormalisedQuery out;
@@ -51,8 +73,15 @@ Check check_normalised(ChoiceSource& choices) {
   if (Dyadic::exact(out.t_max).scaled(out.time) != Dyadic::exact(query.t_max)) {
     return fails("t_max is another");
   }
-  // Underflow may have taken any length that there is: nothing is certified then.
-  if (std::isinf(out.absolute)) return Check::holds();
+  if (out.t_max != 0 && !(0.5 <= out.t_max && out.t_max < 1)) {
+    return fails("time is up to " + to_hex(out.t_max));
+  }
+  if (!(out.absolute >= certified::kLeastAbsolute)) return fails("absolute is too small");
+  if (std::isinf(out.absolute)) {
+    return most_underflow(query, out) >= Dyadic::exact(std::numeric_limits<double>::max())
+               ? Check::holds()
+               : fails("nothing is certified");
+  }
   const Dyadic absolute = Dyadic::exact(out.absolute);
   Dyadic magnitude;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -87,11 +116,17 @@ Check check_normalised(ChoiceSource& choices) {
   return Check::holds();
 }
 
-/// Control points of magnitude at most 1, the positions and velocities of a net.
+/// Control points of magnitude at most 1, the positions and velocities of a net; a few components
+/// are of subnormal numbers throughout.
 std::vector<std::array<double, 6>> draw_controls(ChoiceSource& choices, const Shape& shape) {
   std::vector<std::array<double, 6>> controls(static_cast<std::size_t>(shape.control_count()));
-  for (auto& control : controls) {
-    for (double& x : control) x = *choices.dyadic(53, -53).to_double_exactly();
+  for (std::size_t k = 0; k < 6; ++k) {
+    constexpr std::uint64_t kFew = 3;
+    const bool is_subnormal = choices.choose(kFew) == kFew;
+    for (auto& control : controls) {
+      const Dyadic x = is_subnormal ? choices.dyadic(8, -1074) : choices.dyadic(53, -53);
+      control[k] = *x.to_double_exactly();
+    }
   }
   return controls;
 }
@@ -143,23 +178,21 @@ Check check_sub_patches(ChoiceSource& choices) {
   return Check::holds();
 }
 
-/// E against what DERIVATION.md, 3, adds up: u·(D·d + 8)·M·|l|₁ with all higher powers of u, four
-/// times `absolute` and 2048·η times |l|₁, and 16·η.
 Check check_derived_bound(ChoiceSource& choices) {
   constexpr int kMostRoundings = 16 * 50;  // D·d
   const auto count = static_cast<int>(choices.integer(0, kMostRoundings));
   const double magnitude = *abs(choices.dyadic(53, -51)).to_double_exactly();
   const double absolute = std::ldexp(1.0, static_cast<int>(choices.integer(-1000, -10)));
   certified::Axis axis;
-  for (double& x : axis) x = *choices.dyadic(53, -51).to_double_exactly();
+  // Axes are products of edges, which become as short as cells.
+  const int shorter = choices.coin() ? static_cast<int>(choices.integer(-600, 0)) : 0;
+  for (double& x : axis) x = *choices.dyadic(53, -51).scaled(shorter).to_double_exactly();
   const certified::ErrorBound bound(magnitude, absolute, count);
   certified::AxisBatch batch;
   for (std::size_t k = 0; k < 3; ++k) batch.axes[k][0] = axis[k];
   Dyadic norm;
   for (const double x : axis) norm += abs(Dyadic::exact(x));
-  const Dyadic per_norm = within_roundings(count + 8) * Dyadic::exact(magnitude) +
-                          Dyadic::exact(absolute).scaled(2) + least_double().scaled(11);
-  const Dyadic least_bound = per_norm * norm + least_double().scaled(4);
+  const Dyadic least_bound = derived_error(magnitude, absolute, count, norm);
   for (const double computed : {bound.for_axis(certified::norm1(axis)), bound.for_axes(batch)[0]}) {
     if (least_bound <= Dyadic::exact(computed)) continue;
     return Check::fails(fmt::format("M = {}, absolute = {}, {} roundings, axis {} {} {}: {}",

@@ -180,6 +180,7 @@ GeneratorOptions draw_generator_options(ChoiceSource& choices) {
   if (family == Family::kRegular || !is_made(family, options.contact, CaseKind::kRP))
     return options;
   options.family = family;
+  if (validate(options)) return options;
   options.shapes.reset();
   if (!is_made(family, options.contact, options.kind)) options.kind = CaseKind::kRP;
   return options;

@@ -31,4 +31,13 @@ inline Dyadic within_roundings(int k) {
   return ku * (Dyadic(1) + ku);
 }
 
+/// What src/ccd/certified/DERIVATION.md, 3, adds up to E of tdibm-c: u·(D·d + 8)·M·|l|₁ with all
+/// higher powers of u, four times `absolute` and 2048·η times |l|₁, and 16·η. roundings: D·d; norm:
+/// |l|₁.
+inline Dyadic derived_error(double magnitude, double absolute, int roundings, const Dyadic& norm) {
+  const Dyadic per_norm = within_roundings(roundings + 8) * Dyadic::exact(magnitude) +
+                          Dyadic::exact(absolute).scaled(2) + least_double().scaled(11);
+  return per_norm * norm + least_double().scaled(4);
+}
+
 }  // namespace ccdfuzz

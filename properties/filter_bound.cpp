@@ -69,7 +69,7 @@ Check check_rational_filter(ChoiceSource& choices) {
     part[side] = static_cast<int>(choices.choose(parts.size() - 1));
     cells[side] = parts[static_cast<std::size_t>(part[side])];
   }
-  const double t = *abs(choices.dyadic(30, -30)).to_double_exactly();
+  const double t = choices.coin() ? *abs(choices.dyadic(30, -30)).to_double_exactly() : 1;
   gap.select(part[0], part[1]);
   gap.project(axis, 20);
   const exact_ccd::Extremes at = gap.extremes(t);

@@ -165,12 +165,12 @@ Check check_terms_of_time(ChoiceSource& choices) {
   }
   const double before = hit ? toi : t_max;
   const double nearest = 5 * size * (contact - std::min(before, contact));
-  // What is near at t = 0 may be left out with it.
-  if (terms.contact_at_zero && choices.coin()) {
-    terms.kept_separation = std::max(0.0, draw_next_to(choices, nearest));
-  }
+  if (choices.coin()) terms.kept_separation = std::max(0.0, draw_next_to(choices, nearest));
 
-  const bool too_near = before > 0 && nearest < terms.kept_separation;
+  // What is too near at t = 0 may be left out where a contact may be.
+  const bool at_zero = 5 * size * contact < terms.kept_separation;
+  const bool too_near =
+      before > 0 && nearest < terms.kept_separation && (terms.contact_at_zero || !at_zero);
   const bool counts = contact <= t_max && (terms.closed_t_max || contact < t_max) &&
                       (terms.contact_at_zero || contact > 0);
   const bool late = hit && toi > contact && toi - contact > terms.time_tolerance;

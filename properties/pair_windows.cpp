@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "ccd/certified/pair_split.hpp"
 #include "properties/draw_contact.hpp"
+#include "properties/error_bound.hpp"
 #include "query/case_json.hpp"
 
 namespace ccdfuzz {
@@ -18,18 +20,31 @@ using certified::PairSplit;
 /// Follows one pair of cells through its axes.
 class Follower final : public ExclusionObserver {
  public:
-  explicit Follower(const Window& window) : left_(window) {}
+  /// depth: of the pair.
+  Follower(const certified::NormalisedQuery& query, int depth, const Window& window)
+      : query_(query), left_(window) {
+    for (const Shape& shape : query.shapes) {
+      roundings_ = std::max(roundings_, (shape.n + shape.m) * depth);
+    }
+  }
 
   void excluded(const Exclusion& exclusion) override {
     const Separation<double>& times = exclusion.times;
-    if (times.has_lo && times.has_hi) return;  // the pair is gone
+    if (times.has_lo && times.has_hi) {
+      gone_ = true;
+      return;
+    }
     if (times.has_lo) left_.lo = std::max(left_.lo, times.hi);
     if (times.has_hi) left_.hi = std::min(left_.hi, times.lo);
+    // A trim leaves its last separated time but one: were it one moment, that is separated, too.
+    const bool is_own = exclusion.axis >= PairSplit::kFirstOwnAxis;
+    gone_ = gone_ || left_.lo > left_.hi || (is_own && left_.lo == left_.hi);
   }
 
   void compared(const AxisGap& gap) override {
-    const bool is_own = gap.axis >= kFirstOwnAxis;
-    const int batch = (gap.axis - kFirstOwnAxis) / certified::kLanes;
+    check_error(gap);
+    const bool is_own = gap.axis >= PairSplit::kFirstOwnAxis;
+    const int batch = (gap.axis - PairSplit::kFirstOwnAxis) / certified::kLanes;
     if (!is_own || batch == batch_) return;
     batch_ = batch;
     if (gap.window.lo == left_.lo && gap.window.hi == left_.hi) return;
@@ -41,13 +56,27 @@ class Follower final : public ExclusionObserver {
   }
 
   const Window& left() const { return left_; }
-  /// The first axis that was tried elsewhere than in what was left; empty if none was.
+  /// Whether the axes took all of the window.
+  bool is_gone() const { return gone_; }
+  /// The first axis that was tried with too small a bound, or elsewhere than in what was left;
+  /// empty if none was.
   const std::string& wrong() const { return wrong_; }
 
  private:
-  /// Those before it, all pairs of the children share (PairSplit::expand).
-  static constexpr int kFirstOwnAxis = 6;
+  /// The bound is that of the axis and of the pair's depth.
+  void check_error(const AxisGap& gap) {
+    if (std::isinf(gap.unit)) return;
+    Dyadic norm;
+    for (int k = 0; k < 3; ++k) norm += abs(Dyadic::exact(gap.direction[k]));
+    const Dyadic least = derived_error(query_.magnitude, query_.absolute, roundings_, norm);
+    if (least <= Dyadic::exact(gap.unit) || !wrong_.empty()) return;
+    wrong_ = fmt::format("axis {} {} {} has the bound {}", to_hex(gap.direction[0]),
+                         to_hex(gap.direction[1]), to_hex(gap.direction[2]), to_hex(gap.unit));
+  }
 
+  const certified::NormalisedQuery& query_;
+  int roundings_ = 0;
+  bool gone_ = false;
   Window left_;
   int batch_ = -1;
   std::string wrong_;
@@ -72,13 +101,16 @@ Check check_pair_windows(ChoiceSource& choices) {
       const int children = drawn->query.patches[s].shape.child_count();
       wanted[s] = static_cast<int>(choices.choose(static_cast<std::uint64_t>(children - 1)));
     }
-    Follower follower(pair.window);
+    Follower follower(split.query(), pair.depth + 1, pair.window);
     std::optional<PairSplit::Kept> kept;
     split.expand(
         pair, [&](int side, int child) { return child == wanted[static_cast<std::size_t>(side)]; },
         follower, [&](const PairSplit::Kept& one) { kept = one; });
     std::string wrong = follower.wrong();
     const Window& left = follower.left();
+    if (!kept && wrong.empty() && !follower.is_gone()) {
+      wrong = fmt::format("dropped, and [{}, {}] is left", to_hex(left.lo), to_hex(left.hi));
+    }
     if (kept && wrong.empty() && (kept->window.lo != left.lo || kept->window.hi != left.hi)) {
       wrong = fmt::format("[{}, {}] is kept, and [{}, {}] is left", to_hex(kept->window.lo),
                           to_hex(kept->window.hi), to_hex(left.lo), to_hex(left.hi));
@@ -100,9 +132,10 @@ Check check_pair_windows(ChoiceSource& choices) {
 std::vector<Property> pair_window_properties() {
   return {
       {"tdibm-c.windows",
-       "The axes of a pair of cells are tried in what those before left of its window, and what "
-       "all of them leave is its window",
-       "src/ccd/certified/pair_split.hpp", Expectation::kHolds, check_pair_windows},
+       "The axes of a pair of cells are tried in what those before left of its window, with the E "
+       "of "
+       "its depth; what all of them leave is its window, and it is dropped where that is nothing",
+       "src/ccd/certified/DERIVATION.md, 3", Expectation::kHolds, check_pair_windows},
   };
 }
 

@@ -18,17 +18,17 @@ Check check_eps_constr(ChoiceSource& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const Lines<double> sorted = sorted_lines(pairs.f);
   CoefficientError error;
-  error.slope = *abs(choices.dyadic(8, -60)).to_double_exactly();
-  error.intercept = *abs(choices.dyadic(8, -60)).to_double_exactly();
+  error.slope = *abs(choices.dyadic(53, -105)).to_double_exactly();
+  error.intercept = *abs(choices.dyadic(53, -105)).to_double_exactly();
   const double t = pairs.window.hi;
   const double computed = ErrorBoundIntended::envelope_error(sorted, error, t);
 
   const Dyadic arithmetic = eps_arith(exact_lines(sorted), Dyadic::exact(t));
   const Dyadic coefficients =
       Dyadic::exact(t) * Dyadic::exact(error.slope) + Dyadic::exact(error.intercept);
-  // A product and two sums of what is not negative, each u = eps/2 too low at most. The room that
-  // Appendix B leaves is of eps_arith alone.
-  const Dyadic lost = coefficients * section_4_3_epsilon().scaled(1);
+  // A product and two sums of what is not negative, each u at most too low; the room that Appendix
+  // B leaves is of eps_arith alone.
+  const Dyadic lost = coefficients * half_ulp().scaled(2);
   if (coefficients - lost + arithmetic <= Dyadic::exact(computed)) return Check::holds();
   return Check::fails(fmt::format("lines {} up to t = {}, eps_a = {}, eps_b = {}: {} is too little",
                                   to_hex_text(pairs.f), to_hex(t), to_hex(error.slope),
@@ -75,7 +75,10 @@ Check check_pulled_roots(ChoiceSource& choices) {
 std::vector<Property> shift_properties() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
-      {"tdibm-e.eps_constr", "What envelopes are shifted by is no less than eps_coeff + eps_arith",
+      {"tdibm-e.eps_constr",
+       "What envelopes are shifted by is no less than eps_coeff + eps_arith, up to three roundings "
+       "of "
+       "eps_coeff",
        "Eqs. 11, 12, 16", kHolds, check_eps_constr},
       {"tdibm-e.pulled_roots",
        "An end of a separated interval is no further out than where envelopes meet that are pulled "

@@ -19,7 +19,8 @@ struct AnswerTerms {
   bool has_uv = true;  ///< the answer says where
   /// A hit is true so much before a contact that comes after t_max. ≥ 0, finite.
   double early_tolerance = 0;
-  /// Patches that come nearer than this are for it to report as if they touched. ≥ 0, finite.
+  /// Patches that come nearer than this are for it to report as if they touched; unless contacts at
+  /// 0 do not count, and they are as near as that from the start. ≥ 0, finite.
   double kept_separation = 0;
 };
 

@@ -102,8 +102,7 @@ RC_GTEST_PROP(ErrorBound, CoversEveryRoundingOfAGap, ()) {
   const HeightLines by_lines(
       {{trees[0].net(nodes[0]), trees[1].net(nodes[1])}, {trees[0].count(), trees[1].count()}}, l);
 
-  // The exact gap, brought to the normalised scale by the power of two that normalise used: found
-  // from the largest control-point difference, which both must agree on to a factor of 1 + 2^-40.
+  // The exact gap, brought to the normalised scale by the power of two that normalise used.
   const Rational time = exact(t) * power_of_two(n.time);
   const auto ea = exact_extremes(query.patches[0], trees[0].cell(nodes[0]), l, time);
   const auto eb = exact_extremes(query.patches[1], trees[1].cell(nodes[1]), l, time);

@@ -21,6 +21,10 @@ class PairSplit {
  public:
   using Node = CellTree::Node;
 
+  /// The axes before it, all pairs of children share: 0..2 are the coordinate axes, 3 the parent's
+  /// hint, 4 and 5 the parents' normals. From it on they are those of CandidateAxes.
+  static constexpr int kFirstOwnAxis = 6;
+
   /// A pair of children, what is left of its window, and the axis that did most for it.
   struct Kept {
     Window window;
@@ -39,8 +43,7 @@ class PairSplit {
 
   /// Splits a pair and calls keep(Kept) for each pair of children that may touch, in the order of
   /// their places. pair: window, hint, cells[2] and depth. wanted(side, child) says which children
-  /// to look at. observer: Unobserved or an ExclusionObserver; its axes are 0..2 the coordinate
-  /// axes, 3 the parent's hint, 4 and 5 the parents' normals, from 6 those of CandidateAxes.
+  /// to look at. observer: Unobserved or an ExclusionObserver.
   template <class Pair, class Wanted, class Observer, class Keep>
   void expand(const Pair& pair, const Wanted& wanted, Observer& observer, const Keep& keep);
 
@@ -275,7 +278,7 @@ bool PairSplit::narrow_by_own_axes(int a, int b, const Shared& shared,
     const Verdicts verdicts = project_and_compare(now[0], now[1], *batch, bounds, ranges);
     const auto axis = [&](int k) { return axis_of(*batch, k); };
     const auto gaps_on = [&](int k) { return Gaps(lane(ranges[0], k), lane(ranges[1], k)); };
-    const int first_axis = 6 + i * kLanes;
+    const int first_axis = kFirstOwnAxis + i * kLanes;
     if constexpr (Observer::kListens) {
       for (int k = 0; k < kLanes; ++k) {
         detail::Told{observer, first_axis + k, axis(k)}.compared(gaps_on(k), bounds[k], seen);

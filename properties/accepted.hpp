@@ -1,0 +1,20 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "properties/property.hpp"
+#include "query/case_json.hpp"
+
+namespace ccdfuzz {
+
+/// Holds iff the checker's word is as expected; else says what it accepts or refuses, and of which
+/// case.
+inline Check accepted_iff(bool accepted, bool expected, std::string_view what, const Case& about) {
+  if (accepted == expected) return Check::holds();
+  return Check::fails(
+      fmt::format("{} {}\n{}", accepted ? "accepts" : "refuses", what, to_json(about)));
+}
+
+}  // namespace ccdfuzz
