@@ -1,7 +1,6 @@
 #include "properties/case_claims.hpp"
 
 #include "certify/checker/check_truth.hpp"
-#include "certify/linear/first_contact.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "properties/accepted.hpp"
 #include "properties/draw_contact.hpp"
@@ -24,20 +23,20 @@ Result<Case> draw_linear_proofs(ChoiceSource& choices) {
   if (!query) return tl::unexpected(query.error());
   Case proven;
   proven.query = *std::move(query);
+  Truth& truth = proven.truth;
+  const Truth decided = decide_linear(proven.query, {}).truth;
+  truth.witness = decided.witness;
+  truth.contact_root = decided.contact_root;
   LinearClearance clearance{exact(proven.query.t_max), choices.coin()};
-  if (auto contact = linear::first_contact(proven.query)) {
-    constexpr long kFinest = -64;  // the last bit of any double from 2^-12 on
-    contact->time.narrow(power_of_two(kFinest));
-    clearance.until = contact->time.lo();
-    if (contact->time.is_rational()) {
-      proven.truth.witness = linear::witness_of(linear::exact_patches(proven.query), *contact);
+  if (truth.witness || truth.contact_root) {
+    const Rational first = truth.witness ? truth.witness->t : truth.contact_root->from;
+    if (clearance.closed) {
+      clearance = {first / 2, first > 0};
     } else {
-      proven.truth.contact_root = decide_linear(proven.query, {}).truth.contact_root;
+      clearance.until = first;
     }
-    if (clearance.closed) clearance.until /= 2;
-    clearance.closed = clearance.closed && clearance.until < contact->time.lo();
   }
-  proven.truth.clearance = clearance;
+  truth.clearance = clearance;
   return proven;
 }
 
@@ -174,8 +173,7 @@ std::vector<Property> case_claim_properties() {
        "src/certify/checker/check_truth.hpp", kHolds, check_claims_of_case},
       {"checker.refuses_proofs_before_start",
        "Witness and plane of a motion are accepted of the same motion from another time on, and "
-       "refused "
-       "iff what they prove comes before t = 0 then",
+       "refused iff what they prove comes before t = 0 then",
        "src/certify/checker/check_witness.hpp", kHolds, check_other_start},
   };
 }

@@ -7,6 +7,7 @@
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
+#include "properties/accepted.hpp"
 #include "properties/against_oracle.hpp"
 #include "properties/draw_patch.hpp"
 #include "properties/no_false_negative.hpp"
@@ -191,9 +192,7 @@ Check check_wrong_witness(ChoiceSource& choices) {
     points[s] = evaluate<Rational>(patch, witness.uv[s], witness.t);
   }
   const bool is_contact = inside && points[0] == points[1];
-  if (check_truth(*drawn).has_value() == is_contact) return Check::holds();
-  return Check::fails(
-      fmt::format("{} a witness\n{}", is_contact ? "refuses" : "accepts", to_json(*drawn)));
+  return accepted_iff(check_truth(*drawn).has_value(), is_contact, "a witness", *drawn);
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ class Follower final : public ExclusionObserver {
     }
     if (times.has_lo) left_.lo = std::max(left_.lo, times.hi);
     if (times.has_hi) left_.hi = std::min(left_.hi, times.lo);
-    // A trim leaves its last separated time but one: were it one moment, that is separated, too.
+    // The new end of a trim by an own axis is separated itself: if it is all that is left, so is
+    // that.
     const bool is_own = exclusion.axis >= PairSplit::kFirstOwnAxis;
     gone_ = gone_ || left_.lo > left_.hi || (is_own && left_.lo == left_.hi);
   }
@@ -133,8 +134,8 @@ std::vector<Property> pair_window_properties() {
   return {
       {"tdibm-c.windows",
        "The axes of a pair of cells are tried in what those before left of its window, with the E "
-       "of "
-       "its depth; what all of them leave is its window, and it is dropped where that is nothing",
+       "of its depth; what all of them leave is its window, and it is dropped where that is "
+       "nothing",
        "src/ccd/certified/DERIVATION.md, 3", Expectation::kHolds, check_pair_windows},
   };
 }

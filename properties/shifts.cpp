@@ -77,8 +77,7 @@ std::vector<Property> shift_properties() {
   return {
       {"tdibm-e.eps_constr",
        "What envelopes are shifted by is no less than eps_coeff + eps_arith, up to three roundings "
-       "of "
-       "eps_coeff",
+       "of eps_coeff",
        "Eqs. 11, 12, 16", kHolds, check_eps_constr},
       {"tdibm-e.pulled_roots",
        "An end of a separated interval is no further out than where envelopes meet that are pulled "

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drivers.hpp"
+#include "query/json_text.hpp"
 #include "report/json_field.hpp"
 
 namespace ccdfuzz {
@@ -51,7 +52,7 @@ std::string to_line(const Record& r) {
       {"detected", r.detected}, {"executions", r.executions}, {"seconds", r.seconds},
       {"found", r.found},       {"watched", r.watched}};
   if (!r.definition.empty()) json["definition"] = r.definition;
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json_text(json);
 }
 
 Result<Record> parse_record(std::string_view line, const std::string& where,
