@@ -73,20 +73,25 @@ Result<int> check_hex(const CheckArguments& options) {
   ByteChoices choices(*bytes);
   const Check check = run(*property, choices);
   const bool fails = check.status == Check::Status::kFails;
+  const bool expected = property->expected == Expectation::kFails;
   const char* status = fails                                       ? "fails"
                        : check.status == Check::Status::kDiscarded ? "is discarded"
                                                                    : "holds";
   if (options.json) {
-    print_json({{"property", property->name}, {"status", status}, {"text", check.text}});
+    print_json({{"property", property->name},
+                {"expected_to_fail", expected},
+                {"status", status},
+                {"text", check.text}});
   } else {
-    print_out(fmt::format("{} {}{}{}\n", property->name, status, check.text.empty() ? "" : ": ",
+    print_out(fmt::format("{} {}{}{}{}\n", property->name, status,
+                          fails && expected ? ", as is known" : "", check.text.empty() ? "" : ": ",
                           check.text));
   }
   if (check.status == Check::Status::kDiscarded) {
     fmt::print(stderr, "ccdfuzz: nothing was checked: the input was discarded\n");
     return kCheckFailed;
   }
-  return fails && property->expected == Expectation::kHolds ? kCheckFailed : kDone;
+  return fails && !expected ? kCheckFailed : kDone;
 }
 
 /// The inputs of each of `properties` properties, with what the environment and the clock say.
@@ -155,7 +160,10 @@ Result<int> run_check(const CheckArguments& arguments) {
                                                        "were discarded",
                                                        unchecked)));
   }
-  if (interrupted) return interrupted_exit_code();
+  if (interrupted) {
+    fmt::print(stderr, "ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen->size());
+    return interrupted_exit_code();
+  }
   return findings + unchecked > 0 ? kCheckFailed : kDone;
 }
 

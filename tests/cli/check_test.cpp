@@ -32,6 +32,9 @@ TEST(Check, WhatIsAskedForByNameIsShrunkAndSeenAgainFromItsBytes) {
   const auto repeated = json_lines(again.out);
   ASSERT_EQ(repeated.size(), 1U);
   EXPECT_EQ(repeated[0].at("status"), "fails");
+  EXPECT_EQ(repeated[0].at("expected_to_fail"), true);
+  EXPECT_TRUE(shell(rows[0].at("reproduce_shrunk").get<std::string>())
+                  .out.starts_with("tdibm.separation fails, as is known: "));
   EXPECT_EQ(repeated[0].at("text"), rows[0].at("shrunk"));
   const std::string test = rows[0].at("test");
   EXPECT_NE(test.find("TEST(Found, TdibmSeparation)"), std::string::npos) << test;

@@ -123,6 +123,12 @@ TEST(Check, AFolderThatCannotBeUsedIsRefusedBeforeTheRun) {
   }
 }
 
+TEST(Check, ARunThatIsInterruptedSaysWhatItDidNotBegin) {
+  const Finished run = misbehaving({"made_up.interrupts", "made_up.holds"});
+  EXPECT_EQ(run.code, 130);
+  EXPECT_THAT(run.err, HasSubstr("interrupted: 1 of 2 properties begun\n"));
+}
+
 TEST(Check, WhereNothingIsCheckedItDoesNotPass) {
   const Finished run = misbehaving({"made_up.is_discarded", "made_up.holds"});
   EXPECT_EQ(run.code, 1);

@@ -1,4 +1,5 @@
 // `ccdfuzz check` of made-up properties, each of which misbehaves as its name says.
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -71,6 +72,13 @@ Check hangs(ChoiceSource& choices) {
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
 }
 
+/// Once: whoever asks twice wants the program to end at once.
+Check interrupts(ChoiceSource& choices) {
+  static std::atomic_flag done = ATOMIC_FLAG_INIT;
+  if (!done.test_and_set()) std::raise(SIGINT);
+  return holds(choices);
+}
+
 std::vector<Property> misbehaving() {
   constexpr auto kHolds = Expectation::kHolds;
   return {{"made_up.holds", "", "", kHolds, holds},
@@ -81,6 +89,7 @@ std::vector<Property> misbehaving() {
           {"made_up.aborts", "", "", kHolds, aborts},
           {"made_up.overflows_the_stack", "", "", kHolds, overflows_the_stack},
           {"made_up.aborts_when_shrunk", "", "", kHolds, aborts_when_shrunk},
+          {"made_up.interrupts", "", "", kHolds, interrupts},
           {"made_up.hangs", "", "", kHolds, hangs}};
 }
 

@@ -71,23 +71,25 @@ PartitionName=test Nodes=$host Default=YES State=UP
 CONF
 export SLURM_CONF="$scratch/slurm.conf"
 unset SLURM_JOB_ID SLURM_ARRAY_TASK_ID SLURM_CPUS_PER_TASK
-for i in $(seq 100); do
+# Waits take up to ten minutes: slowness is no failure.
+for i in $(seq 6000); do
   [ ! -S "$scratch/munge/socket" ] || break
+  [ "$i" -lt 6000 ] || fail 'munged did not come up'
   sleep 0.1
 done
 slurmctld -D -c >"$scratch/slurmctld.out.log" 2>&1 &
 daemons="$daemons $!"
 slurmd -D -N "$host" >"$scratch/slurmd.out.log" 2>&1 &
 daemons="$daemons $!"
-for i in $(seq 300); do
+for i in $(seq 6000); do
   ! sinfo -h -o %t 2>/dev/null | grep -q idle || break
-  [ "$i" -lt 300 ] || fail 'slurmctld and slurmd did not come up'
+  [ "$i" -lt 6000 ] || fail 'slurmctld and slurmd did not come up'
   sleep 0.1
 done
 
 # Until the job is gone from the queue, or cannot start any more.
 wait_for_job() {
-  for i in $(seq 1500); do
+  for i in $(seq 3000); do
     state=$(scontrol show job "$1" 2>/dev/null | sed -n 's/.*JobState=\([A-Z]*\).*/\1/p')
     case $state in
       COMPLETED) return 0 ;;
@@ -118,7 +120,7 @@ cmp "$scratch/answers/figure_5.csv" "$scratch/out/merged/figure_5.csv" || fail '
 
 # A share that cannot be made leaves no merged file behind, and says why.
 jobs=$("$source/script/slurm/submit" 2 "$scratch/bad" evaluate "$scratch/missing.jsonl")
-for i in $(seq 300); do
+for i in $(seq 6000); do
   ! grep -q missing.jsonl "$scratch/bad/share-0.log" 2>/dev/null || break
   sleep 0.1
 done
