@@ -71,21 +71,23 @@ PartitionName=test Nodes=$host Default=YES State=UP
 CONF
 export SLURM_CONF="$scratch/slurm.conf"
 unset SLURM_JOB_ID SLURM_ARRAY_TASK_ID SLURM_CPUS_PER_TASK
-# Waits take up to ten minutes: slowness is no failure.
-for i in $(seq 6000); do
-  [ ! -S "$scratch/munge/socket" ] || break
-  [ "$i" -lt 6000 ] || fail 'munged did not come up'
-  sleep 0.1
-done
+# wait_until COMPLAINT COMMAND...: until the command succeeds, up to ten minutes: slowness is no failure.
+wait_until() {
+  complaint=$1
+  shift
+  for i in $(seq 6000); do
+    ! "$@" 2>/dev/null || return 0
+    sleep 0.1
+  done
+  fail "$complaint"
+}
+node_is_idle() { sinfo -h -o %t | grep -q idle; }
+wait_until 'munged did not come up' test -S "$scratch/munge/socket"
 slurmctld -D -c >"$scratch/slurmctld.out.log" 2>&1 &
 daemons="$daemons $!"
 slurmd -D -N "$host" >"$scratch/slurmd.out.log" 2>&1 &
 daemons="$daemons $!"
-for i in $(seq 6000); do
-  ! sinfo -h -o %t 2>/dev/null | grep -q idle || break
-  [ "$i" -lt 6000 ] || fail 'slurmctld and slurmd did not come up'
-  sleep 0.1
-done
+wait_until 'slurmctld and slurmd did not come up' node_is_idle
 
 # Until the job is gone from the queue, or cannot start any more.
 wait_for_job() {
@@ -120,10 +122,6 @@ cmp "$scratch/answers/figure_5.csv" "$scratch/out/merged/figure_5.csv" || fail '
 
 # A share that cannot be made leaves no merged file behind, and says why.
 jobs=$("$source/script/slurm/submit" 2 "$scratch/bad" evaluate "$scratch/missing.jsonl")
-for i in $(seq 6000); do
-  ! grep -q missing.jsonl "$scratch/bad/share-0.log" 2>/dev/null || break
-  sleep 0.1
-done
-grep -q missing.jsonl "$scratch/bad/share-0.log" || fail 'no complaint about missing.jsonl'
+wait_until 'no complaint about missing.jsonl' grep -q missing.jsonl "$scratch/bad/share-0.log"
 [ ! -e "$scratch/bad/merged" ] || fail 'something was merged'
 echo 'PASSED'
