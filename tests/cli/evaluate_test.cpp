@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <thread>
 
-#include "process.hpp"
+#include "killed_run.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -186,15 +185,8 @@ TEST(Evaluate, GoesOnAfterKillsAndRefusesAnotherRunsJournal) {
   };
   EXPECT_EQ(ccdfuzz(arguments(whole, "tdibm-e,tdibm")).code, 0);
   namespace fs = std::filesystem;
-  const auto size = [&] { return fs::exists(journal) ? fs::file_size(journal) : 0; };
-  for (int kills = 0; kills < 3; ++kills) {
-    const auto before = size();
-    Process process(arguments(report, "tdibm-e,tdibm"));
-    while (size() < before + 600 && !fs::exists(report + "/answers.csv")) std::this_thread::yield();
-    process.signal(SIGKILL);
-    process.wait();
-  }
-  ASSERT_TRUE(fs::exists(journal));
+  ASSERT_TRUE(
+      kill_often(arguments(report, "tdibm-e,tdibm"), journal, 3, [&] { fs::remove_all(report); }));
   const Finished other = ccdfuzz(arguments(report, "tdibm"));
   EXPECT_EQ(other.code, 2);
   EXPECT_NE(other.err.find(journal), std::string::npos) << other.err;

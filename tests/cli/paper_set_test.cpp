@@ -1,11 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <random>
-#include <thread>
-
-#include "generators/random.hpp"
-#include "process.hpp"
+#include "killed_run.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -74,24 +69,15 @@ TEST_F(PaperSet, PrintsTable4WithDiscardsStepByStep) {
 
 // Killed at any moment and begun again: the same bytes, and nothing left over.
 TEST_F(PaperSet, GoesOnAfterKillsWithTheSameBytes) {
-  const std::string path = *folder / "killed.jsonl.zst", journal = path + ".partial";
-  const auto size = [&] { return fs::exists(journal) ? fs::file_size(journal) : 0; };
-  Random random(std::random_device{}());
-  int kills = 0;
-  for (; kills < 8 && !fs::exists(path); ++kills) {
-    const auto before = size();
-    Process process(paper(path, {"--threads", "2"}));
-    // Let it get on by a record or two, then kill it a moment later.
-    while (size() <= before && !fs::exists(path)) std::this_thread::yield();
-    std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
-    process.signal(SIGKILL);
-    process.wait();
-  }
-  if (fs::exists(journal) || !fs::exists(path)) {
-    const Finished last = ccdfuzz(paper(path));
-    EXPECT_EQ(last.code, 0) << last.err;
-  }
-  EXPECT_GT(kills, 2) << "of a run that was over at once";
+  const std::string path = *folder / "killed.jsonl.zst", journal = Journal::path_for(path);
+  const auto forget = [&] {
+    for (const auto& entry : fs::directory_iterator(folder->path())) {
+      if (entry.path().filename().string().starts_with("killed.")) fs::remove(entry.path());
+    }
+  };
+  ASSERT_TRUE(kill_often(paper(path, {"--threads", "2"}), journal, 3, forget));
+  const Finished last = ccdfuzz(paper(path));
+  EXPECT_EQ(last.code, 0) << last.err;
   EXPECT_EQ(contents(*folder, "killed"), contents(*folder, "whole"));
   EXPECT_FALSE(fs::exists(journal));
 }
@@ -99,7 +85,7 @@ TEST_F(PaperSet, GoesOnAfterKillsWithTheSameBytes) {
 TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
   const std::string path = *folder / "stopped.jsonl.zst";
   Process process({"generate", "--paper", "-o", path});
-  while (!fs::exists(path + ".partial") || fs::file_size(path + ".partial") < 5000) {
+  while (size_or_zero(Journal::path_for(path)) < 5000) {
     std::this_thread::yield();
   }
   process.signal(SIGINT);
@@ -112,7 +98,7 @@ TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
 TEST_F(PaperSet, APartialFileOfAnotherRunIsAnErrorThatNamesIt) {
   const std::string path = *folder / "stopped.jsonl.zst";
   Process process({"generate", "--paper", "-o", path, "--seed", "1"});
-  while (!fs::exists(path + ".partial") || fs::file_size(path + ".partial") < 5000) {
+  while (size_or_zero(Journal::path_for(path)) < 5000) {
     std::this_thread::yield();
   }
   process.signal(SIGKILL);

@@ -54,6 +54,13 @@ class Process {
 
   void signal(int number) { ::kill(pid_, number); }
 
+  /// Whether it has ended.
+  bool is_over() const {
+    siginfo_t ended = {};
+    return ::waitid(P_PID, static_cast<id_t>(pid_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           ended.si_pid != 0;
+  }
+
   Finished wait() {
     int status = 0;
     ::waitpid(pid_, &status, 0);

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <chrono>
+#include <random>
+#include <thread>
+
+#include "generators/random.hpp"
+#include "process.hpp"
+#include "query/journal.hpp"
+
+namespace ccdfuzz {
+
+/// The size of a file that may come and go, 0 of one that is not there.
+inline std::uintmax_t size_or_zero(const std::string& path) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  return none ? 0 : size;
+}
+
+/// Runs ccdfuzz until its journal has grown, kills it up to 20 ms later, and that `kills` times,
+/// each run going on where the last was killed. If a run was over before that, as where the machine
+/// gave this process no time, calls `forget`, which removes what was written, and begins anew.
+/// False if that was so `kAttempts` times.
+template <class Forget>
+bool kill_often(const std::vector<std::string>& arguments, const std::string& journal, int kills,
+                const Forget& forget) {
+  constexpr int kAttempts = 100;
+  Random random(std::random_device{}());
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    bool is_killed = true;
+    for (int kill = 0; kill < kills && is_killed; ++kill) {
+      const std::uintmax_t before = size_or_zero(journal);
+      Process process(arguments);
+      while (size_or_zero(journal) <= before && !process.is_over()) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
+      process.signal(SIGKILL);
+      process.wait();
+      is_killed = std::filesystem::exists(journal);
+    }
+    if (is_killed) return true;
+    forget();
+  }
+  return false;
+}
+
+}  // namespace ccdfuzz
