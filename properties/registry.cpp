@@ -147,12 +147,19 @@ const std::vector<Property>& properties() {
 }
 
 Result<Property> property_named(std::string_view name, const std::vector<Property>& among) {
-  std::string names;
+  const std::string_view subject = name.substr(0, name.find('.'));
+  std::string alike;
   for (const Property& p : among) {
     if (p.name == name) return p;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", p.name);
+    if (p.name.substr(0, p.name.find('.')) != subject &&
+        (name.empty() || p.name.find(name) == std::string_view::npos))
+      continue;
+    alike += fmt::format("{}{}", alike.empty() ? "" : ", ", p.name);
   }
-  return input_error("", fmt::format("no property \"{}\"; there are: {}", name, names));
+  return input_error(
+      "",
+      fmt::format("no property \"{}\"; {}{}", name,
+                  alike.empty() ? "the list is: ccdfuzz properties" : "the nearest are: ", alike));
 }
 
 }  // namespace ccdfuzz

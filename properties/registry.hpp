@@ -9,7 +9,7 @@ namespace ccdfuzz {
 /// Every property, for drivers and for `ccdfuzz properties`.
 const std::vector<Property>& properties();
 
-/// Errors: an unknown name, with the names that there are.
+/// Errors: an unknown name, with those that are like it.
 Result<Property> property_named(std::string_view name,
                                 const std::vector<Property>& among = properties());
 

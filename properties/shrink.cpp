@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "numeric/verify.hpp"
-
 namespace ccdfuzz {
 
 namespace {
@@ -116,19 +114,25 @@ ChoiceNumbers shrunk(ChoiceNumbers numbers, std::uint64_t tries,
   return numbers;
 }
 
-Counterexample shrunk_counterexample(const Property& property, const ChoiceNumbers& numbers,
-                                     std::uint64_t tries) {
+std::optional<Counterexample> shrunk_counterexample(const Property& property,
+                                                    const ChoiceNumbers& numbers,
+                                                    const ShrinkLimits& limits) {
+  const auto fails = [&](const ChoiceNumbers& candidate) {
+    StoredChoices choices(candidate);
+    return run(property, choices).status == Check::Status::kFails;
+  };
+  if (!fails(numbers)) return std::nullopt;
   std::uint64_t spent = 0;
   // What a sequence draws is what counts, not what is left over of it: a candidate that asks for
   // more choices than it has gets zeros.
-  const ChoiceNumbers least = shrunk(numbers, tries, [&](const ChoiceNumbers& candidate) {
+  const ChoiceNumbers least = shrunk(numbers, limits.tries, [&](const ChoiceNumbers& candidate) {
+    if (limits.is_over && limits.is_over()) return false;
     ++spent;
-    StoredChoices choices(candidate);
-    return run(property, choices).status == Check::Status::kFails;
+    return fails(candidate);
   });
   StoredChoices choices(least);
   Counterexample found{least, {}, run(property, choices), spent};
-  CCDFUZZ_VERIFY(found.check.status == Check::Status::kFails);
+  if (found.check.status != Check::Status::kFails) return std::nullopt;
   // A source at its end gives zeros.
   found.bytes = choices.bytes();
   std::vector<std::uint8_t> shorter = found.bytes;

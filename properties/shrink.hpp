@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "properties/property.hpp"
@@ -33,8 +34,16 @@ struct Counterexample {
   std::uint64_t tries = 0;
 };
 
-/// Shrinks a sequence of choices on which the property fails; the result fails too.
-Counterexample shrunk_counterexample(const Property& property, const ChoiceNumbers& numbers,
-                                     std::uint64_t tries);
+/// When shrinking ends at the latest.
+struct ShrinkLimits {
+  std::uint64_t tries;                 ///< runs of the property
+  std::function<bool()> is_over = {};  ///< asked before each of them; empty: never over
+};
+
+/// Shrinks a sequence of choices on which the property failed; the result fails too, which may be
+/// with another text. None if it does not fail each time that it is run on the same choices.
+std::optional<Counterexample> shrunk_counterexample(const Property& property,
+                                                    const ChoiceNumbers& numbers,
+                                                    const ShrinkLimits& limits);
 
 }  // namespace ccdfuzz

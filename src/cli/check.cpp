@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <filesystem>
 
 #include "cli/check_row.hpp"
 #include "cli/command.hpp"
@@ -36,18 +38,50 @@ WatchedInputs watched(const Property& property, const CheckedInputs& inputs) {
           " --count 1"};
 }
 
-/// The first failure shrunk, and saved where it is news.
-void keep_find(const CheckArguments& options, InputWatch& watch, CheckedProperty& checked) {
+/// Shrinks the find, for at most as long as its property was checked by time.
+void shrink(const CheckedInputs& inputs, const std::atomic<bool>& stop, InputWatch& watch,
+            Progress& progress, CheckedProperty& checked) {
+  const InputWatch::At at(watch, checked.tally.first_failure);
+  RandomChoices choices = inputs.choices(checked.tally.first_failure);
+  run(checked.property, choices);
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t runs = 0;
+  const auto is_over = [&] {
+    progress.show(static_cast<double>(runs) / static_cast<double>(kShrinkTries),
+                  fmt::format("{}: shrinking", checked.property.name), runs, "runs");
+    ++runs;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    return stop || (inputs.seconds && spent.count() >= *inputs.seconds);
+  };
+  shrink_find(*checked.find, checked.property, choices.numbers(), {kShrinkTries, is_over});
+}
+
+/// Tells what one property showed. A find is told and saved as it was found, then as it was shrunk:
+/// what happens while it is shrunk loses nothing.
+Result<void> tell(const CheckArguments& options, const std::atomic<bool>& stop, InputWatch& watch,
+                  Progress& progress, Table& table, CheckedProperty& checked) {
   // Of a claim that is known to be false, only who asks for it wants to see the simplest failure.
-  if (checked.tally.failed == 0 || (checked.known_false() && options.names.empty())) return;
-  {
-    const InputWatch::At at(watch, checked.tally.first_failure);
-    RandomChoices choices = options.inputs.choices(checked.tally.first_failure);
-    run(checked.property, choices);
-    checked.find = make_find(checked.property, choices.numbers(), kShrinkTries);
+  const bool is_wanted =
+      checked.tally.failed > 0 && !(checked.known_false() && options.names.empty());
+  if (is_wanted) checked.find = CheckFind{checked.tally.text, checked.reproduce, {}, "", ""};
+  const std::string folder = options.save.value_or(kFolder);
+  if (checked.is_finding()) checked.saved = save_find(folder, checked.property, *checked.find);
+  progress.clear();
+  if (!options.json) print_check_row(table, checked);
+  // The next input may crash.
+  if (const Result<void> out = flush_stdout(); !out) return out;
+  if (is_wanted) {
+    shrink(options.inputs, stop, watch, progress, checked);
+    if (checked.is_finding() && checked.find->least) {
+      const Result<std::string> before = checked.saved;
+      checked.saved = save_find(folder, checked.property, *checked.find);
+      if (std::error_code none; checked.saved && before) std::filesystem::remove(*before, none);
+    }
+    progress.clear();
+    if (!options.json) print_shrunk(*checked.find, checked.saved);
   }
-  if (checked.known_false()) return;
-  checked.saved = save_find(options.save.value_or(kFolder), checked.property, *checked.find);
+  if (options.json) print_check_json(options.inputs, checked);
+  return flush_stdout();
 }
 
 /// Each once, in the order in which they are named.
@@ -127,7 +161,7 @@ Result<int> run_check(const CheckArguments& arguments) {
     if (!made) return input_error("--save", made.error().message());
   }
   Table table = check_table(*chosen);
-  std::uint64_t done = 0, findings = 0, unchecked = 0;
+  std::uint64_t done = 0, findings = 0, unchecked = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
   for (const Property& property : *chosen) {
     if (interrupted) break;
@@ -141,24 +175,25 @@ Result<int> run_check(const CheckArguments& arguments) {
                             "", std::nullopt, ""};
     checked.reproduce =
         fmt::format("{}{}{}", names.before, checked.tally.first_failure, names.after);
-    keep_find(options, watch, checked);
-    progress.clear();
+    const Result<void> told = tell(options, interrupted, watch, progress, table, checked);
+    if (!told) return tl::unexpected(told.error());
     ++done;
     findings += checked.is_finding() ? 1 : 0;
     unchecked += checked.tally.all_discarded() ? 1 : 0;
-    options.json ? print_check_json(*inputs, checked) : print_check_row(table, checked);
-    // The next property may crash.
-    if (const Result<void> out = flush_stdout(); !out) return tl::unexpected(out.error());
+    not_refuted += checked.not_refuted() ? 1 : 0;
   }
   if (!options.json) {
     print_out(table.next_text(wants_colour(stdout)));
-    print_out(fmt::format("\n{} {}, inputs from {} of seed {}: {} failed that should hold{}\n",
-                          done, done == 1 ? "property" : "properties", inputs->first, inputs->seed,
-                          findings,
-                          unchecked == 0 ? ""
-                                         : fmt::format(", of {} nothing was checked: all inputs "
-                                                       "were discarded",
-                                                       unchecked)));
+    std::string summary =
+        fmt::format("\n{} {}, inputs from {} of seed {}: {} failed that should hold", done,
+                    done == 1 ? "property" : "properties", inputs->first, inputs->seed, findings);
+    if (not_refuted > 0) {
+      summary += fmt::format(", {} known to be false did not fail", not_refuted);
+    }
+    if (unchecked > 0) {
+      summary += fmt::format(", of {} nothing was checked: all inputs were discarded", unchecked);
+    }
+    print_out(summary + "\n");
   }
   if (interrupted) {
     fmt::print(stderr, "ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen->size());
@@ -182,7 +217,8 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
   Option seconds =
       command.text("--seconds", options->seconds,
                    "Instead, whatever CCDFUZZ_EFFORT is: how long, in equal shares for "
-                   "the properties; none is left out");
+                   "the properties; none is left out, and what fails is shrunk for up to its "
+                   "share more");
   seconds.excludes(count);
   const Option seed = command.whole("--seed", options->inputs.seed, "Seed of the inputs");
   const Option first = command.whole("--first", options->inputs.first, "Index of the first input");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
@@ -28,19 +29,22 @@ std::string test_name(std::string_view property) {
 
 }  // namespace
 
-CheckFind make_find(const Property& property, const ChoiceNumbers& numbers, std::uint64_t tries) {
-  CheckFind find{shrunk_counterexample(property, numbers, tries), "", ""};
+void shrink_find(CheckFind& find, const Property& property, const ChoiceNumbers& numbers,
+                 const ShrinkLimits& limits) {
+  find.least = shrunk_counterexample(property, numbers, limits);
+  if (!find.least) return;
   find.reproduce = fmt::format("{} check {} --hex {}", shell_word(program_name()), property.name,
-                               to_hex_word(find.least.bytes));
+                               to_hex_word(find.least->bytes));
   find.test = fmt::format(
+      "#include <gtest/gtest.h>\n\n"
+      "#include \"properties/registry.hpp\"\n\n"
       "TEST(Found, {}) {{\n"
       "  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");\n"
       "  ccdfuzz::ByteChoices choices(*bytes);\n"
       "  const auto check = ccdfuzz::run(*ccdfuzz::property_named(\"{}\"), choices);\n"
       "  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;\n"
       "}}\n",
-      test_name(property.name), to_hex_bytes(find.least.bytes), property.name);
-  return find;
+      test_name(property.name), to_hex_bytes(find.least->bytes), property.name);
 }
 
 Result<void> make_find_folder(const std::string& folder) {
@@ -56,12 +60,17 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
     return tl::unexpected(made.error());
   }
   std::uint64_t key = 0;
-  for (const std::uint8_t byte : find.least.bytes) key = Random::keyed({key, byte}).next();
+  const auto add = [&](std::uint8_t byte) { key = Random::keyed({key, byte}).next(); };
+  std::string text = fmt::format("{}: {}\n\n", property.name, property.claim);
+  if (find.least) {
+    std::ranges::for_each(find.least->bytes, add);
+    text += fmt::format("{}\n\nreproduce: {}\n\n{}\nshrunk from:\n\n", find.least->check.text,
+                        find.reproduce, find.test);
+  } else {
+    for (const char c : find.as_found) add(static_cast<std::uint8_t>(c));
+  }
+  text += fmt::format("{}\n\nas found: {}\n", find.text, find.as_found);
   const std::string path = fmt::format("{}/{}-{:016x}.txt", folder, property.name, key);
-  const std::string text = fmt::format(
-      "{}: {}\n\n{}\n\nreproduce: {}\n\n#include <gtest/gtest.h>\n\n"
-      "#include \"properties/registry.hpp\"\n\n{}",
-      property.name, property.claim, find.least.check.text, find.reproduce, find.test);
   return write_file(path, text).map([&] { return path; });
 }
 

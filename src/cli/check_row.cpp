@@ -20,8 +20,9 @@ void print_check_json(const CheckedInputs& inputs, const CheckedProperty& checke
                                 {"seconds", tally.seconds}};
   if (tally.all_discarded()) row["nothing_checked"] = true;
   if (tally.failed > 0) row.update({{"failure", tally.text}, {"reproduce", checked.reproduce}});
-  if (checked.find) {
-    row.update({{"shrunk", checked.find->least.check.text},
+  if (checked.find) row["fails_again"] = checked.find->least.has_value();
+  if (checked.find && checked.find->least) {
+    row.update({{"shrunk", checked.find->least->check.text},
                 {"reproduce_shrunk", checked.find->reproduce},
                 {"test", checked.find->test}});
   }
@@ -46,8 +47,9 @@ Table check_table(const std::vector<Property>& properties) {
 
 void print_check_row(Table& table, const CheckedProperty& checked) {
   const CheckTally& tally = checked.tally;
-  const TableCell note = tally.all_discarded()
-                             ? TableCell{"nothing was checked", Emphasis::kBad}
+  const TableCell note = tally.all_discarded() ? TableCell{"nothing was checked", Emphasis::kBad}
+                         : checked.not_refuted()
+                             ? TableCell{"known to be false, not refuted here"}
                              : TableCell{checked.known_false() ? "known to be false" : ""};
   table.add_row(
       {{std::string(checked.property.name)},
@@ -58,15 +60,20 @@ void print_check_row(Table& table, const CheckedProperty& checked) {
        note});
   print_out(table.next_text(wants_colour(stdout)));
   if (!checked.find) return;
-  print_out(fmt::format("\n{} fails: {}\nreproduce: {}\nas found: {}\n", checked.property.name,
-                        checked.find->least.check.text, checked.find->reproduce,
-                        checked.reproduce));
-  if (!checked.saved) {
-    print_out(fmt::format("not saved: {}\n", checked.saved.error().message()));
-  } else if (!checked.saved->empty()) {
-    print_out(fmt::format("saved: {}\n", *checked.saved));
+  print_out(fmt::format("\n{} fails: {}\nas found: {}\n", checked.property.name, checked.find->text,
+                        checked.find->as_found));
+}
+
+void print_shrunk(const CheckFind& find, const Result<std::string>& saved) {
+  print_out(find.least
+                ? fmt::format("shrunk: {}\nreproduce: {}\n", find.least->check.text, find.reproduce)
+                : "not shrunk: the same input does not fail each time that it is run\n");
+  if (!saved) {
+    print_out(fmt::format("not saved: {}\n", saved.error().message()));
+  } else if (!saved->empty()) {
+    print_out(fmt::format("saved: {}\n", *saved));
   }
-  print_out(checked.find->test + "\n");
+  print_out(find.test + "\n");
 }
 
 }  // namespace ccdfuzz

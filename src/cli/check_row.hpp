@@ -15,20 +15,25 @@ struct CheckedProperty {
   const Property& property;
   CheckTally tally;
   std::string reproduce;          ///< the first failure
-  std::optional<CheckFind> find;  ///< made of it
+  std::optional<CheckFind> find;  ///< made of it where somebody wants to see it
   Result<std::string> saved;      ///< path; empty if there was no need
 
   bool known_false() const { return property.expected == Expectation::kFails; }
   bool is_finding() const { return tally.failed > 0 && !known_false(); }
+  /// A claim that is known to be false, and these inputs do not show it.
+  bool not_refuted() const { return known_false() && tally.failed == 0 && !tally.all_discarded(); }
 };
 
 /// For the rows of these.
 Table check_table(const std::vector<Property>& properties);
 
-/// Prints the table's next row, and under it the find if there is one.
+/// Prints the table's next row, and under it the find as it was found, if there is one.
 void print_check_row(Table& table, const CheckedProperty& checked);
 
-/// The same as one JSON object.
+/// Prints what shrinking made of a find, and where that is saved.
+void print_shrunk(const CheckFind& find, const Result<std::string>& saved);
+
+/// All of it as one JSON object.
 void print_check_json(const CheckedInputs& inputs, const CheckedProperty& checked);
 
 }  // namespace ccdfuzz

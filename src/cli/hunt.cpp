@@ -110,6 +110,12 @@ std::uint64_t query_count(const HuntReport& report) {
 
 void print_report(const HuntReport& report, const HuntArguments& options) {
   print_out(hunt_table(report.cells).to_text(wants_colour(stdout)));
+  const auto has_early_hits = [](const HuntCell& cell) {
+    return cell.tally.count(Outcome::kFalsePositive) > 0;
+  };
+  if (std::ranges::any_of(report.cells, has_early_hits)) {
+    print_out("\nFP: hits of what touches only later or not at all, which every method may give\n");
+  }
   print_out(
       fmt::format("\n{} queries about {} cases in {:.1f} s; {:.1f} s of CPU time went into "
                   "making the cases\n",

@@ -1,7 +1,9 @@
+#include <fmt/format.h>
+
+#include <sstream>
+
 #include "cli/command.hpp"
 #include "cli/output.hpp"
-#include "cli/terminal.hpp"
-#include "eval/table.hpp"
 #include "properties/registry.hpp"
 
 namespace ccdfuzz {
@@ -12,11 +14,23 @@ struct PropertiesArguments {
   bool json = false;
 };
 
+constexpr size_t kColumns = 80;
+
+/// The words in lines of at most kColumns, unless a word alone is longer, behind an indentation.
+std::string wrapped(std::string_view text, std::string_view indentation) {
+  std::string lines, line;
+  std::istringstream words{std::string(text)};
+  for (std::string word; words >> word;) {
+    if (!line.empty() && indentation.size() + line.size() + 1 + word.size() > kColumns) {
+      lines += fmt::format("{}{}\n", indentation, line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return lines + fmt::format("{}{}\n", indentation, line);
+}
+
 Result<int> run_properties(const PropertiesArguments& options) {
-  Table table({{"property", Align::kLeft},
-               {"claim", Align::kLeft},
-               {"source", Align::kLeft},
-               {"", Align::kLeft}});
   for (const Property& property : properties()) {
     const bool known_false = property.expected == Expectation::kFails;
     if (options.json) {
@@ -25,13 +39,11 @@ Result<int> run_properties(const PropertiesArguments& options) {
                   {"source", property.source},
                   {"expected_to_fail", known_false}});
     } else {
-      table.add_row({{std::string(property.name)},
-                     {std::string(property.claim)},
-                     {std::string(property.source)},
-                     {known_false ? "known to be false" : ""}});
+      print_out(fmt::format("{} ({}){}\n{}", property.name, property.source,
+                            known_false ? ", known to be false" : "",
+                            wrapped(property.claim, "    ")));
     }
   }
-  if (!options.json) print_out(table.to_text(wants_colour(stdout)));
   return kDone;
 }
 

@@ -38,10 +38,12 @@ END
 ALL=$(sed -n "/^packages='/,/'$/p" "$setup" | sed "s/packages='//; s/'//")
 export ALL WORK="$work" PATH="$work/bin:$PATH"
 
+word=''
 run() {  # assignments…; leaves status, output and calls
   : >"$work/calls"
   status=0
-  env "$@" "$setup" >"$work/output" 2>&1 </dev/null || status=$?
+  # shellcheck disable=SC2086
+  env "$@" "$setup" $word >"$work/output" 2>&1 </dev/null || status=$?
   calls=$(cat "$work/calls")
   output=$(cat "$work/output")
 }
@@ -62,6 +64,18 @@ expect 'as root: success' [ "$status" = 0 ]
 expect 'as root: updates, then installs what is missing and nothing else' [ "$calls" = \
   "apt-get -q update
 apt-get -q -y --no-install-recommends install cmake libgmp-dev" ]
+
+word=hunt
+run MISSING=cmake
+expect 'a word that is none: exit 2' [ "$status" = 2 ]
+expect 'a word that is none: names it' says '"hunt" is none of'
+expect 'a word that is none: no attempt' [ -z "$calls" ]
+for word in fuzz tests coverage engines; do
+  run MISSING=
+  expect "$word: success" [ "$status" = 0 ]
+  expect "$word: installs more" [ -n "$calls" ]
+done
+word=''
 
 run USER_ID=1000 SUDO=yes MISSING=cmake
 expect 'through sudo: success' [ "$status" = 0 ]

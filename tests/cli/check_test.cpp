@@ -146,6 +146,14 @@ TEST(Check, TheSummaryNamesSeedAndInputs) {
       << run.out;
 }
 
+TEST(Check, AClaimKnownToBeFalseThatDoesNotFailIsTold) {
+  const Finished run = ccdfuzz({"check", "tdibm.swap", "dyadic.round_trip", "--count", "3"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("known to be false, not refuted here\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("should hold, 1 known to be false did not fail\n"), std::string::npos)
+      << run.out;
+}
+
 TEST(Check, TheHelpNamesTheEnvironmentThatItReads) {
   EXPECT_NE(ccdfuzz({"check", "--help"}).out.find("CCDFUZZ_EFFORT"), std::string::npos);
 }

@@ -39,7 +39,8 @@ TEST_P(CrashingProperty, IsNamedWithTheCommandThatShowsItAfterWhatWasFoundBefore
     const Finished run = misbehaving({"made_up.fails_on_all", property, "made_up.holds", "--save",
                                       folder.path(), "--seed", "3", "--threads", threads});
     EXPECT_EQ(run.code, code) << run.err;
-    EXPECT_THAT(run.out, HasSubstr("made_up.fails_on_all fails: drew 0\n"));
+    EXPECT_THAT(run.out, HasSubstr("made_up.fails_on_all fails: drew "));
+    EXPECT_THAT(run.out, HasSubstr("\nshrunk: drew 0\n"));
     EXPECT_THAT(run.out, HasSubstr("saved: " + folder.path()));
     EXPECT_THAT(run.out, Not(HasSubstr("made_up.holds")));
     EXPECT_THAT(run.err, HasSubstr("ccdfuzz: " + signal + " on an input of " + property + "\n"));
@@ -93,9 +94,49 @@ TEST(Check, AFindIsSavedAsItIsPrinted) {
   EXPECT_EQ(run.code, 1) << run.err;
   const std::string saved = line_after(run.out, "saved: ");
   const std::string text = read_text(saved);
-  EXPECT_THAT(text, HasSubstr("drew 0"));
+  EXPECT_THAT(text, HasSubstr("\n\ndrew 0\n"));
+  EXPECT_EQ(line_after(text, "as found: "), line_after(run.out, "as found: "));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "new/finds"), {}), 1)
+      << "what was saved before it was shrunk is gone";
   EXPECT_THAT(text, HasSubstr("TEST(Found, MadeUpFailsOnAll)"));
   EXPECT_EQ(line_after(text, "reproduce: "), line_after(run.out, "reproduce: "));
+}
+
+TEST(Check, AFindIsToldAndSavedAsItWasFoundBeforeItIsShrunk) {
+  const ScratchFolder folder;
+  const Finished run = misbehaving({"made_up.aborts_when_shrunk", "--save", folder.path()});
+  EXPECT_EQ(run.code, 128 + SIGABRT) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("made_up.aborts_when_shrunk fails: a large number\n"));
+  ASSERT_EQ(folder.entry_count(), 1U);
+  const std::string text = read_text(std::filesystem::directory_iterator(folder.path())->path());
+  EXPECT_THAT(text, HasSubstr("a large number"));
+  EXPECT_EQ(line_after(text, "as found: "), line_after(run.out, "as found: "));
+}
+
+TEST(Check, AFailureThatDoesNotRepeatIsAFindThatIsNotShrunk) {
+  const ScratchFolder folder;
+  const Finished run =
+      misbehaving({"made_up.fails_once", "made_up.holds", "--save", folder.path()});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("made_up.fails_once fails: the first time\n"));
+  EXPECT_THAT(run.out, HasSubstr("not shrunk: the same input does not fail each time"));
+  EXPECT_THAT(run.out, HasSubstr("made_up.holds"));
+  EXPECT_THAT(read_text(line_after(run.out, "saved: ")), HasSubstr("the first time"));
+  const Finished json = misbehaving({"made_up.fails_once", "--save", folder.path(), "--json"});
+  EXPECT_EQ(json.code, 1) << json.err;
+  EXPECT_EQ(json_lines(json.out).at(0).at("fails_again"), false);
+}
+
+TEST(Check, ShrinkingEndsWhenItIsInterruptedOrItsTimeIsOver) {
+  const ScratchFolder folder;
+  const auto shrunk = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--threads", "1", "--save", folder.path()});
+    const Finished run = misbehaving(arguments);
+    EXPECT_THAT(run.out, HasSubstr("\nshrunk: many are large\n")) << run.err;
+    return run.code;
+  };
+  EXPECT_EQ(shrunk({"made_up.interrupts_when_shrunk", "--count", "1"}), 130);
+  EXPECT_EQ(shrunk({"made_up.is_slow", "--seconds", "0.05"}), 1);
 }
 
 TEST(Check, AFindThatCannotBeSavedIsToldAndTheOthersAreChecked) {

@@ -79,6 +79,32 @@ Check interrupts(ChoiceSource& choices) {
   return holds(choices);
 }
 
+/// As a property with a race or stale state does.
+Check fails_once(ChoiceSource& choices) {
+  static std::atomic_flag done = ATOMIC_FLAG_INIT;
+  return done.test_and_set() ? holds(choices) : Check::fails("the first time");
+}
+
+/// The simplest input is hundreds of runs away, and aborts where it comes to that.
+Check takes_long_to_shrink(ChoiceSource& choices, int runs) {
+  static std::atomic<int> done = 0;
+  if (++done > runs) std::abort();
+  int large = 0;
+  for (int i = 0; i < 100; ++i) large += choices.choose(1000) > 100 ? 1 : 0;
+  return large < 20 ? Check::holds() : Check::fails("many are large");
+}
+
+Check interrupts_when_shrunk(ChoiceSource& choices) {
+  static std::atomic<int> done = 0;
+  if (++done == 20) std::raise(SIGINT);
+  return takes_long_to_shrink(choices, 100);
+}
+
+Check is_slow(ChoiceSource& choices) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  return takes_long_to_shrink(choices, 200);
+}
+
 std::vector<Property> misbehaving() {
   constexpr auto kHolds = Expectation::kHolds;
   return {{"made_up.holds", "", "", kHolds, holds},
@@ -89,6 +115,9 @@ std::vector<Property> misbehaving() {
           {"made_up.aborts", "", "", kHolds, aborts},
           {"made_up.overflows_the_stack", "", "", kHolds, overflows_the_stack},
           {"made_up.aborts_when_shrunk", "", "", kHolds, aborts_when_shrunk},
+          {"made_up.fails_once", "", "", kHolds, fails_once},
+          {"made_up.interrupts_when_shrunk", "", "", kHolds, interrupts_when_shrunk},
+          {"made_up.is_slow", "", "", kHolds, is_slow},
           {"made_up.interrupts", "", "", kHolds, interrupts},
           {"made_up.hangs", "", "", kHolds, hangs}};
 }

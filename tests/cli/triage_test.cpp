@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
+#include "fuzz/mutator/case_bytes.hpp"
 #include "process.hpp"
+#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -52,6 +54,31 @@ TEST(Triage, RemovesWhatIsDoneAlone) {
   EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 1);
   EXPECT_FALSE(std::filesystem::exists(drawn));
   EXPECT_GT(entries_of(finds), 0U);
+}
+
+TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
+  const ScratchFolder folder;
+  const auto drawn = read_cases(generated(folder, "VV", "RP", 6));
+  ASSERT_TRUE(drawn);
+  std::filesystem::create_directories(folder / "crashes/deep");
+  std::size_t written = 0;
+  for (const NamedCase& entry : *drawn) {
+    const auto witnessed = witnessed_query(entry.value);
+    const auto bytes = witnessed ? to_bytes(*witnessed) : std::nullopt;
+    if (!bytes) continue;
+    write_text(
+        fmt::format("{}/{}", folder / (written % 2 == 0 ? "crashes" : "crashes/deep"), written),
+        std::string(bytes->begin(), bytes->end()));
+    ++written;
+  }
+  ASSERT_GT(written, 1U);
+  const Finished run = ccdfuzz(
+      {"triage", folder / "crashes", "-o", folder / "finds", "--methods", "tdibm", "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto rows = json_lines(run.out);
+  EXPECT_EQ(rows.back().at("inputs"), written);
+  EXPECT_GT(entries_of(folder / "finds"), 0U);
+  EXPECT_EQ(ccdfuzz({"replay", folder / "finds"}).code, 0);
 }
 
 TEST(Triage, RefusesWhatIsNoInput) {

@@ -61,12 +61,13 @@ TEST(Shrink, ACounterexampleOfAClaimFailsFromItsBytesToo) {
   for (std::uint64_t i = 0;; ++i) {
     RandomChoices random{Random::keyed({3, i})};
     if (run(property, random).status != Check::Status::kFails) continue;
-    const Counterexample found = shrunk_counterexample(property, random.numbers(), 300);
-    EXPECT_FALSE(simpler(random.numbers(), found.numbers));
-    ByteChoices bytes(found.bytes);
+    const auto found = shrunk_counterexample(property, random.numbers(), {300});
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(simpler(random.numbers(), found->numbers));
+    ByteChoices bytes(found->bytes);
     const Check again = run(property, bytes);
     EXPECT_EQ(again.status, Check::Status::kFails);
-    EXPECT_EQ(again.text, found.check.text);
+    EXPECT_EQ(again.text, found->check.text);
     return;
   }
 }
