@@ -17,7 +17,7 @@ def parent_of(pid):
 def murder(whom):
     """Kills who watches over it, after it has started two that hold its output open."""
     for new_session in (False, True):
-        left = subprocess.Popen(["sleep", "20"], start_new_session=new_session)
+        left = subprocess.Popen(["sleep", "3600"], start_new_session=new_session)
         print(left.pid, file=sys.stderr, flush=True)
     parent = os.getppid()
     grandparent = parent_of(parent)
@@ -32,7 +32,7 @@ def murder(whom):
         os.kill(0, signal.SIGKILL)
     if whom == "both":
         os._exit(0)
-    time.sleep(20)
+    time.sleep(3600)
 
 
 options = ""

@@ -213,7 +213,7 @@ TEST(Plugin, LeavesNoProcessBehindThatItStarted) {
 }
 
 bool ends_soon(pid_t pid) {
-  for (int i = 0; i < 5000 && lives(pid); ++i) ::usleep(1000);
+  for (int i = 0; i < 600'000 && lives(pid); ++i) ::usleep(1000);
   return !lives(pid);
 }
 

@@ -125,7 +125,7 @@ cat >"$CCDFUZZ" <<'END'
 case " $* " in *' 1e-9 '*) exit 1 ;; esac
 trap 'echo stopped >>"$CALLS"; exit 1' TERM
 echo begun >>"$CALLS"
-sleep 600 &
+sleep 1200 &
 wait
 END
 : >"$CALLS"
@@ -137,6 +137,6 @@ status=0
 wait "$stopped" || status=$?
 [ "$status" -eq 143 ] || fail "exit $status of one that was stopped"
 is_stopped() { [ "$(grep -c stopped "$CALLS")" -ge "$(grep -c begun "$CALLS")" ]; }
-for _ in $(seq 100); do is_stopped || sleep 0.1; done
+for _ in $(seq 6000); do is_stopped || sleep 0.1; done
 is_stopped || fail 'a hunt goes on'
 echo PASSED
