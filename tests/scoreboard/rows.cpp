@@ -151,11 +151,11 @@ std::string markdown(const std::vector<Fault>& faults, const std::vector<Row>& r
   for (const DriverRow& d : drivers) {
     const char* at_least = d.censored ? "≥ " : "";
     out << fmt::format(
-        "| `{}` | {} of {} | {} | {} | {} | {} | {} s | {}{} | {}{:.0f} | {} of {} |\n", d.driver,
+        "| `{}` | {} of {} | {} | {} | {} | {} | {} | {}{} | {}{:.0f} | {} of {} |\n", d.driver,
         d.killed, d.faults, d.reached, d.triggered, d.watched,
         range(static_cast<double>(d.least_runs), static_cast<double>(d.most_runs)),
-        range(d.limit, d.most_limit), at_least, seconds_text(d.seconds), at_least, d.executions,
-        d.false_alarms, d.clean_runs);
+        d.most_limit == 0 ? "none was met" : range(d.limit, d.most_limit) + " s", at_least,
+        seconds_text(d.seconds), at_least, d.executions, d.false_alarms, d.clean_runs);
   }
   out << kLegend;
   out << "\n| fault | |";
