@@ -147,19 +147,22 @@ const std::vector<Property>& properties() {
 }
 
 Result<Property> property_named(std::string_view name, const std::vector<Property>& among) {
-  const std::string_view subject = name.substr(0, name.find('.'));
+  // Of a name that is almost right the few to choose from; of another it would be no help.
+  constexpr int kMost = 8;
+  const auto subject_of = [](std::string_view text) { return text.substr(0, text.find('.')); };
   std::string alike;
+  int count = 0;
   for (const Property& p : among) {
     if (p.name == name) return p;
-    if (p.name.substr(0, p.name.find('.')) != subject &&
-        (name.empty() || p.name.find(name) == std::string_view::npos))
-      continue;
+    const bool is_part = !name.empty() && p.name.find(name) != std::string_view::npos;
+    if (!is_part && subject_of(p.name) != subject_of(name)) continue;
     alike += fmt::format("{}{}", alike.empty() ? "" : ", ", p.name);
+    ++count;
   }
-  return input_error(
-      "",
-      fmt::format("no property \"{}\"; {}{}", name,
-                  alike.empty() ? "the list is: ccdfuzz properties" : "the nearest are: ", alike));
+  const bool is_help = 0 < count && count <= kMost;
+  return input_error("", fmt::format("no property \"{}\"; {}{}", name,
+                                     is_help ? "there are: " : "the list is: ccdfuzz properties",
+                                     is_help ? alike : ""));
 }
 
 }  // namespace ccdfuzz

@@ -123,15 +123,17 @@ std::optional<Counterexample> shrunk_counterexample(const Property& property,
   };
   if (!fails(numbers)) return std::nullopt;
   std::uint64_t spent = 0;
+  bool is_over = false;
   // What a sequence draws is what counts, not what is left over of it: a candidate that asks for
   // more choices than it has gets zeros.
   const ChoiceNumbers least = shrunk(numbers, limits.tries, [&](const ChoiceNumbers& candidate) {
-    if (limits.is_over && limits.is_over()) return false;
+    is_over = is_over || (limits.is_over && limits.is_over());
+    if (is_over) return false;
     ++spent;
     return fails(candidate);
   });
   StoredChoices choices(least);
-  Counterexample found{least, {}, run(property, choices), spent};
+  Counterexample found{least, {}, run(property, choices), spent, is_over || spent == limits.tries};
   if (found.check.status != Check::Status::kFails) return std::nullopt;
   // A source at its end gives zeros.
   found.bytes = choices.bytes();

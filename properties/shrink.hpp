@@ -31,12 +31,13 @@ struct Counterexample {
   ChoiceNumbers numbers;
   std::vector<std::uint8_t> bytes;  ///< for ByteChoices
   Check check;                      ///< what it shows
-  std::uint64_t tries = 0;
+  std::uint64_t tries = 0;          ///< runs of the property on simpler inputs
+  bool is_cut_short = false;        ///< a limit was met: there may be simpler ones
 };
 
-/// When shrinking ends at the latest.
+/// When no more simpler inputs are tried. (The input itself, and what comes out, are run besides.)
 struct ShrinkLimits {
-  std::uint64_t tries;                 ///< runs of the property
+  std::uint64_t tries;                 ///< so many inputs
   std::function<bool()> is_over = {};  ///< asked before each of them; empty: never over
 };
 

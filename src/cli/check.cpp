@@ -38,51 +38,100 @@ WatchedInputs watched(const Property& property, const CheckedInputs& inputs) {
           " --count 1"};
 }
 
-/// Shrinks the find, for at most as long as its property was checked by time.
-void shrink(const CheckedInputs& inputs, const std::atomic<bool>& stop, InputWatch& watch,
-            Progress& progress, CheckedProperty& checked) {
-  const InputWatch::At at(watch, checked.tally.first_failure);
-  RandomChoices choices = inputs.choices(checked.tally.first_failure);
-  run(checked.property, choices);
-  const auto start = std::chrono::steady_clock::now();
-  std::uint64_t runs = 0;
-  const auto is_over = [&] {
-    progress.show(static_cast<double>(runs) / static_cast<double>(kShrinkTries),
-                  fmt::format("{}: shrinking", checked.property.name), runs, "runs");
-    ++runs;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    return stop || (inputs.seconds && spent.count() >= *inputs.seconds);
-  };
-  shrink_find(*checked.find, checked.property, choices.numbers(), {kShrinkTries, is_over});
-}
+/// One property put to its inputs. A failure is told and saved as it was found at once, then as it
+/// was shrunk, so that nothing that happens in between loses it; with --json it is told in the end.
+class PropertyCheck {
+ public:
+  PropertyCheck(const CheckArguments& options, const Property& property,
+                const std::atomic<bool>& stop)
+      : options_(options),
+        stop_(stop),
+        inputs_(watched(property, options.inputs)),
+        watch_(inputs_, options.inputs.threads, stop,
+               [this](const std::string& text) {
+                 progress_.clear();
+                 fmt::print(stderr, "{}", text);
+               }),
+        checked_{property, {}, "", std::nullopt, "", ""} {}
 
-/// Tells what one property showed. A find is told and saved as it was found, then as it was shrunk:
-/// what happens while it is shrunk loses nothing.
-Result<void> tell(const CheckArguments& options, const std::atomic<bool>& stop, InputWatch& watch,
-                  Progress& progress, Table& table, CheckedProperty& checked) {
-  // Of a claim that is known to be false, only who asks for it wants to see the simplest failure.
-  const bool is_wanted =
-      checked.tally.failed > 0 && !(checked.known_false() && options.names.empty());
-  if (is_wanted) checked.find = CheckFind{checked.tally.text, checked.reproduce, {}, "", ""};
-  const std::string folder = options.save.value_or(kFolder);
-  if (checked.is_finding()) checked.saved = save_find(folder, checked.property, *checked.find);
-  progress.clear();
-  if (!options.json) print_check_row(table, checked);
-  // The next input may crash.
-  if (const Result<void> out = flush_stdout(); !out) return out;
-  if (is_wanted) {
-    shrink(options.inputs, stop, watch, progress, checked);
-    if (checked.is_finding() && checked.find->least) {
-      const Result<std::string> before = checked.saved;
-      checked.saved = save_find(folder, checked.property, *checked.find);
-      if (std::error_code none; checked.saved && before) std::filesystem::remove(*before, none);
+  const CheckedProperty& checked() const { return checked_; }
+
+  /// Errors: of stdout.
+  Result<void> run(Table& table) {
+    checked_.tally = check_inputs(checked_.property, options_.inputs, stop_, watch_, progress_,
+                                  [this](const CheckTally& tally) { found(tally); });
+    progress_.clear();
+    if (!options_.json) print_check_row(table, checked_);
+    if (checked_.find) {
+      flush();
+      shrink();
+      progress_.clear();
+      if (!options_.json) print_shrunk(checked_);
     }
-    progress.clear();
-    if (!options.json) print_shrunk(*checked.find, checked.saved);
+    if (options_.json) print_check_json(options_.inputs, checked_);
+    flush();
+    return told_;
   }
-  if (options.json) print_check_json(options.inputs, checked);
-  return flush_stdout();
-}
+
+ private:
+  void found(const CheckTally& tally) {
+    checked_.reproduce = fmt::format("{}{}{}", inputs_.before, tally.first_failure, inputs_.after);
+    // Of a claim that is known to be false, only who asks for it wants to see the failure.
+    if (checked_.known_false() && options_.names.empty()) return;
+    checked_.find = CheckFind{tally.text, checked_.reproduce, std::nullopt, "", ""};
+    save();
+    if (options_.json) return;
+    progress_.clear();
+    print_found(checked_);
+    flush();
+  }
+
+  /// For at most as long as the property was checked, where that is by time.
+  void shrink() {
+    const InputWatch::At at(watch_, checked_.tally.first_failure);
+    RandomChoices choices = options_.inputs.choices(checked_.tally.first_failure);
+    ccdfuzz::run(checked_.property, choices);
+    const auto start = std::chrono::steady_clock::now();
+    std::uint64_t runs = 0;
+    const auto is_over = [&] {
+      progress_.show(static_cast<double>(runs) / static_cast<double>(kShrinkTries),
+                     fmt::format("{}: shrinking", checked_.property.name), runs, "runs");
+      ++runs;
+      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+      return stop_ || (options_.inputs.seconds && spent.count() >= *options_.inputs.seconds);
+    };
+    shrink_find(*checked_.find, checked_.property, choices.numbers(), {kShrinkTries, is_over});
+    if (checked_.find->least) save();
+  }
+
+  /// In place of what was saved before of the same find.
+  void save() {
+    if (checked_.known_false()) return;
+    const Result<std::string> saved =
+        save_find(options_.save.value_or(kFolder), checked_.property, *checked_.find);
+    if (!saved) {
+      checked_.not_saved = saved.error().message();
+      return;
+    }
+    std::error_code none;
+    if (!checked_.saved.empty() && checked_.saved != *saved)
+      std::filesystem::remove(checked_.saved, none);
+    checked_.saved = *saved;
+    checked_.not_saved.clear();
+  }
+
+  void flush() {
+    if (told_) told_ = flush_stdout();
+  }
+
+  const CheckArguments& options_;
+  const std::atomic<bool>& stop_;
+  const WatchedInputs inputs_;
+  Progress progress_;
+  InputWatch watch_;
+  CheckedProperty checked_;
+  Result<void> told_;
+};
 
 /// Each once, in the order in which they are named.
 Result<std::vector<Property>> chosen_properties(const CheckArguments& options) {
@@ -165,22 +214,12 @@ Result<int> run_check(const CheckArguments& arguments) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   for (const Property& property : *chosen) {
     if (interrupted) break;
-    Progress progress;
-    const WatchedInputs names = watched(property, *inputs);
-    InputWatch watch(names, inputs->threads, interrupted, [&](const std::string& text) {
-      progress.clear();
-      fmt::print(stderr, "{}", text);
-    });
-    CheckedProperty checked{property, check_inputs(property, *inputs, interrupted, watch, progress),
-                            "", std::nullopt, ""};
-    checked.reproduce =
-        fmt::format("{}{}{}", names.before, checked.tally.first_failure, names.after);
-    const Result<void> told = tell(options, interrupted, watch, progress, table, checked);
-    if (!told) return tl::unexpected(told.error());
+    PropertyCheck check(options, property, interrupted);
+    if (const Result<void> told = check.run(table); !told) return tl::unexpected(told.error());
     ++done;
-    findings += checked.is_finding() ? 1 : 0;
-    unchecked += checked.tally.all_discarded() ? 1 : 0;
-    not_refuted += checked.not_refuted() ? 1 : 0;
+    findings += check.checked().is_finding() ? 1 : 0;
+    unchecked += check.checked().tally.all_discarded() ? 1 : 0;
+    not_refuted += check.checked().not_refuted() && !interrupted ? 1 : 0;
   }
   if (!options.json) {
     print_out(table.next_text(wants_colour(stdout)));
@@ -224,11 +263,12 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
   const Option first = command.whole("--first", options->inputs.first, "Index of the first input");
   const Option save = command.text(
       "--save", options->save,
-      fmt::format("Folder for what fails that should hold, shrunk; by default {}", kFolder));
+      fmt::format("Folder for what fails that should hold, as found and then shrunk; by default {}",
+                  kFolder));
   Option hex = command.text("--hex", options->hex,
                             "Instead: one input of one property, as a find prints it");
-  for (const Option& other : {count, seconds, seed, first, save}) hex.excludes(other);
-  add_threads(command, options->inputs.threads);
+  const Option threads = add_threads(command, options->inputs.threads);
+  for (const Option& other : {count, seconds, seed, first, save, threads}) hex.excludes(other);
   command.flag("--json", options->json, "One JSON object per property");
 }
 

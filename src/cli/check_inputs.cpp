@@ -27,7 +27,8 @@ double seconds_since(Clock::time_point start) {
 }  // namespace
 
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
-                        const std::atomic<bool>& stop, InputWatch& watch, Progress& progress) {
+                        const std::atomic<bool>& stop, InputWatch& watch, Progress& progress,
+                        const std::function<void(const CheckTally&)>& on_failure) {
   CheckTally tally;
   const Clock::time_point start = Clock::now();
   std::uint64_t batch = kFirstBatch;
@@ -50,6 +51,7 @@ CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
           if (result.status == Check::Status::kFails && tally.failed++ == 0) {
             tally.first_failure = inputs.first + tally.checked;
             tally.text = result.text;
+            on_failure(tally);
           }
           ++tally.checked;
         },

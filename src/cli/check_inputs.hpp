@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -35,8 +36,10 @@ struct CheckTally {
   bool all_discarded() const { return checked > 0 && discarded == checked; }
 };
 
-/// Depends on the inputs alone, but for the time that it took. stop: no further inputs.
+/// Depends on the inputs alone, but for the time that it took. stop: no further inputs. on_failure
+/// is called once, as soon as the first failure is known, from any thread.
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
-                        const std::atomic<bool>& stop, InputWatch& watch, Progress& progress);
+                        const std::atomic<bool>& stop, InputWatch& watch, Progress& progress,
+                        const std::function<void(const CheckTally&)>& on_failure);
 
 }  // namespace ccdfuzz

@@ -23,14 +23,12 @@ void print_check_json(const CheckedInputs& inputs, const CheckedProperty& checke
   if (checked.find) row["fails_again"] = checked.find->least.has_value();
   if (checked.find && checked.find->least) {
     row.update({{"shrunk", checked.find->least->check.text},
+                {"cut_short", checked.find->least->is_cut_short},
                 {"reproduce_shrunk", checked.find->reproduce},
                 {"test", checked.find->test}});
   }
-  if (!checked.saved) {
-    row["not_saved"] = checked.saved.error().message();
-  } else if (!checked.saved->empty()) {
-    row["saved"] = *checked.saved;
-  }
+  if (!checked.saved.empty()) row["saved"] = checked.saved;
+  if (!checked.not_saved.empty()) row["not_saved"] = checked.not_saved;
   print_json(row);
 }
 
@@ -59,21 +57,26 @@ void print_check_row(Table& table, const CheckedProperty& checked) {
        {duration_text(tally.seconds)},
        note});
   print_out(table.next_text(wants_colour(stdout)));
-  if (!checked.find) return;
-  print_out(fmt::format("\n{} fails: {}\nas found: {}\n", checked.property.name, checked.find->text,
-                        checked.find->as_found));
 }
 
-void print_shrunk(const CheckFind& find, const Result<std::string>& saved) {
-  print_out(find.least
-                ? fmt::format("shrunk: {}\nreproduce: {}\n", find.least->check.text, find.reproduce)
-                : "not shrunk: the same input does not fail each time that it is run\n");
-  if (!saved) {
-    print_out(fmt::format("not saved: {}\n", saved.error().message()));
-  } else if (!saved->empty()) {
-    print_out(fmt::format("saved: {}\n", *saved));
-  }
-  print_out(find.test + "\n");
+void print_found(const CheckedProperty& checked) {
+  print_out(fmt::format("\n{} fails: {}\nas found: {}\n", checked.property.name, checked.find->text,
+                        checked.find->as_found));
+  if (!checked.not_saved.empty()) print_out(fmt::format("not saved: {}\n", checked.not_saved));
+  if (!checked.saved.empty()) print_out(fmt::format("saved as found: {}\n", checked.saved));
+  print_out("\n");
+}
+
+void print_shrunk(const CheckedProperty& checked) {
+  const CheckFind& find = *checked.find;
+  std::string text = find.least
+                         ? fmt::format("\nshrunk{}: {}\nreproduce: {}\n",
+                                       find.least->is_cut_short ? " (not to the end)" : "",
+                                       find.least->check.text, find.reproduce)
+                         : "\nnot shrunk: the same input does not fail each time that it is run\n";
+  if (!checked.not_saved.empty()) text += fmt::format("not saved: {}\n", checked.not_saved);
+  if (!checked.saved.empty()) text += fmt::format("saved: {}\n", checked.saved);
+  print_out(text + find.test + "\n");
 }
 
 }  // namespace ccdfuzz

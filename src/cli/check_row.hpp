@@ -16,7 +16,8 @@ struct CheckedProperty {
   CheckTally tally;
   std::string reproduce;          ///< the first failure
   std::optional<CheckFind> find;  ///< made of it where somebody wants to see it
-  Result<std::string> saved;      ///< path; empty if there was no need
+  std::string saved;              ///< where it stands; empty where it need not or could not
+  std::string not_saved;          ///< why not, as it was found or as it was shrunk
 
   bool known_false() const { return property.expected == Expectation::kFails; }
   bool is_finding() const { return tally.failed > 0 && !known_false(); }
@@ -27,11 +28,14 @@ struct CheckedProperty {
 /// For the rows of these.
 Table check_table(const std::vector<Property>& properties);
 
-/// Prints the table's next row, and under it the find as it was found, if there is one.
+/// Prints a find as it was found, and where that is saved.
+void print_found(const CheckedProperty& checked);
+
+/// Prints the table's next row.
 void print_check_row(Table& table, const CheckedProperty& checked);
 
-/// Prints what shrinking made of a find, and where that is saved.
-void print_shrunk(const CheckFind& find, const Result<std::string>& saved);
+/// Prints what shrinking made of the find, and where that is saved.
+void print_shrunk(const CheckedProperty& checked);
 
 /// All of it as one JSON object.
 void print_check_json(const CheckedInputs& inputs, const CheckedProperty& checked);

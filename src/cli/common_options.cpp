@@ -71,9 +71,10 @@ Result<SearchOptions> SearchFlags::parse_for(const NamedCase& named) const {
   return search;
 }
 
-void add_threads(Command& command, int& threads) {
+Option add_threads(Command& command, int& threads) {
   threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command.whole("--threads", threads, "Threads to work on; results do not depend on it", 1, 1024);
+  return command.whole("--threads", threads, "Threads to work on; results do not depend on it", 1,
+                       1024);
 }
 
 Option add_shard(Command& command, std::string& shard) {

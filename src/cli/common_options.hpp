@@ -40,7 +40,7 @@ struct SearchFlags {
 };
 
 /// --threads, by default as many as there are cores.
-void add_threads(Command& command, int& threads);
+Option add_threads(Command& command, int& threads);
 
 /// --shard, by default the whole.
 Option add_shard(Command& command, std::string& shard);

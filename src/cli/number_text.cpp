@@ -114,9 +114,9 @@ Result<std::uint64_t> parse_whole(const std::string& where, const std::string& t
 
 Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things) {
   if (first <= std::numeric_limits<std::uint64_t>::max() - count) return {};
-  return input_error("--first", fmt::format("{} and {} more are above 2^64 - 1, where the numbers "
-                                            "of {} end",
-                                            first, count, things));
+  return input_error(
+      "--first", fmt::format("{} is too large: the last of {} {} would be above 2^64 - 2", first,
+                             count, things));
 }
 
 }  // namespace ccdfuzz

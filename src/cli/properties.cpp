@@ -39,9 +39,9 @@ Result<int> run_properties(const PropertiesArguments& options) {
                   {"source", property.source},
                   {"expected_to_fail", known_false}});
     } else {
-      print_out(fmt::format("{} ({}){}\n{}", property.name, property.source,
-                            known_false ? ", known to be false" : "",
-                            wrapped(property.claim, "    ")));
+      const std::string head = fmt::format("{} ({}){}", property.name, property.source,
+                                           known_false ? ", known to be false" : "");
+      print_out(wrapped(head, "") + wrapped(property.claim, "    "));
     }
   }
   return kDone;

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -115,7 +118,8 @@ TEST(Check, OptionsThatWouldBeIgnoredAreRefused) {
   const std::vector<std::vector<std::string>> pairs = {
       {"--hex", "00", "--seconds", "1"}, {"--hex", "00", "--count", "5"},
       {"--hex", "00", "--seed", "2"},    {"--hex", "00", "--first", "3"},
-      {"--hex", "00", "--save", "x"},    {"--seconds", "1", "--count", "5"}};
+      {"--hex", "00", "--threads", "2"}, {"--hex", "00", "--save", "x"},
+      {"--seconds", "1", "--count", "5"}};
   for (std::vector<std::string> pair : pairs) {
     const std::string first = pair[0], second = pair[2];
     pair.insert(pair.begin(), {"check", "dyadic.round_trip"});
@@ -147,11 +151,43 @@ TEST(Check, TheSummaryNamesSeedAndInputs) {
 }
 
 TEST(Check, AClaimKnownToBeFalseThatDoesNotFailIsTold) {
-  const Finished run = ccdfuzz({"check", "tdibm.swap", "dyadic.round_trip", "--count", "3"});
+  const Finished run =
+      shell("CCDFUZZ_EFFORT=1 $ccdfuzz check tdibm.swap dyadic.round_trip --count 3");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_NE(run.out.find("known to be false, not refuted here\n"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("should hold, 1 known to be false did not fail\n"), std::string::npos)
       << run.out;
+}
+
+TEST(Check, OfAnUnknownNameItSaysTheFewThatAreLikeItOrWhereTheListIs) {
+  const auto said = [](const char* name) { return ccdfuzz({"check", name}).err; };
+  EXPECT_EQ(said("swap"),
+            "ccdfuzz: no property \"swap\"; there are: tdibm-c.contact_swapped, tdibm.swap\n");
+  for (const std::string name : {"", ".", "e", "nosuch", "paper"}) {
+    EXPECT_EQ(said(name.c_str()),
+              "ccdfuzz: no property \"" + name + "\"; the list is: ccdfuzz properties\n");
+  }
+}
+
+TEST(Properties, AreListedInLinesOf80ColumnsOrAnObjectEach) {
+  const std::string text = ccdfuzz({"properties"}).out;
+  const auto rows = json_lines(ccdfuzz({"properties", "--json"}).out);
+  EXPECT_GE(rows.size(), 50U);
+  for (const auto& row : rows) {
+    EXPECT_NE(text.find(row.at("property").get<std::string>() + " ("), std::string::npos) << row;
+  }
+  std::istringstream lines(text);
+  std::string listed;
+  std::getline(lines, listed);
+  for (std::string line; std::getline(lines, line) && line.starts_with("    ");) {
+    listed += " " + line.substr(4);
+  }
+  EXPECT_TRUE(listed.ends_with(" " + rows.at(0).at("claim").get<std::string>())) << listed;
+  lines.clear();
+  lines.str(text);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }), 80) << line;
+  }
 }
 
 TEST(Check, TheHelpNamesTheEnvironmentThatItReads) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <random>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "generators/random.hpp"
 #include "process.hpp"
-#include "query/journal.hpp"
 
 namespace ccdfuzz {
 
@@ -34,8 +36,7 @@ bool kill_often(const std::vector<std::string>& arguments, const std::string& jo
       while (size_or_zero(journal) <= before && !process.is_over()) std::this_thread::yield();
       std::this_thread::sleep_for(std::chrono::microseconds(random.below(20'000)));
       process.signal(SIGKILL);
-      process.wait();
-      is_killed = std::filesystem::exists(journal);
+      is_killed = process.wait().code == 128 + SIGKILL && std::filesystem::exists(journal);
     }
     if (is_killed) return true;
     forget();

@@ -46,7 +46,7 @@ TEST_P(CrashingProperty, IsNamedWithTheCommandThatShowsItAfterWhatWasFoundBefore
     EXPECT_THAT(run.err, HasSubstr("ccdfuzz: " + signal + " on an input of " + property + "\n"));
     const std::string command = line_after(run.err, "reproduce: ");
     EXPECT_THAT(command, HasSubstr(" check " + property + " --seed 3 --first "));
-    const Finished again = shell(command);
+    const Finished again = shell(command + " --save " + folder.path());
     EXPECT_EQ(again.code, code) << command;
     EXPECT_EQ(line_after(again.err, "reproduce: "), command);
   }
@@ -102,15 +102,41 @@ TEST(Check, AFindIsSavedAsItIsPrinted) {
   EXPECT_EQ(line_after(text, "reproduce: "), line_after(run.out, "reproduce: "));
 }
 
-TEST(Check, AFindIsToldAndSavedAsItWasFoundBeforeItIsShrunk) {
+class LostAfterTheFind : public testing::TestWithParam<const char*> {};
+
+TEST_P(LostAfterTheFind, IsNotTheFindWhichIsToldAndSavedAtOnce) {
   const ScratchFolder folder;
-  const Finished run = misbehaving({"made_up.aborts_when_shrunk", "--save", folder.path()});
+  const std::string property = GetParam();
+  // Another thread might abort while the first one tells.
+  const Finished run = misbehaving({property, "--threads", "1", "--save", folder / "a"});
   EXPECT_EQ(run.code, 128 + SIGABRT) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("made_up.aborts_when_shrunk fails: a large number\n"));
-  ASSERT_EQ(folder.entry_count(), 1U);
-  const std::string text = read_text(std::filesystem::directory_iterator(folder.path())->path());
-  EXPECT_THAT(text, HasSubstr("a large number"));
+  EXPECT_THAT(run.out, HasSubstr(property + " fails: "));
+  const std::string text = read_text(line_after(run.out, "saved as found: "));
+  EXPECT_THAT(text, HasSubstr("\n\n" + line_after(run.out, property + " fails: ") + "\n"));
   EXPECT_EQ(line_after(text, "as found: "), line_after(run.out, "as found: "));
+  const Finished json = misbehaving({property, "--threads", "1", "--json", "--save", folder / "b"});
+  EXPECT_EQ(json.code, 128 + SIGABRT) << json.err;
+  ASSERT_FALSE(std::filesystem::is_empty(folder / "b"));
+  EXPECT_EQ(read_text(std::filesystem::directory_iterator(folder / "b")->path()), text);
+}
+
+INSTANTIATE_TEST_SUITE_P(, LostAfterTheFind,
+                         testing::Values("made_up.fails_then_aborts", "made_up.aborts_when_shrunk"),
+                         [](const auto& tested) { return std::string(tested.param).substr(8); });
+
+TEST(Check, AFindThatIsTooLargeToSaveShrunkStaysAsItWasFound) {
+  const ScratchFolder folder;
+  // Of a block of 512 or 1,024 bytes the shrunk input's text is more, and that of the found one
+  // less.
+  const Finished run = shell(fmt::format(
+      "{{ trap '' XFSZ; ulimit -f 1; {} check made_up.interrupts_when_shrunk --count 1 --save {}; "
+      "echo \"exit code $?\"; }} 2>&1 | cat",
+      kProgram, folder.path()));
+  EXPECT_THAT(run.out, HasSubstr("exit code 130"));
+  EXPECT_THAT(run.out, HasSubstr("\nnot saved: "));
+  const std::string saved = line_after(run.out, "saved: ");
+  EXPECT_EQ(saved, line_after(run.out, "saved as found: "));
+  EXPECT_THAT(read_text(saved), HasSubstr("many are large"));
 }
 
 TEST(Check, AFailureThatDoesNotRepeatIsAFindThatIsNotShrunk) {
@@ -132,7 +158,7 @@ TEST(Check, ShrinkingEndsWhenItIsInterruptedOrItsTimeIsOver) {
   const auto shrunk = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.end(), {"--threads", "1", "--save", folder.path()});
     const Finished run = misbehaving(arguments);
-    EXPECT_THAT(run.out, HasSubstr("\nshrunk: many are large\n")) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("\nshrunk (not to the end): many are large\n")) << run.err;
     return run.code;
   };
   EXPECT_EQ(shrunk({"made_up.interrupts_when_shrunk", "--count", "1"}), 130);

@@ -79,6 +79,13 @@ Check interrupts(ChoiceSource& choices) {
   return holds(choices);
 }
 
+/// Fails at once, and aborts a few inputs later.
+Check fails_then_aborts(ChoiceSource&) {
+  static std::atomic<int> done = 0;
+  if (++done > 50) std::abort();
+  return Check::fails("before it aborts");
+}
+
 /// As a property with a race or stale state does.
 Check fails_once(ChoiceSource& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
@@ -115,6 +122,7 @@ std::vector<Property> misbehaving() {
           {"made_up.aborts", "", "", kHolds, aborts},
           {"made_up.overflows_the_stack", "", "", kHolds, overflows_the_stack},
           {"made_up.aborts_when_shrunk", "", "", kHolds, aborts_when_shrunk},
+          {"made_up.fails_then_aborts", "", "", kHolds, fails_then_aborts},
           {"made_up.fails_once", "", "", kHolds, fails_once},
           {"made_up.interrupts_when_shrunk", "", "", kHolds, interrupts_when_shrunk},
           {"made_up.is_slow", "", "", kHolds, is_slow},

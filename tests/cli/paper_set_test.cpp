@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "killed_run.hpp"
+#include "query/journal.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -85,7 +86,7 @@ TEST_F(PaperSet, GoesOnAfterKillsWithTheSameBytes) {
 TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
   const std::string path = *folder / "stopped.jsonl.zst";
   Process process({"generate", "--paper", "-o", path});
-  while (size_or_zero(Journal::path_for(path)) < 5000) {
+  while (size_or_zero(Journal::path_for(path)) < 5000 && !process.is_over()) {
     std::this_thread::yield();
   }
   process.signal(SIGINT);
@@ -98,7 +99,7 @@ TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
 TEST_F(PaperSet, APartialFileOfAnotherRunIsAnErrorThatNamesIt) {
   const std::string path = *folder / "stopped.jsonl.zst";
   Process process({"generate", "--paper", "-o", path, "--seed", "1"});
-  while (size_or_zero(Journal::path_for(path)) < 5000) {
+  while (size_or_zero(Journal::path_for(path)) < 5000 && !process.is_over()) {
     std::this_thread::yield();
   }
   process.signal(SIGKILL);

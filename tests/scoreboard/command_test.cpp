@@ -65,7 +65,7 @@ TEST(ScoreboardCommand, ReadsTheRecordsOfACampaignThatGoesOn) {
     std::error_code ignored;
     return std::filesystem::file_size(journal, ignored) > 200 && !ignored;
   };
-  for (int i = 0; i < 6000 && !is_begun(); ++i) usleep(10000);
+  for (int i = 0; i < 60000 && !is_begun(); ++i) usleep(10000);
   const Finished seen = run({"--no-runs", "--records", path});
   EXPECT_EQ(seen.code, 0) << seen.err;
   EXPECT_THAT(seen.out, StartsWith("driver"));
@@ -100,7 +100,7 @@ TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
       std::error_code ignored;
       return std::filesystem::file_size(journal, ignored) > 500 && !ignored;
     };
-    for (int i = 0; i < 6000 && !is_begun(); ++i) usleep(10000);
+    for (int i = 0; i < 60000 && !is_begun(); ++i) usleep(10000);
     ASSERT_TRUE(is_begun());
   }
   const std::uintmax_t size = std::filesystem::file_size(journal);
