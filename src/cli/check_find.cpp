@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/shell_word.hpp"
@@ -70,8 +71,8 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
     for (const char c : find.as_found) add(static_cast<std::uint8_t>(c));
   }
   text += fmt::format("{}\n\nas found: {}\n", find.text, find.as_found);
-  const std::string path = fmt::format("{}/{}-{:016x}.txt", folder, property.name, key);
-  return write_file(path, text).map([&] { return path; });
+  std::string path = fmt::format("{}/{}-{:016x}.txt", folder, property.name, key);
+  return write_file(path, text).map([&] { return std::move(path); });
 }
 
 }  // namespace ccdfuzz
