@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
+#include <string_view>
+#include <tuple>
+
+#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 
@@ -15,10 +18,10 @@ LostInputs::LostInputs() {
 void LostInputs::keep(std::span<const std::uint8_t> bytes, const std::string& kind) {
   constexpr std::size_t kMostKinds = 2000;
   if (folder_.empty() || kinds_.size() >= kMostKinds || !kinds_.insert(kind).second) return;
-  // Unique among the processes that share the folder.
-  std::ofstream out(fmt::format("{}/{}-{}", folder_, ::getpid(), kinds_.size()), std::ios::binary);
-  out.write(reinterpret_cast<const char*>(bytes.data()),
-            static_cast<std::streamsize>(bytes.size()));
+  // Unique among the processes that share the folder; whole or absent. Where it cannot be written,
+  // as on a full disk, the session goes on without it.
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  std::ignore = write_file(fmt::format("{}/{}-{}", folder_, ::getpid(), kinds_.size()), text);
 }
 
 }  // namespace ccdfuzz

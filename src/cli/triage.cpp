@@ -63,17 +63,24 @@ Result<std::vector<NamedCase>> cases_of(const std::string& path) {
   if (!in) return input_error(path, "cannot be read");
   const std::vector<char> content{std::istreambuf_iterator<char>(in), {}};
   const std::vector<std::uint8_t> bytes(content.begin(), content.end());
-  std::vector<NamedCase> cases;
-  // The query as it stands, if its contact is broken.
   const auto query = query_of(bytes);
-  const auto whole = query ? witnessed_query_of(bytes) : std::nullopt;
-  if (!query) return input_error(path, "is neither a case file nor an input of a fuzz target");
-  Case value;
-  value.origin.generator = "mutant";
-  if (whole) value = case_of(*whole);
-  value.query = whole ? whole->query : *query;
-  value.origin.note = "by fuzzing";
-  cases.push_back({path, std::move(value)});
+  if (!query) {
+    return input_error(path, "is neither a case file nor an input of fuzz_query or fuzz_witnessed");
+  }
+  // fuzz_witnessed makes a broken contact whole and asks that; fuzz_query asks what stands there.
+  const auto whole = witnessed_query_of(bytes);
+  std::vector<NamedCase> cases;
+  const auto add = [&](Case value) {
+    value.origin.generator = "mutant";
+    value.origin.note = "by fuzzing";
+    cases.push_back({path, std::move(value)});
+  };
+  if (!whole || whole->query != *query) {
+    Case value;
+    value.query = *query;
+    add(std::move(value));
+  }
+  if (whole) add(case_of(*whole));
   return cases;
 }
 
@@ -130,10 +137,15 @@ Result<int> run_triage(const TriageArguments& options) {
   }
 
   Progress progress;
-  std::uint64_t finds = 0, done = 0;
+  std::uint64_t finds = 0, done = 0, unread = 0;
   for (const std::string& file : *files) {
     const Result<std::vector<NamedCase>> cases = cases_of(file);
-    if (!cases) return tl::unexpected(cases.error());
+    if (!cases) {
+      progress.clear();
+      fmt::print(stderr, "ccdfuzz: {}; it is left as it is\n", cases.error().message());
+      ++unread;
+      continue;
+    }
     for (const NamedCase& input : *cases) {
       if (is_over()) break;
       const Result<void> added = triage.add(input.value, [&](const TriageFind& find) {
@@ -157,6 +169,7 @@ Result<int> run_triage(const TriageArguments& options) {
     print_json({{"row", "summary"},
                 {"files", files->size()},
                 {"files_done", done},
+                {"files_unread", unread},
                 {"inputs", tally.inputs},
                 {"failures", tally.failures},
                 {"known", tally.known},
@@ -164,11 +177,12 @@ Result<int> run_triage(const TriageArguments& options) {
                 {"finds", finds}});
   } else {
     print_out(fmt::format(
-        "{} of {} files: {} failures, {} of them known or like a smaller one; {} inputs on which "
+        "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
         "no full run fails; {} new in {}\n",
         done, files->size(), tally.failures, tally.known, tally.saved, finds, options.output));
   }
-  return interrupted ? interrupted_exit_code() : kDone;
+  if (interrupted) return interrupted_exit_code();
+  return unread > 0 ? kBadInput : kDone;
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ Result<void> Triage::add(const Case& candidate,
     fails = true;
     ++tally_.failures;
     const Signature signature = signature_of(method, failure->asked, failure->judged);
-    if (!had_.insert(signature).second) {
+    if (had_.contains(signature)) {
       ++tally_.known;
       continue;
     }
@@ -77,9 +77,10 @@ Result<void> Triage::add(const Case& candidate,
     // What is not shrunk to the end is left to another time, which would find it anew; but not a
     // hang, which would take as long again.
     if (options_.stop() && failure->judged.error != "hang") continue;
-    // Shrinking may make one loss into another, which was had.
+    // Shrinking may make one loss into another. Only what is stored is had: the next failure that
+    // looks like this one did may come down to a third.
     const Signature shrunk = signature_of(method, small, failure->judged);
-    if (shrunk != signature && !had_.insert(shrunk).second) {
+    if (!had_.insert(shrunk).second) {
       ++tally_.known;
       continue;
     }
@@ -107,13 +108,14 @@ std::optional<Triage::Failure> Triage::confirm(const std::string& method, const 
     if (!is_failure(judged.outcome)) return std::nullopt;
     return Failure{asked, std::move(judged)};
   };
-  if (!known.truth.witness) return asked_alike(with_t_max(known, known.query.t_max));
   for (const double factor : kHorizonFactors) {
-    const std::optional<Case> asked = at_horizon(known, factor);
+    const std::optional<Case> asked =
+        known.truth.witness ? at_horizon(known, factor) : std::nullopt;
     if (!asked) continue;
     if (auto failure = asked_alike(*asked)) return failure;
   }
-  return std::nullopt;
+  // As it stands, whose t_max may be any.
+  return asked_alike(with_t_max(known, known.query.t_max));
 }
 
 Triage::Signature Triage::signature_of(const std::string& method, const Case& value,

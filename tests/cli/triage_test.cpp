@@ -81,12 +81,49 @@ TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
   EXPECT_EQ(ccdfuzz({"replay", folder / "finds"}).code, 0);
 }
 
+TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
+  const ScratchFolder folder;
+  const auto drawn = read_cases(generated(folder, "VV", "RP", 1));
+  ASSERT_TRUE(drawn);
+  auto witnessed = witnessed_query(drawn->at(0).value);
+  ASSERT_TRUE(witnessed);
+  witnessed->query.patches[0].positions[0][0] += 1;
+  const auto bytes = to_bytes(*witnessed);
+  ASSERT_TRUE(bytes);
+  const auto repaired = witnessed_query_of(*bytes);
+  ASSERT_TRUE(repaired);
+  ASSERT_NE(repaired->query, *query_of(*bytes));
+  write_text(folder / "input", std::string(bytes->begin(), bytes->end()));
+  const Finished run =
+      ccdfuzz({"triage", folder / "input", "-o", folder / "finds", "--methods", "tdibm", "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(json_lines(run.out).back().at("inputs"), 2);
+}
+
+TEST(Triage, LeavesWhatItCannotReadAndGoesOn) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder / "inputs");
+  write_text(folder / "inputs/a", "");
+  std::filesystem::rename(generated(folder, "VV", "RP", 2), folder / "inputs/b.jsonl");
+  const Finished run = ccdfuzz({"triage", folder / "inputs", "-o", folder / "finds", "--methods",
+                                "tdibm", "--remove", "--json"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err,
+              HasSubstr((folder / "inputs/a") + ": is neither a case file nor an input of"));
+  const auto summary = json_lines(run.out).back();
+  EXPECT_EQ(summary.at("files_done"), 1);
+  EXPECT_EQ(summary.at("files_unread"), 1);
+  EXPECT_EQ(summary.at("inputs"), 2);
+  EXPECT_TRUE(std::filesystem::exists(folder / "inputs/a"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "inputs/b.jsonl"));
+}
+
 TEST(Triage, RefusesWhatIsNoInput) {
   const ScratchFolder folder;
   write_text(folder / "bytes", "a");
   const Finished refused = ccdfuzz({"triage", folder / "bytes", "-o", folder / "finds"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("is neither a case file nor an input of a fuzz target"));
+  EXPECT_THAT(refused.err, HasSubstr("is neither a case file nor an input of fuzz_query or"));
   const Finished absent = ccdfuzz({"triage", folder / "none", "-o", folder / "finds"});
   EXPECT_EQ(absent.code, 2);
   EXPECT_THAT(absent.err, HasSubstr("no such file or folder"));
