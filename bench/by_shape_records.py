@@ -20,6 +20,9 @@ def parsed(line):
         record = json.loads(line)
         sound = isinstance(record["shape"], str) and isinstance(record["method"], str)
         sound = sound and isinstance(record["cells"], list) and record["seconds"] > 0 and record["seed"] >= 0
+        # A record without it says at least how long the drawn queries took, which is without the mutants.
+        record.setdefault("cpu_seconds", sum(cell["cpu_seconds"] for cell in record["cells"]))
+        sound = sound and record["cpu_seconds"] >= 0
         for cell in record["cells"]:
             sound = sound and sum(cell[count] for count in COUNTS) >= 0
             sound = sound and (cell["margin_ulps"] is None or cell["margin_ulps"] >= 0)
@@ -49,18 +52,19 @@ def read(path):
 def print_table(records):
     tallies = {}
     for record in records:
-        for cell in record["cells"]:
-            for name in (record["shape"], "all"):
-                t = tallies.setdefault(name, dict.fromkeys(COUNTS, 0) | {"margin": None})
+        for name in (record["shape"], "all"):
+            t = tallies.setdefault(name, dict.fromkeys(COUNTS, 0) | {"margin": None, "cpu": 0})
+            t["cpu"] += record["cpu_seconds"]
+            for cell in record["cells"]:
                 for count in COUNTS:
                     t[count] += cell[count]
                 margins = [m for m in (t["margin"], cell["margin_ulps"]) if m is not None]
                 t["margin"] = min(margins, default=None)
-    print("| shapes | queries | undecided | missed or late | mutants traced | lost | smallest margin, ulps |")
-    print("|---|---|---|---|---|---|---|")
+    print("| shapes | CPU s | queries | undecided | missed or late | mutants traced | lost | smallest margin, ulps |")
+    print("|---|---|---|---|---|---|---|---|")
     for name, t in sorted(tallies.items(), key=lambda item: item[0] == "all"):
         counts = f"{t['n']:,} | {t['undecided']:,} | {t['missed'] + t['late']} | {t['mutants']:,} | {t['lost_mutants']:,}"
-        print(f"| {name} | {counts} | {t['margin']} |")
+        print(f"| {name} | {t['cpu']:,.0f} | {counts} | {t['margin']} |")
 
 
 def main(what, path, method, seconds, seed):

@@ -4,10 +4,10 @@
 # how nearly it lost one.
 #   bench/hunt_by_shape.sh RECORDS METHOD [SECONDS [SEED]]
 # RECORDS: one JSON object a line, for what was hunted; what is there already is not hunted again, so
-# that a session can be stopped and gone on with. SECONDS: of one thread for each of the 40 pairs of
-# shapes (default 360, which are four hours in all), as many at once as there are processors. SEED:
-# a whole number (default 1). The table is of the records with this METHOD, SECONDS and SEED. Finds
-# go to finds/by-shape. CCDFUZZ names the program, by default build/release/ccdfuzz.
+# that a session can be stopped and gone on with. SECONDS: by the clock, with one thread, for each of
+# the 40 pairs of shapes (default 360, which are four hours in all), as many at once as there are
+# processors; the table says how much CPU time that was. SEED: a whole number (default 1). The table
+# is of the records with this METHOD, SECONDS and SEED. Finds go to finds/by-shape. CCDFUZZ names the program, by default build/release/ccdfuzz.
 set -euo pipefail
 
 usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
@@ -53,11 +53,15 @@ bench/by_shape_records.py hunted "$records" "$method" "$seconds" "$seed" >"$scra
 
 # Queries may take 1,000 boxes: more are needed only where nothing is found, at seconds each.
 hunt_one() {  # shapes
-  local rows
-  rows=$("$ccdfuzz" hunt --json --threads 1 --shape "$1" --within 40 --methods "$method" --max-pops 1000 \
-    --shrink none --seconds "$seconds" --seed "$seed" --corpus finds/by-shape) || return
-  printf '{"shape":"%s","method":"%s","seconds":%s,"seed":%s,"cells":[%s]}\n' "$1" "$method" "$seconds" \
-    "$seed" "$(grep '"row":"cell"' <<<"$rows" | paste -sd, -)" >>"$records"
+  local rows spent TIMEFORMAT='%U %S'
+  spent=$(mktemp "$scratch/spent.XXXXXX")
+  {
+    time rows=$("$ccdfuzz" hunt --json --threads 1 --shape "$1" --within 40 --methods "$method" \
+      --max-pops 1000 --shrink none --seconds "$seconds" --seed "$seed" --corpus finds/by-shape 2>&3)
+  } 3>&2 2>"$spent" || return
+  printf '{"shape":"%s","method":"%s","seconds":%s,"seed":%s,"cpu_seconds":%s,"cells":[%s]}\n' "$1" "$method" \
+    "$seconds" "$seed" "$(awk '{ printf "%.3f", $1 + $2 }' "$spent")" \
+    "$(grep '"row":"cell"' <<<"$rows" | paste -sd, -)" >>"$records"
 }
 
 shapes=() hunts=()

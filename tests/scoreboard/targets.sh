@@ -6,7 +6,13 @@
 # BUILD: a build by clang with -DCCDFUZZ_FUZZ=ON -DCCDFUZZ_SCOREBOARD=ON, target planted_fuzz_targets.
 # Exits 1 if a target stops without a fault, or with none.
 set -euo pipefail
-build=$(cd "$1" && pwd) seconds=${2:-60}
+usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
+case ${1-} in
+  '') usage >&2; exit 2 ;;
+  -h | --help) usage; exit ;;
+esac
+build=$(cd "$1" && pwd) || exit 2
+seconds=${2:-60}
 shift $(($# < 2 ? $# : 2))
 cd "$(dirname "$0")/../.."
 here=tests/scoreboard

@@ -12,8 +12,8 @@ cat >"$CCDFUZZ" <<'END'
 #!/bin/sh
 case " $* " in *' --seconds 1e-9 '*) exec "$REAL" "$@" ;; esac
 echo "$*" >>"$CALLS"
-echo '{"row":"cell","class":"VV","n":3,"missed":1,"late":1,"undecided":1,"mutants":1000,"lost_mutants":2,"margin_ulps":null}'
-echo '{"row":"cell","class":"VE","n":2,"missed":0,"late":0,"undecided":0,"mutants":0,"lost_mutants":0,"margin_ulps":7}'
+echo '{"row":"cell","class":"VV","n":3,"missed":1,"late":1,"undecided":1,"mutants":1000,"lost_mutants":2,"margin_ulps":null,"cpu_seconds":0.25}'
+echo '{"row":"cell","class":"VE","n":2,"missed":0,"late":0,"undecided":0,"mutants":0,"lost_mutants":0,"margin_ulps":7,"cpu_seconds":0.25}'
 echo '{"row":"summary"}'
 END
 chmod +x "$CCDFUZZ"
@@ -61,14 +61,21 @@ done
 hunt 0 "$records" tdibm 0.5
 hunts 40
 grep -q -- '--seconds 0.5 --seed 1 ' "$CALLS" || fail 'SECONDS and SEED are not handed on'
-says out '| curve:3 | 5 | 1 | 2 | 1,000 | 2 | 7 |'
-says out '| all | 200 | 40 | 80 | 40,000 | 80 | 7 |'
+says out '| curve:3 | 0 | 5 | 1 | 2 | 1,000 | 2 | 7 |'
+grep -qE '^[|] all [|] [0-9,]+ [|] 200 [|] 40 [|] 80 [|] 40,000 [|] 80 [|] 7 [|]$' "$work/out" || fail 'the sum differs'
+# The CPU time is the hunt's; of a record without one, that of its queries.
+sed 's/"cpu_seconds":[0-9.]*,"cells"/"cpu_seconds":36000,"cells"/' "$records" >"$work/slow"
+hunt 0 "$work/slow" tdibm 0.5
+says out '| all | 1,440,000 | 200 |'
+sed 's/"cpu_seconds":[0-9.]*,"cells"/"cells"/' "$records" >"$work/slow"
+hunt 0 "$work/slow" tdibm 0.5
+says out '| all | 20 | 200 |'
 [ "$(wc -l <"$records")" -eq 40 ] || fail 'not 40 records'
 cp "$records" "$work/whole"
 
 hunt 0 "$records" tdibm 0.5
 hunts 0
-says out '| all | 200 |'
+says out ' | 200 |'
 
 # The table is of what is asked for.
 for other in 's/"seed":1/"seed":2/' 's/"seconds":0.5/"seconds":7/' 's/"tdibm"/"tdibm-e"/'; do
@@ -76,14 +83,14 @@ for other in 's/"seed":1/"seed":2/' 's/"seconds":0.5/"seconds":7/' 's/"tdibm"/"t
 done
 hunt 0 "$records" tdibm 0.5
 hunts 0
-says out '| all | 200 |'
+says out ' | 200 |'
 
 # A last line that is cut anywhere behind its start is hunted again; one without its end stays.
 for bytes in 1 2 200; do
   head -c -"$bytes" "$work/whole" >"$records"
   hunt 0 "$records" tdibm 0.5
   if [ "$bytes" -eq 1 ]; then hunts 0; else hunts 1; fi
-  says out '| all | 200 |'
+  says out ' | 200 |'
   [ "$(sort "$records" | md5sum)" = "$(sort "$work/whole" | md5sum)" ] || fail 'the records differ'
 done
 
@@ -106,7 +113,7 @@ hunt 2 "$work" tdibm 0.5
 # A shape that two hunts at a time wrote counts once.
 { cat "$work/whole"; head -n 3 "$work/whole"; } >"$records"
 hunt 0 "$records" tdibm 0.5
-says out '| all | 200 |'
+says out ' | 200 |'
 
 # Paths are those of where it is called.
 (cd "$work" && CCDFUZZ=./ccdfuzz && hunt 0 records tdibm 0.5 && hunts 0)
@@ -117,7 +124,7 @@ says err 'METHOD: "plugin:./lib.so" is no absolute path'
 printf '#!/bin/sh\ncase " $* " in *" 1e-9 "*) exit 1 ;; esac\nexit 3\n' >"$CCDFUZZ"
 head -n 39 "$work/whole" >"$records"
 hunt 3 "$records" tdibm 0.5
-says out '| all | 195 |'
+says out ' | 195 |'
 
 # None goes on behind one that is stopped.
 cat >"$CCDFUZZ" <<'END'
