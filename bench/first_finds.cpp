@@ -183,10 +183,19 @@ int main(int argc, char** argv) {
   std::string only;
   bool losses = false;
   app.add_option("--seeds", seeds, "Runs of each search")->check(CLI::PositiveNumber);
-  app.add_option("--seconds", most, "CPU seconds after which a run ends");
-  app.add_option("--only", only, "Rows whose name begins so");
+  app.add_option("--seconds", most, "CPU seconds after which a run ends")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--only", only, "Rows whose name begins so")
+      ->check([](const std::string& start) -> std::string {
+        const auto begins = [&](const Quarry& quarry) { return quarry.name.starts_with(start); };
+        return std::ranges::any_of(quarries(), begins) ? "" : "no row begins with " + start;
+      });
   app.add_flag("--losses", losses, "Count the contacts lost in all that time, asking no query");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   fmt::print("| {} | draws | bred, margins unseen | bred by margins, too |\n",
              losses ? fmt::format("contacts lost in {:g} s by", most) : "first false negative of");
   fmt::print("|---|---|---|---|\n");

@@ -21,7 +21,7 @@ bool align_edge(WitnessedQuery& q, Random& random);
 /// All of a patch in one coordinate plane, or all of its velocities.
 bool flatten(WitnessedQuery& q, Random& random);
 
-/// A control point on another one, moving with it; or all of an edge.
+/// One to three control points that follow each other, onto another one, and moving with it.
 bool collapse(WitnessedQuery& q, Random& random);
 
 /// Coordinates rounded to few bits.

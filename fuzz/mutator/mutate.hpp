@@ -16,9 +16,9 @@ struct Move {
 /// All moves.
 std::span<const Move> moves();
 
-/// A mutant of q: one to four moves. Every number of it is a finite double, it is a valid query,
-/// and it has its contact exactly. other: where parts of patches may come from.
-/// Depends on the arguments alone.
+/// A mutant of q: one to four moves, or none where none of those tried is possible. Every number of
+/// it is a finite double, it is a valid query, and it has its contact exactly. other: where parts
+/// of patches may come from. Depends on the arguments alone.
 WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Random& random);
 
 }  // namespace ccdfuzz

@@ -48,7 +48,7 @@ struct TraceReport {
 };
 
 /// Traces the witnesses of generated cases. on_lost is called for each that is lost, in the order
-/// of the numbers; on_case with how many cases are done. Ends early, with what was traced until
+/// of the numbers; on_cases with how many cases are done. Ends early, with what was traced until
 /// then, once stop is true. The result depends neither on threads nor on the clock, cpu_seconds
 /// apart.
 TraceReport trace_generated(const TraceCampaignOptions& options,
