@@ -85,13 +85,16 @@ hunt 0 "$records" tdibm 0.5
 hunts 0
 says out ' | 200 |'
 
+# Of all that a record says but for the time.
+sum_of() { sed 's/"cpu_seconds":[0-9.]*,"cells"/"cells"/' "$1" | sort | md5sum; }
+
 # A last line that is cut anywhere behind its start is hunted again; one without its end stays.
 for bytes in 1 2 200; do
   head -c -"$bytes" "$work/whole" >"$records"
   hunt 0 "$records" tdibm 0.5
   if [ "$bytes" -eq 1 ]; then hunts 0; else hunts 1; fi
   says out ' | 200 |'
-  [ "$(sort "$records" | md5sum)" = "$(sort "$work/whole" | md5sum)" ] || fail 'the records differ'
+  [ "$(sum_of "$records")" = "$(sum_of "$work/whole")" ] || fail 'the records differ'
 done
 
 # Anything else that is no record is an error, and stays.
