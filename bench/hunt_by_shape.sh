@@ -7,7 +7,8 @@
 # that a session can be stopped and gone on with. SECONDS: by the clock, with one thread, for each of
 # the 40 pairs of shapes (default 360, which are four hours in all), as many at once as there are
 # processors; the table says how much CPU time that was. SEED: a whole number (default 1). The table
-# is of the records with this METHOD, SECONDS and SEED. Finds go to finds/by-shape. CCDFUZZ names the program, by default build/release/ccdfuzz.
+# is of the records with this METHOD, SECONDS and SEED. Finds go to finds/by-shape. CCDFUZZ names the
+# program, by default build/release/ccdfuzz.
 set -euo pipefail
 
 usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }

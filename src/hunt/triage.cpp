@@ -108,13 +108,14 @@ std::optional<Triage::Failure> Triage::confirm(const std::string& method, const 
     if (!is_failure(judged.outcome)) return std::nullopt;
     return Failure{asked, std::move(judged)};
   };
+  bool as_it_stands = false;  // was asked: a fuzzer may have left any t_max
   for (const double factor : kHorizonFactors) {
-    const std::optional<Case> asked =
-        known.truth.witness ? at_horizon(known, factor) : std::nullopt;
+    const std::optional<Case> asked = at_horizon(known, factor);  // none without a witness
     if (!asked) continue;
     if (auto failure = asked_alike(*asked)) return failure;
+    as_it_stands = as_it_stands || asked->query.t_max == known.query.t_max;
   }
-  // As it stands, whose t_max may be any.
+  if (as_it_stands) return std::nullopt;
   return asked_alike(with_t_max(known, known.query.t_max));
 }
 

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/process.hpp"
+#include "cli/killed_run.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -61,10 +61,7 @@ TEST(ScoreboardCommand, ReadsTheRecordsOfACampaignThatGoesOn) {
   const std::string path = folder / "r", journal = path + ".partial";
   Process running({"--drivers", "properties", "--faults", "none", "--seeds", "100", "--seconds",
                    "1", "--records", path});
-  const auto is_begun = [&] {
-    std::error_code ignored;
-    return std::filesystem::file_size(journal, ignored) > 200 && !ignored;
-  };
+  const auto is_begun = [&] { return size_or_zero(journal) > 200; };
   for (int i = 0; i < 60000 && !is_begun(); ++i) usleep(10000);
   const Finished seen = run({"--no-runs", "--records", path});
   EXPECT_EQ(seen.code, 0) << seen.err;
@@ -96,10 +93,7 @@ TEST(ScoreboardCommand, GoesOnWhereItWasKilled) {
                                         "--records",      path};
   {
     Process killed(all);
-    const auto is_begun = [&] {
-      std::error_code ignored;
-      return std::filesystem::file_size(journal, ignored) > 500 && !ignored;
-    };
+    const auto is_begun = [&] { return size_or_zero(journal) > 500; };
     for (int i = 0; i < 60000 && !is_begun(); ++i) usleep(10000);
     ASSERT_TRUE(is_begun());
   }
