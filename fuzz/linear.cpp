@@ -2,5 +2,5 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return ccdfuzz::check_bytes("linear.decision_is_proven", data, size);
+  return ccdfuzz::check_target("linear", {data, size});
 }

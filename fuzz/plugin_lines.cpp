@@ -2,5 +2,5 @@
 #include "fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return ccdfuzz::check_bytes("plugin.any_line", data, size);
+  return ccdfuzz::check_target("plugin_lines", {data, size});
 }

@@ -7,12 +7,9 @@
 
 namespace ccdfuzz {
 
-/// What every libFuzzer target does: checks the named property on the choices that the bytes are.
+/// What every libFuzzer target of claims does: puts the bytes to one of the target's (claim_input).
 /// A failure is printed with its operands and ends the process, so that libFuzzer keeps the input.
-int check_bytes(std::string_view property, const std::uint8_t* data, std::size_t size);
-
-/// The same with one of several properties: which, the first byte says.
-int check_bytes_of_any(std::span<const std::string_view> properties, const std::uint8_t* data,
-                       std::size_t size);
+/// Always the same target in a process.
+int check_target(std::string_view target, std::span<const std::uint8_t> bytes);
 
 }  // namespace ccdfuzz

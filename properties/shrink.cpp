@@ -114,14 +114,20 @@ ChoiceNumbers shrunk(ChoiceNumbers numbers, std::uint64_t tries,
   return numbers;
 }
 
-std::optional<Counterexample> shrunk_counterexample(const Property& property,
+InputRunner runner_of(const Property& property) {
+  const auto run_on = [property](auto choices) -> InputRun {
+    Check check = run(property, choices);
+    return {std::move(check), "", choices.numbers(), choices.bytes()};
+  };
+  return {[=](const ChoiceNumbers& numbers) { return run_on(StoredChoices(numbers)); },
+          [=](std::span<const std::uint8_t> bytes) { return run_on(ByteChoices(bytes)); }};
+}
+
+std::optional<Counterexample> shrunk_counterexample(const InputRunner& runner,
                                                     const ChoiceNumbers& numbers,
                                                     const ShrinkLimits& limits) {
-  const auto fails = [&](const ChoiceNumbers& candidate) {
-    StoredChoices choices(candidate);
-    return run(property, choices).status == Check::Status::kFails;
-  };
-  if (!fails(numbers)) return std::nullopt;
+  const InputRun first = runner.on_numbers(numbers);
+  if (!first.fails()) return std::nullopt;
   std::uint64_t spent = 0;
   bool is_over = false;
   // What a sequence draws is what counts, not what is left over of it: a candidate that asks for
@@ -130,17 +136,15 @@ std::optional<Counterexample> shrunk_counterexample(const Property& property,
     is_over = is_over || (limits.is_over && limits.is_over());
     if (is_over) return false;
     ++spent;
-    return fails(candidate);
+    return runner.on_numbers(candidate).fails_as(first);
   });
-  StoredChoices choices(least);
-  Counterexample found{least, {}, run(property, choices), spent, is_over || spent == limits.tries};
-  if (found.check.status != Check::Status::kFails) return std::nullopt;
+  const InputRun last = runner.on_numbers(least);
+  if (!last.fails_as(first)) return std::nullopt;
+  Counterexample found{least, last.bytes, last.check, spent, is_over || spent == limits.tries};
   // A source at its end gives zeros.
-  found.bytes = choices.bytes();
-  std::vector<std::uint8_t> shorter = found.bytes;
+  std::vector<std::uint8_t> shorter = last.bytes;
   while (!shorter.empty() && shorter.back() == 0) shorter.pop_back();
-  ByteChoices again(shorter);
-  if (run(property, again).status == Check::Status::kFails) found.bytes = std::move(shorter);
+  if (runner.on_bytes(shorter).fails_as(first)) found.bytes = std::move(shorter);
   return found;
 }
 

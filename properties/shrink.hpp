@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "properties/property.hpp"
@@ -41,9 +43,29 @@ struct ShrinkLimits {
   std::function<bool()> is_over = {};  ///< asked before each of them; empty: never over
 };
 
-/// Shrinks a sequence of choices on which the property failed; the result fails too, which may be
-/// with another text. None if it does not fail each time that it is run on the same choices.
-std::optional<Counterexample> shrunk_counterexample(const Property& property,
+/// What an input showed of a property, or what running it did in place of ending.
+struct InputRun {
+  Check check;
+  std::string error;      ///< its name ("crash SIGSEGV"), and check fails; empty: it ended
+  ChoiceNumbers numbers;  ///< what it drew; empty of an error
+  std::vector<std::uint8_t> bytes;  ///< the same
+
+  bool fails() const { return check.status == Check::Status::kFails; }
+  /// In the same way.
+  bool fails_as(const InputRun& other) const { return fails() && error == other.error; }
+};
+
+/// A way to run a property.
+struct InputRunner {
+  std::function<InputRun(const ChoiceNumbers&)> on_numbers;
+  std::function<InputRun(std::span<const std::uint8_t>)> on_bytes;
+};
+InputRunner runner_of(const Property& property);
+
+/// Shrinks a sequence of choices on which the property failed; the result fails in the same way,
+/// which may be with another text. None if it does not fail each time that it is run on the same
+/// choices.
+std::optional<Counterexample> shrunk_counterexample(const InputRunner& runner,
                                                     const ChoiceNumbers& numbers,
                                                     const ShrinkLimits& limits);
 

@@ -78,7 +78,7 @@ class PropertyCheck {
     checked_.reproduce = fmt::format("{}{}{}", inputs_.before, tally.first_failure, inputs_.after);
     // Of a claim that is known to be false, only who asks for it wants to see the failure.
     if (checked_.known_false() && options_.names.empty()) return;
-    checked_.find = CheckFind{tally.text, checked_.reproduce, std::nullopt, "", ""};
+    checked_.find = CheckFind{tally.text, checked_.reproduce, "", std::nullopt, "", ""};
     save();
     if (options_.json) return;
     progress_.clear();
@@ -100,8 +100,11 @@ class PropertyCheck {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       return stop_ || (options_.inputs.seconds && spent.count() >= *options_.inputs.seconds);
     };
-    shrink_find(*checked_.find, checked_.property, choices.numbers(), {kShrinkTries, is_over});
-    if (checked_.find->least) save();
+    auto least = shrunk_counterexample(runner_of(checked_.property), choices.numbers(),
+                                       {kShrinkTries, is_over});
+    if (!least) return;
+    set_least(*checked_.find, checked_.property, *std::move(least));
+    save();
   }
 
   /// In place of what was saved before of the same find.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <regex>
 #include <utility>
 
 #include "cli/command.hpp"
@@ -30,12 +31,14 @@ std::string test_name(std::string_view property) {
 
 }  // namespace
 
-void shrink_find(CheckFind& find, const Property& property, const ChoiceNumbers& numbers,
-                 const ShrinkLimits& limits) {
-  find.least = shrunk_counterexample(property, numbers, limits);
-  if (!find.least) return;
-  find.reproduce = fmt::format("{} check {} --hex {}", shell_word(program_name()), property.name,
-                               to_hex_word(find.least->bytes));
+std::string check_command(const Property& property, std::span<const std::uint8_t> bytes) {
+  return fmt::format("{} check {} --hex {}", shell_word(program_name()), property.name,
+                     to_hex_word(bytes));
+}
+
+void set_least(CheckFind& find, const Property& property, Counterexample least) {
+  find.least = std::move(least);
+  find.reproduce = check_command(property, find.least->bytes);
   find.test = fmt::format(
       "#include <gtest/gtest.h>\n\n"
       "#include \"properties/registry.hpp\"\n\n"
@@ -71,8 +74,22 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
     for (const char c : find.as_found) add(static_cast<std::uint8_t>(c));
   }
   text += fmt::format("{}\n\nas found: {}\n", find.text, find.as_found);
-  std::string path = fmt::format("{}/{}-{:016x}.txt", folder, property.name, key);
+  std::string path = fmt::format("{}/{}-{:016x}.txt", folder, kind_of_find(property, find), key);
   return write_file(path, text).map([&] { return std::move(path); });
+}
+
+std::string kind_of_find(const Property& property, const CheckFind& find) {
+  std::string kind =
+      fmt::format("{}{}{}", property.name, find.error.empty() ? "" : "-", find.error);
+  std::ranges::replace(kind, ' ', '-');
+  return kind;
+}
+
+std::optional<std::string> kind_of_find(const std::string& file_name) {
+  static const std::regex kForm("(.+)-[0-9a-f]{16}\\.txt");
+  std::smatch parts;
+  if (!std::regex_match(file_name, parts, kForm)) return std::nullopt;
+  return parts[1].str();
 }
 
 }  // namespace ccdfuzz

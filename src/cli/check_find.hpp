@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "properties/shrink.hpp"
@@ -9,15 +11,18 @@ namespace ccdfuzz {
 
 /// What a user needs to see a failing property again.
 struct CheckFind {
-  std::string text, as_found;           ///< of the input that failed: what it showed; one command
+  std::string text, as_found;  ///< of the input that failed: what it showed; one command
+  std::string error;           ///< the name of what it ended in ("crash SIGSEGV"); mostly none
   std::optional<Counterexample> least;  ///< shrunk; none before that, or where it does not repeat
   std::string reproduce;                ///< one command, for the shrunk input
   std::string test;  ///< a GoogleTest test that fails as long as the property does
 };
 
-/// Shrinks the failure of a property on these choices.
-void shrink_find(CheckFind& find, const Property& property, const ChoiceNumbers& numbers,
-                 const ShrinkLimits& limits);
+/// The command that puts these bytes to a property.
+std::string check_command(const Property& property, std::span<const std::uint8_t> bytes);
+
+/// What a find was shrunk to, with command and test.
+void set_least(CheckFind& find, const Property& property, Counterexample least);
 
 /// Makes the folder unless it is there. Errors: it cannot be made, or no file in it.
 Result<void> make_find_folder(const std::string& folder);
@@ -26,5 +31,10 @@ Result<void> make_find_folder(const std::string& folder);
 /// the simplest input that is known. Errors: of the folder or file.
 Result<std::string> save_find(const std::string& folder, const Property& property,
                               const CheckFind& find);
+
+/// What saved finds are told apart by: the property, and an error's name.
+std::string kind_of_find(const Property& property, const CheckFind& find);
+/// The same of a file that save_find wrote, by its name; none of any other.
+std::optional<std::string> kind_of_find(const std::string& file_name);
 
 }  // namespace ccdfuzz

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,7 @@ class Option;
 
 namespace ccdfuzz {
 
+struct FuzzTarget;
 struct Property;
 
 /// What every command ends with. A command that was interrupted ends with 128 + the signal.
@@ -121,7 +123,9 @@ void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
-void add_triage(CommandLine& line);
+/// find_target: what a name after --target stands for.
+using FindTarget = std::function<Result<FuzzTarget>(std::string_view)>;
+void add_triage(CommandLine& line, const FindTarget& find_target);
 void add_verify(CommandLine& line);
 
 }  // namespace ccdfuzz

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "cli/command.hpp"
+#include "properties/fuzz_targets.hpp"
 #include "properties/registry.hpp"
 
 int main(int argc, char** argv) {
@@ -19,7 +20,7 @@ int main(int argc, char** argv) {
     ccdfuzz::add_verify(line);
     ccdfuzz::add_prove(line);
     ccdfuzz::add_merge(line);
-    ccdfuzz::add_triage(line);
+    ccdfuzz::add_triage(line, ccdfuzz::fuzz_target_named);
     ccdfuzz::add_corpus(line);
     ccdfuzz::add_replay(line);
     ccdfuzz::add_minimize(line);

@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
-#include "cli/terminal.hpp"
+#include "cli/triage_claims.hpp"
+#include "cli/triage_files.hpp"
 #include "corpus/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "query/input_bytes.hpp"
@@ -22,11 +19,11 @@ namespace ccdfuzz {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct TriageArguments {
+  FindTarget find_target;
   std::vector<std::string> inputs;
   std::string output = "finds";
+  std::string target;
   std::string known;
   std::string methods = std::string(kDefaultMethods) + ",trad";
   std::string seconds = "60";
@@ -35,40 +32,17 @@ struct TriageArguments {
   bool remove = false;
 };
 
-/// The files that the arguments name, in order; folders stand for what is in them.
-Result<std::vector<std::string>> files_of(const std::vector<std::string>& inputs) {
-  std::vector<std::string> files;
-  for (const std::string& input : inputs) {
-    std::error_code error;
-    if (!fs::exists(input, error)) return input_error(input, "no such file or folder");
-    if (!fs::is_directory(input, error)) {
-      files.push_back(input);
-      continue;
-    }
-    std::vector<std::string> inside;
-    for (const auto& entry : fs::recursive_directory_iterator(input, error)) {
-      if (entry.is_regular_file()) inside.push_back(entry.path());
-    }
-    if (error) return input_error(input, "cannot be read: " + error.message());
-    std::ranges::sort(inside);
-    std::ranges::move(inside, std::back_inserter(files));
-  }
-  return files;
-}
-
 /// The cases of a file: a case file, or an input of a fuzz target. Errors: it is neither.
 Result<std::vector<NamedCase>> cases_of(const std::string& path) {
   if (case_file_kind(path)) return read_all_checked({path});
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return input_error(path, "cannot be read");
-  const std::vector<char> content{std::istreambuf_iterator<char>(in), {}};
-  const std::vector<std::uint8_t> bytes(content.begin(), content.end());
-  const auto query = query_of(bytes);
+  const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const auto query = query_of(*bytes);
   if (!query) {
     return input_error(path, "is neither a case file nor an input of fuzz_query or fuzz_witnessed");
   }
   // fuzz_witnessed makes a broken contact whole and asks that; fuzz_query asks what stands there.
-  const auto whole = witnessed_query_of(bytes);
+  const auto whole = witnessed_query_of(*bytes);
   std::vector<NamedCase> cases;
   const auto add = [&](Case value) {
     value.origin.generator = "mutant";
@@ -107,18 +81,70 @@ Result<void> know_all(Triage& triage, const Result<std::vector<NamedCase>>& entr
   return {};
 }
 
-Result<int> run_triage(const TriageArguments& options) {
-  TriageOptions parsed;
-  Result<std::vector<std::string>> methods = parse_method_list(options.methods);
+Result<void> triage_cases(const TriageArguments& arguments, TriageOptions options,
+                          const std::vector<std::string>& files, TriageWalk& walk) {
+  Result<std::vector<std::string>> methods = parse_method_list(arguments.methods);
   if (!methods) return tl::unexpected(methods.error());
-  const Result<SearchOptions> search = options.search.parse();
+  const Result<SearchOptions> search = arguments.search.parse();
   if (!search) return tl::unexpected(search.error());
-  const Result<double> seconds = parse_seconds("--seconds", options.seconds);
-  if (!seconds) return tl::unexpected(seconds.error());
-  const Result<std::vector<std::string>> files = files_of(options.inputs);
-  if (!files) return tl::unexpected(files.error());
-  Result<Store> store = Store::open(options.output);
+  Result<Store> store = Store::open(arguments.output);
   if (!store) return tl::unexpected(store.error());
+  options.methods = *std::move(methods);
+  options.search = *search;
+  std::string at;  // what is worked on
+  options.warn = [&](const std::string& warning) {
+    walk.note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
+  };
+  Triage triage(*store, options);
+  if (auto known = know_all(triage, store->load()); !known) return known;
+  if (!arguments.known.empty()) {
+    if (auto known = know_all(triage, load_corpus(arguments.known)); !known) return known;
+  }
+  const auto work = [&](const std::vector<NamedCase>& cases) -> Result<void> {
+    for (const NamedCase& input : cases) {
+      if (options.stop()) break;
+      at = input.id;
+      const Result<void> added = triage.add(input.value, [&](const TriageFind& find) {
+        walk.note_find();
+        tell(find, input.id, arguments.json);
+      });
+      if (!added) return added;
+    }
+    return {};
+  };
+  const Result<void> gone = walk.go(files, [&](const std::string& file) {
+    return cases_of(file).map([&](std::vector<NamedCase> cases) -> TriageWalk::Work {
+      return [&work, cases = std::move(cases)] { return work(cases); };
+    });
+  });
+  const TriageTally& tally = triage.tally();
+  TriageCounts& counts = walk.counts();
+  counts.inputs = tally.inputs;
+  counts.failures = tally.failures;
+  counts.known = tally.known;
+  counts.harmless = tally.saved;
+  return gone;
+}
+
+/// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
+std::string folder_of_properties(const std::string& folder) {
+  return folder.empty() ? "" : folder + "/properties";
+}
+
+Result<void> triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,
+                           const std::vector<std::string>& files, TriageWalk& walk) {
+  const Result<FuzzTarget> target = arguments.find_target(arguments.target);
+  if (!target) return input_error("--target", target.error().message());
+  return triage_claims({*target, folder_of_properties(arguments.output),
+                        folder_of_properties(arguments.known), stop, arguments.json},
+                       files, walk);
+}
+
+Result<int> run_triage(const TriageArguments& arguments) {
+  const Result<double> seconds = parse_seconds("--seconds", arguments.seconds);
+  if (!seconds) return tl::unexpected(seconds.error());
+  const Result<std::vector<std::string>> files = triage_files(arguments.inputs);
+  if (!files) return tl::unexpected(files.error());
 
   const std::atomic<bool>& interrupted = catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
@@ -126,77 +152,35 @@ Result<int> run_triage(const TriageArguments& options) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     return interrupted || passed.count() > *seconds;
   };
-  parsed.methods = *std::move(methods);
-  parsed.search = *search;
-  parsed.stop = is_over;
-  Triage triage(*store, std::move(parsed));
-  if (auto known = know_all(triage, store->load()); !known) return tl::unexpected(known.error());
-  if (!options.known.empty()) {
-    const Result<void> known = know_all(triage, load_corpus(options.known));
-    if (!known) return tl::unexpected(known.error());
-  }
-
-  Progress progress;
-  std::uint64_t finds = 0, done = 0, unread = 0;
-  for (const std::string& file : *files) {
-    const Result<std::vector<NamedCase>> cases = cases_of(file);
-    if (!cases) {
-      progress.clear();
-      fmt::print(stderr, "ccdfuzz: {}; it is left as it is\n", cases.error().message());
-      ++unread;
-      continue;
-    }
-    for (const NamedCase& input : *cases) {
-      if (is_over()) break;
-      const Result<void> added = triage.add(input.value, [&](const TriageFind& find) {
-        progress.clear();
-        tell(find, input.id, options.json);
-        ++finds;
-      });
-      if (!added) return tl::unexpected(added.error());
-    }
-    if (is_over()) break;
-    ++done;
-    if (std::error_code error; options.remove && !fs::remove(file, error)) {
-      return input_error(file, "cannot be removed: " + error.message());
-    }
-    progress.show(static_cast<double>(done) / static_cast<double>(files->size()),
-                  fmt::format("{} new", finds), done, "inputs");
-  }
-  progress.clear();
-  const TriageTally& tally = triage.tally();
-  if (options.json) {
-    print_json({{"row", "summary"},
-                {"files", files->size()},
-                {"files_done", done},
-                {"files_unread", unread},
-                {"inputs", tally.inputs},
-                {"failures", tally.failures},
-                {"known", tally.known},
-                {"harmless", tally.saved},
-                {"finds", finds}});
-  } else {
-    print_out(fmt::format(
-        "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
-        "no full run fails; {} new in {}\n",
-        done, files->size(), tally.failures, tally.known, tally.saved, finds, options.output));
-  }
+  TriageWalk walk(is_over, arguments.remove);
+  TriageOptions of_cases;
+  of_cases.stop = is_over;
+  const Result<void> done = arguments.target.empty()
+                                ? triage_cases(arguments, std::move(of_cases), *files, walk)
+                                : triage_target(arguments, is_over, *files, walk);
+  if (!done) return tl::unexpected(done.error());
+  print_triage(walk.counts(), arguments.output, arguments.json);
   if (interrupted) return interrupted_exit_code();
-  return unread > 0 ? kBadInput : kDone;
+  return walk.counts().files_unread > 0 ? kBadInput : kDone;
 }
 
 }  // namespace
 
-void add_triage(CommandLine& line) {
+void add_triage(CommandLine& line, const FindTarget& find_target) {
   auto [command, options] = line.add<TriageArguments>(
       "triage", "Confirm, shrink, tell apart and store what fuzzers found", run_triage);
+  options->find_target = find_target;
   command
       .texts("input", options->inputs,
              "Inputs of fuzz_query or fuzz_witnessed, case files, or folders of either")
       .required();
+  Option target = command.text("--target", options->target,
+                               "The inputs are those of this other target, whose claims fail on "
+                               "them; they go to `properties` in the folder");
   command.text("-o,--output", options->output, "Folder to store counterexamples in");
   command.text("--known", options->known, "A corpus, whose failures are not stored again");
-  command.text("--methods", options->methods, "Methods to ask, separated by commas");
+  target.excludes(
+      command.text("--methods", options->methods, "Methods to ask, separated by commas"));
   command.text("--seconds", options->seconds, "What is not done by then is left undone");
   options->search.max_pops = 10'000;
   options->search.add_budget_to(command);

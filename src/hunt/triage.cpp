@@ -1,5 +1,7 @@
 #include "hunt/triage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "ccd/witness_trace/loss_signature.hpp"
@@ -15,6 +17,10 @@
 namespace ccdfuzz {
 
 namespace {
+
+constexpr const char* kOracle = "oracle";
+
+}  // namespace
 
 Case decided_with_little_effort(const Case& candidate) {
   OracleOptions little;
@@ -36,8 +42,6 @@ Case decided_with_little_effort(const Case& candidate) {
   return known;
 }
 
-}  // namespace
-
 Triage::Triage(Store& store, TriageOptions options)
     : store_(store),
       options_(std::move(options)),
@@ -58,11 +62,18 @@ void Triage::know(const Case& entry) {
 Result<void> Triage::add(const Case& candidate,
                          const std::function<void(const TriageFind&)>& found) {
   ++tally_.inputs;
-  const Case known = with_truth(candidate);
+  const auto decided = with_truth(candidate);
+  const Case& known = decided.value_or(candidate);
+  std::vector<std::string> methods = options_.methods;
+  if (!decided && std::ranges::find(methods, kOracle) == methods.end()) methods.push_back(kOracle);
   bool fails = false;
-  for (const std::string& method : options_.methods) {
+  for (const std::string& method : methods) {
     if (options_.stop()) return {};
     const std::optional<Failure> failure = confirm(method, known);
+    if (!failure && !decided && method == kOracle) {
+      options_.warn(fmt::format("nobody knows the truth, since the oracle came to grief: {}: {}",
+                                decided.error().name(), decided.error().what()));
+    }
     if (!failure) continue;
     fails = true;
     ++tally_.failures;
@@ -71,9 +82,10 @@ Result<void> Triage::add(const Case& candidate,
       ++tally_.known;
       continue;
     }
-    const Case small = with_truth(shrink(failure->asked, method, methods_[method], failure->judged,
-                                         options_.search, {options_.shrink_trials, options_.stop})
-                                      .value);
+    Case small = shrink(failure->asked, method, methods_[method], failure->judged, options_.search,
+                        {options_.shrink_trials, options_.stop})
+                     .value;
+    if (method != kOracle) small = with_truth(small).value_or(small);
     // What is not shrunk to the end is left to another time, which would find it anew; but not a
     // hang, which would take as long again.
     if (options_.stop() && failure->judged.error != "hang") continue;
@@ -95,11 +107,12 @@ Result<void> Triage::add(const Case& candidate,
   return {};
 }
 
-Case Triage::with_truth(const Case& candidate) const {
+tl::expected<Case, MethodFault> Triage::with_truth(const Case& candidate) const {
   if (candidate.truth.collides) return candidate;
-  const auto decided =
-      work_apart([&] { return to_json(decided_with_little_effort(candidate)); }, options_.apart);
-  return decided ? parse_case(*decided, "what the oracle decided").value() : candidate;
+  return work_apart([&] { return to_json(options_.decide(candidate)); }, options_.apart)
+      .map([](const std::string& json) {
+        return parse_case(json, "what the oracle decided").value();
+      });
 }
 
 std::optional<Triage::Failure> Triage::confirm(const std::string& method, const Case& known) {

@@ -12,6 +12,9 @@
 
 namespace ccdfuzz {
 
+/// With the oracle's truth, and the class of its contact.
+Case decided_with_little_effort(const Case& candidate);
+
 struct TriageOptions {
   std::vector<std::string> methods;  ///< specs that parse_method_list accepted
   SearchOptions search;
@@ -19,7 +22,11 @@ struct TriageOptions {
   /// True ends shrinking, and asking before the next method.
   std::function<bool()> stop = [] { return false; };
   MethodSet::Make make = make_method;  ///< what is asked of a spec
-  ApartLimits apart;                   ///< of each question
+  /// The truth of a case that has none, as far as little effort gives one.
+  std::function<Case(const Case&)> decide = decided_with_little_effort;
+  ApartLimits apart;  ///< of each question
+  /// Of an input on which the oracle comes to grief, but not as a method.
+  std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
 /// What became of the inputs.
@@ -52,8 +59,8 @@ class Triage {
   /// The failures that a case expects are had.
   void know(const Case& entry);
 
-  /// A case with its truth, or without: then the oracle decides it. Calls found for each new
-  /// failure. Errors: of the store.
+  /// A case with its truth, or without: then the oracle decides it, whose crash or hang is a find
+  /// of the method "oracle". Calls found for each new failure. Errors: of the store.
   Result<void> add(const Case& candidate, const std::function<void(const TriageFind&)>& found);
 
   const TriageTally& tally() const { return tally_; }
@@ -67,8 +74,8 @@ class Triage {
   using Signature = std::tuple<std::string, std::string, Outcome, std::string, std::string>;
   static constexpr std::size_t kLossPlace = 4;
 
-  /// The truth of a case that has none, as far as little effort gives one.
-  Case with_truth(const Case& candidate) const;
+  /// options.decide of a case without truth, or what it did instead.
+  tl::expected<Case, MethodFault> with_truth(const Case& candidate) const;
   std::optional<Failure> confirm(const std::string& method, const Case& known);
   Signature signature_of(const std::string& method, const Case& value, const Judged& judged);
   std::string loss_of(const std::string& method, const Case& value);

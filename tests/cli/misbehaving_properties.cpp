@@ -1,4 +1,5 @@
-// `ccdfuzz check` of made-up properties, each of which misbehaves as its name says.
+// `ccdfuzz check` and `ccdfuzz triage` of made-up properties, each of which misbehaves as its name
+// says.
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -7,7 +8,7 @@
 #include <thread>
 
 #include "cli/command.hpp"
-#include "properties/property.hpp"
+#include "properties/fuzz_targets.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -136,5 +137,8 @@ std::vector<Property> misbehaving() {
 int main(int argc, char** argv) {
   ccdfuzz::CommandLine line;
   ccdfuzz::add_check(line, ccdfuzz::misbehaving());
+  ccdfuzz::add_triage(line, [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::FuzzTarget> {
+    return ccdfuzz::FuzzTarget{name, "refuted bound", ccdfuzz::misbehaving()};
+  });
   return line.parse_and_run(argc, argv);
 }

@@ -218,6 +218,38 @@ TEST(Triage, KeepsACrashOfEachNameShrunkWithWhatOthersSay) {
   }
 }
 
+TEST(Triage, ACrashOfTheOracleIsAFind) {
+  Case raw = raw_finds().front();
+  raw.truth = {};
+  for (const bool repeats : {true, false}) {
+    const ScratchFolder folder;
+    Store store = Store::open(folder.path()).value();
+    TriageOptions options = quick_options();
+    options.methods = {"tdibm-c"};
+    options.decide = [](const Case&) -> Case { std::abort(); };
+    options.make = [&](const std::string& spec) -> Result<std::unique_ptr<Method>> {
+      if (spec != "oracle" || !repeats) return make_method(spec);
+      return std::make_unique<Failing>("aborts");
+    };
+    std::vector<std::string> warnings;
+    options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+    Triage triage(store, options);
+    const std::vector<TriageFind> finds = triaged(triage, {raw, raw});
+    if (!repeats) {
+      EXPECT_THAT(finds, testing::IsEmpty());
+      EXPECT_THAT(warnings, testing::SizeIs(2));
+      EXPECT_THAT(warnings[0], testing::HasSubstr("the oracle came to grief: crash SIGABRT: "));
+      continue;
+    }
+    ASSERT_EQ(finds.size(), 1U);
+    EXPECT_EQ(finds[0].method, "oracle");
+    EXPECT_EQ(finds[0].error, "crash SIGABRT");
+    EXPECT_EQ(finds[0].value.expect.at("oracle"), Outcome::kError);
+    EXPECT_EQ(triage.tally().known, 1U) << "the same again";
+    EXPECT_THAT(warnings, testing::IsEmpty());
+  }
+}
+
 TEST(Triage, KeepsWhatCannotBeTraced) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();

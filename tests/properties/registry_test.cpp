@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "properties/fuzz_targets.hpp"
+
 namespace ccdfuzz {
 namespace {
 
@@ -43,31 +45,54 @@ TEST(Registry, TheSameChoicesGiveTheSameResult) {
   }
 }
 
-/// The names of claims in the text of a fuzz target; those of files have a known end.
-std::vector<std::string> claims_named_in(const std::filesystem::path& path) {
-  std::ifstream in(path);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  static const std::regex name("\"([a-z][a-z0-9_-]*\\.(?!(?:cpp|hpp|h|json)\")[A-Za-z0-9_]+)\"");
-  std::vector<std::string> found;
-  for (std::sregex_iterator m(text.begin(), text.end(), name), end; m != end; ++m) {
-    found.push_back((*m)[1]);
-  }
-  return found;
-}
-
-// The targets look their claims up when they start, and not every build has them.
-TEST(FuzzTargets, NameOnlyClaimsThatThereAreAndThatAreThoughtToHold) {
-  std::size_t named = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(CCDFUZZ_SOURCE_DIR "/fuzz")) {
-    if (entry.path().extension() != ".cpp") continue;
-    for (const std::string& claim : claims_named_in(entry.path())) {
-      ++named;
-      const auto property = property_named(claim);
-      ASSERT_TRUE(property) << entry.path() << ": " << claim;
-      EXPECT_EQ(property->expected, Expectation::kHolds) << entry.path() << ": " << claim;
+TEST(FuzzTargets, CheckClaimsThatAreThoughtToHold) {
+  for (const std::string_view name : fuzz_targets()) {
+    const auto target = fuzz_target_named(name);
+    ASSERT_TRUE(target) << target.error().message();
+    EXPECT_EQ(target->name, name);
+    EXPECT_FALSE(target->claims.empty()) << name;
+    for (const Property& claim : target->claims) {
+      EXPECT_EQ(claim.expected, Expectation::kHolds) << name << ": " << claim.name;
     }
   }
-  EXPECT_GT(named, 35U);
+  const auto unknown = fuzz_target_named("quarry");
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().message().find("no target \"quarry\"; there are: arithmetic, case_"),
+            0U)
+      << unknown.error().message();
+}
+
+// The targets look themselves up when they start, and not every build has them.
+TEST(FuzzTargets, AreNamedAsTheirFilesAre) {
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(CCDFUZZ_SOURCE_DIR "/fuzz")) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream in(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    static const std::regex call(R"(check_target\("([a-z_]*)\")");
+    std::smatch found;
+    if (!std::regex_search(text, found, call)) continue;
+    EXPECT_EQ(found[1].str() + ".cpp", entry.path().filename());
+    files.insert(found[1]);
+  }
+  const auto names = fuzz_targets();
+  EXPECT_EQ(files, std::set<std::string>(names.begin(), names.end()));
+}
+
+TEST(FuzzTargets, TheFirstByteSaysWhichOfSeveralClaims) {
+  const FuzzTarget several = fuzz_target_named("tdibm_e").value();
+  const auto count = static_cast<std::uint8_t>(several.claims.size());
+  ASSERT_GT(count, 1);
+  const std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(count + 1), 7};
+  const auto input = claim_input(several, bytes);
+  ASSERT_TRUE(input);
+  EXPECT_EQ(input->property.name, several.claims[1].name);
+  EXPECT_EQ(std::vector<std::uint8_t>(input->bytes.begin(), input->bytes.end()),
+            std::vector<std::uint8_t>{7});
+  EXPECT_FALSE(claim_input(several, {}));
+  const auto whole = claim_input(fuzz_target_named("query_csv").value(), bytes);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->bytes.size(), 2U);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(Shrink, ACounterexampleOfAClaimFailsFromItsBytesToo) {
   for (std::uint64_t i = 0;; ++i) {
     RandomChoices random{Random::keyed({3, i})};
     if (run(property, random).status != Check::Status::kFails) continue;
-    const auto found = shrunk_counterexample(property, random.numbers(), {300});
+    const auto found = shrunk_counterexample(runner_of(property), random.numbers(), {300});
     ASSERT_TRUE(found);
     EXPECT_FALSE(simpler(random.numbers(), found->numbers));
     ByteChoices bytes(found->bytes);

@@ -1,0 +1,238 @@
+#include "properties/fuzz_targets.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include "properties/registry.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr auto kArithmetic = std::to_array<std::string_view>({
+    "dyadic.round_trip",
+    "wide_int.is_gmp",
+    "double.parts",
+    "double.exact_sums",
+    "interval.encloses",
+    "interval.is_tight",
+    "rational.rounding",
+    "paper.rounding",
+    "paper.nextafter_bounds",
+    "number.texts",
+});
+
+constexpr auto kCaseReader = std::to_array<std::string_view>({
+    "case_file.any_bytes",
+});
+
+constexpr auto kCertificates = std::to_array<std::string_view>({
+    "checker.refuses_malformed_trees",
+    "checker.refuses_touching_leaves",
+    "checker.refuses_changed_planes",
+    "checker.refuses_changed_boxes",
+    "checker.refuses_moved_contacts",
+    "checker.refuses_contacts_after_t_max",
+    "checker.refuses_clearance_past_a_contact",
+    "checker.refuses_wrong_claims",
+    "checker.refuses_proofs_before_start",
+    "checker.refuses_wrong_trees",
+    "checker.refuses_wrong_planes",
+    "checker.refuses_wrong_boxes",
+    "checker.refuses_wrong_texts",
+    "checker.refuses_wrong_witnesses",
+    "checker.refuses_wrong_linear_clearances",
+    "checker.refuses_wrong_roots",
+    "checker.decides_quadratics",
+    "checker.refuses_negative_polynomials",
+    "checker.sees_nonnegative_rows",
+    "miss_tree.round_trip",
+});
+
+constexpr auto kGenerators = std::to_array<std::string_view>({
+    "generator.coincidence",
+    "generator.tangency",
+    "generator.extraction",
+    "generator.motion",
+    "generator.first_contact",
+    "generator.cases",
+    "generator.other_contacts",
+    "generator.grazing",
+    "generator.grazing_shapes",
+    "generator.clearance",
+    "generator.refuses_planes",
+});
+
+constexpr auto kLinear = std::to_array<std::string_view>({
+    "linear.decision_is_proven",
+});
+
+constexpr auto kMethods = std::to_array<std::string_view>({
+    "methods.not_contradicted",
+    "methods.not_contradicted_anywhere",
+    "methods.optimised",
+    "methods.optimised_alike",
+    "methods.no_state",
+    "methods.sensible_answers",
+    "methods.budget",
+    "methods.long_time_step",
+    "methods.not_early",
+    "methods.split",
+    "methods.miss_what_is_far_apart",
+    "methods.hit_where_points_meet",
+    "methods.scale",
+    "methods.scale_time",
+    "methods.mirror",
+    "judge.sees_misses_and_late_answers",
+    "judge.sees_false_positives",
+    "judge.keeps_to_terms_of_time",
+    "judge.keeps_to_terms_of_space",
+});
+
+constexpr auto kPluginLines = std::to_array<std::string_view>({
+    "plugin.any_line",
+});
+
+constexpr auto kQueryCsv = std::to_array<std::string_view>({
+    "csv.any_bytes",
+});
+
+constexpr auto kSubPatch = std::to_array<std::string_view>({
+    "sub_patch.is_the_restriction",
+    "paper.sub_patch_error",
+    "cell.children_cover",
+    "cell.trees_agree",
+    "patch.convex_hull",
+    "patch.partition_of_unity",
+    "patch.blossom_symmetry",
+    "patch.elevation",
+});
+
+constexpr auto kTdibmC = std::to_array<std::string_view>({
+    "tdibm-c.no_false_negative",
+    "tdibm-c.no_false_negative_underflow",
+    "tdibm-c.no_false_negative_anywhere",
+    "tdibm-c.no_false_negative_fine",
+    "tdibm-c.no_false_negative_linear",
+    "tdibm-c.trace",
+    "tdibm-c.normalised",
+    "tdibm-c.sub_patches",
+    "tdibm-c.error_bound",
+    "tdibm-c.windows",
+    "tdibm-c.contact_swapped",
+    "tdibm-c.contact_reparametrised",
+    "tdibm-c.contact_permuted",
+    "tdibm-c.contact_mirrored",
+    "tdibm-c.contact_translated",
+    "tdibm-c.contact_drifting",
+    "tdibm-c.contact_backwards",
+    "tdibm-c.contact_elevated",
+    "tdibm-c.contact_in_a_part",
+});
+
+constexpr auto kTdibmE = std::to_array<std::string_view>({
+    "tdibm-e.no_false_negative",
+    "tdibm-e.trace",
+    "tdibm-e.contact_transformed",
+});
+
+constexpr auto kTdibmEEnvelope = std::to_array<std::string_view>({
+    "tdibm-e.envelope",
+    "tdibm-e.conservative_decisions",
+    "tdibm-e.convex_chain",
+    "tdibm-e.coefficient_error",
+    "tdibm-e.eps_constr",
+    "lines.sorting",
+    "paper.axis_error",
+    "paper.linear_bound",
+    "paper.eps_coeff",
+    "paper.eps_Phi",
+    "paper.eps_phi",
+    "paper.eps_arith",
+    "paper.Delta_phi",
+    "paper.Delta_Phi",
+    "paper.theorem_4_1",
+});
+
+constexpr auto kTdibmESeparation = std::to_array<std::string_view>({
+    "tdibm-e.separation",
+    "tdibm-e.ends",
+    "tdibm-e.pulled_roots",
+    "tdibm-e.safe_roots",
+    "tdibm-e.safe_roots_of_sums",
+    "paper.eps_Psi",
+    "paper.eps_tau",
+    "paper.overlap",
+    "paper.one_interval",
+    "paper.steps_are_exact",
+    "paper.step_three",
+    "tdibm.ends",
+});
+
+constexpr auto kTdibmRational = std::to_array<std::string_view>({
+    "tdibm-rational.no_false_negative",
+    "tdibm-rational.no_false_negative_fine",
+    "tdibm-rational.no_false_negative_linear",
+    "tdibm-rational.trace",
+    "tdibm-rational.error_bound",
+});
+
+constexpr std::string_view kRefutedBound = "refuted bound", kFalseNegative = "false negative",
+                           kDisagreement = "disagreement", kRefutedClaim = "refuted claim";
+
+struct Names {
+  std::string_view target, find;
+  std::span<const std::string_view> claims;
+};
+
+constexpr auto kTargets = std::to_array<Names>({
+    {"arithmetic", kRefutedBound, kArithmetic},
+    {"case_reader", kRefutedClaim, kCaseReader},
+    {"certificates", kRefutedClaim, kCertificates},
+    {"generators", kRefutedClaim, kGenerators},
+    {"linear", kDisagreement, kLinear},
+    {"methods", kDisagreement, kMethods},
+    {"plugin_lines", kRefutedClaim, kPluginLines},
+    {"query_csv", kRefutedClaim, kQueryCsv},
+    {"sub_patch", kRefutedBound, kSubPatch},
+    {"tdibm_c", kFalseNegative, kTdibmC},
+    {"tdibm_e", kFalseNegative, kTdibmE},
+    {"tdibm_e_envelope", kRefutedBound, kTdibmEEnvelope},
+    {"tdibm_e_separation", kRefutedBound, kTdibmESeparation},
+    {"tdibm_rational", kFalseNegative, kTdibmRational},
+});
+
+}  // namespace
+
+std::vector<std::string_view> fuzz_targets() {
+  std::vector<std::string_view> names;
+  for (const Names& target : kTargets) names.push_back(target.target);
+  return names;
+}
+
+Result<FuzzTarget> fuzz_target_named(std::string_view name) {
+  const auto* const found = std::ranges::find(kTargets, name, &Names::target);
+  if (found == kTargets.end()) {
+    return input_error(
+        "", fmt::format("no target \"{}\"; there are: {}", name, fmt::join(fuzz_targets(), ", ")));
+  }
+  FuzzTarget target{found->target, found->find, {}};
+  for (const std::string_view claim : found->claims) {
+    const Result<Property> property = property_named(claim);
+    if (!property) return tl::unexpected(property.error());
+    target.claims.push_back(*property);
+  }
+  return target;
+}
+
+std::optional<ClaimInput> claim_input(const FuzzTarget& target,
+                                      std::span<const std::uint8_t> bytes) {
+  if (target.claims.size() == 1) return ClaimInput{target.claims[0], bytes};
+  if (bytes.empty()) return std::nullopt;
+  return ClaimInput{target.claims[bytes[0] % target.claims.size()], bytes.subspan(1)};
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/triage_files.hpp"
+#include "properties/fuzz_targets.hpp"
+
+namespace ccdfuzz {
+
+/// How what a target of claims stopped on is confirmed and stored.
+struct ClaimTriageOptions {
+  FuzzTarget target;
+  std::string folder;          ///< finds of properties, as text (save_find)
+  std::string known;           ///< one more such folder; may be empty or absent
+  std::function<bool()> stop;  ///< true ends shrinking
+  bool json = false;
+};
+
+/// Confirms the inputs of one target, each in a process apart, shrinks and stores what is new: of
+/// each claim one counterexample, and one of each error that putting an input to it ends in. Prints
+/// each. Errors: of the folder or a file.
+Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
+                           TriageWalk& walk);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,96 @@
+#include "cli/triage_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "cli/output.hpp"
+
+namespace ccdfuzz {
+
+namespace fs = std::filesystem;
+
+Result<std::vector<std::string>> triage_files(const std::vector<std::string>& inputs) {
+  std::vector<std::string> files;
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (!fs::exists(input, error)) return input_error(input, "no such file or folder");
+    if (!fs::is_directory(input, error)) {
+      files.push_back(input);
+      continue;
+    }
+    std::vector<std::string> inside;
+    for (const auto& entry : fs::recursive_directory_iterator(input, error)) {
+      if (entry.is_regular_file()) inside.push_back(entry.path());
+    }
+    if (error) return input_error(input, "cannot be read: " + error.message());
+    std::ranges::sort(inside);
+    std::ranges::move(inside, std::back_inserter(files));
+  }
+  return files;
+}
+
+Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return input_error(path, "cannot be read");
+  const std::vector<char> content{std::istreambuf_iterator<char>(in), {}};
+  return std::vector<std::uint8_t>(content.begin(), content.end());
+}
+
+Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& read) {
+  counts_.files = files.size();
+  for (const std::string& file : files) {
+    const Result<Work> work = read(file);
+    if (!work) {
+      note(fmt::format("ccdfuzz: {}; it is left as it is\n", work.error().message()));
+      ++counts_.files_unread;
+      continue;
+    }
+    if (is_over_()) break;
+    if (const Result<void> worked = (*work)(); !worked) return worked;
+    if (is_over_()) break;
+    ++counts_.files_done;
+    if (std::error_code error; remove_ && !fs::remove(file, error)) {
+      return input_error(file, "cannot be removed: " + error.message());
+    }
+    progress_.show(static_cast<double>(counts_.files_done) / static_cast<double>(counts_.files),
+                   fmt::format("{} new", counts_.finds), counts_.files_done, "inputs");
+  }
+  progress_.clear();
+  return {};
+}
+
+void TriageWalk::note(const std::string& line) {
+  progress_.clear();
+  fmt::print(stderr, "{}", line);
+}
+
+void TriageWalk::note_find() {
+  progress_.clear();
+  ++counts_.finds;
+}
+
+void print_triage(const TriageCounts& counts, const std::string& folder, bool json) {
+  if (json) {
+    print_json({{"row", "summary"},
+                {"files", counts.files},
+                {"files_done", counts.files_done},
+                {"files_unread", counts.files_unread},
+                {"inputs", counts.inputs},
+                {"failures", counts.failures},
+                {"known", counts.known},
+                {"harmless", counts.harmless},
+                {"finds", counts.finds}});
+  } else {
+    print_out(fmt::format(
+        "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
+        "no full run fails; {} new in {}\n",
+        counts.files_done, counts.files, counts.failures, counts.known, counts.harmless,
+        counts.finds, folder));
+  }
+}
+
+}  // namespace ccdfuzz

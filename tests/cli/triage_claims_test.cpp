@@ -1,0 +1,108 @@
+// triage of what targets of claims stopped on.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+
+/// Inputs of a target that has the properties of misbehaving_properties.cpp, in their order.
+constexpr char kHolds = 0, kFailsOnAll = 2, kIsDiscarded = 3, kAborts = 5, kAbortsWhenShrunk = 7;
+
+/// That property, and a number of six bytes, the lowest first.
+std::string input_of(char property, int number) {
+  const auto low = static_cast<char>(number & 255), high = static_cast<char>(number >> 8);
+  return std::string{property, low, high, 0, 0, 0, 0};
+}
+
+class TriageOfClaims : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(inputs_);
+    write_text(inputs_ + "/a", "");
+    write_text(inputs_ + "/b", input_of(kHolds, 1));
+    write_text(inputs_ + "/c", input_of(kIsDiscarded, 1));
+    write_text(inputs_ + "/d", input_of(kFailsOnAll, 1));
+    write_text(inputs_ + "/e", input_of(kFailsOnAll, 0));
+    write_text(inputs_ + "/f", input_of(kAborts, 99));
+    write_text(inputs_ + "/g", input_of(kAbortsWhenShrunk, 10'000));
+  }
+
+  Finished triage(std::vector<std::string> options) const {
+    options.insert(options.begin(), {"triage", "--target", "any", inputs_, "-o", finds_});
+    return Process(std::move(options), "", CCDFUZZ_TEST_MISBEHAVING_PROPERTIES).wait();
+  }
+
+  const ScratchFolder folder_;
+  const std::string inputs_ = folder_ / "inputs", finds_ = folder_ / "finds";
+};
+
+TEST_F(TriageOfClaims, KeepsOneOfEachClaimAndError) {
+  const Finished run = triage({"--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto rows = json_lines(run.out);
+  ASSERT_EQ(rows.size(), 4U) << run.out;
+  const std::vector<std::pair<std::string, std::string>> wanted = {
+      {"made_up.fails_on_all", "refuted bound"},
+      {"made_up.aborts", "crash SIGABRT"},
+      {"made_up.aborts_when_shrunk", "refuted bound"}};
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_EQ(rows[i]["property"], wanted[i].first);
+    EXPECT_EQ(rows[i]["outcome"], wanted[i].second);
+    const std::string saved = read_text(rows[i]["saved"]);
+    EXPECT_THAT(saved, HasSubstr("\nreproduce: " + rows[i]["reproduce"].get<std::string>() + "\n"));
+    EXPECT_THAT(saved, HasSubstr("\nTEST(Found, "));
+    EXPECT_THAT(saved, HasSubstr("\nas found: "));
+  }
+  EXPECT_EQ(rows[0]["text"], "drew 0");
+  EXPECT_THAT(rows[1]["text"], testing::StartsWith("crash SIGABRT: "));
+  const auto& summary = rows[3];
+  EXPECT_EQ(summary["inputs"], 7);
+  EXPECT_EQ(summary["failures"], 4);
+  EXPECT_EQ(summary["known"], 1);
+  EXPECT_EQ(summary["harmless"], 3);
+  EXPECT_EQ(summary["finds"], 3);
+}
+
+TEST_F(TriageOfClaims, ShrinksAndPrintsTheCommandThatShowsIt) {
+  const auto rows = json_lines(triage({"--json"}).out);
+  ASSERT_EQ(rows.size(), 4U);
+  // 1001, and 99: the least with which the property fails, and dies.
+  const std::vector<std::string> least = {"''", "63", "e903"};
+  for (std::size_t i = 0; i < least.size(); ++i) {
+    const std::string command = rows[i]["reproduce"];
+    EXPECT_THAT(command, testing::EndsWith(" --hex " + least[i]));
+    const int code = shell(command).code;
+    EXPECT_EQ(code, i == 1 ? 128 + SIGABRT : 1) << command;
+  }
+}
+
+TEST_F(TriageOfClaims, FindsNothingThatIsStored) {
+  EXPECT_THAT(triage({}).out, HasSubstr("; 3 new in "));
+  EXPECT_THAT(triage({}).out, HasSubstr("4 of them like one that is stored; 3 inputs on which no "
+                                        "full run fails; 0 new in "));
+  const std::string known = finds_;
+  std::filesystem::rename(finds_, folder_ / "known");
+  EXPECT_THAT(triage({"--known", folder_ / "known"}).out, HasSubstr("; 0 new in "));
+  EXPECT_THAT(triage({"--known", folder_ / "none", "--remove"}).out, HasSubstr("; 3 new in "));
+  EXPECT_TRUE(std::filesystem::is_empty(inputs_));
+}
+
+TEST(TriageOfTargets, RefusesAnUnknownTargetAndReadsThatOfAny) {
+  const ScratchFolder folder;
+  write_text(folder / "input", "a,b");
+  const Finished refused = ccdfuzz({"triage", folder / "input", "--target", "quarry"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--target: no target \"quarry\"; there are: arithmetic, "));
+  const Finished read = ccdfuzz(
+      {"triage", folder / "input", "--target", "query_csv", "-o", folder / "finds", "--json"});
+  EXPECT_EQ(read.code, 0) << read.err;
+  EXPECT_EQ(json_lines(read.out).back()["harmless"], 1);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
