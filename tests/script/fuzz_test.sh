@@ -11,9 +11,27 @@ printf 'one\nquery\n' >"$work/build/libfuzzer/fuzz-targets.txt"
 for stand_in in script/setup bin/cmake fuzz/target_options.sh build/libfuzzer/fuzz/witnessed_inputs; do
   printf '#!/bin/sh\n' >"$work/$stand_in"
 done
+# As libFuzzer: the last of its words but for the seeds is the corpus.
 cat >"$work/build/libfuzzer/fuzz/fuzz_one" <<END
 #!/bin/sh
+echo \$\$ >'$work/pid'
 echo "\$*" >>'$work/calls'
+case \$* in
+  -merge=1*)
+    [ ! -e '$work/merge-fails' ] || exit 1
+    cp "\$3/a" "\$2"
+    ;;
+  *)
+    echo '#7 NEW cov: 3 corp: 2'
+    echo 'stat::number_of_executed_units: 7'
+    if [ -e '$work/runs-long' ]; then exec sleep 600; fi
+    if [ -e '$work/fails' ]; then
+      echo 'the last words'
+      touch build/fuzz-finds/one/crash-1
+      exit 77
+    fi
+    ;;
+esac
 END
 cat >"$work/build/libfuzzer/fuzz/fuzz_query" <<END
 #!/bin/sh
@@ -70,4 +88,67 @@ ran_with '-runs=-1 -max_total_time=5 '
 fuzz 0 query --seconds 5
 ran_with 'triage build/fuzz-lost/query --remove --known corpus -o finds --seconds 20'
 [ -e "$work/build/fuzz-lost/query/input" ] || fail 'an input that nobody looked at is gone'
+[ "$(wc -l <"$work/calls")" -eq 1 ] || fail 'triage of what did not fail'
+
+# A failing target: its words, its input, which is put to triage, and exit 1, after the others.
+touch "$work/fails"
+fuzz 1 --seconds 5 one query
+says 'the last words'
+says 'script/fuzz: one failed; its input is in build/fuzz-finds/one'
+says 'script/fuzz: failed: one'
+[ -e "$work/build/fuzz-finds/one/crash-1" ] || fail 'no input'
+ran_with 'triage build/fuzz-finds/one --target one --known corpus -o finds --seconds 20'
+ran_with 'triage build/fuzz-lost/query --remove'
+printf '#!/bin/sh\nexit 1\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
+fuzz 1 --seconds 30 query
+ran_with 'triage build/fuzz-finds/query --known corpus -o finds --seconds 30'
+rm "$work/fails"
+
+# --fresh: neither corpus nor what was lost before, and seeds that are told.
+rm -r "$work/build/fuzz-corpus"
+fuzz 0 --fresh --jobs 2 --runs 9 one
+says '14 runs'
+ran_with '-seed=1 -runs=9 '
+ran_with '-seed=2 -runs=9 '
+! grep -qF build/fuzz-corpus "$work/calls" || fail 'a corpus that --fresh must not have'
+fuzz 2 --fresh --merge one
+says '--fresh has no corpus to --merge'
+
+# --merge: what it leaves takes the corpus' place; if it fails, nothing changes.
+corpus=$work/build/fuzz-corpus/one
+mkdir -p "$corpus"
+touch "$corpus/a" "$corpus/b"
+touch "$work/merge-fails"
+fuzz 1 --merge one
+[ "$(ls "$corpus")" = "a
+b" ] || fail 'a merge that failed changed the corpus'
+rm "$work/merge-fails"
+fuzz 0 --merge one
+says 'one: 1 of 2 inputs kept'
+[ "$(ls "$corpus")" = a ] || fail 'not merged'
+[ "$(ls "$work/build/fuzz-corpus")" = one ] || fail 'leftovers of a merge'
+# Of a merge that was ended while neither was the corpus.
+mv "$corpus" "$corpus.old"
+fuzz 0 --runs 1 one
+[ -e "$corpus/a" ] || fail 'the corpus is lost'
+
+# A signal ends it and what it started.
+touch "$work/runs-long"
+for signal in INT TERM; do
+  : >"$work/calls"
+  # A shell without a terminal has background jobs ignore SIGINT.
+  env --default-signal=INT setsid "$work/script/fuzz" --seconds 600 one >"$work/out" 2>&1 &
+  pid=$!
+  until [ -s "$work/calls" ]; do sleep 0.1; done
+  kill -s $signal $pid
+  status=0
+  wait $pid || status=$?
+  case $signal:$status in
+    INT:130 | TERM:143) ;;
+    *) fail "exit $status after SIG$signal" ;;
+  esac
+  # One that is dead stays until somebody asks.
+  left=/proc/$(cat "$work/pid")/status
+  [ ! -e "$left" ] || grep -q '^State:.Z' "$left" || fail "SIG$signal leaves a process"
+done
 echo PASSED
