@@ -2,27 +2,72 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <memory>
+#include <vector>
 
 #include "properties/fuzz_targets.hpp"
 
+// libFuzzer's; other engines and replaying have none.
+extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
+                                                              std::size_t max_size);
+
 namespace ccdfuzz {
 
-int check_target(std::string_view target, std::span<const std::uint8_t> bytes) {
-  static const FuzzTarget claims = fuzz_target_named(target).value();
-  const auto input = claim_input(claims, bytes);
+namespace {
+
+/// The one of this process; its name is given first by whoever calls before any input is mutated.
+const FuzzTarget& this_target(std::string_view name = "") {
+  static const FuzzTarget target = fuzz_target_named(name).value();
+  return target;
+}
+
+}  // namespace
+
+int check_target(std::string_view name, std::span<const std::uint8_t> bytes) {
+  const FuzzTarget& target = this_target(name);
+  const auto input = claim_input(target, bytes);
   if (!input) return -1;  // not for the corpus
-  ByteChoices choices(input->bytes);
-  const Check check = run(input->property, choices);
+  const std::unique_ptr<ChoiceSource> choices = input->choices();
+  const Check check = run(input->property, *choices);
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
-    std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", claims.find,
+    std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
                              input->property.name, check.text, CCDFUZZ_CHECK_PROPERTY,
-                             input->property.name, to_hex_word(choices.bytes()));
+                             input->property.name, to_hex_word(choices->bytes()));
     std::abort();
   }
   return 0;
 }
 
+namespace {
+
+std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+  // Where a claim fails often enough, draws find it soonest; elsewhere, coverage.
+  constexpr std::uint64_t kOneDrawnIn = 4;
+  const FuzzTarget& target = this_target();
+  Random random(seed);
+  if (!target.reads_texts) {
+    const auto take = [&](const std::vector<std::uint8_t>& input) {
+      size = std::min(input.size(), max_size);
+      std::copy_n(input.begin(), size, data);
+    };
+    if (random.below(kOneDrawnIn) == 0) {
+      take(drawn_input(random));
+      return size;
+    }
+    // It was run before, and ended.
+    if (const auto bytes = drawn_as_bytes(target, {data, size})) take(*bytes);
+  }
+  return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
+}
+
+}  // namespace
 }  // namespace ccdfuzz
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t max_size, unsigned int seed) {
+  return ccdfuzz::mutated(data, size, max_size, seed);
+}

@@ -66,6 +66,13 @@ constexpr auto kGenerators = std::to_array<std::string_view>({
     "generator.refuses_planes",
 });
 
+constexpr auto kJudge = std::to_array<std::string_view>({
+    "judge.sees_misses_and_late_answers",
+    "judge.sees_false_positives",
+    "judge.keeps_to_terms_of_time",
+    "judge.keeps_to_terms_of_space",
+});
+
 constexpr auto kLinear = std::to_array<std::string_view>({
     "linear.decision_is_proven",
 });
@@ -86,10 +93,6 @@ constexpr auto kMethods = std::to_array<std::string_view>({
     "methods.scale",
     "methods.scale_time",
     "methods.mirror",
-    "judge.sees_misses_and_late_answers",
-    "judge.sees_false_positives",
-    "judge.keeps_to_terms_of_time",
-    "judge.keeps_to_terms_of_space",
 });
 
 constexpr auto kPluginLines = std::to_array<std::string_view>({
@@ -183,20 +186,25 @@ constexpr auto kTdibmRational = std::to_array<std::string_view>({
 constexpr std::string_view kRefutedBound = "refuted bound", kFalseNegative = "false negative",
                            kDisagreement = "disagreement", kRefutedClaim = "refuted claim";
 
+/// In the first byte.
+constexpr std::uint8_t kDrawn = 128;
+
 struct Names {
   std::string_view target, find;
   std::span<const std::string_view> claims;
+  bool reads_texts = false;
 };
 
 constexpr auto kTargets = std::to_array<Names>({
     {"arithmetic", kRefutedBound, kArithmetic},
-    {"case_reader", kRefutedClaim, kCaseReader},
+    {"case_reader", kRefutedClaim, kCaseReader, true},
     {"certificates", kRefutedClaim, kCertificates},
     {"generators", kRefutedClaim, kGenerators},
+    {"judge", kRefutedClaim, kJudge},
     {"linear", kDisagreement, kLinear},
     {"methods", kDisagreement, kMethods},
-    {"plugin_lines", kRefutedClaim, kPluginLines},
-    {"query_csv", kRefutedClaim, kQueryCsv},
+    {"plugin_lines", kRefutedClaim, kPluginLines, true},
+    {"query_csv", kRefutedClaim, kQueryCsv, true},
     {"sub_patch", kRefutedBound, kSubPatch},
     {"tdibm_c", kFalseNegative, kTdibmC},
     {"tdibm_e", kFalseNegative, kTdibmE},
@@ -219,7 +227,7 @@ Result<FuzzTarget> fuzz_target_named(std::string_view name) {
     return input_error(
         "", fmt::format("no target \"{}\"; there are: {}", name, fmt::join(fuzz_targets(), ", ")));
   }
-  FuzzTarget target{found->target, found->find, {}};
+  FuzzTarget target{found->target, found->find, found->reads_texts, {}};
   for (const std::string_view claim : found->claims) {
     const Result<Property> property = property_named(claim);
     if (!property) return tl::unexpected(property.error());
@@ -228,11 +236,46 @@ Result<FuzzTarget> fuzz_target_named(std::string_view name) {
   return target;
 }
 
+std::unique_ptr<ChoiceSource> ClaimInput::choices() const {
+  if (seed) return std::make_unique<RandomChoices>(draws_of(*seed));
+  return std::make_unique<ByteChoices>(bytes);
+}
+
+RandomChoices draws_of(std::uint64_t seed) {
+  return RandomChoices{Random::keyed({seed, 0})};
+}
+
 std::optional<ClaimInput> claim_input(const FuzzTarget& target,
                                       std::span<const std::uint8_t> bytes) {
-  if (target.claims.size() == 1) return ClaimInput{target.claims[0], bytes};
+  if (target.reads_texts) return ClaimInput{target.claims[0], bytes, {}};
   if (bytes.empty()) return std::nullopt;
-  return ClaimInput{target.claims[bytes[0] % target.claims.size()], bytes.subspan(1)};
+  const std::size_t claim = bytes[0] & ~kDrawn;
+  ClaimInput input{target.claims[claim % target.claims.size()], bytes.subspan(1), {}};
+  if ((bytes[0] & kDrawn) == 0) return input;
+  std::uint64_t seed = 0;
+  const std::size_t given = std::min(input.bytes.size(), sizeof seed);
+  for (std::size_t i = 0; i < given; ++i) seed |= std::uint64_t{input.bytes[i]} << 8 * i;
+  input.seed = seed;
+  return input;
+}
+
+std::vector<std::uint8_t> drawn_input(Random& random) {
+  std::vector<std::uint8_t> input = {static_cast<std::uint8_t>(kDrawn | random.below(kDrawn))};
+  for (std::size_t i = 0; i < sizeof(std::uint64_t); ++i) {
+    input.push_back(static_cast<std::uint8_t>(random.below(256)));
+  }
+  return input;
+}
+
+std::optional<std::vector<std::uint8_t>> drawn_as_bytes(const FuzzTarget& target,
+                                                        std::span<const std::uint8_t> input) {
+  const auto drawn = claim_input(target, input);
+  if (!drawn || !drawn->seed) return std::nullopt;
+  const std::unique_ptr<ChoiceSource> choices = drawn->choices();
+  run(drawn->property, *choices);
+  std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(input[0] & ~kDrawn)};
+  bytes.insert(bytes.end(), choices->bytes().begin(), choices->bytes().end());
+  return bytes;
 }
 
 }  // namespace ccdfuzz

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "generators/random.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {
@@ -14,6 +16,7 @@ namespace ccdfuzz {
 struct FuzzTarget {
   std::string_view name;
   std::string_view find;  ///< what a counterexample to one of them is: "refuted bound"
+  bool reads_texts;       ///< of one claim, whose draws would be of no use
   std::vector<Property> claims;
 };
 
@@ -23,14 +26,30 @@ std::vector<std::string_view> fuzz_targets();
 /// Errors: an unknown name, with those that there are; a claim that is no property.
 Result<FuzzTarget> fuzz_target_named(std::string_view name);
 
-/// What an input of a target is: one of its claims, and the bytes that are put to it (ByteChoices).
+/// What an input of a target is: one of its claims, and where the choices come from that it is put
+/// to: bytes (ByteChoices), or draws.
 struct ClaimInput {
   Property property;
   std::span<const std::uint8_t> bytes;
+  std::optional<std::uint64_t> seed;  ///< of draws, in place of bytes
+
+  std::unique_ptr<ChoiceSource> choices() const;
 };
 
-/// Of several claims the first byte says which; without it there is none.
+/// The same draws as those of `ccdfuzz check --seed S --first 0 --count 1`.
+RandomChoices draws_of(std::uint64_t seed);
+
+/// Where a target reads texts, they are the bytes. Any other's first byte says which claim, in its
+/// lower bits, and by the highest whether the next eight are a seed, the lowest first. None without
+/// the first byte.
 std::optional<ClaimInput> claim_input(const FuzzTarget& target,
                                       std::span<const std::uint8_t> bytes);
+
+/// A draw of any claim as an input of a target that reads no texts.
+std::vector<std::uint8_t> drawn_input(Random& random);
+/// The same choices as bytes, which can be changed one by one, where the input is one of draws.
+/// Runs the claim.
+std::optional<std::vector<std::uint8_t>> drawn_as_bytes(const FuzzTarget& target,
+                                                        std::span<const std::uint8_t> input);
 
 }  // namespace ccdfuzz

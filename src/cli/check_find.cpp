@@ -36,6 +36,11 @@ std::string check_command(const Property& property, std::span<const std::uint8_t
                      to_hex_word(bytes));
 }
 
+std::string check_command(const Property& property, std::uint64_t seed) {
+  return fmt::format("{} check {} --seed {} --first 0 --count 1", shell_word(program_name()),
+                     property.name, seed);
+}
+
 void set_least(CheckFind& find, const Property& property, Counterexample least) {
   find.least = std::move(least);
   find.reproduce = check_command(property, find.least->bytes);

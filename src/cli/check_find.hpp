@@ -20,6 +20,8 @@ struct CheckFind {
 
 /// The command that puts these bytes to a property.
 std::string check_command(const Property& property, std::span<const std::uint8_t> bytes);
+/// The same of one draw (draws_of).
+std::string check_command(const Property& property, std::uint64_t seed);
 
 /// What a find was shrunk to, with command and test.
 void set_least(CheckFind& find, const Property& property, Counterexample least);

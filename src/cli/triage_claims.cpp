@@ -44,7 +44,7 @@ class ClaimTriage {
       return {};
     }
     ClaimApart apart(input->property, {});
-    const InputRun run = apart.on_bytes(input->bytes);
+    const InputRun run = apart.on(*input);
     if (!run.fails()) {
       ++counts.harmless;
       return {};
@@ -55,7 +55,7 @@ class ClaimTriage {
       ++counts.known;
       return {};
     }
-    if (auto least = apart.least(input->bytes, run, {kShrinkTries, options_.stop})) {
+    if (auto least = apart.least(*input, run, {kShrinkTries, options_.stop})) {
       set_least(find, input->property, *std::move(least));
     }
     const Result<std::string> saved = save_find(options_.folder, input->property, find);
@@ -68,7 +68,8 @@ class ClaimTriage {
  private:
   static CheckFind found_on(const ClaimInput& input, const InputRun& run) {
     return {run.check.text,
-            check_command(input.property, input.bytes),
+            input.seed ? check_command(input.property, *input.seed)
+                       : check_command(input.property, input.bytes),
             run.error,
             std::nullopt,
             "",

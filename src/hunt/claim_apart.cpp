@@ -7,10 +7,9 @@ namespace ccdfuzz {
 
 namespace {
 
-// What goes to the copy and comes back are sequences of numbers, each of 8 bytes. A question is
-// whether it is of bytes, and their values or the numbers; an answer is the status, how many
-// numbers, the numbers, how many bytes, the bytes, and the text.
-
+/// What goes to the copy and comes back: numbers of 8 bytes, and sequences of them. A question is
+/// what the numbers are, and the numbers; an answer is the status, the numbers and bytes of the
+/// choices, and the text.
 class Packed {
  public:
   Packed() = default;
@@ -47,39 +46,37 @@ class Packed {
   std::size_t taken_ = 0;
 };
 
-template <class Numbers>
-std::string question_of(bool is_bytes, const Numbers& numbers) {
-  Packed question;
-  question.put(is_bytes ? 1 : 0);
-  question.put_all(numbers);
-  return question.text();
-}
+}  // namespace
 
-std::string run_packed(const Property& property, const std::string& question) {
+std::string ClaimApart::run_packed(const Property& property, const std::string& question) {
   Packed asked(question);
-  const bool is_bytes = asked.take() != 0;
+  const auto of = static_cast<Of>(asked.take());
   const auto numbers = asked.take_all<ChoiceNumbers>();
   const std::vector<std::uint8_t> bytes(numbers.begin(), numbers.end());
-  ByteChoices of_bytes(bytes);
   StoredChoices of_numbers(numbers);
-  ChoiceSource& choices = is_bytes ? static_cast<ChoiceSource&>(of_bytes) : of_numbers;
-  const Check check = run(property, choices);
+  ByteChoices of_bytes(bytes);
+  RandomChoices drawn = draws_of(numbers.empty() ? 0 : numbers[0]);
+  ChoiceSource* const choices = of == Of::kNumbers ? static_cast<ChoiceSource*>(&of_numbers)
+                                : of == Of::kBytes ? static_cast<ChoiceSource*>(&of_bytes)
+                                                   : &drawn;
+  const Check check = run(property, *choices);
   Packed answer;
   answer.put(static_cast<std::uint64_t>(check.status));
-  answer.put_all(choices.numbers());
-  answer.put_all(choices.bytes());
+  answer.put_all(choices->numbers());
+  answer.put_all(choices->bytes());
   answer.put_text(check.text);
   return answer.text();
 }
-
-}  // namespace
 
 ClaimApart::ClaimApart(const Property& property, const ApartLimits& limits)
     : apart_([property](const std::string& question) { return run_packed(property, question); },
              limits) {}
 
-InputRun ClaimApart::ask(const std::string& question) {
-  const auto text = apart_.ask(question);
+InputRun ClaimApart::ask(Of of, const ChoiceNumbers& numbers) {
+  Packed question;
+  question.put(static_cast<std::uint64_t>(of));
+  question.put_all(numbers);
+  const auto text = apart_.ask(question.text());
   if (!text) {
     const MethodFault& fault = text.error();
     return {Check::fails(fault.name() + ": " + fault.what()), fault.name(), {}, {}};
@@ -93,34 +90,31 @@ InputRun ClaimApart::ask(const std::string& question) {
   return run;
 }
 
-InputRun ClaimApart::on_bytes(std::span<const std::uint8_t> bytes) {
-  return ask(question_of(true, bytes));
+InputRun ClaimApart::on(const ClaimInput& input) {
+  if (input.seed) return ask(Of::kDraws, {*input.seed});
+  return ask(Of::kBytes, ChoiceNumbers(input.bytes.begin(), input.bytes.end()));
 }
 
-InputRun ClaimApart::on_numbers(const ChoiceNumbers& numbers) {
-  return ask(question_of(false, numbers));
-}
-
-std::optional<Counterexample> ClaimApart::least(std::span<const std::uint8_t> bytes,
-                                                const InputRun& found, const ShrinkLimits& limits) {
-  const auto on_bytes_alone = [this](std::span<const std::uint8_t> candidate) {
-    InputRun run = on_bytes(candidate);
+std::optional<Counterexample> ClaimApart::least(const ClaimInput& input, const InputRun& found,
+                                                const ShrinkLimits& limits) {
+  const auto of_bytes = [this](std::span<const std::uint8_t> bytes) {
+    return ask(Of::kBytes, ChoiceNumbers(bytes.begin(), bytes.end()));
+  };
+  if (found.error.empty()) {
+    const auto of_numbers = [this](const ChoiceNumbers& n) { return ask(Of::kNumbers, n); };
+    return shrunk_counterexample({of_numbers, of_bytes}, found.numbers, limits);
+  }
+  if (input.seed) return std::nullopt;
+  const ChoiceNumbers values(input.bytes.begin(), input.bytes.end());
+  if (found.error == "hang") {
+    return Counterexample{values, {input.bytes.begin(), input.bytes.end()}, found.check, 0, true};
+  }
+  const auto of_values = [&](const ChoiceNumbers& candidate) {
+    InputRun run = ask(Of::kBytes, candidate);
     run.bytes.assign(candidate.begin(), candidate.end());
     return run;
   };
-  const ChoiceNumbers as_numbers(bytes.begin(), bytes.end());
-  if (found.error == "hang") {
-    return Counterexample{as_numbers, {bytes.begin(), bytes.end()}, found.check, 0, true};
-  }
-  if (!found.error.empty()) {
-    const auto on_values = [&](const ChoiceNumbers& values) {
-      return on_bytes_alone(std::vector<std::uint8_t>(values.begin(), values.end()));
-    };
-    return shrunk_counterexample({on_values, on_bytes_alone}, as_numbers, limits);
-  }
-  return shrunk_counterexample({[this](const ChoiceNumbers& n) { return on_numbers(n); },
-                                [this](std::span<const std::uint8_t> b) { return on_bytes(b); }},
-                               found.numbers, limits);
+  return shrunk_counterexample({of_values, of_bytes}, values, limits);
 }
 
 }  // namespace ccdfuzz

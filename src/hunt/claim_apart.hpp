@@ -1,10 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 
 #include "method/process_apart.hpp"
+#include "properties/fuzz_targets.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
@@ -16,17 +16,19 @@ class ClaimApart {
   ClaimApart(const Property& property, const ApartLimits& limits);
 
   /// What ends the copy is an error, with what is known of it as the text.
-  InputRun on_bytes(std::span<const std::uint8_t> bytes);
-  InputRun on_numbers(const ChoiceNumbers& numbers);
+  InputRun on(const ClaimInput& input);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. Of an error the bytes
   /// are made simpler in place of the numbers, which nobody knows; of a hang nothing, since each
-  /// try would cost its whole time. found: what on_bytes(bytes) gave, and fails.
-  std::optional<Counterexample> least(std::span<const std::uint8_t> bytes, const InputRun& found,
+  /// try would cost its whole time. None if it does not fail each time; nor of an error on draws.
+  /// found: what on(input) gave, and fails.
+  std::optional<Counterexample> least(const ClaimInput& input, const InputRun& found,
                                       const ShrinkLimits& limits);
 
  private:
-  InputRun ask(const std::string& question);
+  enum class Of : std::uint8_t { kNumbers, kBytes, kDraws };
+  static std::string run_packed(const Property& property, const std::string& question);
+  InputRun ask(Of of, const ChoiceNumbers& numbers);
 
   ProcessApart apart_;
 };

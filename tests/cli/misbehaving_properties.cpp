@@ -138,7 +138,7 @@ int main(int argc, char** argv) {
   ccdfuzz::CommandLine line;
   ccdfuzz::add_check(line, ccdfuzz::misbehaving());
   ccdfuzz::add_triage(line, [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::FuzzTarget> {
-    return ccdfuzz::FuzzTarget{name, "refuted bound", ccdfuzz::misbehaving()};
+    return ccdfuzz::FuzzTarget{name, "refuted bound", false, ccdfuzz::misbehaving()};
   });
   return line.parse_and_run(argc, argv);
 }

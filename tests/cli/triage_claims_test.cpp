@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "process.hpp"
+#include "properties/fuzz_targets.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -90,6 +91,35 @@ TEST_F(TriageOfClaims, FindsNothingThatIsStored) {
   EXPECT_THAT(triage({"--known", folder_ / "known"}).out, HasSubstr("; 0 new in "));
   EXPECT_THAT(triage({"--known", folder_ / "none", "--remove"}).out, HasSubstr("; 3 new in "));
   EXPECT_TRUE(std::filesystem::is_empty(inputs_));
+}
+
+/// An input of draws: of the first seed of which the number ends so in decimal.
+std::string drawn_input_of(char property, std::uint64_t end) {
+  std::uint64_t seed = 0;
+  while (draws_of(seed).choose(std::uint64_t{1} << 40) % 100 != end) ++seed;
+  std::string input{static_cast<char>(property | 128)};
+  for (int i = 0; i < 8; ++i) input += static_cast<char>(seed >> 8 * i & 255);
+  return input;
+}
+
+TEST_F(TriageOfClaims, TakesDrawsToo) {
+  std::filesystem::remove_all(inputs_);
+  std::filesystem::create_directory(inputs_);
+  write_text(inputs_ + "/a", drawn_input_of(kAborts, 98));
+  write_text(inputs_ + "/b", drawn_input_of(kAborts, 99));
+  write_text(inputs_ + "/c", drawn_input_of(kFailsOnAll, 0));
+  const Finished run = triage({"--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto rows = json_lines(run.out);
+  ASSERT_EQ(rows.size(), 3U) << run.out;
+  EXPECT_EQ(rows[0]["outcome"], "crash SIGABRT");
+  // Nobody knows what it drew.
+  const std::string command = rows[0]["reproduce"];
+  EXPECT_THAT(command, testing::EndsWith(" --first 0 --count 1"));
+  EXPECT_EQ(shell(command).code, 128 + SIGABRT) << command;
+  EXPECT_THAT(read_text(rows[0]["saved"]), HasSubstr("as found: " + command));
+  EXPECT_THAT(rows[1]["reproduce"].get<std::string>(), testing::EndsWith(" --hex ''"));
+  EXPECT_EQ(rows[2]["harmless"], 1);
 }
 
 TEST(TriageOfTargets, RefusesAnUnknownTargetAndReadsThatOfAny) {

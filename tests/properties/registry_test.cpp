@@ -79,7 +79,7 @@ TEST(FuzzTargets, AreNamedAsTheirFilesAre) {
   EXPECT_EQ(files, std::set<std::string>(names.begin(), names.end()));
 }
 
-TEST(FuzzTargets, TheFirstByteSaysWhichOfSeveralClaims) {
+TEST(FuzzTargets, TheFirstByteSaysWhichClaim) {
   const FuzzTarget several = fuzz_target_named("tdibm_e").value();
   const auto count = static_cast<std::uint8_t>(several.claims.size());
   ASSERT_GT(count, 1);
@@ -87,12 +87,50 @@ TEST(FuzzTargets, TheFirstByteSaysWhichOfSeveralClaims) {
   const auto input = claim_input(several, bytes);
   ASSERT_TRUE(input);
   EXPECT_EQ(input->property.name, several.claims[1].name);
-  EXPECT_EQ(std::vector<std::uint8_t>(input->bytes.begin(), input->bytes.end()),
-            std::vector<std::uint8_t>{7});
+  EXPECT_EQ(input->choices()->choose(255), 7U);
   EXPECT_FALSE(claim_input(several, {}));
-  const auto whole = claim_input(fuzz_target_named("query_csv").value(), bytes);
+  const std::vector<std::uint8_t> text = {200, 7};
+  const auto whole = claim_input(fuzz_target_named("query_csv").value(), text);
   ASSERT_TRUE(whole);
   EXPECT_EQ(whole->bytes.size(), 2U);
+  EXPECT_FALSE(whole->seed);
+}
+
+TEST(FuzzTargets, EveryClaimCanBeNamedByAByte) {
+  for (const std::string_view name : fuzz_targets()) {
+    EXPECT_LE(fuzz_target_named(name).value().claims.size(), 128U) << name;
+  }
+}
+
+TEST(FuzzTargets, ADrawIsTheSameAsBytes) {
+  const FuzzTarget target = fuzz_target_named("tdibm_e_envelope").value();
+  Random random(5);
+  std::set<std::string_view> drawn;
+  for (int i = 0; i < 200; ++i) {
+    const std::vector<std::uint8_t> input = drawn_input(random);
+    const auto of_draws = claim_input(target, input);
+    const auto bytes = drawn_as_bytes(target, input);
+    ASSERT_TRUE(of_draws && of_draws->seed && bytes);
+    const auto of_bytes = claim_input(target, *bytes);
+    ASSERT_TRUE(of_bytes);
+    EXPECT_FALSE(of_bytes->seed);
+    EXPECT_EQ(of_bytes->property.name, of_draws->property.name);
+    drawn.insert(of_draws->property.name);
+    const auto a = of_draws->choices(), b = of_bytes->choices();
+    const Check x = run(of_draws->property, *a), y = run(of_bytes->property, *b);
+    EXPECT_EQ(x.status, y.status);
+    EXPECT_EQ(x.text, y.text);
+    EXPECT_EQ(a->numbers(), b->numbers());
+    EXPECT_FALSE(drawn_as_bytes(target, *bytes)) << "they are bytes already";
+  }
+  EXPECT_EQ(drawn.size(), target.claims.size());
+}
+
+TEST(FuzzTargets, ASeedIsReadToTheLastBit) {
+  const FuzzTarget target = fuzz_target_named("tdibm_e").value();
+  const std::vector<std::uint8_t> input = {128, 1, 2, 3, 4, 5, 6, 7, 0x88, 9};
+  EXPECT_EQ(claim_input(target, input)->seed, 0x8807060504030201U);
+  EXPECT_EQ(claim_input(target, std::span(input).first(2))->seed, 1U);
 }
 
 }  // namespace
