@@ -1,16 +1,18 @@
 // What guides a hunt, from nothing, in CPU seconds of one thread: how soon a method's first false
-// negative is found, or (--losses) how many contacts it loses on the way, by draws alone, by
-// breeding them without a look at the margins of the witness trace, and by breeding every other one
-// from those with small margins. Medians over seeds; a run that found nothing counts as longer than
-// any.
+// negative is found, or how many contacts (--losses) or kinds of contacts (--kinds) it loses on the
+// way, by draws alone, by breeding them without a look at the margins of the witness trace, and by
+// breeding every other one from those with small margins. Medians over seeds; a run that found
+// nothing counts as longer than any.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <vector>
 
+#include "ccd/witness_trace/loss_signature.hpp"
 #include "eval/cpu_time.hpp"
 #include "hunt/breeder.hpp"
 #include "hunt/draw.hpp"
@@ -36,21 +38,32 @@ std::vector<ContactClass> all_classes() {
 
 std::vector<Quarry> quarries() {
   std::vector<Quarry> all;
-  for (const char* method :
-       {"tdibm", "tdibm-h:1e-16", "tdibm-h-rel:1e-12", "tdibm-e-literal", "tdibm-e"}) {
+  for (const char* method : {"tdibm", "tdibm-h:1e-16", "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
+                             "tdibm-e-literal", "tdibm-e", "trad"}) {
     all.push_back({method, all_classes(), {}, method});
   }
   // Rarer ones: inside of patches, and where nothing under- or overflows.
   constexpr int kOrdinary = 40;
   HuntGround ordinary;
   ordinary.scale = kOrdinary;
-  for (const char* method : {"tdibm", "tdibm-h:1e-16", "tdibm-h-rel:1e-12", "tdibm-e-literal"}) {
+  for (const char* method : {"tdibm", "tdibm-h:1e-16", "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
+                             "tdibm-e-literal", "tdibm-e", "trad"}) {
     all.push_back({method,
                    {ContactClass::kFF, ContactClass::kEF},
                    ordinary,
                    fmt::format("{}, FF and EF within 2^±{}", method, kOrdinary)});
   }
   return all;
+}
+
+/// Those of this name, or of none such those whose name begins so.
+std::vector<Quarry> quarries_named(const std::string& name) {
+  std::vector<Quarry> exact, beginning;
+  for (const Quarry& quarry : quarries()) {
+    if (quarry.name == name) exact.push_back(quarry);
+    if (quarry.name.starts_with(name)) beginning.push_back(quarry);
+  }
+  return exact.empty() ? beginning : exact;
 }
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -64,6 +77,10 @@ class Run {
     for (const ContactClass contact : quarry.classes) {
       const Aim aim = search == Strategy::kMargins ? Aim::kMargins : Aim::kNothing;
       cells_.push_back({contact, Breeder(quarry.method, seed, quarry.ground, aim), 0, 0, 0});
+    }
+    for (Cell& cell : cells_) {
+      cell.breeder.watch_losses(
+          [this](const WitnessedQuery& q, const Trace& trace) { note_kind(q, trace); });
     }
   }
 
@@ -81,6 +98,16 @@ class Run {
     for (const Cell& cell : cells_) all += static_cast<double>(cell.breeder.tally().lost);
     return all;
   }
+
+  /// How many kinds of contacts the method's trace loses in so much time: of as many classes,
+  /// levels, axes and wrong quantities, as fuzz_witnessed tells them apart.
+  double kinds_in(double seconds) {
+    seconds_used(seconds);
+    return static_cast<double>(kinds_.size());
+  }
+
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
 
  private:
   static constexpr std::uint64_t kFounders = 3;
@@ -141,7 +168,14 @@ class Run {
   bool loses(const Case& asked) {
     const std::optional<Witness>& witness = asked.truth.witness;
     if (!witness || witness->t > exact(asked.query.t_max)) return false;
-    return tracers_[quarry_.method].trace(asked.query, *witness, {}).lost;
+    const Trace& trace = tracers_[quarry_.method].trace(asked.query, *witness, {});
+    if (!trace.lost) return false;
+    if (const auto q = witnessed_query(asked)) note_kind(*q, trace);
+    return true;
+  }
+
+  void note_kind(const WitnessedQuery& q, const Trace& trace) {
+    kinds_.insert(fmt::format("{} {}", name_of(contact_class_of(q)), loss_signature(trace)));
   }
 
   void note(const Judged& judged) {
@@ -156,6 +190,7 @@ class Run {
   std::vector<Cell> cells_;
   bool asks_ = false, found_ = false;
   std::uint64_t lost_draws_ = 0;
+  std::set<std::string> kinds_;
 };
 
 double median(std::vector<double> values) {
@@ -181,35 +216,38 @@ int main(int argc, char** argv) {
   std::uint64_t seeds = 5;
   double most = 60;
   std::string only;
-  bool losses = false;
+  bool losses = false, kinds = false;
   app.add_option("--seeds", seeds, "Runs of each search")->check(CLI::PositiveNumber);
   app.add_option("--seconds", most, "CPU seconds after which a run ends")
       ->check(CLI::PositiveNumber);
-  app.add_option("--only", only, "Rows whose name begins so")
-      ->check([](const std::string& start) -> std::string {
-        const auto begins = [&](const Quarry& quarry) { return quarry.name.starts_with(start); };
-        return std::ranges::any_of(quarries(), begins) ? "" : "no row begins with " + start;
+  app.add_option("--only", only, "The row of this name, or the rows whose names begin so")
+      ->check([](const std::string& name) -> std::string {
+        return quarries_named(name).empty() ? "no row begins with " + name : "";
       });
   app.add_flag("--losses", losses, "Count the contacts lost in all that time, asking no query");
+  app.add_flag("--kinds", kinds, "Count the kinds of them")->excludes("--losses");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   fmt::print("| {} | draws | bred, margins unseen | bred by margins, too |\n",
-             losses ? fmt::format("contacts lost in {:g} s by", most) : "first false negative of");
+             losses  ? fmt::format("contacts lost in {:g} s by", most)
+             : kinds ? fmt::format("kinds of contacts lost in {:g} s by", most)
+                     : "first false negative of");
   fmt::print("|---|---|---|---|\n");
-  for (const Quarry& quarry : quarries()) {
-    if (!quarry.name.starts_with(only)) continue;
+  for (const Quarry& quarry : quarries_named(only)) {
     fmt::print("| {} |", quarry.name);
     for (const Strategy search : kStrategies) {
       std::vector<double> values;
       for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         Run run(quarry, search, seed);
-        values.push_back(losses ? run.losses_in(most) : run.seconds_to_first(most));
+        values.push_back(losses  ? run.losses_in(most)
+                         : kinds ? run.kinds_in(most)
+                                 : run.seconds_to_first(most));
       }
-      fmt::print(" {} |",
-                 losses ? fmt::format("{:g}", median(values)) : seconds_text(values, most));
+      fmt::print(" {} |", losses || kinds ? fmt::format("{:g}", median(values))
+                                          : seconds_text(values, most));
       std::cout.flush();
     }
     fmt::print("\n");

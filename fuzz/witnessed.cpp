@@ -3,10 +3,12 @@
 // mutants keep their contact exactly, and how nearly each method lost it guides libFuzzer.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <iostream>
 #include <numeric>
+#include <string_view>
 
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "eval/by_spec.hpp"
@@ -34,6 +36,16 @@ constexpr std::array kTraced = {Traced{"tdibm-c", true},        Traced{"tdibm-ra
                                 Traced{"trad", false}};
 static_assert(kTraced.size() <= Margins::kMethods);
 
+/// CCDFUZZ_TRACED_METHOD names the one method to be traced, for comparison
+/// (bench/fuzz_guidance.sh).
+const char* method_traced_alone() {
+  const char* const name = std::getenv("CCDFUZZ_TRACED_METHOD");
+  const auto is_it = [&](const Traced& traced) { return std::string_view(traced.method) == name; };
+  if (name == nullptr || std::ranges::any_of(kTraced, is_it)) return name;
+  std::cerr << "CCDFUZZ_TRACED_METHOD: " << name << " is none of the methods traced\n";
+  std::exit(2);
+}
+
 }  // namespace
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
@@ -44,13 +56,16 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static TracerSet tracers;
   static LostInputs lost_inputs;
+  static const char* const alone = method_traced_alone();
   const auto q = witnessed_query_of(std::span(data, size));
   if (!q) return -1;  // not for the corpus
   const Witness witness = q->witness();
   const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});
   const std::size_t other = kSound + sum % (kTraced.size() - kSound);
   for (std::size_t m = 0; m < kTraced.size(); ++m) {
-    if (m >= kSound && m != other) continue;
+    const bool is_due =
+        alone != nullptr ? std::string_view(kTraced[m].method) == alone : m < kSound || m == other;
+    if (!is_due) continue;
     const Trace& trace = tracers[kTraced[m].method].trace(q->query, witness, {});
     Margins::note(m, trace);
     if (!trace.lost) continue;

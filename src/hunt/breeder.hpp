@@ -52,6 +52,10 @@ class Breeder {
 
   const BreedTally& tally() const { return tally_; }
 
+  /// Called with each contact that the method's trace loses, founders too.
+  using Loss = std::function<void(const WitnessedQuery&, const Trace&)>;
+  void watch_losses(Loss lost) { lost_ = std::move(lost); }
+
  private:
   /// Whether the method keeps the contact; if so, the nearest to a loss are remembered.
   bool trace_and_note(const WitnessedQuery& q, TracerSet& tracers);
@@ -68,6 +72,7 @@ class Breeder {
   std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;
+  Loss lost_;
 };
 
 }  // namespace ccdfuzz
