@@ -16,6 +16,7 @@ LostInputs::LostInputs() {
 }
 
 void LostInputs::keep(std::span<const std::uint8_t> bytes, const std::string& kind) {
+  // Methods have some hundred kinds each; what comes after many more is noise that fills a disk.
   constexpr std::size_t kMostKinds = 2000;
   if (folder_.empty() || kinds_.size() >= kMostKinds || !kinds_.insert(kind).second) return;
   // Unique among the processes that share the folder; whole or absent. Where it cannot be written,

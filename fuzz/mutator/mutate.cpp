@@ -39,10 +39,12 @@ std::span<const Move> moves() {
 }
 
 WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
-  constexpr int kTries = 64;
+  constexpr std::size_t kMost = 4;
+  // Where a single move is possible, so many draws have it kMost times in the mean.
+  constexpr std::size_t kTries = kMost * kMoves.size();
   WitnessedQuery mutant = q, next = q;
-  std::uint64_t wanted = 1 + random.below(4);
-  for (int i = 0; i < kTries && wanted > 0; ++i) {
+  std::uint64_t wanted = 1 + random.below(kMost);
+  for (std::size_t i = 0; i < kTries && wanted > 0; ++i) {
     if (random.pick(kMoves).apply(next, other, random)) {
       mutant = next;
       --wanted;

@@ -9,7 +9,6 @@ namespace ccdfuzz {
 void expect_of_others(Case& find, const std::vector<std::string>& methods, MethodSet& asked,
                       SearchOptions search,
                       const std::function<void(const std::string&, const Judged&)>& decided) {
-  constexpr std::uint64_t kEnoughPops = 2000;  // for what TDIBM needs on most finds
   search.max_pops = std::min(search.max_pops, kEnoughPops);
   for (const std::string& method : methods) {
     if (find.expect.contains(method)) continue;

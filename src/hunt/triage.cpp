@@ -24,8 +24,8 @@ constexpr const char* kOracle = "oracle";
 
 Case decided_with_little_effort(const Case& candidate) {
   OracleOptions little;
-  little.max_pops = 2000;
-  little.max_tree_nodes = 20'000;
+  little.max_pops = kEnoughPops;
+  little.max_tree_nodes = 10 * kEnoughPops;  // as decide_briefly
   Decision decision = decide(candidate.query, little);
   // A tree stands in a file beside its case: without it, it proves nothing.
   if (decision.truth.clearance && std::holds_alternative<MissTree>(*decision.truth.clearance)) {
