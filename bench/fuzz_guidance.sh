@@ -35,6 +35,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 kinds_kept() {  # method, seed, "margins" or nothing
+  local status
   rm -rf "$scratch/lost" "$scratch/corpus"
   mkdir "$scratch/lost" "$scratch/corpus"
   # The target's own time is the wall's; the limit of the shell is of CPU time, and ends it.
@@ -42,12 +43,14 @@ kinds_kept() {  # method, seed, "margins" or nothing
     ulimit -t "$seconds"
     [ -n "$3" ] || export CCDFUZZ_WITHOUT_MARGINS=1
     CCDFUZZ_TRACED_METHOD=$1 CCDFUZZ_LOST=$scratch/lost "$target" -seed="$2" "${options[@]}" \
-      "$scratch/corpus" >"$scratch/log" 2>&1
-  ) 2>/dev/null || true
-  if grep -q 'loses the contact' "$scratch/log" || ! grep -q '^#[0-9]' "$scratch/log"; then
-    tail "$scratch/log" >&2
-    return 1
-  fi
+      -artifact_prefix="$scratch/" "$scratch/corpus" >"$scratch/log" 2>&1
+  ) 2>/dev/null && status=0 || status=$?
+  # SIGXCPU or SIGKILL of the limit, or libFuzzer's word for the former; nothing else ends it.
+  case $status in
+    152 | 137 | 0) ;;
+    *) tail "$scratch/log" >&2; return 1 ;;
+  esac
+  if ! grep -q '^#[0-9]' "$scratch/log"; then tail "$scratch/log" >&2; return 1; fi
   find "$scratch/lost" -type f | wc -l
 }
 
@@ -62,5 +65,7 @@ echo '|---|---|---|---|---|---|'
 for method in "${methods[@]}"; do
   row=$("$first_finds" --kinds --only "$method" --seconds "$seconds" --seeds "$runs" | tail -n 1)
   IFS='|' read -r _ name draws chance margins _ <<<"$row"
-  echo "|$name|$draws| $(median_of_libfuzzer "$method" '') | $(median_of_libfuzzer "$method" margins) |$chance|$margins|"
+  coverage=$(median_of_libfuzzer "$method" '')
+  counters=$(median_of_libfuzzer "$method" margins)
+  echo "|$name|$draws| $coverage | $counters |$chance|$margins|"
 done

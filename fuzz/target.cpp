@@ -18,20 +18,24 @@ namespace ccdfuzz {
 
 namespace {
 
-/// The one of this process; its name is given first by whoever calls before any input is mutated.
-const FuzzTarget& this_target(std::string_view name = "") {
-  static const FuzzTarget target = fuzz_target_named(name).value();
+const FuzzTarget& this_target() {
+  static const FuzzTarget target = fuzz_target_named(kFuzzTarget).value();
   return target;
 }
 
+/// Whether an input was run to its end. libFuzzer runs each before it mutates it, but for one that
+/// it minimises, which does not end.
+bool any_ended = false;
+
 }  // namespace
 
-int check_target(std::string_view name, std::span<const std::uint8_t> bytes) {
-  const FuzzTarget& target = this_target(name);
+int check_input(std::span<const std::uint8_t> bytes) {
+  const FuzzTarget& target = this_target();
   const auto input = claim_input(target, bytes);
   if (!input) return -1;  // not for the corpus
   const std::unique_ptr<ChoiceSource> choices = input->choices();
   const Check check = run(input->property, *choices);
+  any_ended = true;
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
     std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
@@ -59,8 +63,9 @@ std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, 
       take(drawn_input(random));
       return size;
     }
-    // It was run before, and ended.
-    if (const auto bytes = drawn_as_bytes(target, {data, size})) take(*bytes);
+    if (any_ended) {
+      if (const auto bytes = drawn_as_bytes(target, {data, size})) take(*bytes);
+    }
   }
   return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
 }

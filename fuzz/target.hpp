@@ -7,10 +7,12 @@
 
 namespace ccdfuzz {
 
-/// What every libFuzzer target of claims does: puts the bytes to one of the target's (claim_input).
-/// A failure is printed with its operands and ends the process, so that libFuzzer keeps the input.
-/// Always the same target in a process. What links this has libFuzzer make every other input of
-/// draws (drawn_input).
-int check_target(std::string_view target, std::span<const std::uint8_t> bytes);
+/// The name of the target that this program is. Each target defines it.
+extern const std::string_view kFuzzTarget;
+
+/// What every libFuzzer target of claims does: puts the bytes to one of its claims (claim_input). A
+/// failure is printed with its operands and ends the process, so that libFuzzer keeps the input.
+/// What links this has libFuzzer draw every other input (drawn_input), but for texts.
+int check_input(std::span<const std::uint8_t> bytes);
 
 }  // namespace ccdfuzz

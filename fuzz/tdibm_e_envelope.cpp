@@ -2,6 +2,8 @@
 // bound that it rests on.
 #include "fuzz/target.hpp"
 
+const std::string_view ccdfuzz::kFuzzTarget = "tdibm_e_envelope";
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return ccdfuzz::check_target("tdibm_e_envelope", {data, size});
+  return ccdfuzz::check_input({data, size});
 }

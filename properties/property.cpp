@@ -8,7 +8,7 @@ Check run(const Property& property, ChoiceSource& choices) {
   try {
     return property.check(choices);
   } catch (const std::exception& error) {
-    return Check::fails(std::string("an exception: ") + error.what());
+    return Check::fails(error);
   }
 }
 

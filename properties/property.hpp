@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,9 @@ struct Check {
   static Check holds() { return {}; }
   static Check discarded(std::string why) { return {Status::kDiscarded, std::move(why)}; }
   static Check fails(std::string text) { return {Status::kFails, std::move(text)}; }
+  static Check fails(const std::exception& error) {
+    return fails(std::string("an exception: ") + error.what());
+  }
 };
 
 /// What is known of a claim. A claim that is false stays as it was made, and is marked.

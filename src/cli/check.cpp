@@ -18,10 +18,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Runs of a property to shrink a failure of it.
-constexpr std::uint64_t kShrinkTries = 4000;
-
-constexpr const char* kFolder = "finds/properties";
+const std::string kFolder = fmt::format("finds/{}", kPropertyFinds);
 
 struct CheckArguments {
   std::vector<Property> known;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <utility>
 
@@ -28,6 +29,11 @@ std::string test_name(std::string_view property) {
   }
   return name;
 }
+
+/// What stands in a file before the failure as it was found, by which finds are known that need no
+/// more work.
+constexpr const char* kComplete = "shrunk from:";
+constexpr const char* kCutShort = "shrunk, not to the end, from:";
 
 }  // namespace
 
@@ -73,8 +79,8 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
   std::string text = fmt::format("{}: {}\n\n", property.name, property.claim);
   if (find.least) {
     std::ranges::for_each(find.least->bytes, add);
-    text += fmt::format("{}\n\nreproduce: {}\n\n{}\nshrunk from:\n\n", find.least->check.text,
-                        find.reproduce, find.test);
+    text += fmt::format("{}\n\nreproduce: {}\n\n{}\n{}\n\n", find.least->check.text, find.reproduce,
+                        find.test, is_complete(find) ? kComplete : kCutShort);
   } else {
     for (const char c : find.as_found) add(static_cast<std::uint8_t>(c));
   }
@@ -90,11 +96,26 @@ std::string kind_of_find(const Property& property, const CheckFind& find) {
   return kind;
 }
 
-std::optional<std::string> kind_of_find(const std::string& file_name) {
+bool is_complete(const CheckFind& find) {
+  // Of a hang nobody tries more.
+  return find.least && (!find.least->is_cut_short || find.error == "hang");
+}
+
+std::vector<SavedFind> saved_finds(const std::string& folder) {
   static const std::regex kForm("(.+)-[0-9a-f]{16}\\.txt");
-  std::smatch parts;
-  if (!std::regex_match(file_name, parts, kForm)) return std::nullopt;
-  return parts[1].str();
+  std::vector<SavedFind> finds;
+  std::error_code error;
+  std::filesystem::directory_iterator at(folder, error), end;
+  for (; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename();
+    std::smatch parts;
+    if (!std::regex_match(name, parts, kForm)) continue;
+    std::ifstream in(at->path());
+    bool complete = false;
+    for (std::string line; !complete && std::getline(in, line);) complete = line == kComplete;
+    finds.push_back({at->path(), parts[1], complete});
+  }
+  return finds;
 }
 
 }  // namespace ccdfuzz

@@ -4,10 +4,16 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
+
+/// Where finds of properties are, in a folder of finds.
+inline constexpr const char* kPropertyFinds = "properties";
+/// Runs of a property to shrink a failure of it.
+inline constexpr std::uint64_t kShrinkTries = 4000;
 
 /// What a user needs to see a failing property again.
 struct CheckFind {
@@ -36,7 +42,16 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
 
 /// What saved finds are told apart by: the property, and an error's name.
 std::string kind_of_find(const Property& property, const CheckFind& find);
-/// The same of a file that save_find wrote, by its name; none of any other.
-std::optional<std::string> kind_of_find(const std::string& file_name);
+
+/// Whether there is nothing left to do: it fails each time, and was shrunk to the end.
+bool is_complete(const CheckFind& find);
+
+/// A file that save_find wrote.
+struct SavedFind {
+  std::string path, kind;
+  bool complete;
+};
+/// All of a folder; none where there is none.
+std::vector<SavedFind> saved_finds(const std::string& folder);
 
 }  // namespace ccdfuzz

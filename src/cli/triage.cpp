@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <filesystem>
 
+#include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
@@ -23,7 +25,7 @@ struct TriageArguments {
   FindTarget find_target;
   std::vector<std::string> inputs;
   std::string output = "finds";
-  std::string target;
+  std::optional<std::string> target;
   std::string known;
   std::string methods = std::string(kDefaultMethods) + ",trad";
   std::string seconds = "60";
@@ -39,7 +41,9 @@ Result<std::vector<NamedCase>> cases_of(const std::string& path) {
   if (!bytes) return tl::unexpected(bytes.error());
   const auto query = query_of(*bytes);
   if (!query) {
-    return input_error(path, "is neither a case file nor an input of fuzz_query or fuzz_witnessed");
+    return input_error(path,
+                       "is neither a case file nor an input of fuzz_query or fuzz_witnessed (those "
+                       "of other targets need --target)");
   }
   // fuzz_witnessed makes a broken contact whole and asks that; fuzz_query asks what stands there.
   const auto whole = witnessed_query_of(*bytes);
@@ -128,15 +132,23 @@ Result<void> triage_cases(const TriageArguments& arguments, TriageOptions option
 
 /// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
 std::string folder_of_properties(const std::string& folder) {
-  return folder.empty() ? "" : folder + "/properties";
+  return fmt::format("{}/{}", folder, kPropertyFinds);
 }
 
 Result<void> triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,
                            const std::vector<std::string>& files, TriageWalk& walk) {
-  const Result<FuzzTarget> target = arguments.find_target(arguments.target);
+  if (*arguments.target == "query" || *arguments.target == "witnessed") {
+    return input_error("--target", "inputs of " + *arguments.target + " are read without it");
+  }
+  const Result<FuzzTarget> target = arguments.find_target(*arguments.target);
   if (!target) return input_error("--target", target.error().message());
+  const std::string& known = arguments.known;
+  std::error_code error;
+  if (!known.empty() && !std::filesystem::is_directory(known, error)) {
+    return input_error("--known", fmt::format("\"{}\" is no folder", known));
+  }
   return triage_claims({*target, folder_of_properties(arguments.output),
-                        folder_of_properties(arguments.known), stop, arguments.json},
+                        known.empty() ? "" : folder_of_properties(known), stop, arguments.json},
                        files, walk);
 }
 
@@ -155,11 +167,13 @@ Result<int> run_triage(const TriageArguments& arguments) {
   TriageWalk walk(is_over, arguments.remove);
   TriageOptions of_cases;
   of_cases.stop = is_over;
-  const Result<void> done = arguments.target.empty()
+  const Result<void> done = !arguments.target
                                 ? triage_cases(arguments, std::move(of_cases), *files, walk)
                                 : triage_target(arguments, is_over, *files, walk);
   if (!done) return tl::unexpected(done.error());
-  print_triage(walk.counts(), arguments.output, arguments.json);
+  print_triage(walk.counts(),
+               arguments.target ? folder_of_properties(arguments.output) : arguments.output,
+               arguments.json);
   if (interrupted) return interrupted_exit_code();
   return walk.counts().files_unread > 0 ? kBadInput : kDone;
 }
@@ -178,7 +192,9 @@ void add_triage(CommandLine& line, const FindTarget& find_target) {
                                "The inputs are those of this other target, whose claims fail on "
                                "them; they go to `properties` in the folder");
   command.text("-o,--output", options->output, "Folder to store counterexamples in");
-  command.text("--known", options->known, "A corpus, whose failures are not stored again");
+  command.text(
+      "--known", options->known,
+      "A corpus, whose failures are not stored again; with --target, those in its `properties`");
   target.excludes(
       command.text("--methods", options->methods, "Methods to ask, separated by commas"));
   command.text("--seconds", options->seconds, "What is not done by then is left undone");

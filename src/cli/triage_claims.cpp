@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "cli/check_find.hpp"
@@ -15,24 +16,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs of a property to shrink a failure of it.
-constexpr std::uint64_t kShrinkTries = 4000;
-
-/// What finds are told apart by, of those in a folder that save_find wrote.
-std::set<std::string> kinds_in(const std::string& folder) {
-  std::set<std::string> kinds;
-  std::error_code none;  // there may be no folder yet
-  for (const auto& entry : fs::directory_iterator(folder, none)) {
-    if (auto kind = kind_of_find(entry.path().filename())) kinds.insert(*std::move(kind));
-  }
-  return kinds;
-}
-
 class ClaimTriage {
  public:
   ClaimTriage(const ClaimTriageOptions& options, TriageWalk& walk)
-      : options_(options), walk_(walk), had_(kinds_in(options.folder)) {
-    if (!options.known.empty()) had_.merge(kinds_in(options.known));
+      : options_(options), walk_(walk) {
+    for (const SavedFind& find : saved_finds(options.folder)) {
+      if (find.complete) {
+        had_.insert(find.kind);
+      } else {
+        unfinished_[find.kind].insert(find.path);
+      }
+    }
+    if (options.known.empty()) return;
+    for (const SavedFind& find : saved_finds(options.known)) {
+      if (find.complete) had_.insert(find.kind);
+    }
   }
 
   Result<void> add(const std::string& file, std::span<const std::uint8_t> bytes) {
@@ -51,7 +49,8 @@ class ClaimTriage {
     }
     ++counts.failures;
     CheckFind find = found_on(*input, run);
-    if (!had_.insert(kind_of_find(input->property, find)).second) {
+    const std::string kind = kind_of_find(input->property, find);
+    if (had_.contains(kind)) {
       ++counts.known;
       return {};
     }
@@ -60,12 +59,27 @@ class ClaimTriage {
     }
     const Result<std::string> saved = save_find(options_.folder, input->property, find);
     if (!saved) return tl::unexpected(saved.error());
+    replace_unfinished(kind, *saved, is_complete(find));
     walk_.note_find();
     tell(file, input->property, find, *saved);
     return {};
   }
 
  private:
+  /// What is not complete is known by nobody, and gives way to the next of its kind.
+  void replace_unfinished(const std::string& kind, const std::string& saved, bool complete) {
+    std::set<std::string>& before = unfinished_[kind];
+    before.erase(saved);
+    std::error_code none;
+    for (const std::string& path : before) fs::remove(path, none);
+    before.clear();
+    if (complete) {
+      had_.insert(kind);
+    } else {
+      before.insert(saved);
+    }
+  }
+
   static CheckFind found_on(const ClaimInput& input, const InputRun& run) {
     return {run.check.text,
             input.seed ? check_command(input.property, *input.seed)
@@ -86,21 +100,28 @@ class ClaimTriage {
                   {"outcome", what},
                   {"text", find.least ? find.least->check.text : find.text},
                   {"reproduce", find.least ? find.reproduce : find.as_found},
+                  {"fails_again", find.least.has_value()},
+                  {"cut_short", find.least && find.least->is_cut_short},
                   {"saved", saved}});
       return;
     }
-    print_out(fmt::format("{}: {}: {}\n", what, property.name, saved));
+    const char* state = is_complete(find) ? ""
+                        : find.least      ? ", not shrunk to the end"
+                                          : ", not shrunk";
+    print_out(fmt::format("{}: {}{}: {}\n", what, property.name, state, saved));
   }
 
   const ClaimTriageOptions& options_;
   TriageWalk& walk_;
-  std::set<std::string> had_;
+  std::set<std::string> had_;                                ///< kinds
+  std::map<std::string, std::set<std::string>> unfinished_;  ///< kind to files of the folder
 };
 
 }  // namespace
 
 Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
                            TriageWalk& walk) {
+  if (const Result<void> made = make_find_folder(options.folder); !made) return made;
   ClaimTriage triage(options, walk);
   return walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
     Result<std::vector<std::uint8_t>> bytes = read_bytes(file);

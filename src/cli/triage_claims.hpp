@@ -13,14 +13,15 @@ namespace ccdfuzz {
 struct ClaimTriageOptions {
   FuzzTarget target;
   std::string folder;          ///< finds of properties, as text (save_find)
-  std::string known;           ///< one more such folder; may be empty or absent
+  std::string known;           ///< one more such folder; may be empty, or not there
   std::function<bool()> stop;  ///< true ends shrinking
   bool json = false;
 };
 
 /// Confirms the inputs of one target, each in a process apart, shrinks and stores what is new: of
-/// each claim one counterexample, and one of each error that putting an input to it ends in. Prints
-/// each. Errors: of the folder or a file.
+/// each claim one counterexample, and one of each error that putting an input to it ends in. One
+/// that could not be shrunk to the end is stored until there is a better. Prints each. Errors: of
+/// the folder or a file.
 Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
                            TriageWalk& walk);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,6 +13,13 @@
 namespace ccdfuzz {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// What libFuzzer makes and reads unless it is told otherwise (-max_len).
+constexpr std::size_t kMostInputBytes = 1 << 20;
+
+}  // namespace
 
 Result<std::vector<std::string>> triage_files(const std::vector<std::string>& inputs) {
   std::vector<std::string> files;
@@ -23,8 +31,10 @@ Result<std::vector<std::string>> triage_files(const std::vector<std::string>& in
       continue;
     }
     std::vector<std::string> inside;
-    for (const auto& entry : fs::recursive_directory_iterator(input, error)) {
-      if (entry.is_regular_file()) inside.push_back(entry.path());
+    fs::recursive_directory_iterator at(input, error), end;
+    for (; !error && at != end; at.increment(error)) {
+      std::error_code gone;  // meanwhile
+      if (at->is_regular_file(gone)) inside.push_back(at->path());
     }
     if (error) return input_error(input, "cannot be read: " + error.message());
     std::ranges::sort(inside);
@@ -34,10 +44,20 @@ Result<std::vector<std::string>> triage_files(const std::vector<std::string>& in
 }
 
 Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return input_error(path, "is no file");
   std::ifstream in(path, std::ios::binary);
-  if (!in) return input_error(path, "cannot be read");
-  const std::vector<char> content{std::istreambuf_iterator<char>(in), {}};
-  return std::vector<std::uint8_t>(content.begin(), content.end());
+  std::vector<std::uint8_t> bytes;
+  std::array<char, 1 << 16> part;
+  while (in) {
+    in.read(part.data(), part.size());
+    bytes.insert(bytes.end(), part.begin(), part.begin() + in.gcount());
+    if (bytes.size() > kMostInputBytes) {
+      return input_error(path, "is larger than the inputs of fuzz targets are, 1 MiB");
+    }
+  }
+  if (!in.eof()) return input_error(path, "cannot be read");
+  return bytes;
 }
 
 Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& read) {

@@ -1,6 +1,7 @@
 #include "hunt/claim_apart.hpp"
 
 #include <cstring>
+#include <new>
 #include <string_view>
 
 namespace ccdfuzz {
@@ -18,10 +19,10 @@ class Packed {
   void put(std::uint64_t number) {
     text_.append(reinterpret_cast<const char*>(&number), sizeof number);
   }
-  template <class Numbers>
-  void put_all(const Numbers& numbers) {
+  template <class T>
+  void put_all(const std::vector<T>& numbers) {
     put(numbers.size());
-    for (const auto number : numbers) put(number);
+    text_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
   }
   void put_text(std::string_view text) { text_ += text; }
 
@@ -31,10 +32,13 @@ class Packed {
     taken_ += sizeof number;
     return number;
   }
-  template <class Numbers>
-  Numbers take_all() {
-    Numbers numbers(take());
-    for (auto& number : numbers) number = static_cast<typename Numbers::value_type>(take());
+  template <class T>
+  std::vector<T> take_all() {
+    std::vector<T> numbers(take());
+    if (!numbers.empty()) {
+      std::memcpy(numbers.data(), text_.data() + taken_, numbers.size() * sizeof(T));
+    }
+    taken_ += numbers.size() * sizeof(T);
     return numbers;
   }
   std::string take_text() const { return text_.substr(taken_); }
@@ -46,12 +50,23 @@ class Packed {
   std::size_t taken_ = 0;
 };
 
+/// As run, but that a want of memory is left to whoever limits it.
+Check run_within_memory(const Property& property, ChoiceSource& choices) {
+  try {
+    return property.check(choices);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return Check::fails(error);
+  }
+}
+
 }  // namespace
 
 std::string ClaimApart::run_packed(const Property& property, const std::string& question) {
   Packed asked(question);
   const auto of = static_cast<Of>(asked.take());
-  const auto numbers = asked.take_all<ChoiceNumbers>();
+  const auto numbers = asked.take_all<std::uint64_t>();
   const std::vector<std::uint8_t> bytes(numbers.begin(), numbers.end());
   StoredChoices of_numbers(numbers);
   ByteChoices of_bytes(bytes);
@@ -59,7 +74,7 @@ std::string ClaimApart::run_packed(const Property& property, const std::string& 
   ChoiceSource* const choices = of == Of::kNumbers ? static_cast<ChoiceSource*>(&of_numbers)
                                 : of == Of::kBytes ? static_cast<ChoiceSource*>(&of_bytes)
                                                    : &drawn;
-  const Check check = run(property, *choices);
+  const Check check = run_within_memory(property, *choices);
   Packed answer;
   answer.put(static_cast<std::uint64_t>(check.status));
   answer.put_all(choices->numbers());
@@ -84,8 +99,8 @@ InputRun ClaimApart::ask(Of of, const ChoiceNumbers& numbers) {
   Packed answer(*text);
   InputRun run;
   run.check.status = static_cast<Check::Status>(answer.take());
-  run.numbers = answer.take_all<ChoiceNumbers>();
-  run.bytes = answer.take_all<std::vector<std::uint8_t>>();
+  run.numbers = answer.take_all<std::uint64_t>();
+  run.bytes = answer.take_all<std::uint8_t>();
   run.check.text = answer.take_text();
   return run;
 }

@@ -47,6 +47,13 @@ Check aborts(ChoiceSource& choices) {
   return Check::holds();
 }
 
+/// More than any process is given.
+Check wants_memory(ChoiceSource& choices) {
+  std::vector<std::string> all;
+  while (one_in_a_hundred(choices)) all.emplace_back(std::size_t{1} << 40, 'x');
+  return Check::holds();
+}
+
 /// Deeper than any stack; the sum keeps the calls from becoming a loop.
 int depth(volatile int* below) {
   volatile int here[64] = {*below + 1};
@@ -128,6 +135,7 @@ std::vector<Property> misbehaving() {
           {"made_up.interrupts_when_shrunk", "", "", kHolds, interrupts_when_shrunk},
           {"made_up.is_slow", "", "", kHolds, is_slow},
           {"made_up.interrupts", "", "", kHolds, interrupts},
+          {"made_up.wants_memory", "", "", kHolds, wants_memory},
           {"made_up.hangs", "", "", kHolds, hangs}};
 }
 

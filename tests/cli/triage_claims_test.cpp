@@ -1,6 +1,7 @@
 // triage of what targets of claims stopped on.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "process.hpp"
@@ -12,7 +13,8 @@ namespace {
 using testing::HasSubstr;
 
 /// Inputs of a target that has the properties of misbehaving_properties.cpp, in their order.
-constexpr char kHolds = 0, kFailsOnAll = 2, kIsDiscarded = 3, kAborts = 5, kAbortsWhenShrunk = 7;
+constexpr char kHolds = 0, kFailsOnAll = 2, kIsDiscarded = 3, kAborts = 5, kAbortsWhenShrunk = 7,
+               kFailsOnce = 9, kIsSlow = 11, kWantsMemory = 13;
 
 /// That property, and a number of six bytes, the lowest first.
 std::string input_of(char property, int number) {
@@ -33,8 +35,15 @@ class TriageOfClaims : public testing::Test {
     write_text(inputs_ + "/g", input_of(kAbortsWhenShrunk, 10'000));
   }
 
+  void no_inputs() const {
+    std::filesystem::remove_all(inputs_);
+    std::filesystem::create_directory(inputs_);
+  }
+
   Finished triage(std::vector<std::string> options) const {
-    options.insert(options.begin(), {"triage", "--target", "any", inputs_, "-o", finds_});
+    options.insert(options.begin(), {"triage", "--target", "any", inputs_});
+    if (std::ranges::find(options, "-o") == options.end())
+      options.insert(options.end(), {"-o", finds_});
     return Process(std::move(options), "", CCDFUZZ_TEST_MISBEHAVING_PROPERTIES).wait();
   }
 
@@ -89,7 +98,7 @@ TEST_F(TriageOfClaims, FindsNothingThatIsStored) {
   const std::string known = finds_;
   std::filesystem::rename(finds_, folder_ / "known");
   EXPECT_THAT(triage({"--known", folder_ / "known"}).out, HasSubstr("; 0 new in "));
-  EXPECT_THAT(triage({"--known", folder_ / "none", "--remove"}).out, HasSubstr("; 3 new in "));
+  EXPECT_THAT(triage({"--remove"}).out, HasSubstr("; 3 new in "));
   EXPECT_TRUE(std::filesystem::is_empty(inputs_));
 }
 
@@ -102,9 +111,51 @@ std::string drawn_input_of(char property, std::uint64_t end) {
   return input;
 }
 
+TEST_F(TriageOfClaims, KeepsWhatCouldNotBeShrunkUntilThereIsBetter) {
+  no_inputs();
+  std::string many{kIsSlow};
+  for (int i = 0; i < 100; ++i) many += "\xc8\x01";
+  write_text(inputs_ + "/a", many);
+  const auto first = json_lines(triage({"--seconds", "0.1", "--json"}).out);
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_EQ(first[0]["cut_short"], true);
+  // Now it crashes when it is shrunk for longer, which is not the failure that is shrunk.
+  const auto second = json_lines(triage({"--json"}).out);
+  ASSERT_EQ(second.size(), 2U) << "the first was not complete";
+  EXPECT_EQ(second[0]["cut_short"], false);
+  EXPECT_FALSE(std::filesystem::exists(first[0]["saved"].get<std::string>()));
+  EXPECT_TRUE(std::filesystem::exists(second[0]["saved"].get<std::string>()));
+  EXPECT_THAT(triage({}).out, HasSubstr("; 0 new in "));
+}
+
+TEST_F(TriageOfClaims, WhatDoesNotFailAgainHidesNothing) {
+  no_inputs();
+  write_text(inputs_ + "/a", input_of(kFailsOnce, 1));
+  EXPECT_THAT(triage({}).out, HasSubstr("made_up.fails_once, not shrunk: "));
+  EXPECT_THAT(triage({}).out, HasSubstr("; 1 new in "));
+}
+
+TEST_F(TriageOfClaims, WantOfMemoryIsNoRefutation) {
+  no_inputs();
+  write_text(inputs_ + "/a", input_of(kWantsMemory, 99));
+  const auto rows = json_lines(triage({"--json"}).out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["outcome"], "memory");
+}
+
+TEST_F(TriageOfClaims, RefusesFoldersBeforeItWorks) {
+  write_text(folder_ / "file", "");
+  for (const char* option : {"-o", "--known"}) {
+    const Finished run = triage({option, folder_ / "file"});
+    EXPECT_EQ(run.code, 2) << option;
+    EXPECT_THAT(run.err, HasSubstr(folder_ / "file"));
+    EXPECT_EQ(run.out, "");
+  }
+  EXPECT_EQ(triage({"--known", folder_ / "none"}).code, 2);
+}
+
 TEST_F(TriageOfClaims, TakesDrawsToo) {
-  std::filesystem::remove_all(inputs_);
-  std::filesystem::create_directory(inputs_);
+  no_inputs();
   write_text(inputs_ + "/a", drawn_input_of(kAborts, 98));
   write_text(inputs_ + "/b", drawn_input_of(kAborts, 99));
   write_text(inputs_ + "/c", drawn_input_of(kFailsOnAll, 0));

@@ -7,10 +7,12 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "properties/fuzz_targets.hpp"
+#include "scratch_folder.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -69,13 +71,20 @@ TEST(FuzzTargets, AreNamedAsTheirFilesAre) {
     if (!entry.is_regular_file()) continue;
     std::ifstream in(entry.path());
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    static const std::regex call(R"(check_target\("([a-z_]*)\")");
+    static const std::regex call("kFuzzTarget = \"([a-z_]*)\"");
     std::smatch found;
     if (!std::regex_search(text, found, call)) continue;
     EXPECT_EQ(found[1].str() + ".cpp", entry.path().filename());
     files.insert(found[1]);
   }
   const auto names = fuzz_targets();
+  const std::string cmake = read_text(CCDFUZZ_SOURCE_DIR "/fuzz/CMakeLists.txt");
+  const std::size_t list = cmake.find("set(ccdfuzz_targets ");
+  std::istringstream built(cmake.substr(list, cmake.find(')', list) - list));
+  const std::set<std::string> words{std::istream_iterator<std::string>(built), {}};
+  for (const std::string_view name : names) {
+    EXPECT_TRUE(words.contains(std::string(name))) << name << " is not built";
+  }
   EXPECT_EQ(files, std::set<std::string>(names.begin(), names.end()));
 }
 

@@ -84,6 +84,12 @@ ran_with '-runs=2147483647 -max_total_time=5 '
 fuzz 0 --seconds 5 -- one
 ran_with '-runs=-1 -max_total_time=5 '
 
+# What libFuzzer is told of the real targets.
+for target in $(sed -n 's/^set(ccdfuzz_targets \(.*\)/\1/p' "$source/fuzz/CMakeLists.txt") query witnessed; do
+  "$source/fuzz/target_options.sh" "$target" | grep -qx -e -len_control=0 ||
+    fail "$target starves: its inputs grow slowly"
+done
+
 # What methods lost is put to triage, which alone takes away what it is done with.
 fuzz 0 query --seconds 5
 ran_with 'triage build/fuzz-lost/query --remove --known corpus -o finds --seconds 20'
@@ -97,11 +103,19 @@ says 'the last words'
 says 'script/fuzz: one failed; its input is in build/fuzz-finds/one'
 says 'script/fuzz: failed: one'
 [ -e "$work/build/fuzz-finds/one/crash-1" ] || fail 'no input'
-ran_with 'triage build/fuzz-finds/one --target one --known corpus -o finds --seconds 20'
+ran_with 'triage build/fuzz-finds/one/crash-1 --target one --known corpus -o finds --seconds 20'
 ran_with 'triage build/fuzz-lost/query --remove'
-printf '#!/bin/sh\nexit 1\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
+printf '#!/bin/sh\ntouch build/fuzz-finds/query/new; exit 1\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
+touch "$work/build/fuzz-finds/query/old"
+sleep 0.1
 fuzz 1 --seconds 30 query
-ran_with 'triage build/fuzz-finds/query --known corpus -o finds --seconds 30'
+ran_with 'triage build/fuzz-finds/query/new --known corpus -o finds --seconds 30'
+ran_with 'triage build/fuzz-lost/query --remove'
+# A triage that cannot be built must not be another.
+printf '#!/bin/sh\ncase $* in *release*) exit 1 ;; esac\n' >"$work/bin/cmake"
+fuzz 1 --seconds 30 query
+! grep -qF triage "$work/calls" || fail 'triage by a program that was not built'
+printf '#!/bin/sh\n' >"$work/bin/cmake"
 rm "$work/fails"
 
 # --fresh: neither corpus nor what was lost before, and seeds that are told.
@@ -139,7 +153,10 @@ for signal in INT TERM; do
   # A shell without a terminal has background jobs ignore SIGINT.
   env --default-signal=INT setsid "$work/script/fuzz" --seconds 600 one >"$work/out" 2>&1 &
   pid=$!
-  until [ -s "$work/calls" ]; do sleep 0.1; done
+  until [ -s "$work/calls" ]; do
+    kill -0 $pid || fail 'it ended by itself'
+    sleep 0.1
+  done
   kill -s $signal $pid
   status=0
   wait $pid || status=$?
@@ -147,8 +164,12 @@ for signal in INT TERM; do
     INT:130 | TERM:143) ;;
     *) fail "exit $status after SIG$signal" ;;
   esac
-  # One that is dead stays until somebody asks.
+  # One that is dead stays until somebody asks, and may be about to be.
   left=/proc/$(cat "$work/pid")/status
-  [ ! -e "$left" ] || grep -q '^State:.Z' "$left" || fail "SIG$signal leaves a process"
+  for try in 1 2 3 4 5 6 7 8 9 10; do
+    grep -q '^State:.[^ZX]' "$left" 2>/dev/null || break
+    [ $try -lt 10 ] || fail "SIG$signal leaves a process"
+    sleep 0.5
+  done
 done
 echo PASSED
