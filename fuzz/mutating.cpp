@@ -2,12 +2,9 @@
 
 #include <algorithm>
 
+#include "fuzz/libfuzzer.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "fuzz/mutator/mutate.hpp"
-
-// libFuzzer's; other engines and replaying have none.
-extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
-                                                              std::size_t max_size);
 
 namespace ccdfuzz {
 

@@ -8,11 +8,8 @@
 #include <memory>
 #include <vector>
 
+#include "fuzz/libfuzzer.hpp"
 #include "properties/fuzz_targets.hpp"
-
-// libFuzzer's; other engines and replaying have none.
-extern "C" __attribute__((weak)) std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size,
-                                                              std::size_t max_size);
 
 namespace ccdfuzz {
 
@@ -26,27 +23,6 @@ const FuzzTarget& this_target() {
 /// Whether an input was run to its end. libFuzzer runs each before it mutates it, but for one that
 /// it minimises, which does not end.
 bool any_ended = false;
-
-}  // namespace
-
-int check_input(std::span<const std::uint8_t> bytes) {
-  const FuzzTarget& target = this_target();
-  const auto input = claim_input(target, bytes);
-  if (!input) return -1;  // not for the corpus
-  const std::unique_ptr<ChoiceSource> choices = input->choices();
-  const Check check = run(input->property, *choices);
-  any_ended = true;
-  if (check.status == Check::Status::kDiscarded) return -1;
-  if (check.status == Check::Status::kFails) {
-    std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
-                             input->property.name, check.text, CCDFUZZ_CHECK_PROPERTY,
-                             input->property.name, to_hex_word(choices->bytes()));
-    std::abort();
-  }
-  return 0;
-}
-
-namespace {
 
 std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
   // Draws kill twice as many planted faults in 5 s as coverage does (tests/scoreboard), which goes
@@ -71,6 +47,24 @@ std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, 
 }
 
 }  // namespace
+
+int check_input(std::span<const std::uint8_t> bytes) {
+  const FuzzTarget& target = this_target();
+  const auto input = claim_input(target, bytes);
+  if (!input) return -1;  // not for the corpus
+  const std::unique_ptr<ChoiceSource> choices = input->choices();
+  const Check check = run(input->property, *choices);
+  any_ended = true;
+  if (check.status == Check::Status::kDiscarded) return -1;
+  if (check.status == Check::Status::kFails) {
+    std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
+                             input->property.name, check.text, CCDFUZZ_CHECK_PROPERTY,
+                             input->property.name, to_hex_word(choices->bytes()));
+    std::abort();
+  }
+  return 0;
+}
+
 }  // namespace ccdfuzz
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
