@@ -28,13 +28,6 @@ struct CheckArguments {
   bool json = false;
 };
 
-WatchedInputs watched(const Property& property, const CheckedInputs& inputs) {
-  return {std::string(property.name),
-          fmt::format("{} check {} --seed {} --first ", shell_word(program_name()), property.name,
-                      inputs.seed),
-          " --count 1"};
-}
-
 /// One property put to its inputs. A failure is told and saved as it was found at once, then as it
 /// was shrunk, so that nothing that happens in between loses it; with --json it is told in the end.
 class PropertyCheck {
@@ -43,7 +36,7 @@ class PropertyCheck {
                 const std::atomic<bool>& stop)
       : options_(options),
         stop_(stop),
-        inputs_(watched(property, options.inputs)),
+        inputs_(draws_watched(property, options.inputs.seed)),
         watch_(inputs_, options.inputs.threads, stop,
                [this](const std::string& text) {
                  progress_.clear();

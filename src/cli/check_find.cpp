@@ -43,8 +43,15 @@ std::string check_command(const Property& property, std::span<const std::uint8_t
 }
 
 std::string check_command(const Property& property, std::uint64_t seed) {
-  return fmt::format("{} check {} --seed {} --first 0 --count 1", shell_word(program_name()),
-                     property.name, seed);
+  const WatchedInputs draws = draws_watched(property, seed);
+  return fmt::format("{}0{}", draws.before, draws.after);
+}
+
+WatchedInputs draws_watched(const Property& property, std::uint64_t seed) {
+  return {std::string(property.name),
+          fmt::format("{} check {} --seed {} --first ", shell_word(program_name()), property.name,
+                      seed),
+          " --count 1"};
 }
 
 void set_least(CheckFind& find, const Property& property, Counterexample least) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/input_watch.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
@@ -28,6 +29,8 @@ struct CheckFind {
 std::string check_command(const Property& property, std::span<const std::uint8_t> bytes);
 /// The same of one draw (draws_of).
 std::string check_command(const Property& property, std::uint64_t seed);
+/// The same of any one draw, whose number goes between.
+WatchedInputs draws_watched(const Property& property, std::uint64_t seed);
 
 /// What a find was shrunk to, with command and test.
 void set_least(CheckFind& find, const Property& property, Counterexample least);

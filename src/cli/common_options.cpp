@@ -36,13 +36,14 @@ void SearchFlags::add_to(Command& command) {
   add_budget_to(command);
 }
 
-void SearchFlags::add_budget_to(Command& command) {
-  command.whole("--max-pops", max_pops,
-                "Pairs of boxes to look at before a method gives up as undecided", 1);
-  command.whole("--max-mb", max_mb, "Memory of a method's queue before it gives up, in MiB", 1,
-                std::uint64_t{1} << 20);
-  command.text("--max-seconds", max_seconds,
-               "Wall time of a query before it gives up; its answer then depends on the machine");
+std::vector<Option> SearchFlags::add_budget_to(Command& command) {
+  return {command.whole("--max-pops", max_pops,
+                        "Pairs of boxes to look at before a method gives up as undecided", 1),
+          command.whole("--max-mb", max_mb, "Memory of a method's queue before it gives up, in MiB",
+                        1, std::uint64_t{1} << 20),
+          command.text(
+              "--max-seconds", max_seconds,
+              "Wall time of a query before it gives up; its answer then depends on the machine")};
 }
 
 Result<SearchOptions> SearchFlags::parse() const {

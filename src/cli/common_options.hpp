@@ -31,7 +31,7 @@ struct SearchFlags {
   void add_to(Command& command);
   void add_precision_to(Command& command);
   /// Without --precision.
-  void add_budget_to(Command& command);
+  std::vector<Option> add_budget_to(Command& command);
   /// Errors: a precision that is no number in [2^-50, 1].
   Result<SearchOptions> parse() const;
   /// The same for one case, which may have been found at a precision of its own.

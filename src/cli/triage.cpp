@@ -85,7 +85,7 @@ Result<void> know_all(Triage& triage, const Result<std::vector<NamedCase>>& entr
   return {};
 }
 
-Result<void> triage_cases(const TriageArguments& arguments, TriageOptions options,
+Result<void> triage_cases(const TriageArguments& arguments, const std::function<bool()>& stop,
                           const std::vector<std::string>& files, TriageWalk& walk) {
   Result<std::vector<std::string>> methods = parse_method_list(arguments.methods);
   if (!methods) return tl::unexpected(methods.error());
@@ -93,8 +93,10 @@ Result<void> triage_cases(const TriageArguments& arguments, TriageOptions option
   if (!search) return tl::unexpected(search.error());
   Result<Store> store = Store::open(arguments.output);
   if (!store) return tl::unexpected(store.error());
+  TriageOptions options;
   options.methods = *std::move(methods);
   options.search = *search;
+  options.stop = stop;
   std::string at;  // what is worked on
   options.warn = [&](const std::string& warning) {
     walk.note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
@@ -106,7 +108,7 @@ Result<void> triage_cases(const TriageArguments& arguments, TriageOptions option
   }
   const auto work = [&](const std::vector<NamedCase>& cases) -> Result<void> {
     for (const NamedCase& input : cases) {
-      if (options.stop()) break;
+      if (stop()) break;
       at = input.id;
       const Result<void> added = triage.add(input.value, [&](const TriageFind& find) {
         walk.note_find();
@@ -165,11 +167,8 @@ Result<int> run_triage(const TriageArguments& arguments) {
     return interrupted || passed.count() > *seconds;
   };
   TriageWalk walk(is_over, arguments.remove);
-  TriageOptions of_cases;
-  of_cases.stop = is_over;
-  const Result<void> done = !arguments.target
-                                ? triage_cases(arguments, std::move(of_cases), *files, walk)
-                                : triage_target(arguments, is_over, *files, walk);
+  const Result<void> done =
+      (arguments.target ? triage_target : triage_cases)(arguments, is_over, *files, walk);
   if (!done) return tl::unexpected(done.error());
   print_triage(walk.counts(),
                arguments.target ? folder_of_properties(arguments.output) : arguments.output,
@@ -199,7 +198,7 @@ void add_triage(CommandLine& line, const FindTarget& find_target) {
       command.text("--methods", options->methods, "Methods to ask, separated by commas"));
   command.text("--seconds", options->seconds, "What is not done by then is left undone");
   options->search.max_pops = 10'000;
-  options->search.add_budget_to(command);
+  for (const Option& budget : options->search.add_budget_to(command)) target.excludes(budget);
   command.flag("--remove", options->remove, "Removes each input file that is done");
   command.flag("--json", options->json, "One JSON object a find, and a summary");
 }

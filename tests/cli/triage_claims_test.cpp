@@ -173,6 +173,14 @@ TEST_F(TriageOfClaims, TakesDrawsToo) {
   EXPECT_EQ(rows[2]["harmless"], 1);
 }
 
+TEST_F(TriageOfClaims, RefusesWhatIsOfMethods) {
+  for (const char* option : {"--methods", "--max-pops", "--max-mb", "--max-seconds"}) {
+    const Finished run = triage({option, "1"});
+    EXPECT_EQ(run.code, 2) << option;
+    EXPECT_THAT(run.err, HasSubstr(option));
+  }
+}
+
 TEST(TriageOfTargets, RefusesAnUnknownTargetAndReadsThatOfAny) {
   const ScratchFolder folder;
   write_text(folder / "input", "a,b");
