@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "bezier/shape.hpp"
+#include "hunt/linear_class.hpp"
 #include "hunt/scale.hpp"
 #include "query/query.hpp"
 
@@ -18,11 +19,12 @@ struct HuntGround {
   /// Linear queries, of kLinearClasses alone, and not curved ones. Then shapes are not set.
   bool linear = false;
 
-  /// Whether a query is of that scale and of those shapes.
+  /// Whether a query is of that scale, of those shapes, and linear if so.
   bool has(const Query& query) const {
     const auto is_of_shape = [&](std::size_t s) { return query.patches[s].shape == (*shapes)[s]; };
     return (!scale || is_within_scale(query, *scale)) &&
-           (!shapes || (is_of_shape(0) && is_of_shape(1)));
+           (!shapes || (is_of_shape(0) && is_of_shape(1))) &&
+           (!linear || linear_class_of({query.patches[0].shape, query.patches[1].shape}));
   }
 };
 

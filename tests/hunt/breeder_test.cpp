@@ -90,6 +90,24 @@ TEST(Breeder, KeepsTheShapes) {
   }
 }
 
+TEST(Breeder, KeepsLinear) {
+  HuntGround ground;
+  ground.linear = true;
+  for (const ContactClass contact : kLinearClasses) {
+    const Bred bred = bred_by("tdibm", contact, 300 / kOneIn, ground);
+    EXPECT_GE(bred.tally.mutants, 20 / kOneIn) << name_of(contact);
+    for (const Case& c : bred.found) {
+      EXPECT_TRUE(linear_class_of({c.query.patches[0].shape, c.query.patches[1].shape}))
+          << to_json(c);
+    }
+  }
+  Query query;
+  query.patches[0].shape = Shape::curve(1);
+  EXPECT_TRUE(ground.has(query));
+  query.patches[0].shape = Shape::curve(2);
+  EXPECT_FALSE(ground.has(query));
+}
+
 TEST(Breeder, DependsOnItsSeedAlone) {
   const Bred once = bred_by("tdibm-h:1e-16", ContactClass::kVV, 200 / kOneIn);
   const Bred again = bred_by("tdibm-h:1e-16", ContactClass::kVV, 200 / kOneIn);

@@ -1,0 +1,17 @@
+#include "hunt/linear_class.hpp"
+
+namespace ccdfuzz {
+
+std::optional<ContactClass> linear_class_of(const std::array<Shape, 2>& shapes) {
+  const auto count = [&](const Shape& shape) {
+    return (shapes[0] == shape) + (shapes[1] == shape);
+  };
+  const int points = count(Shape::point()), edges = count(Shape::curve(1));
+  if (points == 2) return ContactClass::kVV;
+  if (edges == 2) return ContactClass::kEE;
+  if (points == 1 && edges == 1) return ContactClass::kVE;
+  if (points == 1 && count(Shape::triangle(1)) == 1) return ContactClass::kVF;
+  return std::nullopt;
+}
+
+}  // namespace ccdfuzz
