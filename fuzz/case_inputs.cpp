@@ -1,7 +1,7 @@
 // The inputs of fuzz_query and fuzz_witnessed, with any compiler: made of cases, shown as cases, or
 // run again. There is one program for each of the two targets, query_inputs and witnessed_inputs:
 //   encode FOLDER CASES...   a file for each case with a witness, as seeds
-//   decode FILE...           the case that a file is, as one line of JSON
+//   decode FILE...           the cases that a file is (cases_of), each as one line of JSON
 //   run FILE...              what the fuzz target does with it
 #include <fmt/format.h>
 
@@ -68,9 +68,9 @@ int for_each_file(const std::vector<std::string>& paths, bool decodes) {
       LLVMFuzzerTestOneInput(bytes->data(), bytes->size());
       continue;
     }
-    const auto q = witnessed_query_of(*bytes);
-    if (!q) return refuse(fmt::format("{}: is no case with a witness", path));
-    std::cout << to_json(case_of(*q)) << '\n';
+    const std::vector<Case> cases = cases_of(*bytes);
+    if (cases.empty()) return refuse(fmt::format("{}: is no valid query", path));
+    for (const Case& value : cases) std::cout << to_json(value) << '\n';
   }
   if (!decodes) std::cout << fmt::format("{} inputs run, none failed\n", paths.size());
   return 0;

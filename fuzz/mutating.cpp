@@ -4,6 +4,7 @@
 
 #include "fuzz/libfuzzer.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/mutator/exact_moves.hpp"
 #include "fuzz/mutator/mutate.hpp"
 
 namespace ccdfuzz {
@@ -39,5 +40,8 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std:
   Random random(seed);
   const auto mother = witnessed_query_of(std::span(data1, size1));
   const auto father = witnessed_query_of(std::span(data2, size2));
-  return mother && father ? put(mutate(*mother, *father, random), {out, max_size}) : 0;
+  if (!mother || !father) return 0;
+  WitnessedQuery child = *mother;
+  if (!splice(child, *father, random)) return 0;
+  return put(mutate(child, *father, random), {out, max_size});
 }

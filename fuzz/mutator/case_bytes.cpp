@@ -138,4 +138,17 @@ std::optional<Query> query_of(std::span<const std::uint8_t> bytes) {
   return std::move(parts->query);
 }
 
+std::vector<Case> cases_of(std::span<const std::uint8_t> bytes) {
+  std::vector<Case> cases;
+  const auto query = query_of(bytes);
+  if (!query) return cases;
+  const auto whole = witnessed_query_of(bytes);
+  if (!whole || whole->query != *query) {
+    cases.emplace_back();
+    cases.back().query = *query;
+  }
+  if (whole) cases.push_back(case_of(*whole));
+  return cases;
+}
+
 }  // namespace ccdfuzz

@@ -21,4 +21,9 @@ std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> b
 /// The query that the bytes are, whatever they say of a contact. nullopt if it is not valid.
 std::optional<Query> query_of(std::span<const std::uint8_t> bytes);
 
+/// What fuzz_query and fuzz_witnessed make of the bytes: the query as it stands, without a truth,
+/// unless it is the next; and the one whose contact was made whole, with it. None if no valid query
+/// stands there.
+std::vector<Case> cases_of(std::span<const std::uint8_t> bytes);
+
 }  // namespace ccdfuzz

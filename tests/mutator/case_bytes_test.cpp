@@ -41,6 +41,21 @@ TEST(CaseBytes, AreMadeWholeOrRefusedWhateverWasDoneToThem) {
   EXPECT_FALSE(witnessed_query_of({}));
 }
 
+TEST(CaseBytes, ABrokenContactIsShownAsItStandsAndMadeWhole) {
+  const WitnessedQuery q = mutation_bases().front();
+  std::vector<std::uint8_t> bytes = to_bytes(q).value();
+  const std::vector<Case> sound = cases_of(bytes);
+  ASSERT_EQ(sound.size(), 1U);
+  EXPECT_EQ(sound[0], case_of(q));
+  bytes.back() ^= 1;  // the sign and exponent of the last velocity
+  const std::vector<Case> broken = cases_of(bytes);
+  ASSERT_EQ(broken.size(), 2U);
+  EXPECT_EQ(broken[0].query, query_of(bytes).value());
+  EXPECT_FALSE(broken[0].truth.witness);
+  EXPECT_TRUE(check_witness(broken[1].query, *broken[1].truth.witness)) << to_json(broken[1]);
+  EXPECT_TRUE(cases_of({}).empty());
+}
+
 TEST(CaseBytes, OfATimeThatIsNoDoubleThereAreNone) {
   WitnessedQuery q = mutation_bases().front();
   q.t = Dyadic(1) + Dyadic(Integer(1), -60);
