@@ -35,11 +35,12 @@ esac
 END
 cat >"$work/build/libfuzzer/fuzz/fuzz_query" <<END
 #!/bin/sh
-touch "\$CCDFUZZ_LOST/input"
+[ -z "\$CCDFUZZ_LOST" ] || touch "\$CCDFUZZ_LOST/input"
 END
 cat >"$work/build/release/ccdfuzz" <<END
 #!/bin/sh
 echo "\$*" >>'$work/calls'
+[ -e '$work/no-time' ] || case \$* in *--remove*) rm -f "\$2"/* ;; esac
 END
 chmod +x "$work"/build/release/* "$work"/script/* "$work"/bin/* "$work"/fuzz/* "$work"/build/libfuzzer/fuzz/*
 PATH=$work/bin:$PATH
@@ -85,16 +86,28 @@ fuzz 0 --seconds 5 -- one
 ran_with '-runs=-1 -max_total_time=5 '
 
 # What libFuzzer is told of the real targets.
-for target in $(sed -n 's/^set(ccdfuzz_targets \(.*\)/\1/p' "$source/fuzz/CMakeLists.txt") query witnessed; do
+targets=$(sed -n '/^set(ccdfuzz_targets/,/)/p' "$source/fuzz/CMakeLists.txt" | tr -d ')' | sed 's/^set(ccdfuzz_targets//')
+for target in tdibm_rational query_csv query witnessed; do
+  case " $(echo $targets) query witnessed " in
+    *" $target "*) ;;
+    *) fail "not among the targets: $target" ;;
+  esac
+done
+for target in $targets query witnessed; do
   "$source/fuzz/target_options.sh" "$target" | grep -qx -e -len_control=0 ||
     fail "$target starves: its inputs grow slowly"
 done
 
 # What methods lost is put to triage, which alone takes away what it is done with.
 fuzz 0 query --seconds 5
-ran_with 'triage build/fuzz-lost/query --remove --known corpus -o finds --seconds 20'
-[ -e "$work/build/fuzz-lost/query/input" ] || fail 'an input that nobody looked at is gone'
+ran_with 'triage build/fuzz-todo/query --remove --known corpus -o finds --seconds 20'
+touch "$work/no-time"
+fuzz 0 query --seconds 5
+[ -e "$work/build/fuzz-todo/query/input" ] || fail 'an input that nobody looked at is gone'
+rm "$work/no-time"
 [ "$(wc -l <"$work/calls")" -eq 1 ] || fail 'triage of what did not fail'
+fuzz 0 one --seconds 5
+! grep -qF triage "$work/calls" || fail 'triage of nothing'
 
 # A failing target: its words, its input, which is put to triage, and exit 1, after the others.
 touch "$work/fails"
@@ -103,20 +116,28 @@ says 'the last words'
 says 'script/fuzz: one failed; its input is in build/fuzz-finds/one'
 says 'script/fuzz: failed: one'
 [ -e "$work/build/fuzz-finds/one/crash-1" ] || fail 'no input'
-ran_with 'triage build/fuzz-finds/one/crash-1 --target one --known corpus -o finds --seconds 20'
-ran_with 'triage build/fuzz-lost/query --remove'
-printf '#!/bin/sh\ntouch build/fuzz-finds/query/new; exit 1\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
-touch "$work/build/fuzz-finds/query/old"
-sleep 0.1
-fuzz 1 --seconds 30 query
-ran_with 'triage build/fuzz-finds/query/new --known corpus -o finds --seconds 30'
-ran_with 'triage build/fuzz-lost/query --remove'
-# A triage that cannot be built must not be another.
+ran_with 'triage build/fuzz-todo/one --remove --target one --known corpus -o finds --seconds 20'
+ran_with 'triage build/fuzz-todo/query --remove --known'
+# A triage that cannot be built must not be another, and leaves the input to the next.
+printf '#!/bin/sh\ntouch build/fuzz-finds/query/crash-2 build/fuzz-finds/query/slow-unit-3; exit 1\n' \
+  >"$work/build/libfuzzer/fuzz/fuzz_query"
 printf '#!/bin/sh\ncase $* in *release*) exit 1 ;; esac\n' >"$work/bin/cmake"
 fuzz 1 --seconds 30 query
 ! grep -qF triage "$work/calls" || fail 'triage by a program that was not built'
+[ "$(ls "$work/build/fuzz-todo/query")" = crash-2 ] || fail 'not left to the next run'
 printf '#!/bin/sh\n' >"$work/bin/cmake"
-rm "$work/fails"
+printf '#!/bin/sh\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
+fuzz 0 --seconds 30 query
+ran_with 'triage build/fuzz-todo/query --remove --known corpus -o finds --seconds 30'
+# Each is put to triage once, and once more if it is found again; so is what another run left.
+fuzz 0 query
+! grep -qF triage "$work/calls" || fail 'triage of what was looked at before'
+sleep 0.1
+touch "$work/build/fuzz-finds/query/crash-2" "$work/build/fuzz-finds/query/crash-4"
+touch "$work/no-time"
+fuzz 0 query
+[ "$(echo $(ls "$work/build/fuzz-todo/query"))" = 'crash-2 crash-4' ] || fail 'not all that is new'
+rm "$work/no-time" "$work/fails"
 
 # --fresh: neither corpus nor what was lost before, and seeds that are told.
 rm -r "$work/build/fuzz-corpus"
@@ -125,6 +146,8 @@ says '14 runs'
 ran_with '-seed=1 -runs=9 '
 ran_with '-seed=2 -runs=9 '
 ! grep -qF build/fuzz-corpus "$work/calls" || fail 'a corpus that --fresh must not have'
+printf '#!/bin/sh\n[ -z "$CCDFUZZ_LOST" ]\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
+fuzz 0 --fresh --runs 1 query
 fuzz 2 --fresh --merge one
 says '--fresh has no corpus to --merge'
 
