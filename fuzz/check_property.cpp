@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "properties/registry.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -43,7 +44,7 @@ class Checker {
     if (result.status != Check::Status::kFails) return;
     ++failed_;
     std::cout << fmt::format("{} fails on {}: {}\nreproduce: {} {} --hex {}\n", property_.name,
-                             input, result.text, program_, property_.name,
+                             input, result.text, shell_word(program_), property_.name,
                              to_hex_word(choices.bytes()));
   }
 

@@ -23,10 +23,7 @@ using namespace ccdfuzz;  // NOLINT: a target is a file of its own
 constexpr std::array kOthers = {"tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
                                 "tdibm-e", "tdibm-e-literal", "trad"};
 
-/// What is coarse is no less right: every toi is a lower bound.
-constexpr SearchOptions kCoarse = {0x1p-6, 40, 16 << 20};
 constexpr SearchOptions kFine = {SearchOptions().precision, 100, 16 << 20};
-constexpr std::uint64_t kOraclePops = 24;
 /// Larger patches take the exact method seconds.
 constexpr int kMostControls = 24;
 
@@ -50,11 +47,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!query) return -1;  // not for the corpus
   const std::array<Shape, 2> shapes = {query->patches[0].shape, query->patches[1].shape};
   if (shapes[0].control_count() + shapes[1].control_count() > kMostControls) return -1;
-  const Decided decided = decide_briefly(*query, kOraclePops);
+  const Decided decided = decide_briefly(*query, kRefutationPops);
   abort_if_failed(decided.check);
   if (decided.known.truth.collides != true) return 0;
   for (const char* name : kMissNothing) {
-    abort_if_failed(not_contradicted(name, methods[name], decided.known, kCoarse));
+    abort_if_failed(not_contradicted(name, methods[name], decided.known, kRefutationSearch));
   }
   const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});
   const char* other = kOthers[sum % kOthers.size()];

@@ -10,6 +10,7 @@
 
 #include "fuzz/libfuzzer.hpp"
 #include "properties/fuzz_targets.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 
@@ -58,7 +59,7 @@ int check_input(std::span<const std::uint8_t> bytes) {
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
     std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
-                             input->property.name, check.text, CCDFUZZ_CHECK_PROPERTY,
+                             input->property.name, check.text, shell_word(CCDFUZZ_CHECK_PROPERTY),
                              input->property.name, to_hex_word(choices->bytes()));
     std::abort();
   }

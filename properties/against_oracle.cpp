@@ -9,13 +9,6 @@
 
 namespace ccdfuzz {
 
-namespace {
-
-/// What no query makes long.
-constexpr SearchOptions kBriefSearch = {0x1p-4, 16, SearchOptions().max_bytes};
-
-}  // namespace
-
 Decided decide_briefly(const Query& query, std::uint64_t max_pops) {
   OracleOptions little;
   little.max_pops = max_pops;
@@ -44,13 +37,13 @@ Check not_contradicted(const std::string& name, Method& method, const Case& know
   return Check::fails(fmt::format("{} is {} on\n{}", name, name_of(outcome), to_json(known)));
 }
 
-Check claims_agree(const Query& query, std::uint64_t max_pops) {
+Check claims_agree(const Query& query, std::uint64_t max_pops, const SearchOptions& search) {
   const Decided decided = decide_briefly(query, max_pops);
   if (decided.check.status == Check::Status::kFails) return decided.check;
   if (decided.known.truth.collides != true) return Check::holds();
   for (const char* name : kMissNothing) {
     const auto method = *make_method(name);
-    Check check = not_contradicted(name, *method, decided.known, kBriefSearch);
+    Check check = not_contradicted(name, *method, decided.known, search);
     if (check.status == Check::Status::kFails) return check;
   }
   return Check::holds();

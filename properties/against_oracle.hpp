@@ -26,9 +26,17 @@ Decided decide_briefly(const Query& query, std::uint64_t max_pops = 200);
 Check not_contradicted(const std::string& name, Method& method, const Case& known,
                        const SearchOptions& options);
 
+/// What takes microseconds, and is no less right: every toi is a lower bound.
+inline constexpr SearchOptions kRefutationSearch = {0x1p-6, 40, 16 << 20};
+/// As little of the oracle (decide_briefly).
+inline constexpr std::uint64_t kRefutationPops = 24;
+/// What takes milliseconds.
+inline constexpr SearchOptions kBriefSearch = {0x1p-4, 16, SearchOptions().max_bytes};
+
 /// The claims of all that miss nothing, on one query: the oracle's, the checker's, tdibm-c's and
 /// tdibm-rational's; where no contact is proven, of the former two.
-Check claims_agree(const Query& query, std::uint64_t max_pops);
+Check claims_agree(const Query& query, std::uint64_t max_pops,
+                   const SearchOptions& search = kBriefSearch);
 
 /// The same on arbitrary finite numbers in any two shapes.
 Check check_claims_agree_anywhere(ChoiceSource& choices);

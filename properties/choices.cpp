@@ -25,14 +25,17 @@ std::uint64_t reduced(std::uint64_t x, std::uint64_t max) {
 
 }  // namespace
 
+void append_choice(std::vector<std::uint8_t>& bytes, std::uint64_t choice, int width) {
+  for (int i = 0; i < width; ++i) bytes.push_back(static_cast<std::uint8_t>(choice >> (8 * i)));
+}
+
 std::uint64_t ChoiceSource::choose(std::uint64_t max) {
   if (max == 0) return 0;
   const std::uint64_t choice = supply(max);
   CCDFUZZ_VERIFY(choice <= max);
   made_.push_back(choice);
-  for (int i = 0; i < width_of(max); ++i) {
-    bytes_.push_back(static_cast<std::uint8_t>(choice >> (8 * i)));
-  }
+  append_choice(bytes_, choice, width_of(max));
+  if (watch_) watch_(choice, width_of(max));
   return choice;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,6 +44,10 @@ class ChoiceSource {
   /// The same as numbers, for StoredChoices.
   const std::vector<std::uint64_t>& numbers() const { return made_; }
 
+  /// Called with each choice as soon as it is made, and the number of bytes that it is of bytes().
+  using Watch = std::function<void(std::uint64_t choice, int bytes)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
+
  private:
   /// A number in [0, max], max ≥ 1.
   virtual std::uint64_t supply(std::uint64_t max) = 0;
@@ -51,6 +56,7 @@ class ChoiceSource {
 
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint64_t> made_;
+  Watch watch_;
 };
 
 /// Choices from a fuzzer's bytes: each takes as many whole bytes, lowest first, as its bound needs,
@@ -91,6 +97,9 @@ class RandomChoices : public ChoiceSource {
 
   Random random_;
 };
+
+/// One more choice, as it stands in so many bytes.
+void append_choice(std::vector<std::uint8_t>& bytes, std::uint64_t choice, int width);
 
 /// "00ff1a": how choices stand in messages and on command lines.
 std::string to_hex_bytes(std::span<const std::uint8_t> bytes);

@@ -140,7 +140,7 @@ std::optional<Counterexample> shrunk_counterexample(const InputRunner& runner,
   });
   const InputRun last = runner.on_numbers(least);
   if (!last.fails_as(first)) return std::nullopt;
-  Counterexample found{least, last.bytes, last.check, spent, is_over || spent == limits.tries};
+  Counterexample found{least, last.bytes, last.check, spent, is_over};
   // A source at its end gives zeros.
   std::vector<std::uint8_t> shorter = last.bytes;
   while (!shorter.empty() && shorter.back() == 0) shorter.pop_back();

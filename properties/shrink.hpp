@@ -34,7 +34,7 @@ struct Counterexample {
   std::vector<std::uint8_t> bytes;  ///< for ByteChoices
   Check check;                      ///< what it shows
   std::uint64_t tries = 0;          ///< runs of the property on simpler inputs
-  bool is_cut_short = false;        ///< a limit was met: there may be simpler ones
+  bool is_cut_short = false;        ///< is_over said so: there may be simpler ones
 };
 
 /// When no more simpler inputs are tried. (The input itself, and what comes out, are run besides.)
@@ -47,7 +47,7 @@ struct ShrinkLimits {
 struct InputRun {
   Check check;
   std::string error;      ///< its name ("crash SIGSEGV"), and check fails; empty: it ended
-  ChoiceNumbers numbers;  ///< what it drew; empty of an error
+  ChoiceNumbers numbers;  ///< what it drew, until the error if there was one
   std::vector<std::uint8_t> bytes;  ///< the same
 
   bool fails() const { return check.status == Check::Status::kFails; }

@@ -10,7 +10,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
-#include "cli/shell_word.hpp"
 #include "numeric/effort.hpp"
 #include "properties/registry.hpp"
 

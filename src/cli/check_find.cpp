@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "cli/command.hpp"
-#include "cli/shell_word.hpp"
 #include "generators/random.hpp"
 #include "query/output_file.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 
@@ -34,6 +34,21 @@ std::string test_name(std::string_view property) {
 /// more work.
 constexpr const char* kComplete = "shrunk from:";
 constexpr const char* kCutShort = "shrunk, not to the end, from:";
+
+/// What the text of a find says.
+FindQuality quality_of_text(std::istream& in) {
+  constexpr std::string_view kInput = " --hex ";
+  FindQuality quality;
+  for (std::string line; std::getline(in, line);) {
+    if (line == kComplete) quality.state = FindQuality::State::kComplete;
+    if (line == kCutShort) quality.state = FindQuality::State::kCutShort;
+    const std::size_t input = line.rfind(kInput);
+    if (!line.starts_with("reproduce: ") || input == std::string::npos) continue;
+    const std::string_view hex = std::string_view(line).substr(input + kInput.size());
+    quality.bytes = hex == "''" ? 0 : hex.size() / 2;
+  }
+  return quality;
+}
 
 }  // namespace
 
@@ -87,7 +102,7 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
   if (find.least) {
     std::ranges::for_each(find.least->bytes, add);
     text += fmt::format("{}\n\nreproduce: {}\n\n{}\n{}\n\n", find.least->check.text, find.reproduce,
-                        find.test, is_complete(find) ? kComplete : kCutShort);
+                        find.test, quality_of(find).is_complete() ? kComplete : kCutShort);
   } else {
     for (const char c : find.as_found) add(static_cast<std::uint8_t>(c));
   }
@@ -103,9 +118,17 @@ std::string kind_of_find(const Property& property, const CheckFind& find) {
   return kind;
 }
 
-bool is_complete(const CheckFind& find) {
+bool FindQuality::replaces(const FindQuality& other) const {
+  if (state != other.state) return state > other.state;
+  return state == State::kAsFound || bytes < other.bytes;
+}
+
+FindQuality quality_of(const CheckFind& find) {
+  if (!find.least) return {};
   // Of a hang nobody tries more.
-  return find.least && (!find.least->is_cut_short || find.error == "hang");
+  const bool is_cut_short = find.least->is_cut_short && find.error != "hang";
+  return {is_cut_short ? FindQuality::State::kCutShort : FindQuality::State::kComplete,
+          find.least->bytes.size()};
 }
 
 std::vector<SavedFind> saved_finds(const std::string& folder) {
@@ -118,9 +141,7 @@ std::vector<SavedFind> saved_finds(const std::string& folder) {
     std::smatch parts;
     if (!std::regex_match(name, parts, kForm)) continue;
     std::ifstream in(at->path());
-    bool complete = false;
-    for (std::string line; !complete && std::getline(in, line);) complete = line == kComplete;
-    finds.push_back({at->path(), parts[1], complete});
+    finds.push_back({at->path(), parts[1], quality_of_text(in)});
   }
   return finds;
 }

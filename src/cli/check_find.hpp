@@ -46,13 +46,27 @@ Result<std::string> save_find(const std::string& folder, const Property& propert
 /// What saved finds are told apart by: the property, and an error's name.
 std::string kind_of_find(const Property& property, const CheckFind& find);
 
-/// Whether there is nothing left to do: it fails each time, and was shrunk to the end.
-bool is_complete(const CheckFind& find);
+/// What has been done of a find, and how large the input is that shows it.
+struct FindQuality {
+  enum class State : std::uint8_t {
+    kAsFound,   ///< it has not failed again
+    kCutShort,  ///< not shrunk to the end
+    kComplete,  ///< nothing is left to do
+  };
+  State state = State::kAsFound;
+  std::size_t bytes = 0;  ///< of the shrunk input
+
+  bool is_complete() const { return state == State::kComplete; }
+  /// Whether it takes the place of another find of its kind: it is better known, or shrunk to less;
+  /// of two that have not failed again, the later is as good as the former.
+  bool replaces(const FindQuality& other) const;
+};
+FindQuality quality_of(const CheckFind& find);
 
 /// A file that save_find wrote.
 struct SavedFind {
   std::string path, kind;
-  bool complete;
+  FindQuality quality;
 };
 /// All of a folder; none where there is none.
 std::vector<SavedFind> saved_finds(const std::string& folder);

@@ -10,7 +10,6 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
-#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/data_set_address.hpp"
 #include "eval/evaluation_folder.hpp"
@@ -18,6 +17,7 @@
 #include "eval/paper_tables.hpp"
 #include "method/method.hpp"
 #include "query/journal.hpp"
+#include "query/shell_word.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {

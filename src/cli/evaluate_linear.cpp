@@ -5,9 +5,9 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "eval/linear_table.hpp"
+#include "query/shell_word.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {

@@ -14,11 +14,12 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/reproduction.hpp"
 #include "cli/shape_text.hpp"
-#include "cli/shell_word.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/failure.hpp"
 #include "hunt/draw.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "cli/hunt_table.hpp"
-#include "cli/shell_word.hpp"
+#include "cli/reproduction.hpp"
 #include "corpus/entries.hpp"
 
 namespace ccdfuzz {

@@ -14,7 +14,7 @@
 #include "cli/hunt_page.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/shell_word.hpp"
+#include "cli/reproduction.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/entries.hpp"
 #include "eval/ask.hpp"
@@ -22,6 +22,7 @@
 #include "eval/evaluation_folder.hpp"
 #include "eval/in_order.hpp"
 #include "method/method.hpp"
+#include "query/shell_word.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {

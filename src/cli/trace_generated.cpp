@@ -7,10 +7,11 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
-#include "cli/shell_word.hpp"
+#include "cli/reproduction.hpp"
 #include "cli/terminal.hpp"
 #include "cli/trace_row.hpp"
 #include "query/case_files.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 

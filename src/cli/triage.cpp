@@ -35,30 +35,21 @@ struct TriageArguments {
 };
 
 /// The cases of a file: a case file, or an input of a fuzz target. Errors: it is neither.
-Result<std::vector<NamedCase>> cases_of(const std::string& path) {
+Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
   if (case_file_kind(path)) return read_all_checked({path});
   const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
   if (!bytes) return tl::unexpected(bytes.error());
-  const auto query = query_of(*bytes);
-  if (!query) {
+  std::vector<NamedCase> cases;
+  for (Case& value : cases_of(*bytes)) {
+    value.origin.generator = "mutant";
+    value.origin.note = "by fuzzing";
+    cases.push_back({path, std::move(value)});
+  }
+  if (cases.empty()) {
     return input_error(path,
                        "is neither a case file nor an input of fuzz_query or fuzz_witnessed (those "
                        "of other targets need --target)");
   }
-  // fuzz_witnessed makes a broken contact whole and asks that; fuzz_query asks what stands there.
-  const auto whole = witnessed_query_of(*bytes);
-  std::vector<NamedCase> cases;
-  const auto add = [&](Case value) {
-    value.origin.generator = "mutant";
-    value.origin.note = "by fuzzing";
-    cases.push_back({path, std::move(value)});
-  };
-  if (!whole || whole->query != *query) {
-    Case value;
-    value.query = *query;
-    add(std::move(value));
-  }
-  if (whole) add(case_of(*whole));
   return cases;
 }
 
@@ -106,7 +97,8 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
   if (!arguments.known.empty()) {
     if (auto known = know_all(triage, load_corpus(arguments.known)); !known) return known;
   }
-  const auto work = [&](const std::vector<NamedCase>& cases) -> Result<void> {
+  const auto work = [&](const std::vector<NamedCase>& cases) -> Result<bool> {
+    const std::uint64_t refuting = triage.tally().refuting;
     for (const NamedCase& input : cases) {
       if (stop()) break;
       at = input.id;
@@ -114,12 +106,12 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
         walk.note_find();
         tell(find, input.id, arguments.json);
       });
-      if (!added) return added;
+      if (!added) return tl::unexpected(added.error());
     }
-    return {};
+    return triage.tally().refuting == refuting;
   };
   const Result<void> gone = walk.go(files, [&](const std::string& file) {
-    return cases_of(file).map([&](std::vector<NamedCase> cases) -> TriageWalk::Work {
+    return cases_of_file(file).map([&](std::vector<NamedCase> cases) -> TriageWalk::Work {
       return [&work, cases = std::move(cases)] { return work(cases); };
     });
   });
@@ -129,6 +121,7 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
   counts.failures = tally.failures;
   counts.known = tally.known;
   counts.harmless = tally.saved;
+  counts.refuting = tally.refuting;
   return gone;
 }
 
@@ -174,7 +167,8 @@ Result<int> run_triage(const TriageArguments& arguments) {
                arguments.target ? folder_of_properties(arguments.output) : arguments.output,
                arguments.json);
   if (interrupted) return interrupted_exit_code();
-  return walk.counts().files_unread > 0 ? kBadInput : kDone;
+  if (walk.counts().files_unread > 0) return kBadInput;
+  return walk.counts().refuting > 0 ? kCheckFailed : kDone;
 }
 
 }  // namespace

@@ -16,20 +16,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The best find of a kind, and the files of the folder that a better one takes the place of.
+struct Had {
+  FindQuality quality;
+  std::set<std::string> replaceable;
+};
+
 class ClaimTriage {
  public:
   ClaimTriage(const ClaimTriageOptions& options, TriageWalk& walk)
       : options_(options), walk_(walk) {
     for (const SavedFind& find : saved_finds(options.folder)) {
-      if (find.complete) {
-        had_.insert(find.kind);
-      } else {
-        unfinished_[find.kind].insert(find.path);
-      }
+      note(find.kind, find.quality);
+      if (!find.quality.is_complete()) had_[find.kind].replaceable.insert(find.path);
     }
     if (options.known.empty()) return;
+    // What is not complete elsewhere does not hide what is found here.
     for (const SavedFind& find : saved_finds(options.known)) {
-      if (find.complete) had_.insert(find.kind);
+      if (find.quality.is_complete()) note(find.kind, find.quality);
     }
   }
 
@@ -50,34 +54,40 @@ class ClaimTriage {
     ++counts.failures;
     CheckFind find = found_on(*input, run);
     const std::string kind = kind_of_find(input->property, find);
-    if (had_.contains(kind)) {
+    const auto had = had_.find(kind);
+    if (had != had_.end() && had->second.quality.is_complete()) {
       ++counts.known;
       return {};
     }
-    if (auto least = apart.least(*input, run, {kShrinkTries, options_.stop})) {
+    if (auto least = apart.least(run, {kShrinkTries, options_.stop})) {
       set_least(find, input->property, *std::move(least));
+    }
+    if (had != had_.end() && !quality_of(find).replaces(had->second.quality)) {
+      ++counts.known;
+      return {};
     }
     const Result<std::string> saved = save_find(options_.folder, input->property, find);
     if (!saved) return tl::unexpected(saved.error());
-    replace_unfinished(kind, *saved, is_complete(find));
+    replace(kind, *saved, quality_of(find));
     walk_.note_find();
     tell(file, input->property, find, *saved);
     return {};
   }
 
  private:
-  /// What is not complete is known by nobody, and gives way to the next of its kind.
-  void replace_unfinished(const std::string& kind, const std::string& saved, bool complete) {
-    std::set<std::string>& before = unfinished_[kind];
-    before.erase(saved);
+  void note(const std::string& kind, const FindQuality& quality) {
+    const auto [had, is_first] = had_.try_emplace(kind, Had{quality, {}});
+    if (quality.replaces(had->second.quality)) had->second.quality = quality;
+  }
+
+  void replace(const std::string& kind, const std::string& saved, const FindQuality& quality) {
+    Had& had = had_[kind];
     std::error_code none;
-    for (const std::string& path : before) fs::remove(path, none);
-    before.clear();
-    if (complete) {
-      had_.insert(kind);
-    } else {
-      before.insert(saved);
+    for (const std::string& path : had.replaceable) {
+      if (path != saved) fs::remove(path, none);
     }
+    had = {quality, {}};
+    if (!quality.is_complete()) had.replaceable.insert(saved);
   }
 
   static CheckFind found_on(const ClaimInput& input, const InputRun& run) {
@@ -105,16 +115,15 @@ class ClaimTriage {
                   {"saved", saved}});
       return;
     }
-    const char* state = is_complete(find) ? ""
-                        : find.least      ? ", not shrunk to the end"
-                                          : ", not shrunk";
+    const char* state = quality_of(find).is_complete() ? ""
+                        : find.least                   ? ", not shrunk to the end"
+                                                       : ", not shrunk";
     print_out(fmt::format("{}: {}{}: {}\n", what, property.name, state, saved));
   }
 
   const ClaimTriageOptions& options_;
   TriageWalk& walk_;
-  std::set<std::string> had_;                                ///< kinds
-  std::map<std::string, std::set<std::string>> unfinished_;  ///< kind to files of the folder
+  std::map<std::string, Had> had_;  ///< by kind
 };
 
 }  // namespace
@@ -126,7 +135,9 @@ Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<
   return walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
     Result<std::vector<std::uint8_t>> bytes = read_bytes(file);
     if (!bytes) return tl::unexpected(bytes.error());
-    return [&triage, file, bytes = *std::move(bytes)] { return triage.add(file, bytes); };
+    return [&triage, file, bytes = *std::move(bytes)] {
+      return triage.add(file, bytes).map([] { return true; });
+    };
   });
 }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "cli/output.hpp"
+#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 
@@ -34,7 +35,8 @@ Result<std::vector<std::string>> triage_files(const std::vector<std::string>& in
     fs::recursive_directory_iterator at(input, error), end;
     for (; !error && at != end; at.increment(error)) {
       std::error_code gone;  // meanwhile
-      if (at->is_regular_file(gone)) inside.push_back(at->path());
+      const bool is_being_written = temporary_writer(at->path().filename().string()).has_value();
+      if (!is_being_written && at->is_regular_file(gone)) inside.push_back(at->path());
     }
     if (error) return input_error(input, "cannot be read: " + error.message());
     std::ranges::sort(inside);
@@ -64,16 +66,19 @@ Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& r
   counts_.files = files.size();
   for (const std::string& file : files) {
     const Result<Work> work = read(file);
+    // Somebody else may work on the same folder.
+    if (std::error_code error; !work && !fs::exists(file, error)) continue;
     if (!work) {
       note(fmt::format("ccdfuzz: {}; it is left as it is\n", work.error().message()));
       ++counts_.files_unread;
       continue;
     }
     if (is_over_()) break;
-    if (const Result<void> worked = (*work)(); !worked) return worked;
+    const Result<bool> worked = (*work)();
+    if (!worked) return tl::unexpected(worked.error());
     if (is_over_()) break;
     ++counts_.files_done;
-    if (std::error_code error; remove_ && !fs::remove(file, error)) {
+    if (std::error_code error; *worked && remove_ && !fs::remove(file, error)) {
       return input_error(file, "cannot be removed: " + error.message());
     }
     progress_.show(static_cast<double>(counts_.files_done) / static_cast<double>(counts_.files),
@@ -103,6 +108,7 @@ void print_triage(const TriageCounts& counts, const std::string& folder, bool js
                 {"failures", counts.failures},
                 {"known", counts.known},
                 {"harmless", counts.harmless},
+                {"refuting", counts.refuting},
                 {"finds", counts.finds}});
   } else {
     print_out(fmt::format(

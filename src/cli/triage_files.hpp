@@ -17,10 +17,12 @@ struct TriageCounts {
   std::uint64_t failures = 0;  ///< of all inputs and methods
   std::uint64_t known = 0;     ///< of those, how many are like one that is stored
   std::uint64_t harmless = 0;  ///< inputs on which nothing fails
+  std::uint64_t refuting = 0;  ///< of cases: those among them that refute a claim all the same
   std::uint64_t finds = 0;
 };
 
-/// The files that the arguments name, in order; folders stand for what is in them. Errors: one that
+/// The files that the arguments name, in order; folders stand for what is in them, but for what is
+/// still being written (OutputFile). Errors: one that
 /// is not there or cannot be read.
 Result<std::vector<std::string>> triage_files(const std::vector<std::string>& inputs);
 
@@ -30,8 +32,9 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path);
 /// Goes through files, with progress.
 class TriageWalk {
  public:
-  /// What is left to do with a file that was read. Errors: of the store.
-  using Work = std::function<Result<void>()>;
+  /// What is left to do with a file that was read; false: the file is to stay. Errors: of the
+  /// store.
+  using Work = std::function<Result<bool>()>;
   /// Errors: it is no input; it is told, and left as it is.
   using Read = std::function<Result<Work>(const std::string& file)>;
 
@@ -39,7 +42,7 @@ class TriageWalk {
   TriageWalk(std::function<bool()> is_over, bool remove)
       : is_over_(std::move(is_over)), remove_(remove) {}
 
-  /// Errors: of the work; a file that cannot be removed.
+  /// A file that is no more is passed over. Errors: of the work; a file that cannot be removed.
   Result<void> go(const std::vector<std::string>& files, const Read& read);
 
   /// On stderr.

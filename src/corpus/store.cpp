@@ -204,20 +204,6 @@ Result<void> Store::State::tidy() {
   return index.refresh(folder, home);
 }
 
-namespace {
-
-/// Removes what killed writers left behind. A temporary file of a process that lives is somebody
-/// else's, who writes into this folder by other ways than a store.
-void remove_leftovers(const std::string& home) {
-  std::error_code ignored;
-  for (const auto& file : fs::directory_iterator(home, ignored)) {
-    const auto writer = temporary_writer(file.path().filename().string());
-    if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(file.path(), ignored);
-  }
-}
-
-}  // namespace
-
 Result<Store> Store::open(const std::string& folder) {
   auto state = std::make_unique<State>();
   // One spelling of each path, so that paths can be compared.

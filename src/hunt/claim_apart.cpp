@@ -9,8 +9,7 @@ namespace ccdfuzz {
 namespace {
 
 /// What goes to the copy and comes back: numbers of 8 bytes, and sequences of them. A question is
-/// what the numbers are, and the numbers; an answer is the status, the numbers and bytes of the
-/// choices, and the text.
+/// what the numbers are, and the numbers; an answer is the status and the text.
 class Packed {
  public:
   Packed() = default;
@@ -63,7 +62,9 @@ Check run_within_memory(const Property& property, ChoiceSource& choices) {
 
 }  // namespace
 
-std::string ClaimApart::run_packed(const Property& property, const std::string& question) {
+std::string ClaimApart::run_packed(const Property& property, SharedChoices& made,
+                                   const std::string& question) {
+  made.clear();
   Packed asked(question);
   const auto of = static_cast<Of>(asked.take());
   const auto numbers = asked.take_all<std::uint64_t>();
@@ -74,17 +75,17 @@ std::string ClaimApart::run_packed(const Property& property, const std::string& 
   ChoiceSource* const choices = of == Of::kNumbers ? static_cast<ChoiceSource*>(&of_numbers)
                                 : of == Of::kBytes ? static_cast<ChoiceSource*>(&of_bytes)
                                                    : &drawn;
+  choices->watch([&](std::uint64_t choice, int width) { made.add(choice, width); });
   const Check check = run_within_memory(property, *choices);
   Packed answer;
   answer.put(static_cast<std::uint64_t>(check.status));
-  answer.put_all(choices->numbers());
-  answer.put_all(choices->bytes());
   answer.put_text(check.text);
   return answer.text();
 }
 
 ClaimApart::ClaimApart(const Property& property, const ApartLimits& limits)
-    : apart_([property](const std::string& question) { return run_packed(property, question); },
+    : apart_([this, property](
+                 const std::string& question) { return run_packed(property, made_, question); },
              limits) {}
 
 InputRun ClaimApart::ask(Of of, const ChoiceNumbers& numbers) {
@@ -92,15 +93,17 @@ InputRun ClaimApart::ask(Of of, const ChoiceNumbers& numbers) {
   question.put(static_cast<std::uint64_t>(of));
   question.put_all(numbers);
   const auto text = apart_.ask(question.text());
+  InputRun run;
+  run.numbers = made_.numbers();
+  run.bytes = made_.bytes();
   if (!text) {
     const MethodFault& fault = text.error();
-    return {Check::fails(fault.name() + ": " + fault.what()), fault.name(), {}, {}};
+    run.check = Check::fails(fault.name() + ": " + fault.what());
+    run.error = fault.name();
+    return run;
   }
   Packed answer(*text);
-  InputRun run;
   run.check.status = static_cast<Check::Status>(answer.take());
-  run.numbers = answer.take_all<std::uint64_t>();
-  run.bytes = answer.take_all<std::uint8_t>();
   run.check.text = answer.take_text();
   return run;
 }
@@ -110,26 +113,14 @@ InputRun ClaimApart::on(const ClaimInput& input) {
   return ask(Of::kBytes, ChoiceNumbers(input.bytes.begin(), input.bytes.end()));
 }
 
-std::optional<Counterexample> ClaimApart::least(const ClaimInput& input, const InputRun& found,
-                                                const ShrinkLimits& limits) {
+std::optional<Counterexample> ClaimApart::least(const InputRun& found, const ShrinkLimits& limits) {
+  if (found.error == "hang")
+    return Counterexample{found.numbers, found.bytes, found.check, 0, true};
+  const auto of_numbers = [this](const ChoiceNumbers& n) { return ask(Of::kNumbers, n); };
   const auto of_bytes = [this](std::span<const std::uint8_t> bytes) {
     return ask(Of::kBytes, ChoiceNumbers(bytes.begin(), bytes.end()));
   };
-  if (found.error.empty()) {
-    const auto of_numbers = [this](const ChoiceNumbers& n) { return ask(Of::kNumbers, n); };
-    return shrunk_counterexample({of_numbers, of_bytes}, found.numbers, limits);
-  }
-  if (input.seed) return std::nullopt;
-  const ChoiceNumbers values(input.bytes.begin(), input.bytes.end());
-  if (found.error == "hang") {
-    return Counterexample{values, {input.bytes.begin(), input.bytes.end()}, found.check, 0, true};
-  }
-  const auto of_values = [&](const ChoiceNumbers& candidate) {
-    InputRun run = ask(Of::kBytes, candidate);
-    run.bytes.assign(candidate.begin(), candidate.end());
-    return run;
-  };
-  return shrunk_counterexample({of_values, of_bytes}, values, limits);
+  return shrunk_counterexample({of_numbers, of_bytes}, found.numbers, limits);
 }
 
 }  // namespace ccdfuzz

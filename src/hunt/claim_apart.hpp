@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "hunt/shared_choices.hpp"
 #include "method/process_apart.hpp"
 #include "properties/fuzz_targets.hpp"
 #include "properties/shrink.hpp"
@@ -18,18 +19,18 @@ class ClaimApart {
   /// What ends the copy is an error, with what is known of it as the text.
   InputRun on(const ClaimInput& input);
 
-  /// The simplest input that fails as this one does: shrunk_counterexample. Of an error the bytes
-  /// are made simpler in place of the numbers, which nobody knows; of a hang nothing, since each
-  /// try would cost its whole time. None if it does not fail each time; nor of an error on draws.
-  /// found: what on(input) gave, and fails.
-  std::optional<Counterexample> least(const ClaimInput& input, const InputRun& found,
-                                      const ShrinkLimits& limits);
+  /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
+  /// is, since each try would cost its whole time. None if it does not fail each time. found: what
+  /// on(input) gave, and fails.
+  std::optional<Counterexample> least(const InputRun& found, const ShrinkLimits& limits);
 
  private:
   enum class Of : std::uint8_t { kNumbers, kBytes, kDraws };
-  static std::string run_packed(const Property& property, const std::string& question);
+  static std::string run_packed(const Property& property, SharedChoices& made,
+                                const std::string& question);
   InputRun ask(Of of, const ChoiceNumbers& numbers);
 
+  SharedChoices made_;
   ProcessApart apart_;
 };
 

@@ -77,7 +77,8 @@ struct HuntProgress {
 
 /// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds
 /// mutants of them that each method nearly loses (Breeder), and stores the smallest counterexample
-/// of each (method, class, failure signature).
+/// that it met of each (method, class, failure signature). (A mutant is asked about only where it
+/// is smaller than what failed before, in whatever way.)
 /// By time, each (method, class) cell gets an equal share of CPU time, half of it for mutants, and
 /// all methods of a class walk the same sequence of draws. stop ends the hunt early, with what it
 /// has.

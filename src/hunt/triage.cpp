@@ -12,6 +12,7 @@
 #include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
 #include "method/method_apart.hpp"
+#include "properties/against_oracle.hpp"
 #include "query/case_json.hpp"
 
 namespace ccdfuzz {
@@ -40,6 +41,21 @@ Case decided_with_little_effort(const Case& candidate) {
     known.origin.kind = name_of(CaseKind::kRP);
   }
   return known;
+}
+
+std::string refutation_by_sound_methods(const Case& known) {
+  const std::optional<Witness>& witness = known.truth.witness;
+  if (witness && witness->t <= exact(known.query.t_max)) {
+    TracerSet tracers;
+    for (const char* method : kMissNothing) {
+      const Trace& trace = tracers[method].trace(known.query, *witness, {});
+      if (!trace.lost) continue;
+      return fmt::format("the witness trace of {} loses the contact (ccdfuzz trace shows it): {}",
+                         method, loss_signature(trace));
+    }
+  }
+  const Check check = claims_agree(known.query, kRefutationPops, kRefutationSearch);
+  return check.status == Check::Status::kFails ? check.text : "";
 }
 
 Triage::Triage(Store& store, TriageOptions options)
@@ -103,7 +119,13 @@ Result<void> Triage::add(const Case& candidate,
     if (const auto added = store_.add(find.value); !added) return tl::unexpected(added.error());
     found(find);
   }
-  if (!fails) ++tally_.saved;
+  if (fails) return {};
+  ++tally_.saved;
+  const auto refutation = work_apart([&] { return options_.refute(known); }, options_.apart);
+  if (refutation && refutation->empty()) return {};
+  ++tally_.refuting;
+  options_.warn(fmt::format("no full run fails, but: {}",
+                            refutation ? *refutation : refutation.error().name()));
   return {};
 }
 

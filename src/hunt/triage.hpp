@@ -15,6 +15,11 @@ namespace ccdfuzz {
 /// With the oracle's truth, and the class of its contact.
 Case decided_with_little_effort(const Case& candidate);
 
+/// How the methods that miss nothing, or the oracle, are refuted by a case where a full run of
+/// theirs need not be: the witness trace of one loses the contact, which another box may save; a
+/// coarse search misses it; the checker refuses the oracle's certificate. Empty: they are not.
+std::string refutation_by_sound_methods(const Case& known);
+
 struct TriageOptions {
   std::vector<std::string> methods;  ///< specs that parse_method_list accepted
   SearchOptions search;
@@ -25,7 +30,9 @@ struct TriageOptions {
   /// The truth of a case that has none, as far as little effort gives one.
   std::function<Case(const Case&)> decide = decided_with_little_effort;
   ApartLimits apart;  ///< of each question
-  /// Of an input on which the oracle comes to grief, but not as a method.
+  /// What on a case refutes the claims that fuzz targets stop on, besides full runs.
+  std::function<std::string(const Case&)> refute = refutation_by_sound_methods;
+  /// Of an input on which the oracle comes to grief, but not as a method; and of a refutation.
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
@@ -35,6 +42,7 @@ struct TriageTally {
   std::uint64_t failures = 0;  ///< full runs that fail, of all inputs and methods
   std::uint64_t known = 0;     ///< of those, how many are like one that was had
   std::uint64_t saved = 0;     ///< inputs that no method fails on, in a full run
+  std::uint64_t refuting = 0;  ///< of those, how many refute a claim all the same
 };
 
 /// A failure that is new.
@@ -60,7 +68,8 @@ class Triage {
   void know(const Case& entry);
 
   /// A case with its truth, or without: then the oracle decides it, whose crash or hang is a find
-  /// of the method "oracle". Calls found for each new failure. Errors: of the store.
+  /// of the method "oracle". Calls found for each new failure. What refutes a claim and fails in no
+  /// full run is no find, but is told by options.warn. Errors: of the store.
   Result<void> add(const Case& candidate, const std::function<void(const TriageFind&)>& found);
 
   const TriageTally& tally() const { return tally_; }

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -43,6 +44,16 @@ std::optional<int> temporary_writer(std::string_view file_name) {
   const auto [rest, status] = std::from_chars(file_name.data(), end, process);
   if (status != std::errc() || rest == end || *rest != '-' || process <= 0) return std::nullopt;
   return process;
+}
+
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  fs::directory_iterator at(folder, error), end;
+  for (; !error && at != end; at.increment(error)) {
+    const auto writer = temporary_writer(at->path().filename().string());
+    std::error_code ignored;
+    if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(at->path(), ignored);
+  }
 }
 
 tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error) {

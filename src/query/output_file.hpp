@@ -40,6 +40,10 @@ Result<void> write_file(const std::string& path, std::string_view bytes);
 /// is a leftover once that process is no more.
 std::optional<int> temporary_writer(std::string_view file_name);
 
+/// Removes what killed writers left behind in a folder. The temporary file of a process that lives
+/// is left to it.
+void remove_leftovers(const std::string& folder);
+
 /// "path: cannot DOING: what the system says of this errno".
 tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error);
 

@@ -128,6 +128,20 @@ TEST_F(TriageOfClaims, KeepsWhatCouldNotBeShrunkUntilThereIsBetter) {
   EXPECT_THAT(triage({}).out, HasSubstr("; 0 new in "));
 }
 
+TEST_F(TriageOfClaims, AWorseFindTakesNobodysPlace) {
+  no_inputs();
+  std::string many{kIsSlow};
+  for (int i = 0; i < 100; ++i) many += "\xc8\x01";
+  write_text(inputs_ + "/a", many);
+  const auto first = json_lines(triage({"--seconds", "0.4", "--json"}).out);
+  ASSERT_EQ(first.size(), 2U);
+  EXPECT_EQ(first[0]["cut_short"], true);
+  const auto second = json_lines(triage({"--seconds", "0.02", "--json"}).out);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(second[0]["known"], second[0]["failures"]);
+  EXPECT_TRUE(std::filesystem::exists(first[0]["saved"].get<std::string>()));
+}
+
 TEST_F(TriageOfClaims, WhatDoesNotFailAgainHidesNothing) {
   no_inputs();
   write_text(inputs_ + "/a", input_of(kFailsOnce, 1));
@@ -164,11 +178,14 @@ TEST_F(TriageOfClaims, TakesDrawsToo) {
   const auto rows = json_lines(run.out);
   ASSERT_EQ(rows.size(), 3U) << run.out;
   EXPECT_EQ(rows[0]["outcome"], "crash SIGABRT");
-  // Nobody knows what it drew.
+  EXPECT_EQ(rows[0]["fails_again"], true);
   const std::string command = rows[0]["reproduce"];
-  EXPECT_THAT(command, testing::EndsWith(" --first 0 --count 1"));
+  EXPECT_THAT(command, HasSubstr(" --hex ")) << "what it drew is known";
   EXPECT_EQ(shell(command).code, 128 + SIGABRT) << command;
-  EXPECT_THAT(read_text(rows[0]["saved"]), HasSubstr("as found: " + command));
+  const std::string text = read_text(rows[0]["saved"]);
+  EXPECT_THAT(text, HasSubstr(" --first 0 --count 1\n"));
+  const std::string as_found = text.substr(text.find("as found: ") + 10);
+  EXPECT_EQ(shell(as_found).code, 128 + SIGABRT) << as_found;
   EXPECT_THAT(rows[1]["reproduce"].get<std::string>(), testing::EndsWith(" --hex ''"));
   EXPECT_EQ(rows[2]["harmless"], 1);
 }

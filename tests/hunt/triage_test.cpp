@@ -250,6 +250,28 @@ TEST(Triage, ACrashOfTheOracleIsAFind) {
   }
 }
 
+TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  TriageOptions options = quick_options();
+  options.methods = {"tdibm-c"};
+  std::vector<std::string> warnings;
+  options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+  const Case raw = raw_finds().front();
+  EXPECT_TRUE(Triage(store, options).add(raw, [](const TriageFind&) { FAIL(); }));
+  EXPECT_THAT(warnings, testing::IsEmpty());
+  options.refute = [](const Case&) -> std::string { return "it is lost"; };
+  Triage refuted(store, options);
+  EXPECT_TRUE(refuted.add(raw, [](const TriageFind&) { FAIL(); }));
+  options.refute = [](const Case&) -> std::string { std::abort(); };
+  Triage crashed(store, options);
+  EXPECT_TRUE(crashed.add(raw, [](const TriageFind&) { FAIL(); }));
+  EXPECT_THAT(warnings, testing::ElementsAre("no full run fails, but: it is lost",
+                                             "no full run fails, but: crash SIGABRT"));
+  EXPECT_EQ(refuted.tally().refuting, 1U);
+  EXPECT_EQ(crashed.tally().refuting, 1U);
+}
+
 TEST(Triage, KeepsWhatCannotBeTraced) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();

@@ -7,9 +7,6 @@
 
 namespace ccdfuzz {
 
-/// The text as one word of a shell's command line.
-std::string shell_word(const std::string& text);
-
 /// The command that puts the case of a file to the methods that are expected to fail on it; to all
 /// where none is.
 std::string reproduction(const std::string& path, const std::map<std::string, Outcome>& expect);

@@ -1,20 +1,12 @@
-#include "cli/shell_word.hpp"
+#include "cli/reproduction.hpp"
 
 #include <fmt/format.h>
 
 #include "cli/command.hpp"
 #include "corpus/store.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
-
-std::string shell_word(const std::string& text) {
-  constexpr const char* kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+:,=@%";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char c : text) c == '\'' ? quoted += "'\\''" : quoted += c;
-  return quoted + "'";
-}
 
 std::string reproduction(const std::string& path, const std::map<std::string, Outcome>& expect) {
   std::string methods;
