@@ -217,6 +217,7 @@ constexpr auto kTargets = std::to_array<Names>({
 
 std::vector<std::string_view> fuzz_targets() {
   std::vector<std::string_view> names;
+  names.reserve(kTargets.size());
   for (const Names& target : kTargets) names.push_back(target.target);
   return names;
 }

@@ -110,10 +110,10 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
     }
     return triage.tally().refuting == refuting;
   };
-  const Result<void> gone = walk.go(files, [&](const std::string& file) {
-    return cases_of_file(file).map([&](std::vector<NamedCase> cases) -> TriageWalk::Work {
-      return [&work, cases = std::move(cases)] { return work(cases); };
-    });
+  Result<void> gone = walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
+    Result<std::vector<NamedCase>> cases = cases_of_file(file);
+    if (!cases) return tl::unexpected(cases.error());
+    return [&work, cases = *std::move(cases)] { return work(cases); };
   });
   const TriageTally& tally = triage.tally();
   TriageCounts& counts = walk.counts();

@@ -130,7 +130,7 @@ class ClaimTriage {
 
 Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
                            TriageWalk& walk) {
-  if (const Result<void> made = make_find_folder(options.folder); !made) return made;
+  if (Result<void> made = make_find_folder(options.folder); !made) return made;
   ClaimTriage triage(options, walk);
   return walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
     Result<std::vector<std::uint8_t>> bytes = read_bytes(file);
