@@ -108,7 +108,7 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
       });
       if (!added) return tl::unexpected(added.error());
     }
-    return triage.tally().refuting == refuting;
+    return !stop() && triage.tally().refuting == refuting;
   };
   Result<void> gone = walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
     Result<std::vector<NamedCase>> cases = cases_of_file(file);

@@ -37,19 +37,20 @@ class ClaimTriage {
     }
   }
 
-  Result<void> add(const std::string& file, std::span<const std::uint8_t> bytes) {
+  /// Whether there is nothing left to do with it.
+  Result<bool> add(const std::string& file, std::span<const std::uint8_t> bytes) {
     TriageCounts& counts = walk_.counts();
     ++counts.inputs;
     const auto input = claim_input(options_.target, bytes);
     if (!input) {
       ++counts.harmless;
-      return {};
+      return true;
     }
     ClaimApart apart(input->property, {});
     const InputRun run = apart.on(*input);
     if (!run.fails()) {
       ++counts.harmless;
-      return {};
+      return true;
     }
     ++counts.failures;
     CheckFind find = found_on(*input, run);
@@ -57,21 +58,21 @@ class ClaimTriage {
     const auto had = had_.find(kind);
     if (had != had_.end() && had->second.quality.is_complete()) {
       ++counts.known;
-      return {};
+      return true;
     }
-    if (auto least = apart.least(run, {kShrinkTries, options_.stop})) {
+    if (auto least = apart.least(*input, run, {kShrinkTries, options_.stop})) {
       set_least(find, input->property, *std::move(least));
     }
     if (had != had_.end() && !quality_of(find).replaces(had->second.quality)) {
       ++counts.known;
-      return {};
+      return !options_.stop();
     }
     const Result<std::string> saved = save_find(options_.folder, input->property, find);
     if (!saved) return tl::unexpected(saved.error());
     replace(kind, *saved, quality_of(find));
     walk_.note_find();
     tell(file, input->property, find, *saved);
-    return {};
+    return quality_of(find).is_complete() || !options_.stop();
   }
 
  private:
@@ -135,9 +136,7 @@ Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<
   return walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
     Result<std::vector<std::uint8_t>> bytes = read_bytes(file);
     if (!bytes) return tl::unexpected(bytes.error());
-    return [&triage, file, bytes = *std::move(bytes)] {
-      return triage.add(file, bytes).map([] { return true; });
-    };
+    return [&triage, file, bytes = *std::move(bytes)] { return triage.add(file, bytes); };
   });
 }
 

@@ -76,10 +76,13 @@ Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& r
     if (is_over_()) break;
     const Result<bool> worked = (*work)();
     if (!worked) return tl::unexpected(worked.error());
-    if (is_over_()) break;
+    // What was done in spite of that is done.
+    if (!*worked && is_over_()) break;
     ++counts_.files_done;
-    if (std::error_code error; *worked && remove_ && !fs::remove(file, error)) {
-      return input_error(file, "cannot be removed: " + error.message());
+    if (*worked && remove_) {
+      std::error_code error;
+      fs::remove(file, error);
+      if (error) return input_error(file, "cannot be removed: " + error.message());
     }
     progress_.show(static_cast<double>(counts_.files_done) / static_cast<double>(counts_.files),
                    fmt::format("{} new", counts_.finds), counts_.files_done, "inputs");
@@ -116,6 +119,10 @@ void print_triage(const TriageCounts& counts, const std::string& folder, bool js
         "no full run fails; {} new in {}\n",
         counts.files_done, counts.files, counts.failures, counts.known, counts.harmless,
         counts.finds, folder));
+    if (counts.refuting > 0) {
+      print_out(
+          fmt::format("{} refute a claim by no full run (see above), and stay\n", counts.refuting));
+    }
   }
 }
 

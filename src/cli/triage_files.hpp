@@ -17,7 +17,7 @@ struct TriageCounts {
   std::uint64_t failures = 0;  ///< of all inputs and methods
   std::uint64_t known = 0;     ///< of those, how many are like one that is stored
   std::uint64_t harmless = 0;  ///< inputs on which nothing fails
-  std::uint64_t refuting = 0;  ///< of cases: those among them that refute a claim all the same
+  std::uint64_t refuting = 0;  ///< inputs of cases that refute a claim, but by no full run
   std::uint64_t finds = 0;
 };
 
@@ -32,8 +32,8 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path);
 /// Goes through files, with progress.
 class TriageWalk {
  public:
-  /// What is left to do with a file that was read; false: the file is to stay. Errors: of the
-  /// store.
+  /// What is left to do with a file that was read; false: it is not done, or to stay.
+  /// Errors: of the store.
   using Work = std::function<Result<bool>()>;
   /// Errors: it is no input; it is told, and left as it is.
   using Read = std::function<Result<Work>(const std::string& file)>;

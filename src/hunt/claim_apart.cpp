@@ -92,6 +92,7 @@ InputRun ClaimApart::ask(Of of, const ChoiceNumbers& numbers) {
   Packed question;
   question.put(static_cast<std::uint64_t>(of));
   question.put_all(numbers);
+  made_.clear();  // what a copy never comes to read has no choices
   const auto text = apart_.ask(question.text());
   InputRun run;
   run.numbers = made_.numbers();
@@ -113,14 +114,22 @@ InputRun ClaimApart::on(const ClaimInput& input) {
   return ask(Of::kBytes, ChoiceNumbers(input.bytes.begin(), input.bytes.end()));
 }
 
-std::optional<Counterexample> ClaimApart::least(const InputRun& found, const ShrinkLimits& limits) {
-  if (found.error == "hang")
-    return Counterexample{found.numbers, found.bytes, found.check, 0, true};
+std::optional<Counterexample> ClaimApart::least(const ClaimInput& input, const InputRun& found,
+                                                const ShrinkLimits& limits) {
   const auto of_numbers = [this](const ChoiceNumbers& n) { return ask(Of::kNumbers, n); };
   const auto of_bytes = [this](std::span<const std::uint8_t> bytes) {
     return ask(Of::kBytes, ChoiceNumbers(bytes.begin(), bytes.end()));
   };
-  return shrunk_counterexample({of_numbers, of_bytes}, found.numbers, limits);
+  if (found.error != "hang") {
+    return shrunk_counterexample({of_numbers, of_bytes}, found.numbers, limits);
+  }
+  // What it draws until it is stopped may be without end, and zeros after the end of its bytes.
+  if (!input.seed) {
+    return Counterexample{
+        found.numbers, {input.bytes.begin(), input.bytes.end()}, found.check, 0, true};
+  }
+  if (!of_bytes(found.bytes).fails_as(found)) return std::nullopt;
+  return Counterexample{found.numbers, found.bytes, found.check, 0, true};
 }
 
 }  // namespace ccdfuzz

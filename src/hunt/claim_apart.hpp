@@ -20,9 +20,10 @@ class ClaimApart {
   InputRun on(const ClaimInput& input);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
-  /// is, since each try would cost its whole time. None if it does not fail each time. found: what
-  /// on(input) gave, and fails.
-  std::optional<Counterexample> least(const InputRun& found, const ShrinkLimits& limits);
+  /// is, since each try would cost its whole time; of draws, if it hangs on what they were, too.
+  /// None if it does not fail each time. found: what on(input) gave, and fails.
+  std::optional<Counterexample> least(const ClaimInput& input, const InputRun& found,
+                                      const ShrinkLimits& limits);
 
  private:
   enum class Of : std::uint8_t { kNumbers, kBytes, kDraws };

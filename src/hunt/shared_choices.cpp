@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <new>
 #include <system_error>
 
 #include "properties/choices.hpp"
@@ -26,7 +27,8 @@ SharedChoices::SharedChoices() {
   if (memory == MAP_FAILED) {
     throw std::system_error(errno, std::generic_category(), "cannot share memory with a process");
   }
-  memory_ = static_cast<Memory*>(memory);  // all zeros, which are no choices
+  static_assert(std::atomic<std::size_t>::is_always_lock_free);
+  memory_ = new (memory) Memory;  // which begins without choices
 }
 
 SharedChoices::~SharedChoices() {

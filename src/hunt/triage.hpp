@@ -42,7 +42,7 @@ struct TriageTally {
   std::uint64_t failures = 0;  ///< full runs that fail, of all inputs and methods
   std::uint64_t known = 0;     ///< of those, how many are like one that was had
   std::uint64_t saved = 0;     ///< inputs that no method fails on, in a full run
-  std::uint64_t refuting = 0;  ///< of those, how many refute a claim all the same
+  std::uint64_t refuting = 0;  ///< inputs that refute a claim, but by no full run of a sound method
 };
 
 /// A failure that is new.
@@ -68,8 +68,8 @@ class Triage {
   void know(const Case& entry);
 
   /// A case with its truth, or without: then the oracle decides it, whose crash or hang is a find
-  /// of the method "oracle". Calls found for each new failure. What refutes a claim and fails in no
-  /// full run is no find, but is told by options.warn. Errors: of the store.
+  /// of the method "oracle". Calls found for each new failure. What refutes a claim of sound
+  /// methods, but by none of their full runs, is told by options.warn. Errors: of the store.
   Result<void> add(const Case& candidate, const std::function<void(const TriageFind&)>& found);
 
   const TriageTally& tally() const { return tally_; }

@@ -266,10 +266,19 @@ TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
   options.refute = [](const Case&) -> std::string { std::abort(); };
   Triage crashed(store, options);
   EXPECT_TRUE(crashed.add(raw, [](const TriageFind&) { FAIL(); }));
-  EXPECT_THAT(warnings, testing::ElementsAre("no full run fails, but: it is lost",
-                                             "no full run fails, but: crash SIGABRT"));
+  EXPECT_THAT(warnings,
+              testing::ElementsAre("no full run of a sound method fails, but: it is lost",
+                                   "no full run of a sound method fails, but: crash SIGABRT"));
   EXPECT_EQ(refuted.tally().refuting, 1U);
   EXPECT_EQ(crashed.tally().refuting, 1U);
+  // Nor does what other methods fail on hide it.
+  warnings.clear();
+  options.methods = {kFails};
+  options.refute = [](const Case&) -> std::string { return "it is lost"; };
+  Triage failing(store, options);
+  EXPECT_THAT(triaged(failing, raw_finds()), testing::Not(testing::IsEmpty()));
+  EXPECT_EQ(failing.tally().refuting, raw_finds().size());
+  EXPECT_EQ(warnings.size(), raw_finds().size());
 }
 
 TEST(Triage, KeepsWhatCannotBeTraced) {

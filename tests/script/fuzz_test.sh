@@ -124,7 +124,7 @@ printf '#!/bin/sh\ntouch build/fuzz-finds/query/crash-2 build/fuzz-finds/query/s
 printf '#!/bin/sh\ncase $* in *release*) exit 1 ;; esac\n' >"$work/bin/cmake"
 fuzz 1 --seconds 30 query
 ! grep -qF triage "$work/calls" || fail 'triage by a program that was not built'
-[ "$(ls "$work/build/fuzz-todo/query")" = crash-2 ] || fail 'not left to the next run'
+[ "$(ls "$work/build/fuzz-todo/query")" = 0-crash-2 ] || fail 'not left to the next run'
 printf '#!/bin/sh\n' >"$work/bin/cmake"
 printf '#!/bin/sh\n' >"$work/build/libfuzzer/fuzz/fuzz_query"
 fuzz 0 --seconds 30 query
@@ -133,10 +133,10 @@ ran_with 'triage build/fuzz-todo/query --remove --known corpus -o finds --second
 fuzz 0 query
 ! grep -qF triage "$work/calls" || fail 'triage of what was looked at before'
 sleep 0.1
-touch "$work/build/fuzz-finds/query/crash-2" "$work/build/fuzz-finds/query/crash-4"
+touch "$work/build/fuzz-finds/query/crash-2" "$work/build/fuzz-finds/query/crash-1"
 touch "$work/no-time"
 fuzz 0 query
-[ "$(echo $(ls "$work/build/fuzz-todo/query"))" = 'crash-2 crash-4' ] || fail 'not all that is new'
+[ "$(echo $(ls "$work/build/fuzz-todo/query"))" = '0-crash-1 0-crash-2' ] || fail 'not all that is new'
 rm "$work/no-time" "$work/fails"
 
 # --fresh: neither corpus nor what was lost before, and seeds that are told.
