@@ -18,10 +18,9 @@ class Packed {
   void put(std::uint64_t number) {
     text_.append(reinterpret_cast<const char*>(&number), sizeof number);
   }
-  template <class T>
-  void put_all(const std::vector<T>& numbers) {
+  void put_all(const ChoiceNumbers& numbers) {
     put(numbers.size());
-    text_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T));
+    for (const std::uint64_t number : numbers) put(number);
   }
   void put_text(std::string_view text) { text_ += text; }
 
@@ -31,13 +30,9 @@ class Packed {
     taken_ += sizeof number;
     return number;
   }
-  template <class T>
-  std::vector<T> take_all() {
-    std::vector<T> numbers(take());
-    if (!numbers.empty()) {
-      std::memcpy(numbers.data(), text_.data() + taken_, numbers.size() * sizeof(T));
-    }
-    taken_ += numbers.size() * sizeof(T);
+  ChoiceNumbers take_all() {
+    ChoiceNumbers numbers(take());
+    for (std::uint64_t& number : numbers) number = take();
     return numbers;
   }
   std::string take_text() const { return text_.substr(taken_); }
@@ -67,7 +62,7 @@ std::string ClaimApart::run_packed(const Property& property, SharedChoices& made
   made.clear();
   Packed asked(question);
   const auto of = static_cast<Of>(asked.take());
-  const auto numbers = asked.take_all<std::uint64_t>();
+  const auto numbers = asked.take_all();
   const std::vector<std::uint8_t> bytes(numbers.begin(), numbers.end());
   StoredChoices of_numbers(numbers);
   ByteChoices of_bytes(bytes);

@@ -10,9 +10,7 @@ Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t in
     RandomChoices choices(Random::keyed(
         {seed, index, static_cast<std::uint64_t>(contact), attempt, 0x6c696e656172}));  // "linear"
     const Result<Query> query = draw_linear(choices);
-    if (!query || linear_class_of({query->patches[0].shape, query->patches[1].shape}) != contact) {
-      continue;
-    }
+    if (!query || linear_class_of(*query) != contact) continue;
     Case drawn;
     drawn.query = *query;
     drawn.truth = decide(*query).truth;

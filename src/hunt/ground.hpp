@@ -23,8 +23,7 @@ struct HuntGround {
   bool has(const Query& query) const {
     const auto is_of_shape = [&](std::size_t s) { return query.patches[s].shape == (*shapes)[s]; };
     return (!scale || is_within_scale(query, *scale)) &&
-           (!shapes || (is_of_shape(0) && is_of_shape(1))) &&
-           (!linear || linear_class_of({query.patches[0].shape, query.patches[1].shape}));
+           (!shapes || (is_of_shape(0) && is_of_shape(1))) && (!linear || linear_class_of(query));
   }
 };
 

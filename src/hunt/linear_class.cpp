@@ -2,9 +2,9 @@
 
 namespace ccdfuzz {
 
-std::optional<ContactClass> linear_class_of(const std::array<Shape, 2>& shapes) {
+std::optional<ContactClass> linear_class_of(const Query& query) {
   const auto count = [&](const Shape& shape) {
-    return (shapes[0] == shape) + (shapes[1] == shape);
+    return (query.patches[0].shape == shape) + (query.patches[1].shape == shape);
   };
   const int points = count(Shape::point()), edges = count(Shape::curve(1));
   if (points == 2) return ContactClass::kVV;

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "bezier/shape.hpp"
+#include "query/query.hpp"
 #include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
@@ -13,8 +13,8 @@ namespace ccdfuzz {
 inline constexpr std::array kLinearClasses = {ContactClass::kVF, ContactClass::kEE,
                                               ContactClass::kVE, ContactClass::kVV};
 
-/// The class of a linear query with these shapes, in either order: points, curves and triangles of
-/// degree 1. None of others.
-std::optional<ContactClass> linear_class_of(const std::array<Shape, 2>& shapes);
+/// The class of a query by its shapes, in either order: points, and curves and triangles of degree
+/// 1. None of others, which are not linear.
+std::optional<ContactClass> linear_class_of(const Query& query);
 
 }  // namespace ccdfuzz

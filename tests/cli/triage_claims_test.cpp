@@ -40,6 +40,14 @@ class TriageOfClaims : public testing::Test {
     std::filesystem::create_directory(inputs_);
   }
 
+  /// One that takes seconds to shrink.
+  void slow_input_alone() const {
+    no_inputs();
+    std::string many{kIsSlow};
+    for (int i = 0; i < 100; ++i) many += "\xc8\x01";
+    write_text(inputs_ + "/a", many);
+  }
+
   Finished triage(std::vector<std::string> options) const {
     options.insert(options.begin(), {"triage", "--target", "any", inputs_});
     if (std::ranges::find(options, "-o") == options.end())
@@ -112,10 +120,7 @@ std::string drawn_input_of(char property, std::uint64_t end) {
 }
 
 TEST_F(TriageOfClaims, KeepsWhatCouldNotBeShrunkUntilThereIsBetter) {
-  no_inputs();
-  std::string many{kIsSlow};
-  for (int i = 0; i < 100; ++i) many += "\xc8\x01";
-  write_text(inputs_ + "/a", many);
+  slow_input_alone();
   const auto first = json_lines(triage({"--seconds", "0.1", "--json"}).out);
   ASSERT_EQ(first.size(), 2U);
   EXPECT_EQ(first[0]["cut_short"], true);
@@ -129,10 +134,7 @@ TEST_F(TriageOfClaims, KeepsWhatCouldNotBeShrunkUntilThereIsBetter) {
 }
 
 TEST_F(TriageOfClaims, AWorseFindTakesNobodysPlace) {
-  no_inputs();
-  std::string many{kIsSlow};
-  for (int i = 0; i < 100; ++i) many += "\xc8\x01";
-  write_text(inputs_ + "/a", many);
+  slow_input_alone();
   const auto first = json_lines(triage({"--seconds", "0.4", "--json"}).out);
   ASSERT_EQ(first.size(), 2U);
   EXPECT_EQ(first[0]["cut_short"], true);
