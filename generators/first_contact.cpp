@@ -40,7 +40,8 @@ bool certified_clear(const Query& query, double until) {
 }  // namespace
 
 std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,
-                                           const Dyadic& until, bool grazing) {
+                                           const Dyadic& until, bool grazing,
+                                           std::uint64_t max_pops) {
   CCDFUZZ_VERIFY(until < scene.contact.t);
   const auto by_plane = [&](const Vec3<Dyadic>& normal) -> std::optional<Absence> {
     if (!moving_plane_separates(scene, normal)) return std::nullopt;
@@ -53,16 +54,18 @@ std::optional<Absence> prove_first_contact(const Scene& scene, const Query& quer
     if (!normal) return std::nullopt;
     if (auto proof = by_plane(*normal)) return proof;
   }
-  return proven_by_search(query, until) ? std::optional(Absence{until, {}}) : std::nullopt;
+  return proven_by_search(query, until, max_pops) ? std::optional(Absence{until, {}})
+                                                  : std::nullopt;
 }
 
-bool proven_by_search(const Query& query, const Dyadic& until) {
+bool proven_by_search(const Query& query, const Dyadic& until, std::uint64_t max_pops) {
   const std::optional<double> horizon = until.to_double_exactly();
-  return horizon && certified_clear(query, *horizon) && proves_clear(query, until.rational());
+  return horizon && certified_clear(query, *horizon) &&
+         proves_clear(query, until.rational(), max_pops);
 }
 
-bool miss_is_proven(const Query& query) {
-  return proven_by_search(query, Dyadic::exact(query.t_max));
+bool miss_is_proven(const Query& query, std::uint64_t max_pops) {
+  return proven_by_search(query, Dyadic::exact(query.t_max), max_pops);
 }
 
 }  // namespace ccdfuzz

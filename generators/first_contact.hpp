@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "generators/scene.hpp"
 #include "query/query.hpp"
 
@@ -10,14 +13,16 @@ namespace ccdfuzz {
 /// tdibm-rational, once the certified double method has found nothing either: that is faster and
 /// throws out most of what touches before.
 /// query: the scene's, as doubles. grazing: at the contact the patches move along each other.
+/// max_pops: of the search, ≥ 1.
 std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,
-                                           const Dyadic& until, bool grazing);
+                                           const Dyadic& until, bool grazing,
+                                           std::uint64_t max_pops);
 
-/// True iff tdibm-rational proves that the patches do not touch in [0, until], after tdibm-c has
-/// found nothing.
-bool proven_by_search(const Query& query, const Dyadic& until);
+/// True iff tdibm-rational proves in max_pops ≥ 1 pops that the patches do not touch in [0, until],
+/// after tdibm-c has found nothing.
+bool proven_by_search(const Query& query, const Dyadic& until, std::uint64_t max_pops);
 
 /// The same for [0, query.t_max].
-bool miss_is_proven(const Query& query);
+bool miss_is_proven(const Query& query, std::uint64_t max_pops);
 
 }  // namespace ccdfuzz

@@ -145,9 +145,9 @@ tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, cons
   std::optional<Absence> clear;
   if (options.family == Family::kRegular) {
     if (!near_miss) {
-      clear =
-          prove_first_contact(*scene, *query, scene->contact.t - eps_t, is_grazing(options.kind));
-    } else if (miss_is_proven(*query)) {
+      clear = prove_first_contact(*scene, *query, scene->contact.t - eps_t,
+                                  is_grazing(options.kind), options.proof_pops);
+    } else if (miss_is_proven(*query, options.proof_pops)) {
       clear = Absence{scene->t_max, {}};
     }
     if (!clear) return tl::unexpected(Discard::kFirstContact);

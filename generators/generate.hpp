@@ -94,6 +94,10 @@ struct GeneratorOptions {
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for NHP: grazing patches are only about eps_T² apart then.
   std::optional<int> eps_t_exponent;
+  /// Pops of a search in exact arithmetic (at least 1) that is to prove an absence of contact,
+  /// where no moving plane does. Those that are not enough for are thrown away, and the next may be
+  /// another case: part of what describes a data set.
+  std::uint64_t proof_pops = 100'000;
 };
 
 /// Why a construction was thrown away and begun anew.

@@ -164,11 +164,13 @@ tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const D
       if (!end_before_contact(*value, before)) return tl::unexpected(Discard::kFirstContact);
       break;
     case CaseKind::kNHP:
-      if (!proven_by_search(value->query, before)) return tl::unexpected(Discard::kFirstContact);
+      if (!proven_by_search(value->query, before, options.proof_pops))
+        return tl::unexpected(Discard::kFirstContact);
       value->truth.clear_until = before.rational();
       break;
     case CaseKind::kNMN:
-      if (!miss_is_proven(value->query)) return tl::unexpected(Discard::kFirstContact);
+      if (!miss_is_proven(value->query, options.proof_pops))
+        return tl::unexpected(Discard::kFirstContact);
       value->truth.collides = false;
       value->truth.clear_until = exact(value->query.t_max);
       value->truth.proof = "rational-tdibm";

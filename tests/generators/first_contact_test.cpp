@@ -14,7 +14,9 @@ namespace {
 const Dyadic kUntil = Dyadic(1) - Dyadic(1, -20);
 
 bool proven(const Scene& scene) {
-  return prove_first_contact(scene, to_query(scene).value(), kUntil, false).has_value();
+  return prove_first_contact(scene, to_query(scene).value(), kUntil, false,
+                             GeneratorOptions().proof_pops)
+      .has_value();
 }
 
 // Reversed in time the patches are in each other before t*, right up to it. (Not so VE and VV: a
