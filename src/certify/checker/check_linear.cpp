@@ -47,24 +47,72 @@ FormVector cross_of(const FormVector& a, const FormVector& b) {
 using Corner = std::array<std::array<Integer, 2>, 3>;
 using Triangle = std::array<Corner, 3>;
 
-/// What the header speaks of.
+/// What the header speaks of, each made when it is asked for.
+class Products {
+ public:
+  explicit Products(const Triangle& triangle)
+      : Products(forms_of(triangle, [](const auto& at) -> Form {
+          return {at[0], at[1]};
+        })) {}
+
+  /// Where x = 1, y = 0 (end 0) or x = 0, y = 1 (end 1): forms without variables.
+  static Products at_end(const Triangle& triangle, size_t end) {
+    return Products(forms_of(triangle, [end](const auto& at) -> Form { return {at[end]}; }));
+  }
+
+  Form d3() const { return dot_of(p_[0], n_[0]); }
+  Form m() const { return dot_of(n_[0], n_[0]) + dot_of(n_[1], n_[1]) + dot_of(n_[2], n_[2]); }
+  Form s(size_t i) const { return dot_of(n_[(i + 1) % 3], n_[(i + 2) % 3]); }
+  Form d(size_t i) const { return dot_of(p_[(i + 1) % 3], p_[(i + 2) % 3]); }
+
+ private:
+  using Corners = std::array<FormVector, 3>;
+
+  template <class FormOf>
+  static Corners forms_of(const Triangle& triangle, const FormOf& form_of) {
+    Corners out;
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t k = 0; k < 3; ++k) out[i][k] = form_of(triangle[i][k]);
+    }
+    return out;
+  }
+
+  explicit Products(Corners p) : p_(std::move(p)) {
+    for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3]);
+  }
+
+  Corners p_, n_;
+};
+
 struct Conditions {
   explicit Conditions(const Triangle& triangle) {
-    std::array<FormVector, 3> p, n;
+    const Products of(triangle);
+    d3 = of.d3();
+    m = of.m();
     for (size_t i = 0; i < 3; ++i) {
-      for (size_t k = 0; k < 3; ++k) p[i][k] = {triangle[i][k][0], triangle[i][k][1]};
-    }
-    for (size_t i = 0; i < 3; ++i) n[i] = cross_of(p[(i + 1) % 3], p[(i + 2) % 3]);
-    d3 = dot_of(p[0], n[0]);
-    m = dot_of(n[0], n[0]) + dot_of(n[1], n[1]) + dot_of(n[2], n[2]);
-    for (size_t i = 0; i < 3; ++i) {
-      s[i] = dot_of(n[(i + 1) % 3], n[(i + 2) % 3]);
-      d[i] = dot_of(p[(i + 1) % 3], p[(i + 2) % 3]);
+      s[i] = of.s(i);
+      d[i] = of.d(i);
     }
   }
 
   Form d3, m;
   std::array<Form, 3> s, d;
+};
+
+/// The signs of the conditions at an end.
+struct Signs {
+  explicit Signs(const Products& at_end) {
+    const auto sign = [](const Form& f) { return sgn(f.front()); };
+    d3 = sign(at_end.d3());
+    m = sign(at_end.m());
+    for (size_t i = 0; i < 3; ++i) {
+      s[i] = sign(at_end.s(i));
+      d[i] = sign(at_end.d(i));
+    }
+  }
+
+  int d3, m;
+  std::array<int, 3> s, d;
 };
 
 bool has_no_sign(const Form& f, int sign) {
@@ -77,21 +125,31 @@ bool is_strictly(const Form& f, int sign, bool closed) {
 }
 
 /// Outside of the triangle where x > 0, y ≥ 0, and at x = 0 too if `closed`.
-bool is_outside(const Conditions& of, bool closed) {
-  const auto strictly = [closed](int sign) {
-    return [sign, closed](const Form& f) { return is_strictly(f, sign, closed); };
+/// start, end: at x = 1, y = 0 and x = 0, y = 1. What has the wrong sign there is not asked for
+/// between: it may have thousands of bits.
+bool is_outside(const Triangle& triangle, const Signs& start, const Signs& end, bool closed) {
+  const Products of(triangle);
+  const auto may_be = [](int at_start, int at_end, int sign) {
+    return at_start != -sign && at_end != -sign;
   };
-  return strictly(1)(of.d3) || strictly(-1)(of.d3) || std::ranges::any_of(of.s, strictly(-1)) ||
-         std::ranges::all_of(of.d, strictly(1));
+  for (const int sign : {1, -1}) {
+    if (may_be(start.d3, end.d3, sign) && is_strictly(of.d3(), sign, closed)) return true;
+  }
+  const auto all_d = [&](const auto& holds) { return holds(0) && holds(1) && holds(2); };
+  if (all_d([&](size_t i) { return may_be(start.d[i], end.d[i], 1); }) &&
+      all_d([&](size_t i) { return is_strictly(of.d(i), 1, closed); })) {
+    return true;
+  }
+  for (size_t i = 0; i < 3; ++i) {
+    if (may_be(start.s[i], end.s[i], -1) && is_strictly(of.s(i), -1, closed)) return true;
+  }
+  return false;
 }
 
-/// The origin is in the triangle where x = 1, y = 0.
-bool contains_origin_at_start(const Conditions& of) {
-  const auto at_start = [](const Form& f) { return sgn(f.front()); };
-  return at_start(of.d3) == 0 &&
-         std::ranges::all_of(of.s, [&](const Form& f) { return at_start(f) >= 0; }) &&
-         (at_start(of.m) > 0 ||
-          std::ranges::any_of(of.d, [&](const Form& f) { return at_start(f) <= 0; }));
+/// The origin is in the triangle at this end.
+bool contains_origin(const Signs& at_end) {
+  return at_end.d3 == 0 && std::ranges::all_of(at_end.s, [](int s) { return s >= 0; }) &&
+         (at_end.m > 0 || std::ranges::any_of(at_end.d, [](int d) { return d <= 0; }));
 }
 
 /// Where the corners of the triangles come from: pairs of control points.
@@ -147,15 +205,19 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
   struct Part {
     Triangle triangle;
     bool closed;
+    Signs start, end;
   };
-  std::vector<Part> parts = {{triangle, closed}}, shorter;
+  const auto signs_at = [](const Triangle& of, size_t end) {
+    return Signs(Products::at_end(of, end));
+  };
+  std::vector<Part> parts = {{triangle, closed, signs_at(triangle, 0), signs_at(triangle, 1)}};
+  std::vector<Part> shorter;
   for (int halvings = 0; !parts.empty(); ++halvings) {
     for (const Part& part : parts) {
-      const Conditions conditions(part.triangle);
-      if (is_outside(conditions, part.closed)) continue;
-      if (contains_origin_at_start(conditions)) return Found::kInside;
+      if (is_outside(part.triangle, part.start, part.end, part.closed)) continue;
+      if (contains_origin(part.start)) return Found::kInside;
       if (halvings == most_halvings) return Found::kUndecided;
-      Part first{{}, true}, second{{}, part.closed};
+      Part first{{}, true, part.start, part.end}, second{{}, part.closed, part.start, part.end};
       for (size_t i = 0; i < 3; ++i) {
         for (size_t k = 0; k < 3; ++k) {
           const auto& [start, end] = part.triangle[i][k];
@@ -164,6 +226,7 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
           second.triangle[i][k] = {middle, Integer(2 * end)};
         }
       }
+      first.end = second.start = signs_at(second.triangle, 0);
       shorter.push_back(std::move(first));
       shorter.push_back(std::move(second));
     }
@@ -223,7 +286,7 @@ Result<void> check_linear_clearance(const Query& query, const LinearClearance& c
   };
   for (const Triangle& triangle : triangles_between(query, at_the_end)) {
     // Halving would come near this contact without end.
-    if (!clearance.closed || !contains_origin_at_start(Conditions(triangle))) continue;
+    if (!clearance.closed || !contains_origin(Signs(Products::at_end(triangle, 0)))) continue;
     return input_error(kWhere, fmt::format("there is a contact at t = {}", shown(until)));
   }
   for (const Triangle& triangle : triangles_between(query, ends)) {
