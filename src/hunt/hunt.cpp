@@ -287,7 +287,8 @@ class Hunt {
     }
   }
 
-  /// One draw, put to the cell's method. Returns the CPU time of that.
+  /// One draw, put to the cell's method. Returns the CPU time of that, what it took to make the
+  /// draw included: a cell that goes ahead of the others of its class makes them for all.
   double take_drawing_turn(size_t cell, MethodSet& methods, TracerSet& tracers,
                            std::unique_lock<std::mutex>& lock) {
     Nursery& nursery = nurseries_[cell];
@@ -298,18 +299,20 @@ class Hunt {
     const std::shared_ptr<const Draw> drawn = latest_.get(report_.cells[cell].contact, index);
     const double draw_cpu = thread_cpu_seconds() - start;
     const Turn turn = take_turn(cell, *drawn, methods);
+    const double founding = thread_cpu_seconds();
     for (const Case& asked : drawn->asked) {
       if (founds) nursery.breeder.add(asked, tracers);
     }
+    const double used = draw_cpu + turn.cpu_seconds + (thread_cpu_seconds() - founding);
     lock.lock();
     if (founds) {
       nursery.taken = false;
       count_bred(cell);
     }
-    nursery.drawn_seconds += turn.cpu_seconds;
+    nursery.drawn_seconds += used;
     report_.draw_cpu_seconds += draw_cpu;
     record(turn, *drawn);
-    return turn.cpu_seconds;
+    return used;
   }
 
   /// A slice of time for the cell's population. Returns the CPU time of that.
