@@ -1,12 +1,10 @@
 #include "fuzz/lost_inputs.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <string_view>
 #include <tuple>
 
+#include "query/hash_name.hpp"
 #include "query/output_file.hpp"
 
 namespace ccdfuzz {
@@ -20,10 +18,10 @@ void LostInputs::keep(std::span<const std::uint8_t> bytes, const std::string& ki
   // Methods have some hundred kinds each; what comes after many more is noise that fills a disk.
   constexpr std::size_t kMostKinds = 2000;
   if (folder_.empty() || kinds_.size() >= kMostKinds || !kinds_.insert(kind).second) return;
-  // Unique among the processes that share the folder; whole or absent. Where it cannot be written,
-  // as on a full disk, the session goes on without it.
+  // By its content: no process, of whatever session, overwrites what another left to triage. Whole
+  // or absent. Where it cannot be written, as on a full disk, the session goes on without it.
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  std::ignore = write_file(fmt::format("{}/{}-{}", folder_, ::getpid(), kinds_.size()), text);
+  std::ignore = write_file(folder_ + "/" + hash_name(text), text);
 }
 
 }  // namespace ccdfuzz

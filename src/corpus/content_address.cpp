@@ -1,12 +1,11 @@
 #include "corpus/content_address.hpp"
 
-#include <fmt/format.h>
-#include <xxhash.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+
+#include "query/hash_name.hpp"
 
 namespace ccdfuzz {
 
@@ -39,8 +38,7 @@ std::string content_address(const Query& query) {
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
   }
   append_bits(bytes, query.t_max == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
-  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  return hash_name(bytes);
 }
 
 CaseSize size_of(const Query& query) {

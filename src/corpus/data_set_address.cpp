@@ -1,9 +1,7 @@
 #include "corpus/data_set_address.hpp"
 
-#include <fmt/format.h>
-#include <xxhash.h>
-
 #include "corpus/content_address.hpp"
+#include "query/hash_name.hpp"
 
 namespace ccdfuzz {
 
@@ -13,8 +11,7 @@ std::string data_set_address(const std::vector<NamedCase>& cases) {
     const std::optional<bool>& collides = named.value.truth.collides;
     text += content_address(named.value.query) + (!collides ? '?' : *collides ? '+' : '-');
   }
-  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  return hash_name(text);
 }
 
 }  // namespace ccdfuzz
