@@ -169,6 +169,19 @@ mv "$corpus" "$corpus.old"
 fuzz 0 --runs 1 one
 [ -e "$corpus/a" ] || fail 'the corpus is lost'
 
+# While a corpus is merged nothing else writes to it.
+exec 8>"$work/build/.fuzz-one-lock"
+flock -s 8
+fuzz 0 --runs 1 one
+fuzz 1 --merge one
+says 'another run is at work on build/fuzz-corpus/one'
+[ -e "$corpus/a" ] || fail 'a corpus in use is merged'
+flock 8
+fuzz 1 --runs 1 one
+says 'another run is at work on build/fuzz-corpus/one'
+fuzz 0 --fresh --runs 1 one
+exec 8>&-
+
 # A signal ends it and what it started.
 touch "$work/runs-long"
 for signal in INT TERM; do
