@@ -83,6 +83,7 @@ Result<void> validate(const GeneratorOptions& options) {
   if (const int e = eps_t_exponent(options); e < -40 || e > -1) {
     return input_error("--eps-t", fmt::format("exponent {} is not between -40 and -1", e));
   }
+  if (options.proof_pops == 0) return input_error("proof_pops", "0 is not at least 1");
   if (is_shaped(options)) return validate_shaped(options);
   if (!is_made(options.family, options.contact, options.kind)) {
     return input_error("--kind", fmt::format("{} is not generated in the family {}",
@@ -97,9 +98,14 @@ std::string_view name_of(Construction construction) {
 
 namespace {
 
-std::string_view generator_name(const GeneratorOptions& options) {
-  return options.family == Family::kRegular ? name_of(options.construction)
-                                            : name_of(options.family);
+/// With what else of the options describes the data set; the command line has the default alone.
+std::string generator_name(const GeneratorOptions& options) {
+  std::string name(options.family == Family::kRegular ? name_of(options.construction)
+                                                      : name_of(options.family));
+  if (options.proof_pops != GeneratorOptions().proof_pops) {
+    name += fmt::format(", proven in {} pops", options.proof_pops);
+  }
+  return name;
 }
 
 /// Even where but one construction in 20 is accepted (none is that rare), so many refusals have a

@@ -147,8 +147,9 @@ std::string text_of(const GeneratorOptions& options) {
   if (options.shapes) {
     shapes = fmt::format(" {},{}", to_text((*options.shapes)[0]), to_text((*options.shapes)[1]));
   }
-  return fmt::format("{} {} {}{} seed {}", name_of(options.contact), name_of(options.kind),
-                     name_of(options.family), shapes, options.seed);
+  return fmt::format("{} {} {}{} seed {}, proven in {} pops", name_of(options.contact),
+                     name_of(options.kind), name_of(options.family), shapes, options.seed,
+                     options.proof_pops);
 }
 
 /// Step IV of a near-hit: at t* the contact points meet, and slide along the contact plane; what

@@ -133,6 +133,15 @@ TEST(Generate, FillsTheOrigin) {
   });
 }
 
+// Other cases may be made with another budget, so it is part of where they come from.
+TEST(Generate, TheOriginNamesABudgetOfItsOwn) {
+  GeneratorOptions options;
+  options.construction = Construction::kOneSided;
+  EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided");
+  options.proof_pops = 1000;
+  EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided, proven in 1000 pops");
+}
+
 TEST(Generate, EveryAttemptIsAcceptedOrDiscardedForOneReason) {
   for_each_case([](const GeneratorOptions&, std::uint64_t, const Generated& made) {
     EXPECT_EQ(made.discards.accepted(), 1u);
@@ -225,6 +234,11 @@ TEST(Generate, RefusesWhatItDoesNotMake) {
   const Result<void> eps = validate(options);
   ASSERT_FALSE(eps);
   EXPECT_EQ(eps.error().message(), "--eps-t: exponent 0 is not between -40 and -1");
+  options = {};
+  options.proof_pops = 0;
+  const Result<void> pops = validate(options);
+  ASSERT_FALSE(pops);
+  EXPECT_EQ(pops.error().message(), "proof_pops: 0 is not at least 1");
 }
 
 }  // namespace
