@@ -21,6 +21,15 @@ const FuzzTarget& this_target() {
   return target;
 }
 
+/// What runs one input of one property again.
+std::string check_command() {
+#ifdef CCDFUZZ_CHECK_PROPERTY
+  return shell_word(CCDFUZZ_CHECK_PROPERTY);
+#else  // built for an engine, to run on another machine
+  return "ccdfuzz check";
+#endif
+}
+
 /// Whether an input was run to its end. libFuzzer runs each before it mutates it, but for one that
 /// it minimises, which does not end.
 bool any_ended = false;
@@ -59,7 +68,7 @@ int check_input(std::span<const std::uint8_t> bytes) {
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
     std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
-                             input->property.name, check.text, shell_word(CCDFUZZ_CHECK_PROPERTY),
+                             input->property.name, check.text, check_command(),
                              input->property.name, to_hex_word(choices->bytes()));
     std::abort();
   }

@@ -9,7 +9,7 @@ namespace ccdfuzz {
 /// A number as a message shows it: a long one by its beginning and what it is about.
 inline std::string shown(const Rational& x) {
   constexpr size_t kLongest = 60;
-  const std::string text = to_text(x);
+  std::string text = to_text(x);
   if (text.size() <= kLongest) return text;
   return fmt::format("{}… (about {})", text.substr(0, kLongest / 2), x.get_d());
 }
