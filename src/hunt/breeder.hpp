@@ -51,6 +51,8 @@ class Breeder {
             const std::function<void(const Case&, const Judged&)>& found);
 
   const BreedTally& tally() const { return tally_; }
+  /// Nothing to make mutants of, yet.
+  bool empty() const { return drifting_.empty(); }
 
   /// Called with each contact that the method's trace loses, founders too.
   using Loss = std::function<void(const WitnessedQuery&, const Trace&)>;

@@ -46,7 +46,7 @@ struct Nursery {
   bool taken = false;  ///< by a thread; another goes without
   double drawn_seconds = 0, bred_seconds = 0;
 
-  bool is_behind() const { return !taken && bred_seconds < drawn_seconds; }
+  bool is_behind() const { return !taken && !breeder.empty() && bred_seconds < drawn_seconds; }
 };
 
 /// A hunt by time depends on the clock anyway: no query may hold up its end, or Ctrl-C, for longer
