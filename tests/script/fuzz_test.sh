@@ -19,6 +19,7 @@ echo "\$*" >>'$work/calls'
 case \$* in
   -merge=1*)
     [ ! -e '$work/merge-fails' ] || exit 1
+    sleep 5 >/dev/null 2>&1 &
     cp "\$3/a" "\$2"
     ;;
   *)
