@@ -98,18 +98,19 @@ std::string_view name_of(Construction construction) {
 
 namespace {
 
-/// With what else of the options describes the data set; the command line has the default alone.
+/// With a budget of proofs by search that is not the command line's.
 std::string generator_name(const GeneratorOptions& options) {
   std::string name(options.family == Family::kRegular ? name_of(options.construction)
                                                       : name_of(options.family));
-  if (options.proof_pops != GeneratorOptions().proof_pops) {
+  if (options.family == Family::kRegular && options.proof_pops != GeneratorOptions().proof_pops) {
     name += fmt::format(", proven in {} pops", options.proof_pops);
   }
   return name;
 }
 
-/// Even where but one construction in 20 is accepted (none is that rare), so many refusals have a
-/// probability below 2^-140: the construction is broken.
+/// Even where but one construction in 20 is accepted (none is that rare with the default budget),
+/// so many refusals have a probability below 2^-140: the construction is broken. Where one in 50
+/// is, below 2^-58.
 constexpr std::uint64_t kMaxAttempts = 2000;
 
 /// The stream of random numbers of a case. Neither kind nor eps_T is part of its key, but that

@@ -140,6 +140,8 @@ TEST(Generate, TheOriginNamesABudgetOfItsOwn) {
   EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided");
   options.proof_pops = 1000;
   EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided, proven in 1000 pops");
+  options.family = Family::kScaled;  // which proves no absence
+  EXPECT_EQ(generate(options, 0).value.origin.generator, "scaled");
 }
 
 TEST(Generate, EveryAttemptIsAcceptedOrDiscardedForOneReason) {
