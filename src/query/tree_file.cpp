@@ -3,21 +3,16 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
-#include <xxhash.h>
 #include <zstd.h>
 
 #include <cerrno>
 
 #include "numeric/verify.hpp"
+#include "query/hash_name.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-std::string hash_of(std::string_view bytes) {
-  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
 
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
@@ -75,7 +70,7 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
     return input_error(path,
                        fmt::format("the tree at byte {} is not sound zstd data", tree.offset));
   }
-  if (const std::string hash = hash_of(bytes); hash != tree.xxh3) {
+  if (const std::string hash = hash_name(bytes); hash != tree.xxh3) {
     return input_error(path, fmt::format("the tree at byte {} has the hash {}, not {}", tree.offset,
                                          hash, tree.xxh3));
   }
@@ -95,7 +90,7 @@ Result<TreeRef> TreeWriter::write(std::string_view bytes) {
       ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
   CCDFUZZ_VERIFY(ZSTD_isError(length) == 0);
   frame.resize(length);
-  const TreeRef tree{offset_, length, hash_of(bytes)};
+  const TreeRef tree{offset_, length, hash_name(bytes)};
   if (auto written = file_->write(frame); !written) return tl::unexpected(written.error());
   offset_ += length;
   return tree;
