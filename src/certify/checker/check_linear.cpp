@@ -47,7 +47,7 @@ FormVector cross_of(const FormVector& a, const FormVector& b) {
 using Corner = std::array<std::array<Integer, 2>, 3>;
 using Triangle = std::array<Corner, 3>;
 
-/// What the header speaks of, each made when it is asked for.
+/// What the header speaks of, each multiplied out when it is asked for.
 class Products {
  public:
   explicit Products(const Triangle& triangle)
@@ -99,9 +99,10 @@ struct Conditions {
   std::array<Form, 3> s, d;
 };
 
-/// The signs of the conditions at an end.
+/// The signs of the conditions at an end (Products::at_end).
 struct Signs {
-  explicit Signs(const Products& at_end) {
+  Signs(const Triangle& triangle, size_t end) {
+    const Products at_end = Products::at_end(triangle, end);
     const auto sign = [](const Form& f) { return sgn(f.front()); };
     d3 = sign(at_end.d3());
     m = sign(at_end.m());
@@ -207,11 +208,7 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
     bool closed;
     Signs start, end;
   };
-  const auto signs_at = [](const Triangle& of, size_t end) {
-    return Signs(Products::at_end(of, end));
-  };
-  std::vector<Part> parts = {{triangle, closed, signs_at(triangle, 0), signs_at(triangle, 1)}};
-  std::vector<Part> shorter;
+  std::vector<Part> parts = {{triangle, closed, Signs(triangle, 0), Signs(triangle, 1)}}, shorter;
   for (int halvings = 0; !parts.empty(); ++halvings) {
     for (const Part& part : parts) {
       if (is_outside(part.triangle, part.start, part.end, part.closed)) continue;
@@ -226,7 +223,7 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
           second.triangle[i][k] = {middle, Integer(2 * end)};
         }
       }
-      first.end = second.start = signs_at(second.triangle, 0);
+      first.end = second.start = Signs(second.triangle, 0);
       shorter.push_back(std::move(first));
       shorter.push_back(std::move(second));
     }
@@ -286,7 +283,7 @@ Result<void> check_linear_clearance(const Query& query, const LinearClearance& c
   };
   for (const Triangle& triangle : triangles_between(query, at_the_end)) {
     // Halving would come near this contact without end.
-    if (!clearance.closed || !contains_origin(Signs(Products::at_end(triangle, 0)))) continue;
+    if (!clearance.closed || !contains_origin(Signs(triangle, 0))) continue;
     return input_error(kWhere, fmt::format("there is a contact at t = {}", shown(until)));
   }
   for (const Triangle& triangle : triangles_between(query, ends)) {
