@@ -1,25 +1,29 @@
 #!/usr/bin/env python3
 """Holds ccdfuzz to its stored outputs.
 
-    golden.py [--update] [--threads N] BINARY [GROUP...]   checks all groups, or those named; exits with 1 after a
-                                                           difference. --update stores what BINARY prints now
-    golden.py digest [PATH...]                             a line for each file: its digest and name
-    golden.py fields NAME... < JSON lines                  those fields of each line, as text
+    golden.py [--update] BINARY [GROUP...]   checks all groups, or those named; exits with 1 after a difference.
+                                             --update stores what BINARY prints now
+    golden.py digest [PATH...]               a line for each file: its digest and name
+    golden.py fields NAME... < JSON lines    those fields of each line, as text
+    golden.py untimed < TEXT                 the text with times replaced
 
 A group is the file GROUP.txt beside this one. It has rows: a shell command after "$ ", the lines of its stdout,
 those of its stderr after "! ", and its exit code in brackets where that is not 0. To add a row, write its command
 and update; review what changed as a diff. Rows run in a folder of their own, golden/GROUP beside BINARY, where
-`inputs`, `corpus`, `ccdfuzz`, `digest` and `fields` are at hand.
+`inputs`, `corpus`, `ccdfuzz` and the other forms above are at hand.
 
-Two groups ask the binary what there is. `data_sets` has a row for each family, kind and class of `generate`
-(--threads is for these). `commands` stores nothing: each command must have a group, with --json if it has that.
+Two groups ask the binary what there is. `data_sets` has a row for each family, kind and class of `generate`,
+which one thread and two must make alike. `commands` stores nothing: each command must have a group, with --json
+if it has that.
 """
 import argparse
 import base64
+import concurrent.futures
 import ctypes
 import difflib
 import gzip
 import hashlib
+import itertools
 import json
 import os
 import re
@@ -32,29 +36,31 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 SHOWN = 40  # lines of a row's difference
 
-# What is not the same in each run, on each machine or in each version. All else is pinned, to the byte.
-FIELD = r'"(?:\w*seconds|\w*_ms|ccdfuzz|tree_bytes|xxh3|offset|length)": ?(?:"[^"]*"|[-+.\w]+)'
-UNPINNED_FIELD = re.compile(f',{FIELD}|{FIELD},?')
-UNPINNED_COLUMN = re.compile(r'\w*seconds|\w*_ms')
-UNPINNED_VERSION = re.compile(r'ccdfuzz \d+\.\d+\.\d+')
+# What differs between runs, machines or versions, named here alone. All else is pinned, to the byte.
+UNPINNED_NAMES = '|'.join([
+    r'\w*seconds', r'\w*_ms',                 # times, in JSON and CSV
+    'ccdfuzz',                                # the version
+    'tree_bytes', 'offset', 'length', 'xxh3'  # where a compressed tree is: zstd's version
+])
+UNPINNED_FIELD = rf'"(?:{UNPINNED_NAMES})": ?(?:"[^"]*"|[-+.\w]+)'
+UNPINNED_TEXT = re.compile(rf',{UNPINNED_FIELD}|{UNPINNED_FIELD},?|(?<=ccdfuzz) \d+\.\d+\.\d+')
 UNPINNED_FILES = {'figure_9.csv', 'tables.md'}  # times in every line
-# `bench` prints ratios of times alone.
-UNPINNED_COMMANDS = {'bench'}
+UNPINNED_COMMANDS = {'bench'}                   # ratios of times
 
 
 def pinned(text):
     """The text without what differs from run to run."""
-    return UNPINNED_VERSION.sub('ccdfuzz', UNPINNED_FIELD.sub('', text))
+    return UNPINNED_TEXT.sub('', text)
 
 
 def pinned_csv(text):
     """The rows of a CSV with a header, without the columns of times."""
     rows = [line.split(',') for line in text.splitlines()]
-    kept = [i for i, name in enumerate(rows[0]) if not UNPINNED_COLUMN.fullmatch(name)] if rows else []
+    kept = [i for i, name in enumerate(rows[0]) if not re.fullmatch(UNPINNED_NAMES, name)] if rows else []
     return '\n'.join(','.join(row[i] for i in kept if i < len(row)) for row in rows)
 
 
-# --- digest -----------------------------------------------------------------------------------------------------
+# --- Filters ----------------------------------------------------------------------------------------------------
 
 
 class Buffer(ctypes.Structure):
@@ -90,7 +96,7 @@ def page_data(text):
 
 
 def digest_of(data, name):
-    """The first 128 bits of the sha256 of what is pinned of a file's bytes."""
+    """The first 128 bits of the sha256 of a file's pinned bytes."""
     if name.endswith('.zst'):
         data = decompressed(data)
         name = name[:-len('.zst')]
@@ -121,6 +127,12 @@ def fields(names):
     for line in sys.stdin:
         row = json.loads(line)
         print(*(row.get(name, '-') for name in names))
+
+
+def untimed(_):
+    """The lines of stdin, each time replaced and runs of spaces as one: columns are as wide as their times."""
+    for line in sys.stdin:
+        print(re.sub(' +', ' ', re.sub(r'\b\d+(\.\d+)? (s|ms|µs|ns)\b', 'TIME', line.rstrip())))
 
 
 # --- Rows -------------------------------------------------------------------------------------------------------
@@ -189,7 +201,7 @@ class Sandbox:
 
 
 def values_of(sandbox, option):
-    """The values of an option of `generate`, which lists them to who gives it none of them."""
+    """The values of an option of `generate`, as the error about a wrong one lists them."""
     arguments = {'--contact': 'FF', '--kind': 'RP', option: '?'}
     command = ' '.join(['ccdfuzz generate --count 1', *(word for pair in arguments.items() for word in pair)])
     found = re.search(r' is not one of (.*)', '\n'.join(sandbox.run(command)))
@@ -198,17 +210,25 @@ def values_of(sandbox, option):
     return found[1].split(', ')
 
 
-def run_data_sets(sandbox, threads):
-    """A row for each family, kind and class: its digest, or the exit code where there is none."""
-    rows = []
-    for family in values_of(sandbox, '--family'):
-        for kind in values_of(sandbox, '--kind'):
-            for contact in values_of(sandbox, '--contact'):
-                row = DATA_SET.format(family, kind, contact)
-                run = subprocess.run([*row.split(' | ')[0].split(), '--threads', str(threads)], cwd=sandbox.folder,
-                                     env=sandbox.environment, capture_output=True)
-                rows.append((row, [f'[{run.returncode}]' if run.returncode else digest_of(run.stdout, '')]))
-    return rows
+def run_data_set(sandbox, row):
+    """The digest of a row's data set, made alike by one thread and by two, or the exit code if there is none."""
+    found = set()
+    for threads in (1, 2):
+        run = subprocess.run([*row.removesuffix(' | digest').split(), '--threads', str(threads)],
+                             cwd=sandbox.folder, env=sandbox.environment, capture_output=True)
+        if run.returncode:
+            return f'[{run.returncode}]'
+        found.add(digest_of(run.stdout, ''))
+    return found.pop() if len(found) == 1 else 'differs-between-1-and-2-threads'
+
+
+def run_data_sets(sandbox):
+    """A row for each family, kind and class."""
+    rows = [DATA_SET.format(*names)
+            for names in itertools.product(*(values_of(sandbox, f'--{option}')
+                                             for option in ('family', 'kind', 'contact')))]
+    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
+        return [(row, [value]) for row, value in zip(rows, pool.map(lambda row: run_data_set(sandbox, row), rows))]
 
 
 def missing_commands(sandbox):
@@ -283,15 +303,15 @@ def report(stored, found, sandbox):
     return count
 
 
-def check(binary, group, update, threads):
+def check(binary, group, update):
     """Runs a group; returns how many rows differ from what is stored."""
-    sandbox = Sandbox(binary, f'{group}_{threads}' if group == 'data_sets' else group)
+    sandbox = Sandbox(binary, group)
     if group == 'commands':
         missing = missing_commands(sandbox)
         print('\n'.join([*missing, f'commands: {len(missing)} without a row']))
         return len(missing)
     stored = read_rows(group)
-    found = (run_data_sets(sandbox, threads) if group == 'data_sets' else
+    found = (run_data_sets(sandbox) if group == 'data_sets' else
              [(command, sandbox.run(command)) for command, _ in stored])
     count = report(stored, found, sandbox)
     print(f'{group}: {count} of {len(found)} rows differ')
@@ -302,7 +322,7 @@ def check(binary, group, update, threads):
     return 0 if update else count
 
 
-FILTERS = {'digest': digest, 'fields': fields}
+FILTERS = {'digest': digest, 'fields': fields, 'untimed': untimed}
 
 
 def main():
@@ -310,13 +330,12 @@ def main():
         return FILTERS[sys.argv[1]](sys.argv[2:])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('--update', action='store_true', help='store the outputs of BINARY')
-    parser.add_argument('--threads', type=int, default=2, help='of the group data_sets')
     parser.add_argument('binary', type=Path, metavar='BINARY')
     parser.add_argument('groups', nargs='*', metavar='GROUP')
     options = parser.parse_args()
     binary = options.binary.resolve(strict=True)
     groups = options.groups or [*sorted(path.stem for path in HERE.glob('*.txt') if path.stem != 'CMakeLists'), 'commands']
-    return 1 if sum([check(binary, group, options.update, options.threads) for group in groups]) else 0
+    return 1 if sum([check(binary, group, options.update) for group in groups]) else 0
 
 
 if __name__ == '__main__':
