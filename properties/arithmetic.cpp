@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ccd/line.hpp"
 #include "ccd/next_double.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "generators/exact_sum.hpp"
 #include "numeric/double_parts.hpp"
-#include "numeric/interval.hpp"
 #include "numeric/wide_int.hpp"
 #include "properties/draw_lines.hpp"
 #include "query/json_tree.hpp"
@@ -22,47 +22,6 @@ namespace {
 double draw_double(ChoiceSource& choices) {
   if (choices.coin()) return choices.finite_double();
   return *choices.dyadic(53, static_cast<long>(choices.integer(-60, 10))).to_double_exactly();
-}
-
-struct DrawnInterval {
-  Interval interval;
-  Rational member;
-};
-
-DrawnInterval draw_interval(ChoiceSource& choices) {
-  double a = draw_double(choices), b = draw_double(choices);
-  if (b < a) std::swap(a, b);
-  const Rational share = Rational(static_cast<long>(choices.integer(0, 8))) * power_of_two(-3);
-  return {{a, b}, Rational(exact(a) + (exact(b) - exact(a)) * share)};
-}
-
-std::string ends_text(const Interval& x) {
-  return fmt::format("[{}, {}]", to_hex(x.lo()), to_hex(x.hi()));
-}
-
-/// What operations on members give lies in what they give on intervals.
-Check check_interval(ChoiceSource& choices) {
-  const DrawnInterval a = draw_interval(choices), b = draw_interval(choices);
-  const bool enclosed = (a.interval + b.interval).contains(Rational(a.member + b.member)) &&
-                        (a.interval - b.interval).contains(Rational(a.member - b.member)) &&
-                        (a.interval * b.interval).contains(Rational(a.member * b.member)) &&
-                        (-a.interval).contains(Rational(-a.member)) &&
-                        Interval::enclosing(a.member).contains(a.member) &&
-                        hull(a.interval, b.interval).contains(b.member);
-  if (enclosed) return Check::holds();
-  return Check::fails(fmt::format("{} with {}, {} with {}", ends_text(a.interval),
-                                  to_text(a.member), ends_text(b.interval), to_text(b.member)));
-}
-
-/// Sums of single numbers are as tight as doubles allow: exact, or two neighbours.
-Check check_interval_is_tight(ChoiceSource& choices) {
-  const double a = draw_double(choices), b = draw_double(choices);
-  const Interval sum = Interval(a) + Interval(b);
-  if (!std::isfinite(sum.lo()) || !std::isfinite(sum.hi())) return Check::discarded("overflow");
-  const bool tight = sum.lo() == round_down(Rational(exact(a) + exact(b))) &&
-                     sum.hi() == round_up(Rational(exact(a) + exact(b)));
-  return tight ? Check::holds()
-               : Check::fails(fmt::format("{} + {}: {}", to_hex(a), to_hex(b), ends_text(sum)));
 }
 
 /// Rounding down and up are the neighbours of any rational, and equal where it is a double.
@@ -220,10 +179,6 @@ Check check_exact_sums(ChoiceSource& choices) {
 std::vector<Property> arithmetic_properties() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
-      {"interval.encloses", "Operations on intervals contain those on their members",
-       "src/numeric/interval.hpp", kHolds, check_interval},
-      {"interval.is_tight", "The sum of two numbers is the tightest interval that holds it",
-       "src/numeric/interval.hpp", kHolds, check_interval_is_tight},
       {"rational.rounding", "round_down and round_up are the doubles next to a rational",
        "src/numeric/rational.hpp", kHolds, check_rational_rounding},
       {"wide_int.is_gmp", "Fixed-width integers agree with GMP within their range",

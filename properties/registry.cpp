@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "properties/any_environment.hpp"
 #include "properties/arithmetic.hpp"
 #include "properties/case_claims.hpp"
 #include "properties/case_file.hpp"
@@ -123,6 +124,7 @@ const std::vector<Property>& properties() {
                                geometry_properties,
                                linear_properties,
                                arithmetic_properties,
+                               any_environment_properties,
                                generator_properties,
                                method_answer_properties,
                                judge_properties,

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "numeric/ieee_arithmetic.hpp"
+
 namespace ccdfuzz {
 
-/// nextafter(x, ∞), without the call.
+/// nextafter(x, ∞), without the call, by bits.
 inline double next_up(double x) {
-  if (x == 0) return std::numeric_limits<double>::denorm_min();
-  if (!(std::abs(x) < std::numeric_limits<double>::infinity())) return std::nextafter(x, HUGE_VAL);
   const auto bits = std::bit_cast<std::int64_t>(x);
-  return std::bit_cast<double>(x > 0 ? bits + 1 : bits - 1);
+  constexpr auto kInfinity = std::bit_cast<std::int64_t>(std::numeric_limits<double>::infinity());
+  const std::int64_t magnitude = bits & std::numeric_limits<std::int64_t>::max();
+  if (magnitude == 0) return std::numeric_limits<double>::denorm_min();
+  if (magnitude > kInfinity || bits == kInfinity) return x;
+  return std::bit_cast<double>(bits > 0 ? bits + 1 : bits - 1);
 }
 
 /// nextafter(x, −∞).

@@ -4,10 +4,13 @@
 #include <exception>
 
 #include "cli/command.hpp"
+#include "numeric/fp_guard.hpp"
 #include "properties/fuzz_targets.hpp"
 #include "properties/registry.hpp"
 
 int main(int argc, char** argv) {
+  // A library that was loaded into this process may have set another, which all threads inherit.
+  const ccdfuzz::FpGuard guard;
   try {
     ccdfuzz::CommandLine line;
     ccdfuzz::add_hunt(line);

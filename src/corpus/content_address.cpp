@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdlib>
 #include <limits>
 
+#include "numeric/double_parts.hpp"
 #include "query/hash_name.hpp"
 
 namespace ccdfuzz {
@@ -37,29 +38,26 @@ std::string content_address(const Query& query) {
     bytes += static_cast<char>(patch.shape.m);
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
   }
-  append_bits(bytes, query.t_max == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
+  append_bits(bytes, compare(query.t_max, 0) == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
   return hash_name(bytes);
 }
 
 CaseSize size_of(const Query& query) {
   CaseSize size;
   int lowest = std::numeric_limits<int>::max(), highest = std::numeric_limits<int>::min();
-  const auto count_bits = [&](double x) {
-    if (x == 0) return;
-    constexpr int kMantissaBits = std::numeric_limits<double>::digits;
-    int exponent = 0;
-    const double fraction = std::frexp(std::abs(x), &exponent);  // in [1/2, 1)
-    const auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, kMantissaBits));
-    size.significant_bits += static_cast<unsigned>(kMantissaBits - std::countr_zero(mantissa));
+  const auto count_bits = [&](const DoubleParts& parts) {
+    const auto magnitude = static_cast<std::uint64_t>(std::abs(parts.mantissa));
+    size.significant_bits += static_cast<unsigned>(std::bit_width(magnitude));
   };
   const auto count = [&](double x) {
-    count_bits(x);
-    if (x == 0) return;
-    lowest = std::min(lowest, std::ilogb(x));
-    highest = std::max(highest, std::ilogb(x));
+    const DoubleParts parts = parts_of(x);
+    count_bits(parts);
+    if (parts.mantissa == 0) return;
+    lowest = std::min(lowest, parts.top());
+    highest = std::max(highest, parts.top());
   };
   for (const MovingPatch<double>& patch : query.patches) for_each_coordinate(patch, count);
-  count_bits(query.t_max);
+  count_bits(parts_of(query.t_max));
   if (lowest <= highest) size.exponent_spread = highest - lowest;
   return size;
 }

@@ -1,9 +1,30 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <compare>
 #include <cstdint>
 
+// What exact code does with a double, by its bits: nothing here depends on the floating-point
+// environment. (A comparison of doubles does: a thread that flushes subnormals sees 2^-1074 == 0.)
 namespace ccdfuzz {
+
+constexpr bool is_finite(double x) {
+  return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) != 0x7ff;
+}
+
+constexpr bool is_nan(double x) {
+  return std::bit_cast<std::uint64_t>(x) << 1 > std::uint64_t{0x7ff} << 53;
+}
+
+/// The order of two real numbers, ±infinity at the ends and −0 = 0. Requires neither to be NaN.
+constexpr std::strong_ordering compare(double x, double y) {
+  const auto place = [](double z) {
+    const auto magnitude = std::bit_cast<std::int64_t>(z) & INT64_MAX;
+    return std::bit_cast<std::int64_t>(z) < 0 ? -magnitude : magnitude;
+  };
+  return place(x) <=> place(y);
+}
 
 /// The finite double mantissa·2^exponent with an odd mantissa, |mantissa| < 2^53; zero is 0·2^0.
 struct DoubleParts {
@@ -31,6 +52,17 @@ constexpr DoubleParts parts_of(double x) {
   // The unit in the last place is 2^(biased − 1075), and 2^-1074 for subnormals.
   const int exponent = (biased == 0 ? 1 : biased) - 1075 + zeros;
   return {bits >> 63 != 0 ? -static_cast<std::int64_t>(m) : static_cast<std::int64_t>(m), exponent};
+}
+
+/// The double mantissa·2^exponent. Requires that there is one, and |mantissa| ≤ 2^53.
+constexpr double double_of(std::int64_t mantissa, int exponent) {
+  if (mantissa == 0) return 0;
+  auto m = static_cast<std::uint64_t>(mantissa < 0 ? -mantissa : mantissa);
+  const int unit = std::max(exponent + static_cast<int>(std::bit_width(m)) - 53, -1074);
+  m = exponent >= unit ? m << (exponent - unit) : m >> (unit - exponent);
+  // m < 2^53 units in the last place; its bit 52, if set, counts one up in the exponent's field.
+  const std::uint64_t bits = (static_cast<std::uint64_t>(unit + 1074) << 52) + m;
+  return std::bit_cast<double>(bits | (mantissa < 0 ? std::uint64_t{1} << 63 : 0));
 }
 
 }  // namespace ccdfuzz

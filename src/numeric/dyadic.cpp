@@ -1,8 +1,8 @@
 #include "numeric/dyadic.hpp"
 
-#include <cmath>
 #include <ostream>
 
+#include "numeric/double_parts.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {
@@ -19,10 +19,9 @@ void Dyadic::normalise() {
 }
 
 Dyadic Dyadic::exact(double x) {
-  CCDFUZZ_VERIFY(std::isfinite(x));
-  int e = 0;
-  const double f = std::frexp(x, &e);  // x = f·2^e with f·2^53 an integer
-  return {Integer(std::ldexp(f, 53)), e - 53L};
+  CCDFUZZ_VERIFY(is_finite(x));
+  const DoubleParts parts = parts_of(x);
+  return {Integer(static_cast<long>(parts.mantissa)), parts.exponent};
 }
 
 std::optional<Dyadic> Dyadic::from(const Rational& x) {
@@ -37,7 +36,7 @@ Rational Dyadic::rational() const {
 std::optional<double> Dyadic::to_double_exactly() const {
   const long bits = m_ == 0 ? 0 : static_cast<long>(mpz_sizeinbase(m_.get_mpz_t(), 2));
   if (bits > 53 || k_ < -1074 || k_ + bits > 1024) return std::nullopt;
-  return std::ldexp(m_.get_d(), static_cast<int>(k_));
+  return double_of(m_.get_si(), static_cast<int>(k_));
 }
 
 Dyadic& Dyadic::operator+=(const Dyadic& o) {

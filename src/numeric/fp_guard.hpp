@@ -1,23 +1,71 @@
 #pragma once
 
+#include <cstdint>
+#if defined(__SSE2_MATH__) || defined(_M_X64)
+#include <xmmintrin.h>
+#endif
+
 namespace ccdfuzz {
 
 /// Puts this thread's floating-point environment into the state that every bound assumes (round to
-/// nearest, gradual underflow), and restores the caller's state on leaving. A host program or a
-/// plug-in may have changed either.
+/// nearest, gradual underflow, no exception traps), and on leaving restores the caller's control
+/// word if that was another: a host program, or a library that it loaded, may have set it. Where
+/// the state is that already, costs one read of the control word.
+/// (x86: the x87 control word stays as it is; no arithmetic here is done there.)
 class FpGuard {
  public:
-  FpGuard();
-  ~FpGuard();
+  FpGuard() : callers_(read()) {
+    if (is_sound(callers_)) return;
+    write(kSound);
+    changed_ = true;
+  }
+  ~FpGuard() {
+    if (changed_) write(callers_);
+  }
   FpGuard(const FpGuard&) = delete;
   FpGuard& operator=(const FpGuard&) = delete;
 
- private:
-  int rounding_;
-  unsigned control_;
-};
+  /// True iff the calling thread is in that state: what a function that needs a guard may assert.
+  static bool holds() { return is_sound(read()); }
 
-/// True iff the calling thread rounds to nearest and keeps subnormals.
-bool fp_environment_is_sound();
+ private:
+#if defined(__SSE2_MATH__) || defined(_M_X64)
+  using Word = std::uint32_t;
+  static constexpr Word kSound = 0x1f80;    // MXCSR: all exceptions masked, nearest, no FTZ, no DAZ
+  static constexpr Word kControl = 0xffc0;  // all but the flags of exceptions past
+  static Word read() {
+    return _mm_getcsr();
+  }
+  static void write(Word word) {
+    stay_here();
+    _mm_setcsr(word);
+    stay_here();
+  }
+#elif defined(__aarch64__)
+  using Word = std::uint64_t;
+  static constexpr Word kSound = 0;  // FPCR: no traps, nearest, no FZ, no FIZ, no AH
+  static constexpr Word kControl = ~Word{0};
+  static Word read() {
+    Word word;
+    asm volatile("mrs %0, fpcr" : "=r"(word));
+    return word;
+  }
+  static void write(Word word) {
+    asm volatile("msr fpcr, %0" : : "r"(word) : "memory");
+  }
+#else
+#error "fp_guard.hpp knows no floating-point control word of this machine: every bound rests on it"
+#endif
+  static bool is_sound(Word word) {
+    return (word & kControl) == kSound;
+  }
+  /// Keeps the compiler from moving what goes through memory across.
+  static void stay_here() {
+    asm volatile("" : : : "memory");
+  }
+
+  Word callers_;
+  bool changed_ = false;
+};
 
 }  // namespace ccdfuzz

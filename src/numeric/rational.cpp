@@ -3,16 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "numeric/double_parts.hpp"
+#include "numeric/fp_guard.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 
 Rational exact(double x) {
-  CCDFUZZ_VERIFY(std::isfinite(x));
-  return Rational(x);  // mpq_set_d is exact
+  CCDFUZZ_VERIFY(is_finite(x));
+  const DoubleParts parts = parts_of(x);
+  return Rational(static_cast<long>(parts.mantissa)) * power_of_two(parts.exponent);
 }
 
 Rational power_of_two(long exponent) {
@@ -36,27 +38,46 @@ long rough_exponent(const Rational& x) {
          static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
 }
 
-/// Largest double ≤ x for x > 0.
-double floor_positive(const Rational& x) {
-  if (x > exact(std::numeric_limits<double>::max())) return std::numeric_limits<double>::max();
-  // The quotient below keeps at least 53 bits; a second look truncates it to exactly 53, or to
-  // fewer where the result is subnormal, so that ldexp is exact.
+/// The largest double ≤ x is mantissa·2^exponent, and the next one is one unit of 2^exponent more.
+struct Truncated {
+  std::int64_t mantissa;
+  int exponent;
+  bool is_exact;  ///< it equals x
+
+  double down() const { return double_of(mantissa, exponent); }
+  double up() const { return double_of(is_exact ? mantissa : mantissa + 1, exponent); }
+};
+
+/// Requires x > 0. Nothing past the range of a double.
+std::optional<Truncated> truncated(const Rational& x) {
+  static const Rational most = exact(std::numeric_limits<double>::max());
+  if (x > most) return std::nullopt;
+  // The quotient below keeps at least 53 bits, or all down to the smallest subnormal; a second look
+  // truncates it to 53.
   long shift = std::max(rough_exponent(x) - kMantissaBits - 1, kMinExponent);
   const Rational scaled = x * power_of_two(-shift);
-  Integer q;
-  mpz_fdiv_q(q.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  Integer q, rest;
+  mpz_fdiv_qr(q.get_mpz_t(), rest.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  bool is_exact = rest == 0;
   const long extra = static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2)) - kMantissaBits;
   if (extra > 0) {
+    is_exact = is_exact && mpz_divisible_2exp_p(q.get_mpz_t(), static_cast<mp_bitcnt_t>(extra));
     mpz_fdiv_q_2exp(q.get_mpz_t(), q.get_mpz_t(), static_cast<mp_bitcnt_t>(extra));
     shift += extra;
   }
-  return std::ldexp(q.get_d(), static_cast<int>(shift));
+  return Truncated{q.get_si(), static_cast<int>(shift), is_exact};
+}
+
+/// Largest double ≤ x for x > 0.
+double floor_positive(const Rational& x) {
+  const auto t = truncated(x);
+  return t ? t->down() : std::numeric_limits<double>::max();
 }
 
 /// Smallest double ≥ x for x > 0; +infinity past the range.
 double ceil_positive(const Rational& x) {
-  const double down = floor_positive(x);
-  return exact(down) == x ? down : std::nextafter(down, std::numeric_limits<double>::infinity());
+  const auto t = truncated(x);
+  return t ? t->up() : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -74,9 +95,10 @@ double round_up(const Rational& x) {
 }
 
 std::optional<double> to_double_exactly(const Rational& x) {
-  const double d = x.get_d();  // truncates, so an exact value survives
-  if (!std::isfinite(d) || Rational(d) != x) return std::nullopt;
-  return d;
+  if (sgn(x) == 0) return 0.0;
+  const auto t = truncated(abs(x));
+  if (!t || !t->is_exact) return std::nullopt;
+  return sgn(x) > 0 ? t->down() : -t->down();
 }
 
 bool is_dyadic(const Rational& x) {
@@ -109,6 +131,7 @@ Result<Rational> parse_rational(std::string_view text) {
 }
 
 std::string to_hex(double x) {
+  const FpGuard guard;
   return fmt::format("{:a}", x);
 }
 

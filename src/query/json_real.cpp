@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "numeric/double_parts.hpp"
 #include "numeric/dyadic.hpp"
+#include "numeric/fp_guard.hpp"
 #include "numeric/read_double.hpp"
 #include "numeric/verify.hpp"
 #include "query/json_tree.hpp"
@@ -22,7 +24,7 @@ Result<double> parse_decimal(const JsonValue& value) {
   double x = 0;
   const auto [end, status] = read_double(text.data(), text.data() + text.size(), x);
   // Whatever is too large, and whatever is not 0 but would become it.
-  if (status == std::errc::result_out_of_range || !std::isfinite(x)) {
+  if (status == std::errc::result_out_of_range || !is_finite(x)) {
     return refuse(value, "is out of the range of a double");
   }
   CCDFUZZ_VERIFY(status == std::errc() && end == text.data() + text.size());
@@ -91,7 +93,8 @@ Result<double> parse_real(const JsonValue& value) {
 }
 
 std::string json_number(double x) {
-  CCDFUZZ_VERIFY(std::isfinite(x));
+  CCDFUZZ_VERIFY(is_finite(x));
+  const FpGuard guard;                                // std::to_chars compares x with 0
   if (x == 0) return std::signbit(x) ? "-0.0" : "0";  // many readers take -0 for the integer 0
   std::array<char, 32> buffer;
   const auto [end, status] = std::to_chars(buffer.begin(), buffer.end(), x);

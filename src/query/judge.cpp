@@ -1,8 +1,7 @@
 #include "query/judge.hpp"
 
-#include <cmath>
-
 #include "bezier/blossom.hpp"
+#include "numeric/double_parts.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {
@@ -10,12 +9,15 @@ namespace ccdfuzz {
 namespace {
 
 bool is_nonsense(const Query& query, const Answer& answer) {
-  const bool nan_toi = answer.toi && std::isnan(*answer.toi);
+  const bool nan_toi = answer.toi && is_nan(*answer.toi);
   switch (answer.verdict) {
     case Verdict::kHit:
-      if (!answer.toi || nan_toi || *answer.toi < 0 || *answer.toi > query.t_max) return true;
+      if (!answer.toi || nan_toi || compare(*answer.toi, 0) < 0 ||
+          compare(*answer.toi, query.t_max) > 0) {
+        return true;
+      }
       for (const Uv<double>& uv : answer.uv) {
-        if (std::isnan(uv[0]) || std::isnan(uv[1])) return true;
+        if (is_nan(uv[0]) || is_nan(uv[1])) return true;
       }
       return false;
     case Verdict::kUndecided:
@@ -43,8 +45,9 @@ std::optional<Rational> binding_contact(const Truth& truth, double t_max,
 }
 
 bool in_domain(const Shape& shape, const Uv<double>& uv) {
-  const bool in_square = 0 <= uv[0] && uv[0] <= 1 && 0 <= uv[1] && uv[1] <= 1;
-  return in_square && (shape.kind != ShapeKind::kTriangle || exact(uv[0]) + exact(uv[1]) <= 1);
+  const auto in_unit = [](double x) { return compare(x, 0) >= 0 && compare(x, 1) <= 0; };
+  return in_unit(uv[0]) && in_unit(uv[1]) &&
+         (shape.kind != ShapeKind::kTriangle || exact(uv[0]) + exact(uv[1]) <= 1);
 }
 
 /// The squared distance of a point on each patch from each other at time t.
@@ -77,7 +80,7 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
 /// their distance falls in proportion to the time that is left, and is 0 at its own.
 bool comes_nearer(const Query& query, const Truth& truth, const AnswerTerms& terms,
                   const Rational& before) {
-  if (terms.kept_separation == 0 || !truth.witness || before == 0) return false;
+  if (compare(terms.kept_separation, 0) == 0 || !truth.witness || before == 0) return false;
   const Witness& witness = *truth.witness;
   const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
   if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;
@@ -103,11 +106,11 @@ Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
       truth.collides == false || (truth.clear_until && *truth.clear_until > exact(query.t_max));
   if (!clear) return Outcome::kUnknown;
   if (!hit) return Outcome::kCorrect;
-  if (terms.early_tolerance > 0 && truth.contact_by() &&
+  if (compare(terms.early_tolerance, 0) > 0 && truth.contact_by() &&
       *truth.contact_by() <= exact(*answer.toi) + exact(terms.early_tolerance)) {
     return Outcome::kCorrect;
   }
-  if (terms.space_tolerance > 0) {
+  if (compare(terms.space_tolerance, 0) > 0) {
     if (!terms.has_uv) return Outcome::kUnknown;
     if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
   }
@@ -115,12 +118,12 @@ Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
 }
 
 Case with_t_max(const Case& value, double t_max) {
-  CCDFUZZ_VERIFY(std::isfinite(t_max) && t_max >= 0);
+  CCDFUZZ_VERIFY(is_finite(t_max) && compare(t_max, 0) >= 0);
   Case out = value;
   out.query.t_max = t_max;
   out.expect.clear();
-  if (t_max == value.query.t_max) return out;
-  const bool still_absent = value.truth.collides == false && t_max <= value.query.t_max;
+  if (compare(t_max, value.query.t_max) == 0) return out;
+  const bool still_absent = value.truth.collides == false && compare(t_max, value.query.t_max) <= 0;
   out.truth.collides.reset();
   if (still_absent) out.truth.collides = false;
   if (proven_contact(value.truth, t_max)) out.truth.collides = true;

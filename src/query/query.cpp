@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "numeric/double_parts.hpp"
 
 namespace ccdfuzz {
 
@@ -16,7 +16,7 @@ Result<void> validate_points(const Points<double>& points, const Shape& shape,
   }
   for (size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      if (!std::isfinite(points[i][k])) {
+      if (!is_finite(points[i][k])) {
         return input_error(fmt::format("{}[{}][{}]", where, i, k),
                            fmt::format("{} is not finite", points[i][k]));
       }
@@ -38,7 +38,7 @@ Result<void> validate(const Query& query, const std::string& where) {
     if (auto r = validate_points(patch.positions, patch.shape, path + ".positions"); !r) return r;
     if (auto r = validate_points(patch.velocities, patch.shape, path + ".velocities"); !r) return r;
   }
-  if (!std::isfinite(query.t_max) || query.t_max < 0) {
+  if (!is_finite(query.t_max) || compare(query.t_max, 0) < 0) {
     return input_error(where + "t_max", fmt::format("{} is not a finite number ≥ 0", query.t_max));
   }
   return {};

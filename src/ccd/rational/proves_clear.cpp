@@ -1,17 +1,18 @@
 #include "ccd/rational/proves_clear.hpp"
 
-#include <cmath>
-
 #include "ccd/rational/tdibm_rational.hpp"
+#include "numeric/double_parts.hpp"
+#include "numeric/fp_guard.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 
 bool proves_clear(const Query& query, const Rational& until, std::uint64_t max_pops) {
+  const FpGuard guard;
   CCDFUZZ_VERIFY(sgn(until) >= 0);
   Query horizon = query;
   horizon.t_max = round_up(until);  // proves at least what was asked
-  if (!std::isfinite(horizon.t_max)) return false;
+  if (!is_finite(horizon.t_max)) return false;
   SearchOptions options;
   options.precision = 0x1p-30;
   options.max_pops = max_pops;

@@ -14,6 +14,7 @@
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
+#include "numeric/fp_guard.hpp"
 
 namespace ccdfuzz {
 
@@ -157,6 +158,7 @@ class Deciding {
 }  // namespace
 
 Decision decide(const Query& query, const OracleOptions& options) {
+  const FpGuard guard;
   const Decision found =
       linear::is_linear(query) ? decide_linear(query, options) : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept.

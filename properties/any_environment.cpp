@@ -1,0 +1,313 @@
+#include "properties/any_environment.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+
+#include "ccd/next_double.hpp"
+#include "ccd/rational/proves_clear.hpp"
+#include "certify/checker/check_box.hpp"
+#include "certify/checker/check_linear.hpp"
+#include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "method/method.hpp"
+#include "numeric/double_parts.hpp"
+#include "numeric/fp_guard.hpp"
+#include "properties/draw_contact.hpp"
+#include "properties/draw_linear.hpp"
+#include "properties/fp_environment.hpp"
+#include "query/case_json.hpp"
+#include "query/json_tree.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr double kLeastDouble = std::numeric_limits<double>::denorm_min();
+
+std::string bits(double x) {
+  return fmt::format("{:x} ", std::bit_cast<std::uint64_t>(x));
+}
+std::string bits(const std::optional<double>& x) {
+  return x ? bits(*x) : "none ";
+}
+std::string bits(const Result<double>& x) {
+  return x ? bits(*x) : "refused ";
+}
+
+/// FpGuard: sound within, and what it was on leaving.
+Check check_guard(ChoiceSource&) {
+  for (const FpEnvironment& environment : fp_environments()) {
+    const InFpEnvironment in(environment);
+    bool sound = false;
+    {
+      const FpGuard guard;
+      volatile double least_normal = std::numeric_limits<double>::min(), one = 1;
+      const bool keeps_subnormals = least_normal / 2 != 0;
+      const bool to_nearest = one + 0x1.8p-53 == 1 + 0x1p-52 && one + 0x1p-54 == 1;
+      sound = FpGuard::holds() && keeps_subnormals && to_nearest;
+    }
+    if (!sound) return Check::fails(fmt::format("{}: not sound within", environment.name));
+    if (fp_control() != environment.control) {
+      return Check::fails(fmt::format("{}: it leaves {:#x}", environment.name, fp_control()));
+    }
+  }
+  return Check::holds();
+}
+
+/// Any double, every other time a subnormal one.
+double draw_tiny_or_any(ChoiceSource& choices) {
+  const double x = choices.finite_double();
+  constexpr std::uint64_t kNoExponent = 0x800f'ffff'ffff'ffff;
+  return choices.coin() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kNoExponent) : x;
+}
+
+Check check_exact_numbers(ChoiceSource& choices) {
+  const double x = draw_tiny_or_any(choices), y = draw_tiny_or_any(choices);
+  const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(choices.integer(-1100, 10)));
+  const Rational q = choices.coin() ? Rational(exact(x) + off) : exact(x);
+  const std::string decimal =
+      fmt::format("{}e{}", choices.integer(-999'999'999, 999'999'999), choices.integer(-340, 22));
+  const auto text = [&] {
+    const DoubleParts parts = parts_of(x);
+    const Dyadic dyadic = Dyadic::exact(x);
+    const std::string shortest = json_number(x), hex = to_hex(x);
+    std::string out = fmt::format("{} {} {} {} ", parts.mantissa, parts.exponent, to_text(exact(x)),
+                                  to_text(dyadic.rational()));
+    out += bits(double_of(parts.mantissa, parts.exponent)) + bits(dyadic.to_double_exactly());
+    out += bits(round_down(q)) + bits(round_up(q)) + bits(to_double_exactly(q));
+    out += bits(next_up(x)) + bits(next_down(x));
+    out += compare(x, y) < 0 ? "less " : compare(x, y) > 0 ? "greater " : "equal ";
+    out += shortest + " " + hex + " ";
+    out += bits(parse_real({JsonKind::kNumber, shortest, {}, {}}));
+    out += bits(parse_real({JsonKind::kNumber, decimal, {}, {}}));
+    out += bits(parse_real({JsonKind::kString, hex, {}, {}}));
+    return out;
+  };
+  const std::string differs = differs_in_some_environment(text);
+  return differs.empty() ? Check::holds() : Check::fails(differs);
+}
+
+/// All coordinates times 2^shift, if doubles hold them.
+void scale_if_exact(Query& query, long shift) {
+  Query out = query;
+  for (MovingPatch<double>& patch : out.patches) {
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (Vec3<double>& p : *points) {
+        for (double& x : p) {
+          const auto scaled = Dyadic::exact(x).scaled(shift).to_double_exactly();
+          if (!scaled) return;
+          x = *scaled;
+        }
+      }
+    }
+  }
+  query = out;
+}
+
+/// A contact, most often among subnormal numbers, or a linear query; then, perhaps, one patch moved
+/// by as little as a number can be.
+Result<Case> draw_tiny_case(ChoiceSource& choices) {
+  constexpr ContactRange kSubnormal{-1066, -1010, 2};
+  Case drawn;
+  if (const std::uint64_t kind = choices.choose(3); kind < 3) {
+    Result<Case> contact = draw_contact(choices, kind < 2 ? kSubnormal : ContactRange());
+    if (!contact) return contact;
+    drawn = *std::move(contact);
+  } else {
+    Result<Query> linear = draw_linear(choices);
+    if (!linear) return tl::unexpected(linear.error());
+    drawn.query = *std::move(linear);
+    scale_if_exact(drawn.query, static_cast<long>(choices.integer(-1060, 0)));
+    drawn.truth.witness = Witness{exact(drawn.query.t_max) / 2, {}};
+  }
+  if (choices.coin()) {
+    const auto axis = static_cast<int>(choices.choose(2));
+    const Dyadic step(Integer(1), static_cast<long>(choices.integer(-1074, -1040)));
+    for (Vec3<double>& p : drawn.query.patches[choices.choose(1)].positions) {
+      p[axis] = (Dyadic::exact(p[axis]) + step).to_double_exactly().value_or(p[axis]);
+    }
+  }
+  drawn.truth.collides = true;
+  return drawn;
+}
+
+/// Certificates of either kind about a case, hardly ever right ones.
+struct WildClaims {
+  MovingPlane plane;
+  ContactBox box;
+  ContactRoot root;
+  LinearClearance linear;
+  std::string tree;
+};
+
+WildClaims draw_wild_claims(ChoiceSource& choices, const Case& about) {
+  const Rational& t = about.truth.witness->t;
+  WildClaims out;
+  out.plane.until = t;
+  for (Rational& x : out.plane.normal) x = static_cast<long>(choices.integer(-1, 1));
+  const Vec3<double>& p = about.query.patches[choices.choose(1)].positions.front();
+  for (int k = 0; k < 3; ++k) out.plane.offset += out.plane.normal[k] * exact(p[k]);
+  out.box.centre = {0.25, 0.25, 0.25, 0.25, round_down(t)};
+  out.box.varied = {0, 1, ContactBox::kTime};
+  out.box.radius = {0x1p-4, 0x1p-4, choices.coin() ? 0x1p-4 : kLeastDouble};
+  for (std::size_t i = 0; i < 3; ++i) out.box.inverse[i][i] = draw_tiny_or_any(choices);
+  out.root = {{Integer(-t.get_num()), t.get_den()}, t / 2, Rational(t + power_of_two(-4))};
+  // Up to the contact itself takes a second where numbers have a thousand bits: rarely.
+  out.linear = {choices.choose(15) == 15 ? t : Rational(t / 2), choices.coin()};
+  out.tree = build_miss_tree(about.query, t / 2, 40).value_or("");
+  return out;
+}
+
+/// All that the checker and the judge say.
+std::string judgement(const Case& value, const WildClaims& claims) {
+  const Query& query = value.query;
+  const Rational& t = value.truth.witness->t;
+  std::string out;
+  const auto add = [&out](const char* what, bool holds) {
+    out += fmt::format("{}{} ", holds ? "" : "no ", what);
+  };
+  add("truth", check_truth(value).has_value());
+  add("contact", check_contact(query, *value.truth.witness).has_value());
+  add("witness", check_witness(query, *value.truth.witness).has_value());
+  add("plane", check_plane(query, claims.plane).has_value());
+  add("box", check_box(query, claims.box).has_value());
+  add("root", check_contact_root(query, claims.root).has_value());
+  add("linear", check_linear_clearance(query, claims.linear).has_value());
+  add("tree", check_tree(query, t / 2, claims.tree).has_value());
+  for (const double toi : {0.0, -kLeastDouble, kLeastDouble, query.t_max, next_up(query.t_max)}) {
+    Answer hit{Verdict::kHit, toi, {}, 0, 0, 0, {}};
+    hit.uv[0] = {-kLeastDouble, 0};
+    AnswerTerms terms;
+    out += fmt::format("{} ", name_of(judge(query, value.truth, hit, terms)));
+    terms.space_tolerance = terms.early_tolerance = kLeastDouble;
+    out += fmt::format("{} ", name_of(judge(query, value.truth, hit, terms)));
+  }
+  for (const double t_max : {0.0, kLeastDouble, query.t_max}) {
+    add("collides", with_t_max(value, t_max).truth.collides.value_or(false));
+  }
+  Query before_zero = query;
+  before_zero.t_max = -kLeastDouble;
+  add("valid", validate(before_zero, "").has_value());
+  const std::string json = to_json(value);
+  const auto read = parse_case(json, "");
+  add("read back", read && to_json(*read) == json);
+  return out + json;
+}
+
+Check check_judgement(ChoiceSource& choices) {
+  const Result<Case> drawn = draw_tiny_case(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const WildClaims claims = draw_wild_claims(choices, *drawn);
+  const std::string differs =
+      differs_in_some_environment([&] { return judgement(*drawn, claims); });
+  return differs.empty() ? Check::holds() : Check::fails(differs);
+}
+
+std::string bits(const Answer& answer) {
+  std::string out = fmt::format("{} {}", static_cast<int>(answer.verdict), bits(answer.toi));
+  for (const Uv<double>& uv : answer.uv) out += bits(uv[0]) + bits(uv[1]);
+  return out + fmt::format("{} {} {}", answer.pops, answer.bytes, answer.note);
+}
+
+std::string bits(const Trace& trace) {
+  std::string out = fmt::format("{} {} {} {} {}", trace.lost, trace.pairs, trace.lost_pairs,
+                                trace.false_claims, trace.levels);
+  if (trace.margin)
+    out += fmt::format(" {} {}", trace.margin->ulps, bits(trace.margin->by.times.lo));
+  if (trace.slack) out += " " + bits(trace.slack->value);
+  return out;
+}
+
+/// What a method says of a case, all of it but the time that it took.
+std::string said_by(const std::string& spec, const Case& value) {
+  const SearchOptions options{.precision = 0x1p-7, .max_pops = 24};
+  const Witness& witness = *value.truth.witness;
+  std::string out;
+  if (spec == "oracle") {
+    OracleOptions little;
+    little.max_pops = 24;
+    little.max_tree_nodes = 200;
+    const Decision decision = decide(value.query, little);
+    Case decided = value;
+    decided.truth = decision.truth;
+    return to_json(decided) + fmt::format(" {:x}", std::hash<std::string>()(decision.tree));
+  }
+  out = bits((*make_method(spec))->answer(value.query, options));
+  if (check_witness(value.query, witness)) {
+    out += ", " + bits((*make_tracer(spec))->trace(value.query, witness, {.precision = 0x1p-5}));
+  }
+  if (spec == "tdibm-rational") {
+    out += proves_clear(value.query, witness.t, 24) ? ", clear" : ", not clear";
+  }
+  return out;
+}
+
+Check check_methods(ChoiceSource& choices) {
+  const std::vector<MethodInfo>& methods = registered_methods();
+  std::string spec = methods[choices.choose(methods.size() - 1)].spec;
+  if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
+  const Result<Case> drawn = draw_tiny_case(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  const std::string differs = differs_in_some_environment([&] { return said_by(spec, *drawn); });
+  if (differs.empty()) return Check::holds();
+  return Check::fails(fmt::format("{}: {}\n{}", spec, differs, to_json(*drawn)));
+}
+
+/// A contact stays, in a trace and in a query, whatever environment the caller has.
+Check check_contact_stays(ChoiceSource& choices) {
+  const char* const spec = choices.coin() ? "tdibm-c" : "tdibm-rational";
+  const FpEnvironment& environment =
+      fp_environments()[choices.choose(fp_environments().size() - 1)];
+  constexpr ContactRange kSubnormal{-1066, -1010, 2}, kAnywhere{-1000, 900, 3};
+  const Result<Case> drawn = draw_contact(choices, choices.coin() ? kAnywhere : kSubnormal);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  Outcome outcome = Outcome::kError;
+  bool lost = true;
+  {
+    const InFpEnvironment in(environment);
+    const SearchOptions options{.precision = 0x1p-4, .max_pops = 60};
+    outcome =
+        judge(drawn->query, drawn->truth, (*make_method(spec))->answer(drawn->query, options));
+    lost = (*make_tracer(spec))
+               ->trace(drawn->query, *drawn->truth.witness, {.precision = 0x1p-5})
+               .lost;
+  }
+  if (!lost && !is_false_negative(outcome) && outcome != Outcome::kError) return Check::holds();
+  return Check::fails(fmt::format("{}, {}: {}, {}\n{}", spec, environment.name, name_of(outcome),
+                                  lost ? "lost" : "not lost", to_json(*drawn)));
+}
+
+}  // namespace
+
+std::vector<Property> any_environment_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  constexpr auto kSource = "src/numeric/fp_guard.hpp";
+  return {
+      {"fp_guard.sound_and_restored",
+       "Within a guard the environment is sound, and on leaving it is the caller's again", kSource,
+       kHolds, check_guard},
+      {"double.exact_in_any_environment",
+       "Conversions between doubles, exact numbers and texts do not depend on the floating-point "
+       "environment",
+       "src/numeric/double_parts.hpp", kHolds, check_exact_numbers},
+      {"checker.same_in_any_environment",
+       "The checker and the judge say the same in every floating-point environment", kSource,
+       kHolds, check_judgement},
+      {"methods.same_in_any_environment",
+       "Answers, traces and certificates are the same bits in every floating-point environment",
+       kSource, kHolds, check_methods},
+      {"methods.no_false_negative_in_any_environment",
+       "tdibm-c and tdibm-rational lose no contact, in a trace or a query, and none is late, in "
+       "any "
+       "floating-point environment",
+       kSource, kHolds, check_contact_stays},
+  };
+}
+
+}  // namespace ccdfuzz
