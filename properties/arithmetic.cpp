@@ -9,6 +9,7 @@
 #include "ccd/next_double.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "generators/exact_sum.hpp"
+#include "numeric/bounded_int.hpp"
 #include "numeric/double_parts.hpp"
 #include "numeric/wide_int.hpp"
 #include "properties/draw_lines.hpp"
@@ -70,6 +71,50 @@ Check check_wide_int(ChoiceSource& choices) {
   }
   if (to_integer(sum) == expected && sum.sign() == sgn(expected)) return Check::holds();
   return Check::fails("0" + steps);
+}
+
+/// Integers of bounded length agree with GMP, also where they grow and shrink by many limbs.
+Check check_bounded_int(ChoiceSource& choices) {
+  using Int = BoundedInt<1024>;
+  const auto to_gmp = [](const Int& x) {
+    Integer sum = 0;
+    for (int i = x.limbs(); i-- > 0;) {
+      sum <<= 64;
+      sum += Integer(fmt::format("{}", x.limb(i)));
+    }
+    return x.sign() < 0 ? Integer(-sum) : sum;
+  };
+  std::array<Int, 2> numbers;
+  std::array<Integer, 2> expected;
+  std::string steps;
+  for (std::int64_t n = choices.integer(1, 12); n > 0; --n) {
+    const std::size_t to = choices.choose(1);
+    const std::int64_t x = choices.integer(-(std::int64_t{1} << 62), std::int64_t{1} << 62);
+    const std::uint64_t operation = choices.choose(4);
+    const std::size_t bits = mpz_sizeinbase(expected[to].get_mpz_t(), 2);
+    steps += fmt::format(" {}{}{}", "ab"[to], "=+-*<"[operation], x);
+    if (operation == 0) numbers[to] = Int(x), expected[to] = Integer(static_cast<long>(x));
+    if (operation == 1) numbers[to] += numbers[1 - to], expected[to] += expected[1 - to];
+    if (operation == 2) numbers[to] -= numbers[1 - to], expected[to] -= expected[1 - to];
+    const bool fits = bits + mpz_sizeinbase(expected[1 - to].get_mpz_t(), 2) < 960;
+    if (operation == 3 && fits) {
+      numbers[to] = numbers[to] * numbers[1 - to], expected[to] *= expected[1 - to];
+    }
+    if (operation == 4 && bits < 500) {
+      const int shift = static_cast<int>(x & 127);
+      numbers[to] = numbers[to] << shift, expected[to] <<= static_cast<mp_bitcnt_t>(shift);
+    }
+    if (bits > 940) numbers[to] = Int(), expected[to] = 0;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto [mantissa, exponent] = numbers[i].approximate();
+    const Rational error = exact(mantissa) * power_of_two(exponent) - Rational(expected[i]);
+    const bool near = abs(error) <= abs(Rational(expected[i])) * power_of_two(-52);
+    if (to_gmp(numbers[i]) != expected[i] || numbers[i].sign() != sgn(expected[i]) || !near) {
+      return Check::fails(steps);
+    }
+  }
+  return Check::holds();
 }
 
 /// A double is its parts, and next_up is nextafter.
@@ -183,6 +228,8 @@ std::vector<Property> arithmetic_properties() {
        "src/numeric/rational.hpp", kHolds, check_rational_rounding},
       {"wide_int.is_gmp", "Fixed-width integers agree with GMP within their range",
        "src/numeric/wide_int.hpp", kHolds, check_wide_int},
+      {"bounded_int.is_gmp", "Integers of bounded length agree with GMP",
+       "src/numeric/bounded_int.hpp", kHolds, check_bounded_int},
       {"double.parts", "A double is its mantissa times its power of two, and next_up is nextafter",
        "src/numeric/double_parts.hpp", kHolds, check_double_parts},
       {"double.exact_sums", "A sum of doubles is told from a rounded one",

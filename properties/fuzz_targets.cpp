@@ -15,6 +15,7 @@ namespace {
 constexpr auto kArithmetic = std::to_array<std::string_view>({
     "dyadic.round_trip",
     "wide_int.is_gmp",
+    "bounded_int.is_gmp",
     "double.parts",
     "double.exact_sums",
     "double.exact_in_any_environment",
@@ -121,6 +122,7 @@ constexpr auto kTdibmC = std::to_array<std::string_view>({
     "tdibm-c.no_false_negative_anywhere",
     "tdibm-c.no_false_negative_fine",
     "tdibm-c.no_false_negative_linear",
+    "tdibm-c.linear_decided_exactly",
     "tdibm-c.trace",
     "tdibm-c.normalised",
     "tdibm-c.sub_patches",

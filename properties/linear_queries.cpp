@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
+#include "numeric/double_parts.hpp"
 #include "properties/draw_linear.hpp"
 #include "query/case_json.hpp"
 
@@ -43,7 +48,80 @@ Check no_false_negative_on_linear(const std::string& method, const Query& query,
                                   to_text(contact->time.hi()), to_json({query, {}, {}, {}})));
 }
 
+int most_places(const Query& query) {
+  int most = 0;
+  const DoubleParts step = parts_of(query.t_max);
+  for (int k = 0; k < 3; ++k) {
+    int least = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::min();
+    const auto note = [&](double x, int exponent, int above) {
+      if (x == 0) return;
+      least = std::min(least, parts_of(x).exponent + exponent);
+      top = std::max(top, parts_of(x).top() + above);
+    };
+    for (const MovingPatch<double>& patch : query.patches) {
+      for (const Vec3<double>& p : patch.positions) note(p[k], 0, 0);
+      for (const Vec3<double>& v : patch.velocities) note(v[k], step.exponent, step.top());
+    }
+    if (least <= top) most = std::max(most, top - least);
+  }
+  return most;
+}
+
+Check linear_answer_is_exact(const Query& query, const SearchOptions& options) {
+  const auto contact = linear::first_contact(query);
+  const Answer answer = (*make_method("tdibm-c"))->answer(query, options);
+  std::string wrong;
+  if (answer.verdict != (contact ? Verdict::kHit : Verdict::kMiss)) {
+    wrong = contact ? "misses a contact" : "finds a contact where there is none";
+  } else if (contact) {
+    // Enclosures of times are halved until they are narrower than a thousandth of the precision.
+    const Rational toi = exact(*answer.toi), step = exact(query.t_max);
+    const Rational allowed = exact(options.precision) * step;
+    auto time = contact->time;
+    while (time.hi() - time.lo() > allowed / 1024) time.refine();
+    if (toi > time.hi()) wrong = "is late";
+    if (time.lo() - toi > allowed) wrong = "is early";
+  }
+  if (wrong.empty()) return Check::holds();
+  return Check::fails(fmt::format("tdibm-c {}, with toi {} at precision {}\n{}", wrong,
+                                  answer.toi ? to_hex(*answer.toi) : "-", options.precision,
+                                  to_json({query, {}, {}, {}})));
+}
+
 namespace {
+
+/// A degenerate query, then made different by as little as 2^-60 of its size, or with a coordinate
+/// of another scale than the others.
+Check check_linear_exact(ChoiceSource& choices) {
+  Result<Query> drawn = draw_linear(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
+  double size = 0;
+  for (const MovingPatch<double>& patch : drawn->patches) {
+    for (const Vec3<double>& p : patch.positions) size = std::max(size, p.cwiseAbs().maxCoeff());
+  }
+  const auto k = static_cast<int>(choices.choose(2));
+  if (choices.coin()) {
+    MovingPatch<double>& patch = drawn->patches[choices.choose(1)];
+    const int exponent = -static_cast<int>(choices.integer(1, 60));
+    const double gap = (choices.coin() ? -size : size) * std::ldexp(1, exponent);
+    const bool one_corner = choices.coin();
+    for (Vec3<double>& p : patch.positions) {
+      p[k] += gap;
+      if (one_corner) break;
+    }
+  }
+  if (choices.coin()) {
+    const int exponent = static_cast<int>(choices.integer(-60, 60));
+    for (MovingPatch<double>& patch : drawn->patches) {
+      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+        for (Vec3<double>& p : *points) p[k] = std::ldexp(p[k], exponent);
+      }
+    }
+  }
+  if (most_places(*drawn) > 254) return Check::discarded("numbers of too many binary places");
+  const SearchOptions options{.precision = choices.pick(std::array{1e-4, 1e-1, 1e-12})};
+  return linear_answer_is_exact(*drawn, options);
+}
 
 Check check_linear_decision(ChoiceSource& choices) {
   const Result<Query> drawn = draw_linear(choices);
@@ -77,6 +155,10 @@ std::vector<Property> linear_properties() {
          constexpr SearchOptions kFine = {1e-4, 2000, SearchOptions().max_bytes};
          return check_linear_answer("tdibm-c", c, kFine);
        }},
+      {"tdibm-c.linear_decided_exactly",
+       "Degenerate linear queries, and near ones, are decided exactly, at a time within the "
+       "precision",
+       "src/ccd/certified/DERIVATION.md", kHolds, check_linear_exact},
   };
 }
 

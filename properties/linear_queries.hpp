@@ -18,7 +18,16 @@ Check linear_decision_is_proven(const Query& query);
 Check no_false_negative_on_linear(const std::string& method, const Query& query,
                                   const SearchOptions& options);
 
-/// Both on queries that are degenerate in every way (draw_linear).
+/// The binary places from the lowest bit of a coordinate to above its highest, velocities times
+/// t_max: the most of all three coordinates.
+int most_places(const Query& query);
+
+/// tdibm-c has the verdict of exact arithmetic on a linear query, and a toi that is neither late
+/// nor early by more than options.precision of t_max. Requires that most_places is 254 at most, as
+/// first_linear_contact promises.
+Check linear_answer_is_exact(const Query& query, const SearchOptions& options);
+
+/// These on queries that are degenerate in every way (draw_linear).
 std::vector<Property> linear_properties();
 
 }  // namespace ccdfuzz

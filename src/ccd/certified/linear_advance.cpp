@@ -124,7 +124,7 @@ class Advancing {
       Axis l{};
       l[k] = 1;
       follow(l);
-      if (clear_) return {Advanced::Kind::kClear, query_.t_max, {}, 0};
+      if (clear_) return {Advanced::Kind::kClear, query_.t_max, 0};
     }
     Advanced out;
     time_ = furthest_;
@@ -139,7 +139,6 @@ class Advancing {
       out.time = time_;
       if (step <= kShortestStep * query_.t_max) {
         out.kind = Advanced::Kind::kStopped;
-        out.uv = uv_;
         return out;
       }
     }
@@ -198,10 +197,6 @@ class Advancing {
     follow(cross(e, f));
     if (clear_) return;
     const auto [x, y] = nearest_of_edges(d, e, f);
-    uv_ = {};
-    for (size_t s = 0; s < 2; ++s) {
-      if (query_.shapes[s].kind == ShapeKind::kCurve) uv_[s][0] = s == 0 ? x : y;
-    }
     const Axis nearest = minus(plus(d, scaled(e, x)), scaled(f, y));
     follow(nearest);
     for (const Axis& edge : {e, f}) {
@@ -218,8 +213,6 @@ class Advancing {
     follow(normal);
     if (clear_) return;
     const auto [of_b, of_c] = nearest_of_face(a, b, c);
-    uv_ = {};
-    uv_[static_cast<size_t>(differences_.face_side)] = uv_of(of_b, of_c);
     follow(plus(a, plus(scaled(ab, of_b), scaled(ac, of_c))));
     const std::array<std::array<const Axis*, 2>, 3> edges = {{{&ab, &a}, {&ac, &a}, {&bc, &b}}};
     for (const auto& [edge, corner] : edges) {
@@ -236,7 +229,6 @@ class Advancing {
   double time_ = 0;      ///< separated until here
   double furthest_ = 0;  ///< and until here by an axis tried since
   bool clear_ = false;
-  std::array<Uv<double>, 2> uv_{};
 };
 
 }  // namespace
@@ -248,6 +240,22 @@ bool can_advance(const Shape& a, const Shape& b) {
 
 Advanced advance(const NormalisedQuery& query) {
   return Advancing(query).run();
+}
+
+std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, double t) {
+  const Differences differences(query);
+  const Axis a = differences.at(0, t), b = differences.at(1, t), c = differences.at(2, t);
+  std::array<Uv<double>, 2> uv{};
+  if (differences.is_face) {
+    const auto [of_b, of_c] = nearest_of_face(a, b, c);
+    uv[static_cast<size_t>(differences.face_side)] = uv_of(of_b, of_c);
+    return uv;
+  }
+  const std::array<double, 2> nearest = nearest_of_edges(a, minus(b, a), minus(a, c));
+  for (size_t s = 0; s < 2; ++s) {
+    if (query.shapes[s].kind == ShapeKind::kCurve) uv[s][0] = nearest[s];
+  }
+  return uv;
 }
 
 }  // namespace ccdfuzz::certified

@@ -13,11 +13,10 @@ struct Advanced {
   enum class Kind : std::uint8_t {
     kClear,    ///< nothing touches
     kStopped,  ///< at `time` no axis tells the patches apart, or none for a longer time
-    kSlow,     ///< not decided: to be searched from `time` on
+    kSlow,     ///< not decided: steps become short
   };
   Kind kind = Kind::kSlow;
-  double time = 0;                 ///< normalised
-  std::array<Uv<double>, 2> uv{};  ///< kStopped: of nearby points
+  double time = 0;  ///< normalised
   std::uint64_t steps = 0;
 };
 
@@ -29,5 +28,9 @@ bool can_advance(const Shape& a, const Shape& b);
 /// patches at t is followed until it no longer does; there the next is chosen. Requires
 /// can_advance.
 Advanced advance(const NormalisedQuery& query);
+
+/// Parameters of points of both patches that are nearest to each other at the normalised time t, as
+/// far as doubles tell. Requires can_advance.
+std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, double t);
 
 }  // namespace ccdfuzz::certified

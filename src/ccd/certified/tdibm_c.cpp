@@ -1,8 +1,10 @@
 #include "ccd/certified/tdibm_c.hpp"
 
 #include <chrono>
+#include <cmath>
 
 #include "ccd/certified/linear_advance.hpp"
+#include "ccd/certified/linear_contact.hpp"
 #include "numeric/fp_guard.hpp"
 
 namespace ccdfuzz {
@@ -13,6 +15,9 @@ namespace {
 /// near-ties go deep rather than wide. toi does not suffer: it is the least start of all that is
 /// left.
 constexpr double kTimeSteps = 0x1p20;
+
+/// Contacts of linear patches are within 2^-44 of the time step, since it costs no more than 2^-14.
+constexpr int kLevelOfLinearTimes = 44;
 
 }  // namespace
 
@@ -63,10 +68,19 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
       answer.verdict = Verdict::kMiss;
       return answer;
     }
-    if (advanced.kind == certified::Advanced::Kind::kStopped) {
+    using Kind = certified::LinearContact::Kind;
+    const certified::LinearContact contact =
+        certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
+    if (contact.kind == Kind::kNone) {
+      answer.verdict = Verdict::kMiss;
+      return answer;
+    }
+    if (contact.kind != Kind::kProven) answer.note = "contact not proven";
+    if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advanced::Kind::kStopped) {
       answer.verdict = Verdict::kHit;
-      answer.toi = certified::original_time(advanced.time, normalised.time);
-      answer.uv = advanced.uv;
+      answer.toi = std::max(contact.toi, certified::original_time(advanced.time, normalised.time));
+      answer.uv =
+          certified::nearest_parameters(normalised, std::ldexp(*answer.toi, -normalised.time));
       return answer;
     }
     from = advanced.time;
@@ -104,6 +118,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
         [&](const certified::PairSplit::Kept& pair) { push(pair, entry.depth + 1); });
   }
   answer.verdict = Verdict::kMiss;
+  answer.note.clear();
   return answer;
 }
 

@@ -15,11 +15,14 @@ namespace ccdfuzz {
 /// the two control nets with a margin above the error bound at both ends of the dropped time
 /// interval; by convexity it then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every finite input;
-///   hit        a pair of cells no wider than `precision`, or two linear patches as they are, could
-///              not be separated at toi; every contact is at toi or later;
+///   hit        a pair of cells no wider than `precision` could not be separated at toi; every
+///              contact is at toi or later;
 ///   undecided  a budget ran out; every contact is at toi or later.
 /// How early toi can be: no later time is certified clear for that pair, so it is early by at most
 /// the time in which the pair's hulls, of diameter O(precision), approach each other.
+/// Linear patches (can_advance) are decided exactly: a hit is a contact, at toi + precision·t_max
+/// at most. Where numbers differ by too many binary places (first_linear_contact), what is said
+/// above holds for the patches as they are, and the answer's note says so.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "query/query.hpp"
+
+namespace ccdfuzz::certified {
+
+/// What exact arithmetic finds of a linear query. The patches touch at no time before `toi`.
+struct LinearContact {
+  enum class Kind : std::uint8_t {
+    kNone,     ///< they touch at no t in [0, t_max]
+    kProven,   ///< they touch, first at `toi` or soon after
+    kOpen,     ///< not decided: roots that 2^-512·t_max does not part
+    kTooWide,  ///< not decided, and nothing is known: numbers of too many binary places
+  };
+  Kind kind = Kind::kTooWide;
+  double toi = 0;
+};
+
+/// Decides a linear query in integers, without rounding and without allocating (DERIVATION.md, 7).
+/// Covered are all queries of which, in each coordinate for itself, positions and velocities times
+/// t_max are multiples of one power of two and less than 2^254 times it. A proven contact is at
+/// toi + 2^-level·t_max at most, but for the rounding of toi; level ≤ 50. Requires finite numbers,
+/// t_max ≥ 0 and can_advance.
+LinearContact first_linear_contact(const Query& query, int level);
+
+}  // namespace ccdfuzz::certified

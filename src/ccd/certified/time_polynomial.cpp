@@ -1,0 +1,144 @@
+#include "ccd/certified/time_polynomial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace ccdfuzz::certified {
+
+void TimePolynomial::trim(int degree) {
+  degree_ = degree;
+  while (degree_ >= 0 && (*this)[degree_].sign() == 0) --degree_;
+}
+
+TimePolynomial operator+(const TimePolynomial& a, const TimePolynomial& b) {
+  TimePolynomial r;
+  const int degree = std::max(a.degree_, b.degree_);
+  for (std::size_t i = 0; static_cast<int>(i) <= degree; ++i) r.c_[i] = a.c_[i] + b.c_[i];
+  r.trim(degree);
+  return r;
+}
+
+TimePolynomial operator-(const TimePolynomial& a, const TimePolynomial& b) {
+  TimePolynomial r;
+  const int degree = std::max(a.degree_, b.degree_);
+  for (std::size_t i = 0; static_cast<int>(i) <= degree; ++i) r.c_[i] = a.c_[i] - b.c_[i];
+  r.trim(degree);
+  return r;
+}
+
+TimePolynomial operator*(const TimePolynomial& a, const TimePolynomial& b) {
+  TimePolynomial r;
+  if (a.is_zero() || b.is_zero()) return r;
+  for (int i = 0; i <= a.degree_; ++i) {
+    for (int j = 0; j <= b.degree_; ++j) r.c_[static_cast<std::size_t>(i + j)] += a[i] * b[j];
+  }
+  r.trim(a.degree_ + b.degree_);
+  return r;
+}
+
+TimePolynomial TimePolynomial::derivative() const {
+  TimePolynomial r;
+  for (int i = 1; i <= degree_; ++i) r.c_[static_cast<std::size_t>(i - 1)] = (*this)[i] * Int(i);
+  r.trim(degree_ - 1);
+  return r;
+}
+
+int TimePolynomial::sign_at(const TimeRatio& t) const {
+  if (is_zero()) return 0;
+  Int sum = (*this)[degree_], power(1);  // of the denominator: Horner's rule times its last power
+  for (int i = degree_ - 1; i >= 0; --i) {
+    power = power * t.den;
+    sum = sum * t.num + (*this)[i] * power;
+  }
+  return sum.sign();
+}
+
+/// Coefficients of 2^(degree·level)·p in x, t = (m + x)·2^-level.
+TimePolynomial::Coefficients TimePolynomial::on(const TimePart& part) const {
+  Coefficients c;
+  for (int i = 0; i <= degree_; ++i) {
+    c[static_cast<std::size_t>(i)] = (*this)[i] << (degree_ - i) * part.level;
+  }
+  if (part.m.sign() == 0) return c;
+  for (int i = 0; i < degree_; ++i) {
+    for (auto j = static_cast<std::size_t>(degree_); j-- > static_cast<std::size_t>(i);) {
+      c[j] += part.m * c[j + 1];
+    }
+  }
+  return c;
+}
+
+/// The coefficients in Bernstein's basis, times binomials, have the changes of sign; for power x^j
+/// is x^j·(x + (1 − x))^(degree − j).
+SignsOnPart TimePolynomial::signs_on(const TimePart& part) const {
+  SignsOnPart out;
+  if (is_zero()) return out;
+  Coefficients c = on(part);
+  for (auto last = static_cast<std::size_t>(degree_); last > 0; --last) {
+    for (std::size_t j = 0; j < last; ++j) c[j + 1] += c[j];
+  }
+  out.zero_at_lo = c[0].sign() == 0;
+  out.zero_at_hi = c[static_cast<std::size_t>(degree_)].sign() == 0;
+  for (std::size_t i = 0; static_cast<int>(i) <= degree_; ++i) {
+    const int sign = c[i].sign();
+    if (sign == 0) continue;
+    if (out.at_lo == 0) out.at_lo = sign;
+    out.changes += out.at_hi == -sign;
+    out.at_hi = sign;
+  }
+  return out;
+}
+
+double TimePolynomial::guess_root(const TimePart& part) const {
+  constexpr int kSteps = 12;
+  const Coefficients exact = on(part);
+  std::array<Int::Approximation, 4> parts{};
+  int top = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i] = exact[i].approximate();
+    if (parts[i].mantissa != 0) top = std::max(top, parts[i].exponent);
+  }
+  std::array<double, 4> c{};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    c[i] = std::ldexp(parts[i].mantissa, parts[i].exponent - top);
+  }
+  const auto value = [&c](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
+  // Newton's steps, halving where they leave the interval.
+  const bool rises = value(1) > 0;
+  double lo = 0, hi = 1, x = 0.5;
+  for (int i = 0; i < kSteps; ++i) {
+    const double y = value(x);
+    ((y < 0) == rises ? lo : hi) = x;
+    const double next = x - y / (c[1] + x * (2 * c[2] + x * 3 * c[3]));
+    const double before = std::exchange(x, lo < next && next < hi ? next : 0.5 * (lo + hi));
+    if (std::abs(x - before) <= 0x1p-52) break;
+  }
+  return std::min(x, 1 - 0x1p-53);
+}
+
+/// Each step takes the leading term away from lc(b)·p.
+void TimePolynomial::reduce_by(const TimePolynomial& b) {
+  while (degree_ >= b.degree_) {
+    const Int of_b = b[b.degree_], of_this = (*this)[degree_];
+    const int shift = degree_ - b.degree_;
+    c_[static_cast<std::size_t>(degree_)] = {};
+    for (int i = 0; i < degree_; ++i) {
+      Int& c = c_[static_cast<std::size_t>(i)];
+      c = c * of_b;
+      if (i >= shift) c -= of_this * b[i - shift];
+    }
+    trim(degree_ - 1);
+  }
+}
+
+TimePolynomial gcd(TimePolynomial a, TimePolynomial b) {
+  while (b.degree() > 0) {
+    a.reduce_by(b);
+    std::swap(a, b);
+  }
+  return b.is_zero() ? a : b;
+}
+
+}  // namespace ccdfuzz::certified
