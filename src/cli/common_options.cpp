@@ -8,6 +8,9 @@
 
 #include "certify/checker/check_truth.hpp"
 #include "cli/number_text.hpp"
+#include "method/method.hpp"
+#include "method/plugin/plugin_spec.hpp"
+#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 
@@ -70,6 +73,38 @@ Result<SearchOptions> SearchFlags::parse_for(const NamedCase& named) const {
   if (!width) return tl::unexpected(width.error());
   search->precision = *width;
   return search;
+}
+
+void AllowedPlugins::add_to(Command& command) {
+  command.text("--allow-plugins", list,
+               "Plug-ins of expectations to start, separated by commas, each spelled as there; no "
+               "other is started");
+}
+
+Result<void> AllowedPlugins::admit() const {
+  if (!list) return {};
+  const Result<std::vector<std::string>> specs = parse_method_list(*list);
+  if (!specs) {
+    return input_error("--allow-plugins", specs.error().what);
+  }
+  for (const std::string& spec : *specs) {
+    if (!names_plugin(spec)) {
+      return input_error("--allow-plugins",
+                         fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
+    }
+  }
+  return {};
+}
+
+std::string to_text(const NotAllowed& left_out) {
+  std::string specs;
+  std::uint64_t count = 0;
+  for (const auto& [spec, expectations] : left_out) {
+    specs += (specs.empty() ? "" : ",") + spec;
+    count += expectations;
+  }
+  return fmt::format("{} expectation{} of plug-ins not run: allow them with --allow-plugins {}",
+                     count, count == 1 ? "" : "s", shell_word(specs));
 }
 
 Option add_threads(Command& command, int& threads) {

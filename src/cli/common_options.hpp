@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,21 @@ struct SearchFlags {
   /// Errors: naming that case, where the fault is its own.
   Result<SearchOptions> parse_for(const NamedCase& named) const;
 };
+
+/// Plug-ins that files name are not started unless the user allows them by --allow-plugins.
+struct AllowedPlugins {
+  std::optional<std::string> list;
+
+  void add_to(Command& command);
+  /// Errors: not a list of plug-ins, or one of them is bad (admit_plugin).
+  Result<void> admit() const;
+};
+
+/// What plug-ins of expectations were not allowed: how many expectations each has.
+using NotAllowed = std::map<std::string, std::uint64_t>;
+
+/// "3 expectations of plug-ins not run: allow them with --allow-plugins A,B". Requires not empty.
+std::string to_text(const NotAllowed& left_out);
 
 /// --threads, by default as many as there are cores.
 Option add_threads(Command& command, int& threads);

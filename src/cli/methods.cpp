@@ -19,7 +19,7 @@ struct MethodsArguments {
 Result<std::vector<MethodInfo>> method_infos_of(const std::vector<std::string>& specs) {
   std::vector<MethodInfo> infos;
   for (const std::string& spec : specs) {
-    const Result<MethodInfo> info = method_info(spec);
+    const auto info = admit_plugin(spec).and_then([&] { return method_info(spec); });
     if (!info) return tl::unexpected(info.error());
     infos.push_back(*info);
   }

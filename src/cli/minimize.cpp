@@ -42,7 +42,7 @@ Result<int> run_minimize(const MinimizeArguments& options) {
   const bool may_crash =
       expected != found.value.expect.end() && expected->second == Outcome::kError;
   const auto make = may_crash ? make_method_apart : make_method;
-  Result<std::unique_ptr<Method>> method = make(options.method);
+  auto method = admit_plugin(options.method).and_then([&] { return make(options.method); });
   if (!method) return tl::unexpected(method.error());
   const Judged failure = ask(**method, found.value, *search);
   if (!is_failure(failure.outcome)) {

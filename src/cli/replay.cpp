@@ -24,6 +24,7 @@ namespace {
 
 struct ReplayArguments {
   std::string corpus = "corpus";
+  AllowedPlugins plugins;
   SearchFlags search;
   int threads = 1;
   bool json = false;
@@ -35,6 +36,26 @@ struct Question {
   Outcome expected;
   SearchOptions search;
 };
+
+/// Takes the expectations of plug-ins that are not allowed out of the entries.
+NotAllowed leave_out_plugins(std::vector<NamedCase>& entries, bool json) {
+  NotAllowed left_out;
+  for (NamedCase& entry : entries) {
+    std::erase_if(entry.value.expect, [&](const auto& expectation) {
+      const auto& [method, outcome] = expectation;
+      if (is_admitted(method)) return false;
+      ++left_out[method];
+      if (json) {
+        print_json({{"case", entry.id},
+                    {"method", method},
+                    {"outcome", "not_asked"},
+                    {"expected", name_of(outcome)}});
+      }
+      return true;
+    });
+  }
+  return left_out;
+}
 
 Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries,
                                            const SearchFlags& flags) {
@@ -83,8 +104,12 @@ void print_report(const ReplayReport& report) {
 
 Result<int> run_replay(const ReplayArguments& options) {
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
-  const Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
+  if (const auto admitted = options.plugins.admit(); !admitted) {
+    return tl::unexpected(admitted.error());
+  }
+  Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
   if (!entries) return tl::unexpected(entries.error());
+  const NotAllowed left_out = leave_out_plugins(*entries, options.json);
   Result<std::vector<Question>> questions = questions_of(*entries, options.search);
   if (!questions) return tl::unexpected(questions.error());
 
@@ -120,6 +145,7 @@ Result<int> run_replay(const ReplayArguments& options) {
   } else {
     print_report(*report);
   }
+  if (!left_out.empty()) fmt::print(stderr, "ccdfuzz: replay: {}\n", to_text(left_out));
   return report->changed() == 0 ? kDone : kCheckFailed;
 }
 
@@ -129,6 +155,7 @@ void add_replay(CommandLine& line) {
   auto [command, options] = line.add<ReplayArguments>(
       "replay", "Judge every entry of a corpus again, against its expectations", run_replay);
   command.text("corpus", options->corpus, "Folder, or a file of cases");
+  options->plugins.add_to(command);
   options->search.add_to(command);
   add_threads(command, options->threads);
   command.flag("--json", options->json, "One JSON object per expectation");

@@ -32,6 +32,7 @@ namespace {
 struct ReportArguments {
   std::string source = "corpus";
   std::string methods = kDefaultMethods;
+  AllowedPlugins plugins;
   SearchFlags search;
   std::string scoreboard;
   std::string folder;
@@ -45,11 +46,12 @@ Result<ReportedCase> reported_entry(NamedCase entry, const SearchFlags& flags, M
   if (!search) return tl::unexpected(search.error());
   ReportedCase reported;
   for (const auto& [method, outcome] : entry.value.expect) {
-    if (const auto made = make_method(method); !made) {
+    const bool allowed = is_admitted(method);
+    if (const auto made = make_method(method); allowed && !made) {
       return input_error(entry.id + ": expect", made.error().what);
     }
     ReportedAnswer answer{method, outcome, std::nullopt};
-    if (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive) {
+    if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
       const Judged judged = ask(methods[method], entry.value, *search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
     }
@@ -64,8 +66,17 @@ Result<ReportedCase> reported_entry(NamedCase entry, const SearchFlags& flags, M
 
 Result<ReportPage> report_corpus(const ReportArguments& options,
                                  const std::atomic<bool>& interrupted) {
+  if (const auto admitted = options.plugins.admit(); !admitted) {
+    return tl::unexpected(admitted.error());
+  }
   Result<std::vector<NamedCase>> entries = load_corpus(options.source);
   if (!entries) return tl::unexpected(entries.error());
+  NotAllowed left_out;
+  for (const NamedCase& entry : *entries) {
+    for (const auto& [method, outcome] : entry.value.expect) {
+      if (!is_admitted(method)) ++left_out[method];
+    }
+  }
   ReportPage report;
   report.title = fmt::format("Corpus {}", options.source);
   Result<void> read;
@@ -93,6 +104,7 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
     for (const ReportedAnswer& answer : reported.answers) expected.insert(answer.method);
   }
   report.plugins = plugins_among({expected.begin(), expected.end()});
+  if (!left_out.empty()) fmt::print(stderr, "ccdfuzz: report: {}\n", to_text(left_out));
   keep_most_telling(report);
   return report;
 }
@@ -217,6 +229,7 @@ void add_report(CommandLine& line) {
       "A corpus (its entries and what they expect), the folder of an `evaluate -o` or of a "
       "`hunt --report`, or a file of cases (which the methods are asked about)");
   command.text("--methods", options->methods, "Methods to ask about a file of cases");
+  options->plugins.add_to(command);
   options->search.add_to(command);
   command.text("--scoreboard", options->scoreboard,
                "Also show how the tests fare with planted faults: a .json that "

@@ -67,17 +67,25 @@ inline constexpr std::string_view kUnoptimised = "@unoptimised";
 /// Every registered family, in the order of the tables, without plug-ins.
 const std::vector<MethodInfo>& registered_methods();
 
-/// The family a concrete spec belongs to ("tdibm-h:1e-12" → "tdibm-h:F").
+/// Starts the plug-in of a spec (plugin_spec.hpp) and asks it what it is. Built-in methods need no
+/// admission. Nothing else starts a plug-in, so that files are data: a spec that a file holds is
+/// never to be admitted, only what the command line gives. Errors: as meet_plugin.
+Result<void> admit_plugin(const std::string& spec);
+
+/// True iff make_method may make it: a built-in method, or a plug-in that was admitted.
+bool is_admitted(const std::string& spec);
+
+/// The family a concrete spec belongs to ("tdibm-h:1e-12" → "tdibm-h:F"). Errors: as make_method.
 Result<MethodInfo> method_info(const std::string& spec);
 
-/// A fresh method for a concrete spec, a plug-in's too (plugin_spec.hpp). Errors: an unknown name
-/// or a bad parameter, naming it.
+/// A fresh method for a concrete spec, an admitted plug-in's too. Errors: an unknown name, a bad
+/// parameter or a plug-in that was not admitted, naming it.
 Result<std::unique_ptr<Method>> make_method(const std::string& spec);
 
 /// A fresh tracer of the method of a concrete spec. Errors: as make_method.
 Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec);
 
-/// Splits "a,b,c" and checks each spec.
+/// Splits "a,b,c", which the command line gives, admits its plug-ins and checks each spec.
 Result<std::vector<std::string>> parse_method_list(const std::string& list);
 
 }  // namespace ccdfuzz

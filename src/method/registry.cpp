@@ -186,6 +186,15 @@ const std::vector<MethodInfo>& registered_methods() {
   return infos;
 }
 
+Result<void> admit_plugin(const std::string& spec) {
+  if (!names_plugin(spec)) return {};
+  return meet_plugin(spec).map([](const auto&) {});
+}
+
+bool is_admitted(const std::string& spec) {
+  return !names_plugin(spec) || know_plugin(spec).has_value();
+}
+
 Result<MethodInfo> method_info(const std::string& spec) {
   if (names_plugin(spec)) {
     return know_plugin(spec).map([](const auto& known) { return plugin_info(*known); });
@@ -225,7 +234,8 @@ Result<std::vector<std::string>> parse_method_list(const std::string& list) {
   for (size_t begin = 0; begin <= list.size();) {
     const size_t end = std::min(list.find(',', begin), list.size());
     const std::string spec = list.substr(begin, end - begin);
-    if (auto method = make_method(spec); !method) return tl::unexpected(method.error());
+    const auto method = admit_plugin(spec).and_then([&] { return make_method(spec); });
+    if (!method) return tl::unexpected(method.error());
     if (std::ranges::find(specs, spec) != specs.end()) {
       return input_error("--methods", fmt::format("\"{}\" is named twice", spec));
     }

@@ -73,7 +73,7 @@ TEST(Plugins, ThatAreNaiveAreBrokenAndTheFindsShrunk) {
     EXPECT_LT(entry.at("patches").dump().size(), 900U) << entry;
   }
   EXPECT_EQ(ccdfuzz({"verify", finds.front().at("path").get<std::string>()}).code, 0);
-  const Finished replayed = ccdfuzz({"replay", folder / "finds"});
+  const Finished replayed = ccdfuzz({"replay", folder / "finds", "--allow-plugins", kNaive});
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
 }
 
@@ -95,7 +95,7 @@ TEST(Plugins, OfLinearMeshesAreHuntedWithLinearQueries) {
   EXPECT_GT(asked["VF"], 0);
   EXPECT_GT(asked["EE"], 0);
   EXPECT_FALSE(rows_of(hunted.out, "find").empty());
-  const Finished replayed = ccdfuzz({"replay", folder / "finds"});
+  const Finished replayed = ccdfuzz({"replay", folder / "finds", "--allow-plugins", linear});
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
 }
 

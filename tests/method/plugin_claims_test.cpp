@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "admitted.hpp"
 #include "eval/ask.hpp"
 #include "method/plugin/line_protocol.hpp"
 #include "method/plugin/probes.hpp"
@@ -35,7 +36,7 @@ Case meeting_at(double contact, double t_max) {
 
 /// How the answer of a plug-in with these options stands; "error (name)" of an error.
 std::string outcome_of(const std::string& options, const Case& known) {
-  auto method = make_method(kClaiming + options);
+  auto method = admitted(kClaiming + options);
   if (!method) return method.error().message();
   const Judged judged = ask(**method, known, {});
   const std::string name(name_of(judged.outcome));
@@ -169,7 +170,7 @@ TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
 
 TEST(PluginClaims, WhoHangsOnWhatIsNotFiniteAgainAndAgainIsAskedNoMore) {
   const Case known = meeting_at(0.5, 2);
-  auto method = make_method(kClaiming + ":nan=1:poisoned=8:seconds=0.05" + hit(0.5));
+  auto method = admitted(kClaiming + ":nan=1:poisoned=8:seconds=0.05" + hit(0.5));
   ASSERT_TRUE(method);
   for (int i = 0; i < 8; ++i) {
     const Judged judged = ask(**method, known, {});
@@ -243,8 +244,11 @@ TEST(PluginClaims, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
 }
 
 TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
+  const std::string spec = kClaiming + ":claims=1:tolerance=0.25:kind=2:separation=0.5:nan=3";
+  ASSERT_TRUE(admit_plugin(kClaiming));
+  ASSERT_TRUE(admit_plugin(spec));
   EXPECT_EQ(method_info(kClaiming)->description, "claiming 1");
-  const auto info = method_info(kClaiming + ":claims=1:tolerance=0.25:kind=2:separation=0.5:nan=3");
+  const auto info = method_info(spec);
   EXPECT_TRUE(info->claims_no_false_negative);
   EXPECT_EQ(info->description,
             "claiming 1; open t_max, no contact at 0, tolerance 0.25 (space), minimum separation "

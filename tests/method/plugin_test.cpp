@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "admitted.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_method.hpp"
 #include "scratch_folder.hpp"
@@ -30,7 +31,7 @@ Query falling_vertex() {
 }
 
 std::unique_ptr<Method> made(const std::string& spec) {
-  auto method = make_method(spec);
+  auto method = admitted(spec);
   if (!method) throw std::runtime_error(method.error().message());
   return *std::move(method);
 }
@@ -136,8 +137,8 @@ TEST(Plugin, IsAskedNothingMoreOfAQueryOnceItsTimeIsOver) {
 }
 
 TEST(Plugin, IsToldItsOptionsAndNotThoseOfTheHost) {
-  EXPECT_FALSE(make_method(kMisbehaving + ":mb=100:refuse"));
-  EXPECT_TRUE(make_method(kMisbehaving + ":refuse:other"));
+  EXPECT_FALSE(admitted(kMisbehaving + ":mb=100:refuse"));
+  EXPECT_TRUE(admitted(kMisbehaving + ":refuse:other"));
 }
 
 TEST(Plugin, AnswersInEitherOrderOfThePatches) {
@@ -162,6 +163,8 @@ TEST(Plugin, IsNotAskedAboutShapesThatItDoesNotTake) {
 }
 
 TEST(Plugin, SaysWhatItIsAndClaims) {
+  ASSERT_TRUE(admit_plugin(kNaive));
+  ASSERT_TRUE(admit_plugin(kMisbehaving + ":nan"));
   const auto naive = method_info(kNaive);
   ASSERT_TRUE(naive) << naive.error().message();
   EXPECT_EQ(naive->description, "naive Newton 1.0");
@@ -173,6 +176,24 @@ TEST(Plugin, SaysWhatItIsAndClaims) {
   EXPECT_TRUE(linear->terms().has_uv);
 }
 
+// A file may hold any spec: looking it up must start nothing.
+TEST(Plugin, StartsOnlyOnceItIsAdmitted) {
+  const ScratchFolder folder;
+  write_text(folder / "trap", "#!/bin/sh\ntouch " + (folder / "sprung") + "\n");
+  std::filesystem::permissions(folder / "trap", std::filesystem::perms::owner_all);
+  const std::string spec = "plugin-exec:" + (folder / "trap");
+  EXPECT_FALSE(is_admitted(spec));
+  for (const std::string& message :
+       {make_method(spec).error().message(), method_info(spec).error().message(),
+        make_tracer(spec).error().message()}) {
+    EXPECT_THAT(message, testing::HasSubstr("\"" + spec + "\""));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "sprung"));
+  EXPECT_TRUE(admit_plugin(spec)) << "what fails to say what it is is known by that";
+  EXPECT_TRUE(std::filesystem::exists(folder / "sprung")) << "the trap works";
+  EXPECT_TRUE(is_admitted("tdibm-c"));
+}
+
 TEST(Plugin, ThatIsNoneIsBadInput) {
   const ScratchFolder folder;
   write_text(folder / "text", "no library\n");
@@ -182,9 +203,9 @@ TEST(Plugin, ThatIsNoneIsBadInput) {
         "plugin:" + (folder / "text"), "plugin-exec:" + (folder / "mute"),
         std::string("plugin:/usr/bin/env"), kLinear + ":unknown-option", kNaive + ":seconds=-1",
         kNaive + ":seconds=x", kNaive + ":mb=1", kNaive + ":repeat=maybe"}) {
-    const auto method = make_method(spec);
-    ASSERT_FALSE(method) << spec;
-    EXPECT_THAT(method.error().message(), testing::HasSubstr("\"" + spec + "\""));
+    const auto refused = admit_plugin(spec);
+    ASSERT_FALSE(refused) << spec;
+    EXPECT_THAT(refused.error().message(), testing::HasSubstr("\"" + spec + "\""));
   }
   const auto tracer = make_tracer(kNaive);
   ASSERT_FALSE(tracer);

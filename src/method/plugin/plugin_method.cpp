@@ -260,7 +260,7 @@ class PluginMethod : public Method {
   int hangs_ = 0;
 };
 
-Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& text) {
+Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text) {
   Result<PluginSpec> spec = parse_plugin_spec(text);
   if (!spec) return tl::unexpected(spec.error());
   if (const auto program = find_worker_program(); !program) {
@@ -284,16 +284,34 @@ Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& text) 
   return input_error("--methods", fmt::format("\"{}\": {}", text, why));
 }
 
+struct MetPlugins {
+  std::mutex mutex;
+  std::map<std::string, std::shared_ptr<const KnownPlugin>> by_spec;
+};
+
+MetPlugins& met_plugins() {
+  static MetPlugins met;
+  return met;
+}
+
 }  // namespace
 
+Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& spec) {
+  MetPlugins& met = met_plugins();
+  const std::lock_guard lock(met.mutex);
+  if (const auto found = met.by_spec.find(spec); found != met.by_spec.end()) return found->second;
+  Result<std::shared_ptr<const KnownPlugin>> started = start_and_ask(spec);
+  if (started) met.by_spec.emplace(spec, *started);
+  return started;
+}
+
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {
-  static std::mutex mutex;
-  static std::map<std::string, std::shared_ptr<const KnownPlugin>> known;
-  const std::lock_guard lock(mutex);
-  if (const auto found = known.find(spec); found != known.end()) return found->second;
-  Result<std::shared_ptr<const KnownPlugin>> met = meet_plugin(spec);
-  if (met) known.emplace(spec, *met);
-  return met;
+  MetPlugins& met = met_plugins();
+  const std::lock_guard lock(met.mutex);
+  if (const auto found = met.by_spec.find(spec); found != met.by_spec.end()) return found->second;
+  return input_error("--methods", fmt::format("\"{}\" is a plug-in that the command line does not "
+                                              "name, and no other is started",
+                                              spec));
 }
 
 MethodInfo plugin_info(const KnownPlugin& plugin) {
