@@ -150,6 +150,8 @@ def read_rows(group):
     rows = []
     for line in text:
         if line.startswith('$ '):
+            if line[2:] in dict(rows):
+                sys.exit(f'golden.py: {path}: twice: {line}')
             rows.append((line[2:], []))
         elif rows:
             rows[-1][1].append(line)
