@@ -11,7 +11,9 @@ namespace ccdfuzz {
 /// nearest, gradual underflow, no exception traps), and on leaving restores the caller's control
 /// word if that was another: a host program, or a library that it loaded, may have set it. Where
 /// the state is that already, costs one read of the control word.
-/// (x86: the x87 control word stays as it is; no arithmetic here is done there.)
+/// What is to be computed within must come from memory or go through a call: a compiler may move
+/// arithmetic on registers across. (x86: the x87 control word stays as it is; no arithmetic here is
+/// done there.)
 class FpGuard {
  public:
   FpGuard() : callers_(read()) {

@@ -94,8 +94,8 @@ Result<double> parse_real(const JsonValue& value) {
 
 std::string json_number(double x) {
   CCDFUZZ_VERIFY(is_finite(x));
-  const FpGuard guard;                                // std::to_chars compares x with 0
-  if (x == 0) return std::signbit(x) ? "-0.0" : "0";  // many readers take -0 for the integer 0
+  if (compare(x, 0) == 0) return std::signbit(x) ? "-0.0" : "0";  // many read -0 as an integer
+  const FpGuard guard;                                            // std::to_chars compares x with 0
   std::array<char, 32> buffer;
   const auto [end, status] = std::to_chars(buffer.begin(), buffer.end(), x);
   CCDFUZZ_VERIFY(status == std::errc());
