@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "generators/generate.hpp"
 #include "method/method.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/ratio.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "generators/generate.hpp"
 #include "method/method.hpp"
 

@@ -1,4 +1,5 @@
 #include "generators/frame.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

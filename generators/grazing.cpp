@@ -4,6 +4,7 @@
 
 #include "generators/motion.hpp"
 #include "generators/tangent_cone.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

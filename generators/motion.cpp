@@ -1,4 +1,5 @@
 #include "generators/motion.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "certify/checker/copositive.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

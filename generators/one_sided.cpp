@@ -2,6 +2,7 @@
 
 #include "generators/frame.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

@@ -3,6 +3,7 @@
 #include "generators/differential.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/tangent_cone.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

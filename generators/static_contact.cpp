@@ -1,4 +1,5 @@
 #include "generators/static_contact.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

@@ -4,6 +4,7 @@
 
 #include "generators/differential.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

@@ -7,6 +7,7 @@
 
 #include "ccd/next_double.hpp"
 #include "ccd/rational/proves_clear.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"

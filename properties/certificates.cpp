@@ -12,6 +12,7 @@
 #include "generators/finalize.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
+#include "numeric/products.hpp"
 #include "properties/accepted.hpp"
 #include "properties/draw_contact.hpp"
 #include "query/case_json.hpp"

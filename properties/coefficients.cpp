@@ -5,6 +5,7 @@
 #include "bezier/restrict.hpp"
 #include "ccd/axes.hpp"
 #include "ccd/projection.hpp"
+#include "numeric/products.hpp"
 #include "properties/draw_patch.hpp"
 #include "properties/error_bound.hpp"
 

@@ -18,6 +18,7 @@
 #include "generators/shaped/features.hpp"
 #include "generators/shaped/point_contacts.hpp"
 #include "generators/static_contact.hpp"
+#include "numeric/products.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_patch.hpp"
 #include "query/case_json.hpp"

@@ -7,6 +7,7 @@
 #include "bezier/elevate.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
+#include "numeric/products.hpp"
 #include "properties/draw_patch.hpp"
 
 namespace ccdfuzz {

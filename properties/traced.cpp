@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "method/method.hpp"
 #include "properties/draw_contact.hpp"
 #include "query/case_json.hpp"

@@ -7,6 +7,7 @@
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "generators/finalize.hpp"
+#include "numeric/products.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {

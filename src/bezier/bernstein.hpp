@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bezier/patch.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz {
 

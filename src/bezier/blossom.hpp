@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bezier/patch.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bezier/patch.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz {
 

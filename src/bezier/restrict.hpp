@@ -6,6 +6,7 @@
 
 #include "bezier/blossom.hpp"
 #include "bezier/patch.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz {
 

@@ -1,4 +1,5 @@
 #include "ccd/axes.hpp"
+#include "numeric/products.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "bezier/shape.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 #include "numeric/verify.hpp"
 
 namespace ccdfuzz {

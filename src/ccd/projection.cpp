@@ -1,4 +1,5 @@
 #include "ccd/projection.hpp"
+#include "numeric/products.hpp"
 
 #include <algorithm>
 #include <cmath>

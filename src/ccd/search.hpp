@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -13,24 +12,12 @@
 
 #include "bezier/cell.hpp"
 #include "ccd/line.hpp"
+#include "ccd/search_options.hpp"
 #include "numeric/fp_guard.hpp"
 #include "query/answer.hpp"
 #include "query/query.hpp"
 
 namespace ccdfuzz {
-
-/// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
-/// still be. max_pops and max_bytes are deterministic. Their defaults let every generated query
-/// end, and end what cannot (patches that coincide over an area need 4^depth pairs): tdibm-c
-/// within about a second, by memory, and all within 256 MiB. A queue that grows copies itself
-/// once, so max_bytes is half.
-struct SearchOptions {
-  double precision = 1e-4;              ///< parameter width at which a pair of cells is a hit
-  std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
-  std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue
-  /// Wall time; looked at every kPopsBetweenLooks pops.
-  double max_seconds = std::numeric_limits<double>::infinity();
-};
 
 /// The wall-time budget of one query.
 class Deadline {

@@ -1,4 +1,5 @@
 #include "ccd/traditional.hpp"
+#include "numeric/products.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 
 #include "bezier/restrict.hpp"
 #include "ccd/separation.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

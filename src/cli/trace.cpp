@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/number_text.hpp"

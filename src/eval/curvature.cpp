@@ -4,6 +4,7 @@
 
 #include "bezier/blossom.hpp"
 #include "certify/checker/polar.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

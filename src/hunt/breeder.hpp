@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "corpus/content_address.hpp"
 #include "eval/ask.hpp"
 #include "hunt/ground.hpp"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "method/method.hpp"
 #include "query/case.hpp"
 #include "query/taxonomy.hpp"

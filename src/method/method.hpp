@@ -7,13 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "ccd/search.hpp"
-#include "ccd/witness_trace/trace.hpp"
+#include "ccd/search_options.hpp"
 #include "query/answer.hpp"
 #include "query/case.hpp"
 #include "query/judge.hpp"
 
 namespace ccdfuzz {
+
+struct Trace;
+struct TraceOptions;
 
 /// What a method did in place of answering: an error with a name by which like ones are told from
 /// others ("hang", "crash SIGSEGV").

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ccd/sub_patches.hpp"
+#include "numeric/products.hpp"
 #include "planted.hpp"
 
 namespace ccdfuzz {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "generators/generate.hpp"
 #include "method/method.hpp"
 

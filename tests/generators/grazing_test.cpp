@@ -9,6 +9,7 @@
 #include "generators/prescribe.hpp"
 #include "generators/static_check.hpp"
 #include "generators/static_contact.hpp"
+#include "numeric/products.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

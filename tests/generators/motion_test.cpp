@@ -5,6 +5,7 @@
 
 #include "generators/extract.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -7,6 +7,7 @@
 #include "features.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -6,6 +6,7 @@
 #include "bezier/blossom.hpp"
 #include "generators/differential.hpp"
 #include "generators/tangent_cone.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "certify/checker/check_witness.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -5,6 +5,7 @@
 #include "bezier/blossom.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/random.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "certify/linear/first_contact.hpp"
 #include "numeric/effort.hpp"
+#include "numeric/products.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ccd/certified/midpoint_program.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz::certified {
 

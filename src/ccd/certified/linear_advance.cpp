@@ -5,6 +5,7 @@
 #include "ccd/certified/pair_axes.hpp"
 #include "ccd/certified/projection.hpp"
 #include "ccd/next_double.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz::certified {
 

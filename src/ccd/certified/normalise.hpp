@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "numeric/ieee_arithmetic.hpp"
 #include "query/query.hpp"
 
 namespace ccdfuzz::certified {

@@ -1,4 +1,5 @@
 #include "ccd/certified/pair_axes.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz::certified {
 

@@ -4,6 +4,7 @@
 
 #include "ccd/certified/cell_tree.hpp"
 #include "ccd/certified/projection.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz::certified {
 

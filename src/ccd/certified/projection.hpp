@@ -5,6 +5,7 @@
 
 #include "ccd/certified/kernels.hpp"
 #include "ccd/certified/normalise.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz::certified {
 

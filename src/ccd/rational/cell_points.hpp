@@ -8,6 +8,7 @@
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
 #include "ccd/certified/midpoint_program.hpp"
+#include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz::exact_ccd {
 

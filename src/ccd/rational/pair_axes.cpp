@@ -1,4 +1,5 @@
 #include "ccd/rational/pair_axes.hpp"
+#include "numeric/products.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "certify/linear/origin_in_triangle.hpp"
+#include "numeric/products.hpp"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/polar.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "ccd/search.hpp"
+#include "ccd/search_options.hpp"
 #include "query/answer.hpp"
 #include "query/case.hpp"
 
