@@ -150,9 +150,10 @@ class Run {
       return;
     }
     bool lost = false;  // the same contact, up to it and past it
-    for (const Case& asked : draws_.at(cell.contact, cell.next_draw++).asked) {
+    for (const CheckedCase& known : draws_.at(cell.contact, cell.next_draw++).asked) {
+      const Case& asked = known.value();
       if (asks_) {
-        note(ask(methods_[quarry_.method], asked, budget()));
+        note(ask(methods_[quarry_.method], known, budget()));
       } else {
         lost = lost || loses(asked);
       }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "properties/draw_patch.hpp"
 #include "query/case_json.hpp"
@@ -32,7 +33,7 @@ Decided decide_briefly(const Query& query, std::uint64_t max_pops) {
 
 Check not_contradicted(const std::string& name, Method& method, const Case& known,
                        const SearchOptions& options) {
-  const Outcome outcome = judge(known.query, known.truth, method.answer(known.query, options));
+  const Outcome outcome = judge(checked_contact(known), method.answer(known.query, options));
   if (!is_false_negative(outcome)) return Check::holds();
   return Check::fails(fmt::format("{} is {} on\n{}", name, name_of(outcome), to_json(known)));
 }

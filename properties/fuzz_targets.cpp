@@ -72,6 +72,7 @@ constexpr auto kJudge = std::to_array<std::string_view>({
     "judge.sees_false_positives",
     "judge.keeps_to_terms_of_time",
     "judge.keeps_to_terms_of_space",
+    "judge.believes_nothing_unproven",
 });
 
 constexpr auto kLinear = std::to_array<std::string_view>({
@@ -99,6 +100,8 @@ constexpr auto kMethods = std::to_array<std::string_view>({
 
 constexpr auto kPluginLines = std::to_array<std::string_view>({
     "plugin.any_line",
+    "plugin.achieves_no_looser_tolerance",
+    "plugin.claims_are_limited",
 });
 
 constexpr auto kQueryCsv = std::to_array<std::string_view>({

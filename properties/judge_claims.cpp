@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "certify/checker/check_case.hpp"
+#include "method/plugin/plugin_terms.hpp"
 #include "properties/draw_contact.hpp"
 #include "query/case_json.hpp"
 #include "query/judge.hpp"
@@ -22,16 +25,16 @@ Answer says(Verdict verdict, std::optional<double> toi) {
   return answer;
 }
 
-Check judged_so(const Case& asked, const Answer& answer, Outcome expected,
+Check judged_so(const CheckedCase& asked, const Answer& answer, Outcome expected,
                 const AnswerTerms& terms = {}) {
-  const Outcome outcome = judge(asked.query, asked.truth, answer, terms);
+  const Outcome outcome = judge(asked, answer, terms);
   if (outcome == expected) return Check::holds();
   return Check::fails(fmt::format("{} with toi {} is {}, not {}, on\n{}",
                                   answer.verdict == Verdict::kHit    ? "a hit"
                                   : answer.verdict == Verdict::kMiss ? "a miss"
                                                                      : "no decision",
                                   answer.toi ? to_hex(*answer.toi) : "none", name_of(outcome),
-                                  name_of(expected), to_json(asked)));
+                                  name_of(expected), to_json(asked.value())));
 }
 
 /// The judge on made-up answers about a proven contact.
@@ -39,8 +42,9 @@ Check check_judge(ChoiceSource& choices) {
   const Result<Case> drawn = draw_contact(choices, {});
   if (!drawn) return Check::discarded("a number is not a double");
   const double t = *to_double_exactly(drawn->truth.witness->t), t_max = drawn->query.t_max;
+  const CheckedCase known = checked_contact(*drawn);
   const auto outcome = [&](Verdict verdict, std::optional<double> toi) {
-    return judge(drawn->query, drawn->truth, says(verdict, toi));
+    return judge(known, says(verdict, toi));
   };
   const double after = std::nextafter(t, HUGE_VAL);
   const bool right =
@@ -55,8 +59,9 @@ Check check_judge(ChoiceSource& choices) {
   return right ? Check::holds() : Check::fails(to_json(*drawn));
 }
 
-/// What is to be said of an answer that makes sense, from the times of a case: when it touches, up
-/// to when it is said not to, end included, and before when it is proven not to.
+/// What is to be said of an answer that makes sense, from the times of a case: when it touches, and
+/// before when a plane proves that it does not. What it says besides, without a certificate, counts
+/// for nothing.
 Outcome outcome_by_times(const Case& known, double t_max, const Answer& answer) {
   const Rational end = exact(t_max);
   const Truth& truth = known.truth;
@@ -65,9 +70,7 @@ Outcome outcome_by_times(const Case& known, double t_max, const Answer& answer) 
     if (!hit) return Outcome::kMissed;
     return exact(*answer.toi) <= truth.witness->t ? Outcome::kCorrect : Outcome::kLate;
   }
-  const bool never = truth.collides == false && t_max <= known.query.t_max;
-  const bool not_yet = truth.clear_until && end < *truth.clear_until;
-  if (!never && !not_yet) return Outcome::kUnknown;
+  if (!truth.clearance || end >= until_of(*truth.clearance)) return Outcome::kUnknown;
   return hit ? Outcome::kFalsePositive : Outcome::kCorrect;
 }
 
@@ -107,7 +110,7 @@ Check check_judge_of_absence(ChoiceSource& choices) {
   const double t_max = draw_double_near(choices, choices.pick(std::array{clear, said, touch}));
   const double near = draw_double_near(choices, choices.pick(std::array{touch, clear, said}));
   const double toi = std::min(choices.coin() ? near : 0, t_max);
-  const Case asked = with_t_max(known, t_max);
+  const CheckedCase asked = checked_or_unknown(known).with_t_max(t_max);
   for (const Answer& answer : {says(Verdict::kMiss, {}), says(Verdict::kHit, toi)}) {
     Check check = judged_so(asked, answer, outcome_by_times(known, t_max, answer));
     if (check.status == Check::Status::kFails) return check;
@@ -141,6 +144,7 @@ Case points_that_meet(ChoiceSource& choices, double contact, double size) {
   met.query.patches[1].velocities[0] = -away * size;
   met.truth.witness = Witness{exact(contact), {}};
   met.truth.clear_until = exact(contact);
+  met.truth.clearance = LinearClearance{exact(contact), false};
   return met;
 }
 
@@ -183,7 +187,8 @@ Check check_terms_of_time(ChoiceSource& choices) {
     expected = hit && !to_come ? Outcome::kFalsePositive : Outcome::kCorrect;
   }
   const auto verdict = hit ? Verdict::kHit : Verdict::kMiss;
-  return judged_so(asked, says(verdict, hit ? std::optional(toi) : std::nullopt), expected, terms);
+  return judged_so(checked_or_unknown(asked),
+                   says(verdict, hit ? std::optional(toi) : std::nullopt), expected, terms);
 }
 
 /// The judge by what a method says of its tolerance in space: a point that passes a line at five
@@ -197,6 +202,8 @@ Check check_terms_of_space(ChoiceSource& choices) {
   line = {Shape::curve(1), {{0, 3 * size, 4 * size}, {size, 3 * size, 4 * size}}, {}};
   line.velocities.resize(2, Vec3<double>(0, 0, 0));
   asked.truth.collides = false;
+  asked.truth.proof = "L";
+  asked.truth.clearance = LinearClearance{exact(asked.query.t_max), true};
   Answer answer = says(Verdict::kHit, sixteenths(choices.integer(0, 16)));
   answer.uv[1][0] = sixteenths(choices.integer(-2, 18));
   AnswerTerms terms;
@@ -211,7 +218,110 @@ Check check_terms_of_space(ChoiceSource& choices) {
   } else if (abreast && on_line && terms.space_tolerance >= 5 * size) {
     expected = Outcome::kCorrect;
   }
-  return judged_so(asked, answer, expected, terms);
+  return judged_so(checked_or_unknown(asked), answer, expected, terms);
+}
+
+/// A case about two points that meet once, which says what is false or has no proof.
+Case draw_unproven(ChoiceSource& choices) {
+  const double contact = sixteenths(choices.integer(1, 16));
+  const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
+  Case lie = points_that_meet(choices, contact, size);
+  lie.query.t_max = sixteenths(choices.integer(0, 32));
+  const Rational half = exact(contact / 2);
+  const Rational later = exact(contact + sixteenths(choices.integer(1, 16)));
+  Truth& truth = lie.truth;
+  truth = {};
+  switch (choices.choose(5)) {
+    case 0:
+      truth.witness = Witness{choices.coin() ? later : half, {}};
+      break;
+    case 1:
+      truth.clearance = LinearClearance{later, choices.coin()};
+      break;
+    case 2:
+      truth.clearance = LinearClearance{exact(contact), true};
+      break;
+    case 3:
+      truth.clearance = MovingPlane{later, {}, 0};
+      for (Rational& x : std::get<MovingPlane>(*truth.clearance).normal) {
+        x = Rational(choices.integer(-2, 2));
+      }
+      break;
+    case 4:  // a proof of less than is said
+      truth.clearance = LinearClearance{half, false};
+      truth.clear_until = later;
+      break;
+    default:  // the word of a method, which may be true
+      truth.clear_until = later;
+      break;
+  }
+  const Rational end = exact(lie.query.t_max);
+  if (truth.witness && truth.witness->t <= end) truth.collides = true;
+  if (!truth.witness && end < later) {
+    truth.collides = false;
+    truth.proof = truth.clearance ? proof_word(*truth.clearance) : "rational-tdibm";
+  }
+  return lie;
+}
+
+/// The judge on what a file may say.
+Check check_unproven(ChoiceSource& choices) {
+  const Case lie = draw_unproven(choices);
+  for (const Answer& answer : {says(Verdict::kMiss, {}), says(Verdict::kHit, 0)}) {
+    Check check = judged_so(checked_or_unknown(lie), answer, Outcome::kUnknown);
+    if (check.status != Check::Status::kFails) continue;
+    return Check::fails(check.text + "\nas was said by\n" + to_json(lie));
+  }
+  return Check::holds();
+}
+
+constexpr std::array kToleranceKinds = {ToleranceKind::kTime, ToleranceKind::kTimeRelative,
+                                        ToleranceKind::kSpace, ToleranceKind::kSpaceRelative};
+
+bool is_looser(const AnswerTerms& a, const AnswerTerms& b) {
+  return a.time_tolerance > b.time_tolerance || a.space_tolerance > b.space_tolerance ||
+         a.early_tolerance > b.early_tolerance || a.kept_separation < b.kept_separation;
+}
+
+/// What a plug-in has achieved beside what it claims.
+Check check_achieved(ChoiceSource& choices) {
+  PluginDescription claims;
+  claims.conservative = choices.coin();
+  claims.tolerance_kind = choices.pick(kToleranceKinds);
+  claims.tolerance = sixteenths(choices.integer(0, 16));
+  if (choices.coin()) claims.minimum_separation = sixteenths(choices.integer(0, 16));
+  PluginAnswer given;
+  given.tolerance = choices.pick(std::array{kNoNumber, HUGE_VAL, 1e300, claims.tolerance / 2,
+                                            std::nextafter(claims.tolerance, HUGE_VAL)});
+  const Query query = points_that_meet(choices, 1, 1).query;
+  const AnswerTerms claimed = terms_of(claims, {}, query);
+  const AnswerTerms judged_by = terms_of(claims, given, query);
+  PluginDescription tighter = claims;
+  tighter.tolerance = std::min(claims.tolerance, given.tolerance);  // of NaN the claimed one
+  const AnswerTerms wanted = terms_of(tighter, {}, query);
+  const bool is_broken = claims.tolerance > 0 && given.tolerance > claims.tolerance;
+  const bool right = !is_looser(judged_by, claimed) && !is_looser(judged_by, wanted) &&
+                     !is_looser(wanted, judged_by) &&
+                     broken_tolerance(claims, given).has_value() == is_broken;
+  if (right) return Check::holds();
+  return Check::fails(fmt::format("claims {} ({}), achieved {}", to_hex(claims.tolerance),
+                                  name_of(claims.tolerance_kind), to_hex(given.tolerance)));
+}
+
+/// Claims about as loose as may be.
+Check check_loosest_claims(ChoiceSource& choices) {
+  const ToleranceKind kind = choices.pick(kToleranceKinds);
+  const bool separates = choices.coin();
+  const bool relative =
+      !separates && (kind == ToleranceKind::kTimeRelative || kind == ToleranceKind::kSpaceRelative);
+  const double most = relative ? 1 : 0x1p40;
+  const double claimed = choices.pick(std::array{most, most / 2, std::nextafter(most, 0),
+                                                 std::nextafter(most, HUGE_VAL), 2 * most, 1e308});
+  const std::string line =
+      fmt::format(R"({{"protocol":1,"tolerance_kind":"{}","{}":{}}})", name_of(kind),
+                  separates ? "minimum_separation" : "tolerance", claimed);
+  if (read_description(line).has_value() == (claimed <= most)) return Check::holds();
+  return Check::fails(line);
 }
 
 }  // namespace
@@ -235,6 +345,17 @@ std::vector<Property> judge_properties() {
        "A hit is false iff it is off by more than the tolerance in space, to the last bit, and "
        "unknown where it does not say where",
        kSource, kHolds, check_terms_of_space},
+      {"judge.believes_nothing_unproven",
+       "By a false witness, a false or too short certificate of absence or the word of a method "
+       "every answer is unknown",
+       "src/certify/checker/check_case.hpp", kHolds, check_unproven},
+      {"plugin.achieves_no_looser_tolerance",
+       "An answer is judged by the tighter of the claimed and the achieved tolerance, and a looser "
+       "one is a broken claim",
+       "src/method/plugin/plugin_terms.hpp", kHolds, check_achieved},
+      {"plugin.claims_are_limited",
+       "A tolerance or separation is accepted iff it is at most 2^40, or 1 where it is relative",
+       "src/method/plugin/line_protocol.hpp", kHolds, check_loosest_claims},
   };
 }
 

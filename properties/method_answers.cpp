@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
 #include "properties/accepted.hpp"
@@ -59,7 +60,7 @@ Check check_answers_make_sense(ChoiceSource& choices) {
   drawn.query = draw_any_query(choices);
   const auto method = *make_method(name);
   const Answer answer = answer_of(*method, drawn.query);
-  bool sensible = judge(drawn.query, drawn.truth, answer) != Outcome::kError;
+  bool sensible = judge(checked_contact(drawn), answer) != Outcome::kError;
   if (answer.verdict == Verdict::kHit) {
     for (std::size_t s = 0; s < 2; ++s) {
       sensible = sensible && drawn.query.patches[s].shape.contains(answer.uv[s]);

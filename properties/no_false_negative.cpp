@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
 #include "query/case_json.hpp"
@@ -17,7 +18,7 @@ Check no_false_negative(const std::string& method, const Case& value,
   const auto solver = make_method(method);
   CCDFUZZ_VERIFY(solver);
   const Answer answer = (*solver)->answer(value.query, options);
-  const Outcome outcome = judge(value.query, value.truth, answer);
+  const Outcome outcome = judge(checked_contact(value), answer);
   if (!is_false_negative(outcome) && outcome != Outcome::kError) return Check::holds();
   const std::string toi = answer.toi ? fmt::format(" at toi {}", to_hex(*answer.toi)) : "";
   return Check::fails(fmt::format("{} is {}{} at precision {}, contact at t = {}\n{}", method,

@@ -36,6 +36,8 @@ struct TightInclusion {
                                  separation, toi, static_cast<ticcd::Scalar>(tolerance), 1,
                                  max_iterations, achieved);
     if (!hit) return adapter::ccd::Answer::miss();
+    // It gave up early: what it claims would not hold of this hit.
+    if (achieved > tolerance) return {};
     auto answer =
         adapter::ccd::Answer::hit(adapter::scaled_toi(static_cast<double>(toi), query.t_max()));
     answer.tolerance = static_cast<double>(achieved);

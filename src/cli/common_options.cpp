@@ -6,7 +6,7 @@
 #include <iterator>
 #include <thread>
 
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "cli/number_text.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
@@ -139,15 +139,40 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
   return Shard{*index, *of};
 }
 
-Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths) {
+namespace {
+
+Result<std::vector<NamedCase>> read_all_by(
+    Result<std::vector<NamedCase>> (*read)(const std::string& path),
+    const std::vector<std::string>& paths) {
   std::vector<NamedCase> all;
   for (const std::string& path : paths) {
-    Result<std::vector<NamedCase>> cases = read_checked_cases(path);
+    Result<std::vector<NamedCase>> cases = read(path);
     if (!cases) return cases;
     all.insert(all.end(), std::make_move_iterator(cases->begin()),
                std::make_move_iterator(cases->end()));
   }
   return all;
+}
+
+}  // namespace
+
+Result<std::vector<NamedCase>> read_all(const std::vector<std::string>& paths) {
+  return read_all_by(read_cases, paths);
+}
+
+Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths) {
+  return read_all_by(read_checked_cases, paths);
+}
+
+void note_words(const std::vector<NamedCase>& cases, const char* command) {
+  const auto by_word = std::ranges::count_if(cases, [](const NamedCase& named) {
+    return named.value.truth.collides == false && !named.value.truth.clearance;
+  });
+  if (by_word == 0) return;
+  fmt::print(stderr,
+             "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their "
+             "outcome is unknown (`ccdfuzz prove` gives proofs)\n",
+             command, by_word, cases.size());
 }
 
 }  // namespace ccdfuzz

@@ -77,6 +77,12 @@ Result<Enum> parse_choice(const std::string& where, const std::string& text,
   return input_error(where, fmt::format("\"{}\" is not one of {}", text, names));
 }
 
+/// The cases of several files, in the order given, not checked. Errors: of the first bad file.
+Result<std::vector<NamedCase>> read_all(const std::vector<std::string>& paths);
+
+/// Says on stderr how many of the cases rest on the word of a method, by which nothing is judged.
+void note_words(const std::vector<NamedCase>& cases, const char* command);
+
 /// The checked cases of several files, in the order given. Errors: of the first bad file.
 Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths);
 

@@ -170,7 +170,7 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   Progress progress;
   Result<void> kept;
   std::atomic<bool> stop = false;
-  const bool complete = evaluate(
+  const Result<bool> complete = evaluate(
       cases, options,
       [&](const AnswerRecord& record, double share) {
         if (kept) kept = journal->append(to_csv(record));
@@ -180,12 +180,14 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
       &stop);
   progress.clear();
   if (!kept) return tl::unexpected(kept.error());
-  if (!complete) {
+  if (!complete) return tl::unexpected(complete.error());
+  if (!*complete) {
     fmt::print(stderr,
                "ccdfuzz: interrupted after {} answers; the same command goes on from there\n",
                journal->size());
     return interrupted_exit_code();
   }
+  note_words(cases, "evaluate");
   Result<EvaluationFolder> folder = EvaluationFolder::open(flags.folder, asked);
   if (!folder) return tl::unexpected(folder.error());
   ReportRows page;
@@ -211,7 +213,7 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
     return run_evaluate_linear(options.linear, *parsed, options.json, options.page);
   }
   if (options.files.empty()) return input_error("dataset", "is required");
-  const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
+  const Result<std::vector<NamedCase>> cases = read_all(options.files);
   if (!cases) return tl::unexpected(cases.error());
   const Result<Shard> shard = parse_shard(options.shard, cases->size(), "cases");
   if (!shard) return tl::unexpected(shard.error());
@@ -225,7 +227,7 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
   Groups groups(parsed->methods);
   ReportRows page;
   std::uint64_t answers = 0;
-  evaluate(
+  const Result<bool> complete = evaluate(
       *cases, *parsed,
       [&](const AnswerRecord& record, double share) {
         groups.add(record);
@@ -236,6 +238,8 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
       },
       &interrupted);
   progress.clear();
+  if (!complete) return tl::unexpected(complete.error());
+  note_words(*cases, "evaluate");
   print_evaluation(groups.in_order(), *costs, options.json);
   if (!options.page.empty()) {
     if (auto done = write_evaluation_page(page, *costs, parsed->methods, options); !done) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -80,9 +80,7 @@ Result<int> run_export(const ExportArguments& options) {
   std::uint64_t count = 0, rounded = 0;
   for (const std::string& path : options.files) {
     const auto visited = for_each_case(path, [&](const NamedCase& named) -> Result<void> {
-      if (auto checked = check_truth(named.value); !checked) {
-        return input_error(named.id, checked.error().message());
-      }
+      if (auto checked = check_case(named); !checked) return tl::unexpected(checked.error());
       const auto own = csv_layout_of(named.value.query);
       if (!own) {
         return input_error(named.id,

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
@@ -30,7 +31,7 @@ std::string size_text(const Query& query) {
 }
 
 Result<int> run_minimize(const MinimizeArguments& options) {
-  const Result<std::vector<NamedCase>> cases = read_all_checked({options.file});
+  const Result<std::vector<NamedCase>> cases = read_all({options.file});
   if (!cases) return tl::unexpected(cases.error());
   if (cases->size() != 1) {
     return input_error(options.file, fmt::format("holds {} cases, not one", cases->size()));
@@ -44,7 +45,9 @@ Result<int> run_minimize(const MinimizeArguments& options) {
   const auto make = may_crash ? make_method_apart : make_method;
   auto method = admit_plugin(options.method).and_then([&] { return make(options.method); });
   if (!method) return tl::unexpected(method.error());
-  const Judged failure = ask(**method, found.value, *search);
+  const Result<CheckedCase> known = check_case(found);
+  if (!known) return tl::unexpected(known.error());
+  const Judged failure = ask(**method, *known, *search);
   if (!is_failure(failure.outcome)) {
     return input_error(found.id, fmt::format("the answer of {} is {}: no failure to shrink",
                                              options.method, name_of(failure.outcome)));

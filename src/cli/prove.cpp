@@ -68,8 +68,14 @@ Result<int> run_prove(const ProveArguments& options) {
   std::vector<NamedCase> cases;
   std::vector<std::string> trees;  // of each case
   for (const std::string& file : options.files) {
-    Result<std::vector<NamedCase>> read = read_checked_cases(file);
+    Result<std::vector<NamedCase>> read = read_cases(file);
     if (!read) return tl::unexpected(read.error());
+    for (const NamedCase& named : *read) {
+      // Of a certificate of absence complete_truth says whether it is refuted.
+      if (auto checked = check_truth(named.value); !checked) {
+        return input_error(named.id + ": " + checked.error().where, checked.error().what);
+      }
+    }
     trees.insert(trees.end(), read->size(), trees_path(file));
     std::ranges::move(*read, std::back_inserter(cases));
   }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include "certify/checker/check_case.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -40,10 +41,14 @@ Result<int> run_query(const QueryArguments& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
-  const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
+  const Result<std::vector<NamedCase>> cases = read_all(options.files);
   if (!cases) return tl::unexpected(cases.error());
   std::vector<SearchOptions> searches;
+  std::vector<CheckedCase> checked;
   for (const NamedCase& named : *cases) {
+    Result<CheckedCase> known = check_case(named);
+    if (!known) return tl::unexpected(known.error());
+    checked.push_back(*std::move(known));
     const Result<SearchOptions> own = options.search.parse_for(named);
     if (!own) return tl::unexpected(own.error());
     searches.push_back(*own);
@@ -65,7 +70,7 @@ Result<int> run_query(const QueryArguments& options) {
       total, options.threads,
       [&](size_t i) {
         return ask(method_sets.local()[(*methods)[i % methods->size()]],
-                   (*cases)[i / methods->size()].value, searches[i / methods->size()]);
+                   checked[i / methods->size()], searches[i / methods->size()]);
       },
       [&](const Judged& judged) {
         const std::string& id = (*cases)[done / methods->size()].id;
@@ -80,6 +85,7 @@ Result<int> run_query(const QueryArguments& options) {
         progress.show(static_cast<double>(done) / static_cast<double>(total), id, done, "answers");
       });
   progress.clear();
+  note_words(*cases, "query");
   if (!options.json) print_out(table.to_text(wants_colour(stdout)));
   return kDone;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 
+#include "certify/checker/check_case.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -32,6 +33,7 @@ struct ReplayArguments {
 
 struct Question {
   const NamedCase* entry;
+  const CheckedCase* known;
   std::string method;
   Outcome expected;
   SearchOptions search;
@@ -57,17 +59,54 @@ NotAllowed leave_out_plugins(std::vector<NamedCase>& entries, bool json) {
   return left_out;
 }
 
+/// What the checker refutes; of the entries that stay, their checked cases, in their order.
+struct Checked {
+  std::vector<CheckedCase> known;
+  std::vector<InputError> refuted;
+};
+
+Checked check_entries(std::vector<NamedCase>& entries, int threads) {
+  Checked out;
+  std::vector<NamedCase> holding;
+  size_t done = 0;
+  run_in_order<Result<CheckedCase>>(
+      entries.size(), threads, [&](size_t i) { return check_case(entries[i]); },
+      [&](Result<CheckedCase> checked) {
+        NamedCase& entry = entries[done++];
+        if (!checked) {
+          out.refuted.push_back(checked.error());
+          return;
+        }
+        out.known.push_back(*std::move(checked));
+        holding.push_back(std::move(entry));
+      });
+  entries = std::move(holding);
+  return out;
+}
+
+void print_refuted(const std::vector<InputError>& refuted, bool json) {
+  for (const InputError& error : refuted) {
+    if (json) {
+      print_json({{"case", error.where}, {"truth", "refuted"}, {"note", error.what}});
+    } else {
+      print_out(fmt::format("refuted: {}\n", error.message()));
+    }
+  }
+}
+
 Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries,
+                                           const std::vector<CheckedCase>& known,
                                            const SearchFlags& flags) {
   std::vector<Question> questions;
-  for (const NamedCase& entry : entries) {
+  for (size_t i = 0; i < entries.size(); ++i) {
+    const NamedCase& entry = entries[i];
     const Result<SearchOptions> own = flags.parse_for(entry);
     if (!own) return tl::unexpected(own.error());
     for (const auto& [method, outcome] : entry.value.expect) {
       if (const auto made = make_method(method); !made) {
         return input_error(entry.id + ": expect", made.error().what);
       }
-      questions.push_back({&entry, method, outcome, *own});
+      questions.push_back({&entry, &known[i], method, outcome, *own});
     }
   }
   return questions;
@@ -107,10 +146,13 @@ Result<int> run_replay(const ReplayArguments& options) {
   if (const auto admitted = options.plugins.admit(); !admitted) {
     return tl::unexpected(admitted.error());
   }
-  Result<std::vector<NamedCase>> entries = load_corpus(options.corpus);
+  Result<std::vector<NamedCase>> entries = load_unchecked_corpus(options.corpus);
   if (!entries) return tl::unexpected(entries.error());
+  const Checked checked = check_entries(*entries, options.threads);
+  print_refuted(checked.refuted, options.json);
+  if (entries->empty()) return kCheckFailed;
   const NotAllowed left_out = leave_out_plugins(*entries, options.json);
-  Result<std::vector<Question>> questions = questions_of(*entries, options.search);
+  Result<std::vector<Question>> questions = questions_of(*entries, checked.known, options.search);
   if (!questions) return tl::unexpected(questions.error());
 
   std::map<std::pair<const Case*, std::string>, Judged> answers;
@@ -124,20 +166,20 @@ Result<int> run_replay(const ReplayArguments& options) {
   const std::span<const Question> apart(questions->begin(), middle), here(middle, questions->end());
   MethodSet methods_apart(make_method_apart);
   for (const Question& q : apart) {  // before there are other threads
-    note(q, ask(methods_apart[q.method], q.entry->value, q.search));
+    note(q, ask(methods_apart[q.method], *q.known, q.search));
   }
   tbb::enumerable_thread_specific<MethodSet> methods;
   run_in_order<Judged>(
       here.size(), options.threads,
       [&](size_t i) {
         const Question& q = here[i];
-        return ask(methods.local()[q.method], q.entry->value, q.search);
+        return ask(methods.local()[q.method], *q.known, q.search);
       },
       [&](Judged judged) { note((*questions)[answers.size()], std::move(judged)); });
   progress.clear();
   const Result<ReplayReport> report =
-      replay(*entries, [&](const std::string& method, const Case& entry) -> Result<Judged> {
-        return answers.at({&entry, method});
+      replay(*entries, [&](const std::string& method, const NamedCase& entry) -> Result<Judged> {
+        return answers.at({&entry.value, method});
       });
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
@@ -146,7 +188,8 @@ Result<int> run_replay(const ReplayArguments& options) {
     print_report(*report);
   }
   if (!left_out.empty()) fmt::print(stderr, "ccdfuzz: replay: {}\n", to_text(left_out));
-  return report->changed() == 0 ? kDone : kCheckFailed;
+  note_words(*entries, "replay");
+  return report->changed() == 0 && checked.refuted.empty() ? kDone : kCheckFailed;
 }
 
 }  // namespace

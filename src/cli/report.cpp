@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
@@ -52,7 +52,9 @@ Result<ReportedCase> reported_entry(NamedCase entry, const SearchFlags& flags, M
     }
     ReportedAnswer answer{method, outcome, std::nullopt};
     if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
-      const Judged judged = ask(methods[method], entry.value, *search);
+      const Result<CheckedCase> known = check_case(entry);
+      if (!known) return tl::unexpected(known.error());
+      const Judged judged = ask(methods[method], *known, *search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
     }
     reported.answers.push_back(std::move(answer));
@@ -115,7 +117,7 @@ Result<ReportPage> report_data_set(const ReportArguments& options,
   if (!methods) return tl::unexpected(methods.error());
   const Result<SearchOptions> search = options.search.parse();
   if (!search) return tl::unexpected(search.error());
-  const Result<std::vector<NamedCase>> cases = read_all_checked({options.source});
+  const Result<std::vector<NamedCase>> cases = read_all({options.source});
   if (!cases) return tl::unexpected(cases.error());
   EvaluateOptions asked;
   asked.methods = *methods;
@@ -126,7 +128,7 @@ Result<ReportPage> report_data_set(const ReportArguments& options,
   if (!record) return tl::unexpected(record.error());
   std::uint64_t answers = 0;
   Progress progress;
-  evaluate(
+  const Result<bool> complete = evaluate(
       *cases, asked,
       [&](const AnswerRecord& answer, double share) {
         rows.add(answer, cases->at(answer.index), search->precision);
@@ -134,6 +136,8 @@ Result<ReportPage> report_data_set(const ReportArguments& options,
                       "answers");
       },
       &interrupted);
+  if (!complete) return tl::unexpected(complete.error());
+  note_words(*cases, "report");
   ReportPage report;
   report.title = fmt::format("Evaluation of {}", options.source);
   report.plugins = plugins_among(asked.methods);

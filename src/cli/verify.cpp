@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "ccd/rational/proves_clear.hpp"
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/shown.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -23,16 +23,19 @@ struct VerifyArguments {
 };
 
 enum class Standing {
-  kHolds,
-  kRefuted,   ///< exact arithmetic contradicts the case
-  kUnproven,  ///< the absence of contact that it claims could not be proven again
-  kNoClaim,   ///< the case says neither that there is a contact nor until when there is none
+  kHolds,          ///< whether the patches touch in [0, t_max] is proven by a certificate
+  kHoldsByMethod,  ///< that they do not has no certificate: the exact method found it again
+  kRefuted,        ///< exact arithmetic contradicts the case
+  kUnproven,       ///< the absence of contact that it claims could not be proven again
+  kNoClaim,        ///< the case says neither that there is a contact nor until when there is none
 };
 
 std::string name_of(Standing standing) {
   switch (standing) {
     case Standing::kHolds:
       return "holds";
+    case Standing::kHoldsByMethod:
+      return "holds by method";
     case Standing::kRefuted:
       return "refuted";
     case Standing::kUnproven:
@@ -49,49 +52,47 @@ struct Verified {
 };
 
 /// Everything the case claims: all that has a certificate by the checker, whatever else it says of
-/// absence by the exact method.
-Verified verify(const Case& value, const std::string& trees) {
-  if (const Result<void> checked = check_truth(value); !checked) {
+/// absence by the exact method, a run of which is no certificate.
+Verified verify(const NamedCase& named) {
+  const Case& value = named.value;
+  const Truth& truth = value.truth;
+  if (const auto checked = check_case(value, trees_path(named.file)); !checked) {
     return {Standing::kRefuted, checked.error().message()};
   }
-  const Truth& truth = value.truth;
   if (!truth.collides && !truth.clear_until && !truth.clearance) {
     return {Standing::kNoClaim, "the case has no truth"};
   }
-  if (truth.clearance) {
-    if (const Result<void> absent = check_absence(value, trees); !absent) {
-      return {Standing::kRefuted, absent.error().message()};
-    }
-    return {};
-  }
+  if (truth.clearance) return {};  // check_case: it proves all that is said of absence
   Rational clear_until = 0;
   if (truth.collides == false) clear_until = exact(value.query.t_max);
   // A later claim includes an earlier one, also at the very end: [0, c) lies in [0, c].
   if (truth.clear_until && *truth.clear_until > clear_until) clear_until = *truth.clear_until;
-  const bool claims_absence = truth.collides == false || clear_until > 0;
-  if (claims_absence && !proves_clear(value.query, clear_until)) {
+  if (truth.collides != false && clear_until == 0) return {};
+  if (!proves_clear(value.query, clear_until)) {
     return {Standing::kUnproven,
             fmt::format("no proof found that nothing touches up to t = {}", shown(clear_until))};
   }
-  return {};
+  // That there is a contact is proven all the same.
+  if (truth.collides == true) {
+    return {Standing::kHolds, fmt::format("clear until t = {} by method", shown(clear_until))};
+  }
+  return {Standing::kHoldsByMethod, ""};
 }
 
 Result<int> run_verify(const VerifyArguments& options) {
   std::vector<NamedCase> cases;
-  std::vector<std::string> trees;  // of each case
   for (const std::string& file : options.files) {
     Result<std::vector<NamedCase>> read = read_cases(file);
     if (!read) return tl::unexpected(read.error());
-    trees.insert(trees.end(), read->size(), trees_path(file));
     std::ranges::move(*read, std::back_inserter(cases));
   }
-  std::array<std::uint64_t, 4> counts{};
+  std::array<std::uint64_t, 5> counts{};
   Table table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
   Progress progress;
   const std::atomic<bool>& interrupted = catch_interrupts();
   size_t done = 0;
   run_in_order<Verified>(
-      cases.size(), options.threads, [&](size_t i) { return verify(cases[i].value, trees[i]); },
+      cases.size(), options.threads, [&](size_t i) { return verify(cases[i]); },
       [&](const Verified& verified) {
         const std::string& id = cases[done++].id;
         ++counts[static_cast<size_t>(verified.standing)];
@@ -99,7 +100,7 @@ Result<int> run_verify(const VerifyArguments& options) {
           nlohmann::ordered_json row = {{"case", id}, {"truth", name_of(verified.standing)}};
           if (!verified.note.empty()) row["note"] = verified.note;
           print_json(row);
-        } else if (verified.standing != Standing::kHolds) {
+        } else if (verified.standing > Standing::kHoldsByMethod) {
           table.add_row({{id}, {name_of(verified.standing), Emphasis::kBad}, {verified.note}});
         }
         progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id, done,
@@ -107,11 +108,12 @@ Result<int> run_verify(const VerifyArguments& options) {
       },
       &interrupted);
   progress.clear();
-  const auto [hold, refuted, unproven, no_claim] = counts;
+  const auto [hold, by_method, refuted, unproven, no_claim] = counts;
   if (!options.json) {
     if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
-    std::string summary =
-        fmt::format("{} cases: {} hold, {} refuted, {} unproven", done, hold, refuted, unproven);
+    std::string summary = fmt::format("{} cases: {} hold, ", done, hold);
+    if (by_method > 0) summary += fmt::format("{} hold by method, ", by_method);
+    summary += fmt::format("{} refuted, {} unproven", refuted, unproven);
     if (no_claim > 0) summary += fmt::format(", {} without a truth", no_claim);
     print_out(summary + "\n");
   }
@@ -122,8 +124,12 @@ Result<int> run_verify(const VerifyArguments& options) {
 }  // namespace
 
 void add_verify(CommandLine& line) {
-  auto [command, options] = line.add<VerifyArguments>(
-      "verify", "Prove the truth of cases again, in exact arithmetic", run_verify);
+  auto [command, options] =
+      line.add<VerifyArguments>("verify",
+                                "Check the certificates of cases in exact arithmetic; what they "
+                                "say of absence without one is "
+                                "told apart, as \"by method\"",
+                                run_verify);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   add_threads(command, options->threads);
   command.flag("--json", options->json, "One JSON object per case");

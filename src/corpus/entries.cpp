@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "query/output_file.hpp"
 
 namespace ccdfuzz {
@@ -28,16 +28,17 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
   return paths;
 }
 
-Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
+namespace {
+
+Result<std::vector<NamedCase>> load_by(
+    Result<std::vector<NamedCase>> (*read)(const std::string& path), const std::string& path) {
   std::error_code ignored;
-  if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) {
-    return read_checked_cases(path);
-  }
+  if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return read(path);
   const auto paths = list_entries(path);
   if (!paths) return tl::unexpected(paths.error());
   std::vector<NamedCase> entries;
   for (const std::string& entry : *paths) {
-    auto cases = read_checked_cases(entry);
+    auto cases = read(entry);
     // Taken away since it was listed; a link to nowhere is still there, and an error.
     if (!cases && fs::symlink_status(entry, ignored).type() == fs::file_type::not_found) continue;
     if (!cases) return cases;
@@ -45,6 +46,16 @@ Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
   }
   if (entries.empty()) return input_error(path, "the corpus is empty: no .json entry in it");
   return entries;
+}
+
+}  // namespace
+
+Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
+  return load_by(read_checked_cases, path);
+}
+
+Result<std::vector<NamedCase>> load_unchecked_corpus(const std::string& path) {
+  return load_by(read_cases, path);
 }
 
 }  // namespace ccdfuzz

@@ -17,4 +17,7 @@ Result<std::vector<std::string>> list_entries(const std::string& folder);
 /// entry.
 Result<std::vector<NamedCase>> load_corpus(const std::string& path);
 
+/// The same, of which no truth is checked. Errors: as load_corpus but for refuted truths.
+Result<std::vector<NamedCase>> load_unchecked_corpus(const std::string& path);
+
 }  // namespace ccdfuzz

@@ -4,8 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "ccd/rational/proves_clear.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "certify/oracle/decide_linear.hpp"
 #include "corpus/failure.hpp"
 #include "corpus/simplify.hpp"
 #include "query/query.hpp"
@@ -16,9 +17,6 @@ namespace {
 
 /// How many ways to repair a broken contact are looked at; there are about as many.
 constexpr std::uint64_t kRepairs = 6;
-
-/// So many suffice for what is simple; what is not should not be kept as simpler.
-constexpr std::uint64_t kProofPops = 2000;
 
 /// What of a contact stays: of each patch, the dimension of what it lies on (0: a corner, 1: an
 /// edge, 2: the inside), and whether it comes after the start.
@@ -95,9 +93,10 @@ class Minimiser {
       value = case_of(q);
     } else {
       value.query = q.query;
-      if (failure_ == Outcome::kFalsePositive) {
-        value.truth.collides = false;
-        value.truth.proof = "rational-tdibm";
+      // Of linear patches alone a proof of absence is always had, and needs no file beside the
+      // case.
+      if (failure_ == Outcome::kFalsePositive && is_linear_query(q.query)) {
+        value.truth = decide_linear(q.query, {}).truth;
       }
     }
     value.origin = found_.origin;
@@ -128,13 +127,10 @@ class Minimiser {
     for (auto& [rank, whole] : whole_forms(form)) {
       const Case value = as_case(whole);
       if (keeps_witness() && !check_witness(value.query, *value.truth.witness)) continue;
+      if (failure_ == Outcome::kFalsePositive && value.truth.collides != false) continue;
       if (ended()) return false;
       ++trials_;
       if (!still_fails_(value)) continue;
-      if (failure_ == Outcome::kFalsePositive &&
-          !proves_clear(value.query, exact(value.query.t_max), kProofPops)) {
-        continue;
-      }
       best_ = std::move(whole);
       rank_ = rank;
       improved_ = true;

@@ -26,7 +26,9 @@ struct Minimised {
 ///   check_witness,
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
 ///                   unless it was
-///   false_positive  nothing touches in [0, t_max], proven in exact arithmetic (proves_clear)
+///   false_positive  nothing touches in [0, t_max] by certificate L; so it becomes a query of
+///   linear
+///                   patches, or comes back as it is
 ///   error           nothing; the result has no truth
 /// A case whose truth is none of these comes back as it is. Never less simple than `found`.
 /// Deterministic, but for stop.

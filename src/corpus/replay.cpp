@@ -25,7 +25,7 @@ Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AskFunc
     ++report.entries;
     if (entry.value.expect.empty()) ++report.without_expectation;
     for (const auto& [method, expected] : entry.value.expect) {
-      auto judged = ask_method(method, entry.value);
+      auto judged = ask_method(method, entry);
       if (!judged) {
         return input_error(fmt::format("{}: expect[\"{}\"]", entry.id, method),
                            judged.error().message());

@@ -10,7 +10,8 @@
 namespace ccdfuzz {
 
 /// Puts the query of an entry to a method and judges. Errors: a method that there is not.
-using AskFunction = std::function<Result<Judged>(const std::string& method, const Case& entry)>;
+using AskFunction =
+    std::function<Result<Judged>(const std::string& method, const NamedCase& entry)>;
 
 /// One expectation of one entry, judged again.
 struct ReplayRow {

@@ -39,6 +39,15 @@ Result<void> remove_file(const std::string& path) {
   return {};
 }
 
+/// Without a tree, which stands in a file beside the case that was found: what the case says of
+/// absence then rests on a method's word.
+void leave_tree(Truth& truth) {
+  if (!truth.clearance || !std::holds_alternative<MissTree>(*truth.clearance)) return;
+  truth.clearance.reset();
+  truth.clear_until.reset();
+  if (truth.proof) truth.proof = "rational-tdibm";
+}
+
 Result<void> write_entry(const std::string& path, const Case& value) {
   return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
 }
@@ -122,6 +131,7 @@ Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank
       at != nullptr && !gets_a_name
           ? plan.old_path
           : fmt::format("{}/{}.json", home, origin.name.empty() ? rank.second : origin.name);
+  if (plan.path != plan.old_path) leave_tree(plan.entry.truth);
   if (plan.path != plan.old_path && fs::exists(plan.path)) {
     return input_error(plan.path, "holds another case of this name");
   }

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_case.hpp"
 #include "corpus/entries.hpp"
 #include "corpus/store.hpp"
 

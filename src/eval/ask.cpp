@@ -2,6 +2,8 @@
 
 #include <exception>
 
+#include "certify/checker/check_case.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -14,23 +16,27 @@ Judged failed(const std::exception& error, std::string name) {
 
 }  // namespace
 
-Judged ask(Method& method, const Case& known, const SearchOptions& options) {
+Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {
   Answer answer;
   try {
-    answer = method.answer(known.query, options);
+    answer = method.answer(known.query(), options);
   } catch (const MethodFault& fault) {
     return failed(fault, fault.name());
   } catch (const std::exception& error) {
     return failed(error, "exception");
   }
   // What throws here is no fault of the method.
-  const Outcome outcome = judge(known.query, known.truth, answer, method.terms());
+  const Outcome outcome = judge(known, answer, method.terms());
   // A wrong answer to the query itself weighs more.
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
   if (const auto broken = method.broken_claim(); broken && !wrong) {
     return failed(*broken, broken->name());
   }
   return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
+}
+
+Judged ask(Method& method, const Case& known, const SearchOptions& options) {
+  return ask(method, checked_or_unknown(known), options);
 }
 
 }  // namespace ccdfuzz

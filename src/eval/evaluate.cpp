@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "certify/checker/check_case.hpp"
 #include "eval/ask.hpp"
 #include "eval/by_spec.hpp"
 #include "eval/horizons.hpp"
@@ -34,22 +35,39 @@ std::vector<Item> items_of(const std::vector<NamedCase>& cases, const EvaluateOp
   return items;
 }
 
-AnswerRecord answer_item(const NamedCase& named, const Item& item, const std::string& spec,
-                         Method& method, const SearchOptions& search) {
-  const std::optional<Case> moved =
-      item.factor ? at_horizon(named.value, *item.factor) : std::nullopt;
-  const Case& asked = moved ? *moved : named.value;
+/// What one thread keeps: its methods, and the case that it checked last.
+struct Asker {
+  MethodSet methods;
+  std::optional<std::uint64_t> index;
+  CheckedCase known;
+
+  /// Errors: the case is refuted.
+  Result<void> take(const NamedCase& named, std::uint64_t at) {
+    if (index == at) return {};
+    return check_case(named).map([&](CheckedCase checked) {
+      known = std::move(checked);
+      index = at;
+    });
+  }
+};
+
+AnswerRecord answer_item(const std::string& id, const CheckedCase& known, const Item& item,
+                         const std::string& spec, Method& method, const SearchOptions& search) {
+  const std::optional<CheckedCase> moved =
+      item.factor ? at_horizon(known, *item.factor) : std::nullopt;
+  const CheckedCase& asked = moved ? *moved : known;
+  const Origin& origin = asked.value().origin;
   const Judged judged = ask(method, asked, search);
   const Answer& answer = judged.answer;
   AnswerRecord record;
   record.index = item.index;
-  record.id = named.id;
-  record.contact = asked.origin.contact.empty() ? "-" : asked.origin.contact;
-  record.kind = asked.origin.kind;
-  record.collides = asked.truth.collides;
+  record.id = id;
+  record.contact = origin.contact.empty() ? "-" : origin.contact;
+  record.kind = origin.kind;
+  record.collides = asked.collides();
   record.factor = item.factor;
   record.method = spec;
-  record.t_max = asked.query.t_max;
+  record.t_max = asked.query().t_max;
   record.verdict = answer.verdict;
   if (answer.verdict != Verdict::kMiss) record.toi = answer.toi;
   record.outcome = judged.outcome;
@@ -61,27 +79,36 @@ AnswerRecord answer_item(const NamedCase& named, const Item& item, const std::st
 
 }  // namespace
 
-bool evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
-              const std::function<void(const AnswerRecord&, double share)>& on_answer,
-              const std::atomic<bool>* stop) {
+Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
+                      const std::function<void(const AnswerRecord&, double share)>& on_answer,
+                      const std::atomic<bool>* stop) {
   const std::vector<Item> items = items_of(cases, options);
   const std::uint64_t methods_each = options.methods.size();
   const std::uint64_t total = items.size() * methods_each;
   CCDFUZZ_VERIFY(options.skip <= total);
   std::uint64_t done = options.skip;
-  tbb::enumerable_thread_specific<MethodSet> methods;
-  run_in_order<AnswerRecord>(
+  tbb::enumerable_thread_specific<Asker> askers;
+  Result<void> checked;
+  std::atomic<bool> ended = false;
+  run_in_order<Result<AnswerRecord>>(
       total - options.skip, options.threads,
-      [&](size_t i) {
+      [&](size_t i) -> Result<AnswerRecord> {
         const std::uint64_t index = options.skip + i;
         const Item& item = items[index / methods_each];
         const std::string& spec = options.methods[index % methods_each];
-        return answer_item(cases[item.index], item, spec, methods.local()[spec], options.search);
+        Asker& asker = askers.local();
+        return asker.take(cases[item.index], item.index).map([&] {
+          return answer_item(cases[item.index].id, asker.known, item, spec, asker.methods[spec],
+                             options.search);
+        });
       },
-      [&](const AnswerRecord& record) {
-        on_answer(record, static_cast<double>(++done) / static_cast<double>(total));
+      [&](const Result<AnswerRecord>& record) {
+        if (checked && !record) checked = tl::unexpected(record.error());
+        if (checked) on_answer(*record, static_cast<double>(++done) / static_cast<double>(total));
+        if (!checked || (stop && stop->load(std::memory_order_relaxed))) ended = true;
       },
-      stop);
+      &ended);
+  if (!checked) return tl::unexpected(checked.error());
   return done == total;
 }
 

@@ -24,12 +24,13 @@ struct EvaluateOptions {
   int threads = 1;
 };
 
-/// Puts every case of the share to every method. on_answer sees the answers in the order of the
-/// cases, within a case of the horizons, within those of the methods, whatever the number of
-/// threads; share is how much is done. Everything but times is the same in every run. stop ends it
-/// early. Returns true iff all has been answered.
-bool evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
-              const std::function<void(const AnswerRecord&, double share)>& on_answer,
-              const std::atomic<bool>* stop = nullptr);
+/// Checks every case of the share (check_case) and puts it to every method. on_answer sees the
+/// answers in the order of the cases, within a case of the horizons, within those of the methods,
+/// whatever the number of threads; share is how much is done. Everything but times is the same in
+/// every run. stop ends it early. Returns true iff all has been answered. Errors: the first case
+/// that is refuted, naming it.
+Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
+                      const std::function<void(const AnswerRecord&, double share)>& on_answer,
+                      const std::atomic<bool>* stop = nullptr);
 
 }  // namespace ccdfuzz

@@ -37,13 +37,13 @@ std::string figure_5_lines(const std::vector<NamedCase>& cases, const Shard& sha
   std::string lines;
   for (std::uint64_t k = 0; k < shard.size(cases.size()); ++k) {
     const std::uint64_t index = shard.item(k);
-    const auto& [id, value] = cases[index];
+    const Case& value = cases[index].value;
     const auto both = curvature_at_contact(value);
     if (!both) continue;
     for (size_t s = 0; s < 2; ++s) {
       const auto& curvature = (*both)[s];
       if (!curvature) continue;
-      lines += fmt::format("{},{},{},{},{},{},{},{}\n", index, csv_field(id),
+      lines += fmt::format("{},{},{},{},{},{},{},{}\n", index, csv_field(cases[index].id),
                            csv_field(value.origin.contact), csv_field(value.origin.kind), s + 1,
                            curvature->kappa[0], curvature->kappa[1], curvature->rms());
     }

@@ -7,15 +7,29 @@
 
 namespace ccdfuzz {
 
-std::optional<Case> at_horizon(const Case& known, double factor) {
+namespace {
+
+/// The end of the horizon. Nothing if it is no finite double, or there is no witness.
+std::optional<double> end_at(const Case& known, double factor) {
   CCDFUZZ_VERIFY(factor >= 1);
   if (!known.truth.witness) return std::nullopt;
   const Rational& contact = known.truth.witness->t;
   const Rational end = contact == 0 ? Rational(exact(known.query.t_max) * (exact(factor) - 1))
                                     : Rational(contact * exact(factor));
   const double t_max = round_up(end);
-  if (!std::isfinite(t_max)) return std::nullopt;
-  return with_t_max(known, t_max);
+  return std::isfinite(t_max) ? std::optional(t_max) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Case> at_horizon(const Case& known, double factor) {
+  const std::optional<double> end = end_at(known, factor);
+  return end ? std::optional(with_t_max(known, *end)) : std::nullopt;
+}
+
+std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor) {
+  const std::optional<double> end = end_at(known.value(), factor);
+  return end ? std::optional(known.with_t_max(*end)) : std::nullopt;
 }
 
 }  // namespace ccdfuzz

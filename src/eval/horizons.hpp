@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "query/case.hpp"
+#include "query/checked_case.hpp"
 
 namespace ccdfuzz {
 
@@ -15,5 +15,6 @@ inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 /// t* = 0, up to (factor − 1) · t_max.
 /// nullopt if it has no witness, or the product is no finite double.
 std::optional<Case> at_horizon(const Case& known, double factor);
+std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor);
 
 }  // namespace ccdfuzz

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "certify/checker/check_case.hpp"
 #include "eval/ask.hpp"
 #include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
@@ -42,7 +43,7 @@ struct TimedAnswer {
   double seconds = 0;
 };
 
-TimedAnswer ask_timed(Method& method, const Case& known, const SearchOptions& search) {
+TimedAnswer ask_timed(Method& method, const CheckedCase& known, const SearchOptions& search) {
   TimedAnswer best{{}, std::numeric_limits<double>::infinity()};
   for (int i = 0; i < Race::kRepeats && !(i > 0 && best.seconds > Race::kLong); ++i) {
     const double start = thread_cpu_seconds();
@@ -116,10 +117,11 @@ Result<LinearReport> evaluate_linear(
         [&](size_t i) -> Result<AnsweredQuery> {
           Result<Imported> query = import_case((*queries)[i], true, i);
           if (!query) return tl::unexpected(query.error());
+          Result<CheckedCase> known = check_case(query->value, "");
+          if (!known) return tl::unexpected(known.error());
           AnsweredQuery answered{*std::move(query), {}};
           for (const std::string& method : methods) {
-            answered.answers.push_back(
-                ask_timed(method_sets.local()[method], answered.query.value, search));
+            answered.answers.push_back(ask_timed(method_sets.local()[method], *known, search));
           }
           return answered;
         },

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "certify/checker/check_case.hpp"
 #include "corpus/store.hpp"
 #include "eval/horizons.hpp"
 #include "fuzz/mutator/mutate.hpp"
@@ -67,21 +68,23 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
     drift(std::move(mutant));
     return;
   }
-  const Case known = case_of(mutant);
+  const Case made = case_of(mutant);
   if (traceable_) {
     ++tally_.lost;
   } else {
     drift(std::move(mutant));
   }
-  const CaseSize size = size_of(known.query);
+  const CaseSize size = size_of(made.query);
   if (smallest_failure_ && !(size < *smallest_failure_)) return;
+  const CheckedCase known = checked_or_unknown(made);
   for (const double factor : kHorizonFactors) {
-    const std::optional<Case> asked = at_horizon(known, factor);
-    if (!asked || !ground_.has(asked->query)) continue;
+    const std::optional<CheckedCase> asked = at_horizon(known, factor);
+    if (!asked || !ground_.has(asked->query())) continue;
     const Judged judged = ask(methods[method_], *asked, search);
-    if (!is_failure(judged.outcome) || founders_.contains(content_address(asked->query))) continue;
+    const bool founds = founders_.contains(content_address(asked->query()));
+    if (!is_failure(judged.outcome) || founds) continue;
     smallest_failure_ = size;
-    found(*asked, judged);
+    found(asked->value(), judged);
     return;
   }
 }

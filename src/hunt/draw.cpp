@@ -1,9 +1,22 @@
 #include "hunt/draw.hpp"
 
+#include "certify/checker/check_case.hpp"
 #include "eval/horizons.hpp"
 #include "hunt/draw_linear_case.hpp"
+#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
+
+namespace {
+
+/// Generators prove what they say.
+CheckedCase checked(Case made) {
+  Result<CheckedCase> known = check_case(std::move(made), "");
+  CCDFUZZ_VERIFY(known.has_value());
+  return *std::move(known);
+}
+
+}  // namespace
 
 Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground_(ground) {
   if (ground_.linear) {
@@ -52,15 +65,16 @@ Case Draws::generated(ContactClass contact, std::uint64_t index) const {
 Draw Draws::at(ContactClass contact, std::uint64_t index) const {
   Draw drawn;
   if (ground_.linear) {
-    drawn.asked.push_back(draw_linear_case(contact, seed_, index));
-  } else if (Case known = generated(contact, index); known.truth.collides == false) {
+    drawn.asked.push_back(checked(draw_linear_case(contact, seed_, index)));
+  } else if (CheckedCase known = checked(generated(contact, index));
+             known.value().truth.collides == false) {
     drawn.asked.push_back(std::move(known));
   } else {
     for (const double factor : kHorizonFactors) {
       if (auto asked = at_horizon(known, factor)) drawn.asked.push_back(std::move(*asked));
     }
   }
-  std::erase_if(drawn.asked, [&](const Case& c) { return !ground_.has(c.query); });
+  std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.query()); });
   return drawn;
 }
 

@@ -9,7 +9,7 @@
 
 #include "generators/generate.hpp"
 #include "hunt/ground.hpp"
-#include "query/case.hpp"
+#include "query/checked_case.hpp"
 
 namespace ccdfuzz {
 
@@ -17,7 +17,7 @@ namespace ccdfuzz {
 struct Draw {
   /// A positive case at t* and past it (kHorizonFactors), so that late answers show; a negative one
   /// as it stands.
-  std::vector<Case> asked;
+  std::vector<CheckedCase> asked;
 };
 
 /// The draws of a hunt: an endless sequence for each contact class, which depends on the seed and

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 
+#include "certify/checker/check_case.hpp"
 #include "corpus/failure.hpp"
 
 namespace ccdfuzz {
 
 void expect_of_others(Case& find, const std::vector<std::string>& methods, MethodSet& asked,
-                      SearchOptions search,
+                      SearchOptions search, const std::string& trees,
                       const std::function<void(const std::string&, const Judged&)>& decided) {
   search.max_pops = std::min(search.max_pops, kEnoughPops);
+  const CheckedCase known = checked_or_unknown(find, trees);
   for (const std::string& method : methods) {
     if (find.expect.contains(method)) continue;
-    const Judged judged = ask(asked[method], find, search);
+    const Judged judged = ask(asked[method], known, search);
     if (judged.outcome == Outcome::kUndecided) continue;
     find.expect.emplace(method, judged.outcome);
     set_error_name(find, method, judged.error);

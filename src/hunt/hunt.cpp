@@ -130,7 +130,7 @@ class Hunt {
     Turn turn{cell, {}, 0};
     Method& method = methods[report_.cells[cell].method];
     const double start = clock_of(method);
-    for (const Case& asked : drawn.asked) {
+    for (const CheckedCase& asked : drawn.asked) {
       if (stop_) break;
       turn.judged.push_back(ask(method, asked, options_.search));
     }
@@ -144,9 +144,9 @@ class Hunt {
     cell.cpu_seconds += turn.cpu_seconds;
     for (size_t q = 0; q < turn.judged.size(); ++q) {
       const Judged& judged = turn.judged[q];
-      cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].truth.collides);
+      cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].collides());
       ++queries_;
-      if (is_failure(judged.outcome)) offer(cell.method, {drawn.asked[q], judged});
+      if (is_failure(judged.outcome)) offer(cell.method, {drawn.asked[q].value(), judged});
     }
   }
 
@@ -204,7 +204,9 @@ class Hunt {
           Breeder& breeder = nurseries_[cell].breeder;
           for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
             const auto drawn = latest_.get(report_.cells[cell].contact, i);
-            for (const Case& asked : drawn->asked) breeder.add(asked, workshop.tracers);
+            for (const CheckedCase& asked : drawn->asked) {
+              breeder.add(asked.value(), workshop.tracers);
+            }
           }
           std::uint64_t left = count * kMutantsPerDraw;
           return breed(cell, workshop.methods, workshop.tracers, [&] { return left-- > 0; });
@@ -300,8 +302,8 @@ class Hunt {
     const double draw_cpu = thread_cpu_seconds() - start;
     const Turn turn = take_turn(cell, *drawn, methods);
     const double founding = thread_cpu_seconds();
-    for (const Case& asked : drawn->asked) {
-      if (founds) nursery.breeder.add(asked, tracers);
+    for (const CheckedCase& asked : drawn->asked) {
+      if (founds) nursery.breeder.add(asked.value(), tracers);
     }
     const double used = draw_cpu + turn.cpu_seconds + (thread_cpu_seconds() - founding);
     lock.lock();

@@ -174,7 +174,7 @@ std::string Triage::loss_of(const std::string& method, const Case& value) {
 }
 
 void Triage::complete(Case& value) {
-  expect_of_others(value, options_.methods, methods_, options_.search,
+  expect_of_others(value, options_.methods, methods_, options_.search, "",
                    [&](const std::string& method, const Judged& judged) {
                      if (!is_failure(judged.outcome)) return;
                      const Signature signature = signature_of(method, value, judged);

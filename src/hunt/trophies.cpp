@@ -8,6 +8,7 @@
 #include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
 #include "method/plugin/plugin_spec.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -120,7 +121,8 @@ Result<void> Trophies::complete(const std::atomic<bool>& stop) {
       entries->size(), options_.threads,
       [&](size_t i) {
         Case entry = (*entries)[i].value;
-        expect_of_others(entry, options_.methods, methods.local(), options_.search);
+        expect_of_others(entry, options_.methods, methods.local(), options_.search,
+                         trees_path((*entries)[i].id));
         return entry;
       },
       [&](const Case& entry) {

@@ -39,7 +39,7 @@ struct CaseReader::State {
       auto value = parse_case(**text, id);
       if (!value) return tl::unexpected(value.error());
       any = true;
-      return NamedCase{id, *std::move(value)};
+      return NamedCase{id, *std::move(value), lines.path()};
     }
   }
 };

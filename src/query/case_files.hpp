@@ -14,6 +14,7 @@ namespace ccdfuzz {
 struct NamedCase {
   std::string id;
   Case value;
+  std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
 };
 
 /// No case comes near this; it bounds the memory that a wrong file takes.

@@ -29,16 +29,15 @@ bool is_nonsense(const Query& query, const Answer& answer) {
 }
 
 /// The time by which a contact has come, if that is in [0, t_max].
-std::optional<Rational> proven_contact(const Truth& truth, double t_max) {
-  std::optional<Rational> by = truth.contact_by();
+std::optional<Rational> within(std::optional<Rational> by, double t_max) {
   if (by && *by > exact(t_max)) by.reset();
   return by;
 }
 
 /// The contact that an answer with these terms must not miss.
-std::optional<Rational> binding_contact(const Truth& truth, double t_max,
-                                        const AnswerTerms& terms) {
-  std::optional<Rational> by = proven_contact(truth, t_max);
+std::optional<Rational> binding_contact(const CheckedCase& known, const AnswerTerms& terms) {
+  const double t_max = known.query().t_max;
+  std::optional<Rational> by = within(known.contact_by(), t_max);
   if (by && !terms.closed_t_max && *by == exact(t_max)) by.reset();
   if (by && !terms.contact_at_zero && *by == 0) by.reset();
   return by;
@@ -78,10 +77,10 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
 
 /// Whether the patches are proven to come nearer than so before a time, the points of the witness:
 /// their distance falls in proportion to the time that is left, and is 0 at its own.
-bool comes_nearer(const Query& query, const Truth& truth, const AnswerTerms& terms,
-                  const Rational& before) {
-  if (compare(terms.kept_separation, 0) == 0 || !truth.witness || before == 0) return false;
-  const Witness& witness = *truth.witness;
+bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
+  if (compare(terms.kept_separation, 0) == 0 || !known.witness() || before == 0) return false;
+  const Query& query = known.query();
+  const Witness& witness = *known.witness();
   const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
   if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;
   return squared_distance(query, witness.uv, std::min(before, witness.t)) < squared;
@@ -89,25 +88,24 @@ bool comes_nearer(const Query& query, const Truth& truth, const AnswerTerms& ter
 
 }  // namespace
 
-Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
-              const AnswerTerms& terms) {
+Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {
+  const Query& query = known.query();
   if (is_nonsense(query, answer)) return Outcome::kError;
   if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
   const bool hit = answer.verdict == Verdict::kHit;
-  if (comes_nearer(query, truth, terms, exact(hit ? *answer.toi : query.t_max))) {
+  if (comes_nearer(known, terms, exact(hit ? *answer.toi : query.t_max))) {
     return hit ? Outcome::kLate : Outcome::kMissed;
   }
-  if (const auto contact = binding_contact(truth, query.t_max, terms)) {
+  if (const auto contact = binding_contact(known, terms)) {
     if (!hit) return Outcome::kMissed;
     const bool in_time = exact(*answer.toi) <= *contact + exact(terms.time_tolerance);
     return in_time ? Outcome::kCorrect : Outcome::kLate;
   }
-  const bool clear =
-      truth.collides == false || (truth.clear_until && *truth.clear_until > exact(query.t_max));
-  if (!clear) return Outcome::kUnknown;
+  if (!known.is_clear()) return Outcome::kUnknown;
   if (!hit) return Outcome::kCorrect;
-  if (compare(terms.early_tolerance, 0) > 0 && truth.contact_by() &&
-      *truth.contact_by() <= exact(*answer.toi) + exact(terms.early_tolerance)) {
+  const std::optional<Rational> later = known.contact_by();
+  if (compare(terms.early_tolerance, 0) > 0 && later &&
+      *later <= exact(*answer.toi) + exact(terms.early_tolerance)) {
     return Outcome::kCorrect;
   }
   if (compare(terms.space_tolerance, 0) > 0) {
@@ -126,8 +124,32 @@ Case with_t_max(const Case& value, double t_max) {
   const bool still_absent = value.truth.collides == false && compare(t_max, value.query.t_max) <= 0;
   out.truth.collides.reset();
   if (still_absent) out.truth.collides = false;
-  if (proven_contact(value.truth, t_max)) out.truth.collides = true;
+  if (within(value.truth.contact_by(), t_max)) out.truth.collides = true;
   return out;
+}
+
+std::optional<Rational> CheckedCase::contact_by() const {
+  return value_.truth.contact_by();
+}
+
+bool CheckedCase::is_clear() const {
+  return clearance_holds_ && covers(*value_.truth.clearance, exact(value_.query.t_max));
+}
+
+std::optional<bool> CheckedCase::collides() const {
+  if (within(contact_by(), value_.query.t_max)) return true;
+  return is_clear() ? std::optional(false) : std::nullopt;
+}
+
+bool CheckedCase::is_clear_by_word() const {
+  const Truth& truth = value_.truth;
+  const bool says_so = truth.collides == false ||
+                       (truth.clear_until && *truth.clear_until > exact(value_.query.t_max));
+  return says_so && !is_clear();
+}
+
+CheckedCase CheckedCase::with_t_max(double t_max) const {
+  return {ccdfuzz::with_t_max(value_, t_max), clearance_holds_};
 }
 
 }  // namespace ccdfuzz

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "query/answer.hpp"
-#include "query/case.hpp"
+#include "query/checked_case.hpp"
 
 namespace ccdfuzz {
 
@@ -31,16 +31,14 @@ struct AnswerTerms {
 ///                   > 0, where the terms leave an end out); the answer is a miss, or a hit later
 ///                   than its time tolerance. Or the two points of a witness, of any time, come
 ///                   nearer than the separation it keeps, and it is a miss, or a hit later than so
-///   false_positive  a hit, and absence of contact on [0, t_max] is proven: collides is false, or
-///                   clear_until > t_max; the patches at uv and toi are farther apart than the
-///                   space tolerance; and no contact is known to come within the early tolerance
-///   unknown         the truth proves neither contact nor absence on [0, t_max], or the answer has
-///                   a space tolerance and does not say where
+///   false_positive  a hit, and absence of contact on [0, t_max] is proven (is_clear); the patches
+///                   at uv and toi are farther apart than the space tolerance; and no contact is
+///                   known to come within the early tolerance
+///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
+///                   them; or the answer has a space tolerance and does not say where
 ///   correct         anything else
-/// Requires: the truth has been checked (certify/checker), and is relative to this query's t_max;
-/// with_t_max gives the case for another one. The contact counts first.
-Outcome judge(const Query& query, const Truth& truth, const Answer& answer,
-              const AnswerTerms& terms = {});
+/// The contact counts first.
+Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms = {});
 
 /// An answer and how it stands against its truth.
 struct Judged {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certify/checker/check_box.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "query/judge.hpp"
@@ -237,12 +238,12 @@ TEST(Certificates, AContactBoxJudges) {
   c.truth.contact_box = rising_box();
   Answer answer;
   answer.verdict = Verdict::kMiss;
-  EXPECT_EQ(judge(c.query, c.truth, answer), Outcome::kMissed);
+  EXPECT_EQ(judge(checked_or_unknown(c), answer), Outcome::kMissed);
   answer.verdict = Verdict::kHit;
   answer.toi = 0.5 + 0x1p-10;
-  EXPECT_EQ(judge(c.query, c.truth, answer), Outcome::kCorrect);
+  EXPECT_EQ(judge(checked_or_unknown(c), answer), Outcome::kCorrect);
   answer.toi = std::nextafter(0.5 + 0x1p-10, 1);
-  EXPECT_EQ(judge(c.query, c.truth, answer), Outcome::kLate);
+  EXPECT_EQ(judge(checked_or_unknown(c), answer), Outcome::kLate);
   EXPECT_EQ(with_t_max(c, 0.5).truth.collides, std::nullopt);
   EXPECT_EQ(with_t_max(c, 0.75).truth.collides, true);
 }

@@ -140,7 +140,7 @@ TEST(Plugins, OfANewcomerIsAtMostSixtyLinesBuiltAndHuntedAsThePageSays) {
 /// A vertex that reaches a face in its inside, and one that stays above it.
 constexpr const char* kTwoLinearCases =
     R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-2]]}],"t_max":1,"truth":{"collides":true,"witness":{"t":"1/2","uv":[["1/4","1/2"],["0","0"]]}}}
-{"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-0.5]]}],"t_max":1,"truth":{"collides":false,"proof":"rational-tdibm"}}
+{"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-0.5]]}],"t_max":1,"truth":{"collides":false,"proof":"L","certificate":{"clear":{"kind":"L","until":"1","closed":true}}}}
 )";
 
 /// Always wrong: says the opposite of what the example says.

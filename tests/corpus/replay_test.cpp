@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "certify/checker/check_case.hpp"
 #include "corpus/finds.hpp"
 #include "query/case_json.hpp"
 #include "scratch_folder.hpp"
@@ -10,7 +11,7 @@ namespace ccdfuzz {
 namespace {
 
 /// "miss" always misses, "hit" always hits at 0; there is no other method.
-Result<Judged> answer(const std::string& method, const Case& entry) {
+Result<Judged> answer(const std::string& method, const NamedCase& entry) {
   Answer a;
   a.verdict = Verdict::kMiss;
   if (method == "hit") {
@@ -19,7 +20,7 @@ Result<Judged> answer(const std::string& method, const Case& entry) {
   } else if (method != "miss") {
     return input_error("", "unknown method \"" + method + "\"");
   }
-  return Judged{a, judge(entry.query, entry.truth, a), ""};
+  return Judged{a, judge(checked_or_unknown(entry.value), a), ""};
 }
 
 TEST(Replay, ReportsWhatChangedAndWhatDidNot) {

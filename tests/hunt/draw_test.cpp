@@ -24,16 +24,16 @@ TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
     for (std::uint64_t index = 0; index < 40; index += 3 * kOneIn) {
       const Draw drawn = Draws(1).at(contact, index);
       ASSERT_FALSE(drawn.asked.empty());
-      for (const Case& asked : drawn.asked) {
-        const Result<void> checked = check_truth(asked);
+      for (const CheckedCase& asked : drawn.asked) {
+        const Result<void> checked = check_truth(asked.value());
         EXPECT_TRUE(checked) << name_of(contact) << " " << index << ": "
                              << checked.error().message();
-        ASSERT_TRUE(asked.truth.collides.has_value());
+        ASSERT_TRUE(asked.value().truth.collides.has_value());
       }
-      const bool positive = *drawn.asked[0].truth.collides;
+      const bool positive = *drawn.asked[0].value().truth.collides;
       EXPECT_EQ(drawn.asked.size(), positive ? kHorizonFactors.size() : 1U);
       for (size_t i = 1; i < drawn.asked.size(); ++i) {
-        EXPECT_LT(drawn.asked[i - 1].query.t_max, drawn.asked[i].query.t_max);
+        EXPECT_LT(drawn.asked[i - 1].query().t_max, drawn.asked[i].query().t_max);
       }
     }
   }
@@ -42,7 +42,7 @@ TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
 TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   std::set<std::string> seen, wanted;
   for (std::uint64_t index = 0; index < 80; ++index) {
-    const Origin origin = Draws(1).at(ContactClass::kVV, index).asked[0].origin;
+    const Origin origin = Draws(1).at(ContactClass::kVV, index).asked[0].value().origin;
     seen.insert(origin.generator + " " + origin.kind);
   }
   for (const CaseKind kind : kCaseKinds) {
@@ -81,11 +81,11 @@ TEST(Draw, OfShapesGoesRoundTheClassesAndFamiliesThatTheyHave) {
     for (const ContactClass contact : draws.classes()) {
       std::set<std::string> seen;
       for (std::uint64_t index = 0; index < 18; index += kOneIn) {
-        for (const Case& asked : draws.at(contact, index).asked) {
-          EXPECT_EQ(asked.query.patches[0].shape, shapes[0]);
-          EXPECT_EQ(asked.query.patches[1].shape, shapes[1]);
-          EXPECT_TRUE(check_truth(asked));
-          seen.insert(asked.origin.generator);
+        for (const CheckedCase& asked : draws.at(contact, index).asked) {
+          EXPECT_EQ(asked.query().patches[0].shape, shapes[0]);
+          EXPECT_EQ(asked.query().patches[1].shape, shapes[1]);
+          EXPECT_TRUE(check_truth(asked.value()));
+          seen.insert(asked.value().origin.generator);
         }
       }
       EXPECT_GE(seen.size(), 6 / kOneIn) << name_of(contact);
@@ -99,8 +99,8 @@ TEST(Draw, OfShapesHasTheKindsOfNegativesThatTheirFamiliesHave) {
   const Draws draws(1, ground);
   std::set<std::string> seen;
   for (std::uint64_t index = 0; index < 40; ++index) {
-    for (const Case& asked : draws.at(ContactClass::kVV, index).asked) {
-      seen.insert(asked.origin.generator + " " + asked.origin.kind);
+    for (const CheckedCase& asked : draws.at(ContactClass::kVV, index).asked) {
+      seen.insert(asked.value().origin.generator + " " + asked.value().origin.kind);
     }
   }
   for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
@@ -118,7 +118,7 @@ TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {
 }
 
 TEST(Horizon, ATimePastTheContactKeepsTheTruth) {
-  const Case known = Draws(1).at(ContactClass::kVV, 1).asked[0];
+  const Case known = Draws(1).at(ContactClass::kVV, 1).asked[0].value();
   const auto later = at_horizon(known, 1.5);
   ASSERT_TRUE(later);
   EXPECT_EQ(exact(later->query.t_max), known.truth.witness->t * Rational(3, 2));

@@ -68,8 +68,9 @@ WitnessedQuery scaled(const WitnessedQuery& q, double space, int time) {
 std::vector<WitnessedQuery> drawn_contacts(ContactClass contact, std::uint64_t draws) {
   std::vector<WitnessedQuery> found;
   for (std::uint64_t i = 0; i < draws; ++i) {
-    for (const Case& asked : Draws(1).at(contact, i).asked) {
-      if (std::optional<WitnessedQuery> q = witnessed_query(asked)) found.push_back(*std::move(q));
+    for (const CheckedCase& asked : Draws(1).at(contact, i).asked) {
+      if (std::optional<WitnessedQuery> q = witnessed_query(asked.value()))
+        found.push_back(*std::move(q));
     }
   }
   return found;

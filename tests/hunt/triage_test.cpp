@@ -30,8 +30,8 @@ TriageOptions quick_options() {
 std::vector<Case> raw_finds() {
   std::vector<Case> finds;
   for (std::uint64_t i = 0; i < 4; ++i) {
-    for (const Case& asked : Draws(3).at(ContactClass::kVV, i).asked) {
-      if (const auto q = witnessed_query(asked)) finds.push_back(case_of(*q));
+    for (const CheckedCase& asked : Draws(3).at(ContactClass::kVV, i).asked) {
+      if (const auto q = witnessed_query(asked.value())) finds.push_back(case_of(*q));
     }
   }
   return finds;

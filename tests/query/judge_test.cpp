@@ -5,35 +5,68 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/checker/check_case.hpp"
+
 namespace ccdfuzz {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Query until(double t_max) {
-  Query query;
-  for (auto& patch : query.patches) patch = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
-  query.t_max = t_max;
-  return query;
+/// What is so of two points.
+struct Scene {
+  std::optional<Rational> meet;  ///< when; they part again
+  bool proven = true;            ///< by a witness
+  /// No contact before, by a certificate.
+  std::optional<Rational> clear;
+};
+
+Scene contact(const Rational& t) {
+  return {t, true, std::nullopt};
+}
+Scene no_contact() {
+  return {};
+}
+/// They do meet then, but only that they do not before is known.
+Scene clear(const Rational& t) {
+  return {t, false, t};
+}
+/// Nothing is known.
+Scene unknown() {
+  return {Rational(1, 2), false, std::nullopt};
 }
 
-Truth contact(const Rational& t) {
-  Truth truth;
-  truth.collides = true;
-  truth.witness = Witness{t, {}};
-  return truth;
+/// Points that meet at t = a/b have the distance |a − b·t| at t; others stay 1/4 apart.
+Case case_of(const Scene& scene, double t_max) {
+  Case made;
+  Query& query = made.query;
+  for (auto& patch : query.patches) patch = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  query.t_max = t_max;
+  Truth& truth = made.truth;
+  if (!scene.meet) {
+    query.patches[1].positions[0] = {0, 0.25, 0};
+    truth.collides = false;
+    truth.proof = "L";
+    truth.clearance = LinearClearance{exact(t_max), true};
+    return made;
+  }
+  query.patches[0].positions[0] = {-scene.meet->get_num().get_d(), 0, 0};
+  query.patches[0].velocities[0] = {scene.meet->get_den().get_d(), 0, 0};
+  if (scene.proven) {
+    truth.witness = Witness{*scene.meet, {}};
+    if (*scene.meet <= exact(t_max)) truth.collides = true;
+  }
+  if (scene.clear) {
+    truth.clear_until = *scene.clear;
+    truth.clearance = LinearClearance{*scene.clear, false};
+  }
+  return made;
 }
-Truth no_contact() {
-  Truth truth;
-  truth.collides = false;
-  truth.proof = "P";
-  return truth;
-}
-Truth clear(const Rational& t) {
-  Truth truth;
-  truth.clear_until = t;
-  return truth;
+
+CheckedCase known(const Scene& scene, double t_max) {
+  auto checked = check_case(case_of(scene, t_max), "");
+  if (!checked) throw std::runtime_error(checked.error().message());
+  return *checked;
 }
 
 Answer hit(std::optional<double> toi) {
@@ -49,9 +82,9 @@ Answer says(Verdict verdict, std::optional<double> toi = std::nullopt) {
   return answer;
 }
 
-std::string judged(const Truth& truth, const Answer& answer, double t_max = 1,
+std::string judged(const Scene& scene, const Answer& answer, double t_max = 1,
                    const AnswerTerms& terms = {}) {
-  return std::string(name_of(judge(until(t_max), truth, answer, terms)));
+  return std::string(name_of(judge(known(scene, t_max), answer, terms)));
 }
 
 TEST(Judge, AHitIsRightUpToTheProvenContactAndLateFromThereOn) {
@@ -65,8 +98,8 @@ TEST(Judge, AHitIsRightUpToTheProvenContactAndLateFromThereOn) {
   EXPECT_EQ(judged(contact(0), hit(-0.0)), "correct");
   EXPECT_EQ(judged(contact(0), hit(0x1p-1074)), "late");
   // Earlier than what is proven clear is a matter of quality, not of soundness.
-  Truth both = contact({1, 2});
-  both.clear_until = Rational(1, 4);
+  Scene both = contact({1, 2});
+  both.clear = Rational(1, 4);
   EXPECT_EQ(judged(both, hit(0.125)), "correct");
 }
 
@@ -74,10 +107,10 @@ TEST(Judge, AMissIsAMissOnlyIfTheWitnessLiesInTheHorizon) {
   EXPECT_EQ(judged(contact({1, 2}), says(Verdict::kMiss)), "missed");
   EXPECT_EQ(judged(contact(1), says(Verdict::kMiss)), "missed");
   EXPECT_EQ(judged(contact(0), says(Verdict::kMiss), 0), "missed");
-  Truth later = contact(1);
+  Scene later = contact(1);
   EXPECT_EQ(judged(later, says(Verdict::kMiss), std::nextafter(1, 0)), "unknown");
   EXPECT_EQ(judged(later, hit(0.5), std::nextafter(1, 0)), "unknown");
-  later.clear_until = Rational(1);
+  later.clear = Rational(1);
   EXPECT_EQ(judged(later, says(Verdict::kMiss), std::nextafter(1, 0)), "correct");
   EXPECT_EQ(judged(later, hit(0.5), std::nextafter(1, 0)), "false_positive");
 }
@@ -87,28 +120,67 @@ TEST(Judge, AHitIsFalseOnlyWhereAbsenceIsProvenOnTheClosedHorizon) {
   EXPECT_EQ(judged(no_contact(), says(Verdict::kMiss)), "correct");
   EXPECT_EQ(judged(clear(1), hit(0.5)), "unknown");  // t = 1 itself may be a contact
   EXPECT_EQ(judged(clear(1), says(Verdict::kMiss)), "unknown");
-  EXPECT_EQ(judged(clear(Rational("1001/1000")), hit(0.5)), "false_positive");
-  EXPECT_EQ(judged(clear(Rational("1001/1000")), says(Verdict::kMiss)), "correct");
+  EXPECT_EQ(judged(clear(Rational(1001, 1000)), hit(0.5)), "false_positive");
+  EXPECT_EQ(judged(clear(Rational(1001, 1000)), says(Verdict::kMiss)), "correct");
   EXPECT_EQ(judged(clear(0), says(Verdict::kMiss), 0), "unknown");
 }
 
-TEST(Judge, WithoutTruthNothingIsKnown) {
-  EXPECT_EQ(judged({}, hit(0.5)), "unknown");
-  EXPECT_EQ(judged({}, says(Verdict::kMiss)), "unknown");
-  Truth claimed;  // a bare label proves nothing
-  claimed.collides = true;
-  EXPECT_EQ(judged(claimed, says(Verdict::kMiss)), "unknown");
+TEST(Judge, WithoutProofNothingIsKnown) {
+  EXPECT_EQ(judged(unknown(), hit(0.5)), "unknown");
+  EXPECT_EQ(judged(unknown(), says(Verdict::kMiss)), "unknown");
+  EXPECT_EQ(judge({}, says(Verdict::kMiss)), Outcome::kUnknown);
+  // A bare label, or the word of a method, true as it is.
+  Case claimed = case_of(no_contact(), 1);
+  claimed.truth.clearance.reset();
+  claimed.truth.proof = "rational-tdibm";
+  claimed.truth.clear_until = 2;
+  const auto by_word = check_case(claimed, "");
+  ASSERT_TRUE(by_word);
+  EXPECT_TRUE(by_word->is_clear_by_word());
+  EXPECT_EQ(by_word->collides(), std::nullopt);
+  EXPECT_EQ(judge(*by_word, hit(0.5)), Outcome::kUnknown);
+  EXPECT_EQ(judge(*by_word, says(Verdict::kMiss)), Outcome::kUnknown);
+}
+
+/// What the checker refuses is no case to judge by, and where it is judged all the same, unknown.
+TEST(Judge, NothingIsJudgedByAFalseProof) {
+  const auto expect_nothing = [](Case lie, const char* what) {
+    EXPECT_FALSE(check_case(lie, "")) << what;
+    for (const Answer& answer : {hit(0.25), says(Verdict::kMiss)}) {
+      EXPECT_EQ(judge(checked_or_unknown(lie), answer), Outcome::kUnknown) << what;
+    }
+  };
+  Case lie = case_of(unknown(), 1);  // they do touch, at 1/2
+  lie.truth.collides = false;
+  lie.truth.proof = "L";
+  lie.truth.clearance = LinearClearance{Rational(1), true};
+  expect_nothing(lie, "absence");
+  lie.truth.clearance = MovingPlane{Rational(2), {1, 0, 0}, 0};
+  lie.truth.proof = "P";
+  expect_nothing(lie, "a plane");
+  lie = case_of(unknown(), 0.25);
+  lie.truth.clear_until = 1;
+  lie.truth.clearance = LinearClearance{Rational(1, 2), false};
+  expect_nothing(lie, "clear_until past the certificate");
+  lie = case_of(no_contact(), 1);
+  lie.truth = {};
+  lie.truth.collides = true;
+  lie.truth.witness = Witness{Rational(1, 2), {}};
+  expect_nothing(lie, "a witness");
+  lie.truth.witness.reset();
+  lie.truth.contact_root = ContactRoot{{-1, 2}, 0, 1};
+  expect_nothing(lie, "a root");
 }
 
 TEST(Judge, UndecidedIsNeverWrong) {
-  for (const Truth& truth : {contact(0), no_contact(), clear(1), Truth{}}) {
+  for (const Scene& truth : {contact(0), no_contact(), clear(1), unknown()}) {
     EXPECT_EQ(judged(truth, says(Verdict::kUndecided)), "undecided");
     EXPECT_EQ(judged(truth, says(Verdict::kUndecided, 0.75)), "undecided");
   }
 }
 
 TEST(Judge, NonsenseIsAnErrorWhateverTheTruth) {
-  for (const Truth& truth : {contact({1, 2}), no_contact(), clear(1), Truth{}}) {
+  for (const Scene& truth : {contact({1, 2}), no_contact(), clear(1), unknown()}) {
     EXPECT_EQ(judged(truth, hit(std::nullopt)), "error");
     EXPECT_EQ(judged(truth, hit(kNan)), "error");
     EXPECT_EQ(judged(truth, hit(kInfinity)), "error");
@@ -126,10 +198,8 @@ TEST(Judge, WhatAMissSaysOfTimeIsNotLookedAt) {
   EXPECT_EQ(judged(no_contact(), says(Verdict::kMiss, kNan)), "correct");
 }
 
-Case asked(double t_max, const Truth& truth) {
-  Case c;
-  c.query = until(t_max);
-  c.truth = truth;
+Case asked(double t_max, const Scene& scene) {
+  Case c = case_of(scene, t_max);
   c.expect["tdibm"] = Outcome::kMissed;
   return c;
 }
@@ -140,7 +210,10 @@ TEST(WithTMax, AbsenceHoldsForLessTimeButNotForMore) {
   const Case longer = with_t_max(asked(1, no_contact()), 1.5);
   EXPECT_EQ(longer.query.t_max, 1.5);
   EXPECT_EQ(longer.truth.collides, std::nullopt);
-  EXPECT_EQ(judge(longer.query, longer.truth, hit(0.5)), Outcome::kUnknown);
+  const CheckedCase checked = known(no_contact(), 1).with_t_max(1.5);
+  EXPECT_EQ(checked.value().truth.collides, std::nullopt);
+  EXPECT_EQ(judge(checked, hit(0.5)), Outcome::kUnknown);
+  EXPECT_EQ(judge(checked.with_t_max(0.5), hit(0.5)), Outcome::kFalsePositive);
 }
 
 TEST(WithTMax, AWitnessProvesAContactFromItsTimeOn) {
@@ -178,23 +251,24 @@ TEST(JudgeByTerms, ATimeToleranceIsExact) {
 
 TEST(JudgeByTerms, AHitWithinItsToleranceInSpaceIsNotFalse) {
   // Two points that pass each other at the distance 1/4, at t = 1/2.
-  Query query = until(1);
+  Case passing = case_of(no_contact(), 1);
+  Query& query = passing.query;
   query.patches[0] = {Shape::point(), {{-1, 0, 0}}, {{2, 0, 0}}};
   query.patches[1] = {Shape::point(), {{0, 0.25, 0}}, {{0, 0, 0}}};
   AnswerTerms terms;
   terms.space_tolerance = 0.25;
-  EXPECT_EQ(judge(query, no_contact(), hit(0.5), terms), Outcome::kCorrect);
-  EXPECT_EQ(judge(query, no_contact(), hit(0.5 + 0x1p-40), terms), Outcome::kFalsePositive);
+  EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5), terms), Outcome::kCorrect);
+  EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5 + 0x1p-40), terms), Outcome::kFalsePositive);
   terms.space_tolerance = std::nextafter(0.25, 0);
-  EXPECT_EQ(judge(query, no_contact(), hit(0.5), terms), Outcome::kFalsePositive);
+  EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5), terms), Outcome::kFalsePositive);
   terms.has_uv = false;
-  EXPECT_EQ(judge(query, no_contact(), hit(0.5), terms), Outcome::kUnknown);
+  EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5), terms), Outcome::kUnknown);
   // Parameters outside of the patch are no place on it.
   terms = {true, true, 0, 0.25, true};
   query.patches[1] = {Shape::curve(1), {{0, 0.25, 0}, {1, 0.25, 0}}, {{0, 0, 0}, {0, 0, 0}}};
   Answer outside = hit(0.25);
   outside.uv[1] = {-0.5, 0};
-  EXPECT_EQ(judge(query, no_contact(), outside, terms), Outcome::kFalsePositive);
+  EXPECT_EQ(judge(checked_or_unknown(passing), outside, terms), Outcome::kFalsePositive);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "corpus_driver.hpp"
 
+#include "certify/checker/check_case.hpp"
 #include "corpus/entries.hpp"
 #include "corpus/replay.hpp"
 #include "eval/ask.hpp"
@@ -25,8 +26,10 @@ std::string CorpusDriver::operator()(std::uint64_t index) {
   std::string lost = lost_contact(entry.value, {.asks = false}, tracers_);
   if (!lost.empty()) return lost;
   const Result<ReplayReport> report =
-      replay({entry}, [&](const std::string& method, const Case& known) -> Result<Judged> {
-        return ask(methods_[method], known, SearchOptions());
+      replay({entry}, [&](const std::string& method, const NamedCase& named) -> Result<Judged> {
+        return check_case(named).map([&](const CheckedCase& known) {
+          return ask(methods_[method], known, SearchOptions());
+        });
       });
   if (!report) return report.error().message();
   for (const ReplayRow& row : report->rows) {

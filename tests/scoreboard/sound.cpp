@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "hunt/scale.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 std::string wrong_answer(const char* method, const Case& known) {
   const Answer answer = (*make_method(method))->answer(known.query, kDriverSearch);
-  const Outcome outcome = judge(known.query, known.truth, answer);
+  const Outcome outcome = judge(checked_contact(known), answer);
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kError;
   return wrong ? fmt::format("{} is {}", method, name_of(outcome)) : "";
 }

@@ -92,19 +92,4 @@ Result<void> check_absence(const Case& value, const std::string& trees) {
   return check_clearance(value.query, *truth.clearance, bytes);
 }
 
-Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
-  std::vector<NamedCase> cases;
-  const auto read = for_each_case(path, [&](NamedCase c) -> Result<void> {
-    if (auto checked = check_truth(c.value); !checked) {
-      InputError error = checked.error();
-      error.where = fmt::format("{}: {}", c.id, error.where);
-      return tl::unexpected(error);
-    }
-    cases.push_back(std::move(c));
-    return {};
-  });
-  if (!read) return tl::unexpected(read.error());
-  return cases;
-}
-
 }  // namespace ccdfuzz

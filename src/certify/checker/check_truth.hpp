@@ -2,9 +2,9 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "query/case_files.hpp"
+#include "numeric/result.hpp"
+#include "query/case.hpp"
 
 namespace ccdfuzz {
 
@@ -27,9 +27,5 @@ Result<void> check_clearance(const Query& query, const Clearance& clearance, std
 /// the file of trees beside the case, read if the clearance is a tree. Errors: what is missing or
 /// refuted, naming JSON path, or the file.
 Result<void> check_absence(const Case& value, const std::string& trees);
-
-/// Reads all cases of a file and refuses the first whose truth the checker refutes.
-/// Errors: as read_cases and check_truth, naming path and line.
-Result<std::vector<NamedCase>> read_checked_cases(const std::string& path);
 
 }  // namespace ccdfuzz

@@ -72,7 +72,8 @@ typedef struct ccdfuzz_answer {
   double toi_upper;    /* hit: an upper bound of it, or NaN if it has none */
   double uv[2][2];     /* hit: where on each patch, or NaN if it does not know */
   uint64_t iterations; /* boxes, Newton steps: whatever it counts */
-  double tolerance;    /* achieved: stands in the place of the claimed one; NaN: as claimed */
+  double tolerance;    /* achieved, in the unit of the claimed one, which it stands in for where it
+                        * is tighter; looser: a finding ("broken claim"); NaN: as claimed */
   char message[128];   /* for people; ends with a NUL */
 } ccdfuzz_answer;
 
@@ -121,8 +122,8 @@ typedef struct ccdfuzz_description {
   uint64_t pair_count;
   uint32_t tolerance_kind;
   uint32_t nan_policy;
-  double tolerance; /* >= 0; 0: none claimed */
-  /* >= 0; a hit where the patches are this near is no false positive. If it is conservative, that
+  double tolerance; /* 0: none claimed; at most 2^40, or 1 where the kind is relative */
+  /* In [0, 2^40]; a hit where the patches are this near is no false positive. If it is conservative, that
    * they come nearer needs a hit, and toi_lower is never after that. */
   double minimum_separation;
 } ccdfuzz_description;

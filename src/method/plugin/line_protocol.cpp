@@ -159,6 +159,21 @@ tl::expected<void, PluginFault> read_claims(const JsonValue& object, PluginDescr
       .and_then([&] { return read_word(object, "nan_policy", kNanPolicies, out.nan_policy); });
 }
 
+/// A claim so loose that it would excuse any answer.
+std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
+  const bool relative = d.tolerance_kind == ToleranceKind::kTimeRelative ||
+                        d.tolerance_kind == ToleranceKind::kSpaceRelative;
+  const auto refusal = [](const char* field, double value, double most) {
+    return PluginRefusal{fmt::format("claims {} {}, which is not in [0, {}]", field, value, most)};
+  };
+  const double most = relative ? kMostRelativeTolerance : kMostTolerance;
+  if (d.tolerance > most) return refusal("tolerance", d.tolerance, most);
+  if (d.minimum_separation > kMostTolerance) {
+    return refusal("minimum_separation", d.minimum_separation, kMostTolerance);
+  }
+  return std::nullopt;
+}
+
 tl::expected<PluginDescription::Pair, PluginFault> read_pair(const JsonValue& value) {
   PluginDescription::Pair pair{};
   if (value.kind != JsonKind::kArray || value.items.size() != 2) {
@@ -291,6 +306,7 @@ Described read_description(const std::string& line) {
     }
   }
   if (const auto read = read_claims(*object, out); !read) return tl::unexpected(read.error());
+  if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
   return out;
 }
 

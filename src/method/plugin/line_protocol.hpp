@@ -19,6 +19,13 @@ enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit };
 std::string_view name_of(NanPolicy policy);
 std::string_view name_of(ToleranceKind kind);
 
+/// The largest tolerance, in time or space, and minimum separation that may be claimed: hunts at
+/// ordinary scales draw lengths up to 2^40, so that with more any hit would be right there.
+inline constexpr double kMostTolerance = 0x1p40;
+/// The same of a tolerance relative to t_max or to the largest coordinate. With a whole t_max every
+/// time is near enough, and with 2·√3 coordinates every two points are.
+inline constexpr double kMostRelativeTolerance = 1;
+
 /// What a plug-in says of itself.
 struct PluginDescription {
   /// Shapes that may be asked together, up to these degrees.
@@ -50,7 +57,8 @@ std::string describe_request(const std::string& options);
 std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
                           std::uint64_t id);
 
-/// Errors: a refusal, or anything that is not a description (a fault).
+/// Errors: a refusal (it says so, or claims a tolerance above those limits), or anything that is
+/// not a description (a fault).
 using Described = tl::expected<PluginDescription, std::variant<PluginFault, PluginRefusal>>;
 Described read_description(const std::string& line);
 

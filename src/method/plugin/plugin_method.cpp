@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 
+#include "method/plugin/plugin_terms.hpp"
 #include "method/plugin/probes.hpp"
 
 namespace ccdfuzz {
@@ -45,26 +45,6 @@ std::string text_of(const Answer& answer) {
       return "inconclusive";
   }
   return "";
-}
-
-/// The largest coordinate of a control point at t = 0 and t_max, in absolute value.
-double extent(const Query& query) {
-  double largest = 0;
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const double p = patch.positions[i][k];
-        largest =
-            std::max({largest, std::abs(p), std::abs(p + query.t_max * patch.velocities[i][k])});
-      }
-    }
-  }
-  return largest;
-}
-
-/// A tolerance in a larger unit: of none, none; of what overflows, the largest.
-double scaled(double tolerance, double unit) {
-  return tolerance == 0 ? 0 : std::min(tolerance * unit, std::numeric_limits<double>::max());
 }
 
 bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
@@ -110,7 +90,10 @@ class PluginMethod : public Method {
     PluginAnswer given = ask_unless_killed(asked, options);
     hangs_ = 0;
     if (*swapped) std::swap(given.answer.uv[0], given.answer.uv[1]);
-    terms_ = terms_of(query, given);
+    terms_ = terms_of(*plugin_->description, given, query);
+    if (auto broken = broken_tolerance(*plugin_->description, given)) {
+      broken_claim_ = std::move(broken);
+    }
     return std::move(given.answer);
   }
 
@@ -224,32 +207,6 @@ class PluginMethod : public Method {
     return policy == NanPolicy::kHit
                ? answer.verdict == Verdict::kHit && *answer.toi == 0
                : policy == NanPolicy::kInconclusive && answer.verdict == Verdict::kUndecided;
-  }
-
-  AnswerTerms terms_of(const Query& query, const PluginAnswer& given) const {
-    const PluginDescription& d = *plugin_->description;
-    AnswerTerms terms;
-    terms.closed_t_max = d.closed_t_max;
-    terms.contact_at_zero = d.contact_at_zero;
-    terms.has_uv = given.has_uv;
-    const bool in_space = d.tolerance_kind == ToleranceKind::kSpace ||
-                          d.tolerance_kind == ToleranceKind::kSpaceRelative;
-    double tolerance = d.tolerance;
-    if (d.tolerance > 0 && std::isfinite(given.tolerance)) tolerance = given.tolerance;
-    if (d.tolerance_kind == ToleranceKind::kTimeRelative) {
-      tolerance = scaled(tolerance, query.t_max);
-    }
-    if (d.tolerance_kind == ToleranceKind::kSpaceRelative) {
-      tolerance = scaled(tolerance, extent(query));
-    }
-    terms.space_tolerance = std::min(d.minimum_separation + (in_space ? tolerance : 0),
-                                     std::numeric_limits<double>::max());
-    if (!in_space) {
-      terms.early_tolerance = tolerance;
-      if (!d.conservative) terms.time_tolerance = tolerance;
-    }
-    if (d.conservative) terms.kept_separation = d.minimum_separation;
-    return terms;
   }
 
   std::shared_ptr<const KnownPlugin> plugin_;

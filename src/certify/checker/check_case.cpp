@@ -1,0 +1,65 @@
+#include "certify/checker/check_case.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/check_truth.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+
+/// The one maker of a CheckedCase that knows something.
+class CaseCheck {
+ public:
+  static Result<CheckedCase> check(Case value, const std::string& trees) {
+    if (auto checked = check_truth(value); !checked) return tl::unexpected(checked.error());
+    const bool has_clearance = value.truth.clearance.has_value();
+    if (has_clearance) {
+      if (auto absent = check_absence(value, trees); !absent) {
+        return tl::unexpected(absent.error());
+      }
+    }
+    return CheckedCase(std::move(value), has_clearance);
+  }
+
+  static CheckedCase unknown(const Case& value) {
+    Case bare = value;
+    bare.truth = {};
+    return {std::move(bare), false};
+  }
+};
+
+Result<CheckedCase> check_case(Case value, const std::string& trees) {
+  return CaseCheck::check(std::move(value), trees);
+}
+
+Result<CheckedCase> check_case(const NamedCase& named) {
+  auto checked = check_case(named.value, named.file.empty() ? "" : trees_path(named.file));
+  if (checked) return checked;
+  InputError error = checked.error();
+  error.where = fmt::format("{}: {}", named.id, error.where);
+  return tl::unexpected(std::move(error));
+}
+
+CheckedCase checked_or_unknown(const Case& value, const std::string& trees) {
+  auto checked = check_case(value, trees);
+  return checked ? *std::move(checked) : CaseCheck::unknown(value);
+}
+
+CheckedCase checked_contact(Case value) {
+  value.truth.clearance.reset();
+  value.truth.clear_until.reset();
+  return checked_or_unknown(value);
+}
+
+Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
+  std::vector<NamedCase> cases;
+  const auto read = for_each_case(path, [&](NamedCase c) -> Result<void> {
+    if (auto checked = check_case(c); !checked) return tl::unexpected(checked.error());
+    cases.push_back(std::move(c));
+    return {};
+  });
+  if (!read) return tl::unexpected(read.error());
+  return cases;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "query/case_files.hpp"
+#include "query/checked_case.hpp"
+
+namespace ccdfuzz {
+
+/// Checks all that a case proves: check_truth and, if it has a certificate of absence,
+/// check_absence. What it says of absence without a certificate stays unproven: it is no error, and
+/// no answer is judged by it. trees: the file of trees beside the case.
+/// Errors: what is refuted, naming JSON path and value; a tree that is not there.
+Result<CheckedCase> check_case(Case value, const std::string& trees);
+
+/// The same of a case from a file. Errors: naming its id, too.
+Result<CheckedCase> check_case(const NamedCase& named);
+
+/// The same; where it is refused, nothing is known of it.
+CheckedCase checked_or_unknown(const Case& value, const std::string& trees = "");
+
+/// The same of what proves a contact alone; nothing is known of absence.
+CheckedCase checked_contact(Case value);
+
+/// Reads all cases of a file and refuses the first that check_case refuses. Errors: as read_cases
+/// and check_case, naming path and line.
+Result<std::vector<NamedCase>> read_checked_cases(const std::string& path);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,70 @@
+#include "method/plugin/plugin_terms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The largest coordinate of a control point at t = 0 and t_max, in absolute value.
+double extent(const Query& query) {
+  double largest = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const double p = patch.positions[i][k];
+        largest =
+            std::max({largest, std::abs(p), std::abs(p + query.t_max * patch.velocities[i][k])});
+      }
+    }
+  }
+  return largest;
+}
+
+/// A tolerance in a larger unit: of none, none; of what overflows, the largest.
+double scaled(double tolerance, double unit) {
+  return tolerance == 0 ? 0 : std::min(tolerance * unit, std::numeric_limits<double>::max());
+}
+
+}  // namespace
+
+AnswerTerms terms_of(const PluginDescription& claims, const PluginAnswer& given,
+                     const Query& query) {
+  AnswerTerms terms;
+  terms.closed_t_max = claims.closed_t_max;
+  terms.contact_at_zero = claims.contact_at_zero;
+  terms.has_uv = given.has_uv;
+  const bool in_space = claims.tolerance_kind == ToleranceKind::kSpace ||
+                        claims.tolerance_kind == ToleranceKind::kSpaceRelative;
+  double tolerance = claims.tolerance;
+  if (given.tolerance < claims.tolerance) tolerance = given.tolerance;  // NaN: as claimed
+  if (claims.tolerance_kind == ToleranceKind::kTimeRelative) {
+    tolerance = scaled(tolerance, query.t_max);
+  }
+  if (claims.tolerance_kind == ToleranceKind::kSpaceRelative) {
+    tolerance = scaled(tolerance, extent(query));
+  }
+  terms.space_tolerance = std::min(claims.minimum_separation + (in_space ? tolerance : 0),
+                                   std::numeric_limits<double>::max());
+  if (!in_space) {
+    terms.early_tolerance = tolerance;
+    if (!claims.conservative) terms.time_tolerance = tolerance;
+  }
+  if (claims.conservative) terms.kept_separation = claims.minimum_separation;
+  return terms;
+}
+
+std::optional<MethodFault> broken_tolerance(const PluginDescription& claims,
+                                            const PluginAnswer& given) {
+  if (claims.tolerance == 0 || !(given.tolerance > claims.tolerance)) return std::nullopt;
+  return MethodFault(
+      "broken claim",
+      fmt::format("claims a tolerance of {} ({}), and answers with one of {}", claims.tolerance,
+                  name_of(claims.tolerance_kind), given.tolerance));
+}
+
+}  // namespace ccdfuzz
