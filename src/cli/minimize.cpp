@@ -11,6 +11,7 @@
 #include "method/method_apart.hpp"
 #include "query/case_json.hpp"
 #include "query/output_file.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -54,8 +55,9 @@ Result<int> run_minimize(const MinimizeArguments& options) {
   }
 
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Minimised minimised = shrink(found.value, options.method, **method, failure, *search,
-                                     {options.max_trials, [&] { return interrupted.load(); }});
+  Minimised minimised = shrink(found.value, options.method, **method, failure, *search,
+                               {options.max_trials, [&] { return interrupted.load(); }});
+  drop_tree(minimised.value.truth);
   const std::string text = to_json(minimised.value, JsonLayout::kReadable) + "\n";
   if (options.output.empty()) {
     if (!options.json) print_out(text);

@@ -18,6 +18,7 @@
 #include "eval/in_order.hpp"
 #include "eval/table.hpp"
 #include "method/method_apart.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -70,11 +71,12 @@ Checked check_entries(std::vector<NamedCase>& entries, int threads) {
   std::vector<NamedCase> holding;
   size_t done = 0;
   run_in_order<Result<CheckedCase>>(
-      entries.size(), threads, [&](size_t i) { return check_case(entries[i]); },
+      entries.size(), threads,
+      [&](size_t i) { return check_case(entries[i].value, trees_path(entries[i].file)); },
       [&](Result<CheckedCase> checked) {
         NamedCase& entry = entries[done++];
         if (!checked) {
-          out.refuted.push_back(checked.error());
+          out.refuted.push_back({entry.id, checked.error().message()});
           return;
         }
         out.known.push_back(*std::move(checked));

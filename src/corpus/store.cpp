@@ -12,6 +12,7 @@
 #include "corpus/store_index.hpp"
 #include "query/case_json.hpp"
 #include "query/output_file.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -37,15 +38,6 @@ Result<void> remove_file(const std::string& path) {
   fs::remove(path, error);
   if (error) return system_error(path, "remove", error.value());
   return {};
-}
-
-/// Without a tree, which stands in a file beside the case that was found: what the case says of
-/// absence then rests on a method's word.
-void leave_tree(Truth& truth) {
-  if (!truth.clearance || !std::holds_alternative<MissTree>(*truth.clearance)) return;
-  truth.clearance.reset();
-  truth.clear_until.reset();
-  if (truth.proof) truth.proof = "rational-tdibm";
 }
 
 Result<void> write_entry(const std::string& path, const Case& value) {
@@ -131,7 +123,7 @@ Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank
       at != nullptr && !gets_a_name
           ? plan.old_path
           : fmt::format("{}/{}.json", home, origin.name.empty() ? rank.second : origin.name);
-  if (plan.path != plan.old_path) leave_tree(plan.entry.truth);
+  if (plan.path != plan.old_path) drop_tree(plan.entry.truth);
   if (plan.path != plan.old_path && fs::exists(plan.path)) {
     return input_error(plan.path, "holds another case of this name");
   }

@@ -14,6 +14,7 @@
 #include "method/method_apart.hpp"
 #include "properties/against_oracle.hpp"
 #include "query/case_json.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -28,12 +29,7 @@ Case decided_with_little_effort(const Case& candidate) {
   little.max_pops = kEnoughPops;
   little.max_tree_nodes = 10 * kEnoughPops;  // as decide_briefly
   Decision decision = decide(candidate.query, little);
-  // A tree stands in a file beside its case: without it, it proves nothing.
-  if (decision.truth.clearance && std::holds_alternative<MissTree>(*decision.truth.clearance)) {
-    decision.truth.clearance.reset();
-    decision.truth.clear_until.reset();
-    if (decision.truth.collides == false) decision.truth.proof = "rational-tdibm";
-  }
+  drop_tree(decision.truth);
   Case known = candidate;
   known.truth = std::move(decision.truth);
   if (const auto q = witnessed_query(known)) {

@@ -77,6 +77,13 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
   return bytes;
 }
 
+void drop_tree(Truth& truth) {
+  if (!truth.clearance || !std::holds_alternative<MissTree>(*truth.clearance)) return;
+  truth.clearance.reset();
+  truth.clear_until.reset();
+  if (truth.collides == false) truth.proof = "rational-tdibm";
+}
+
 Result<TreeRef> TreeWriter::write(std::string_view bytes) {
   CCDFUZZ_VERIFY(bytes.size() <= kMaxTreeBytes);
   if (!file_) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "query/certificate.hpp"
+#include "query/case.hpp"
 #include "query/output_file.hpp"
 
 namespace ccdfuzz {
@@ -23,6 +23,10 @@ inline constexpr size_t kMaxTreeBytes = 4 << 20;
 /// frame or is followed by something within its length, is larger than kMaxTreeBytes, or its bytes
 /// have another hash; naming the path.
 Result<std::string> read_tree(const std::string& path, const TreeRef& tree);
+
+/// For a truth whose tree does not come along: what it says of absence by that tree then rests on a
+/// method's word.
+void drop_tree(Truth& truth);
 
 /// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.
 class TreeWriter {

@@ -5,6 +5,7 @@
 
 #include "bezier/blossom.hpp"
 #include "bezier/random_patch.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "query/case_json.hpp"
 #include "rising_triangle.hpp"

@@ -123,8 +123,8 @@ typedef struct ccdfuzz_description {
   uint32_t tolerance_kind;
   uint32_t nan_policy;
   double tolerance; /* 0: none claimed; at most 2^40, or 1 where the kind is relative */
-  /* In [0, 2^40]; a hit where the patches are this near is no false positive. If it is conservative, that
-   * they come nearer needs a hit, and toi_lower is never after that. */
+  /* In [0, 2^40]; a hit where the patches are this near is no false positive. If it is
+   * conservative, that they come nearer needs a hit, and toi_lower is never after that. */
   double minimum_separation;
 } ccdfuzz_description;
 
