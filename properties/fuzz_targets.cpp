@@ -12,6 +12,11 @@ namespace ccdfuzz {
 
 namespace {
 
+constexpr auto kAnyBits = std::to_array<std::string_view>({
+    "methods.refuses_invalid",
+    "query.is_valid",
+});
+
 constexpr auto kArithmetic = std::to_array<std::string_view>({
     "dyadic.round_trip",
     "wide_int.is_gmp",
@@ -202,6 +207,7 @@ struct Names {
 };
 
 constexpr auto kTargets = std::to_array<Names>({
+    {"any_bits", kRefutedClaim, kAnyBits},
     {"arithmetic", kRefutedBound, kArithmetic},
     {"case_reader", kRefutedClaim, kCaseReader, true},
     {"certificates", kRefutedClaim, kCertificates},

@@ -29,10 +29,7 @@ Check judged_so(const CheckedCase& asked, const Answer& answer, Outcome expected
                 const AnswerTerms& terms = {}) {
   const Outcome outcome = judge(asked, answer, terms);
   if (outcome == expected) return Check::holds();
-  return Check::fails(fmt::format("{} with toi {} is {}, not {}, on\n{}",
-                                  answer.verdict == Verdict::kHit    ? "a hit"
-                                  : answer.verdict == Verdict::kMiss ? "a miss"
-                                                                     : "no decision",
+  return Check::fails(fmt::format("{} with toi {} is {}, not {}, on\n{}", name_of(answer.verdict),
                                   answer.toi ? to_hex(*answer.toi) : "none", name_of(outcome),
                                   name_of(expected), to_json(asked.value())));
 }
@@ -55,7 +52,8 @@ Check check_judge(ChoiceSource& choices) {
       outcome(Verdict::kHit, {}) == Outcome::kError &&
       outcome(Verdict::kHit, std::nan("")) == Outcome::kError &&
       outcome(Verdict::kHit, std::nextafter(t_max, HUGE_VAL)) == Outcome::kError &&
-      outcome(Verdict::kUndecided, {}) == Outcome::kUndecided;
+      outcome(Verdict::kUndecided, {}) == Outcome::kUndecided &&
+      outcome(Verdict::kRefused, {}) == Outcome::kNotAsked;
   return right ? Check::holds() : Check::fails(to_json(*drawn));
 }
 
@@ -116,6 +114,8 @@ Check check_judge_of_absence(ChoiceSource& choices) {
     if (check.status == Check::Status::kFails) return check;
   }
   Check check = judged_so(asked, says(Verdict::kUndecided, toi), Outcome::kUndecided);
+  if (check.status == Check::Status::kFails) return check;
+  check = judged_so(asked, says(Verdict::kRefused, kNoNumber), Outcome::kNotAsked);
   if (check.status == Check::Status::kFails) return check;
   return judged_so(asked, draw_nonsense(choices, t_max), Outcome::kError);
 }

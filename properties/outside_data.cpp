@@ -137,6 +137,13 @@ Check check_plugin_line(ChoiceSource& choices) {
     return Check::fails(
         fmt::format("{}, t_max = {}, of the line {}", what, to_hex(t_max), as_hex(line)));
   };
+  for (const auto& [word, meant] :
+       {std::pair("miss", Verdict::kMiss), std::pair("inconclusive", Verdict::kUndecided),
+        std::pair("refused", Verdict::kRefused)}) {
+    const auto said =
+        read_answer(fmt::format(R"({{"id":7,"verdict":"{}"}})", word), kQuestion, t_max);
+    if (!said || said->answer.verdict != meant) return failure(word);
+  }
   const Described described = read_description(line);
   if (described) {
     for (const double claimed : {described->tolerance, described->minimum_separation}) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "properties/any_bits.hpp"
 #include "properties/any_environment.hpp"
 #include "properties/arithmetic.hpp"
 #include "properties/case_claims.hpp"
@@ -127,6 +128,7 @@ const std::vector<Property>& properties() {
                                any_environment_properties,
                                generator_properties,
                                method_answer_properties,
+                               any_bits_properties,
                                judge_properties,
                                method_symmetry_properties,
                                traced_properties,

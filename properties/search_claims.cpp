@@ -19,9 +19,8 @@ namespace ccdfuzz {
 namespace {
 
 std::string summary(const Answer& answer) {
-  constexpr std::array kWords = {"hit", "miss", "undecided"};
-  return fmt::format("{} after {} pops{}", kWords[static_cast<std::size_t>(answer.verdict)],
-                     answer.pops, answer.toi ? " at " + to_hex(*answer.toi) : "");
+  return fmt::format("{} after {} pops{}", name_of(answer.verdict), answer.pops,
+                     answer.toi ? " at " + to_hex(*answer.toi) : "");
 }
 
 /// A run that may take no more pops than n of the P of another: the same answer for n = P; for

@@ -15,6 +15,7 @@ Vec3<double> unit(const Vec3<double>& v) {
   if (!(largest > 0) || !std::isfinite(largest)) return {0, 0, 0};
   const Vec3<double> w{v[0] / largest, v[1] / largest, v[2] / largest};
   const double norm = std::sqrt(dot(w, w));
+  if (std::isnan(norm)) return {0, 0, 0};  // a NaN is no maximum where it does not come first
   return {w[0] / norm, w[1] / norm, w[2] / norm};
 }
 

@@ -16,8 +16,16 @@
 #include "numeric/fp_guard.hpp"
 #include "query/answer.hpp"
 #include "query/query.hpp"
+#include "query/refusal.hpp"
 
 namespace ccdfuzz {
+
+inline bool is_taken(const Query& query, const SearchOptions& options) {
+  return is_taken(query, options.precision, options.max_seconds);
+}
+inline Answer refusal(const Query& query, const SearchOptions& options) {
+  return refusal(query, options.precision, options.max_seconds);
+}
 
 /// The wall-time budget of one query.
 class Deadline {
@@ -40,8 +48,10 @@ class Deadline {
 /// A closed time interval in which a pair of cells may touch; lo ≤ hi.
 using Window = TimeWindow<double>;
 
-/// Depth at which every cell is at most `precision` wide: the least d with 2^-d ≤ precision.
+/// Depth at which every cell is at most `precision` wide: the least d with 2^-d ≤ precision, and at
+/// most kMaxDepth. Outside of (0, 1] it is kMaxDepth: cells that are too small cost time alone.
 inline int depth_for(double precision) {
+  if (!(0 < precision && precision <= 1)) return Cell::kMaxDepth;
   int exponent = 0;
   // precision = f·2^e with ½ ≤ f < 1, so 2^-d ≤ precision iff d ≥ 1 − e, for f = ½ as for f > ½.
   std::frexp(precision, &exponent);
@@ -103,7 +113,9 @@ auto time_parts(const Window& w) {
 template <class Inclusion>
 class Search {
  public:
+  /// Refuses what is not taken (is_taken); the inclusion is given valid queries alone.
   Answer run(const Query& query, const SearchOptions& options, Inclusion& inclusion) {
+    if (!is_taken(query, options)) return refusal(query, options);
     const FpGuard guard;
     const auto start = std::chrono::steady_clock::now();
     Answer answer = decide(query, options, inclusion);

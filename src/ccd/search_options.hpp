@@ -11,10 +11,10 @@ namespace ccdfuzz {
 /// within about a second, by memory, and all within 256 MiB. A queue that grows copies itself
 /// once, so max_bytes is half.
 struct SearchOptions {
-  double precision = 1e-4;              ///< parameter width at which a pair of cells is a hit
+  double precision = 1e-4;  ///< parameter width at which a pair of cells is a hit; in (0, 1]
   std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
   std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue
-  /// Wall time; looked at every Deadline::kPopsBetweenLooks pops.
+  /// Wall time, not NaN; looked at every Deadline::kPopsBetweenLooks pops.
   double max_seconds = std::numeric_limits<double>::infinity();
 };
 

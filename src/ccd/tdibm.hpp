@@ -78,8 +78,8 @@ class Tdibm {
  public:
   explicit Tdibm(Policy policy = Policy()) : inclusion_(policy) {}
 
-  /// Requires a valid query (validate). toi is the start of the first window that was narrow
-  /// enough; it is as safe as Policy is.
+  /// Any bits may be asked about; what is no valid query (is_taken) is refused. toi is the start of
+  /// the first window that was narrow enough; it is as safe as Policy is.
   Answer answer(const Query& query, const SearchOptions& options) {
     return search_.run(query, options, inclusion_);
   }

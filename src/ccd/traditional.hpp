@@ -53,7 +53,8 @@ class Traditional {
  public:
   explicit Traditional(BoxKind kind = BoxKind::kOriented) : inclusion_(kind) {}
 
-  /// Requires a valid query. toi is the start of the first window that was narrow enough.
+  /// Any bits may be asked about; what is no valid query (is_taken) is refused. toi is the start of
+  /// the first window that was narrow enough.
   Answer answer(const Query& query, const SearchOptions& options);
 
  private:

@@ -13,7 +13,7 @@ nlohmann::ordered_json answer_row(const std::string& case_id, const std::string&
                                 {"outcome", name_of(judged.outcome)},
                                 {"pops", answer.pops},
                                 {"seconds", answer.seconds}};
-  if (answer.toi && answer.verdict != Verdict::kMiss) row["toi"] = *answer.toi;
+  if (answer.has_toi()) row["toi"] = *answer.toi;
   if (answer.verdict == Verdict::kHit) row["uv"] = answer.uv;
   if (!judged.error.empty()) row["error"] = judged.error;
   if (!answer.note.empty()) row["note"] = answer.note;

@@ -88,8 +88,26 @@ void for_each_query(const Plan& plan, const BenchArguments& options, ContactClas
   }
 }
 
-/// How many times the time of the first method; ≥ where the budget cut some queries short.
-std::string ratio_text(const Race::Runner& runner, double ratio) {
+/// How many times the time of the first method, as seconds_of gives it; nothing where one of the
+/// two refused a query: those that both answered are then not the same.
+template <class SecondsOf>
+std::optional<double> ratio(const Race::Runner& runner, const Race::Runner& base,
+                            const SecondsOf& seconds_of) {
+  if (runner.not_asked + base.not_asked > 0) return std::nullopt;
+  return seconds_of(runner) / seconds_of(base);
+}
+
+double total(const Race::Runner& runner) {
+  return runner.seconds;
+}
+double median(const Race::Runner& runner) {
+  return runner.timings.median();
+}
+
+/// ≥ where the budget cut some queries short.
+std::string ratio_text(const Race::Runner& runner, const std::optional<double>& times) {
+  if (!times) return "-";
+  const double ratio = *times;
   const char* format = ratio < 10 ? "{}{:.2f}×" : "{}{:.0f}×";
   return fmt::format(fmt::runtime(format), runner.undecided > 0 ? "≥ " : "", ratio);
 }
@@ -97,34 +115,41 @@ std::string ratio_text(const Race::Runner& runner, double ratio) {
 void add_rows(Table& table, ContactClass contact, const Race& race) {
   const Race::Runner& base = race.runners().front();
   table.start_group();
+  const auto count_or_nothing = [](std::uint64_t n) { return n > 0 ? fmt::format("{}", n) : ""; };
   for (const Race::Runner& runner : race.runners()) {
-    const auto n = static_cast<double>(race.queries());
+    const auto n = static_cast<double>(runner.asked);
+    const bool any = runner.asked > 0;
     table.add_row({{std::string(name_of(contact))},
                    {runner.spec},
-                   {fmt::format("{}", race.queries())},
-                   {duration_text(runner.seconds / n)},
-                   {duration_text(runner.timings.median())},
-                   {fmt::format("{:.1f}", static_cast<double>(runner.pops) / n)},
-                   {runner.undecided > 0 ? fmt::format("{}", runner.undecided) : ""},
-                   {ratio_text(runner, runner.seconds / base.seconds)},
-                   {ratio_text(runner, runner.timings.median() / base.timings.median())}});
+                   {fmt::format("{}", runner.asked)},
+                   {any ? duration_text(runner.seconds / n) : "-"},
+                   {any ? duration_text(runner.timings.median()) : "-"},
+                   {any ? fmt::format("{:.1f}", static_cast<double>(runner.pops) / n) : "-"},
+                   {count_or_nothing(runner.undecided)},
+                   {count_or_nothing(runner.not_asked)},
+                   {ratio_text(runner, ratio(runner, base, total))},
+                   {ratio_text(runner, ratio(runner, base, median))}});
   }
 }
 
 void print_rows(ContactClass contact, const Race& race) {
   const Race::Runner& base = race.runners().front();
+  const auto or_null = [](const std::optional<double>& x) {
+    return x ? nlohmann::ordered_json(*x) : nlohmann::ordered_json();
+  };
   for (const Race::Runner& runner : race.runners()) {
     print_json({{"class", name_of(contact)},
                 {"method", runner.spec},
                 {"base", base.spec},
-                {"n", race.queries()},
+                {"n", runner.asked},
                 {"total_seconds", runner.seconds},
                 {"median_seconds", runner.timings.median()},
                 {"pops", runner.pops},
                 {"max_pops", runner.options.max_pops},
                 {"undecided", runner.undecided},
-                {"total_ratio", runner.seconds / base.seconds},
-                {"median_ratio", runner.timings.median() / base.timings.median()}});
+                {"not_asked", runner.not_asked},
+                {"total_ratio", or_null(ratio(runner, base, total))},
+                {"median_ratio", or_null(ratio(runner, base, median))}});
   }
 }
 
@@ -139,6 +164,7 @@ Result<int> run_bench(const BenchArguments& options) {
                {"median"},
                {"pops"},
                {"undecided"},
+               {"not asked"},
                {"total / " + base},
                {"median / " + base}});
   const std::atomic<bool>& interrupted = catch_interrupts();

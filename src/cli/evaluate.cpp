@@ -10,6 +10,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/refusals.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/data_set_address.hpp"
 #include "eval/evaluation_folder.hpp"
@@ -130,6 +131,7 @@ void print_evaluation(const std::vector<EvaluatedGroup>& groups,
     first = false;
     print_out(table.to_text(colour));
   }
+  print_refusals(groups);
 }
 
 std::string progress_note(const AnswerRecord& record) {

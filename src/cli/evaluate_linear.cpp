@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/refusals.hpp"
 #include "cli/terminal.hpp"
 #include "eval/linear_table.hpp"
 #include "query/shell_word.hpp"
@@ -85,7 +86,9 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
     for (const LinearGroup& group : report->groups) print_json(linear_group_json(group));
     for (const Imported& query : report->notable) print_json(notable_json(query));
   } else {
-    print_out(linear_table(report->groups).to_text(wants_colour(stdout)) + "\n");
+    print_out(linear_table(report->groups).to_text(wants_colour(stdout)));
+    print_refusals(report->groups);
+    print_out("\n");
     std::uint64_t wrong = 0;
     for (const Imported& query : report->notable) {
       wrong += query.label_is_wrong();

@@ -14,6 +14,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
+#include "cli/refusals.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/shape_text.hpp"
 #include "cli/terminal.hpp"
@@ -111,6 +112,7 @@ std::uint64_t query_count(const HuntReport& report) {
 
 void print_report(const HuntReport& report, const HuntArguments& options) {
   print_out(hunt_table(report.cells).to_text(wants_colour(stdout)));
+  print_refusals(report.cells);
   const auto has_early_hits = [](const HuntCell& cell) {
     return cell.tally.count(Outcome::kFalsePositive) > 0;
   };
@@ -207,7 +209,10 @@ bool asked_nothing(const HuntReport& report) {
 
 void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments& options) {
   std::string why = "the time was over before";
-  if (report.cases > 0) {
+  const auto refuses = [](const HuntCell& cell) { return cell.tally.not_asked() > 0; };
+  if (std::ranges::any_of(report.cells, refuses)) {
+    why = fmt::format("every method refused what it was to be asked about {} cases", report.cases);
+  } else if (report.cases > 0) {
     why = fmt::format("none of {} cases drawn can be", report.cases);
     if (options.within > 0) why += fmt::format(" with --within {}", options.within);
   }

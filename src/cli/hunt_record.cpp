@@ -41,6 +41,8 @@ HuntCell cell_of(const JsonField& row) {
   cell.tally.negatives = row["negatives"].count();
   for (const Outcome outcome : kAllOutcomes) {
     const std::string name(name_of(outcome));
+    // Records written before methods could refuse do not have it.
+    if (outcome == Outcome::kNotAsked && !row.find(name.c_str())) continue;
     cell.tally.by_outcome[static_cast<size_t>(outcome)] = row[name.c_str()].count();
   }
   cell.cpu_seconds = row["cpu_seconds"].amount();

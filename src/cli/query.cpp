@@ -26,11 +26,10 @@ std::vector<TableCell> table_row(const std::string& case_id, const std::string& 
                                  const Judged& judged) {
   const Answer& answer = judged.answer;
   const bool bad = is_false_negative(judged.outcome) || judged.outcome == Outcome::kError;
-  const bool has_toi = answer.toi && answer.verdict != Verdict::kMiss;
   return {{case_id},
           {method},
           {std::string(name_of(answer.verdict))},
-          {has_toi ? fmt::format("{}", *answer.toi) : ""},
+          {answer.has_toi() ? fmt::format("{}", *answer.toi) : ""},
           {std::string(name_of(judged.outcome)), bad ? Emphasis::kBad : Emphasis::kPlain},
           {fmt::format("{}", answer.pops)},
           {duration_text(answer.seconds)},

@@ -16,7 +16,8 @@ constexpr std::array<std::string_view, 14> kAnswerColumns = {
     "index", "case",    "class", "kind",    "collides", "t_max_factor", "method",
     "t_max", "verdict", "toi",   "outcome", "pops",     "bytes",        "seconds"};
 
-constexpr std::array kVerdicts = {Verdict::kHit, Verdict::kMiss, Verdict::kUndecided};
+constexpr std::array kVerdicts = {Verdict::kHit, Verdict::kMiss, Verdict::kUndecided,
+                                  Verdict::kRefused};
 
 /// The fields of a line of CSV (RFC 4180); fields hold no line breaks.
 std::vector<std::string> csv_fields(std::string_view line) {
@@ -63,18 +64,6 @@ std::string optional_text(const std::optional<double>& x) {
 }
 
 }  // namespace
-
-std::string_view name_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kHit:
-      return "hit";
-    case Verdict::kMiss:
-      return "miss";
-    case Verdict::kUndecided:
-      return "undecided";
-  }
-  return "?";
-}
 
 std::string answer_csv_header() {
   return fmt::format("{}", fmt::join(kAnswerColumns, ","));

@@ -10,8 +10,6 @@
 
 namespace ccdfuzz {
 
-std::string_view name_of(Verdict verdict);  ///< "hit", "miss", "undecided"
-
 /// One answer of an evaluation: a line of answers.csv, from which all tables are made. Reals are
 /// written in the shortest form that reads back as the same double.
 struct AnswerRecord {

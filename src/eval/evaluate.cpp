@@ -69,7 +69,7 @@ AnswerRecord answer_item(const std::string& id, const CheckedCase& known, const 
   record.method = spec;
   record.t_max = asked.query().t_max;
   record.verdict = answer.verdict;
-  if (answer.verdict != Verdict::kMiss) record.toi = answer.toi;
+  if (answer.has_toi()) record.toi = answer.toi;
   record.outcome = judged.outcome;
   record.pops = answer.pops;
   record.bytes = answer.bytes;

@@ -55,6 +55,7 @@ std::string figure_8_csv(const std::vector<EvaluatedGroup>& groups) {
   std::string lines = "class,method,positives,missed,late,missed_rate,mean_ms,median_ms,p99_ms\n";
   for (const EvaluatedGroup& group : at_contact(groups, std::nullopt)) {
     const Tally& tally = group.tally;
+    if (tally.n == 0) continue;  // all refused
     const std::uint64_t missed = tally.count(Outcome::kMissed);
     lines += fmt::format(
         "{},{},{},{},{},{},{},{},{}\n", csv_field(group.contact), csv_field(group.method),

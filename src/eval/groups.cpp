@@ -31,6 +31,7 @@ void EvaluatedGroup::add(const AnswerRecord& record) {
   answer.pops = record.pops;
   answer.seconds = record.seconds;
   tally.add(answer, record.outcome, record.collides);
+  if (record.outcome == Outcome::kNotAsked) return;
   seconds.add(record.seconds);
   bytes.add(static_cast<double>(record.bytes));
 }

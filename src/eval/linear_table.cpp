@@ -136,7 +136,7 @@ Result<LinearReport> evaluate_linear(
             TimedAnswer& timed = result->answers[m];
             timed.judged.answer.seconds = timed.seconds;
             group.tally.add(timed.judged.answer, timed.judged.outcome, query.value.truth.collides);
-            group.timings.add(timed.seconds);
+            if (timed.judged.outcome != Outcome::kNotAsked) group.timings.add(timed.seconds);
           }
           ++report.queries;
           if (query.label) ++report.labels;
@@ -149,25 +149,29 @@ Result<LinearReport> evaluate_linear(
     if (stop && *stop) break;
     progress(static_cast<double>(++done_files) / static_cast<double>(files.size()), report.queries);
   }
-  std::erase_if(report.groups, [](const LinearGroup& group) { return group.tally.n == 0; });
+  std::erase_if(report.groups, [](const LinearGroup& group) {
+    return group.tally.n + group.tally.not_asked() == 0;
+  });
   return report;
 }
 
 Table linear_table(const std::vector<LinearGroup>& groups) {
-  Table table({{"queries", Align::kLeft},
-               {"method", Align::kLeft},
-               {"n"},
-               {"contacts"},
-               {"mean"},
-               {"median"},
-               {"p99"},
-               {"FP"},
-               {"FN missed"},
-               {"FN late"},
-               {"undecided"},
-               {"paper: mean"},
-               {"FP"},
-               {"FN"}});
+  const bool refusals = std::ranges::any_of(
+      groups, [](const LinearGroup& group) { return group.tally.not_asked() > 0; });
+  std::vector<Table::Column> columns = {{"queries", Align::kLeft},
+                                        {"method", Align::kLeft},
+                                        {"n"},
+                                        {"contacts"},
+                                        {"mean"},
+                                        {"median"},
+                                        {"p99"},
+                                        {"FP"},
+                                        {"FN missed"},
+                                        {"FN late"},
+                                        {"undecided"}};
+  if (refusals) columns.push_back({"not asked"});
+  for (const char* title : {"paper: mean", "FP", "FN"}) columns.push_back({title});
+  Table table(columns);
   const LinearGroup* last = nullptr;
   for (const LinearGroup& group : groups) {
     if (last && last->layout != group.layout) table.start_group();
@@ -179,21 +183,26 @@ Table linear_table(const std::vector<LinearGroup>& groups) {
       return tally.count(outcome) > 0 ? Emphasis::kBad : Emphasis::kPlain;
     };
     const auto of_total = [total](int n) { return fmt::format("{}/{}", n, total); };
-    table.add_row(
-        {{name_of(group.layout)},
-         {group.method},
-         {fmt::format("{}", tally.n)},
-         {fmt::format("{}", tally.positives)},
-         {duration_text(tally.mean_seconds())},
-         {duration_text(group.timings.median())},
-         {duration_text(group.timings.p99())},
-         {count(Outcome::kFalsePositive)},
-         {count(Outcome::kMissed), bad(Outcome::kMissed)},
-         {count(Outcome::kLate), bad(Outcome::kLate)},
-         {fmt::format("{}", tally.count(Outcome::kUndecided) + tally.count(Outcome::kError))},
-         {paper_cell(group, [](const auto& r) { return duration_text(r.milliseconds * 1e-3); })},
+    const auto if_asked = [&](std::string text) { return tally.n > 0 ? std::move(text) : "-"; };
+    std::vector<TableCell> cells = {
+        {name_of(group.layout)},
+        {group.method},
+        {fmt::format("{}", tally.n)},
+        {fmt::format("{}", tally.positives)},
+        {if_asked(duration_text(tally.mean_seconds()))},
+        {if_asked(duration_text(group.timings.median()))},
+        {if_asked(duration_text(group.timings.p99()))},
+        {count(Outcome::kFalsePositive)},
+        {count(Outcome::kMissed), bad(Outcome::kMissed)},
+        {count(Outcome::kLate), bad(Outcome::kLate)},
+        {fmt::format("{}", tally.count(Outcome::kUndecided) + tally.count(Outcome::kError))}};
+    if (refusals) cells.push_back({fmt::format("{}", tally.not_asked())});
+    cells.insert(
+        cells.end(),
+        {{paper_cell(group, [](const auto& r) { return duration_text(r.milliseconds * 1e-3); })},
          {paper_cell(group, [&](const auto& r) { return of_total(r.false_positives); })},
          {paper_cell(group, [&](const auto& r) { return of_total(r.false_negatives); })}});
+    table.add_row(std::move(cells));
   }
   return table;
 }

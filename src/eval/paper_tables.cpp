@@ -27,6 +27,7 @@ std::vector<PaperComparison> compare(const std::vector<EvaluatedGroup>& groups,
   std::vector<PaperComparison> rows;
   for (EvaluatedGroup& group :
        at_contact(groups, kinds == "all" ? std::optional<std::string>() : kinds)) {
+    if (group.tally.n == 0) continue;  // all refused
     const auto paper = paper_result(group.contact, kinds, group.method);
     rows.push_back({kinds, std::move(group), paper});
   }

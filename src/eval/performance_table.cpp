@@ -72,11 +72,14 @@ Table performance_table(const std::vector<EvaluatedGroup>& groups) {
   std::vector<Table::Column> columns = {{"class", Align::kLeft}};
   if (kinds) columns.push_back({"kinds", Align::kLeft});
   if (horizons) columns.push_back({"t_max", Align::kLeft});
+  const bool refusals =
+      std::ranges::any_of(groups, [](const EvaluatedGroup& g) { return g.tally.not_asked() > 0; });
   columns.push_back({"method", Align::kLeft});
   for (const char* title : {"n", "mean", "median", "p99", "memory", "p99 mem", "FN missed",
                             "FN late", "FP", "undecided", "unknown", "error"}) {
     columns.push_back({title});
   }
+  if (refusals) columns.push_back({"not asked"});
   Table table(columns);
   const EvaluatedGroup* previous = nullptr;
   for (const EvaluatedGroup& group : groups) {
@@ -93,22 +96,26 @@ Table performance_table(const std::vector<EvaluatedGroup>& groups) {
                                  : bad  ? Emphasis::kBad
                                         : Emphasis::kPlain};
     };
+    const auto if_asked = [&](std::string text) -> TableCell {
+      return tally.n > 0 ? TableCell{std::move(text)} : TableCell{"-", Emphasis::kFaint};
+    };
     std::vector<TableCell> cells = {{group.contact}};
     if (kinds) cells.push_back({group.kinds});
     if (horizons) cells.push_back({horizon_text(group.factor)});
     cells.insert(cells.end(), {{group.method},
                                {fmt::format("{}", tally.n)},
-                               {duration_text(tally.mean_seconds())},
-                               {duration_text(group.seconds.median())},
-                               {duration_text(group.seconds.p99())},
-                               {size_text(group.bytes.mean())},
-                               {size_text(group.bytes.p99())},
+                               if_asked(duration_text(tally.mean_seconds())),
+                               if_asked(duration_text(group.seconds.median())),
+                               if_asked(duration_text(group.seconds.p99())),
+                               if_asked(size_text(group.bytes.mean())),
+                               if_asked(size_text(group.bytes.p99())),
                                count(Outcome::kMissed, tally.positives),
                                count(Outcome::kLate, tally.positives),
                                count(Outcome::kFalsePositive, tally.negatives),
                                count(Outcome::kUndecided, tally.n),
                                count(Outcome::kUnknown, tally.n),
                                count(Outcome::kError, tally.n)});
+    if (refusals) cells.push_back({fmt::format("{}", tally.not_asked())});
     table.add_row(std::move(cells));
   }
   return table;

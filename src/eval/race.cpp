@@ -33,6 +33,11 @@ void Race::ask(const Query& query) {
       answer = runner.method->answer(query, runner.options);
       least = std::min(least, thread_cpu_seconds() - start);
     }
+    if (answer.verdict == Verdict::kRefused) {
+      ++runner.not_asked;
+      continue;
+    }
+    ++runner.asked;
     runner.seconds += least;
     runner.timings.add(least);
     runner.pops += answer.pops;

@@ -22,7 +22,9 @@ class Race {
     std::string spec;
     std::unique_ptr<Method> method;
     SearchOptions options;
-    double seconds = 0;  ///< of all queries so far
+    std::uint64_t asked = 0;      ///< queries that it did not refuse
+    std::uint64_t not_asked = 0;  ///< that it refused: in no other number
+    double seconds = 0;           ///< of all queries so far
     Timings timings;
     std::uint64_t pops = 0;
     std::uint64_t undecided = 0;  ///< cut short by the budget: the time is a lower bound

@@ -9,9 +9,10 @@
 namespace ccdfuzz {
 
 void Tally::add(const Answer& answer, Outcome outcome, std::optional<bool> collides) {
+  ++by_outcome[static_cast<size_t>(outcome)];
+  if (outcome == Outcome::kNotAsked) return;
   ++n;
   if (collides) ++(*collides ? positives : negatives);
-  ++by_outcome[static_cast<size_t>(outcome)];
   pops += answer.pops;
   seconds += answer.seconds;
 }

@@ -11,9 +11,10 @@
 namespace ccdfuzz {
 
 /// What one method did on one group of queries, in counts. Merging and adding commute, so the
-/// counts do not depend on the order of the answers; only `seconds` may, in its last bits.
+/// counts do not depend on the order of the answers; only `seconds` may, in its last bits. What the
+/// method refused is in by_outcome[kNotAsked] and in nothing else.
 struct Tally {
-  std::uint64_t n = 0;          ///< queries answered
+  std::uint64_t n = 0;          ///< queries answered, none refused
   std::uint64_t positives = 0;  ///< of them, those whose truth is a contact
   std::uint64_t negatives = 0;  ///< of them, those whose truth is absence
   std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
@@ -24,6 +25,7 @@ struct Tally {
   void merge(const Tally& other);
 
   std::uint64_t count(Outcome outcome) const { return by_outcome[static_cast<size_t>(outcome)]; }
+  std::uint64_t not_asked() const { return count(Outcome::kNotAsked); }
   std::uint64_t false_negatives() const { return count(Outcome::kMissed) + count(Outcome::kLate); }
   /// 0 if there was no query.
   double mean_seconds() const { return n == 0 ? 0 : seconds / static_cast<double>(n); }

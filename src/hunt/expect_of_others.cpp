@@ -15,7 +15,7 @@ void expect_of_others(Case& find, const std::vector<std::string>& methods, Metho
   for (const std::string& method : methods) {
     if (find.expect.contains(method)) continue;
     const Judged judged = ask(asked[method], known, search);
-    if (judged.outcome == Outcome::kUndecided) continue;
+    if (judged.outcome == Outcome::kUndecided || judged.outcome == Outcome::kNotAsked) continue;
     find.expect.emplace(method, judged.outcome);
     set_error_name(find, method, judged.error);
     if (decided) decided(method, judged);

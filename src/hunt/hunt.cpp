@@ -32,6 +32,7 @@ struct Turn {
   size_t cell = 0;
   std::vector<Judged> judged;  ///< one for each of the draw's queries, fewer if stopped
   double cpu_seconds = 0;
+  double answer_seconds = 0;  ///< of those, for what it did not refuse
 };
 
 /// A counterexample on its way to the store.
@@ -127,25 +128,27 @@ class Hunt {
   }
 
   Turn take_turn(size_t cell, const Draw& drawn, MethodSet& methods) const {
-    Turn turn{cell, {}, 0};
+    Turn turn{cell, {}, 0, 0};
     Method& method = methods[report_.cells[cell].method];
-    const double start = clock_of(method);
     for (const CheckedCase& asked : drawn.asked) {
       if (stop_) break;
+      const double start = clock_of(method);
       turn.judged.push_back(ask(method, asked, options_.search));
+      const double used = clock_of(method) - start;
+      turn.cpu_seconds += used;
+      if (turn.judged.back().outcome != Outcome::kNotAsked) turn.answer_seconds += used;
     }
-    turn.cpu_seconds = clock_of(method) - start;
     return turn;
   }
 
   /// Counts a turn and stores what it found. The caller sees to it that turns come one at a time.
   void record(const Turn& turn, const Draw& drawn) {
     HuntCell& cell = report_.cells[turn.cell];
-    cell.cpu_seconds += turn.cpu_seconds;
+    cell.cpu_seconds += turn.answer_seconds;
     for (size_t q = 0; q < turn.judged.size(); ++q) {
       const Judged& judged = turn.judged[q];
       cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].collides());
-      ++queries_;
+      if (judged.outcome != Outcome::kNotAsked) ++queries_;
       if (is_failure(judged.outcome)) offer(cell.method, {drawn.asked[q].value(), judged});
     }
   }

@@ -34,7 +34,9 @@ class MethodFault : public std::runtime_error {
 class Method {
  public:
   virtual ~Method() = default;
-  /// Errors: throws MethodFault, or any other exception, where it fails to answer.
+  /// Any bits may be asked about. What it does not take (is_taken, or a kind of query that it does
+  /// not answer) it refuses, naming the reason. Errors: throws MethodFault, or any other exception,
+  /// where it fails to answer.
   virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
   /// What the answer given last claims; how it is to be judged.
   virtual AnswerTerms terms() const { return {}; }
@@ -49,7 +51,9 @@ class Method {
 class Tracer {
  public:
   virtual ~Tracer() = default;
-  /// Requires a valid query and a witness of it (check_witness). The result is valid until the next
+  /// Requires a valid query, a precision in (0, 1], and a witness of the query (check_witness).
+  /// Errors: InternalError where the query is not valid, the precision out of range, or t* outside
+  /// [0, t_max]; whether the patches touch there is not checked. The result is valid until the next
   /// call.
   virtual const Trace& trace(const Query& query, const Witness& witness,
                              const TraceOptions& options) = 0;

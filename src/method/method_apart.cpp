@@ -67,6 +67,7 @@ class MethodApart : public Method {
     told.max_seconds = std::min(told.max_seconds, most_seconds_);
     terms_ = {};
     broken_claim_.reset();
+    if (!is_taken(query, options)) return refusal(query, options);  // a case file holds no NaN
     try {
       const auto written = process_.ask(question_of(query, told));
       if (!written) throw MethodFault(written.error());

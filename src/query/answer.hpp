@@ -4,18 +4,27 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "bezier/patch.hpp"
 
 namespace ccdfuzz {
 
-enum class Verdict : std::uint8_t { kHit, kMiss, kUndecided };
+enum class Verdict : std::uint8_t {
+  kHit,
+  kMiss,
+  kUndecided,
+  kRefused,  ///< the query or an option is outside of what the method takes: it did not look at it
+};
+
+/// "hit", "miss", "undecided", "refused".
+std::string_view name_of(Verdict verdict);
 
 /// What a method says of a query.
 struct Answer {
   Verdict verdict = Verdict::kUndecided;
   /// hit: the method's time of impact. undecided: the time before which the method found no
-  /// contact, if it knows one. miss: absent.
+  /// contact, if it knows one. miss, refused: absent.
   std::optional<double> toi;
   /// hit: parameters of the contact on each patch.
   std::array<Uv<double>, 2> uv{};
@@ -24,8 +33,14 @@ struct Answer {
   /// The most memory that the queue, and what a method keeps of the patches for it, took, in bytes.
   std::uint64_t bytes = 0;
   double seconds = 0;
-  /// Why it is undecided, or what went wrong; empty if nothing is to be said.
+  /// refused: the field that is not taken, its value, and what is. undecided: why. Otherwise what
+  /// went wrong; empty if nothing is to be said.
   std::string note;
+
+  /// A hit has a time, and what is undecided may.
+  bool has_toi() const {
+    return toi && (verdict == Verdict::kHit || verdict == Verdict::kUndecided);
+  }
 };
 
 }  // namespace ccdfuzz

@@ -23,6 +23,7 @@ bool is_nonsense(const Query& query, const Answer& answer) {
     case Verdict::kUndecided:
       return nan_toi;
     case Verdict::kMiss:
+    case Verdict::kRefused:
       return false;  // carries no time; what stands there is not looked at
   }
   return true;
@@ -90,6 +91,7 @@ bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rati
 
 Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {
   const Query& query = known.query();
+  if (answer.verdict == Verdict::kRefused) return Outcome::kNotAsked;
   if (is_nonsense(query, answer)) return Outcome::kError;
   if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
   const bool hit = answer.verdict == Verdict::kHit;

@@ -25,6 +25,7 @@ struct AnswerTerms {
 };
 
 /// How an answer stands against the truth, every comparison exact:
+///   not_asked       it refuses the query, whatever that holds
 ///   error           the answer is nonsense: a hit without toi, toi NaN or outside [0, t_max]
 ///   undecided       it says so
 ///   missed, late    a witness or a contact box proves a contact by some t ≤ t_max (< t_max, and

@@ -18,6 +18,8 @@ std::string_view name_of(Outcome outcome) {
       return "unknown";
     case Outcome::kError:
       return "error";
+    case Outcome::kNotAsked:
+      return "not_asked";
   }
   return "?";
 }

@@ -16,13 +16,14 @@ enum class Outcome : std::uint8_t {
   kUndecided,      ///< gave up within its budget; never a false negative or positive
   kUnknown,        ///< the truth is absent or does not reach far enough
   kError,          ///< threw, crashed or returned nonsense (NaN, toi outside [0, t_max])
+  kNotAsked,       ///< refused the query; counted apart, in no number of queries and in no rate
 };
 
 inline constexpr std::array kAllOutcomes = {
-    Outcome::kCorrect,   Outcome::kMissed,  Outcome::kLate, Outcome::kFalsePositive,
-    Outcome::kUndecided, Outcome::kUnknown, Outcome::kError};
+    Outcome::kCorrect,   Outcome::kMissed,  Outcome::kLate,  Outcome::kFalsePositive,
+    Outcome::kUndecided, Outcome::kUnknown, Outcome::kError, Outcome::kNotAsked};
 
-/// "correct", "missed", "late", "false_positive", "undecided", "unknown", "error".
+/// "correct", "missed", "late", "false_positive", "undecided", "unknown", "error", "not_asked".
 std::string_view name_of(Outcome outcome);
 std::optional<Outcome> outcome_named(std::string_view name);
 

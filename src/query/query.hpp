@@ -17,6 +17,10 @@ struct Query {
 };
 
 /// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
+/// Errors: the field that is wrong, its value, and what it may be.
 Result<void> validate(const Query& query, const std::string& where);
+
+/// True iff validate accepts the query, whatever its bits. Allocates nothing.
+bool is_valid(const Query& query);
 
 }  // namespace ccdfuzz

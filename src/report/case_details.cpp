@@ -121,7 +121,7 @@ void share_cells(Json& traces, Json& cells) {
 }  // namespace
 
 char letter_of(Outcome outcome) {
-  constexpr std::string_view kLetters = "cmlfu?e";
+  constexpr std::string_view kLetters = "cmlfu?e-";
   static_assert(kLetters.size() == kAllOutcomes.size());
   return kLetters[static_cast<size_t>(outcome)];
 }
@@ -145,7 +145,9 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
     outcomes[static_cast<size_t>(at - methods.begin())] = letter_of(answer.outcome);
     answers[answer.method] = {{"outcome", name_of(answer.outcome)}, {"toi", or_null(answer.toi)}};
     if (!traceable || (failed && !trace_all && !is_failure(answer.outcome))) continue;
-    if (answer.outcome == Outcome::kError) continue;  // it would do here what it did there
+    if (answer.outcome == Outcome::kError || answer.outcome == Outcome::kNotAsked) {
+      continue;  // it would do here what it did there
+    }
     Tracer* const tracer = tracers.find(answer.method);
     if (!tracer) continue;  // a plug-in, of which nothing is seen but its answer
     const TraceOptions options{reported.precision, false, true};

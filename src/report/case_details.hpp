@@ -24,7 +24,7 @@ struct CaseText {
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
                   bool trace_all, TracerSet& tracers);
 
-/// c correct, m missed, l late, f false positive, u undecided, ? unknown, e error.
+/// c correct, m missed, l late, f false positive, u undecided, ? unknown, e error, - not asked.
 char letter_of(Outcome outcome);
 
 }  // namespace ccdfuzz

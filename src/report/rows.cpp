@@ -40,7 +40,7 @@ void ReportRows::add(const AnswerRecord& record, const NamedCase& source, double
   answer.pops = record.pops;
   answer.seconds = record.seconds;
   group.tally.add(answer, record.outcome, record.collides);
-  group.timings.add(record.seconds);
+  if (record.outcome != Outcome::kNotAsked) group.timings.add(record.seconds);
 
   if (!open_ || open_->source != &source) add_curvatures(source.value);
   if (!open_ || open_->source != &source || open_->factor != record.factor) {

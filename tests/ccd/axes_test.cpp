@@ -47,6 +47,16 @@ TEST(Axes, SurfacesHaveAllFifteenOfUnitLength) {
   }
 }
 
+TEST(Axes, ADirectionWithANaNIsZeroWhereverTheNaNStands) {
+  for (int k = 0; k < 3; ++k) {
+    Vec3<double> end{1, 1, 1};
+    end[k] = std::nan("");
+    const std::array<Vec3<double>, 2> positions = {Vec3<double>(0, 0, 0), end}, at_rest{};
+    const Frame frame = obb_frame({Shape::curve(1), positions, at_rest}, 0);
+    EXPECT_TRUE(is_zero(frame)) << "component " << k;
+  }
+}
+
 TEST(Axes, FirstAxisIsTheSpanAtTheGivenTime) {
   const Query query = random_query(Shape::triangle(1), Shape::triangle(1), 2);
   const MovingPatch<double>& patch = query.patches[0];

@@ -19,8 +19,8 @@ TEST(Evaluate, CountsEveryAnswerOncePerClassAndMethod) {
     EXPECT_EQ(rows[i].at("method"), method);
     EXPECT_EQ(rows[i].at("n"), n);
     int sum = 0;
-    for (const char* outcome :
-         {"correct", "missed", "late", "false_positive", "undecided", "unknown", "error"}) {
+    for (const char* outcome : {"correct", "missed", "late", "false_positive", "undecided",
+                                "unknown", "error", "not_asked"}) {
       sum += rows[i].at(outcome).get<int>();
     }
     EXPECT_EQ(sum, n);

@@ -1,4 +1,4 @@
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <filesystem>
 #include <map>
@@ -88,8 +88,8 @@ TEST(Plugins, OfLinearMeshesAreHuntedWithLinearQueries) {
     if (cell.at("method") != linear) {
       EXPECT_EQ(cell.at("missed").get<int>() + cell.at("late").get<int>(), 0) << cell;
     } else {
-      asked[cell.at("class").get<std::string>()] =
-          cell.at("n").get<int>() - cell.at("undecided").get<int>();
+      asked[cell.at("class").get<std::string>()] = cell.at("n").get<int>();
+      EXPECT_EQ(cell.at("undecided"), 0) << cell;
     }
   }
   EXPECT_GT(asked["VF"], 0);
@@ -97,6 +97,72 @@ TEST(Plugins, OfLinearMeshesAreHuntedWithLinearQueries) {
   EXPECT_FALSE(rows_of(hunted.out, "find").empty());
   const Finished replayed = ccdfuzz({"replay", folder / "finds", "--allow-plugins", linear});
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+}
+
+/// Refuses every query.
+const std::string kRefusing =
+    std::string("plugin:") + CCDFUZZ_TEST_CLAIMING_PLUGIN + ":verdict=5:nan=1";
+
+TEST(Plugins, ThatRefuseEverythingAreAskedNothing) {
+  const ScratchFolder folder;
+  const std::vector<std::string> hunt = {
+      "hunt", "--cases", "1", "--methods", kRefusing, "--corpus", folder / "f", "--fail-on", "any"};
+  const Finished told = ccdfuzz(hunt);
+  EXPECT_EQ(told.code, 1);
+  EXPECT_THAT(told.out, testing::HasSubstr(kRefusing + " was asked nothing: it refused all "));
+  EXPECT_THAT(told.err, testing::HasSubstr("nothing was checked: no query was asked; every method "
+                                           "refused what it was to be asked about 6 cases"));
+  std::vector<std::string> as_json = hunt;
+  as_json.emplace_back("--json");
+  const Finished hunted = ccdfuzz(as_json);
+  EXPECT_EQ(hunted.code, 1);
+  for (const auto& cell : rows_of(hunted.out, "cell")) {
+    EXPECT_EQ(cell.at("n"), 0) << cell;
+    EXPECT_EQ(cell.at("positives"), 0) << cell;
+    EXPECT_EQ(cell.at("cpu_seconds"), 0) << cell;
+    EXPECT_GT(cell.at("not_asked"), 0) << cell;
+  }
+  EXPECT_EQ(rows_of(hunted.out, "summary").front().at("queries"), 0);
+  EXPECT_TRUE(rows_of(hunted.out, "find").empty());
+}
+
+TEST(Plugins, ThatRefuseAreInARowOfTheirOwn) {
+  const ScratchFolder folder;
+  const std::string cases = folder / "c.jsonl";
+  ASSERT_EQ(ccdfuzz({"generate", "--contact", "VV", "--count", "3", "-o", cases}).code, 0);
+  const std::string methods = kRefusing + ",tdibm-c";
+  for (const auto& row :
+       json_lines(ccdfuzz({"query", cases, "--methods", methods, "--json"}).out)) {
+    const bool refused = row.at("method") == kRefusing;
+    EXPECT_EQ(row.at("verdict") == "refused", refused) << row;
+    EXPECT_EQ(row.at("outcome") == "not_asked", refused) << row;
+  }
+  const auto rows = json_lines(ccdfuzz({"evaluate", cases, "--methods", methods, "--json"}).out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].at("n"), 0);
+  EXPECT_EQ(rows[0].at("not_asked"), 3);
+  EXPECT_EQ(rows[1].at("n"), 3);
+  EXPECT_EQ(rows[1].at("not_asked"), 0);
+  const std::string table = ccdfuzz({"evaluate", cases, "--methods", methods}).out;
+  EXPECT_THAT(table, testing::HasSubstr("not asked"));
+  EXPECT_THAT(table, testing::HasSubstr(" was asked nothing: it refused all 3 queries"));
+  const std::string without = ccdfuzz({"evaluate", cases, "--methods", "tdibm-c"}).out;
+  EXPECT_THAT(without, testing::Not(testing::HasSubstr("not asked")));
+  const std::string bench = ccdfuzz({"bench", "--methods", "tdibm-c," + kRefusing, "--count", "1",
+                                     "--classes", "VV", "--json"})
+                                .out;
+  const auto raced = json_lines(bench);
+  ASSERT_EQ(raced.size(), 2U) << bench;
+  EXPECT_EQ(raced[1].at("n"), 0);
+  EXPECT_EQ(raced[1].at("not_asked"), 2);
+  EXPECT_TRUE(raced[1].at("total_ratio").is_null());
+  // An entry may expect it.
+  auto entry = json_lines(read_text(cases)).front();
+  entry["expect"] = {{"tdibm-c", "not_asked"}};
+  write_text(folder / "entry.json", entry.dump());
+  const Finished replayed = ccdfuzz({"replay", folder / "entry.json", "--json"});
+  EXPECT_EQ(replayed.code, 1) << replayed.err;
+  EXPECT_EQ(json_lines(replayed.out).front().at("expected"), "not_asked");
 }
 
 TEST(Plugins, CountAsClaimsWhereTheyClaim) {

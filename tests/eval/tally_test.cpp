@@ -42,6 +42,21 @@ TEST(Tally, UndecidedIsNeitherFalseNegativeNorFalsePositive) {
   EXPECT_EQ(tally.count(Outcome::kFalsePositive), 0U);
 }
 
+TEST(Tally, WhatIsNotAskedIsInNoOtherNumber) {
+  Tally asked, tally;
+  asked.add(answer_of(Verdict::kMiss, 3, 0.5), Outcome::kCorrect, false);
+  tally = asked;
+  for (const std::optional<bool>& collides : {std::optional<bool>(), {true}, {false}}) {
+    tally.add(answer_of(Verdict::kRefused, 7, 1), Outcome::kNotAsked, collides);
+  }
+  EXPECT_EQ(tally.not_asked(), 3U);
+  EXPECT_EQ(tally.n, asked.n);
+  EXPECT_EQ(tally.positives, asked.positives);
+  EXPECT_EQ(tally.negatives, asked.negatives);
+  EXPECT_EQ(tally.pops, asked.pops);
+  EXPECT_EQ(tally.mean_seconds(), asked.mean_seconds());
+}
+
 TEST(Tally, MergingPartsEqualsAddingAll) {
   Tally all, left, right;
   for (size_t i = 0; i < 21; ++i) {

@@ -165,9 +165,10 @@ TEST(PluginClaims, AMinimumSeparationExcusesAHitWithinItAndBindsWhoIsConservativ
 TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
   const Case known = meeting_at(0.5, 2);
   const std::string right = hit(0.5);
-  // By policy the one verdict that keeps it: error, inconclusive, hit.
-  for (const auto& [policy, keeps] : {std::pair{1, 4}, std::pair{2, 3}, std::pair{3, 1}}) {
-    for (int verdict = 1; verdict <= 4; ++verdict) {
+  // By policy the one verdict that keeps it: error, inconclusive, hit, refused.
+  for (const auto& [policy, keeps] :
+       {std::pair{1, 4}, std::pair{2, 3}, std::pair{3, 1}, std::pair{4, 5}}) {
+    for (int verdict = 1; verdict <= 5; ++verdict) {
       const std::string options = right + fmt::format(":nan={}:poisoned={}", policy, verdict);
       const std::string outcome = outcome_of(options, known);
       if (verdict == keeps) {
@@ -197,6 +198,14 @@ TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
   // A wrong answer to the query itself weighs more than a broken claim.
   EXPECT_EQ(outcome_of(kMiss + ":nan=1", known), "missed");
   EXPECT_EQ(outcome_of(hit(1) + ":nan=1", known), "late");
+}
+
+TEST(PluginClaims, WhatIsRefusedIsNotAskedAndHeldToNoClaim) {
+  for (const Case& known : {meeting_at(0.5, 2), meeting_at(0.5, 0.25)}) {
+    EXPECT_EQ(outcome_of(":verdict=5", known), "not_asked");
+    EXPECT_EQ(outcome_of(":verdict=5:nan=1" + kConservative, known), "not_asked");
+    EXPECT_EQ(outcome_of(":verdict=5:repeat=no", known), "not_asked");
+  }
 }
 
 TEST(PluginClaims, WhoHangsOnWhatIsNotFiniteAgainAndAgainIsAskedNoMore) {

@@ -158,8 +158,16 @@ TEST(Plugin, AnswersInEitherOrderOfThePatches) {
 
 TEST(Plugin, IsNotAskedAboutShapesThatItDoesNotTake) {
   const Answer answer = made(kNaive)->answer(falling_vertex(), {});
-  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_EQ(answer.verdict, Verdict::kRefused);
   EXPECT_EQ(answer.note, "does not take point and triangle(1)");
+}
+
+TEST(Plugin, IsNotAskedWhatIsNotValid) {
+  Query query = falling_vertex();
+  query.patches[1].positions[0][0] = std::numeric_limits<double>::quiet_NaN();
+  const Answer answer = made(kNaive)->answer(query, {});
+  EXPECT_EQ(answer.verdict, Verdict::kRefused);
+  EXPECT_EQ(answer.note, "patches[1].positions[0][0]: nan is not finite");
 }
 
 TEST(Plugin, SaysWhatItIsAndClaims) {

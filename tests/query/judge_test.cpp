@@ -179,6 +179,13 @@ TEST(Judge, UndecidedIsNeverWrong) {
   }
 }
 
+TEST(Judge, ARefusalIsNotAskedWhateverItHolds) {
+  for (const Truth& truth : {contact(0), no_contact(), clear(1), Truth{}}) {
+    EXPECT_EQ(judged(truth, says(Verdict::kRefused)), "not_asked");
+    EXPECT_EQ(judged(truth, says(Verdict::kRefused, kNan)), "not_asked");
+  }
+}
+
 TEST(Judge, NonsenseIsAnErrorWhateverTheTruth) {
   for (const Scene& truth : {contact({1, 2}), no_contact(), clear(1), unknown()}) {
     EXPECT_EQ(judged(truth, hit(std::nullopt)), "error");

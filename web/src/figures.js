@@ -9,7 +9,7 @@ const present = (list) => methods.filter((m) => list.some((g) => g.method === m)
 
 /** Groups summed up by some of their keys. */
 export function summed(list, keys) {
-  const counts = ['n', 'positives', 'negatives', 'correct', 'missed', 'late', 'false_positive', 'undecided', 'unknown', 'error'];
+  const counts = ['n', 'positives', 'negatives', 'correct', 'missed', 'late', 'false_positive', 'undecided', 'unknown', 'error', 'not_asked'];
   const found = new Map();
   for (const group of list) {
     const key = keys.map((k) => group[k]).join('\u0000');

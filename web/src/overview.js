@@ -11,6 +11,7 @@ function cell(method, contact, sums) {
   if (sums.length > 0) {
     const row = sums.find((r) => r.method === method && r.class === contact);
     if (!row) return null;
+    if (row.n === 0 && row.not_asked > 0) return { refused: row.not_asked };
     return { missed: row.missed, late: row.late, fp: row.false_positive, error: row.error, of: row.positives, negatives: row.negatives };
   }
   const at = methods.indexOf(method);
@@ -31,6 +32,7 @@ function matrix(onPick) {
       kClasses.map((contact) => {
         const found = cell(method, contact, all);
         if (!found) return h('td.empty', '–');
+        if (found.refused) return h('td.empty', { title: `${found.refused.toLocaleString('en')} queries` }, 'refused');
         const fn = found.missed + found.late;
         const bad = fn + found.fp + found.error;
         const heat = found.of ? Math.min(1, Math.sqrt(fn / found.of)) : 0;

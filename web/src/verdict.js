@@ -16,6 +16,7 @@ export function verdict(method, answer, trace, tStar) {
   const says = {
     missed: ' says that there is no contact. ', late: ' reports the contact too late. ',
     false_positive: ' reports a contact that is none. ', correct: ' answers well. ',
+    not_asked: ' refuses this query. ',
   }[answer.outcome] ?? ` is ${answer.outcome}. `;
   const parts = [h('b', method), says];
   if (answer.outcome === 'late' && answer.toi !== null) {

@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cstring>
-#include <limits>
 
 // Sanitizers cannot stand the resolvers, which run before they are set up.
 #if defined(__has_feature)
@@ -117,9 +116,7 @@ void take_snapshot(const double* net, int count, double t0, double t1, double* o
 CCDFUZZ_FOR_EACH_CPU
 void take_snapshot(const double* net, int count, double t0, double t1, double* out,
                    RangeBatch& ranges) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vector min_lo = Vector{} + kInfinity, max_lo = -min_lo;
-  Vector min_hi = min_lo, max_hi = max_lo;
+  Vector min_lo{}, max_lo{}, min_hi{}, max_hi{};
   for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
     Vector p, v;
     std::memcpy(&p, net, sizeof p);
@@ -127,6 +124,11 @@ void take_snapshot(const double* net, int count, double t0, double t1, double* o
     const Vector at_t0 = p + v * t0, at_t1 = p + v * t1;
     std::memcpy(out, &at_t0, sizeof p);
     std::memcpy(out + 4, &at_t1, sizeof p);
+    if (i == 0) {
+      min_lo = max_lo = at_t0;
+      min_hi = max_hi = at_t1;
+      continue;
+    }
     min_lo = at_t0 < min_lo ? at_t0 : min_lo;
     max_lo = at_t0 > max_lo ? at_t0 : max_lo;
     min_hi = at_t1 < min_hi ? at_t1 : min_hi;

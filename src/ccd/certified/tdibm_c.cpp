@@ -28,6 +28,7 @@ bool TdibmC::later(const Entry& x, const Entry& y) {
 }
 
 Answer TdibmC::answer(const Query& query, const SearchOptions& options) {
+  if (!is_taken(query, options)) return refusal(query, options);
   const FpGuard guard;
   const auto start = std::chrono::steady_clock::now();
   Answer answer = decide(query, options);

@@ -14,10 +14,12 @@ namespace ccdfuzz {
 /// Never misses: a pair of cells is dropped, and a window shortened, only where an axis separates
 /// the two control nets with a margin above the error bound at both ends of the dropped time
 /// interval; by convexity it then separates them throughout. So
-///   miss       no contact in [0, t_max], for every finite input;
+///   miss       no contact in [0, t_max], for every valid query;
 ///   hit        a pair of cells no wider than `precision` could not be separated at toi; every
 ///              contact is at toi or later;
-///   undecided  a budget ran out; every contact is at toi or later.
+///   undecided  a budget ran out; every contact is at toi or later;
+///   refused    the query is not valid, or an option is out of range (is_taken); any bits may be
+///              asked about.
 /// How early toi can be: no later time is certified clear for that pair, so it is early by at most
 /// the time in which the pair's hulls, of diameter O(precision), approach each other.
 /// Linear patches (can_advance) are decided exactly: a hit is a contact, at toi + precision·t_max

@@ -19,8 +19,9 @@ struct TierCounts;
 /// so that numbers stay short and the search ends.
 ///
 /// Guarantee: a miss has no contact in the closed [0, t_max]; a hit's toi is no later than the
-/// first contact. No false negative of either kind, for any finite input. A hit may be early or
-/// false, as with any inclusion test, by the size of the last cells.
+/// first contact. No false negative of either kind, for any valid query. A hit may be early or
+/// false, as with any inclusion test, by the size of the last cells. Any bits may be asked about:
+/// what is no valid query (is_taken) is refused.
 /// Keeps its buffers between queries and no other state. One thread at a time.
 class TdibmRational {
  public:

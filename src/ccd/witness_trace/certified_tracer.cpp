@@ -43,6 +43,7 @@ void unscale(Trace& trace, int exponent) {
 const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
                                     const TraceOptions& options) {
   const FpGuard guard;
+  CCDFUZZ_VERIFY(is_taken(query, {.precision = options.precision}) && sgn(witness.t) >= 0);
   const int target = depth_for(options.precision);
   split_.begin(query, target);
   const int exponent = split_.query().time;

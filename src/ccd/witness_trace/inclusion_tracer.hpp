@@ -16,9 +16,10 @@ class InclusionTracer {
   template <class... Args>
   explicit InclusionTracer(Args&&... args) : inclusion_(std::forward<Args>(args)...) {}
 
-  /// Requires a valid query and a witness of it (check_witness): t* ≤ t_max.
+  /// Requires and errors: as Tracer::trace (method/method.hpp).
   const Trace& trace(const Query& query, const Witness& witness, const TraceOptions& options) {
     const FpGuard guard;
+    CCDFUZZ_VERIFY(is_taken(query, {.precision = options.precision}) && sgn(witness.t) >= 0);
     const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
     path_.assign(shapes, witness);
     CCDFUZZ_VERIFY(path_.time().hi <= query.t_max);

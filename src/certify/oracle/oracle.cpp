@@ -159,6 +159,11 @@ class Deciding {
 
 Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
+  if (const Result<void> valid = validate(query, ""); !valid) {
+    Decision undecided;
+    undecided.note = valid.error().message();
+    return undecided;
+  }
   const Decision found =
       linear::is_linear(query) ? decide_linear(query, options) : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept.
@@ -170,6 +175,7 @@ Decision decide(const Query& query, const OracleOptions& options) {
 }
 
 Answer Oracle::answer(const Query& query, const SearchOptions& options) {
+  if (!is_taken(query, options)) return refusal(query, options);
   const auto start = std::chrono::steady_clock::now();
   OracleOptions limits;
   limits.max_pops = options.max_pops;

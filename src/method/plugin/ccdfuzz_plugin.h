@@ -61,7 +61,8 @@ enum {
   CCDFUZZ_HIT = 1,          /* they touch; toi_lower is needed */
   CCDFUZZ_MISS = 2,         /* they do not touch in [0, t_max] */
   CCDFUZZ_INCONCLUSIVE = 3, /* gave up; never counted as wrong */
-  CCDFUZZ_ERROR = 4         /* failed on a valid query: a finding; message may say why */
+  CCDFUZZ_ERROR = 4,        /* failed on a valid query: a finding; message may say why */
+  CCDFUZZ_REFUSED = 5       /* does not take such queries: never counted; message says why */
 };
 
 /* The host fills every field with what is no answer (verdict 0, NaN) before each call. */
@@ -102,7 +103,8 @@ enum {
   CCDFUZZ_NAN_UNDEFINED = 0,
   CCDFUZZ_NAN_ERROR = 1,
   CCDFUZZ_NAN_INCONCLUSIVE = 2,
-  CCDFUZZ_NAN_HIT = 3 /* at 0: what cannot be known to be safe is not */
+  CCDFUZZ_NAN_HIT = 3, /* at 0: what cannot be known to be safe is not */
+  CCDFUZZ_NAN_REFUSED = 4
 };
 
 /* A pair of shapes that it answers, up to these degrees. The host swaps the patches of a query, and

@@ -145,7 +145,7 @@ tl::expected<void, PluginFault> read_length(const JsonValue& object, std::string
 }
 
 constexpr std::array kToleranceKinds = {"time", "time_relative", "space", "space_relative"};
-constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit"};
+constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
 
 /// What decides how its answers are judged.
 tl::expected<void, PluginFault> read_claims(const JsonValue& object, PluginDescription& out) {
@@ -337,6 +337,8 @@ tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std
   if (verdict == "error") return answer_fault("error", "says that it failed: " + message);
   if (verdict == "miss") {
     out.answer.verdict = Verdict::kMiss;
+  } else if (verdict == "refused") {
+    out.answer.verdict = Verdict::kRefused;
   } else if (verdict == "hit") {
     out.answer.verdict = Verdict::kHit;
     if (auto read = read_toi(object->find("toi"), t_max, out); !read) {

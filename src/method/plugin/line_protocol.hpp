@@ -15,7 +15,7 @@ namespace ccdfuzz {
 enum class ToleranceKind : std::uint8_t { kTime, kTimeRelative, kSpace, kSpaceRelative };
 
 /// What it says to a query that is not finite; undefined: anything, so that it is not asked.
-enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit };
+enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit, kRefused };
 std::string_view name_of(NanPolicy policy);
 std::string_view name_of(ToleranceKind kind);
 

@@ -43,6 +43,8 @@ std::string text_of(const Answer& answer) {
       return "miss";
     case Verdict::kUndecided:
       return "inconclusive";
+    case Verdict::kRefused:
+      return "refused";
   }
   return "";
 }
@@ -58,6 +60,7 @@ class PluginMethod : public Method {
 
   Answer answer(const Query& query, const SearchOptions& options) override {
     broken_claim_.reset();
+    if (!is_taken(query, options)) return refusal(query, options);
     if (hangs_ >= kMostHangs) {
       Answer none;
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
@@ -81,6 +84,7 @@ class PluginMethod : public Method {
     const std::optional<bool> swapped = order_of(query);
     if (!swapped) {
       Answer none;
+      none.verdict = Verdict::kRefused;
       none.note = fmt::format("does not take {} and {}", to_text(query.patches[0].shape),
                               to_text(query.patches[1].shape));
       return none;
@@ -152,6 +156,8 @@ class PluginMethod : public Method {
       return elapsed.count() >= options.max_seconds;
     };
     PluginAnswer given = ask_once(query, options);
+    // What it refuses it is not held to.
+    if (given.answer.verdict == Verdict::kRefused) return given;
     if (!plugin_->spec.repeats || is_over()) return given;
     ask_once(decoy_query(query), options);
     if (is_over()) return given;
@@ -204,9 +210,16 @@ class PluginMethod : public Method {
   static bool keeps(NanPolicy policy, const tl::expected<PluginAnswer, PluginFault>& given) {
     if (!given) return policy == NanPolicy::kError && given.error().name == "error";
     const Answer& answer = given->answer;
-    return policy == NanPolicy::kHit
-               ? answer.verdict == Verdict::kHit && *answer.toi == 0
-               : policy == NanPolicy::kInconclusive && answer.verdict == Verdict::kUndecided;
+    switch (policy) {
+      case NanPolicy::kHit:
+        return answer.verdict == Verdict::kHit && *answer.toi == 0;
+      case NanPolicy::kInconclusive:
+        return answer.verdict == Verdict::kUndecided;
+      case NanPolicy::kRefused:
+        return answer.verdict == Verdict::kRefused;
+      default:
+        return false;
+    }
   }
 
   std::shared_ptr<const KnownPlugin> plugin_;

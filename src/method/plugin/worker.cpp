@@ -172,7 +172,7 @@ class Plugin {
     }
     constexpr std::array kKinds = {"time", "time_relative", "space", "space_relative"};
     if (d.tolerance_kind >= kKinds.size()) fault("sizes", "describes an unknown tolerance");
-    constexpr std::array kPolicies = {"undefined", "error", "inconclusive", "hit"};
+    constexpr std::array kPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
     if (d.nan_policy >= kPolicies.size()) fault("sizes", "describes an unknown NaN policy");
     return {{"protocol", 1},
             {"name", d.name == nullptr ? "" : d.name},
@@ -222,7 +222,7 @@ class Plugin {
               {"message", a.message[0] != '\0' ? std::string(a.message)
                                                : "returned " + std::to_string(status)}};
     }
-    constexpr std::array kVerdicts = {"", "hit", "miss", "inconclusive"};
+    constexpr std::array kVerdicts = {"", "hit", "miss", "inconclusive", "error", "refused"};
     if (a.verdict == 0) fault("unanswered", "returned without a verdict");
     if (a.verdict >= kVerdicts.size()) {
       fault("garbage", "gave the verdict " + std::to_string(a.verdict) + ", which there is not");

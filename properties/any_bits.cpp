@@ -1,0 +1,230 @@
+#include "properties/any_bits.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "method/method.hpp"
+#include "properties/draw_patch.hpp"
+#include "query/judge.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+struct Question {
+  Query query;
+  SearchOptions options;
+};
+
+/// Every method of the registry, under a spec that makes it.
+const std::vector<std::string>& every_method() {
+  static const std::vector<std::string> specs = [] {
+    std::vector<std::string> made;
+    for (const MethodInfo& info : registered_methods()) {
+      made.push_back(info.spec.ends_with(":F") ? info.spec.substr(0, info.spec.size() - 1) + "1e-12"
+                                               : info.spec);
+    }
+    made.push_back("tdibm-e" + std::string(kUnoptimised));
+    return made;
+  }();
+  return specs;
+}
+
+double any_double(ChoiceSource& choices) {
+  using Limits = std::numeric_limits<double>;
+  constexpr std::array kSpecial = {Limits::quiet_NaN(),
+                                   -Limits::quiet_NaN(),
+                                   Limits::signaling_NaN(),
+                                   Limits::infinity(),
+                                   -Limits::infinity(),
+                                   Limits::max(),
+                                   -Limits::denorm_min(),
+                                   -0.0,
+                                   -1.0,
+                                   2.0};
+  if (choices.coin()) return std::bit_cast<double>(choices.choose(~std::uint64_t{0}));
+  return choices.pick(kSpecial);
+}
+
+int any_int(ChoiceSource& choices) {
+  const auto any = choices.coin() ? choices.integer(std::numeric_limits<int>::min(),
+                                                    std::numeric_limits<int>::max())
+                                  : choices.integer(-2, kMaxDegree + 2);
+  return static_cast<int>(any);
+}
+
+/// Small numbers, so that a method which looks at them answers soon.
+void fill(ChoiceSource& choices, Points<double>& points, std::size_t count) {
+  points.resize(count);
+  for (Vec3<double>& p : points) {
+    for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(choices.integer(-8, 8)) / 4;
+  }
+}
+
+Question draw_valid(ChoiceSource& choices) {
+  constexpr std::array kMaxDegrees = {1, 2, 1, 2, 1, 2, 1, kMaxDegree};
+  Question drawn;
+  const int max_degree = choices.pick(kMaxDegrees);
+  for (MovingPatch<double>& patch : drawn.query.patches) {
+    patch.shape = draw_shape(choices, max_degree);
+    const auto count = static_cast<std::size_t>(patch.shape.control_count());
+    fill(choices, patch.positions, count);
+    fill(choices, patch.velocities, count);
+  }
+  drawn.query.t_max = static_cast<double>(choices.integer(0, 8)) / 4;
+  drawn.options.precision = std::ldexp(1.0, -static_cast<int>(choices.choose(60)));
+  drawn.options.max_pops = choices.choose(4);
+  drawn.options.max_bytes = choices.choose(1 << 20);
+  return drawn;
+}
+
+/// One field to anything that its type holds.
+void spoil(ChoiceSource& choices, Question& question) {
+  Query& query = question.query;
+  MovingPatch<double>& patch = query.patches[choices.choose(1)];
+  Points<double>& points = choices.coin() ? patch.velocities : patch.positions;
+  switch (choices.choose(7)) {
+    case 0:
+      if (!points.empty()) {
+        points[choices.choose(points.size() - 1)][static_cast<int>(choices.choose(2))] =
+            any_double(choices);
+      }
+      break;
+    case 1:
+      points.resize(choices.choose(kMaxControls + 4), Vec3<double>(1, 0, 0));
+      break;
+    case 2:
+      patch.shape.kind = static_cast<ShapeKind>(choices.choose(255));
+      break;
+    case 3:
+      (choices.coin() ? patch.shape.n : patch.shape.m) = any_int(choices);
+      break;
+    case 4: {  // as many control points as the degrees ask for
+      patch.shape.n = static_cast<int>(choices.integer(-1, kMaxDegree + 2));
+      patch.shape.m = static_cast<int>(choices.integer(-1, kMaxDegree + 2));
+      const auto count = static_cast<std::size_t>(std::max(0, patch.shape.control_count()));
+      patch.positions.resize(count, Vec3<double>(0, 1, 0));
+      patch.velocities.resize(count, Vec3<double>(0, 0, 1));
+      break;
+    }
+    case 5:
+      query.t_max = any_double(choices);
+      break;
+    case 6:
+      question.options.precision = any_double(choices);
+      break;
+    default:
+      question.options.max_seconds = any_double(choices);
+      break;
+  }
+}
+
+std::string described(const Question& question) {
+  std::string text =
+      fmt::format("precision {:a}, max_seconds {:a}, t_max {:a}", question.options.precision,
+                  question.options.max_seconds, question.query.t_max);
+  for (const MovingPatch<double>& patch : question.query.patches) {
+    text += fmt::format("\nkind {}, degrees {} and {}, positions {} and velocities {}",
+                        static_cast<int>(patch.shape.kind), patch.shape.n, patch.shape.m,
+                        to_hex_text(patch.positions), to_hex_text(patch.velocities));
+  }
+  return text;
+}
+
+bool is_patch(const MovingPatch<double>& patch) {
+  const auto& [kind, n, m] = patch.shape;
+  const bool has_n = kind != ShapeKind::kPoint, has_m = kind == ShapeKind::kTensor;
+  const auto degree_fits = [](int degree, bool has) {
+    return has ? 1 <= degree && degree <= 8 : degree == 0;
+  };
+  if (static_cast<int>(kind) > 3 || !degree_fits(n, has_n) || !degree_fits(m, has_m)) return false;
+  const int count = kind == ShapeKind::kTriangle ? (n + 1) * (n + 2) / 2 : (n + 1) * (m + 1);
+  for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
+    if (points->size() != static_cast<std::size_t>(count)) return false;
+    for (const Vec3<double>& p : *points) {
+      for (int k = 0; k < 3; ++k) {
+        if (!std::isfinite(p[k])) return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// By the documentation of the fields alone (query.hpp, shape.hpp, search.hpp).
+bool is_query(const Query& query) {
+  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && std::isfinite(query.t_max) &&
+         query.t_max >= 0;
+}
+
+bool is_right(const Question& question) {
+  const double precision = question.options.precision;
+  return is_query(question.query) && precision > 0 && precision <= 1 &&
+         !std::isnan(question.options.max_seconds);
+}
+
+/// The oracle has no budget for its proofs.
+bool is_quick(const std::string& method, const Query& query) {
+  constexpr int kFewControls = 6;
+  return method != "oracle" ||
+         query.patches[0].shape.control_count() + query.patches[1].shape.control_count() <=
+             kFewControls;
+}
+
+Question draw_question(ChoiceSource& choices) {
+  Question question = draw_valid(choices);
+  for (std::uint64_t left = choices.choose(3); left > 0; --left) spoil(choices, question);
+  return question;
+}
+
+Check check_refusals(ChoiceSource& choices) {
+  const std::string& name = every_method()[choices.choose(every_method().size() - 1)];
+  const Question question = draw_question(choices);
+  const bool to_answer = is_right(question);
+  if (to_answer && !is_quick(name, question.query)) return Check::discarded("takes long");
+  const auto method = *make_method(name);
+  const Answer answer = method->answer(question.query, question.options);
+  const Outcome outcome = judge(question.query, {}, answer, method->terms());
+  const bool refused =
+      answer.verdict == Verdict::kRefused && outcome == Outcome::kNotAsked && !answer.toi;
+  const bool answered = answer.verdict != Verdict::kRefused && outcome != Outcome::kError;
+  if (to_answer ? answered : refused && !answer.note.empty()) return Check::holds();
+  return Check::fails(fmt::format("{} answers {} ({}), judged {}\n{}", name,
+                                  name_of(answer.verdict), answer.note, name_of(outcome),
+                                  described(question)));
+}
+
+Check check_validity(ChoiceSource& choices) {
+  const Question question = draw_question(choices);
+  if (validate(question.query, "").has_value() != is_query(question.query) ||
+      is_taken(question.query, question.options) != is_right(question)) {
+    return Check::fails("taken for valid, or not:\n" + described(question));
+  }
+  const double precision = question.options.precision;
+  const int depth = depth_for(precision);
+  const bool is_width = 0 < precision && precision <= 1;
+  if (depth == Cell::kMaxDepth || (is_width && std::ldexp(1.0, -depth) <= precision)) {
+    return Check::holds();
+  }
+  return Check::fails(fmt::format("depth {} for a precision of {:a}", depth, precision));
+}
+
+}  // namespace
+
+std::vector<Property> any_bits_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"methods.refuses_invalid",
+       "A method refuses a query and options that are not valid, naming field and value, and "
+       "answers all others",
+       "src/method/method.hpp", kHolds, check_refusals},
+      {"query.is_valid",
+       "What methods take, and validate accepts, is what the fields are documented to hold; what "
+       "is no precision gives the deepest cells",
+       "src/query/refusal.hpp", kHolds, check_validity},
+  };
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,217 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "ccd/rational/proves_clear.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "method/method.hpp"
+#include "numeric/verify.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Every method that can be made, in every form.
+std::vector<std::string> every_method() {
+  std::vector<std::string> specs;
+  for (const MethodInfo& info : registered_methods()) {
+    std::string spec = info.spec;
+    if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
+    specs.push_back(spec);
+    const std::string unoptimised = spec + std::string(kUnoptimised);
+    if (make_method(unoptimised)) specs.push_back(unoptimised);
+  }
+  return specs;
+}
+
+/// A corner of one patch falls on the other and meets it at t = 1/2.
+Query meeting(const Shape& shape) {
+  Query query;
+  for (size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = shape;
+    for (int i = 0; i < shape.control_count(); ++i) {
+      const double z = s == 0 ? 0 : 1;
+      patch.positions.emplace_back(i % 3, i / 3, z);
+      patch.velocities.emplace_back(0, 0, -2 * z);
+    }
+  }
+  return query;
+}
+
+struct Spoilt {
+  std::string note;
+  std::function<void(Query&, SearchOptions&)> spoil;
+};
+
+/// One field each is set to what it may not be.
+std::vector<Spoilt> spoilt_numbers() {
+  return {
+      {"patches[0].positions[0][2]: nan is not finite",
+       [](Query& q, SearchOptions&) { q.patches[0].positions[0][2] = kNan; }},
+      {"patches[1].positions[2][0]: inf is not finite",
+       [](Query& q, SearchOptions&) { q.patches[1].positions[2][0] = kInfinity; }},
+      {"patches[1].positions[1][1]: -inf is not finite",
+       [](Query& q, SearchOptions&) { q.patches[1].positions[1][1] = -kInfinity; }},
+      {"patches[0].velocities[0][2]: nan is not finite",
+       [](Query& q, SearchOptions&) {
+         for (Vec3<double>& v : q.patches[0].velocities) v[2] = kNan;
+       }},
+      {"patches[1].velocities[2][2]: -nan is not finite",
+       [](Query& q, SearchOptions&) { q.patches[1].velocities[2][2] = -kNan; }},
+      {"t_max: nan is not a finite number ≥ 0", [](Query& q, SearchOptions&) { q.t_max = kNan; }},
+      {"t_max: inf is not a finite number ≥ 0",
+       [](Query& q, SearchOptions&) { q.t_max = kInfinity; }},
+      {"t_max: -inf is not a finite number ≥ 0",
+       [](Query& q, SearchOptions&) { q.t_max = -kInfinity; }},
+      {"t_max: -5e-324 is not a finite number ≥ 0",
+       [](Query& q, SearchOptions&) { q.t_max = -0x1p-1074; }},
+      {"precision: nan is not in (0, 1]", [](Query&, SearchOptions& o) { o.precision = kNan; }},
+      {"precision: 0 is not in (0, 1]", [](Query&, SearchOptions& o) { o.precision = 0; }},
+      {"precision: -0.5 is not in (0, 1]", [](Query&, SearchOptions& o) { o.precision = -0.5; }},
+      {"precision: inf is not in (0, 1]",
+       [](Query&, SearchOptions& o) { o.precision = kInfinity; }},
+      {"precision: 1.0000000000000002 is not in (0, 1]",
+       [](Query&, SearchOptions& o) { o.precision = std::nextafter(1.0, 2.0); }},
+      {"max_seconds: nan is not a number", [](Query&, SearchOptions& o) { o.max_seconds = kNan; }},
+  };
+}
+
+std::vector<Spoilt> spoilt_structures() {
+  const auto reshape = [](const Shape& shape) {
+    return [shape](Query& q, SearchOptions&) {
+      const double t_max = q.t_max;
+      q = meeting(shape);
+      q.t_max = t_max;
+    };
+  };
+  const auto relabel = [](const Shape& shape) {
+    return [shape](Query& q, SearchOptions&) { q.patches[0].shape = shape; };
+  };
+  return {
+      {"patches[0].positions: triangle(1) needs 3 control points, not 2",
+       [](Query& q, SearchOptions&) { q.patches[0].positions.pop_back(); }},
+      {"patches[0].positions: triangle(1) needs 3 control points, not 0",
+       [](Query& q, SearchOptions&) { q.patches[0].positions.clear(); }},
+      {"patches[1].positions: triangle(1) needs 3 control points, not 103",
+       [](Query& q, SearchOptions&) { q.patches[1].positions.resize(103); }},
+      {"patches[1].velocities: triangle(1) needs 3 control points, not 2",
+       [](Query& q, SearchOptions&) { q.patches[1].velocities.pop_back(); }},
+      {"patches[0].velocities: triangle(1) needs 3 control points, not 0",
+       [](Query& q, SearchOptions&) { q.patches[0].velocities = {}; }},
+      {"patches[0]: tensor(10,10) has a degree outside 1..8", reshape(Shape::tensor(10, 10))},
+      {"patches[0]: tensor(9,1) has a degree outside 1..8", reshape(Shape::tensor(9, 1))},
+      {"patches[0]: tensor(1,9) has a degree outside 1..8", reshape(Shape::tensor(1, 9))},
+      {"patches[0]: triangle(9) has a degree outside 1..8", reshape(Shape::triangle(9))},
+      {"patches[0]: curve(9) has a degree outside 1..8", reshape(Shape::curve(9))},
+      {"patches[0]: triangle(0) has a degree outside 1..8", relabel(Shape::triangle(0))},
+      {"patches[0]: curve(-1) has a degree outside 1..8", relabel(Shape::curve(-1))},
+      {"patches[0]: triangle(1) with a second degree 1, which must be 0",
+       relabel({ShapeKind::kTriangle, 1, 1})},
+      {"patches[0]: a point with the degrees 3 and 0, which must be 0",
+       relabel({ShapeKind::kPoint, 3, 0})},
+      {"patches[0]: kind 4 is none of 0 (point) to 3 (tensor)",
+       relabel({static_cast<ShapeKind>(4), 1, 0})},
+      {"patches[0]: kind 255 is none of 0 (point) to 3 (tensor)",
+       relabel({static_cast<ShapeKind>(255), 2147483647, -2147483647})},
+  };
+}
+
+TEST(Refusal, EveryMethodNamesTheFieldAndItsValue) {
+  std::vector<Spoilt> all = spoilt_numbers();
+  for (Spoilt& spoilt : spoilt_structures()) all.push_back(std::move(spoilt));
+  for (const std::string& spec : every_method()) {
+    const auto method = *make_method(spec);
+    for (const Spoilt& spoilt : all) {
+      Query query = meeting(Shape::triangle(1));
+      SearchOptions options;
+      ASSERT_EQ(name_of(method->answer(query, options).verdict), "hit") << spec;
+      spoilt.spoil(query, options);
+      const Answer answer = method->answer(query, options);
+      EXPECT_EQ(name_of(answer.verdict), "refused") << spec << ": " << spoilt.note;
+      EXPECT_EQ(answer.note, spoilt.note) << spec;
+      EXPECT_FALSE(answer.toi) << spec;
+      EXPECT_EQ(judge(query, {}, answer, method->terms()), Outcome::kNotAsked) << spec;
+    }
+  }
+}
+
+TEST(Refusal, TheLimitsThemselvesAreTaken) {
+  for (const std::string& spec : every_method()) {
+    const auto method = *make_method(spec);
+    for (const double precision : {1.0, 0x1p-1074}) {
+      for (const double t_max : {0.0, -0.0, 0x1p-1074, std::numeric_limits<double>::max()}) {
+        Query query = meeting(Shape::point());
+        query.t_max = t_max;
+        SearchOptions options;
+        options.precision = precision;
+        options.max_pops = 100;
+        const Answer answer = method->answer(query, options);
+        EXPECT_NE(answer.verdict, Verdict::kRefused) << spec << ": " << answer.note;
+      }
+    }
+    Query largest = meeting(Shape::tensor(8, 8));
+    largest.patches[0].positions[0][0] = std::numeric_limits<double>::max();
+    SearchOptions few;
+    few.max_pops = 1;
+    EXPECT_NE(method->answer(largest, few).verdict, Verdict::kRefused) << spec;
+  }
+}
+
+TEST(Refusal, WhatIsNoQueryIsNeitherDecidedNorProvenClear) {
+  std::vector<Spoilt> all = spoilt_structures();
+  for (const Spoilt& spoilt : all) {
+    Query query = meeting(Shape::triangle(1));
+    SearchOptions options;
+    spoilt.spoil(query, options);
+    const Decision decision = decide(query);
+    EXPECT_FALSE(decision.truth.collides) << spoilt.note;
+    EXPECT_FALSE(decision.truth.clear_until) << spoilt.note;
+    EXPECT_EQ(decision.note, spoilt.note);
+    EXPECT_FALSE(proves_clear(query, Rational(1, 4))) << spoilt.note;
+  }
+}
+
+TEST(Refusal, TracersThrowOnWhatIsNotValid) {
+  std::vector<Spoilt> all = spoilt_structures();
+  for (Spoilt& spoilt : spoilt_numbers()) {
+    if (!spoilt.note.starts_with("max_seconds")) all.push_back(std::move(spoilt));
+  }
+  const Witness witness{Rational(1, 2), {}};
+  for (const std::string& spec : every_method()) {
+    const auto tracer = *make_tracer(spec);
+    EXPECT_FALSE(tracer->trace(meeting(Shape::triangle(1)), witness, {}).lost) << spec;
+    for (const Spoilt& spoilt : all) {
+      Query query = meeting(Shape::triangle(1));
+      SearchOptions search;
+      spoilt.spoil(query, search);
+      EXPECT_THROW(tracer->trace(query, witness, {.precision = search.precision}), InternalError)
+          << spec << ": " << spoilt.note;
+    }
+    const Witness before{Rational(-1, 2), {}}, after{Rational(3, 2), {}};
+    EXPECT_THROW(tracer->trace(meeting(Shape::triangle(1)), before, {}), InternalError) << spec;
+    EXPECT_THROW(tracer->trace(meeting(Shape::triangle(1)), after, {}), InternalError) << spec;
+  }
+}
+
+TEST(Refusal, IsNeverJudgedByTheTruth) {
+  Answer refused;
+  refused.verdict = Verdict::kRefused;
+  refused.toi = kNan;
+  refused.uv[0][0] = kNan;
+  const Query query = meeting(Shape::point());
+  Truth contact, absence;
+  contact.collides = true;
+  contact.witness = Witness{Rational(1, 2), {}};
+  absence.collides = false;
+  for (const Truth& truth : {contact, absence, Truth()}) {
+    EXPECT_EQ(judge(query, truth, refused), Outcome::kNotAsked);
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
