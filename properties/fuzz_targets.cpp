@@ -80,6 +80,14 @@ constexpr auto kJudge = std::to_array<std::string_view>({
     "judge.believes_nothing_unproven",
 });
 
+constexpr auto kLimits = std::to_array<std::string_view>({
+    "limits.of_any_case",
+    "limits.of_a_file",
+    "limits.of_a_decimal",
+    "limits.of_work",
+    "limits.of_splits",
+});
+
 constexpr auto kLinear = std::to_array<std::string_view>({
     "linear.decision_is_proven",
 });
@@ -213,6 +221,7 @@ constexpr auto kTargets = std::to_array<Names>({
     {"certificates", kRefutedClaim, kCertificates},
     {"generators", kRefutedClaim, kGenerators},
     {"judge", kRefutedClaim, kJudge},
+    {"limits", kRefutedClaim, kLimits},
     {"linear", kDisagreement, kLinear},
     {"methods", kDisagreement, kMethods},
     {"plugin_lines", kRefutedClaim, kPluginLines, true},

@@ -17,6 +17,7 @@
 #include "properties/geometry.hpp"
 #include "properties/intersection.hpp"
 #include "properties/judge_claims.hpp"
+#include "properties/limits.hpp"
 #include "properties/linear_certificates.hpp"
 #include "properties/linear_queries.hpp"
 #include "properties/method_answers.hpp"
@@ -142,7 +143,8 @@ const std::vector<Property>& properties() {
                                linear_certificate_properties,
                                miss_tree_properties,
                                spoilt_certificate_properties,
-                               outside_data_properties}) {
+                               outside_data_properties,
+                               limit_properties}) {
       for (const Property& property : family()) list.push_back(property);
     }
     return list;

@@ -190,7 +190,7 @@ Result<int> run_bench(const BenchArguments& options) {
   }
   progress.clear();
   if (!options.json) {
-    print_out(table.to_text(wants_colour(stdout)));
+    print_table(table);
     print_out(
         fmt::format("\nCPU time of one thread, the methods by turns on the same queries: positives "
                     "up to t* and "

@@ -39,7 +39,7 @@ class PropertyCheck {
         watch_(inputs_, options.inputs.threads, stop,
                [this](const std::string& text) {
                  progress_.clear();
-                 fmt::print(stderr, "{}", text);
+                 print_err(text);
                }),
         checked_{property, {}, "", std::nullopt, "", ""} {}
 
@@ -163,7 +163,7 @@ Result<int> check_hex(const CheckArguments& options) {
                           check.text));
   }
   if (check.status == Check::Status::kDiscarded) {
-    fmt::print(stderr, "ccdfuzz: nothing was checked: the input was discarded\n");
+    print_err("ccdfuzz: nothing was checked: the input was discarded\n");
     return kCheckFailed;
   }
   return fails && !expected ? kCheckFailed : kDone;
@@ -214,7 +214,7 @@ Result<int> run_check(const CheckArguments& arguments) {
     not_refuted += check.checked().not_refuted() && !interrupted ? 1 : 0;
   }
   if (!options.json) {
-    print_out(table.next_text(wants_colour(stdout)));
+    print_next_rows(table);
     std::string summary =
         fmt::format("\n{} {}, inputs from {} of seed {}: {} failed that should hold", done,
                     done == 1 ? "property" : "properties", inputs->first, inputs->seed, findings);
@@ -227,7 +227,8 @@ Result<int> run_check(const CheckArguments& arguments) {
     print_out(summary + "\n");
   }
   if (interrupted) {
-    fmt::print(stderr, "ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen->size());
+    print_err(
+        fmt::format("ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen->size()));
     return interrupted_exit_code();
   }
   return findings + unchecked > 0 ? kCheckFailed : kDone;

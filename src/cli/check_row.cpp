@@ -56,7 +56,7 @@ void print_check_row(Table& table, const CheckedProperty& checked) {
        {fmt::format("{}", tally.failed), checked.is_finding() ? Emphasis::kBad : Emphasis::kPlain},
        {duration_text(tally.seconds)},
        note});
-  print_out(table.next_text(wants_colour(stdout)));
+  print_next_rows(table);
 }
 
 void print_found(const CheckedProperty& checked) {

@@ -1,17 +1,22 @@
 #include "cli/command.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
+#include "cli/interrupt.hpp"
 #include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "query/json_tree.hpp"
+#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 
@@ -22,7 +27,7 @@ std::string called_as = "ccdfuzz";
 void print_shown_lines(const std::string& text, const char* first_margin, const char* margin) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); first_margin = margin) {
-    fmt::print(stderr, "{}{}\n", first_margin, shown_line(line));
+    print_err(fmt::format("{}{}\n", first_margin, shown_line(line)));
   }
 }
 
@@ -30,6 +35,14 @@ void print_shown_lines(const std::string& text, const char* first_margin, const 
 int complain(const std::string& message, int code) {
   print_shown_lines(message, "ccdfuzz: ", "  ");
   return code;
+}
+
+/// A closed one would become the next file that is opened, and messages would go into it. Opened
+/// for reading, so that writing there fails as it does on a closed one.
+void occupy_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
+  }
 }
 
 /// CLI11's own conversion takes "010" for 8 and "-1" for 2^64 - 1.
@@ -75,7 +88,12 @@ Option& Option::without_default() {
 }
 
 Option Command::text(const std::string& name, std::string& value, const std::string& description) {
-  return Option(app_->add_option(name, value, description)->capture_default_str());
+  return Option(
+      app_->add_option(name, value, description)
+          ->check(CLI::Validator(
+              [](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; },
+              ""))
+          ->capture_default_str());
 }
 
 Option Command::text(const std::string& name, std::optional<std::string>& value,
@@ -132,6 +150,20 @@ Command CommandLine::add_command(const std::string& name, const std::string& des
 
 int CommandLine::parse_and_run(int argc, char** argv) {
   called_as = argv[0];
+  occupy_standard_descriptors();
+  end_on_signals();
+  try {
+    return parse_and_run_chosen(argc, argv);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(
+        system_error(error.path1().string(), "read", error.code().value()).value().message(),
+        kBadInput);
+  } catch (const std::exception& error) {
+    return complain(fmt::format("internal error: {}", error.what()), kInternal);
+  }
+}
+
+int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -147,7 +179,7 @@ int CommandLine::parse_and_run(int argc, char** argv) {
     return asked_for_help ? kDone : kBadInput;
   }
   if (!chosen_) {
-    fmt::print(stderr, "{}", app_->help());
+    print_err(app_->help());
     return complain("no command given", kBadInput);
   }
   const Result<int> result = chosen_();

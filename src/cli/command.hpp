@@ -57,6 +57,7 @@ class Command {
  public:
   explicit Command(CLI::App* app) : app_(app) {}
 
+  /// An empty text is refused, as `value` that stays empty means that the option was not given.
   Option text(const std::string& name, std::string& value, const std::string& description);
   /// The same, where an empty text is not the same as none.
   Option text(const std::string& name, std::optional<std::string>& value,
@@ -94,10 +95,13 @@ class CommandLine {
             options.get()};
   }
 
-  /// Parses, runs the chosen command, and reports what went wrong. Returns the exit code.
+  /// Parses, runs the chosen command, and reports what went wrong. Returns the exit code. First
+  /// prepares the process: signals (end_on_signals), and descriptors 0, 1 and 2, which no file that
+  /// is opened later may get.
   int parse_and_run(int argc, char** argv);
 
  private:
+  int parse_and_run_chosen(int argc, char** argv);
   Command add_command(const std::string& name, const std::string& description,
                       std::function<Result<int>()> run);
 

@@ -8,6 +8,7 @@
 
 #include "certify/checker/check_case.hpp"
 #include "cli/number_text.hpp"
+#include "cli/output.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "query/shell_word.hpp"
@@ -169,10 +170,10 @@ void note_words(const std::vector<NamedCase>& cases, const char* command) {
     return named.value.truth.collides == false && !named.value.truth.clearance;
   });
   if (by_word == 0) return;
-  fmt::print(stderr,
-             "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their "
-             "outcome is unknown (`ccdfuzz prove` gives proofs)\n",
-             command, by_word, cases.size());
+  print_err(fmt::format(
+      "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their outcome is "
+      "unknown (`ccdfuzz prove` gives proofs)\n",
+      command, by_word, cases.size()));
 }
 
 }  // namespace ccdfuzz

@@ -124,12 +124,11 @@ void print_evaluation(const std::vector<EvaluatedGroup>& groups,
     for (const EvaluatedGroup& group : groups) print_out(to_json(group) + "\n");
     return;
   }
-  const bool colour = wants_colour(stdout);
   bool first = true;
   for (const auto& [title, table] : evaluation_tables(groups, costs)) {
     if (!first) print_out("\n" + title + ":\n");
     first = false;
-    print_out(table.to_text(colour));
+    print_table(table);
   }
   print_refusals(groups);
 }
@@ -167,7 +166,7 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   if (!journal) return tl::unexpected(journal.error());
   options.skip = journal->size();
   if (options.skip > 0) {
-    fmt::print(stderr, "ccdfuzz: going on behind {} answers in {}\n", options.skip, path);
+    print_err(fmt::format("ccdfuzz: going on behind {} answers in {}\n", options.skip, path));
   }
   Progress progress;
   Result<void> kept;
@@ -184,9 +183,9 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   if (!kept) return tl::unexpected(kept.error());
   if (!complete) return tl::unexpected(complete.error());
   if (!*complete) {
-    fmt::print(stderr,
-               "ccdfuzz: interrupted after {} answers; the same command goes on from there\n",
-               journal->size());
+    print_err(
+        fmt::format("ccdfuzz: interrupted after {} answers; the same command goes on from there\n",
+                    journal->size()));
     return interrupted_exit_code();
   }
   note_words(cases, "evaluate");

@@ -86,7 +86,7 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
     for (const LinearGroup& group : report->groups) print_json(linear_group_json(group));
     for (const Imported& query : report->notable) print_json(notable_json(query));
   } else {
-    print_out(linear_table(report->groups).to_text(wants_colour(stdout)));
+    print_table(linear_table(report->groups));
     print_refusals(report->groups);
     print_out("\n");
     std::uint64_t wrong = 0;

@@ -73,6 +73,10 @@ Result<int> run_export_gltf(const ExportArguments& options) {
 
 Result<int> run_export(const ExportArguments& options) {
   if (options.as == "gltf") return run_export_gltf(options);
+  if (!options.times.empty()) {
+    return input_error("--times",
+                       fmt::format("does not apply to --as {}, only to gltf", options.as));
+  }
   if (options.as != "csv") return export_tests(options);
   Result<OutputFile> out = OutputFile::create(options.output);
   if (!out) return tl::unexpected(out.error());

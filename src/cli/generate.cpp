@@ -198,8 +198,9 @@ Result<int> run_generate(const GenerateArguments& options) {
       &stop);
   progress.clear();
   if (interrupted) {
-    fmt::print(stderr, "ccdfuzz: interrupted after {} cases{}\n", counts.accepted(),
-               options.output.empty() ? "" : "; " + options.output + " was not written");
+    print_err(
+        fmt::format("ccdfuzz: interrupted after {} cases{}\n", counts.accepted(),
+                    options.output.empty() ? "" : "; " + options.output + " was not written"));
     return interrupted_exit_code();
   }
   const GenerationCost cost = cost_of_run(*generator, counts);
@@ -213,7 +214,7 @@ Result<int> run_generate(const GenerateArguments& options) {
   if (options.json) {
     print_json(summary_json(cost, elapsed.count()));
   } else {
-    fmt::print(stderr, "{}", summary(*generator, counts, elapsed.count()));
+    print_err(summary(*generator, counts, elapsed.count()));
   }
   return kDone;
 }

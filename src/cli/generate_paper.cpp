@@ -139,7 +139,7 @@ void print_paper_totals(const PaperTotals& totals, const GeneratePaperOptions& o
     for (const GenerationCost& cost : totals.costs) print_out(to_json(cost) + "\n");
     return;
   }
-  print_out(generation_table(totals.costs).to_text(wants_colour(stdout)));
+  print_table(generation_table(totals.costs));
   print_out(fmt::format(
       "\n{} cases in {}, {} duplicates, {} miss trees; {} in this run, {} of CPU time in all\n",
       totals.cases, options.output, totals.duplicates, totals.trees, duration_text(seconds),
@@ -178,8 +178,8 @@ Result<int> generate_paper(const GeneratePaperOptions& options) {
   const std::uint64_t total = options.shard.size(items.size());
   const std::uint64_t before = journal->size();
   if (before > 0) {
-    fmt::print(stderr, "ccdfuzz: going on behind {} of {} constructions in {}\n", before, total,
-               Journal::path_for(options.output));
+    print_err(fmt::format("ccdfuzz: going on behind {} of {} constructions in {}\n", before, total,
+                          Journal::path_for(options.output)));
   }
   std::atomic<bool> stop = false;
   Result<void> kept;
@@ -206,10 +206,10 @@ Result<int> generate_paper(const GeneratePaperOptions& options) {
   progress.clear();
   if (!kept) return tl::unexpected(kept.error());
   if (journal->size() < total) {
-    fmt::print(stderr,
-               "ccdfuzz: interrupted after {} of {} constructions; the same command goes "
-               "on from there\n",
-               journal->size(), total);
+    print_err(
+        fmt::format("ccdfuzz: interrupted after {} of {} constructions; the same command goes "
+                    "on from there\n",
+                    journal->size(), total));
     return interrupted_exit_code();
   }
   const Result<PaperTotals> totals = write_paper_set(*journal, items, options);

@@ -111,7 +111,7 @@ std::uint64_t query_count(const HuntReport& report) {
 }
 
 void print_report(const HuntReport& report, const HuntArguments& options) {
-  print_out(hunt_table(report.cells).to_text(wants_colour(stdout)));
+  print_table(hunt_table(report.cells));
   print_refusals(report.cells);
   const auto has_early_hits = [](const HuntCell& cell) {
     return cell.tally.count(Outcome::kFalsePositive) > 0;
@@ -216,8 +216,8 @@ void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments&
     why = fmt::format("none of {} cases drawn can be", report.cases);
     if (options.within > 0) why += fmt::format(" with --within {}", options.within);
   }
-  fmt::print(stderr, "ccdfuzz: nothing was checked: no query was asked; {}: try more {}\n", why,
-             options.cases > 0 ? "--cases" : "--seconds");
+  print_err(fmt::format("ccdfuzz: nothing was checked: no query was asked; {}: try more {}\n", why,
+                        options.cases > 0 ? "--cases" : "--seconds"));
 }
 
 bool fails(const HuntReport& report, const std::string& fail_on) {
@@ -247,6 +247,7 @@ Result<int> run_hunt(const HuntArguments& options) {
       },
       interrupted);
   progress.clear();
+  finish_in_order();
   options.json ? print_report_json(report) : print_report(report, options);
   if (!options.page.empty()) {
     if (auto done = write_hunt_page(report, options, notes.course()); !done) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "cli/hunt_table.hpp"
+#include "cli/output.hpp"
 #include "cli/reproduction.hpp"
 #include "corpus/entries.hpp"
 
@@ -28,8 +29,8 @@ ReportedCase reported_find(const std::string& path, const Case& value, bool is_n
 
 /// A page without its finds says where they were.
 void add_absent_finds(const HuntRecord& record, ReportPage& report) {
-  fmt::print(stderr, "ccdfuzz: {}: the store of the hunt is not there; the page shows no find\n",
-             record.store);
+  print_err(fmt::format("ccdfuzz: {}: the store of the hunt is not there; the page shows no find\n",
+                        record.store));
   ReportTable table{
       "finds", "New counterexamples, not at hand: their store is not there", {"path"}, {}};
   for (const std::string& path : record.finds) table.rows.push_back({path});

@@ -118,7 +118,10 @@ Result<int> run_import(const ImportArguments& options) {
   progress.clear();
   if (const auto finished = writer->finish(); !finished) return tl::unexpected(finished.error());
   if (!options.json) {
-    if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+    if (table.row_count() > 0) {
+      print_table(table);
+      print_out("\n");
+    }
     print_out(counts.summary());
   }
   return kDone;

@@ -30,7 +30,7 @@ class InputWatch {
     std::chrono::milliseconds interrupted;
   };
   /// As -timeout in script/fuzz; and what ends within a second need not be told.
-  static constexpr Patience kPatience{std::chrono::seconds(60), std::chrono::seconds(1)};
+  static constexpr Patience kPatience{std::chrono::seconds(60), std::chrono::milliseconds(500)};
   using Tell = std::function<void(const std::string&)>;
 
   /// At most `threads` are at inputs at once. tell is called from a thread of the watch.

@@ -1,39 +1,71 @@
 #include "cli/interrupt.hpp"
 
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <csignal>
+
+#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
+constexpr unsigned kSecondsToEnd = 1;
+
 std::atomic<bool> was_interrupted = false;
+std::atomic<bool> ends_in_order = false;
 std::atomic<int> caught_signal = SIGINT;
+std::atomic<pid_t> this_process = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free,
               "a signal handler may touch nothing else");
 
-void note_interrupt(int signal) {
-  caught_signal = signal;
-  was_interrupted = true;
+/// Everything here and below is safe in a signal handler.
+[[noreturn]] void end_at_once() {
+  remove_unfinished_files();
+  ::_exit(128 + caught_signal);
+}
+
+void on_signal(int signal) {
+  // A process that was forked and not started anew shares the handler: its parent ends it.
+  if (::getpid() != this_process) return;
+  if (signal == SIGALRM) end_at_once();
+  const bool is_first = !was_interrupted.exchange(true);
+  if (is_first) caught_signal = signal;
+  if (!is_first || !ends_in_order) end_at_once();
+  const int before = errno;
+  ::alarm(kSecondsToEnd);
+  errno = before;
 }
 
 }  // namespace
 
-const std::atomic<bool>& catch_interrupts() {
+void end_on_signals() {
+  this_process = ::getpid();
   struct sigaction action {};
-  action.sa_handler = note_interrupt;
-  // The second signal finds the default action again.
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGALRM}) sigaction(signal, &action, nullptr);
   // The terminal was closed; under nohup it is ignored, and stays so.
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
   if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+const std::atomic<bool>& catch_interrupts() {
+  ends_in_order = true;
   return was_interrupted;
 }
 
+void finish_in_order() {
+  ::alarm(0);
+}
+
 int interrupted_exit_code() {
+  finish_in_order();
   return 128 + caught_signal;
 }
 

@@ -4,12 +4,22 @@
 
 namespace ccdfuzz {
 
-/// Turns the first Ctrl-C (SIGINT) or SIGTERM into a flag that the command polls, so that it can
-/// end in order; a second one ends the program at once.
-/// Call it once; the flag lives as long as the program.
+/// How SIGINT (Ctrl-C), SIGTERM and SIGHUP end this program: at once, with exit code 128 + the
+/// signal and without leaving a temporary file. What is on the disk is whole whenever that is, as
+/// files appear whole and journals are read up to their last whole record. SIGXFSZ is ignored, so
+/// that a file that grows too large is an error of whoever writes it. Called once, by main.
+void end_on_signals();
+
+/// For a command that has results to print: the first signal sets the flag that this returns, which
+/// the command polls, and the program ends at once a second later, or at a second signal.
+/// The flag lives as long as the program.
 const std::atomic<bool>& catch_interrupts();
 
-/// 128 + the signal that was caught, as shells report it: 130 after Ctrl-C.
+/// Takes that second's limit away, for a command that has stopped its work and writes what it has.
+void finish_in_order();
+
+/// 128 + the signal that was caught, as shells report it: 130 after Ctrl-C. The command has ended
+/// in order.
 int interrupted_exit_code();
 
 }  // namespace ccdfuzz

@@ -1,8 +1,3 @@
-#include <fmt/format.h>
-
-#include <cstdio>
-#include <exception>
-
 #include "cli/command.hpp"
 #include "numeric/fp_guard.hpp"
 #include "properties/fuzz_targets.hpp"
@@ -11,30 +6,25 @@
 int main(int argc, char** argv) {
   // A library that was loaded into this process may have set another, which all threads inherit.
   const ccdfuzz::FpGuard guard;
-  try {
-    ccdfuzz::CommandLine line;
-    ccdfuzz::add_hunt(line);
-    ccdfuzz::add_query(line);
-    ccdfuzz::add_trace(line);
-    ccdfuzz::add_generate(line);
-    ccdfuzz::add_evaluate(line);
-    ccdfuzz::add_import(line);
-    ccdfuzz::add_export(line);
-    ccdfuzz::add_verify(line);
-    ccdfuzz::add_prove(line);
-    ccdfuzz::add_merge(line);
-    ccdfuzz::add_triage(line, ccdfuzz::fuzz_target_named);
-    ccdfuzz::add_corpus(line);
-    ccdfuzz::add_replay(line);
-    ccdfuzz::add_minimize(line);
-    ccdfuzz::add_report(line);
-    ccdfuzz::add_bench(line);
-    ccdfuzz::add_methods(line);
-    ccdfuzz::add_check(line, ccdfuzz::properties());
-    ccdfuzz::add_properties(line);
-    return line.parse_and_run(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "ccdfuzz: internal error: {}\n", error.what());
-    return ccdfuzz::kInternal;
-  }
+  ccdfuzz::CommandLine line;
+  ccdfuzz::add_hunt(line);
+  ccdfuzz::add_query(line);
+  ccdfuzz::add_trace(line);
+  ccdfuzz::add_generate(line);
+  ccdfuzz::add_evaluate(line);
+  ccdfuzz::add_import(line);
+  ccdfuzz::add_export(line);
+  ccdfuzz::add_verify(line);
+  ccdfuzz::add_prove(line);
+  ccdfuzz::add_merge(line);
+  ccdfuzz::add_triage(line, ccdfuzz::fuzz_target_named);
+  ccdfuzz::add_corpus(line);
+  ccdfuzz::add_replay(line);
+  ccdfuzz::add_minimize(line);
+  ccdfuzz::add_report(line);
+  ccdfuzz::add_bench(line);
+  ccdfuzz::add_methods(line);
+  ccdfuzz::add_check(line, ccdfuzz::properties());
+  ccdfuzz::add_properties(line);
+  return line.parse_and_run(argc, argv);
 }

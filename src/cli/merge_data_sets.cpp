@@ -179,7 +179,10 @@ Result<int> merge_data_sets(const std::vector<std::string>& inputs, const std::s
       *record ? write_generation(generation_path(output), **record) : Result<void>();
   done = done.and_then([&] { return writer->finish(); });
   if (!done) return tl::unexpected(done.error());
-  if (*record) print_out(generation_table((*record)->costs).to_text(wants_colour(stdout)) + "\n");
+  if (*record) {
+    print_table(generation_table((*record)->costs));
+    print_out("\n");
+  }
   print_out(fmt::format("{} cases of {} files in {}\n", count, inputs.size(), output));
   return 0;
 }

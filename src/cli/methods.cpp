@@ -53,7 +53,7 @@ Result<int> run_methods(const MethodsArguments& options) {
                    {info.source},
                    {info.description}});
   }
-  print_out(table.to_text(wants_colour(stdout)));
+  print_table(table);
   return kDone;
 }
 

@@ -74,9 +74,9 @@ Result<int> run_minimize(const MinimizeArguments& options) {
                 {"bits", bits(minimised.value)},
                 {"minimised", nlohmann::ordered_json::parse(to_json(minimised.value))}});
   } else {
-    fmt::print(stderr, "{} by {}: from {} to {} in {} trials\n", name_of(failure.outcome),
-               options.method, size_text(found.value.query), size_text(minimised.value.query),
-               minimised.trials);
+    print_err(fmt::format("{} by {}: from {} to {} in {} trials\n", name_of(failure.outcome),
+                          options.method, size_text(found.value.query),
+                          size_text(minimised.value.query), minimised.trials));
   }
   return interrupted ? interrupted_exit_code() : kDone;
 }

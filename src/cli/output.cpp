@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "cli/terminal.hpp"
 #include "query/json_text.hpp"
+#include "query/json_tree.hpp"
 
 namespace ccdfuzz {
 
@@ -14,13 +16,30 @@ namespace {
 
 int first_errno = 0;
 
-}  // namespace
-
-void print_out(const std::string& text) {
+void write_out(const std::string& text) {
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() && first_errno == 0) {
     first_errno = errno;
   }
+}
+
+}  // namespace
+
+void print_out(const std::string& text) {
+  write_out(shown_lines(text));
+}
+
+void print_table(const Table& table) {
+  write_out(table.to_text(wants_colour(stdout)));
+}
+
+void print_next_rows(Table& table) {
+  write_out(table.next_text(wants_colour(stdout)));
+}
+
+void print_err(const std::string& text) {
+  const std::string shown = shown_lines(text);
+  std::fwrite(shown.data(), 1, shown.size(), stderr);
 }
 
 void print_json(const nlohmann::ordered_json& object) {

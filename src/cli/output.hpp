@@ -4,12 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "eval/table.hpp"
 #include "numeric/result.hpp"
 
 namespace ccdfuzz {
 
-/// Writes text to stdout. A failure (a full disk, /dev/full) is remembered for flush_stdout.
+/// Writes text to stdout. A failure (a full disk, /dev/full) is remembered for flush_stdout. Names
+/// of files, methods and cases may hold what a terminal obeys: control characters but newlines are
+/// shown (shown_lines).
 void print_out(const std::string& text);
+
+/// The same of a table, in colour where that is wanted.
+void print_table(const Table& table);
+void print_next_rows(Table& table);
+
+/// Writes text to stderr, control characters shown. Where that fails there is nobody to tell.
+void print_err(const std::string& text);
 
 /// One JSON object on a line of its own.
 void print_json(const nlohmann::ordered_json& object);

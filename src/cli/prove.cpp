@@ -116,7 +116,10 @@ Result<int> run_prove(const ProveArguments& options) {
   if (interrupted) return interrupted_exit_code();
   if (auto finished = destination->finish(); !finished) return tl::unexpected(finished.error());
   if (!options.json) {
-    if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+    if (table.row_count() > 0) {
+      print_table(table);
+      print_out("\n");
+    }
     std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", done,
                                       counts.hit, counts.miss, counts.undecided);
     if (counts.refuted > 0) summary += fmt::format("; {} had claimed otherwise", counts.refuted);

@@ -85,7 +85,7 @@ Result<int> run_query(const QueryArguments& options) {
       });
   progress.clear();
   note_words(*cases, "query");
-  if (!options.json) print_out(table.to_text(wants_colour(stdout)));
+  if (!options.json) print_table(table);
   return kDone;
 }
 

@@ -137,7 +137,10 @@ void print_report(const ReplayReport& report) {
                    {std::string(name_of(row.expected))},
                    {std::string(name_of(row.got.outcome)), Emphasis::kBad}});
   }
-  if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+  if (table.row_count() > 0) {
+    print_table(table);
+    print_out("\n");
+  }
   print_out(fmt::format("{} entries, {} expectations: {} as expected, {} changed\n", report.entries,
                         report.rows.size(), report.rows.size() - report.changed(),
                         report.changed()));
@@ -189,7 +192,7 @@ Result<int> run_replay(const ReplayArguments& options) {
   } else {
     print_report(*report);
   }
-  if (!left_out.empty()) fmt::print(stderr, "ccdfuzz: replay: {}\n", to_text(left_out));
+  if (!left_out.empty()) print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(left_out)));
   note_words(*entries, "replay");
   return report->changed() == 0 && checked.refuted.empty() ? kDone : kCheckFailed;
 }

@@ -106,7 +106,7 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
     for (const ReportedAnswer& answer : reported.answers) expected.insert(answer.method);
   }
   report.plugins = plugins_among({expected.begin(), expected.end()});
-  if (!left_out.empty()) fmt::print(stderr, "ccdfuzz: report: {}\n", to_text(left_out));
+  if (!left_out.empty()) print_err(fmt::format("ccdfuzz: report: {}\n", to_text(left_out)));
   keep_most_telling(report);
   return report;
 }

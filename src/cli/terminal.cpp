@@ -9,6 +9,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "query/json_tree.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -72,10 +74,11 @@ void Progress::show(double share, const std::string& note, std::uint64_t done,
   std::string line = fmt::format("[{}{}] {:3.0f} %  {}{}{}", std::string(filled, '#'),
                                  std::string(kBarWidth - filled, '.'), 100 * share,
                                  time_left_text(share, first_->share, seconds_since(first_->at)),
-                                 rate_text(done, unit, seconds_since(start_)), note);
+                                 rate_text(done, unit, seconds_since(start_)), shown_line(note));
   // One column is left free: a terminal wraps when the last one is written.
   if (const size_t room = terminal_width() - 1; line.size() > room) line.resize(room);
-  fmt::print(stderr, "\r\x1b[K{}", line);
+  line.insert(0, "\r\x1b[K");
+  std::fwrite(line.data(), 1, line.size(), stderr);
   std::fflush(stderr);
   drawn_ = true;
 }
@@ -83,7 +86,7 @@ void Progress::show(double share, const std::string& note, std::uint64_t done,
 void Progress::clear() {
   const std::lock_guard lock(mutex_);
   if (!drawn_) return;
-  fmt::print(stderr, "\r\x1b[K");
+  std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
   drawn_ = false;
 }

@@ -99,7 +99,7 @@ Result<int> run_trace(const TraceArguments& options) {
         progress.show(static_cast<double>(done) / static_cast<double>(total), id, done, "traces");
       });
   progress.clear();
-  if (!options.json) print_out(table.to_text(wants_colour(stdout)));
+  if (!options.json) print_table(table);
   return kDone;
 }
 

@@ -163,7 +163,7 @@ Result<int> trace_generated_cases(const TraceCampaignOptions& options, const std
                 {"broken_claims", report.broken_claims},
                 {"seconds", seconds.count()}});
   } else {
-    print_out(table_of(report, options.methods.size()).to_text(wants_colour(stdout)));
+    print_table(table_of(report, options.methods.size()));
     print_out(fmt::format(
         "\n{} cases from {} of seed {}, {} traces in {}: {} lost, {} by methods that claim none\n",
         report.cases, options.first, options.seed, report.cases * options.methods.size(),

@@ -93,7 +93,7 @@ Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& r
 
 void TriageWalk::note(const std::string& line) {
   progress_.clear();
-  fmt::print(stderr, "{}", line);
+  print_err(line);
 }
 
 void TriageWalk::note_find() {

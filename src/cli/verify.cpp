@@ -110,7 +110,10 @@ Result<int> run_verify(const VerifyArguments& options) {
   progress.clear();
   const auto [hold, by_method, refuted, unproven, no_claim] = counts;
   if (!options.json) {
-    if (table.row_count() > 0) print_out(table.to_text(wants_colour(stdout)) + "\n");
+    if (table.row_count() > 0) {
+      print_table(table);
+      print_out("\n");
+    }
     std::string summary = fmt::format("{} cases: {} hold, ", done, hold);
     if (by_method > 0) summary += fmt::format("{} hold by method, ", by_method);
     summary += fmt::format("{} refuted, {} unproven", refuted, unproven);

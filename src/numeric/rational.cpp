@@ -122,8 +122,13 @@ Result<Rational> parse_rational(std::string_view text) {
   const size_t slash = text.find('/');
   std::string_view p = text.substr(0, slash);
   if (!p.empty() && p.front() == '-') p.remove_prefix(1);
-  if (!digits(p)) return refuse();
-  if (slash != std::string_view::npos && !digits(text.substr(slash + 1))) return refuse();
+  const std::string_view q = slash == std::string_view::npos ? "1" : text.substr(slash + 1);
+  if (!digits(p) || !digits(q)) return refuse();
+  if (const size_t longer = std::max(p.size(), q.size()); longer > kMaxRationalDigits) {
+    return input_error("", fmt::format("has a numerator or denominator of {} digits; at most {} "
+                                       "are read",
+                                       longer, kMaxRationalDigits));
+  }
   Rational r;
   if (r.set_str(std::string(text), 10) != 0 || sgn(r.get_den()) == 0) return refuse();
   r.canonicalize();

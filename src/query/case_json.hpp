@@ -9,12 +9,12 @@
 namespace ccdfuzz {
 
 /// Reads one case from its JSON text, the format of corpus/README.md.
-/// Reals are JSON numbers or hex-float strings, read without loss or refused; exact values are
-/// strings "p" or "p/q". The truth is read, not believed: see certify/checker/check_truth.hpp.
-/// Errors name `file`, the JSON path and the value: not JSON, a duplicate, unknown or missing key,
-/// a wrong type, format or version, a real out of range, wrong counts or degrees, t_max < 0,
-/// collides without its witness or proof, a word that is no outcome. Only `origin` may hold keys
-/// of its own, with strings or numbers, which are kept.
+/// Reals are JSON numbers or hex-float strings (parse_case_real: 0.1 is the double nearest to it,
+/// longer decimals must be doubles); exact values are strings "p" or "p/q". The truth is read, not
+/// believed: see certify/checker/check_truth.hpp. Errors name `file`, the JSON path and the value:
+/// not JSON, a duplicate, unknown or missing key, a wrong type, format or version, a real out of
+/// range, wrong counts or degrees, t_max < 0, collides without its witness or proof, a word that is
+/// no outcome. Only `origin` may hold keys of its own, with strings or numbers, which are kept.
 Result<Case> parse_case(std::string_view json, const std::string& file);
 
 enum class JsonLayout : std::uint8_t {

@@ -38,7 +38,7 @@ class Node {
     return *this;
   }
   const std::string& string() const { return expect(JsonKind::kString, "a string").value_->text; }
-  double real() const { return take(parse_real(*value_)); }
+  double real() const { return take(parse_case_real(*value_)); }
   Rational rational() const {
     expect(JsonKind::kString, "a string \"p\" or \"p/q\"");
     return take(parse_rational(value_->text));
@@ -193,6 +193,10 @@ ContactRoot read_contact_root(const Node& node) {
   node.object({"polynomial", "from", "by"});
   ContactRoot root;
   const Node polynomial = node.required("polynomial").expect(JsonKind::kArray, "an array");
+  if (polynomial.size() > kMaxRootDegree + 1) {
+    polynomial.refuse(fmt::format("has {} coefficients; the degree is at most {}",
+                                  polynomial.size(), kMaxRootDegree));
+  }
   for (size_t k = 0; k < polynomial.size(); ++k) {
     const Rational coefficient = polynomial.at(k).rational();
     if (coefficient.get_den() != 1) polynomial.at(k).refuse_value("is not a whole number");

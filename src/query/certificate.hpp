@@ -38,6 +38,11 @@ struct ContactBox {
   friend bool operator==(const ContactBox&, const ContactBox&) = default;
 };
 
+/// The highest degree that a ContactRoot's polynomial may have in a file. It divides a polynomial
+/// of degree 4 or less (check_linear.hpp), so higher degrees prove nothing new; proofs have 3 or
+/// less.
+inline constexpr size_t kMaxRootDegree = 16;
+
 /// Certificate R: a root of a polynomial in time, at which two linear patches touch.
 struct ContactRoot {
   std::vector<Integer> polynomial;  ///< polynomial[k] belongs to t^k

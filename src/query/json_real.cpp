@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "numeric/double_parts.hpp"
 #include "numeric/dyadic.hpp"
@@ -15,7 +16,7 @@ namespace ccdfuzz {
 
 namespace {
 
-Result<double> refuse(const JsonValue& value, const char* why) {
+Result<double> refuse(const JsonValue& value, std::string_view why) {
   return input_error("", fmt::format("{} {}", shown(value), why));
 }
 
@@ -34,6 +35,37 @@ Result<double> parse_decimal(const JsonValue& value) {
     return refuse(value, "is an integer that no double equals");
   }
   return x;
+}
+
+/// The decimal's digits from the first that is not 0, without its point.
+std::string significant_digits(std::string_view decimal) {
+  std::string digits;
+  for (const char c : decimal.substr(0, decimal.find_first_of("eE"))) {
+    if (c >= (digits.empty() ? '1' : '0') && c <= '9') digits += c;
+  }
+  return digits;
+}
+
+/// The exact value of a decimal in a double's range.
+Rational value_of_decimal(std::string_view decimal) {
+  const size_t mark = std::min(decimal.find_first_of("eE"), decimal.size());
+  const std::string_view mantissa = decimal.substr(0, mark);
+  const std::string digits = significant_digits(mantissa);
+  if (digits.empty()) return 0;
+  long exponent = 0;
+  if (mark < decimal.size()) {
+    std::string_view power = decimal.substr(mark + 1);
+    if (power.starts_with('+')) power.remove_prefix(1);
+    std::from_chars(power.data(), power.data() + power.size(), exponent);
+  }
+  if (const size_t point = mantissa.find('.'); point != std::string_view::npos) {
+    exponent -= static_cast<long>(mantissa.size() - point - 1);
+  }
+  Integer power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
+  const Rational magnitude =
+      exponent < 0 ? Rational(Integer(digits), power) : Rational(Integer(digits) * power);
+  return decimal.starts_with('-') ? Rational(-magnitude) : magnitude;
 }
 
 /// [-]0xH[.H][p[±]D], exactly.
@@ -80,6 +112,10 @@ Result<double> parse_hex(const JsonValue& value) {
 }  // namespace
 
 Result<double> parse_real(const JsonValue& value) {
+  if (value.text.size() > kMaxNumberLength) {
+    return refuse(value, fmt::format("has {} characters; a number has at most {}",
+                                     value.text.size(), kMaxNumberLength));
+  }
   if (value.kind == JsonKind::kNumber) return parse_decimal(value);
   if (value.kind != JsonKind::kString) return refuse(value, "is not a number");
   std::string word = value.text;
@@ -90,6 +126,20 @@ Result<double> parse_real(const JsonValue& value) {
     if (word == name) return refuse(value, "is not finite");
   }
   return parse_hex(value);
+}
+
+Result<double> parse_case_real(const JsonValue& value) {
+  const Result<double> x = parse_real(value);
+  if (!x || value.kind != JsonKind::kNumber) return x;
+  constexpr int kTelling = std::numeric_limits<double>::max_digits10;
+  if (significant_digits(value.text).size() <= kTelling) return x;
+  Rational exact_value = value_of_decimal(value.text);
+  exact_value.canonicalize();
+  if (exact_value == exact(*x)) return x;
+  return refuse(value,
+                fmt::format("is no double, and has more than the {} digits that tell doubles "
+                            "apart; the nearest is {}",
+                            kTelling, json_number(*x)));
 }
 
 std::string json_number(double x) {

@@ -178,13 +178,15 @@ std::string json_string(std::string_view text) {
   return json_text(text);
 }
 
-std::string shown_line(std::string_view text) {
+namespace {
+
+std::string without_controls(std::string_view text, std::string_view newline) {
   std::string shown;
   for (size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
     if (byte == '\n') {
-      shown += "\\n";
+      shown += newline;
     } else if (byte < ' ' || byte == 0x7f) {
       shown += fmt::format("\\u{:04x}", byte);
     } else if (byte == 0xc2 && 0x80 <= next && next < 0xa0) {  // U+0080 to U+009F in UTF-8
@@ -195,6 +197,16 @@ std::string shown_line(std::string_view text) {
     }
   }
   return shown;
+}
+
+}  // namespace
+
+std::string shown_line(std::string_view text) {
+  return without_controls(text, "\\n");
+}
+
+std::string shown_lines(std::string_view text) {
+  return without_controls(text, "\n");
 }
 
 }  // namespace ccdfuzz

@@ -26,6 +26,8 @@ struct JsonValue {
 /// Limits that keep hostile text from exhausting time or memory; a case stays far below them.
 inline constexpr size_t kMaxJsonDepth = 64;
 inline constexpr size_t kMaxJsonKeys = 1024;
+/// Of a number's text. The longest decimal that is exactly a double has 1,077 characters.
+inline constexpr size_t kMaxNumberLength = 2000;
 
 /// Reads one JSON text (RFC 8259; a UTF-8 byte order mark is skipped) and nothing after it.
 /// Errors: anything else, a key given twice in an object, and a number out of a double's range,
@@ -43,6 +45,8 @@ std::string json_string(std::string_view text);
 
 /// One line as people may see it: control characters, which a terminal would obey, as \u00xx or \n.
 std::string shown_line(std::string_view text);
+/// The same of text in which newlines end lines.
+std::string shown_lines(std::string_view text);
 
 /// The shortest JSON number that reads back as the finite x, bit by bit; −0 is -0.0.
 std::string json_number(double x);
@@ -51,5 +55,10 @@ std::string json_number(double x);
 /// fractions round to nearest; integers and hex floats must be doubles exactly.
 /// Errors: the reason, naming the text; `where` is left to the caller.
 Result<double> parse_real(const JsonValue& value);
+
+/// The same for a case, which must say exactly what it means. A decimal of at most 17 significant
+/// digits names the double nearest to it, as 0.1 does; 17 tell all doubles apart. A longer one must
+/// be a double exactly. Errors: as parse_real, and a longer one that is none, naming the nearest.
+Result<double> parse_case_real(const JsonValue& value);
 
 }  // namespace ccdfuzz

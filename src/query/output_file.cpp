@@ -5,11 +5,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <system_error>
 #include <utility>
 
@@ -29,6 +33,30 @@ std::string new_temporary_name() {
   return fmt::format("{}{}-{}", kTemporaryPrefix, ::getpid(), counter++);
 }
 
+/// The names of this process's temporary files, for a signal handler, which takes them out. The
+/// mutex is for everybody else. What finds no place is not removed by a signal.
+std::array<std::atomic<char*>, 64> unfinished{};
+std::mutex unfinished_mutex;
+static_assert(std::atomic<char*>::is_always_lock_free);
+
+void enter_unfinished(const std::string& path) {
+  const std::scoped_lock lock(unfinished_mutex);
+  for (std::atomic<char*>& place : unfinished) {
+    if (place != nullptr) continue;
+    place = ::strdup(path.c_str());
+    return;
+  }
+}
+
+void strike_unfinished(const std::string& path) {
+  const std::scoped_lock lock(unfinished_mutex);
+  for (std::atomic<char*>& place : unfinished) {
+    if (const char* const name = place; name != nullptr && path == name) {
+      ::free(place.exchange(nullptr));
+    }
+  }
+}
+
 std::string folder_of(const std::string& path) {
   const fs::path parent = fs::path(path).parent_path();
   return parent.empty() ? "." : parent.string();
@@ -44,6 +72,12 @@ std::optional<int> temporary_writer(std::string_view file_name) {
   const auto [rest, status] = std::from_chars(file_name.data(), end, process);
   if (status != std::errc() || rest == end || *rest != '-' || process <= 0) return std::nullopt;
   return process;
+}
+
+void remove_unfinished_files() {
+  for (std::atomic<char*>& place : unfinished) {
+    if (const char* const name = place.exchange(nullptr)) ::unlink(name);
+  }
 }
 
 void remove_leftovers(const std::string& folder) {
@@ -83,12 +117,14 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   const std::string folder = folder_of(file.target_);
   do {
     file.temporary_ = folder + "/" + new_temporary_name();
+    enter_unfinished(file.temporary_);
     file.descriptor_ =
         ::open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   } while (file.descriptor_ < 0 && errno == EEXIST);
   if (file.descriptor_ < 0) {
-    file.temporary_.clear();
-    return system_error(path, "write", errno);
+    const int error = errno;
+    strike_unfinished(std::exchange(file.temporary_, {}));
+    return system_error(path, "write", error);
   }
   return file;
 }
@@ -105,7 +141,9 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
 
 void OutputFile::abandon() {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
-  if (!temporary_.empty()) ::unlink(std::exchange(temporary_, {}).c_str());
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  strike_unfinished(std::exchange(temporary_, {}));
 }
 
 Result<void> OutputFile::write(std::string_view bytes) {
@@ -125,7 +163,7 @@ Result<void> OutputFile::commit() {
   if (::close(std::exchange(descriptor_, -1)) != 0) return failed("write", errno);
   if (temporary_.empty()) return {};
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed("write", errno);
-  temporary_.clear();
+  strike_unfinished(std::exchange(temporary_, {}));
   // The new name itself is on the disk only once the folder is.
   const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder >= 0) {

@@ -44,6 +44,9 @@ std::optional<int> temporary_writer(std::string_view file_name);
 /// is left to it.
 void remove_leftovers(const std::string& folder);
 
+/// Removes the temporary files that this process writes to, for a signal handler that ends it.
+void remove_unfinished_files();
+
 /// "path: cannot DOING: what the system says of this errno".
 tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error);
 

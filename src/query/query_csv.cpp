@@ -13,7 +13,7 @@ namespace ccdfuzz {
 namespace {
 
 constexpr size_t kLongestCsvLine = 1 << 20;
-constexpr size_t kLongestTruthList = 1 << 30;
+constexpr size_t kLongestTruthList = 16 << 20;  // three million truths
 constexpr std::array<const char*, 7> kColumns = {"xn", "xd", "yn", "yd", "zn", "zd", "truth"};
 
 /// A value as a message shows it.

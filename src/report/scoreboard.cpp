@@ -1,7 +1,5 @@
 #include "report/scoreboard.hpp"
 
-#include <limits>
-
 #include "query/line_reader.hpp"
 #include "report/json_field.hpp"
 
@@ -48,7 +46,8 @@ ScoreboardRow scoreboard_row(const JsonField& row) {
 }  // namespace
 
 Result<Scoreboard> read_scoreboard(const std::string& path) {
-  auto file = LineReader::open(path, false, std::numeric_limits<size_t>::max());
+  constexpr size_t kLongest = 16 << 20;  // a run of 200 faults has 0.2 MB
+  auto file = LineReader::open(path, false, kLongest);
   if (!file) return tl::unexpected(file.error());
   const auto text = file->next(true);
   if (!text) return tl::unexpected(text.error());

@@ -52,7 +52,7 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"query", "no-such-file.json"}, "no-such-file.json"},
       {{"query", "x.json", "--methods", "tdibm-h:nan"}, "\"nan\""},
       {{"query", "x.json", "--methods", "tdibm,tdibm"}, "twice"},
-      {{"query", "x.json", "--methods", ""}, "unknown method \"\""},
+      {{"query", "x.json", "--methods", ""}, "--methods: is empty"},
       {{"query", "x.json", "--precision", "0"}, "0 is not in"},
       {{"query", "x.json", "--precision", "2"}, "2 is not in"},
       {{"query", "x.json", "--precision", "-1"}, "-1"},

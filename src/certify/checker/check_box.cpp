@@ -38,9 +38,7 @@ Dyadic determinant(const Matrix& m) {
   return det;
 }
 
-}  // namespace
-
-Result<void> check_box(const Query& query, const ContactBox& box) {
+Result<void> check_within(const Query& query, const ContactBox& box, Work& work) {
   std::array<Dyadic, 5> centre, radius;
   for (size_t i = 0; i < 5; ++i) centre[i] = Dyadic::exact(box.centre[i]);
   std::array<Dyadic, 3> rho;
@@ -69,7 +67,7 @@ Result<void> check_box(const Query& query, const ContactBox& box) {
   if (determinant(inverse).sign() == 0) return refuse_box("inverse: is singular");
 
   std::array<Dyadic, 3> remainder;
-  for (const TaylorTerm<Dyadic>& term : taylor_terms<Dyadic>(query, box)) {
+  for (const TaylorTerm<Dyadic>& term : taylor_terms<Dyadic>(query, box, 3 * kMaxDegree, &work)) {
     Dyadic size(1);
     for (size_t i = 0; i < 3; ++i) {
       for (int p = 0; p < term.power[i]; ++p) size *= rho[i];
@@ -77,8 +75,11 @@ Result<void> check_box(const Query& query, const ContactBox& box) {
     for (size_t i = 0; i < 3; ++i) {
       Dyadic value;
       for (size_t k = 0; k < 3; ++k) {
-        value += inverse[i][k] * term.coefficient[static_cast<Eigen::Index>(k)];
+        const Dyadic& coefficient = term.coefficient[static_cast<Eigen::Index>(k)];
+        work.charge(product_work(inverse[i][k], coefficient));
+        value += inverse[i][k] * coefficient;
       }
+      work.charge(product_work(value, size));
       if (term.degree() == 1 && term.power[i] == 1) value -= Dyadic(1);
       remainder[i] += abs(value) * size;
     }
@@ -90,6 +91,13 @@ Result<void> check_box(const Query& query, const ContactBox& box) {
     }
   }
   return {};
+}
+
+}  // namespace
+
+Result<void> check_box(const Query& query, const ContactBox& box, std::uint64_t most_work) {
+  return within_work("truth.certificate.contact", most_work,
+                     [&](Work& work) { return check_within(query, box, work); });
 }
 
 }  // namespace ccdfuzz

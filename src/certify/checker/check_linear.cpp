@@ -17,10 +17,13 @@ namespace {
 /// Bernstein; with x = 1, y = t it is an ordinary polynomial.
 using Form = std::vector<Integer>;
 
-Form operator*(const Form& a, const Form& b) {
+Form product(const Form& a, const Form& b, Work& work) {
   Form out(a.size() + b.size() - 1);
   for (size_t i = 0; i < a.size(); ++i) {
-    for (size_t j = 0; j < b.size(); ++j) out[i + j] += a[i] * b[j];
+    for (size_t j = 0; j < b.size(); ++j) {
+      work.charge(product_work(a[i], b[j]));
+      out[i + j] += a[i] * b[j];
+    }
   }
   return out;
 }
@@ -35,12 +38,15 @@ Form operator-(Form a, const Form& b) {
 
 using FormVector = std::array<Form, 3>;
 
-Form dot_of(const FormVector& a, const FormVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+Form dot_of(const FormVector& a, const FormVector& b, Work& work) {
+  return product(a[0], b[0], work) + product(a[1], b[1], work) + product(a[2], b[2], work);
 }
 
-FormVector cross_of(const FormVector& a, const FormVector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+FormVector cross_of(const FormVector& a, const FormVector& b, Work& work) {
+  const auto component = [&](size_t i, size_t j) {
+    return product(a[i], b[j], work) - product(a[j], b[i], work);
+  };
+  return {component(1, 2), component(2, 0), component(0, 1)};
 }
 
 /// A triangle: x·at[0] + y·at[1] of each component of each corner.
@@ -50,20 +56,22 @@ using Triangle = std::array<Corner, 3>;
 /// What the header speaks of, each multiplied out when it is asked for.
 class Products {
  public:
-  explicit Products(const Triangle& triangle)
-      : Products(forms_of(triangle, [](const auto& at) -> Form {
-          return {at[0], at[1]};
-        })) {}
+  Products(const Triangle& triangle, Work& work)
+      : Products(forms_of(triangle,
+                          [](const auto& at) -> Form {
+                            return {at[0], at[1]};
+                          }),
+                 work) {}
 
   /// Where x = 1, y = 0 (end 0) or x = 0, y = 1 (end 1): forms without variables.
-  static Products at_end(const Triangle& triangle, size_t end) {
-    return Products(forms_of(triangle, [end](const auto& at) -> Form { return {at[end]}; }));
+  static Products at_end(const Triangle& triangle, size_t end, Work& work) {
+    return Products(forms_of(triangle, [end](const auto& at) -> Form { return {at[end]}; }), work);
   }
 
-  Form d3() const { return dot_of(p_[0], n_[0]); }
-  Form m() const { return dot_of(n_[0], n_[0]) + dot_of(n_[1], n_[1]) + dot_of(n_[2], n_[2]); }
-  Form s(size_t i) const { return dot_of(n_[(i + 1) % 3], n_[(i + 2) % 3]); }
-  Form d(size_t i) const { return dot_of(p_[(i + 1) % 3], p_[(i + 2) % 3]); }
+  Form d3() const { return dot_of(p_[0], n_[0], work_); }
+  Form m() const { return square(n_[0]) + square(n_[1]) + square(n_[2]); }
+  Form s(size_t i) const { return dot_of(n_[(i + 1) % 3], n_[(i + 2) % 3], work_); }
+  Form d(size_t i) const { return dot_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work_); }
 
  private:
   using Corners = std::array<FormVector, 3>;
@@ -77,16 +85,18 @@ class Products {
     return out;
   }
 
-  explicit Products(Corners p) : p_(std::move(p)) {
-    for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3]);
+  Products(Corners p, Work& work) : work_(work), p_(std::move(p)) {
+    for (size_t i = 0; i < 3; ++i) n_[i] = cross_of(p_[(i + 1) % 3], p_[(i + 2) % 3], work);
   }
+  Form square(const FormVector& a) const { return dot_of(a, a, work_); }
 
+  Work& work_;
   Corners p_, n_;
 };
 
 struct Conditions {
-  explicit Conditions(const Triangle& triangle) {
-    const Products of(triangle);
+  Conditions(const Triangle& triangle, Work& work) {
+    const Products of(triangle, work);
     d3 = of.d3();
     m = of.m();
     for (size_t i = 0; i < 3; ++i) {
@@ -101,8 +111,8 @@ struct Conditions {
 
 /// The signs of the conditions at an end (Products::at_end).
 struct Signs {
-  Signs(const Triangle& triangle, size_t end) {
-    const Products at_end = Products::at_end(triangle, end);
+  Signs(const Triangle& triangle, size_t end, Work& work) {
+    const Products at_end = Products::at_end(triangle, end, work);
     const auto sign = [](const Form& f) { return sgn(f.front()); };
     d3 = sign(at_end.d3());
     m = sign(at_end.m());
@@ -128,8 +138,9 @@ bool is_strictly(const Form& f, int sign, bool closed) {
 /// Outside of the triangle where x > 0, y ≥ 0, and at x = 0 too if `closed`.
 /// start, end: at x = 1, y = 0 and x = 0, y = 1. What has the wrong sign there is not asked for
 /// between: it may have thousands of bits.
-bool is_outside(const Triangle& triangle, const Signs& start, const Signs& end, bool closed) {
-  const Products of(triangle);
+bool is_outside(const Triangle& triangle, const Signs& start, const Signs& end, bool closed,
+                Work& work) {
+  const Products of(triangle, work);
   const auto may_be = [](int at_start, int at_end, int sign) {
     return at_start != -sign && at_end != -sign;
   };
@@ -202,16 +213,17 @@ enum class Found { kOutside, kInside, kUndecided };
 /// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s. All parts
 /// of one length before any shorter, so that a contact between two is found before one of them is
 /// halved towards it without end.
-Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
+Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, Work& work) {
   struct Part {
     Triangle triangle;
     bool closed;
     Signs start, end;
   };
-  std::vector<Part> parts = {{triangle, closed, Signs(triangle, 0), Signs(triangle, 1)}}, shorter;
+  std::vector<Part> parts, shorter;
+  parts.push_back({triangle, closed, Signs(triangle, 0, work), Signs(triangle, 1, work)});
   for (int halvings = 0; !parts.empty(); ++halvings) {
     for (const Part& part : parts) {
-      if (is_outside(part.triangle, part.start, part.end, part.closed)) continue;
+      if (is_outside(part.triangle, part.start, part.end, part.closed, work)) continue;
       if (contains_origin(part.start)) return Found::kInside;
       if (halvings == most_halvings) return Found::kUndecided;
       Part first{{}, true, part.start, part.end}, second{{}, part.closed, part.start, part.end};
@@ -223,7 +235,7 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
           second.triangle[i][k] = {middle, Integer(2 * end)};
         }
       }
-      first.end = second.start = Signs(second.triangle, 0);
+      first.end = second.start = Signs(second.triangle, 0, work);
       shorter.push_back(std::move(first));
       shorter.push_back(std::move(second));
     }
@@ -232,19 +244,28 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings) {
   return Found::kOutside;
 }
 
-int sign_of(const Form& f, const Rational& t) {
+int sign_of(const Form& f, const Rational& t, Work& work) {
   Rational sum = 0;
-  for (size_t i = f.size(); i-- > 0;) sum = sum * t + f[i];
+  for (size_t i = f.size(); i-- > 0;) {
+    work.charge(fraction_work(words_of(sum) + words_of(t) + words_of(f[i])));
+    sum = sum * t + f[i];
+  }
   return sgn(sum);
 }
 
 /// True iff p divides f, both ordinary polynomials, p with a leading coefficient.
-bool divides(const Form& p, Form f) {
+bool divides(const Form& p, Form f, Work& work) {
   while (f.size() >= p.size()) {
     const Integer leading = f.back();
     const size_t shift = f.size() - p.size();
-    for (Integer& c : f) c *= p.back();
-    for (size_t i = 0; i < p.size(); ++i) f[shift + i] -= leading * p[i];
+    for (Integer& c : f) {
+      work.charge(product_work(c, p.back()));
+      c *= p.back();
+    }
+    for (size_t i = 0; i < p.size(); ++i) {
+      work.charge(product_work(leading, p[i]));
+      f[shift + i] -= leading * p[i];
+    }
     f.pop_back();
   }
   return std::ranges::all_of(f, [](const Integer& c) { return c == 0; });
@@ -254,6 +275,68 @@ Result<void> refuse_unless_linear(const Query& query, const char* where) {
   if (is_linear_query(query)) return {};
   return input_error(where, fmt::format("{} and {} are not linear", to_text(query.patches[0].shape),
                                         to_text(query.patches[1].shape)));
+}
+
+constexpr const char* kClear = "truth.certificate.clear";
+constexpr const char* kRoot = "truth.certificate.root";
+
+Result<void> check_clearance_within(const Query& query, const LinearClearance& clearance,
+                                    Work& work) {
+  constexpr int kMostHalvings = 4000;
+  if (auto linear = refuse_unless_linear(query, kClear); !linear) return linear;
+  const Rational& until = clearance.until;
+  if (until < 0) return input_error(kClear, fmt::format("until = {} is negative", shown(until)));
+  if (until == 0 && !clearance.closed) return {};  // there is no such time
+  const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
+    return {p, p + until * v};
+  };
+  const auto at_the_end = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
+    const Rational x = p + until * v;
+    return {x, x};
+  };
+  for (const Triangle& triangle : triangles_between(query, at_the_end)) {
+    // Halving would come near this contact without end.
+    if (!clearance.closed || !contains_origin(Signs(triangle, 0, work))) continue;
+    return input_error(kClear, fmt::format("there is a contact at t = {}", shown(until)));
+  }
+  for (const Triangle& triangle : triangles_between(query, ends)) {
+    const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, work);
+    if (found == Found::kOutside) continue;
+    return input_error(
+        kClear, fmt::format("{} before t = {}",
+                            found == Found::kInside ? "there is a contact" : "no proof of absence",
+                            shown(until)));
+  }
+  return {};
+}
+
+Result<void> check_root_within(const Query& query, const ContactRoot& root, Work& work) {
+  if (auto linear = refuse_unless_linear(query, kRoot); !linear) return linear;
+  const Form& p = root.polynomial;
+  if (root.from < 0 || root.by <= root.from) {
+    return input_error(
+        kRoot, fmt::format("from = {} and by = {} are no times", shown(root.from), shown(root.by)));
+  }
+  if (p.empty() || p.back() == 0 || sign_of(p, root.from, work) * sign_of(p, root.by, work) >= 0) {
+    return input_error(kRoot, "the polynomial does not change its sign from one end to the other");
+  }
+  const auto powers = [](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
+    return {x, v};
+  };
+  const auto ends = [&](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
+    return {x + root.from * v, x + root.by * v};
+  };
+  const auto in_powers = triangles_between(query, powers), in_ends = triangles_between(query, ends);
+  for (size_t i = 0; i < in_powers.size(); ++i) {
+    const Conditions power(in_powers[i], work), end(in_ends[i], work);
+    bool holds = divides(p, power.d3, work), some_d = false;
+    for (size_t k = 0; k < 3; ++k) {
+      holds &= has_no_sign(end.s[k], -1) || divides(p, power.s[k], work);
+      some_d |= has_no_sign(end.d[k], 1) || divides(p, power.d[k], work);
+    }
+    if (holds && (some_d || is_strictly(end.m, 1, true))) return {};
+  }
+  return input_error(kRoot, "it is not shown that the patches touch at the root");
 }
 
 }  // namespace
@@ -267,64 +350,16 @@ bool is_linear_query(const Query& query) {
   return parameters <= 2;
 }
 
-Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance) {
-  constexpr const char* kWhere = "truth.certificate.clear";
-  constexpr int kMostHalvings = 4000;
-  if (auto linear = refuse_unless_linear(query, kWhere); !linear) return linear;
-  const Rational& until = clearance.until;
-  if (until < 0) return input_error(kWhere, fmt::format("until = {} is negative", shown(until)));
-  if (until == 0 && !clearance.closed) return {};  // there is no such time
-  const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
-    return {p, p + until * v};
-  };
-  const auto at_the_end = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
-    const Rational x = p + until * v;
-    return {x, x};
-  };
-  for (const Triangle& triangle : triangles_between(query, at_the_end)) {
-    // Halving would come near this contact without end.
-    if (!clearance.closed || !contains_origin(Signs(triangle, 0))) continue;
-    return input_error(kWhere, fmt::format("there is a contact at t = {}", shown(until)));
-  }
-  for (const Triangle& triangle : triangles_between(query, ends)) {
-    const Found found = decide_outside(triangle, clearance.closed, kMostHalvings);
-    if (found == Found::kOutside) continue;
-    return input_error(
-        kWhere, fmt::format("{} before t = {}",
-                            found == Found::kInside ? "there is a contact" : "no proof of absence",
-                            shown(until)));
-  }
-  return {};
+Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance,
+                                    std::uint64_t most_work) {
+  return within_work(kClear, most_work,
+                     [&](Work& work) { return check_clearance_within(query, clearance, work); });
 }
 
-Result<void> check_contact_root(const Query& query, const ContactRoot& root) {
-  constexpr const char* kWhere = "truth.certificate.root";
-  if (auto linear = refuse_unless_linear(query, kWhere); !linear) return linear;
-  const Form& p = root.polynomial;
-  if (root.from < 0 || root.by <= root.from) {
-    return input_error(kWhere, fmt::format("from = {} and by = {} are no times", shown(root.from),
-                                           shown(root.by)));
-  }
-  if (p.empty() || p.back() == 0 || sign_of(p, root.from) * sign_of(p, root.by) >= 0) {
-    return input_error(kWhere, "the polynomial does not change its sign from one end to the other");
-  }
-  const auto powers = [](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
-    return {x, v};
-  };
-  const auto ends = [&](const Rational& x, const Rational& v) -> std::array<Rational, 2> {
-    return {x + root.from * v, x + root.by * v};
-  };
-  const auto in_powers = triangles_between(query, powers), in_ends = triangles_between(query, ends);
-  for (size_t i = 0; i < in_powers.size(); ++i) {
-    const Conditions power(in_powers[i]), end(in_ends[i]);
-    bool holds = divides(p, power.d3), some_d = false;
-    for (size_t k = 0; k < 3; ++k) {
-      holds &= has_no_sign(end.s[k], -1) || divides(p, power.s[k]);
-      some_d |= has_no_sign(end.d[k], 1) || divides(p, power.d[k]);
-    }
-    if (holds && (some_d || is_strictly(end.m, 1, true))) return {};
-  }
-  return input_error(kWhere, "it is not shown that the patches touch at the root");
+Result<void> check_contact_root(const Query& query, const ContactRoot& root,
+                                std::uint64_t most_work) {
+  return within_work(kRoot, most_work,
+                     [&](Work& work) { return check_root_within(query, root, work); });
 }
 
 }  // namespace ccdfuzz

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certify/checker/work.hpp"
 #include "query/case.hpp"
 
 namespace ccdfuzz {
@@ -24,14 +25,17 @@ bool is_linear_query(const Query& query);
 /// [0, until] is halved until the coefficients of Bernstein of D, an s_i or all d_i have one sign:
 /// the origin is outside if D ≠ 0, some s_i < 0, or all d_i > 0 (as then a·(αa + βb + γc) > 0 or
 /// likewise for b, c). At any time without contact one of them is so, strictly, so this ends.
-/// Requires a valid query. Errors: it is not linear; a contact; not decided within 4,000 halvings.
-Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance);
+/// Requires a valid query. Errors: it is not linear; a contact; not decided within 4,000 halvings;
+/// more than most_work.
+Result<void> check_linear_clearance(const Query& query, const LinearClearance& clearance,
+                                    std::uint64_t most_work = kMostWork);
 
 /// Certificate R: checks in exact arithmetic that linear patches touch at the root.
 /// Proof. The polynomial p changes its sign between `from` and `by`, so it has a root there. For
 /// one of the triangles p divides D, so that D is 0 at the root; p divides s_i, or s_i ≥ 0 by its
 /// coefficients of Bernstein on [from, by]; m > 0 by its, or p divides some d_i, or d_i ≤ 0 by its.
-/// Requires a valid query. Errors: what is wrong, naming the field.
-Result<void> check_contact_root(const Query& query, const ContactRoot& root);
+/// Requires a valid query. Errors: what is wrong, naming the field; more than most_work.
+Result<void> check_contact_root(const Query& query, const ContactRoot& root,
+                                std::uint64_t most_work = kMostWork);
 
 }  // namespace ccdfuzz

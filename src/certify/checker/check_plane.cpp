@@ -23,9 +23,20 @@ std::vector<Rational> along(const std::array<Rational, 3>& normal, const Points<
   return out;
 }
 
-}  // namespace
+/// Charges for all of the check. Its numbers are sums of products of a number of the plane and a
+/// control point's, or up to three of those; at most 64 operations take a control point in.
+void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
+  constexpr std::uint64_t kOperations = 64;
+  constexpr std::uint64_t kDouble = 18;  // words of a double as a fraction
+  std::uint64_t words = 2 * kDouble + words_of(plane.until) + words_of(plane.offset);
+  for (const Rational& n : plane.normal) words += words_of(n);
+  const std::uint64_t points =
+      query.patches[0].positions.size() + query.patches[1].positions.size();
+  work.charge(points * kOperations * fraction_work(words));
+}
 
-Result<void> check_plane(const Query& query, const MovingPlane& plane) {
+Result<void> check_within(const Query& query, const MovingPlane& plane, Work& work) {
+  charge_for(query, plane, work);
   if (plane.until < 0)
     return refuse_plane(fmt::format("until: {} is negative", shown(plane.until)));
   std::array<std::vector<Rational>, 2> rates;
@@ -45,6 +56,13 @@ Result<void> check_plane(const Query& query, const MovingPlane& plane) {
     return refuse_plane("the patches do not both approach the plane");
   }
   return {};
+}
+
+}  // namespace
+
+Result<void> check_plane(const Query& query, const MovingPlane& plane, std::uint64_t most_work) {
+  return within_work("truth.certificate.clear", most_work,
+                     [&](Work& work) { return check_within(query, plane, work); });
 }
 
 }  // namespace ccdfuzz

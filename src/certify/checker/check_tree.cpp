@@ -26,6 +26,8 @@ struct Part {
 /// pre-order needs; the family stays as long as no other part of its parent's depth is split.
 class Parts {
  public:
+  explicit Parts(Work& work) : polar_(&work) {}
+
   void load(const Shape& shape, MovingNet<Integer> net) {
     shape_ = shape;
     root_ = std::move(net);
@@ -103,7 +105,8 @@ class Walk {
   /// With until = a/b and every double a multiple of 2^unit, b·kTimeSteps·position·2^-unit and
   /// a·velocity·2^-unit are integers P and V, and P + m·V is a positive multiple of the control
   /// point at time m.
-  Walk(const Query& query, const Rational& until, std::string_view tree) : reader_(tree) {
+  Walk(const Query& query, const Rational& until, std::string_view tree, Work& work)
+      : work_(work), reader_(tree), sides_{Parts(work), Parts(work)} {
     int unit = 0;
     for (const MovingPatch<double>& patch : query.patches) {
       moving_net<int>(patch,
@@ -153,6 +156,10 @@ class Walk {
     }
     Parts& side = sides_[static_cast<size_t>(here->side)];
     if (side.count() == 1) throw Refusal{fmt::format("node {}: a point has no parts", number)};
+    if ((here->side == 0 ? a : b).depth == kMaxPartDepth) {
+      throw Refusal{
+          fmt::format("node {}: a part is split more than {} times", number, kMaxPartDepth)};
+    }
     for (int c = 0; c < side.count(); ++c) {
       if (here->side == 0) node(side.child(a, c), b, lo, hi, depth + 1);
       if (here->side == 1) node(a, side.child(b, c), lo, hi, depth + 1);
@@ -178,6 +185,7 @@ class Walk {
                 int sign, std::array<Integer, 2>& out) {
     bool first = true;
     for (const Moving<Integer>& p : *part.net) {
+      for (const Integer& x : p) work_.charge(2 * product_work(x, 1.0));
       position_ = 0, velocity_ = 0;
       for (size_t k = 0; k < 3; ++k) {
         add_product(position_, p[k], axis[k]);
@@ -197,6 +205,7 @@ class Walk {
     if (y < 0) mpz_submul_ui(sum.get_mpz_t(), x.get_mpz_t(), static_cast<unsigned long>(-y));
   }
 
+  Work& work_;
   TreeReader reader_;
   std::array<Parts, 2> sides_;
   std::uint64_t nodes_ = 0;
@@ -206,15 +215,19 @@ class Walk {
 
 }  // namespace
 
-Result<std::uint64_t> check_tree(const Query& query, const Rational& until, std::string_view tree) {
+Result<std::uint64_t> check_tree(const Query& query, const Rational& until, std::string_view tree,
+                                 std::uint64_t most_work) {
   if (until < 0) {
     return input_error("truth.certificate.clear.until",
                        fmt::format("{} is negative", shown(until)));
   }
+  constexpr const char* kWhere = "truth.certificate.clear.tree";
   try {
-    return Walk(query, until, tree).run();
+    return within_work(kWhere, most_work, [&](Work& work) -> Result<std::uint64_t> {
+      return Walk(query, until, tree, work).run();
+    });
   } catch (const Refusal& refusal) {
-    return input_error("truth.certificate.clear.tree", refusal.what);
+    return input_error(kWhere, refusal.what);
   }
 }
 

@@ -14,8 +14,8 @@ tl::unexpected<InputError> refuse(const char* field, std::string what) {
 }
 
 /// S(u, v) at time t, by the checker's own blossom.
-Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv,
-                        const Rational& t) {
+Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv, const Rational& t,
+                        Work& work) {
   const auto [u, v] = std::array{uv[0], uv[1]};
   const Rational zero(0), rest_u(1 - u), rest_v(1 - v), rest(1 - u - v);
   const bool triangle = patch.shape.kind == ShapeKind::kTriangle;
@@ -25,39 +25,40 @@ Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv
   const std::vector<Weights<Rational>> second(static_cast<size_t>(patch.shape.m),
                                               Weights<Rational>{rest_v, v, zero});
   const auto net = moving_net<Rational>(patch, [](double x, bool) { return exact(x); });
-  Polar<Rational> polar;
+  Polar<Rational> polar(&work);
   const Moving<Rational>& at = polar(patch.shape, net, {first, second});
   return {Rational(at[0] + t * at[3]), Rational(at[1] + t * at[4]), Rational(at[2] + t * at[5])};
 }
 
 }  // namespace
 
-Result<void> check_contact(const Query& query, const Witness& witness) {
+Result<void> check_contact(const Query& query, const Witness& witness, std::uint64_t most_work) {
   if (witness.t < 0) return refuse("t", fmt::format("{} is negative", shown(witness.t)));
-  std::array<Vec3<Rational>, 2> at;
-  for (size_t s = 0; s < 2; ++s) {
-    const MovingPatch<double>& patch = query.patches[s];
-    if (!patch.shape.contains(witness.uv[s])) {
-      return refuse("uv", fmt::format("({}, {}) lies outside the domain of patches[{}], {}",
-                                      shown(witness.uv[s][0]), shown(witness.uv[s][1]), s,
-                                      to_text(patch.shape)));
+  return within_work("truth.witness", most_work, [&](Work& work) -> Result<void> {
+    std::array<Vec3<Rational>, 2> at;
+    for (size_t s = 0; s < 2; ++s) {
+      const MovingPatch<double>& patch = query.patches[s];
+      if (!patch.shape.contains(witness.uv[s])) {
+        return refuse("uv", fmt::format("({}, {}) lies outside the domain of patches[{}], {}",
+                                        shown(witness.uv[s][0]), shown(witness.uv[s][1]), s,
+                                        to_text(patch.shape)));
+      }
+      at[s] = point_at(patch, witness.uv[s], witness.t, work);
     }
-    at[s] = point_at(patch, witness.uv[s], witness.t);
-  }
-  for (int k = 0; k < 3; ++k) {
-    if (at[0][k] != at[1][k]) {
+    for (int k = 0; k < 3; ++k) {
+      if (at[0][k] == at[1][k]) continue;
       return refuse("uv", fmt::format("the patches do not touch there: coordinate {} is {} and {}",
                                       "xyz"[k], shown(at[0][k]), shown(at[1][k])));
     }
-  }
-  return {};
+    return {};
+  });
 }
 
-Result<void> check_witness(const Query& query, const Witness& witness) {
+Result<void> check_witness(const Query& query, const Witness& witness, std::uint64_t most_work) {
   if (witness.t > exact(query.t_max)) {
     return refuse("t", fmt::format("{} is after t_max = {}", shown(witness.t), query.t_max));
   }
-  return check_contact(query, witness);
+  return check_contact(query, witness, most_work);
 }
 
 }  // namespace ccdfuzz

@@ -1,15 +1,19 @@
 #pragma once
 
+#include "certify/checker/work.hpp"
 #include "query/case.hpp"
 
 namespace ccdfuzz {
 
 /// Certificate W: checks in exact arithmetic that the witness lies in both domains and at a time
 /// t ≥ 0, and that both patches are at the same point there. t may lie past t_max.
-/// Shares no code with src/ccd. Requires a valid query. Errors: what is wrong, naming the field.
-Result<void> check_contact(const Query& query, const Witness& witness);
+/// Shares no code with src/ccd. Requires a valid query. Errors: what is wrong, naming the field;
+/// more than most_work.
+Result<void> check_contact(const Query& query, const Witness& witness,
+                           std::uint64_t most_work = kMostWork);
 
 /// check_contact, and t ≤ t_max: the query's answer is "hit", no later than t.
-Result<void> check_witness(const Query& query, const Witness& witness);
+Result<void> check_witness(const Query& query, const Witness& witness,
+                           std::uint64_t most_work = kMostWork);
 
 }  // namespace ccdfuzz

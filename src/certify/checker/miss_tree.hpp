@@ -25,6 +25,10 @@ inline constexpr std::uint64_t kTimeSteps = std::uint64_t{1} << 52;
 /// Nodes deeper than this are refused; it bounds the checker's stack.
 inline constexpr int kMaxTreeDepth = 1000;
 
+/// A part is the result of at most so many splits, as numbers grow with each. Searches, and with
+/// them those who write trees, end at 50 (Cell::kMaxDepth), where doubles cannot tell parts apart.
+inline constexpr int kMaxPartDepth = 60;
+
 using TreeAxis = std::array<std::int64_t, 3>;
 
 enum class TreeNodeKind : std::uint8_t { kLeaf, kSplit, kTime };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bezier/patch.hpp"
+#include "certify/checker/work.hpp"
 
 namespace ccdfuzz {
 
@@ -31,6 +32,9 @@ struct PolarArguments {
 template <class S>
 class Polar {
  public:
+  /// work, if given, is charged for all that is done, and outlives this.
+  explicit Polar(Work* work = nullptr) : work_(work) {}
+
   /// net: shape.control_count() control points in Shape's order. Valid until the next call.
   const Moving<S>& operator()(const Shape& shape, const MovingNet<S>& net,
                               const PolarArguments<S>& at) {
@@ -70,11 +74,15 @@ class Polar {
     for (size_t c = 0; c < 3; ++c) {
       if (from[c] < 0 || weights[c] == 0) continue;
       const Moving<S>& p = net_[from[c]];
-      for (size_t k = 0; k < 6; ++k) sum_[k] += weights[c] * p[k];
+      for (size_t k = 0; k < 6; ++k) {
+        if (work_ != nullptr) work_->charge(product_work(weights[c], p[k]));
+        sum_[k] += weights[c] * p[k];
+      }
     }
     std::swap(net_[to], sum_);
   }
 
+  Work* work_;
   MovingNet<S> net_;
   Moving<S> sum_;
 };

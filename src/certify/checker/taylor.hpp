@@ -59,7 +59,7 @@ std::vector<Weights<S>> arguments(int degree, const Weights<S>& at, int count,
 /// the blossom at i directions along x, j along y and the centre for the rest, times a multinomial.
 template <class S>
 std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& box,
-                                        int max_degree = 3 * kMaxDegree) {
+                                        int max_degree = 3 * kMaxDegree, Work* work = nullptr) {
   using namespace taylor_detail;
   /// Place of an unknown among the varied ones, or −1.
   const auto place = [&](int unknown) {
@@ -77,7 +77,7 @@ std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& bo
     }
     terms.push_back({value, power});
   };
-  Polar<S> polar;
+  Polar<S> polar(work);
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
     const Shape& shape = patch.shape;

@@ -71,6 +71,7 @@ void continue_below_a_watcher() {
   if (child > 0) supervise(child, awaited);
   ::sigprocmask(SIG_SETMASK, &before, nullptr);
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::signal(SIGXFSZ, SIG_DFL);                 // as a plug-in expects it
   if (::getppid() != watcher) std::_Exit(1);  // it was gone before that
 }
 

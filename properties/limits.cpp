@@ -1,0 +1,315 @@
+#include "properties/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "certify/checker/check_linear.hpp"
+#include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "certify/checker/miss_tree.hpp"
+#include "query/case_json.hpp"
+#include "query/json_tree.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+bool names(const InputError& error, std::string_view part) {
+  return error.message().find(part) != std::string::npos;
+}
+
+/// A patch whose control points are (i, j, height + something), moving up or down.
+MovingPatch<double> patch_at(ChoiceSource& choices, const Shape& shape, double height) {
+  MovingPatch<double> patch;
+  patch.shape = shape;
+  for (int i = 0; i < shape.control_count(); ++i) {
+    const auto small = [&] { return static_cast<double>(choices.integer(1, 8)); };
+    patch.positions.emplace_back(small(), small(), height + small());
+    patch.velocities.emplace_back(small(), small(), -std::copysign(small(), height));
+  }
+  return patch;
+}
+
+Query query_of(ChoiceSource& choices, const Shape& a, const Shape& b) {
+  return {{patch_at(choices, a, -16), patch_at(choices, b, 16)}, 1};
+}
+
+/// One thing of a case at a limit of the reader, or one past it.
+Check check_limits_of_a_file(ChoiceSource& choices) {
+  const std::uint64_t past = choices.choose(1);
+  Case value;
+  value.query = query_of(choices, Shape::point(), Shape::point());
+  std::string text, limit;
+  switch (choices.choose(2)) {
+    case 0: {
+      const std::string digits(kMaxRationalDigits + past,
+                               static_cast<char>('1' + choices.choose(8)));
+      Rational t{Integer(digits)};
+      if (choices.coin()) t = 1 / t;
+      value.truth.witness = Witness{t, {}};
+      text = to_json(value);
+      limit = fmt::format("truth.witness.t: has a numerator or denominator of {} digits",
+                          digits.size());
+      break;
+    }
+    case 1: {
+      value.truth.contact_root = ContactRoot{{}, 0, 1};
+      value.truth.contact_root->polynomial.assign(kMaxRootDegree + 1 + past, 1);
+      text = to_json(value);
+      limit = fmt::format("truth.certificate.root.polynomial: has {} coefficients",
+                          kMaxRootDegree + 1 + past);
+      break;
+    }
+    default: {
+      constexpr std::string_view kTMax = "\"t_max\":1", kBefore = "0x1.", kAfter = "p0";
+      const std::string zeros(kMaxNumberLength + past - kBefore.size() - kAfter.size(), '0');
+      text = to_json(value);
+      const std::size_t at = text.find(kTMax);
+      if (at == std::string::npos) return Check::fails("no t_max in " + text);
+      text.replace(at, kTMax.size(), fmt::format("\"t_max\":\"{}{}{}\"", kBefore, zeros, kAfter));
+      limit = fmt::format("has {} characters", kMaxNumberLength + past);
+    }
+  }
+  const Result<Case> read = parse_case(text, "file");
+  if (past == 0) return read ? Check::holds() : Check::fails("refused: " + read.error().message());
+  if (read) return Check::fails("read past a limit: " + limit);
+  return names(read.error(), limit)
+             ? Check::holds()
+             : Check::fails(limit + " expected, not " + read.error().message());
+}
+
+/// A double printed to any number of digits is read back iff that is enough of them to tell it from
+/// other doubles and no more, or it is all that there are.
+Check check_long_decimals(ChoiceSource& choices) {
+  const double x = std::abs(choices.finite_double());
+  const auto digits = static_cast<int>(choices.integer(1, 60));  // behind the first
+  const auto printed = [x](int count) { return fmt::format("{:.{}e}", x, count); };
+  const std::string text = printed(digits);
+  // No double has more than 767 significant digits.
+  const std::string all = printed(800);
+  const std::string rest =
+      all.substr(0, all.find('e')).substr(static_cast<std::size_t>(2 + digits));
+  const bool is_all = rest.find_first_not_of('0') == std::string::npos;
+  const Result<double> read = parse_case_real({JsonKind::kNumber, text, {}, {}});
+  const std::string shown = fmt::format("{} of {}", text, to_hex(x));
+  if (read) {
+    if (digits > 16 && !is_all) return Check::fails("rounded: " + shown);
+    if (digits >= 16 && *read != x) return Check::fails("read as another: " + shown);
+    return Check::holds();
+  }
+  const bool is_out_of_range = names(read.error(), "range");
+  if (is_out_of_range && digits < 16) return Check::discarded("rounded out of range");
+  return digits > 16 && !is_all ? Check::holds() : Check::fails("refused: " + shown);
+}
+
+/// A certificate with a number of many words, which its check must multiply by others as long.
+Check check_work_is_counted(ChoiceSource& choices) {
+  const std::uint64_t words = 16 + choices.choose(48);
+  const Rational most = power_of_two(static_cast<long>(64 * words));
+  const Rational big = (most - 1) / most;
+  const std::uint64_t square = words * words;
+  const auto outcome = [&](const char* what, std::uint64_t budget, const auto& check) {
+    const Result<void> within = check(budget), freely = check(kMostWork);
+    const std::string wanted = fmt::format("exceeds the work budget of {} ", budget);
+    if (within || !names(within.error(), wanted)) {
+      return Check::fails(fmt::format("{} of {} words is checked within {}", what, words, budget));
+    }
+    if (!freely && names(freely.error(), "work budget")) {
+      return Check::fails(fmt::format("{} of {} words exceeds the budget", what, words));
+    }
+    return Check::holds();
+  };
+  switch (choices.choose(4)) {
+    case 0: {
+      const Query query = query_of(choices, Shape::triangle(2), Shape::tensor(2, 2));
+      const Witness witness{big, {Uv<Rational>{big / 2, 1 - big}, Uv<Rational>{big, big}}};
+      return outcome("a witness", 256 * square, [&](std::uint64_t most_work) {
+        return check_contact(query, witness, most_work);
+      });
+    }
+    case 1: {
+      const Query query = query_of(choices, Shape::triangle(2), Shape::curve(3));
+      const MovingPlane plane{big, {big, 0, 1}, 0};
+      return outcome("a plane", 64 * square,
+                     [&](std::uint64_t most_work) { return check_plane(query, plane, most_work); });
+    }
+    case 2: {
+      const Query query = query_of(choices, Shape::triangle(2), Shape::curve(3));
+      TreeBits tree;
+      tree.leaf({0, 0, 1});
+      return outcome("a tree", 32 * words, [&](std::uint64_t most_work) {
+        return check_tree(query, big, tree.bytes(), most_work).map([](std::uint64_t) {});
+      });
+    }
+    case 3: {
+      const Query query = query_of(choices, Shape::point(), Shape::triangle(1));
+      return outcome("a linear clearance", 16 * square, [&](std::uint64_t most_work) {
+        return check_linear_clearance(query, {big, true}, most_work);
+      });
+    }
+    default: {
+      const Query query = query_of(choices, Shape::point(), Shape::triangle(1));
+      const ContactRoot root{{-big.get_num(), big.get_den()}, 0, 1};
+      return outcome("a root", 40 * square, [&](std::uint64_t most_work) {
+        return check_contact_root(query, root, most_work);
+      });
+    }
+  }
+}
+
+/// A part is split as often as the format allows, or once more.
+Check check_splits(ChoiceSource& choices) {
+  const std::uint64_t past = choices.choose(1);
+  const bool second = choices.coin();
+  const Query query = query_of(choices, Shape::curve(1), Shape::curve(1));
+  TreeBits tree;
+  for (std::uint64_t i = 0; i < kMaxPartDepth + past; ++i) tree.split(second ? 1 : 0);
+  for (std::uint64_t i = 0; i < kMaxPartDepth + past + 1; ++i) tree.leaf({0, 0, 1});
+  const auto checked = check_tree(query, 1, tree.bytes());
+  const bool is_refused =
+      !checked && names(checked.error(), fmt::format("split more than {} times", kMaxPartDepth));
+  if (is_refused == (past == 1)) return Check::holds();
+  return Check::fails(fmt::format("{} splits of patch {}: {}", kMaxPartDepth + past, second ? 2 : 1,
+                                  checked ? "accepted" : checked.error().message()));
+}
+
+/// Up to kMaxRationalDigits of them, most of them the same.
+Integer draw_long_integer(ChoiceSource& choices) {
+  const std::size_t length =
+      choices.choose(3) == 0 ? 1 + choices.choose(kMaxRationalDigits - 1) : 1 + choices.choose(20);
+  std::string digits(length, static_cast<char>('0' + choices.choose(9)));
+  digits.front() = static_cast<char>('1' + choices.choose(8));
+  digits.back() = static_cast<char>('0' + choices.choose(9));
+  return Integer(digits);
+}
+
+Rational draw_long_fraction(ChoiceSource& choices) {
+  Rational x(draw_long_integer(choices), draw_long_integer(choices));
+  x.canonicalize();
+  if (x > 1 && choices.coin()) x = 1 / x;
+  return choices.choose(7) == 0 ? Rational(-x) : x;
+}
+
+Shape draw_shape(ChoiceSource& choices, bool linear) {
+  const auto degree = [&] { return static_cast<int>(linear ? 1 : 1 + choices.choose(7)); };
+  switch (choices.choose(linear ? 2 : 3)) {
+    case 0:
+      return Shape::point();
+    case 1:
+      return Shape::curve(degree());
+    case 2:
+      return Shape::triangle(degree());
+    default: {
+      const int n = degree();
+      return Shape::tensor(n, degree());
+    }
+  }
+}
+
+/// A tree's bytes: any, or all splits down to some depth and the same leaf throughout.
+std::string draw_any_tree(ChoiceSource& choices) {
+  constexpr std::size_t kLongest = 4000;
+  if (choices.coin()) return choices.text(kLongest);
+  TreeBits tree;
+  for (std::uint64_t splits = choices.choose(1000); splits > 0; --splits) {
+    if (choices.choose(63) == 0) tree.time(kTimeSteps >> (1 + choices.choose(50)));
+    tree.split(static_cast<int>(splits % 2));
+  }
+  for (std::uint64_t leaves = choices.choose(4000); leaves > 0; --leaves) tree.leaf({1, 2, -3});
+  return tree.bytes();
+}
+
+/// What a file may say, up to the limits of the reader. Nothing is claimed but that it is read, and
+/// that the checker answers: how long it takes and how much memory is the driver's to see.
+Check check_any_case(ChoiceSource& choices) {
+  const bool linear = choices.coin();
+  std::array<double, 6> numbers{};
+  for (double& x : numbers) x = choices.finite_double();
+  Case value;
+  value.query.t_max = std::abs(numbers[0]);
+  for (MovingPatch<double>& patch : value.query.patches) {
+    patch.shape = draw_shape(choices, linear);
+    const auto count = static_cast<std::size_t>(patch.shape.control_count());
+    // Each number a few times over, in an order that depends on the choices.
+    std::size_t step = 1 + choices.choose(4), at = 0;
+    const auto next = [&] { return numbers[(at += step) % numbers.size()]; };
+    for (std::size_t i = 0; i < count; ++i) {
+      patch.positions.emplace_back(next(), next(), next());
+      patch.velocities.emplace_back(next(), next(), next());
+      if (i % 5 == 4) ++step;
+    }
+  }
+  const auto fraction = [&] { return draw_long_fraction(choices); };
+  Truth& truth = value.truth;
+  std::string tree;
+  switch (choices.choose(5)) {
+    case 0:
+      truth.witness = Witness{
+          fraction(), {Uv<Rational>{fraction(), fraction()}, Uv<Rational>{fraction(), fraction()}}};
+      break;
+    case 1: {
+      ContactBox box;
+      box.centre = {std::abs(choices.finite_double()), 0.25, std::abs(choices.finite_double()), 0.5,
+                    std::abs(choices.finite_double())};
+      box.varied = {0, 2, 4};
+      for (double& radius : box.radius)
+        radius = std::max(std::abs(choices.finite_double()), 0x1p-1074);
+      for (auto& row : box.inverse) {
+        for (double& x : row) x = choices.finite_double();
+      }
+      truth.contact_box = box;
+      break;
+    }
+    case 2:
+      truth.clearance = MovingPlane{fraction(), {fraction(), fraction(), fraction()}, fraction()};
+      break;
+    case 3:
+      tree = draw_any_tree(choices);
+      truth.clearance = MissTree{fraction(), {0, 1, std::string(32, '0')}};
+      break;
+    case 4:
+      truth.clearance = LinearClearance{fraction(), choices.coin()};
+      break;
+    default: {
+      ContactRoot root{{}, fraction(), fraction()};
+      for (std::uint64_t k = choices.choose(kMaxRootDegree); k > 0; --k) {
+        root.polynomial.push_back(draw_long_integer(choices));
+        if (choices.coin()) root.polynomial.back() = -root.polynomial.back();
+      }
+      truth.contact_root = std::move(root);
+    }
+  }
+  const Result<Case> read = parse_case(to_json(value), "file");
+  if (!read) return Check::fails("refused: " + read.error().message());
+  (void)check_truth(*read);
+  if (read->truth.clearance) (void)check_clearance(read->query, *read->truth.clearance, tree);
+  return Check::holds();
+}
+
+}  // namespace
+
+std::vector<Property> limit_properties() {
+  constexpr auto kHolds = Expectation::kHolds;
+  return {
+      {"limits.of_any_case",
+       "Whatever a case says within the limits of the reader, the checker answers",
+       "src/certify/checker/work.hpp", kHolds, check_any_case},
+      {"limits.of_a_file",
+       "A case at a limit of the reader is read, and one past it is refused, naming field and "
+       "limit",
+       "the case format", kHolds, check_limits_of_a_file},
+      {"limits.of_a_decimal",
+       "A decimal of more than 17 significant digits is read iff it is a double exactly",
+       "the case format", kHolds, check_long_decimals},
+      {"limits.of_work",
+       "A certificate with long numbers is refused within a small budget, which names the budget",
+       "src/certify/checker/work.hpp", kHolds, check_work_is_counted},
+      {"limits.of_splits", "A part of a miss tree is split 60 times and no more",
+       "src/certify/checker/miss_tree.hpp", kHolds, check_splits},
+  };
+}
+
+}  // namespace ccdfuzz

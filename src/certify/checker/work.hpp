@@ -1,0 +1,77 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+#include "numeric/dyadic.hpp"
+#include "numeric/result.hpp"
+
+namespace ccdfuzz {
+
+/// The most work of checking one certificate, in operations on 64-bit words.
+inline constexpr std::uint64_t kMostWork = std::uint64_t{1} << 33;
+
+inline std::uint64_t words_of(const Integer& x) {
+  return mpz_size(x.get_mpz_t());
+}
+inline std::uint64_t words_of(const Rational& x) {
+  return words_of(x.get_num()) + words_of(x.get_den());
+}
+inline std::uint64_t words_of(const Dyadic& x) {
+  return words_of(x.mantissa());
+}
+inline std::uint64_t words_of(double) {
+  return 1;
+}
+
+/// What adding a·b to a sum costs at most, up to a factor that is the same for all sizes.
+template <class A, class B>
+std::uint64_t product_work(const A& a, const B& b) {
+  constexpr std::uint64_t kCalls = 16;  // calls and allocations, however small the numbers
+  return kCalls + words_of(a) * words_of(b);
+}
+/// The same of fractions of so many words together, which are brought to lowest terms: greatest
+/// common divisors of all that they are made of.
+inline std::uint64_t fraction_work(std::uint64_t words) {
+  constexpr std::uint64_t kCalls = 64;
+  return kCalls + 4 * words * words;
+}
+inline std::uint64_t product_work(const Rational& a, const Rational& b) {
+  return fraction_work(words_of(a) + words_of(b));
+}
+
+/// Counts the work of one check, so that a small file cannot occupy the checker for long. It is
+/// counted from the sizes of numbers: the same file is refused on every machine.
+class Work {
+ public:
+  /// Thrown by charge, and caught by within_work.
+  struct Exceeded {
+    std::uint64_t most;
+  };
+
+  explicit Work(std::uint64_t most) : most_(most), left_(most) {}
+
+  void charge(std::uint64_t words) {
+    if (words > left_) throw Exceeded{most_};
+    left_ -= words;
+  }
+
+ private:
+  std::uint64_t most_, left_;
+};
+
+/// check(work). Errors: those of check; it exceeds the budget, naming `where`.
+template <class Check>
+auto within_work(const char* where, std::uint64_t most, const Check& check)
+    -> decltype(check(std::declval<Work&>())) {
+  Work work(most);
+  try {
+    return check(work);
+  } catch (const Work::Exceeded&) {
+    return input_error(
+        where, fmt::format("exceeds the work budget of {} operations on 64-bit words", most));
+  }
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,212 @@
+// Small files that ask for much: every command ends in seconds and in little memory, with an error
+// or a refuted case that names the field and the limit.
+#include <gmock/gmock.h>
+
+#include "certify/checker/miss_tree.hpp"
+#include "process.hpp"
+#include "query/case_json.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+
+/// Runs the program with 1 GB of memory; 137 if it takes more than 20 s, 124 as it was told to end.
+Finished limited(const std::string& arguments, int gigabytes = 1) {
+  return shell(
+      fmt::format("ulimit -v {}; timeout -k 5 20 \"$ccdfuzz\" {}", gigabytes << 20, arguments));
+}
+
+std::string digits(size_t count) {
+  std::string text;
+  for (size_t i = 0; i < count; ++i) text += static_cast<char>('1' + (i * i + 3 * i) % 9);
+  return text;
+}
+
+/// A fraction below 1 of so many digits.
+Rational fraction(size_t count) {
+  return Rational(Integer("1" + digits(count - 1)), Integer("9" + digits(count - 1)));
+}
+
+MovingPatch<double> tensor8(double height, double up) {
+  MovingPatch<double> patch;
+  patch.shape = Shape::tensor(8, 8);
+  for (int i = 0; i < patch.shape.control_count(); ++i) {
+    patch.positions.emplace_back(i / 9 / 8.0, i % 9 / 8.0, height + i * i % 7 / 16.0);
+    patch.velocities.emplace_back(0, 0, up);
+  }
+  return patch;
+}
+
+Query near_tensors() {
+  return {{tensor8(0, 1), tensor8(1, -1)}, 1};
+}
+
+Query vertex_face() {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0.1, 0.2, 1}}, {{0, 0, -1}}};
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  query.t_max = 2;
+  return query;
+}
+
+class Hostile : public testing::Test {
+ protected:
+  std::string file(const Case& value) const {
+    const std::string path = folder_ / "case.json";
+    write_text(path, to_json(value));
+    return path;
+  }
+  std::string with_tree(const Query& query, const std::string& tree) const {
+    const std::string path = folder_ / "case.json";
+    TreeWriter trees(path);
+    const Result<TreeRef> ref = trees.write(tree);
+    EXPECT_TRUE(ref && trees.finish());
+    Case value;
+    value.query = query;
+    value.truth.clear_until = Rational(1, 4);
+    value.truth.clearance = MissTree{Rational(1, 4), *ref};
+    return file(value);
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(Hostile, APolynomialOfManyCoefficientsIsNotRead) {
+  Case value;
+  value.query = vertex_face();
+  ContactRoot root{{}, 0, Rational(Integer(digits(200)), Integer(digits(199)))};
+  for (int i = 0; i < 120'000; ++i) root.polynomial.emplace_back(i % 2 == 0 ? 3 : -2);
+  value.truth.contact_root = root;
+  const Finished verified = limited("verify " + file(value));
+  EXPECT_EQ(verified.code, 2) << verified.err;
+  EXPECT_THAT(verified.err, HasSubstr("truth.certificate.root.polynomial: has 120000 coefficients; "
+                                      "the degree is at most 16"));
+}
+
+TEST_F(Hostile, ATimeOfManyDigitsIsNotRead) {
+  Case value;
+  value.query = vertex_face();
+  value.truth.clearance = LinearClearance{fraction(20'000), true};
+  const Finished verified = limited("verify " + file(value));
+  EXPECT_EQ(verified.code, 2) << verified.err;
+  EXPECT_THAT(verified.err, HasSubstr("truth.certificate.clear.until: has a numerator or "
+                                      "denominator of 20000 digits; at most 5000 are read"));
+}
+
+TEST_F(Hostile, AWitnessOfManyDigitsIsNotRead) {
+  Case value;
+  value.query = near_tensors();
+  const Rational x = fraction(100'000);
+  value.truth.witness = Witness{x, {Uv<Rational>{x, x}, Uv<Rational>{x, x}}};
+  const std::string path = file(value);
+  for (const char* command : {"verify ", "query "}) {
+    const Finished finished = limited(command + path);
+    EXPECT_EQ(finished.code, 2) << finished.err;
+    EXPECT_THAT(finished.err, HasSubstr("truth.witness.t: has a numerator or denominator of 100000 "
+                                        "digits"));
+  }
+}
+
+TEST_F(Hostile, TheLongestWitnessThatIsReadIsWithinTheWorkBudgetOrRefused) {
+  Case value;
+  value.query = near_tensors();
+  const Rational x = fraction(kMaxRationalDigits);
+  value.truth.witness = Witness{x, {Uv<Rational>{x, x}, Uv<Rational>{x, x}}};
+  const std::string path = file(value);
+  const Finished verified = limited("verify " + path);
+  EXPECT_EQ(verified.code, 1) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("truth.witness: exceeds the work budget"));
+  const Finished asked = limited("query " + path);
+  EXPECT_EQ(asked.code, 2) << asked.out;
+  EXPECT_THAT(asked.err, HasSubstr("truth.witness: exceeds the work budget"));
+}
+
+TEST_F(Hostile, TheLongestTimeOfALinearClearanceIsChecked) {
+  Case value;
+  value.query = vertex_face();
+  value.query.patches[0].positions[0][2] = 0x1p-1000;
+  value.query.patches[0].velocities[0] = {0x1p-900, -0x1p-990, -0x1p-1000};
+  value.truth.clearance = LinearClearance{fraction(kMaxRationalDigits), true};
+  value.truth.clear_until = Rational(1, 2);
+  const Finished verified = limited("verify " + file(value));
+  EXPECT_THAT(verified.code, testing::AnyOf(0, 1)) << verified.err;
+}
+
+TEST_F(Hostile, ATreeOfNestedSplitsIsRefused) {
+  TreeBits bits;
+  for (int i = 0; i < 995; ++i) bits.split(i % 2);
+  bits.leaf({0, 0, 1});
+  std::string tree = bits.bytes();
+  tree.resize(1121, '\0');
+  const Finished verified = limited("verify " + with_tree(near_tensors(), tree));
+  EXPECT_EQ(verified.code, 1) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("a part is split more than 60 times"));
+}
+
+/// All leaves of a tree hold the same bits: "0 1".
+TEST_F(Hostile, AWideTreeIsRefused) {
+  TreeBits bits;
+  const auto grow = [&](const auto& self, int left) -> void {
+    if (left == 0) return bits.leaf({0, 0, 1});
+    bits.split(left % 2);
+    for (int c = 0; c < 4; ++c) self(self, left - 1);
+  };
+  grow(grow, 8);
+  Query query = near_tensors();
+  for (Vec3<double>& p : query.patches[1].positions) p[2] += 100;  // every leaf holds
+  const Finished verified = limited("verify " + with_tree(query, bits.bytes()));
+  EXPECT_EQ(verified.code, 1) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("truth.certificate.clear.tree: exceeds the work budget"));
+}
+
+TEST_F(Hostile, ABoxOfExtremeNumbersIsChecked) {
+  Case value;
+  value.query = near_tensors();
+  for (MovingPatch<double>& patch : value.query.patches) {
+    for (Vec3<double>& p : patch.positions) p[0] += 0x1p-1074, p[1] = 0x1p1000;
+  }
+  ContactBox box;
+  box.centre = {0x1p-1040 + 0x1p-1074, 0.5 + 0x1p-52, 0x1p-1039 + 0x1p-1074, 0x1p-1000, 0.5};
+  box.varied = {0, 2, 4};
+  box.radius = {0x1p-1050, 0x1p-1050, 0x1p-1050};
+  box.inverse = {{{0x1p1000, 0x1p-1074, 0}, {0, 0x1p1000, 0}, {0, 0x1p-1074, 1}}};
+  value.truth.contact_box = box;
+  const Finished verified = limited("verify " + file(value));
+  EXPECT_EQ(verified.code, 1) << verified.err;
+}
+
+TEST_F(Hostile, ALongNumberIsNotRead) {
+  Case value;
+  value.query = vertex_face();
+  std::string text = to_json(value);
+  const std::string t_max = "\"t_max\":2";
+  text.replace(
+      text.find(t_max), t_max.size(),
+      "\"t_max\":\"0x" + std::string(400'000, '0') + "4." + std::string(400'000, '0') + "p0\"");
+  const std::string path = folder_ / "case.json";
+  write_text(path, text);
+  const Finished verified = limited("verify " + path);
+  EXPECT_EQ(verified.code, 2);
+  EXPECT_THAT(verified.err, HasSubstr("t_max: \"0x0000"));
+  EXPECT_THAT(verified.err, HasSubstr("has 800005 characters; a number has at most 2000"));
+}
+
+TEST_F(Hostile, ASignalIsObeyedWhateverTheProgramComputes) {
+  Case value;
+  value.query = near_tensors();
+  const std::string path = file(value);
+  for (const char* arguments :
+       {"query {} --methods trad,tdibm-rational --max-pops 1000000000", "prove {} -o {}.p.jsonl",
+        "evaluate {} --methods trad --max-pops 1000000000"}) {
+    const std::string line = fmt::format(fmt::runtime(arguments), path, path);
+    const Finished finished =
+        shell("timeout --preserve-status -k 10 1 \"$ccdfuzz\" " + line + " >&2");
+    EXPECT_EQ(finished.code, 128 + SIGTERM) << line << finished.err;
+  }
+  EXPECT_EQ(folder_.entry_count(), 1U) << "a temporary file is left";
+}
+
+}  // namespace
+}  // namespace ccdfuzz
