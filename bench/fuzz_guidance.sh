@@ -28,7 +28,7 @@ first_finds=$(realpath "$1") target=$(realpath "$2") seconds=${3:-10} runs=${4:-
 [[ $runs =~ ^[1-9][0-9]*$ ]] || refuse "RUNS: \"$runs\" is no whole number above 0"
 shift $(($# < 4 ? $# : 4))
 methods=("$@")
-[ $# -gt 0 ] || methods=(tdibm tdibm-h:1e-16 tdibm-h:1e-12 tdibm-h-rel:1e-12 tdibm-e-literal tdibm-e trad)
+[ $# -gt 0 ] || methods=(tdibm tdibm-h:1e-16 tdibm-h:1e-12 tdibm-e-literal tdibm-e trad)
 cd "$(dirname "$0")/.."
 mapfile -t options < <(fuzz/target_options.sh witnessed)
 scratch=$(mktemp -d)

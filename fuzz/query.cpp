@@ -20,8 +20,9 @@ namespace {
 using namespace ccdfuzz;  // NOLINT: a target is a file of its own
 
 /// One of these looks at each input.
-constexpr std::array kOthers = {"tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
-                                "tdibm-e", "tdibm-e-literal", "trad"};
+constexpr std::array kOthers = {
+    "tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h:1e-12@absolute",
+    "tdibm-e", "tdibm-e-literal", "trad"};
 
 constexpr SearchOptions kFine = {SearchOptions().precision, 100, 16 << 20};
 /// Larger patches take the exact method seconds.

@@ -137,10 +137,12 @@ Check check_coefficient_error(ChoiceSource& choices) {
   const auto corners = draw_cell(choices, patches[0].shape, kDepth).corners(patches[0].shape);
   parts[0] = restrict_to(patches[0], corners);
   parts[1] = patches[1];
-  const auto frame = [&](std::size_t s) {
-    return obb_frame({parts[s].shape, parts[s].positions, parts[s].velocities}, 0.5);
+  const AxisReading reading = kAsInAppendixA.axes;
+  const auto frame = [&](int side) {
+    const MovingPatch<double>& part = parts[static_cast<std::size_t>(side)];
+    return obb_frame({part.shape, part.positions, part.velocities}, 0.5, reading, side);
   };
-  const ObbAxes axes(frame(0), frame(1));
+  const ObbAxes axes(frame(0), frame(1), reading.length);
   const auto r = static_cast<int>(choices.integer(0, ObbAxes::kCount - 1));
   const Axis axis = axes[r];
   const Vec3<Dyadic> direction{Dyadic::exact(axis.direction[0]), Dyadic::exact(axis.direction[1]),

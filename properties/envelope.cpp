@@ -31,34 +31,11 @@ Check envelope_is_never_below_the_maximum(const Policy& policy,
   const ExactLines all = exact_lines(lines);
   const ExactLines kept = exact_lines(envelope_of(policy, lines, window));
   const Dyadic lo = Dyadic::exact(window.lo), hi = Dyadic::exact(window.hi);
-  // A line minus the maximum of the kept ones is concave and linear between the crossings of these,
-  // so it is greatest at such a crossing or at an end. At the crossing t = −p/q of i and j, all is
-  // multiplied by q > 0 to stay dyadic.
-  const auto below_at = [&](const Dyadic& p, const Dyadic& q) {
-    const auto greatest = [&](const ExactLines& from) {
-      Dyadic most;
-      bool first = true;
-      for (const Line<Dyadic>& line : from) {
-        const Dyadic value = line.intercept * q - line.slope * p;
-        if (first || most < value) most = value;
-        first = false;
-      }
-      return most;
-    };
-    return greatest(kept) < greatest(all);
-  };
-  const auto failure = [&](const Rational& t) {
-    return Check::fails(fmt::format("lines {} on {}: below the maximum at t = {}",
-                                    to_hex_text(lines), to_hex_text(window), to_text(t)));
-  };
-  for (const Dyadic& end : {lo, hi}) {
-    if (below_at(-end, Dyadic(1))) return failure(end.rational());
-  }
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    for (std::size_t j = 0; j < kept.size(); ++j) {
-      const Dyadic q = kept[i].slope - kept[j].slope, p = kept[i].intercept - kept[j].intercept;
-      if (q.sign() <= 0 || -p < lo * q || hi * q < -p) continue;
-      if (below_at(p, q)) return failure(Rational(-p.rational() / q.rational()));
+  // A line less the maximum of the kept ones is concave: it is greatest at a breakpoint of these.
+  for (const Instant& t : breakpoints(kept, lo, hi)) {
+    if (scaled_maximum(kept, t) < scaled_maximum(all, t)) {
+      return Check::fails(fmt::format("lines {} on {}: below the maximum at t = {}",
+                                      to_hex_text(lines), to_hex_text(window), to_text(t)));
     }
   }
   return Check::holds();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "ccd/line.hpp"
@@ -30,6 +31,38 @@ inline Dyadic maximum(const ExactLines& lines, const Dyadic& t) {
     if (greatest < value) greatest = value;
   }
   return greatest;
+}
+
+/// A time p/q, q > 0. What is asked at it is multiplied by q, and stays dyadic.
+struct Instant {
+  Dyadic p, q;
+};
+
+inline Dyadic scaled_maximum(const ExactLines& lines, const Instant& t) {
+  Dyadic greatest = lines.front().slope * t.p + lines.front().intercept * t.q;
+  for (const Line<Dyadic>& line : lines) {
+    const Dyadic value = line.slope * t.p + line.intercept * t.q;
+    if (greatest < value) greatest = value;
+  }
+  return greatest;
+}
+
+/// lo and hi, and where any two of the lines cross between them: their maximum is linear between
+/// those.
+inline std::vector<Instant> breakpoints(const ExactLines& lines, const Dyadic& lo,
+                                        const Dyadic& hi) {
+  std::vector<Instant> out = {{lo, Dyadic(1)}, {hi, Dyadic(1)}};
+  for (const Line<Dyadic>& x : lines) {
+    for (const Line<Dyadic>& y : lines) {
+      const Dyadic q = x.slope - y.slope, p = y.intercept - x.intercept;
+      if (q.sign() > 0 && lo * q <= p && p <= hi * q) out.push_back({p, q});
+    }
+  }
+  return out;
+}
+
+inline std::string to_text(const Instant& t) {
+  return to_text(Rational(t.p.rational() / t.q.rational()));
 }
 
 /// The least and the greatest intercept.

@@ -177,6 +177,8 @@ constexpr auto kTdibmEEnvelope = std::to_array<std::string_view>({
     "paper.Delta_phi",
     "paper.Delta_Phi",
     "paper.theorem_4_1",
+    "paper.eq_13_second",
+    "paper.each_line_once",
 });
 
 constexpr auto kTdibmESeparation = std::to_array<std::string_view>({
@@ -192,6 +194,11 @@ constexpr auto kTdibmESeparation = std::to_array<std::string_view>({
     "paper.steps_are_exact",
     "paper.step_three",
     "tdibm.ends",
+    "paper.eq_18",
+    "paper.path_is_case_1",
+    "paper.eq_7_terminates",
+    "paper.eq_7_clamped",
+    "paper.eq_8b_9b_omit",
 });
 
 constexpr auto kTdibmRational = std::to_array<std::string_view>({

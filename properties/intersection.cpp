@@ -153,8 +153,8 @@ Check root_is_safe(const Crossing& crossing) {
     return exact_f.at(Dyadic::exact(t)) + exact_g.at(Dyadic::exact(t));
   };
   const bool falls = slope.sign() < 0;
-  const double end = falls ? ErrorBoundIntended::left_root(f, g, 0, 0, w)
-                           : ErrorBoundIntended::right_root(f, g, 0, 0, w);
+  const double end = falls ? ErrorBoundIntended().left_root(f, g, 0, 0, w)
+                           : ErrorBoundIntended().right_root(f, g, 0, 0, w);
   if (!(w.lo <= end && end <= w.hi)) return failure(crossing, "it is outside of the window");
   const bool clamped = falls ? end == w.hi : end == w.lo;
   if (clamped || height_at(end).sign() <= 0) return Check::holds();

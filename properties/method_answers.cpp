@@ -20,7 +20,7 @@ namespace ccdfuzz {
 namespace {
 
 constexpr std::array kEveryMethod = {
-    "trad",    "trad:aabb",       "tdibm",          "tdibm-h:1e-12", "tdibm-h-rel:1e-12",
+    "trad",    "trad:aabb",       "tdibm",          "tdibm-h:1e-12", "tdibm-h:1e-12@absolute",
     "tdibm-e", "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
 
 /// Budgets that no drawn query makes long.
@@ -72,7 +72,7 @@ Check check_answers_make_sense(ChoiceSource& choices) {
 
 /// The optimised and the plain form of the paper's methods give the same answer, bit for bit.
 Check check_optimised(ChoiceSource& choices) {
-  constexpr std::array kPaper = {"tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12", "tdibm-e",
+  constexpr std::array kPaper = {"tdibm", "tdibm-h:1e-12", "tdibm-h:1e-12@absolute", "tdibm-e",
                                  "tdibm-e-literal"};
   const std::string name = choices.pick(kPaper);
   const Result<Case> drawn = draw_contact(choices, {-1000, 900, 3});
@@ -100,7 +100,7 @@ Check check_against_the_oracle(ChoiceSource& choices) {
   return not_contradicted(name, **make_method(name), decided.known, kShortSearch);
 }
 
-constexpr std::array kWindowed = {"tdibm",   "tdibm-h:1e-12",   "tdibm-h-rel:1e-12",
+constexpr std::array kWindowed = {"tdibm",   "tdibm-h:1e-12",   "tdibm-h:1e-12@absolute",
                                   "tdibm-e", "tdibm-e-literal", "tdibm-rational",
                                   "tdibm-c"};
 constexpr SearchOptions kCoarseSearch = {0.5, 60, SearchOptions().max_bytes};

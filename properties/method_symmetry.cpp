@@ -71,9 +71,9 @@ Check same_answer(const std::array<const char*, N>& methods, Symmetry symmetry,
 }
 
 /// Those whose arithmetic is the same at any power of two.
-constexpr std::array kScaleFree = {
-    "tdibm",   "tdibm-e", "tdibm-e-literal", "tdibm-h-rel:1e-12", "tdibm-rational",
-    "tdibm-c", "trad",    "trad:aabb"};
+constexpr std::array kScaleFree = {"tdibm",         "tdibm-e",        "tdibm-e-literal",
+                                   "tdibm-h:1e-12", "tdibm-rational", "tdibm-c",
+                                   "trad",          "trad:aabb"};
 /// Those whose arithmetic is the same in any mirror.
 constexpr std::array kMirrorFree = {"tdibm-rational", "tdibm-c", "trad", "trad:aabb"};
 /// These find where an upper and a lower envelope cross by steps that try the lines of one of them
@@ -81,10 +81,10 @@ constexpr std::array kMirrorFree = {"tdibm-rational", "tdibm-c", "trad", "trad:a
 /// the two, a mirror or a swap, moves an answer now and then: by thousands of ulps where the
 /// crossing lines are almost parallel. methods.not_early holds that of tdibm-e to the time that its
 /// boxes explain; the others may also miss.
-constexpr std::array kMirrorMatters = {"tdibm", "tdibm-h-rel:1e-12", "tdibm-e", "tdibm-e-literal"};
+constexpr std::array kMirrorMatters = {"tdibm", "tdibm-h:1e-12", "tdibm-e", "tdibm-e-literal"};
 /// So does pulling envelopes apart, which is rounded.
 constexpr std::array kOrderMatters = {"tdibm", "tdibm-e", "tdibm-e-literal", "tdibm-h:1e-12",
-                                      "tdibm-h-rel:1e-12"};
+                                      "tdibm-h:1e-12@absolute"};
 
 }  // namespace
 

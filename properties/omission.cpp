@@ -29,10 +29,12 @@ Check check_eps_coeff(ChoiceSource& choices) {
   }
   const Dyadic hi = Dyadic::exact(pairs.window.hi), lo = Dyadic::exact(pairs.window.lo);
   const Dyadic bound = hi * abs(eps_a) + abs(eps_b);
-  for (int eighths = 0; eighths <= 8; ++eighths) {
-    const Dyadic t = lo + (hi - lo) * Dyadic(Integer(eighths), -3);
-    if (bound < abs(maximum(off, t) - maximum(exact, t))) {
-      return failure(pairs, "at t = " + to_text(t.rational()));
+  // The difference of the two maxima is linear between the breakpoints of both.
+  for (const ExactLines& turning : {exact, off}) {
+    for (const Instant& t : breakpoints(turning, lo, hi)) {
+      if (bound * t.q < abs(scaled_maximum(off, t) - scaled_maximum(exact, t))) {
+        return failure(pairs, "at t = " + to_text(t));
+      }
     }
   }
   return Check::holds();
@@ -101,13 +103,53 @@ Check check_eps_arith(ChoiceSource& choices) {
   const ExactLines all = exact_lines(sorted);
   const Dyadic lo = Dyadic::exact(pairs.window.lo), hi = Dyadic::exact(pairs.window.hi);
   const Dyadic bound = eps_arith(all, hi);
-  for (int part = 0; part <= 16; ++part) {
-    const Dyadic t = lo + (hi - lo) * Dyadic(Integer(part), -4);
-    if (maximum(kept, t) + bound < maximum(all, t)) {
-      return failure(pairs, "at t = " + to_text(t.rational()));
+  // A line less the maximum of the kept ones is concave: it is greatest at a breakpoint of these.
+  for (const Instant& t : breakpoints(kept, lo, hi)) {
+    if (scaled_maximum(kept, t) + bound * t.q < scaled_maximum(all, t)) {
+      return failure(pairs, "at t = " + to_text(t));
     }
   }
   return Check::holds();
+}
+
+/// Eq. 13, its second inequality, of three lines by rising slope: both terms of B are at most
+/// a_alpha − a_(gamma−1) times the difference of intercepts in them.
+Check check_eq_13_second(ChoiceSource& choices) {
+  const ExactLines sorted = exact_lines(sorted_lines(draw_line_pairs(choices).f));
+  if (sorted.size() < 3) return Check::discarded("fewer than three lines");
+  const std::size_t first = choices.choose(sorted.size() - 3);
+  const Line<Dyadic>&below = sorted[first], &top = sorted[first + 1], &line = sorted[first + 2];
+  const Dyadic run = line.slope - below.slope, to_line = abs(line.intercept - below.intercept),
+               to_top = abs(top.intercept - below.intercept);
+  if (abs(top.slope - below.slope) * to_line + abs(run) * to_top <= run * (to_line + to_top)) {
+    return Check::holds();
+  }
+  return Check::fails(fmt::format("lines {} to {} of those drawn, by slope", first, first + 2));
+}
+
+/// What Step II takes from the stack.
+struct CountingPops : ErrorBoundIntended {
+  int* pops;
+
+  explicit CountingPops(int& count) : pops(&count) {}
+  template <class Predicate>
+  bool redundant(const Predicate& predicate) const {
+    const bool pop = ErrorBoundIntended::redundant(predicate);
+    *pops += pop ? 1 : 0;
+    return pop;
+  }
+};
+
+/// Section 4.4: "each line can be pushed into and popped from the stack at most once", from which
+/// the number of lines in Eq. 16 comes.
+Check check_each_line_once(ChoiceSource& choices) {
+  const LinePairs pairs = draw_line_pairs(choices);
+  int pops = 0;
+  Lines<double> sorted;
+  const int left = selected(pairs, CountingPops(pops), sorted).size();
+  return pops + left <= sorted.size()
+             ? Check::holds()
+             : failure(pairs, fmt::format("{} popped, {} left", pops, left));
 }
 
 /// Three lines, the middle one above the crossing of the others by little more than rounding; their
@@ -162,6 +204,11 @@ std::vector<Property> omission_properties() {
        "Section 4.4, Fig. 2", kHolds, check_delta_Phi},
       {"paper.eps_arith", "The selected lines are below all lines by at most eps_arith", "Eq. 16",
        kHolds, check_eps_arith},
+      {"paper.eq_13_second",
+       "eps_Phi is at most (a_alpha - a_(gamma-1)) times the differences of intercepts", "Eq. 13",
+       kHolds, check_eq_13_second},
+      {"paper.each_line_once", "Step II pushes and pops no more lines than there are",
+       "Section 4.4", kHolds, check_each_line_once},
       {"tdibm-e.convex_chain", "The lines selected with Phi <= eps_Phi make a convex chain",
        "Section 4.4, Fig. 2", kHolds,
        [](ChoiceSource& c) { return chain_is_convex<ErrorBoundIntended>(c, false); }},

@@ -35,6 +35,7 @@
 #include "properties/spoilt_certificates.hpp"
 #include "properties/step_three.hpp"
 #include "properties/sub_patch.hpp"
+#include "properties/sweep.hpp"
 #include "properties/traced.hpp"
 
 namespace ccdfuzz {
@@ -123,6 +124,7 @@ const std::vector<Property>& properties() {
                                shift_properties,
                                intersection_properties,
                                step_three_properties,
+                               sweep_properties,
                                geometry_properties,
                                linear_properties,
                                arithmetic_properties,

@@ -59,8 +59,8 @@ Check check_pulled_roots(ChoiceSource& choices) {
   const int steps = is_left ? i + j : (f.size() - 1 - i) + (g.size() - 1 - j);
   const Dyadic intercept =
       at(fx, i).intercept + at(gx, j).intercept + (Dyadic(steps) * delta).scaled(1);
-  const double end = is_left ? ErrorBoundIntended::left_root(f, g, i, j, pairs.window)
-                             : ErrorBoundIntended::right_root(f, g, i, j, pairs.window);
+  const double end = is_left ? ErrorBoundIntended().left_root(f, g, i, j, pairs.window)
+                             : ErrorBoundIntended().right_root(f, g, i, j, pairs.window);
   // slope·end + intercept ≤ 0 inside of the root; an end at the window's own excludes nothing.
   const bool excludes = is_left ? end < pairs.window.hi : pairs.window.lo < end;
   if (!excludes) return Check::holds();

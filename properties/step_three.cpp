@@ -38,15 +38,12 @@ std::optional<std::pair<int, int>> first_crossing(const Policy& policy,
     const bool before_beta_turns = negative(
         beta + 1 == two.size(), [&] { return a(alpha, beta + 1); },
         [&] { return b(alpha, beta + 1); });
-    if (!before_beta_turns) {
-      ++beta;
-      continue;
-    }
     const bool before_alpha_turns = negative(
         alpha + 1 == one.size(), [&] { return a(alpha + 1, beta); },
         [&] { return b(alpha + 1, beta); });
-    if (before_alpha_turns) return std::pair(alpha, beta);
-    ++alpha;
+    if (before_alpha_turns && before_beta_turns) return std::pair(alpha, beta);
+    if (!before_alpha_turns && (before_beta_turns || Policy::kAdvancesBoth)) ++alpha;
+    if (!before_beta_turns) ++beta;
   }
   return {};
 }
@@ -75,8 +72,12 @@ std::optional<Separation<double>> literal_separation(const Policy& policy, const
         EndValue<double>{f[i].slope + g[j].slope, f[i].intercept + g[j].intercept, t});
   };
   const int last_f = f.size() - 1, last_g = g.size() - 1;
-  Separation<double> found{w.lo, w.hi, apart_at(0, 0, w.lo), apart_at(last_f, last_g, w.hi)};
   const PaperEnvelopes forth{f, upside_down(g)};
+  // The released program compares heights at the start, and differences at the end.
+  const bool apart_at_start = Policy::kBoundsErrors
+                                  ? apart_at(0, 0, w.lo)
+                                  : forth.first[0].at(w.lo) < forth.second[0].at(w.lo);
+  Separation<double> found{w.lo, w.hi, apart_at_start, apart_at(last_f, last_g, w.hi)};
   if (!found.has_lo) {
     const auto pair = first_crossing(policy, forth, w.hi);
     if (!pair) return {};
@@ -88,7 +89,9 @@ std::optional<Separation<double>> literal_separation(const Policy& policy, const
     if (!pair) return {};
     found.hi = policy.right_root(f, g, last_f - pair->first, last_g - pair->second, w);
   }
-  if (found.lo > found.hi || (found.lo == found.hi && !(found.has_lo && found.has_hi))) return {};
+  if (found.lo < w.lo || found.hi > w.hi || found.lo > found.hi ||
+      (found.lo == found.hi && !(found.has_lo && found.has_hi)))
+    return {};
   return found;
 }
 

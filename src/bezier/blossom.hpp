@@ -14,7 +14,7 @@ namespace ccdfuzz {
 /// of degree n takes n of them; a tensor patch takes max(n, m), using the u of the first n and the
 /// v of the first m. Equal arguments evaluate the patch there; arguments drawn from the corners of
 /// a sub-domain give the control points of that sub-patch. Exact for exact S; for double the order
-/// of operations is fixed: ((w·p_w + v·p_v) + u·p_u) for triangles, ((1−u)·p + u·q) else.
+/// of operations is fixed: ((w·p_w + u·p_u) + v·p_v) for triangles, ((1−u)·p + u·q) else.
 template <class S>
 Vec3<S> blossom(const Shape& shape, std::span<const Vec3<S>> points,
                 std::span<const Uv<S>> arguments) {
@@ -46,7 +46,7 @@ Vec3<S> blossom(const Shape& shape, std::span<const Vec3<S>> points,
                   &pu = net[from.index(i + 1, j)];
             Vec3<S> out;
             for (int k = 0; k < 3; ++k) {
-              out[k] = S(S(S(w * pw[k]) + S(v * pv[k])) + S(u * pu[k]));
+              out[k] = S(S(S(w * pw[k]) + S(u * pu[k])) + S(v * pv[k]));
             }
             net[to.index(i, j)] = out;  // to.index ≤ from.index of all later reads
           }

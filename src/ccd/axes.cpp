@@ -1,8 +1,9 @@
 #include "ccd/axes.hpp"
-#include "numeric/products.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -34,14 +35,52 @@ Vec3<double> least_aligned_axis(const Vec3<double>& d) {
   return coordinate_axis(least);
 }
 
-/// The unit direction from the first control point to another at time t.
-Vec3<double> span_to(const ControlNet& net, int to, double t) {
-  Vec3<double> d;
-  for (int k = 0; k < 3; ++k) {
-    d[k] = (net.positions[to][k] + t * net.velocities[to][k]) -
-           (net.positions[0][k] + t * net.velocities[0][k]);
+struct Spans {
+  Vec3<double> u{0, 0, 0};
+  Vec3<double> v{0, 0, 0};  ///< of surfaces
+};
+
+/// at: a control point by its place.
+template <class At>
+Spans spans_of(const Shape& shape, bool over_both_sides, const At& at) {
+  const auto from_to = [&at](int from, int to) { return Vec3<double>(at(to) - at(from)); };
+  const int u_end = shape.kind == ShapeKind::kCurve ? shape.n : shape.index(shape.n, 0);
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return {};
+    case ShapeKind::kCurve:
+      return {from_to(0, u_end), Vec3<double>(0, 0, 0)};
+    case ShapeKind::kTriangle:
+      return {from_to(0, u_end), from_to(0, shape.index(0, shape.n))};
+    case ShapeKind::kTensor:
+      break;
   }
-  return unit(d);
+  const int v_end = shape.index(0, shape.m), far = shape.index(shape.n, shape.m);
+  Spans spans{from_to(0, u_end), from_to(0, v_end)};
+  if (over_both_sides) {
+    spans.u = (spans.u + at(far)) - at(v_end);
+    spans.v = (spans.v + at(far)) - at(u_end);
+  }
+  return spans;
+}
+
+/// The spans of patch `side`, 0 or 1, at time t.
+Spans spans_at(const ControlNet& net, double t, AxisReading::Spans reading, int side) {
+  using Reading = AxisReading::Spans;
+  if (reading == Reading::kCorners || reading == Reading::kMovedSides) {
+    return spans_of(net.shape, reading == Reading::kMovedSides, [&](int i) {
+      return Vec3<double>(net.positions[static_cast<size_t>(i)] +
+                          t * net.velocities[static_cast<size_t>(i)]);
+    });
+  }
+  const auto of = [&net](std::span<const Vec3<double>> points) {
+    return spans_of(net.shape, true, [points](int i) -> const Vec3<double>& {
+      return points[static_cast<size_t>(i)];
+    });
+  };
+  const Spans start = of(net.positions), speed = of(net.velocities);
+  const bool slips = reading == Reading::kSidesWithSlip && side == 1;
+  return {start.u + t * speed.u, start.v + t * (slips ? speed.u : speed.v)};
 }
 
 }  // namespace
@@ -50,45 +89,35 @@ Frame coordinate_frame() {
   return {coordinate_axis(0), coordinate_axis(1), coordinate_axis(2)};
 }
 
-Frame obb_frame(const ControlNet& net, double t) {
-  const Shape& shape = net.shape;
-  Vec3<double> u{0, 0, 0}, v{0, 0, 0};
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      break;
-    case ShapeKind::kCurve:
-      u = span_to(net, shape.n, t);
-      v = least_aligned_axis(u);
-      break;
-    case ShapeKind::kTriangle:
-      u = span_to(net, shape.index(shape.n, 0), t);
-      v = span_to(net, shape.index(0, shape.n), t);
-      break;
-    case ShapeKind::kTensor:
-      u = span_to(net, shape.index(shape.n, 0), t);
-      v = span_to(net, shape.index(0, shape.m), t);
-      break;
-  }
-  const Vec3<double> normal = unit(cross(u, v));
-  return {u, normal, unit(cross(u, normal))};
+Frame obb_frame(const ControlNet& net, double t, const AxisReading& reading, int side) {
+  const auto product = [&](const Vec3<double>& a, const Vec3<double>& b) {
+    return reading.length == AxisReading::Length::kUnit ? unit(cross(a, b)) : cross(a, b);
+  };
+  auto [u, v] = spans_at(net, t, reading.spans, side);
+  if (reading.length != AxisReading::Length::kAsTheyAre) u = unit(u), v = unit(v);
+  if (net.shape.kind == ShapeKind::kCurve) v = least_aligned_axis(u);
+  const Vec3<double> normal = product(u, v);
+  return {u, normal, product(u, normal)};
 }
 
 bool is_zero(const Frame& frame) {
   return std::all_of(frame.begin(), frame.end(), [](const auto& l) { return Axis{l}.is_zero(); });
 }
 
-ObbAxes ObbAxes::of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2) {
+ObbAxes ObbAxes::of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
+                    AxisReading::Length length) {
   const bool surface = shapes[0].parameter_count() == 2 || shapes[1].parameter_count() == 2;
   if (!surface && ccdfuzz::is_zero(frame1) && ccdfuzz::is_zero(frame2)) {
-    return {coordinate_frame(), frame2};
+    return {coordinate_frame(), frame2, length};
   }
-  return {frame1, frame2};
+  return {frame1, frame2, length};
 }
 
 Axis ObbAxes::operator[](int r) const {
   if (r < 6) return {frames_[r / 3][r % 3], r % 3};
   const int i = (r - 6) / 3, j = (r - 6) % 3;
-  return {unit(cross(frames_[0][i], frames_[1][j])), i + j + 1};
+  const Vec3<double> l = cross(frames_[0][i], frames_[1][j]);
+  return {length_ == AxisReading::Length::kUnit ? unit(l) : l, i + j + 1};
 }
 
 }  // namespace ccdfuzz

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bezier/patch.hpp"
+#include "ccd/reading.hpp"
 
 namespace ccdfuzz {
 
@@ -14,9 +15,9 @@ struct ControlNet {
   std::span<const Vec3<double>> velocities;
 };
 
-/// A separating axis of unit length, or zero: such an axis separates nothing and is skipped.
+/// A separating axis of any length. A zero axis separates nothing and is skipped.
 /// stage is how many cross products deep it is: by Appendix A (c) the errors of its components are
-/// bounded by B = 2^stage·A^(stage+1) with k = 2·stage, and A ≤ 1 for unit vectors.
+/// bounded by B = 2^stage·A^(stage+1) with k = 2·stage, and A ≤ 1 where the spans have unit length.
 struct Axis {
   Vec3<double> direction;
   int stage = 0;
@@ -24,13 +25,14 @@ struct Axis {
   bool is_zero() const { return direction[0] == 0 && direction[1] == 0 && direction[2] == 0; }
 };
 
-/// A box's own axes, each of unit length or zero.
+/// A box's own axes.
 using Frame = std::array<Vec3<double>, 3>;
 
-/// The OBB frame of Appendix A (c) from the directions l_u, l_v that a sub-patch spans at time t:
-/// l_u, l_u × l_v, l_u × (l_u × l_v). A curve spans one direction; the coordinate axis it is least
-/// aligned with stands in for the other. A point spans none: its frame is zero.
-Frame obb_frame(const ControlNet& net, double t);
+/// The OBB frame of Appendix A (c) from the directions l_u, l_v that a part of patch `side`, 0 or
+/// 1, spans at time t: l_u, l_u × l_v, l_u × (l_u × l_v). A curve spans one direction; the
+/// coordinate axis it is least aligned with stands in for the other. A point spans none: its frame
+/// is zero.
+Frame obb_frame(const ControlNet& net, double t, const AxisReading& reading, int side);
 
 bool is_zero(const Frame& frame);
 
@@ -45,16 +47,20 @@ class ObbAxes {
   static constexpr int kCount = 15;
   static constexpr int kStages = 6;  ///< stages are 0..5
 
-  ObbAxes(const Frame& frame1, const Frame& frame2) : frames_{frame1, frame2} {}
+  /// length: that of the products of the two frames; the frames have theirs.
+  ObbAxes(const Frame& frame1, const Frame& frame2, AxisReading::Length length)
+      : frames_{frame1, frame2}, length_(length) {}
   /// Of two sub-patches. Where neither is a surface and both frames are zero, the coordinate axes
   /// stand in for the first.
-  static ObbAxes of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2);
+  static ObbAxes of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
+                    AxisReading::Length length);
 
   /// l_{r+1}, 0 ≤ r < kCount.
   Axis operator[](int r) const;
 
  private:
   std::array<Frame, 2> frames_;
+  AxisReading::Length length_;
 };
 
 }  // namespace ccdfuzz

@@ -5,6 +5,7 @@
 
 #include "ccd/line.hpp"
 #include "ccd/next_double.hpp"
+#include "ccd/reading.hpp"
 
 namespace ccdfuzz {
 
@@ -50,13 +51,17 @@ struct CoefficientError {
 ///   pulled(intercept)       the intercept of a line, before Step II
 ///   envelope_error(...)     eps_constr of a set of lines
 ///   raise(envelope, e)      what becomes of an envelope, after Step II, e = eps_constr
+///   starts_below(f, g, t)   Eq. 7: is f[0] + g[0] < 0 at the start t of the window?
 ///   left_root, right_root   where f[i] + g[j] = 0 (Eq. 10), as the left or the right end of a
 ///                           separated interval
-/// kBoundsErrors says whether it reads the errors of Step I at all.
+/// kBoundsErrors says whether it reads the errors of Step I at all, kAdvancesBoth whether the sweep
+/// of Step III goes on along both envelopes where both tests of a pair of lines fail, and kReading
+/// how the rest of the method is read.
 
 /// Section 3, as if arithmetic were exact; with S = Rational it is.
 struct Plain {
-  static constexpr bool kBoundsErrors = false;
+  static constexpr bool kBoundsErrors = false, kAdvancesBoth = true;
+  static constexpr Reading kReading = kAsReleased;
 
   template <class Predicate>
   static bool negative(const Predicate& predicate) {
@@ -77,6 +82,10 @@ struct Plain {
     return S(0);
   }
   template <class S>
+  static bool starts_below(const Line<S>& f, const Line<S>& g, const S& t) {
+    return S(f.at(t) + g.at(t)) < 0;
+  }
+  template <class S>
   static S left_root(const Lines<S>& f, const Lines<S>& g, int i, int j, const TimeWindow<S>&) {
     return root(f[i], g[j]);
   }
@@ -93,30 +102,38 @@ struct Plain {
   }
 };
 
-/// TDIBM-H: Plain on lines that are pulled apart by an absolute length.
-struct PullApart : Plain {
-  double factor = 0;
-
-  explicit PullApart(double f) : factor(f) {}
-  double pulled(double intercept) const { return intercept + factor; }
+/// What a line is pulled apart by.
+enum class PullUnit : std::uint8_t {
+  kIntercept,  ///< a share of its own intercept
+  kLength,     ///< the same length for all
 };
 
-/// TDIBM-H as its authors released it: pulled apart by a share of each line's intercept.
-struct RelativePullApart : Plain {
+/// TDIBM-H: Plain on lines that are pulled apart.
+struct PullApart : Plain {
   double factor = 0;
+  PullUnit unit = PullUnit::kIntercept;
 
-  explicit RelativePullApart(double f) : factor(f) {}
-  double pulled(double intercept) const { return intercept + factor * std::abs(intercept); }
+  explicit PullApart(double f, PullUnit u = PullUnit::kIntercept) : factor(f), unit(u) {}
+  double pulled(double intercept) const {
+    return intercept + factor * (unit == PullUnit::kIntercept ? std::abs(intercept) : 1);
+  }
 };
 
 /// Which sign eps_Phi takes where Step II pops a line: what Fig. 2 and the derivation of Delta_Phi
 /// mean (Phi ≤ +eps), or what Sections 4.4 and 4.6 print (Phi < −eps).
 enum class PopRule { kAsIntended, kAsPrinted };
 
+/// What I of Iδ counts on the way to the pair of lines that cross.
+enum class PullCount : std::uint8_t {
+  kSteps,  ///< "a total of I = α* + β* steps" (C.3): none if it is the first pair
+  kPairs,  ///< "the I-th iteration" (C.3): one more
+};
+
 /// TDIBM-E: Section 4.6 with Appendices A–C.
 template <PopRule rule>
 struct ErrorBound {
-  static constexpr bool kBoundsErrors = true;
+  static constexpr bool kBoundsErrors = true, kAdvancesBoth = false;
+  static constexpr Reading kReading = kAsInAppendixA;
   /// Section 4.3's machine epsilon, twice the unit roundoff.
   static constexpr double kEpsilon = 0x1p-52;
 
@@ -155,15 +172,22 @@ struct ErrorBound {
     }
   }
 
-  /// Eq. 10 on envelopes pulled apart by I·delta each, I the steps taken from the first pair, moved
-  /// inward by eps_tau (C.2) and clamped to the window.
-  static double left_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
-                          const TimeWindow<double>& w) {
+  template <class S>
+  static bool starts_below(const Line<S>& f, const Line<S>& g, const S& t) {
+    return negative(EndValue<S>{S(f.slope + g.slope), S(f.intercept + g.intercept), t});
+  }
+
+  PullCount count = PullCount::kSteps;
+
+  /// Eq. 10 on envelopes pulled apart by I·delta each, I the steps taken from the first pair (or
+  /// one more), moved inward by eps_tau (C.2) and clamped to the window.
+  double left_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
+                   const TimeWindow<double>& w) const {
     const Root root = root_of(f, g, i, j, i + j);
     return std::clamp(next_up(root.t + root.error), w.lo, w.hi);
   }
-  static double right_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
-                           const TimeWindow<double>& w) {
+  double right_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
+                    const TimeWindow<double>& w) const {
     const Root root = root_of(f, g, i, j, (f.size() - 1 - i) + (g.size() - 1 - j));
     return std::clamp(next_down(root.t - root.error), w.lo, w.hi);
   }
@@ -173,7 +197,8 @@ struct ErrorBound {
     double t, error;
   };
 
-  static Root root_of(const Lines<double>& f, const Lines<double>& g, int i, int j, int steps) {
+  Root root_of(const Lines<double>& f, const Lines<double>& g, int i, int j, int steps) const {
+    if (count == PullCount::kPairs) ++steps;
     const double pull = steps == 0 ? 0 : steps * delta(f, g);
     const auto pulled_up = [pull](double d) { return next_up(d + pull); };
     const double l = pulled_up(f[i].intercept) + pulled_up(g[j].intercept);

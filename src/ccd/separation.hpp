@@ -58,17 +58,16 @@ std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f,
     return EndValue<S>{S(x.slope + y.slope), S(x.intercept + y.intercept), t};
   };
   Separation<S> found{w.lo, w.hi, true, true};
-  if (!policy.negative(sum_at(f[0], g[0], w.lo))) {  // Eq. 7
+  if (!policy.starts_below(f[0], g[0], w.lo)) {  // Eq. 7
     int i = 0, j = 0;
     for (;;) {
       if (!(f[i].slope + g[j].slope < 0)) return std::nullopt;  // f + g no longer falls
-      if (!detail::crosses_within<1>(policy, g, j, f[i], w.hi)) {
-        if (++j == g.size()) return std::nullopt;
-      } else if (!detail::crosses_within<1>(policy, f, i, g[j], w.hi)) {
-        if (++i == f.size()) return std::nullopt;
-      } else {
-        break;
-      }
+      const bool passed_g = !detail::crosses_within<1>(policy, g, j, f[i], w.hi);
+      const bool passed_f = (Policy::kAdvancesBoth || !passed_g) &&
+                            !detail::crosses_within<1>(policy, f, i, g[j], w.hi);
+      if (!passed_f && !passed_g) break;
+      if (passed_g && ++j == g.size()) return std::nullopt;
+      if (passed_f && ++i == f.size()) return std::nullopt;
     }
     found.lo = policy.left_root(f, g, i, j, w);
     found.has_lo = false;
@@ -77,19 +76,31 @@ std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f,
   if (!policy.negative(sum_at(f[i], g[j], w.hi))) {
     for (;;) {
       if (!(f[i].slope + g[j].slope > 0)) return std::nullopt;
-      if (!detail::crosses_within<-1>(policy, g, j, f[i], w.lo)) {
-        if (--j < 0) return std::nullopt;
-      } else if (!detail::crosses_within<-1>(policy, f, i, g[j], w.lo)) {
-        if (--i < 0) return std::nullopt;
-      } else {
-        break;
-      }
+      const bool passed_g = !detail::crosses_within<-1>(policy, g, j, f[i], w.lo);
+      const bool passed_f = (Policy::kAdvancesBoth || !passed_g) &&
+                            !detail::crosses_within<-1>(policy, f, i, g[j], w.lo);
+      if (!passed_f && !passed_g) break;
+      if (passed_g && --j < 0) return std::nullopt;
+      if (passed_f && --i < 0) return std::nullopt;
     }
     found.hi = policy.right_root(f, g, i, j, w);
     found.has_hi = false;
   }
-  if (found.empty()) return std::nullopt;
+  // A rounded root outside the window is taken as a sign that none of this can be relied on.
+  if (found.lo < w.lo || w.hi < found.hi || found.empty()) return std::nullopt;
   return found;
+}
+
+/// The part of a separation on a wider window that lies in w: it holds an end of w that it reaches
+/// past. Nothing if it has none.
+template <class S>
+std::optional<Separation<S>> clipped_to(const TimeWindow<S>& w, Separation<S> s) {
+  s.has_lo = s.lo < w.lo;
+  s.has_hi = w.hi < s.hi;
+  if (s.has_lo) s.lo = w.lo;
+  if (s.has_hi) s.hi = w.hi;
+  if (s.empty()) return std::nullopt;
+  return s;
 }
 
 /// What is left of w once the separations are taken out: the closed hull, or nothing if they cover
@@ -103,8 +114,7 @@ std::optional<TimeWindow<S>> remaining_window(std::span<const Separation<S>> sep
     moved = false;
     for (const Separation<S>& s : separations) {
       if (!s.contains(lo)) continue;
-      // A rounded root may lie past the window, where Policy does not clamp it.
-      if (s.has_hi || w.hi < s.hi) return std::nullopt;
+      if (s.has_hi) return std::nullopt;
       lo = s.hi;
       moved = true;
     }

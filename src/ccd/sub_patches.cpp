@@ -50,7 +50,7 @@ void SubPatches::prepare(int side, std::span<const Cell> parts) {
 const Frame& SubPatches::frame(int side, int part, double t) {
   Part& p = parts_[side][part];
   if (p.frame_time != t) {
-    p.frame = obb_frame(net(side, part), t);
+    p.frame = obb_frame(net(side, part), t, reading_, side);
     p.frame_time = t;
   }
   return p.frame;
@@ -58,7 +58,7 @@ const Frame& SubPatches::frame(int side, int part, double t) {
 
 ObbAxes SubPatches::axes(int part_a, int part_b, double t) {
   return ObbAxes::of({query_->patches[0].shape, query_->patches[1].shape}, frame(0, part_a, t),
-                     frame(1, part_b, t));
+                     frame(1, part_b, t), reading_.length);
 }
 
 }  // namespace ccdfuzz

@@ -18,6 +18,8 @@ class SubPatches {
   /// Splits of each patch whose nets are kept.
   static constexpr size_t kSplits = 256;
 
+  explicit SubPatches(const AxisReading& reading) : reading_(reading) {}
+
   /// Points at the query's patches; the query must outlive the calls of prepare.
   void begin(const Query& query);
 
@@ -54,6 +56,7 @@ class SubPatches {
 
   const Frame& frame(int side, int part, double t);
 
+  AxisReading reading_;
   const Query* query_ = nullptr;
   std::array<std::array<Part, 4>, 2> parts_;
   std::array<Kept, 2> kept_;

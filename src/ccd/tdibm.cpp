@@ -112,16 +112,17 @@ std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer
     }
     seen_ = window;
   }
+  const Window wide{window.lo - reading_.window_margin, window.hi + reading_.window_margin};
   const ObbAxes axes = parts_.axes(part_a, part_b, window.lo);
   for (size_t k = 0; k < order_.size(); ++k) {
     const int r = Observer::kListens ? static_cast<int>(k) : order_[k];
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;
-    OnAxis* const on[2] = {&on_axis(0, part_a, r, axis, window),
-                           &on_axis(1, part_b, r, axis, window)};
+    OnAxis* const on[2] = {&on_axis(0, part_a, r, axis, wide), &on_axis(1, part_b, r, axis, wide)};
     for (int below = 0; below < 2; ++below) {  // which patch is below the other
-      const auto found = separation(policy_, on[below]->upper(policy_, window),
-                                    on[1 - below]->lower(policy_, window), window);
+      auto found = separation(policy_, on[below]->upper(policy_, wide),
+                              on[1 - below]->lower(policy_, wide), wide);
+      if (found && reading_.window_margin > 0) found = clipped_to(window, *found);
       if (!found) continue;
       if constexpr (Observer::kListens) observer.excluded({r, axis.direction, below, *found});
       if (found->has_lo && found->has_hi) {
@@ -139,12 +140,10 @@ std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer
 
 template class TdibmInclusion<Plain>;
 template class TdibmInclusion<PullApart>;
-template class TdibmInclusion<RelativePullApart>;
 template class TdibmInclusion<ErrorBoundIntended>;
 template class TdibmInclusion<ErrorBoundPrinted>;
 template class Tdibm<Plain>;
 template class Tdibm<PullApart>;
-template class Tdibm<RelativePullApart>;
 template class Tdibm<ErrorBoundIntended>;
 template class Tdibm<ErrorBoundPrinted>;
 

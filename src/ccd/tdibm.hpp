@@ -17,7 +17,8 @@ namespace ccdfuzz {
 template <class Policy>
 class TdibmInclusion {
  public:
-  explicit TdibmInclusion(Policy policy) : policy_(policy) {}
+  explicit TdibmInclusion(Policy policy, const Reading& reading = Policy::kReading)
+      : policy_(policy), reading_(reading), parts_(reading.axes) {}
 
   void begin(const Query& query);
   void prepare(int side, std::span<const Cell> parts);
@@ -53,6 +54,7 @@ class TdibmInclusion {
   OnAxis& on_axis(int side, int part, int r, const Axis& axis, const Window& window);
 
   Policy policy_;
+  Reading reading_;
   SubPatches parts_;
   /// eps_a and eps_b of the sub-patches of each side, by the stage of the axis.
   std::array<std::array<CoefficientError, ObbAxes::kStages>, 2> stage_errors_;
@@ -66,17 +68,17 @@ class TdibmInclusion {
 
 extern template class TdibmInclusion<Plain>;
 extern template class TdibmInclusion<PullApart>;
-extern template class TdibmInclusion<RelativePullApart>;
 extern template class TdibmInclusion<ErrorBoundIntended>;
 extern template class TdibmInclusion<ErrorBoundPrinted>;
 
-/// The paper's methods: `tdibm` (Plain), `tdibm-h:F` (PullApart), `tdibm-h-rel:F`
-/// (RelativePullApart), `tdibm-e` (ErrorBoundIntended), `tdibm-e-literal` (ErrorBoundPrinted).
+/// The paper's methods: `tdibm` (Plain), `tdibm-h:F` (PullApart), `tdibm-e` (ErrorBoundIntended),
+/// `tdibm-e-literal` (ErrorBoundPrinted).
 /// One object serves one thread and keeps its buffers between queries.
 template <class Policy, class Inclusion = TdibmInclusion<Policy>>
 class Tdibm {
  public:
-  explicit Tdibm(Policy policy = Policy()) : inclusion_(policy) {}
+  explicit Tdibm(Policy policy = Policy(), const Reading& reading = Policy::kReading)
+      : inclusion_(policy, reading) {}
 
   /// Any bits may be asked about; what is no valid query (is_taken) is refused. toi is the start of
   /// the first window that was narrow enough; it is as safe as Policy is.
@@ -91,7 +93,6 @@ class Tdibm {
 
 extern template class Tdibm<Plain>;
 extern template class Tdibm<PullApart>;
-extern template class Tdibm<RelativePullApart>;
 extern template class Tdibm<ErrorBoundIntended>;
 extern template class Tdibm<ErrorBoundPrinted>;
 

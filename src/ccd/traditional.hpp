@@ -25,7 +25,8 @@ class TraditionalInclusion {
   /// Time is the fifth parameter that is subdivided.
   static constexpr bool kSplitsTime = true;
 
-  explicit TraditionalInclusion(BoxKind kind) : kind_(kind) {}
+  explicit TraditionalInclusion(BoxKind kind, const AxisReading& axes = kTraditionalAsReleased)
+      : kind_(kind), parts_(axes) {}
 
   void begin(const Query& query) { parts_.begin(query); }
   void prepare(int side, std::span<const Cell> parts) { parts_.prepare(side, parts); }
@@ -51,7 +52,9 @@ class TraditionalInclusion {
 /// `trad` (oriented boxes, as the paper uses it) and `trad:aabb`.
 class Traditional {
  public:
-  explicit Traditional(BoxKind kind = BoxKind::kOriented) : inclusion_(kind) {}
+  explicit Traditional(BoxKind kind = BoxKind::kOriented,
+                       const AxisReading& axes = kTraditionalAsReleased)
+      : inclusion_(kind, axes) {}
 
   /// Any bits may be asked about; what is no valid query (is_taken) is refused. toi is the start of
   /// the first window that was narrow enough.

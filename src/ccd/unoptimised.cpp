@@ -65,20 +65,23 @@ std::optional<Window> UnoptimisedInclusion<Policy>::test(int part_a, int part_b,
   const std::array<MovingPatch<double>, 2> parts = {
       restrict_to(patches[0], cells_[0][static_cast<size_t>(part_a)].corners(patches[0].shape)),
       restrict_to(patches[1], cells_[1][static_cast<size_t>(part_b)].corners(patches[1].shape))};
-  const auto frame = [&](const MovingPatch<double>& part) {
-    return obb_frame({part.shape, part.positions, part.velocities}, window.lo);
+  const auto frame = [&](int side) {
+    const MovingPatch<double>& part = parts[static_cast<size_t>(side)];
+    return obb_frame({part.shape, part.positions, part.velocities}, window.lo, reading_.axes, side);
   };
   const ObbAxes axes =
-      ObbAxes::of({parts[0].shape, parts[1].shape}, frame(parts[0]), frame(parts[1]));
+      ObbAxes::of({parts[0].shape, parts[1].shape}, frame(0), frame(1), reading_.axes.length);
+  const Window wide{window.lo - reading_.window_margin, window.hi + reading_.window_margin};
   std::vector<Separation<double>> separations;
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;
     for (size_t below = 0; below < 2; ++below) {
       const size_t above = 1 - below;
-      const auto f = envelope(policy_, parts[below], extents_[below], axis, 1, window);
-      const auto g = envelope(policy_, parts[above], extents_[above], axis, -1, window);
-      const auto found = separation(policy_, *f, *g, window);
+      const auto f = envelope(policy_, parts[below], extents_[below], axis, 1, wide);
+      const auto g = envelope(policy_, parts[above], extents_[above], axis, -1, wide);
+      auto found = separation(policy_, *f, *g, wide);
+      if (found && reading_.window_margin > 0) found = clipped_to(window, *found);
       if (!found) continue;
       if (found->has_lo && found->has_hi) return std::nullopt;
       separations.push_back(*found);
@@ -89,7 +92,6 @@ std::optional<Window> UnoptimisedInclusion<Policy>::test(int part_a, int part_b,
 
 template class UnoptimisedInclusion<Plain>;
 template class UnoptimisedInclusion<PullApart>;
-template class UnoptimisedInclusion<RelativePullApart>;
 template class UnoptimisedInclusion<ErrorBoundIntended>;
 template class UnoptimisedInclusion<ErrorBoundPrinted>;
 

@@ -14,7 +14,8 @@ namespace ccdfuzz {
 template <class Policy>
 class UnoptimisedInclusion {
  public:
-  explicit UnoptimisedInclusion(Policy policy) : policy_(policy) {}
+  explicit UnoptimisedInclusion(Policy policy, const Reading& reading = Policy::kReading)
+      : policy_(policy), reading_(reading) {}
 
   void begin(const Query& query);
   void prepare(int side, std::span<const Cell> parts);
@@ -22,6 +23,7 @@ class UnoptimisedInclusion {
 
  private:
   Policy policy_;
+  Reading reading_;
   const Query* query_ = nullptr;
   std::array<Extent, 2> extents_;
   std::array<std::array<Cell, 4>, 2> cells_;
@@ -29,7 +31,6 @@ class UnoptimisedInclusion {
 
 extern template class UnoptimisedInclusion<Plain>;
 extern template class UnoptimisedInclusion<PullApart>;
-extern template class UnoptimisedInclusion<RelativePullApart>;
 extern template class UnoptimisedInclusion<ErrorBoundIntended>;
 extern template class UnoptimisedInclusion<ErrorBoundPrinted>;
 

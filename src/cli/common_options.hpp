@@ -20,7 +20,7 @@ namespace ccdfuzz {
 /// The methods that answer in seconds, whatever the case; `trad` takes minutes where patches are
 /// nearly parallel and runs where it is named or its budget is small.
 inline constexpr const char* kDefaultMethods =
-    "tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-h-rel:1e-12,tdibm-e,tdibm-e-literal,tdibm-rational,"
+    "tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-e-literal,tdibm-rational,"
     "tdibm-c";
 
 /// --precision, --max-pops, --max-mb and --max-seconds, the limits of one query.

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
@@ -31,6 +33,21 @@ Result<std::vector<MethodInfo>> method_infos_of(const std::vector<std::string>& 
   return infos;
 }
 
+/// What may stand behind a spec, and behind which.
+std::string switches_of(const std::vector<MethodInfo>& infos) {
+  Table table({{"behind a spec", Align::kLeft}, {"of", Align::kLeft}, {"reads", Align::kLeft}});
+  for (const MethodSwitch& s : method_switches()) {
+    std::vector<std::string> of;
+    for (const MethodInfo& info : infos) {
+      if (std::ranges::find(info.switches, s.name) != info.switches.end()) of.push_back(info.spec);
+    }
+    if (of.empty()) continue;
+    table.add_row(
+        {{fmt::format("@{}", s.name)}, {fmt::format("{}", fmt::join(of, " "))}, {s.meaning}});
+  }
+  return table.row_count() == 0 ? "" : "\n" + table.to_text(wants_colour(stdout));
+}
+
 Result<int> run_methods(const MethodsArguments& options) {
   const Result<std::vector<MethodInfo>> infos = method_infos_of(options.specs);
   if (!infos) return tl::unexpected(infos.error());
@@ -39,7 +56,8 @@ Result<int> run_methods(const MethodsArguments& options) {
       print_json({{"method", info.spec},
                   {"source", info.source},
                   {"description", info.description},
-                  {"claims_no_false_negative", info.claims_no_false_negative}});
+                  {"claims_no_false_negative", info.claims_no_false_negative},
+                  {"switches", info.switches}});
     }
     return kDone;
   }
@@ -54,6 +72,7 @@ Result<int> run_methods(const MethodsArguments& options) {
                    {info.description}});
   }
   print_table(table);
+  print_out(switches_of(*infos));
   return kDone;
 }
 

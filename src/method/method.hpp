@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -65,10 +66,20 @@ struct MethodInfo {
   std::string source;       ///< where it is described
   std::string description;  ///< one line
   bool claims_no_false_negative = false;
+  /// What may stand behind a spec after '@', any of them, each once: "tdibm-e@unit-axes".
+  std::vector<std::string> switches = {};
 };
 
-/// Behind the spec of a method of the paper: its form without any optimisation, for comparison.
+/// A switch of the methods of the paper: the form without any optimisation, for comparison.
 inline constexpr std::string_view kUnoptimised = "@unoptimised";
+
+/// A name behind '@' and what it means.
+struct MethodSwitch {
+  const char* name;
+  const char* meaning;
+};
+/// Every switch that some method takes.
+std::span<const MethodSwitch> method_switches();
 
 /// Every registered family, in the order of the tables, without plug-ins.
 const std::vector<MethodInfo>& registered_methods();

@@ -26,6 +26,16 @@ SplitSpec split_spec(const std::string& spec) {
   return {spec.substr(0, colon), spec.substr(colon + 1)};
 }
 
+SwitchedSpec split_switches(const std::string& spec) {
+  SwitchedSpec out{spec.substr(0, spec.find('@')), {}};
+  for (size_t at = out.spec.size(); at < spec.size();) {
+    const size_t end = std::min(spec.find('@', at + 1), spec.size());
+    out.switches.push_back(spec.substr(at + 1, end - at - 1));
+    at = end;
+  }
+  return out;
+}
+
 Result<double> parse_pull_apart(const std::string& spec) {
   const SplitSpec split = split_spec(spec);
   if (!split.argument || split.argument->empty()) {

@@ -57,80 +57,122 @@ using MadeTracer = Result<std::unique_ptr<Tracer>>;
 
 struct Family {
   MethodInfo info;
-  std::function<MadeMethod(const std::string& spec)> make;
-  std::function<MadeTracer(const std::string& spec)> make_tracer;
-  /// The same method as one would write it down from the paper; empty if there is no such form.
-  std::function<MadeMethod(const std::string& spec)> make_unoptimised = nullptr;
+  std::function<MadeMethod(const SwitchedSpec&)> make;
+  std::function<MadeTracer(const SwitchedSpec&)> make_tracer;
 };
 
 /// Solver answers, Follower traces; both are made of the same arguments.
 template <class Solver, class Follower, class... Args>
 Family family(MethodInfo info, Args... args) {
   return {std::move(info),
-          [args...](const std::string&) -> MadeMethod {
+          [args...](const SwitchedSpec&) -> MadeMethod {
             return std::make_unique<BuiltIn<Solver>>(args...);
           },
-          [args...](const std::string&) -> MadeTracer {
+          [args...](const SwitchedSpec&) -> MadeTracer {
             return std::make_unique<BuiltInTracer<Follower>>(args...);
           }};
 }
 
-template <class Policy>
-Family tdibm_family(MethodInfo info) {
-  Family made =
-      family<Tdibm<Policy>, InclusionTracer<TdibmInclusion<Policy>>>(std::move(info), Policy());
-  made.make_unoptimised = [](const std::string&) -> MadeMethod {
-    return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>();
-  };
-  return made;
+constexpr std::array kSwitches = {
+    MethodSwitch{"unoptimised", "as written down from the paper; the answers are the same"},
+    MethodSwitch{"unit-axes", "each separating axis has unit length"},
+    MethodSwitch{"exact-windows",
+                 "Steps II and III look at a window alone, not 1e-6 past its ends"},
+    MethodSwitch{"slip", "v of patch 2's box moves as u does, as typed in the released code"},
+    MethodSwitch{"absolute", "each intercept is pulled apart by the length F"},
+    MethodSwitch{"count-pairs", "I of I\u03b4 counts pairs of lines, not the steps between them"}};
+
+/// A reading with what the switches of a spec change of it.
+Reading reading_of(const SwitchedSpec& spec, Reading reading) {
+  if (spec.has("unit-axes")) reading.axes.length = AxisReading::Length::kUnit;
+  if (spec.has("exact-windows")) reading.window_margin = 0;
+  if (spec.has("slip")) reading.axes.spans = AxisReading::Spans::kSidesWithSlip;
+  return reading;
 }
 
-/// A family whose spec ends in ":F", a pull-apart factor.
+/// A family of TdibmInclusion. policy_of: of a spec.
 template <class Policy>
-Family pull_apart_family(MethodInfo info) {
+Family tdibm_family(MethodInfo info, Result<Policy> (*policy_of)(const SwitchedSpec&)) {
   return {std::move(info),
-          [](const std::string& spec) {
-            return parse_pull_apart(spec).and_then([](double factor) -> MadeMethod {
-              return std::make_unique<BuiltIn<Tdibm<Policy>>>(Policy(factor));
+          [policy_of](const SwitchedSpec& spec) {
+            return policy_of(spec).and_then([&](const Policy& policy) -> MadeMethod {
+              const Reading reading = reading_of(spec, Policy::kReading);
+              if (spec.has("unoptimised")) {
+                return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(policy, reading);
+              }
+              return std::make_unique<BuiltIn<Tdibm<Policy>>>(policy, reading);
             });
           },
-          [](const std::string& spec) {
-            return parse_pull_apart(spec).and_then([](double factor) -> MadeTracer {
+          [policy_of](const SwitchedSpec& spec) {
+            return policy_of(spec).and_then([&](const Policy& policy) -> MadeTracer {
               using Follower = InclusionTracer<TdibmInclusion<Policy>>;
-              return std::make_unique<BuiltInTracer<Follower>>(Policy(factor));
-            });
-          },
-          [](const std::string& spec) {
-            return parse_pull_apart(spec).and_then([](double factor) -> MadeMethod {
-              return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(Policy(factor));
+              return std::make_unique<BuiltInTracer<Follower>>(policy,
+                                                               reading_of(spec, Policy::kReading));
             });
           }};
 }
 
+template <class Bound>
+Result<Bound> error_bound_of(const SwitchedSpec& spec) {
+  Bound bound;
+  if (spec.has("count-pairs")) bound.count = PullCount::kPairs;
+  return bound;
+}
+
+Family traditional_family(MethodInfo info, BoxKind kind) {
+  const auto axes_of = [](const SwitchedSpec& spec) {
+    return reading_of(spec, {kTraditionalAsReleased}).axes;
+  };
+  return {std::move(info),
+          [=](const SwitchedSpec& spec) -> MadeMethod {
+            return std::make_unique<BuiltIn<Traditional>>(kind, axes_of(spec));
+          },
+          [=](const SwitchedSpec& spec) -> MadeTracer {
+            using Follower = InclusionTracer<TraditionalInclusion>;
+            return std::make_unique<BuiltInTracer<Follower>>(kind, axes_of(spec));
+          }};
+}
+
 const std::vector<Family>& families() {
-  constexpr const char* kChen = "Chen et al. 2024";
+  constexpr const char* kChen = "released code of Chen et al. 2024";
   constexpr const char* kErrorBounds =
       "Floating-Point Robustness in Parametric Surface CCD, Section 4.6";
   constexpr const char* kSnyder = "Snyder 1992; Von Herzen et al. 1990";
+  const std::vector<std::string> released = {"unoptimised", "unit-axes", "exact-windows", "slip"};
+  std::vector<std::string> pulled = released;
+  pulled.emplace_back("absolute");
+  const std::vector<std::string> bounded = {"unoptimised", "unit-axes", "count-pairs"};
   static const std::vector<Family> all = {
-      family<Traditional, InclusionTracer<TraditionalInclusion>>(
-          {"trad", kSnyder,
-           "inclusion in time and parameters, oriented boxes, as Chen et al. have it", false},
+      traditional_family(
+          {"trad",
+           kSnyder,
+           "inclusion in time and parameters, oriented boxes, as Chen et al. have it",
+           false,
+           {"unit-axes"}},
           BoxKind::kOriented),
-      family<Traditional, InclusionTracer<TraditionalInclusion>>(
-          {"trad:aabb", kSnyder, "the same with axis-aligned boxes", false}, BoxKind::kAxisAligned),
+      traditional_family({"trad:aabb", kSnyder, "the same with axis-aligned boxes", false},
+                         BoxKind::kAxisAligned),
       tdibm_family<Plain>(
-          {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false}),
-      pull_apart_family<PullApart>(
-          {"tdibm-h:F", kChen, "tdibm with its envelopes pulled apart by the length F", false}),
-      pull_apart_family<RelativePullApart>(
-          {"tdibm-h-rel:F", "released code of Chen et al. 2024",
-           "tdibm with its envelopes pulled apart by F times each intercept", false}),
-      tdibm_family<ErrorBoundIntended>({"tdibm-e", kErrorBounds,
-                                        "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
-                                        true}),
-      tdibm_family<ErrorBoundPrinted>({"tdibm-e-literal", kErrorBounds,
-                                       "tdibm with error bounds, eps_Phi's sign as printed", true}),
+          {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false,
+           released},
+          [](const SwitchedSpec&) -> Result<Plain> { return Plain(); }),
+      tdibm_family<PullApart>(
+          {"tdibm-h:F", kChen, "tdibm with its envelopes pulled apart by F times each intercept",
+           false, pulled},
+          [](const SwitchedSpec& spec) {
+            return parse_pull_apart(spec.spec).map([&](double factor) {
+              return PullApart(factor,
+                               spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
+            });
+          }),
+      tdibm_family<ErrorBoundIntended>(
+          {"tdibm-e", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
+           true, bounded},
+          error_bound_of<ErrorBoundIntended>),
+      tdibm_family<ErrorBoundPrinted>(
+          {"tdibm-e-literal", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as printed",
+           true, bounded},
+          error_bound_of<ErrorBoundPrinted>),
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
           {"tdibm-rational", "this project",
            "tdibm decided in exact arithmetic, rounded only outward", true}),
@@ -154,28 +196,46 @@ std::string known_specs() {
   return specs + ", plugin:PATH, plugin-exec:PATH";
 }
 
-/// "tdibm-e@unoptimised" is {"tdibm-e", true}.
-struct Form {
-  std::string spec;
-  bool unoptimised = false;
+struct Found {
+  const Family* family;
+  SwitchedSpec spec;
 };
 
-Form form_of(const std::string& spec) {
-  if (!spec.ends_with(kUnoptimised)) return {spec, false};
-  return {spec.substr(0, spec.size() - kUnoptimised.size()), true};
-}
-
-/// The family with this very spec, or the one that takes a parameter under its name.
-Result<const Family*> find_family(const std::string& spec) {
-  const std::string with_parameter = split_spec(spec).name + ":F";
-  for (const Family& f : families()) {
-    if (f.info.spec == spec || f.info.spec == with_parameter) return &f;
+/// The family with this very spec, or the one that takes a parameter under its name, and what
+/// stands behind it. Errors: an unknown method; a switch that it does not take, or takes once.
+Result<Found> find_family(const std::string& text) {
+  Found found{nullptr, split_switches(text)};
+  const std::string name = split_spec(found.spec.spec).name;
+  if (name == "tdibm-h-rel") {
+    return input_error("--methods", fmt::format("\"{}\": what was tdibm-h-rel:F is tdibm-h:F; what "
+                                                "was tdibm-h:F is tdibm-h:F@absolute",
+                                                text));
   }
-  return input_error("--methods",
-                     fmt::format("unknown method \"{}\"; known are {}", spec, known_specs()));
+  for (const Family& f : families()) {
+    if (f.info.spec == found.spec.spec || f.info.spec == name + ":F") found.family = &f;
+  }
+  if (found.family == nullptr) {
+    return input_error("--methods",
+                       fmt::format("unknown method \"{}\"; known are {}", text, known_specs()));
+  }
+  const std::vector<std::string>& known = found.family->info.switches;
+  std::vector<std::string> left = known;
+  for (const std::string& name_of_switch : found.spec.switches) {
+    if (std::erase(left, name_of_switch) != 0) continue;
+    return input_error(
+        "--methods",
+        fmt::format("\"{}\": {} takes {}", text, found.family->info.spec,
+                    known.empty() ? "no @switches"
+                                  : fmt::format("each once, @{}", fmt::join(known, ", @"))));
+  }
+  return found;
 }
 
 }  // namespace
+
+std::span<const MethodSwitch> method_switches() {
+  return kSwitches;
+}
 
 const std::vector<MethodInfo>& registered_methods() {
   static const std::vector<MethodInfo> infos = [] {
@@ -199,22 +259,13 @@ Result<MethodInfo> method_info(const std::string& spec) {
   if (names_plugin(spec)) {
     return know_plugin(spec).map([](const auto& known) { return plugin_info(*known); });
   }
-  return find_family(form_of(spec).spec).map([](const Family* found) { return found->info; });
+  return find_family(spec).map([](const Found& found) { return found.family->info; });
 }
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
   if (names_plugin(spec)) return know_plugin(spec).map(make_plugin_method);
-  const Form form = form_of(spec);
-  if (!form.unoptimised) {
-    return find_family(spec).and_then([&](const Family* found) { return found->make(spec); });
-  }
-  const Result<const Family*> found = find_family(form.spec);
-  if (found && (*found)->make_unoptimised) {
-    if (MadeMethod made = (*found)->make_unoptimised(form.spec)) return made;
-  }
-  return input_error("--methods", fmt::format("\"{}\" is not the spec of a method of the paper "
-                                              "with \"{}\" after it",
-                                              spec, kUnoptimised));
+  return find_family(spec).and_then(
+      [](const Found& found) { return found.family->make(found.spec); });
 }
 
 Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
@@ -223,10 +274,8 @@ Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
                                                 "be traced",
                                                 spec));
   }
-  // Both forms answer alike.
-  const std::string& plain = form_of(spec).spec;
-  return find_family(plain).and_then(
-      [&](const Family* found) { return found->make_tracer(plain); });
+  return find_family(spec).and_then(
+      [](const Found& found) { return found.family->make_tracer(found.spec); });
 }
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {

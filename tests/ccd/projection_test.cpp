@@ -42,7 +42,7 @@ MovingPatch<double> full_mantissa_patch(Random& random, const Shape& shape) {
 Rational worst_share_of_bound(Random& random, const Shape& shape) {
   Query query;
   for (MovingPatch<double>& patch : query.patches) patch = full_mantissa_patch(random, shape);
-  SubPatches parts;
+  SubPatches parts(kAsInAppendixA.axes);
   parts.begin(query);
   std::array<Cell, 2> cells;
   for (int side = 0; side < 2; ++side) {

@@ -73,7 +73,6 @@ void expect_no_miss(Method&& method, const Query& query) {
 TEST(Search, IdenticalStaticPatchesAreNeverMissed) {
   expect_no_miss(Tdibm<Plain>(), identical_static_patches());
   expect_no_miss(Tdibm<PullApart>(PullApart(1e-12)), identical_static_patches());
-  expect_no_miss(Tdibm<RelativePullApart>(RelativePullApart(1e-12)), identical_static_patches());
   expect_no_miss(Tdibm<ErrorBoundIntended>(), identical_static_patches());
   expect_no_miss(Tdibm<ErrorBoundPrinted>(), identical_static_patches());
   expect_no_miss(Traditional(), identical_static_patches());

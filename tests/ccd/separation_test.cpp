@@ -141,6 +141,22 @@ TEST(Separation, ErrorBoundExcludesTooMuchWhereProductsUnderflow) {
   EXPECT_TRUE(excludes_too_much(ErrorBoundIntended(), p)) << to_text(p);
 }
 
+/// Both ends of the wider window are past those of the window, so a root there is past them too.
+TEST(ClippedTo, HoldsAnEndOfTheWindowThatItReachesPast) {
+  const Window w{.25, .75};
+  const auto clipped = [&w](double lo, double hi) {
+    return clipped_to(w, Separation<double>{lo, hi, lo == 0, hi == 1});
+  };
+  EXPECT_TRUE(clipped(0, .5)->has_lo && !clipped(0, .5)->has_hi);
+  EXPECT_TRUE(!clipped(.5, 1)->has_lo && clipped(.5, 1)->has_hi);
+  EXPECT_TRUE(clipped(.125, .875)->contains(.25) && clipped(.125, .875)->contains(.75));
+  EXPECT_FALSE(clipped(.25, .75)->contains(.25)) << "a root at the start of the window is a touch";
+  EXPECT_FALSE(clipped(.25, .75)->contains(.75)) << "so is one at its end";
+  EXPECT_FALSE(clipped(0, .25));
+  EXPECT_FALSE(clipped(.75, 1));
+  EXPECT_FALSE(clipped(.8, .9));
+}
+
 TEST(RemainingWindow, KeepsATouchBetweenTwoSeparations) {
   const std::array<Separation<double>, 2> s = {{{0, .5, true, false}, {.5, 1, false, true}}};
   const auto w = remaining_window<double>(s, {0, 1});

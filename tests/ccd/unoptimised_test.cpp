@@ -71,8 +71,7 @@ class Unoptimised : public testing::Test {
   }
 };
 
-using Policies =
-    testing::Types<Plain, PullApart, RelativePullApart, ErrorBoundIntended, ErrorBoundPrinted>;
+using Policies = testing::Types<Plain, PullApart, ErrorBoundIntended, ErrorBoundPrinted>;
 TYPED_TEST_SUITE(Unoptimised, Policies);
 
 TYPED_TEST(Unoptimised, AnswersBitForBitTheSame) {

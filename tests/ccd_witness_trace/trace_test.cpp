@@ -49,7 +49,7 @@ TEST(Trace, ContactsAtTheEndsOfTheStepSurvive) {
   parting.patches[1].positions[0] = {0, 0, 0};
   for (const char* spec : kTraceable) {
     const auto tracer = tracer_of(spec);
-    // Not tdibm-h-rel: what has no size is not pulled apart, but neither is it lost here.
+    // Not tdibm-h:F: what has no size is not pulled apart, but neither is it lost here.
     EXPECT_FALSE(tracer->trace(meeting_points(.5), at_time(Rational(1, 2)), {}).lost) << spec;
     EXPECT_FALSE(tracer->trace(parting, at_time(0), {}).lost) << spec;
     parting.t_max = 0;

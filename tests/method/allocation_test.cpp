@@ -21,8 +21,8 @@ TEST(Method, AllocatesNothingOnceWarm) {
   }
   SearchOptions options;
   options.precision = 0x1p-7;
-  for (const char* spec :
-       {"tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12", "tdibm-e", "tdibm-e-literal", "tdibm-c"}) {
+  for (const char* spec : {"tdibm", "tdibm-h:1e-12", "tdibm-h:1e-12@absolute@unit-axes", "tdibm-e",
+                           "tdibm-e-literal", "tdibm-c"}) {
     const auto method = make_method(spec);
     ASSERT_TRUE(method) << spec;
     const auto answer_all = [&] {

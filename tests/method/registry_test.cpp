@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "ccd/robustness.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
 
@@ -40,7 +41,7 @@ TEST(Registry, OnlyMethodsThatClaimItAreFreeOfFalseNegatives) {
   for (const char* spec : {"tdibm-e", "tdibm-e-literal", "tdibm-rational"}) {
     EXPECT_TRUE(method_info(spec)->claims_no_false_negative) << spec;
   }
-  for (const char* spec : {"trad", "trad:aabb", "tdibm", "tdibm-h:1e-12", "tdibm-h-rel:1e-12"}) {
+  for (const char* spec : {"trad", "trad:aabb", "tdibm", "tdibm-h:1e-12"}) {
     EXPECT_FALSE(method_info(spec)->claims_no_false_negative) << spec;
   }
 }
@@ -69,9 +70,13 @@ TEST(Registry, BadSpecsAreRefusedAndNamed) {
                            "tdibm-h:1e-12x",
                            "tdibm-h: 1e-12",
                            "tdibm-h:1e-12:2",
-                           "tdibm-h-rel",
-                           "tdibm-h-rel:",
-                           "tdibm-h-rel:zero",
+                           "tdibm-h-rel:1e-12",
+                           "tdibm-c@",
+                           "tdibm-e@absolute",
+                           "tdibm-h:1e-12@count-pairs",
+                           "tdibm-h@absolute:1e-12",
+                           "tdibm@slip@slip",
+                           "trad:aabb@unit-axes",
                            "tdibm-c@unoptimised",
                            "trad@unoptimised",
                            "tdibm-h@unoptimised",
@@ -86,6 +91,39 @@ TEST(Registry, BadSpecsAreRefusedAndNamed) {
   }
 }
 
+/// Each switch is taken by the families that say so, alone and with all others, and still answers.
+TEST(Registry, SwitchesAreTakenInAnyOrder) {
+  for (const MethodInfo& info : registered_methods()) {
+    std::string forth = concrete(info.spec), back = forth;
+    for (const std::string& name : info.switches) {
+      EXPECT_TRUE(make_method(fmt::format("{}@{}", concrete(info.spec), name))) << name;
+      forth += "@" + name;
+      back.insert(concrete(info.spec).size(), "@" + name);
+    }
+    for (const std::string& spec : {forth, back}) {
+      const auto method = make_method(spec);
+      ASSERT_TRUE(method) << method.error().message();
+      EXPECT_EQ((*method)->answer(head_on_points(), {}).verdict, Verdict::kHit) << spec;
+      EXPECT_TRUE(make_tracer(spec)) << spec;
+      EXPECT_EQ(method_info(spec)->spec, info.spec);
+    }
+  }
+}
+
+TEST(Registry, WhatWasRenamedIsNamed) {
+  const std::string message = make_method("tdibm-h-rel:1e-12").error().message();
+  EXPECT_NE(message.find("tdibm-h:F@absolute"), std::string::npos) << message;
+}
+
+/// Three intercepts of 2^-40, 1 and 2^40: F of each, or F.
+TEST(PullApart, IsAShareOfTheInterceptOrALength) {
+  const PullApart share(0x1p-10), length(0x1p-10, PullUnit::kLength);
+  EXPECT_EQ(share.pulled(0x1p40), 0x1p40 + 0x1p30);
+  EXPECT_EQ(share.pulled(-0x1p-40), -0x1p-40 + 0x1p-50);
+  EXPECT_EQ(length.pulled(1), 1 + 0x1p-10);
+  EXPECT_EQ(length.pulled(0), 0x1p-10);
+}
+
 TEST(Registry, AnUnknownMethodNamesTheKnownOnes) {
   const std::string message = make_method("tdibm-x").error().message();
   for (const MethodInfo& info : registered_methods()) {
@@ -97,7 +135,7 @@ TEST(PullApart, ReadsDecimalsAndHexFloats) {
   EXPECT_EQ(parse_pull_apart("tdibm-h:1e-12"), 1e-12);
   EXPECT_EQ(parse_pull_apart("tdibm-h:0"), 0.0);
   EXPECT_EQ(parse_pull_apart("tdibm-h:.5"), 0.5);
-  EXPECT_EQ(parse_pull_apart("tdibm-h-rel:0x1p-40"), 0x1p-40);
+  EXPECT_EQ(parse_pull_apart("tdibm-h:0x1p-40"), 0x1p-40);
   for (const char* bad : {"tdibm-h:1e-400", "tdibm-h:1e400", "tdibm-h:0x-1", "tdibm-h:0x"}) {
     EXPECT_FALSE(parse_pull_apart(bad)) << bad;
   }
