@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "certify/checker/check_case.hpp"
 #include "method/method.hpp"
 #include "properties/draw_patch.hpp"
 #include "query/judge.hpp"
@@ -186,7 +187,8 @@ Check check_refusals(ChoiceSource& choices) {
   if (to_answer && !is_quick(name, question.query)) return Check::discarded("takes long");
   const auto method = *make_method(name);
   const Answer answer = method->answer(question.query, question.options);
-  const Outcome outcome = judge(question.query, {}, answer, method->terms());
+  const Outcome outcome =
+      judge(checked_contact({question.query, {}, {}, {}}), answer, method->terms());
   const bool refused =
       answer.verdict == Verdict::kRefused && outcome == Outcome::kNotAsked && !answer.toi;
   const bool answered = answer.verdict != Verdict::kRefused && outcome != Outcome::kError;

@@ -9,6 +9,7 @@
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_box.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
@@ -181,13 +182,14 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   add("root", check_contact_root(query, claims.root).has_value());
   add("linear", check_linear_clearance(query, claims.linear).has_value());
   add("tree", check_tree(query, t / 2, claims.tree).has_value());
+  const CheckedCase known = checked_contact(value);
   for (const double toi : {0.0, -kLeastDouble, kLeastDouble, query.t_max, next_up(query.t_max)}) {
     Answer hit{Verdict::kHit, toi, {}, 0, 0, 0, {}};
     hit.uv[0] = {-kLeastDouble, 0};
     AnswerTerms terms;
-    out += fmt::format("{} ", name_of(judge(query, value.truth, hit, terms)));
+    out += fmt::format("{} ", name_of(judge(known, hit, terms)));
     terms.space_tolerance = terms.early_tolerance = kLeastDouble;
-    out += fmt::format("{} ", name_of(judge(query, value.truth, hit, terms)));
+    out += fmt::format("{} ", name_of(judge(known, hit, terms)));
   }
   for (const double t_max : {0.0, kLeastDouble, query.t_max}) {
     add("collides", with_t_max(value, t_max).truth.collides.value_or(false));
@@ -273,8 +275,8 @@ Check check_contact_stays(ChoiceSource& choices) {
   {
     const InFpEnvironment in(environment);
     const SearchOptions options{.precision = 0x1p-4, .max_pops = 60};
-    outcome =
-        judge(drawn->query, drawn->truth, (*make_method(spec))->answer(drawn->query, options));
+    const CheckedCase known = checked_contact(*drawn);
+    outcome = judge(known, (*make_method(spec))->answer(drawn->query, options));
     lost = (*make_tracer(spec))
                ->trace(drawn->query, *drawn->truth.witness, {.precision = 0x1p-5})
                .lost;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ccd/rational/proves_clear.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "numeric/verify.hpp"
@@ -41,6 +42,10 @@ Query meeting(const Shape& shape) {
     }
   }
   return query;
+}
+
+CheckedCase known(const Query& query, const Truth& truth = {}) {
+  return checked_or_unknown({query, truth, {}, {}});
 }
 
 struct Spoilt {
@@ -135,7 +140,7 @@ TEST(Refusal, EveryMethodNamesTheFieldAndItsValue) {
       EXPECT_EQ(name_of(answer.verdict), "refused") << spec << ": " << spoilt.note;
       EXPECT_EQ(answer.note, spoilt.note) << spec;
       EXPECT_FALSE(answer.toi) << spec;
-      EXPECT_EQ(judge(query, {}, answer, method->terms()), Outcome::kNotAsked) << spec;
+      EXPECT_EQ(judge(known(query), answer, method->terms()), Outcome::kNotAsked) << spec;
     }
   }
 }
@@ -209,7 +214,7 @@ TEST(Refusal, IsNeverJudgedByTheTruth) {
   contact.witness = Witness{Rational(1, 2), {}};
   absence.collides = false;
   for (const Truth& truth : {contact, absence, Truth()}) {
-    EXPECT_EQ(judge(query, truth, refused), Outcome::kNotAsked);
+    EXPECT_EQ(judge(known(query, truth), refused), Outcome::kNotAsked);
   }
 }
 

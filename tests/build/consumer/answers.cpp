@@ -1,5 +1,5 @@
 // What every method and the checker say of the cases of a folder, to the bit.
-#include <ccdfuzz/certify/checker/check_truth.hpp>
+#include <ccdfuzz/certify/checker/check_case.hpp>
 #include <ccdfuzz/method/method.hpp>
 #include <ccdfuzz/query/judge.hpp>
 #include <cstdint>
@@ -31,7 +31,9 @@ int main(int argc, char** argv) {
     const auto read = read_cases(file.string());
     if (!read) return std::cerr << read.error().message() << '\n', 1;
     for (const NamedCase& c : *read) {
-      std::cout << c.id << (check_truth(c.value) ? " holds\n" : " refuted\n");
+      const auto checked = check_case(c);
+      std::cout << c.id << (checked ? " holds\n" : " refuted\n");
+      const CheckedCase known = checked.value_or(CheckedCase());
       for (const MethodInfo& info : registered_methods()) {
         std::string spec = info.spec;
         if (spec == "oracle") continue;  // takes long
@@ -41,8 +43,7 @@ int main(int argc, char** argv) {
                   << std::hex << (answer.toi ? bits(*answer.toi) : 0);
         for (const Uv<double>& uv : answer.uv)
           std::cout << ' ' << bits(uv[0]) << ' ' << bits(uv[1]);
-        std::cout << std::dec << ' ' << name_of(judge(c.value.query, c.value.truth, answer))
-                  << '\n';
+        std::cout << std::dec << ' ' << name_of(judge(known, answer)) << '\n';
       }
     }
   }
