@@ -5,6 +5,7 @@
 
 #include "ccd/certified/linear_advance.hpp"
 #include "ccd/certified/linear_contact.hpp"
+#include "ccd/certified/linear_touch.hpp"
 #include "numeric/fp_guard.hpp"
 
 namespace ccdfuzz {
@@ -69,6 +70,18 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
       answer.verdict = Verdict::kMiss;
       return answer;
     }
+    const auto hit = [&](double time, double toi) {
+      answer.verdict = Verdict::kHit;
+      answer.toi = std::max(toi, certified::original_time(time, normalised.time));
+      answer.uv = certified::nearest_parameters(normalised,
+                                                std::max(time, std::ldexp(toi, -normalised.time)));
+      return answer;
+    };
+    const double reach = 0.5 * options.precision * normalised.t_max;
+    const double before = std::max(0.0, advanced.time - reach);
+    const double after = std::min(normalised.t_max, advanced.time + reach);
+    if (certified::certainly_touch(normalised, before, after)) return hit(advanced.time, 0);
+
     using Kind = certified::LinearContact::Kind;
     const certified::LinearContact contact =
         certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
@@ -78,11 +91,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
     }
     if (contact.kind != Kind::kProven) answer.note = "contact not proven";
     if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advanced::Kind::kStopped) {
-      answer.verdict = Verdict::kHit;
-      answer.toi = std::max(contact.toi, certified::original_time(advanced.time, normalised.time));
-      answer.uv =
-          certified::nearest_parameters(normalised, std::ldexp(*answer.toi, -normalised.time));
-      return answer;
+      return hit(advanced.time, contact.toi);
     }
     from = advanced.time;
   }
