@@ -1,6 +1,7 @@
 #include "allocations.hpp"
 
 #include <gmp.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -8,11 +9,24 @@
 
 namespace {
 
-std::atomic<long> count = 0;
+std::atomic<long> count = 0, bytes = 0, peak = 0;
+
+void add_bytes(long more) {
+  const long now = bytes += more;
+  for (long most = peak; now > most && !peak.compare_exchange_weak(most, now);) {
+  }
+}
 
 void* counted(size_t size) {
   ++count;
-  return std::malloc(size);
+  void* const p = std::malloc(size);
+  add_bytes(static_cast<long>(malloc_usable_size(p)));
+  return p;
+}
+
+void release(void* p) {
+  add_bytes(-static_cast<long>(malloc_usable_size(p)));
+  std::free(p);
 }
 
 }  // namespace
@@ -23,10 +37,10 @@ void* operator new(size_t size) {
   throw std::bad_alloc();
 }
 void operator delete(void* p) noexcept {
-  std::free(p);
+  release(p);
 }
 void operator delete(void* p, size_t) noexcept {
-  std::free(p);
+  release(p);
 }
 
 namespace ccdfuzz {
@@ -34,15 +48,27 @@ namespace ccdfuzz {
 long allocations() {
   return count;
 }
+long allocated_bytes() {
+  return bytes;
+}
+long peak_allocated_bytes() {
+  return peak;
+}
+void begin_peak() {
+  peak = bytes.load();
+}
 
 void count_gmp_allocations() {
   mp_set_memory_functions(
       counted,
       [](void* p, size_t, size_t size) {
         ++count;
-        return std::realloc(p, size);
+        const auto before = static_cast<long>(malloc_usable_size(p));
+        void* const q = std::realloc(p, size);
+        add_bytes(static_cast<long>(malloc_usable_size(q)) - before);
+        return q;
       },
-      [](void* p, size_t) { std::free(p); });
+      [](void* p, size_t) { release(p); });
 }
 
 }  // namespace ccdfuzz

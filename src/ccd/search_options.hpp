@@ -8,14 +8,20 @@ namespace ccdfuzz {
 /// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
 /// still be. max_pops and max_bytes are deterministic. Their defaults let every generated query
 /// end, and end what cannot (patches that coincide over an area need 4^depth pairs): tdibm-c
-/// within about a second, by memory, and all within 256 MiB. A queue that grows copies itself
-/// once, so max_bytes is half.
+/// within about a second, by memory. A solver holds at most max_bytes, a sixth of it and
+/// kGrowthBytes while it answers, and buffers whose size follows from the degrees alone, below 12
+/// MiB; between queries it keeps at most kKeptBytes of all that (numeric/block_array.hpp).
 struct SearchOptions {
   double precision = 1e-4;  ///< parameter width at which a pair of cells is a hit; in (0, 1]
   std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
-  std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue
-  /// Wall time, not NaN; looked at every Deadline::kPopsBetweenLooks pops.
+  std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue and, of tdibm-c, the cells
+  /// Wall time, not NaN; the clock is read by counted work (Deadline), also while a pair is split.
   double max_seconds = std::numeric_limits<double>::infinity();
+  /// The clock that max_seconds is of, in seconds; null: a steady one of the machine. For tests.
+  double (*clock)() = nullptr;
+
+  /// What the memory may grow by from one look at max_bytes to the next.
+  static constexpr std::uint64_t kGrowthBytes = 1 << 20;
 };
 
 }  // namespace ccdfuzz

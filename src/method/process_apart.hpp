@@ -15,9 +15,8 @@ namespace ccdfuzz {
 /// What a process may use that works in place of this one.
 struct ApartLimits {
   /// CPU time of one answer, of which a method is told a sixth as its max_seconds: what looks at
-  /// the clock ends long before, since between two looks it takes no more than
-  /// Deadline::kPopsBetweenLooks pairs, in exact arithmetic on high degrees 50 ms each: 3.2 s. What
-  /// counts and does not look (oracle) takes less than a second on what fuzzers make.
+  /// the clock (Deadline) ends long before. What counts and does not look (oracle) takes less than
+  /// a second on what fuzzers make.
   double cpu_seconds = 30;
   std::uint64_t megabytes = PluginSpec().megabytes;  ///< beyond those of this process
 };

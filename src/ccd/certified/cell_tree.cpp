@@ -21,22 +21,20 @@ const MidpointProgram& program_for(const Shape& shape) {
 
 }  // namespace
 
-void CellTree::grow(size_t more) {
-  size_ += more;
-  const size_t roomy = size_ + size_ / 2 + 64;
-  if (size_ > nodes_.size()) nodes_.resize(roomy);
-  if (size_ * stride_ > values_.size()) values_.resize(roomy * stride_);
-}
-
 void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> controls) {
   if (program_ == nullptr || !(shape == shape_)) program_ = &program_for(shape);
   shape_ = shape;
   stride_ = static_cast<size_t>(kPerPoint) * controls.size();
   slots_.resize(stride_ + static_cast<size_t>(kPerPoint) * program_->steps.size());
-  size_ = 0;
-  grow(1);
-  nodes_[0] = {};
-  double* net = values_.data();
+  values_.reset(stride_);
+  nodes_.reset();
+  // The root, and room, so that each family begins at a multiple of its size.
+  const auto family = static_cast<size_t>(shape.child_count());
+  values_.resize(family);
+  nodes_.resize(family);
+  made_ = 1;
+  *nodes_[0] = {};
+  double* net = values_[0];
   for (const std::array<double, 6>& p : controls) {
     for (size_t k = 0; k < 3; ++k) {
       net[k] = p[k];
@@ -48,22 +46,24 @@ void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> 
 }
 
 Cell CellTree::cell(Node node) const {
-  const Entry& entry = nodes_[node];
+  const Entry& entry = *nodes_[node];
   return entry.parent == kNone ? Cell{} : cell(entry.parent).child(shape_, entry.place);
 }
 
 CellTree::Node CellTree::children(Node parent) {
-  if (nodes_[parent].first_child != kNone) return nodes_[parent].first_child;
-  if (shape_.kind == ShapeKind::kPoint) return nodes_[parent].first_child = parent;
-  const Node first = static_cast<Node>(size_);
+  if (nodes_[parent]->first_child != kNone) return nodes_[parent]->first_child;
+  if (shape_.kind == ShapeKind::kPoint) return nodes_[parent]->first_child = parent;
+  const Node first = static_cast<Node>(nodes_.size());
   const size_t count = static_cast<size_t>(shape_.child_count());
-  grow(count);
-  const auto depth = static_cast<std::uint16_t>(nodes_[parent].depth + 1);
+  values_.resize(first + count);
+  nodes_.resize(first + count);
+  made_ += count;
+  const auto depth = static_cast<std::uint16_t>(nodes_[parent]->depth + 1);
   for (size_t c = 0; c < count; ++c) {
-    nodes_[first + c] = {parent, kNone, depth, static_cast<std::uint16_t>(c)};
+    *nodes_[first + c] = {parent, kNone, depth, static_cast<std::uint16_t>(c)};
   }
-  nodes_[parent].first_child = first;
-  split_net(*program_, net(parent), this->count(), slots_.data(), &values_[first * stride_]);
+  nodes_[parent]->first_child = first;
+  split_net(*program_, net(parent), this->count(), slots_.data(), values_[first]);
   return first;
 }
 

@@ -7,6 +7,7 @@
 #include "bezier/cell.hpp"
 #include "ccd/certified/kernels.hpp"
 #include "ccd/certified/midpoint_program.hpp"
+#include "numeric/block_array.hpp"
 
 namespace ccdfuzz::certified {
 
@@ -23,16 +24,28 @@ class CellTree {
   /// First of shape.child_count() consecutive children. A point is its own child.
   Node children(Node parent);
 
-  const double* net(Node node) const { return &values_[size_t{node} * stride_]; }
+  const double* net(Node node) const { return values_[node]; }
   /// Which part of the domain a node is; walks up to the root.
   Cell cell(Node node) const;
-  int depth(Node node) const { return nodes_[node].depth; }
+  int depth(Node node) const { return nodes_[node]->depth; }
   const Shape& shape() const { return shape_; }
   /// Control points of a net.
   int count() const { return static_cast<int>(stride_) / kPerPoint; }
   /// Roundings behind each control point of a node at this depth.
   int roundings(int depth) const { return program_->roundings * depth; }
-  size_t bytes() const { return size_ * (stride_ * sizeof(double) + sizeof(Entry)); }
+  /// Bytes of all nodes, and of the memory that is held for them.
+  size_t bytes() const { return made_ * (stride_ * sizeof(double) + sizeof(Entry)); }
+  size_t held() const { return values_.held() + nodes_.held(); }
+  /// Without nodes, until the next reset; keeps the memory.
+  void clear() {
+    values_.reset(stride_);
+    nodes_.reset();
+  }
+  /// Gives back what is held beyond so many bytes, but for the nodes.
+  void keep_at_most(size_t bytes) {
+    values_.keep_at_most(bytes / 2);
+    nodes_.keep_at_most(bytes / 2);
+  }
 
  private:
   static constexpr Node kNone = ~Node{0};
@@ -44,15 +57,12 @@ class CellTree {
     std::uint16_t place = 0;  ///< which child of its parent
   };
 
-  /// Makes room for `more` nodes, their nets not set.
-  void grow(size_t more);
-
   Shape shape_;
   const MidpointProgram* program_ = nullptr;
-  size_t stride_ = 0;
-  size_t size_ = 0;             ///< nodes
-  std::vector<double> values_;  ///< of all nodes and, unused, more
-  std::vector<Entry> nodes_;    ///< likewise
+  size_t stride_ = 1;
+  size_t made_ = 0;            ///< nodes
+  BlockArray<double> values_;  ///< nets of all nodes
+  BlockArray<Entry> nodes_;    ///< likewise
   std::vector<double> slots_;
 };
 

@@ -39,7 +39,15 @@ class PairSplit {
 
   const NormalisedQuery& query() const { return query_; }
   const CellTree& tree(int side) const { return trees_[side]; }
+  /// Bytes of all cells, and of the memory that is held for them.
   size_t bytes() const { return trees_[0].bytes() + trees_[1].bytes(); }
+  size_t held() const { return trees_[0].held() + trees_[1].held(); }
+  void clear() {
+    for (CellTree& tree : trees_) tree.clear();
+  }
+  void keep_at_most(size_t bytes) {
+    for (CellTree& tree : trees_) tree.keep_at_most(bytes / 2);
+  }
 
   /// Splits a pair and calls keep(Kept) for each pair of children that may touch, in the order of
   /// their places. pair: window, hint, cells[2] and depth. wanted(side, child) says which children

@@ -22,7 +22,7 @@ constexpr int kLevelOfLinearTimes = 44;
 
 }  // namespace
 
-bool TdibmC::later(const Entry& x, const Entry& y) {
+bool TdibmC::Entry::later(const Entry& x, const Entry& y) {
   if (x.steps != y.steps) return x.steps > y.steps;
   if (x.depth != y.depth) return x.depth < y.depth;
   return x.key > y.key;
@@ -33,31 +33,30 @@ Answer TdibmC::answer(const Query& query, const SearchOptions& options) {
   const FpGuard guard;
   const auto start = std::chrono::steady_clock::now();
   Answer answer = decide(query, options);
+  queue_.clear();
+  split_.clear();
+  queue_.keep_at_most(kKeptBytes / 2);
+  split_.keep_at_most(kKeptBytes / 2);
   const auto end = std::chrono::steady_clock::now();
   answer.seconds = std::chrono::duration<double>(end - start).count();
   return answer;
 }
 
-size_t TdibmC::bytes() const {
-  return queue_.size() * sizeof(Entry) + split_.bytes();
-}
-
 double TdibmC::earliest(double so_far) const {
-  for (const Entry& e : queue_) so_far = std::min(so_far, e.window.lo);
+  for (size_t i = 0; i < queue_.size(); ++i) so_far = std::min(so_far, queue_[i].window.lo);
   return certified::original_time(so_far, split_.query().time);
 }
 
 void TdibmC::push(const certified::PairSplit::Kept& pair, int depth) {
   const double t_max = split_.query().t_max;
   const double steps = t_max > 0 ? pair.window.lo / t_max * kTimeSteps : 0;
-  queue_.push_back({pair.window, pair.hint, pushed_++, pair.cells,
-                    static_cast<std::uint32_t>(steps), static_cast<std::uint16_t>(depth)});
-  std::push_heap(queue_.begin(), queue_.end(), later);
+  queue_.push({pair.window, pair.hint, pushed_++, pair.cells, static_cast<std::uint32_t>(steps),
+               static_cast<std::uint16_t>(depth)});
 }
 
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   const int target = depth_for(options.precision);
-  const Deadline deadline(options.max_seconds);
+  Deadline deadline(options);
   split_.begin(query, target);
   const certified::NormalisedQuery& normalised = split_.query();
   queue_.clear();
@@ -96,13 +95,21 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
     from = advanced.time;
   }
   push({{from, normalised.t_max}, {}, {}, {}}, 0);
+  // A pop takes it at most 16 tests, of up to 1 ms all together.
+  const int work_of_pop = split_.tree(0).count() + split_.tree(1).count();
 
   while (!queue_.empty()) {
     const bool out_of_pops = answer.pops == options.max_pops;
-    const bool out_of_time = deadline.passed(answer.pops);
-    const std::uint64_t held = bytes();
-    answer.bytes = std::max(answer.bytes, held);
-    if (out_of_pops || out_of_time || held > options.max_bytes) {
+    const bool out_of_time = deadline.passed(work_of_pop);
+    const std::uint64_t used = bytes();
+    answer.bytes = std::max(answer.bytes, used);
+    // What earlier queries left in other buffers than those that grow now.
+    if (queue_.held() + split_.held() > used + SearchOptions::kGrowthBytes / 2 &&
+        queue_.held() + split_.held() > options.max_bytes) {
+      queue_.keep_at_most(0);
+      split_.keep_at_most(0);
+    }
+    if (out_of_pops || out_of_time || used > options.max_bytes) {
       answer.verdict = Verdict::kUndecided;
       answer.toi = earliest(normalised.t_max);
       answer.note = out_of_pops   ? "pop budget exhausted"
@@ -110,9 +117,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
                                   : "memory budget exhausted";
       return answer;
     }
-    std::pop_heap(queue_.begin(), queue_.end(), later);
-    const Entry entry = queue_.back();
-    queue_.pop_back();
+    const Entry entry = queue_.pop();
     ++answer.pops;
     if (entry.depth >= target) {
       answer.verdict = Verdict::kHit;

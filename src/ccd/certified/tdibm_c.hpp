@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "ccd/certified/pair_split.hpp"
 #include "ccd/search.hpp"
@@ -25,6 +24,7 @@ namespace ccdfuzz {
 /// Linear patches (can_advance) are decided exactly: a hit is a contact, at toi + precision·t_max
 /// at most. Where numbers differ by too many binary places (first_linear_contact), what is said
 /// above holds for the patches as they are, and the answer's note says so.
+/// Keeps at most kKeptBytes between queries.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);
@@ -37,16 +37,17 @@ class TdibmC {
     std::array<certified::PairSplit::Node, 2> cells;
     std::uint32_t steps;
     std::uint16_t depth;
+
+    static bool later(const Entry& x, const Entry& y);
   };
 
-  static bool later(const Entry& x, const Entry& y);
   Answer decide(const Query& query, const SearchOptions& options);
   void push(const certified::PairSplit::Kept& pair, int depth);
   double earliest(double so_far) const;
-  size_t bytes() const;
+  std::uint64_t bytes() const { return queue_.bytes() + split_.bytes(); }
 
   certified::PairSplit split_;
-  std::vector<Entry> queue_;
+  SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;
 };
 

@@ -23,7 +23,7 @@ struct TierCounts;
 /// first contact. No false negative of either kind, for any valid query. A hit may be early or
 /// false, as with any inclusion test, by the size of the last cells. Any bits may be asked about:
 /// what is no valid query (is_taken) is refused.
-/// Keeps its buffers between queries and no other state. One thread at a time.
+/// Keeps its buffers between queries, at most kKeptBytes, and no other state. One thread at a time.
 class TdibmRational {
  public:
   TdibmRational();

@@ -38,7 +38,8 @@ struct Decision {
 /// where that stays undecided; a contact is proven by W or M, absence by P or T. Linear queries are
 /// decided exactly (decide_linear), by W or R and L. Both are always
 /// sought: the earliest contact, and the latest time before it that is clear. A query that is not
-/// valid stays undecided, with what is wrong with it as the note.
+/// valid stays undecided, with what is wrong with it as the note. Keeps two solvers for each thread
+/// that asked, each at most kKeptBytes.
 Decision decide(const Query& query, const OracleOptions& options = {});
 
 /// decide as a method. toi is the certified clear time: no contact comes before it. What is no
