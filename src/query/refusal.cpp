@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include "numeric/double_parts.hpp"
 
 #include "numeric/double_parts.hpp"
 
@@ -17,7 +17,7 @@ bool is_precision(double x) {
 }  // namespace
 
 bool is_taken(const Query& query, double precision, double max_seconds) {
-  return is_precision(precision) && !std::isnan(max_seconds) && is_valid(query);
+  return is_precision(precision) && !is_nan(max_seconds) && is_valid(query);
 }
 
 Answer refusal(const Query& query, double precision, double max_seconds) {

@@ -203,7 +203,7 @@ TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
 TEST(PluginClaims, WhatIsRefusedIsNotAskedAndHeldToNoClaim) {
   for (const Case& known : {meeting_at(0.5, 2), meeting_at(0.5, 0.25)}) {
     EXPECT_EQ(outcome_of(":verdict=5", known), "not_asked");
-    EXPECT_EQ(outcome_of(":verdict=5:nan=1" + kConservative, known), "not_asked");
+    EXPECT_EQ(outcome_of(std::string(":verdict=5:nan=1") + kConservative, known), "not_asked");
     EXPECT_EQ(outcome_of(":verdict=5:repeat=no", known), "not_asked");
   }
 }

@@ -283,10 +283,10 @@ const std::vector<Row> kTable = {
      "expect: \"missed\" is not an object"},
     {"UnknownOutcome", "\"missed\"", "\"wrong\"",
      "expect.tdibm: \"wrong\" is not an outcome (correct, missed, late, false_positive, undecided, "
-     "unknown, error)"},
+     "unknown, error, not_asked)"},
     {"OutcomeInCapitals", "\"correct\"", "\"Correct\"",
      "expect[\"tdibm-h:1e-12\"]: \"Correct\" is not an outcome (correct, missed, late, "
-     "false_positive, undecided, unknown, error)"},
+     "false_positive, undecided, unknown, error, not_asked)"},
     {"OutcomeOfWrongType", "\"missed\"", "null", "expect.tdibm: null is not a string"},
 };
 
