@@ -141,9 +141,21 @@ TEST(Separation, ErrorBoundExcludesTooMuchWhereProductsUnderflow) {
   EXPECT_TRUE(excludes_too_much(ErrorBoundIntended(), p)) << to_text(p);
 }
 
+/// C.3 says that every pair of the path but the last has c_beta > c_(alpha+1). Here f has one line.
+TEST(Separation, ThePathAdvancesTheOtherEnvelopeAlone) {
+  Lines<double> f, g;
+  f.push_back({-1, .5});
+  g.push_back({-1, .25});
+  g.push_back({0, 0});
+  const auto found = separation(ErrorBoundIntended(), f, g, TimeWindow<double>{0, 1});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GE(found->lo, .5);
+  EXPECT_LT(found->lo, .5 + 0x1p-40);
+}
+
 /// Both ends of the wider window are past those of the window, so a root there is past them too.
 TEST(ClippedTo, HoldsAnEndOfTheWindowThatItReachesPast) {
-  const Window w{.25, .75};
+  const TimeWindow<double> w{.25, .75};
   const auto clipped = [&w](double lo, double hi) {
     return clipped_to(w, Separation<double>{lo, hi, lo == 0, hi == 1});
   };

@@ -18,33 +18,24 @@ Vec3<double> random_vector(Random& random) {
   return v;
 }
 
-/// A triangular quadratic about 1 long whose edges from the first corner are `apart` from parallel:
-/// its normal, made of unit spans, is about `apart` long.
-MovingPatch<double> sliver(Random& random, double apart) {
-  const Vec3<double> u = random_vector(random), across = apart * random_vector(random);
-  MovingPatch<double> patch{Shape::triangle(2), {}, {}};
-  const Vec3<double> v = u + across;
-  for (const auto& [i, j] : {std::pair(0, 0), {0, 1}, {0, 2}, {1, 0}, {1, 1}, {2, 0}}) {
-    const Vec3<double> bend = (i == 1 || j == 1 ? .125 * apart : 0) * random_vector(random);
-    patch.positions.push_back((.5 * i) * u + (.5 * j) * v + bend);
-  }
-  patch.velocities.assign(6, Vec3<double>(0, 0, 0));
-  return patch;
-}
-
-/// Two slivers on both sides of a plane that approach it and at t_max end `gap` apart from it.
-Query apart_by(Random& random, double apart, double gap) {
+/// Two triangular quadratics about 1 long that lie along each other, on both sides of a plane, and
+/// at t_max end `gap` apart. Their edges from the first corner are `apart` from parallel: a normal
+/// made of unit spans is about `apart` long.
+Query slivers(Random& random, double apart, double gap) {
+  const Vec3<double> u = random_vector(random), across = random_vector(random);
+  const Vec3<double> v = u + apart * across, side = cross(u, across);
+  const Vec3<double> normal = side / std::sqrt(dot(side, side));
   Query query;
   query.t_max = 1;
-  const Vec3<double> side = random_vector(random);
-  const Vec3<double> normal = side / std::sqrt(dot(side, side));
   for (int s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = query.patches[static_cast<size_t>(s)];
-    patch = sliver(random, apart);
     const double sign = s == 0 ? -1 : 1;
-    double least = sign * dot(normal, patch.positions[0]);
-    for (const Vec3<double>& p : patch.positions) least = std::min(least, sign * dot(normal, p));
-    for (Vec3<double>& p : patch.positions) p += sign * (gap - least + 1) * normal;
+    MovingPatch<double>& patch = query.patches[static_cast<size_t>(s)];
+    patch.shape = Shape::triangle(2);
+    for (int i = 0; i <= 2; ++i) {
+      for (int j = 0; j <= 2 - i; ++j) {
+        patch.positions.push_back((.5 * i) * u + (.5 * j) * v + sign * (.5 * gap + 1) * normal);
+      }
+    }
     patch.velocities.assign(6, -sign * normal);
   }
   return query;
@@ -63,7 +54,7 @@ FalseHits of_slivers(int exponent, int count) {
   for (int i = 0; i < count; ++i) {
     Random random = Random::keyed({static_cast<std::uint64_t>(i)});
     const double gap = std::ldexp(1.5, -static_cast<int>(random.below(31)));
-    const Query query = apart_by(random, std::ldexp(1, exponent), gap);
+    const Query query = slivers(random, std::ldexp(1.0, exponent), gap);
     out.appendix_a += appendix_a.answer(query, options).verdict == Verdict::kHit ? 1 : 0;
     out.unit += unit.answer(query, options).verdict == Verdict::kHit ? 1 : 0;
     out.plain += plain.answer(query, options).verdict == Verdict::kHit ? 1 : 0;
@@ -80,9 +71,8 @@ TEST(Slivers, ShortAxesMakeFalseHitsOfTheErrorBoundedMethod) {
     fmt::print(
         "edges 2^{} apart, {} pairs, false hits: tdibm-e {}, tdibm-e@unit-axes {}, tdibm {}\n",
         exponent, count, hits.appendix_a, hits.unit, hits.plain);
-    EXPECT_LE(hits.unit, hits.appendix_a);
     if (exponent == -48) {
-      EXPECT_GE(hits.appendix_a, count / 2);
+      EXPECT_GT(hits.appendix_a, count / 2);
     }
   }
 }

@@ -79,7 +79,6 @@ TEST(Registry, BadSpecsAreRefusedAndNamed) {
                            "trad:aabb@unit-axes",
                            "tdibm-c@unoptimised",
                            "trad@unoptimised",
-                           "tdibm-h@unoptimised",
                            "tdibm@unoptimised@unoptimised",
                            "tdibm@fast"}) {
     const auto method = make_method(spec);
