@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ccd/search.hpp"
 #include "certify/checker/check_case.hpp"
 #include "method/method.hpp"
 #include "properties/draw_patch.hpp"

@@ -131,7 +131,7 @@ Check check_eq_13_second(ChoiceSource& choices) {
 struct CountingPops : ErrorBoundIntended {
   int* pops;
 
-  explicit CountingPops(int& count) : pops(&count) {}
+  explicit CountingPops(int& counter) : pops(&counter) {}
   template <class Predicate>
   bool redundant(const Predicate& predicate) const {
     const bool pop = ErrorBoundIntended::redundant(predicate);

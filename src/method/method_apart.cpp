@@ -5,6 +5,7 @@
 #include <system_error>
 #include <type_traits>
 
+#include "ccd/search.hpp"
 #include "numeric/verify.hpp"
 #include "query/case_json.hpp"
 

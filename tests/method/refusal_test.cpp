@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "ccd/rational/proves_clear.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"

@@ -180,7 +180,7 @@ TEST(Judge, UndecidedIsNeverWrong) {
 }
 
 TEST(Judge, ARefusalIsNotAskedWhateverItHolds) {
-  for (const Truth& truth : {contact(0), no_contact(), clear(1), Truth{}}) {
+  for (const Scene& truth : {contact(0), no_contact(), clear(1), unknown()}) {
     EXPECT_EQ(judged(truth, says(Verdict::kRefused)), "not_asked");
     EXPECT_EQ(judged(truth, says(Verdict::kRefused, kNan)), "not_asked");
   }

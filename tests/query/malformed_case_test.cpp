@@ -162,6 +162,9 @@ const std::vector<Row> kTable = {
      "patches[1].positions[3][2]: -9007199254740993 is an integer that no double equals"},
     {"InexactHugeInteger", "1.5]", "36893488147419103233]",
      "patches[1].positions[3][2]: 36893488147419103233 is an integer that no double equals"},
+    {"LongDecimal", "\"t_max\": 2.0", "\"t_max\": 0.9999999999999999999999",
+     "t_max: 0.9999999999999999999999 is no double, and has more than the 17 digits that tell "
+     "doubles apart; the nearest is 1"},
     {"NanText", "1.5]", "\"nan\"]", "patches[1].positions[3][2]: \"nan\" is not finite"},
     {"InfinityText", "1.5]", "\"-Infinity\"]",
      "patches[1].positions[3][2]: \"-Infinity\" is not finite"},
