@@ -164,7 +164,6 @@ Decision decide(const Query& query, const OracleOptions& options) {
     undecided.note = valid.error().message();
     return undecided;
   }
-  const FpGuard guard;
   const Decision found =
       linear::is_linear(query) ? decide_linear(query, options) : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept.
