@@ -49,7 +49,8 @@ FalseHits of_slivers(int exponent, int count) {
   Tdibm<ErrorBoundIntended> appendix_a;
   Tdibm<ErrorBoundIntended> unit({}, {{AxisReading::Spans::kCorners, AxisReading::Length::kUnit}});
   Tdibm<Plain> plain;
-  const SearchOptions options;
+  SearchOptions options;
+  options.max_pops = 200;  // what takes more is undecided, not hit
   FalseHits out;
   for (int i = 0; i < count; ++i) {
     Random random = Random::keyed({static_cast<std::uint64_t>(i)});
