@@ -11,13 +11,14 @@ install(TARGETS ccdfuzz_base ${ccdfuzz_libraries} EXPORT ccdfuzz_targets)
 set(ccdfuzz_public_headers
   bezier/patch.hpp bezier/shape.hpp
   ccd/search_options.hpp
-  certify/checker/check_box.hpp certify/checker/check_linear.hpp certify/checker/check_plane.hpp
-  certify/checker/check_tree.hpp certify/checker/check_truth.hpp certify/checker/check_witness.hpp
+  certify/checker/check_box.hpp certify/checker/check_case.hpp certify/checker/check_linear.hpp
+  certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp
+  certify/checker/check_witness.hpp certify/checker/work.hpp
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
   method/method.hpp
   numeric/dyadic.hpp numeric/eigen_traits.hpp numeric/rational.hpp numeric/result.hpp numeric/verify.hpp
   query/answer.hpp query/case.hpp query/case_files.hpp query/case_json.hpp query/certificate.hpp
-  query/judge.hpp query/outcome.hpp query/output_file.hpp query/query.hpp query/tree_file.hpp)
+  query/checked_case.hpp query/judge.hpp query/outcome.hpp query/output_file.hpp query/query.hpp query/tree_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/${folder})

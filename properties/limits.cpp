@@ -181,8 +181,8 @@ Integer draw_long_integer(ChoiceSource& choices) {
   const std::size_t length =
       choices.choose(3) == 0 ? 1 + choices.choose(kMaxRationalDigits - 1) : 1 + choices.choose(20);
   std::string digits(length, static_cast<char>('0' + choices.choose(9)));
-  digits.front() = static_cast<char>('1' + choices.choose(8));
   digits.back() = static_cast<char>('0' + choices.choose(9));
+  digits.front() = static_cast<char>('1' + choices.choose(8));  // not 0 where it is the only one
   return Integer(digits);
 }
 

@@ -77,16 +77,19 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   const CaseSize size = size_of(made.query);
   if (smallest_failure_ && !(size < *smallest_failure_)) return;
   const CheckedCase known = checked_or_unknown(made);
+  bool answered = false;
   for (const double factor : kHorizonFactors) {
     const std::optional<CheckedCase> asked = at_horizon(known, factor);
     if (!asked || !ground_.has(asked->query())) continue;
     const Judged judged = ask(methods[method_], *asked, search);
+    answered |= judged.outcome != Outcome::kNotAsked;
     const bool founds = founders_.contains(content_address(asked->query()));
     if (!is_failure(judged.outcome) || founds) continue;
     smallest_failure_ = size;
     found(asked->value(), judged);
     return;
   }
+  if (!answered) --tally_.mutants;  // what the method refuses counts nowhere
 }
 
 }  // namespace ccdfuzz

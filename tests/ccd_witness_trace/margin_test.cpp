@@ -26,13 +26,15 @@ TEST(Margin, IsZeroWhereTheExclusionEndsInTheWitness) {
 // Pulled apart by F each, the points separate on x until t = 1/2 − F and from 1/2 + F on. Below 1/2
 // a step is 2^-54, above it 2^-53.
 TEST(Margin, CountsTheDoublesToTheNearestExcludedTime) {
-  const Trace trace = traced("tdibm-h:0x1p-40", meeting_points(1), at_time(Rational(1, 2)));
+  const Trace trace = traced("tdibm-h:0x1p-40@absolute@unit-axes@exact-windows", meeting_points(1),
+                             at_time(Rational(1, 2)));
   ASSERT_FALSE(trace.lost);
   ASSERT_TRUE(trace.margin);
   EXPECT_EQ(trace.margin->ulps, std::uint64_t{1} << 13) << "the later one is nearer in steps";
   EXPECT_EQ(trace.margin->by.below, 1) << "after the meeting patch 2 is the lower one";
   EXPECT_EQ(trace.margin->by.times.lo, .5 + 0x1p-40);
-  const Trace before = traced("tdibm-h:0x1p-40", meeting_points(.5), at_time(Rational(1, 2)));
+  const Trace before = traced("tdibm-h:0x1p-40@absolute@unit-axes@exact-windows",
+                              meeting_points(.5), at_time(Rational(1, 2)));
   EXPECT_EQ(before.margin->ulps, std::uint64_t{1} << 14);
   EXPECT_EQ(before.margin->by.below, 0);
   EXPECT_EQ(before.margin->by.times.hi, .5 - 0x1p-40);

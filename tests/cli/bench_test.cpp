@@ -41,7 +41,7 @@ TEST(Bench, TradStopsAtItsBudgetAndTheTableSaysSo) {
 TEST(Bench, BadListsAreRefusedByName) {
   for (const auto& [option, value, complaint] :
        {std::array{"--classes", "FF,XX", "\"XX\""}, std::array{"--classes", "FF,FF", "twice"},
-        std::array{"--classes", "", "\"\""},
+        std::array{"--classes", "", "--classes: is empty"},
         std::array{"--methods", "tdibm-c@unoptimised", "--methods"},
         std::array{"--construction", "magic", "\"magic\""},
         std::array{"--count", "0", "--count"}}) {

@@ -129,7 +129,9 @@ TEST(Plugins, ThatRefuseEverythingAreAskedNothing) {
 TEST(Plugins, ThatRefuseAreInARowOfTheirOwn) {
   const ScratchFolder folder;
   const std::string cases = folder / "c.jsonl";
-  ASSERT_EQ(ccdfuzz({"generate", "--contact", "VV", "--count", "3", "-o", cases}).code, 0);
+  ASSERT_EQ(
+      ccdfuzz({"generate", "--contact", "VV", "--kind", "RP", "--count", "3", "-o", cases}).code,
+      0);
   const std::string methods = kRefusing + ",tdibm-c";
   for (const auto& row :
        json_lines(ccdfuzz({"query", cases, "--methods", methods, "--json"}).out)) {

@@ -205,7 +205,8 @@ TEST(TriageOfTargets, RefusesAnUnknownTargetAndReadsThatOfAny) {
   write_text(folder / "input", "a,b");
   const Finished refused = ccdfuzz({"triage", folder / "input", "--target", "quarry"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--target: no target \"quarry\"; there are: arithmetic, "));
+  EXPECT_THAT(refused.err,
+              HasSubstr("--target: no target \"quarry\"; there are: any_bits, arithmetic, "));
   const Finished read = ccdfuzz(
       {"triage", folder / "input", "--target", "query_csv", "-o", folder / "finds", "--json"});
   EXPECT_EQ(read.code, 0) << read.err;
