@@ -37,12 +37,12 @@ class Deadline {
 
   explicit Deadline(const SearchOptions& options)
       : seconds_(options.max_seconds), clock_(options.clock != nullptr ? options.clock : steady) {
-    if (!std::isinf(seconds_)) start_ = clock_();
+    if (is_limited()) start_ = clock_();
   }
 
   /// True iff the time has passed. work: done since the last call.
   bool passed(int work) {
-    if (std::isinf(seconds_)) return false;
+    if (!is_limited()) return false;
     work_ += work;
     if (work_ < kWorkBetweenLooks) return false;
     work_ = 0;
@@ -54,6 +54,8 @@ class Deadline {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
   }
+
+  bool is_limited() const { return seconds_ < SearchOptions::kNoTimeLimit; }
 
   double seconds_;
   double (*clock_)();

@@ -12,11 +12,15 @@ namespace ccdfuzz {
 /// kGrowthBytes while it answers, and buffers whose size follows from the degrees alone, below 12
 /// MiB; between queries it keeps at most kKeptBytes of all that (numeric/block_array.hpp).
 struct SearchOptions {
+  /// From here on there is no limit of time. Finite: a caller built with -ffast-math may not have
+  /// infinity at all, and what its compiler then stores in a default is any number.
+  static constexpr double kNoTimeLimit = std::numeric_limits<double>::max();
+
   double precision = 1e-4;  ///< parameter width at which a pair of cells is a hit; in (0, 1]
   std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
   std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue and, of tdibm-c, the cells
   /// Wall time, not NaN; the clock is read by counted work (Deadline), also while a pair is split.
-  double max_seconds = std::numeric_limits<double>::infinity();
+  double max_seconds = kNoTimeLimit;
   /// The clock that max_seconds is of, in seconds; null: a steady one of the machine. For tests.
   double (*clock)() = nullptr;
 

@@ -4,8 +4,6 @@
 
 #include "numeric/double_parts.hpp"
 
-#include "numeric/double_parts.hpp"
-
 namespace ccdfuzz {
 
 namespace {
