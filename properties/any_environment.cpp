@@ -192,7 +192,10 @@ std::string judgement(const Case& value, const WildClaims& claims) {
     out += fmt::format("{} ", name_of(judge(known, hit, terms)));
   }
   for (const double t_max : {0.0, kLeastDouble, query.t_max}) {
-    add("collides", with_t_max(value, t_max).truth.collides.value_or(false));
+    const CheckedCase up_to = known.with_t_max(t_max);
+    add("collides", up_to.value().truth.collides.value_or(false));
+    const Answer too_late{Verdict::kHit, next_up(t_max), {}, 0, 0, 0, {}};
+    out += fmt::format("{} ", name_of(judge(up_to, too_late)));
   }
   Query before_zero = query;
   before_zero.t_max = -kLeastDouble;
