@@ -112,7 +112,6 @@ class CommandLine {
 void add_bench(CommandLine& line);
 /// known: all the properties that there are.
 void add_check(CommandLine& line, const std::vector<Property>& known);
-void add_corpus(CommandLine& line);
 void add_evaluate(CommandLine& line);
 void add_export(CommandLine& line);
 void add_generate(CommandLine& line);

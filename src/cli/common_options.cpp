@@ -43,8 +43,6 @@ void SearchFlags::add_to(Command& command) {
 std::vector<Option> SearchFlags::add_budget_to(Command& command) {
   return {command.whole("--max-pops", max_pops,
                         "Pairs of boxes to look at before a method gives up as undecided", 1),
-          command.whole("--max-mb", max_mb, "Memory of a method's queue before it gives up, in MiB",
-                        1, std::uint64_t{1} << 20),
           command.text(
               "--max-seconds", max_seconds,
               "Wall time of a query before it gives up; its answer then depends on the machine")};
@@ -55,7 +53,7 @@ Result<SearchOptions> SearchFlags::parse() const {
   const Result<double> width =
       precision.empty() ? defaults.precision : parse_precision("--precision", precision);
   if (!width) return tl::unexpected(width.error());
-  SearchOptions options{*width, max_pops, max_mb << 20};
+  SearchOptions options{*width, max_pops};
   if (max_seconds.empty()) return options;
   const Result<double> seconds = parse_seconds("--max-seconds", max_seconds);
   if (!seconds) return tl::unexpected(seconds.error());

@@ -23,11 +23,10 @@ inline constexpr const char* kDefaultMethods =
     "tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-e-literal,tdibm-rational,"
     "tdibm-c";
 
-/// --precision, --max-pops, --max-mb and --max-seconds, the limits of one query.
+/// --precision, --max-pops and --max-seconds, the limits of one query.
 struct SearchFlags {
   std::string precision;  ///< empty: 1e-4, or what a case's origin.precision says
   std::uint64_t max_pops = SearchOptions().max_pops;
-  std::uint64_t max_mb = SearchOptions().max_bytes >> 20;
   std::string max_seconds;  ///< empty: no limit
 
   void add_to(Command& command);

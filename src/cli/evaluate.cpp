@@ -77,7 +77,6 @@ Journal::Header evaluation_header(const EvaluateOptions& options,
           {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
           {"--precision", fmt::format("{}", search.precision)},
           {"--max-pops", fmt::format("{}", search.max_pops)},
-          {"--max-mb", fmt::format("{}", search.max_bytes >> 20)},
           {"--max-seconds", fmt::format("{}", search.max_seconds)},
           {"--shard", fmt::format("{}/{}", options.shard.index, options.shard.of)}};
 }

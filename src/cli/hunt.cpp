@@ -36,7 +36,6 @@ struct HuntArguments {
   std::string methods = std::string("trad,") + kDefaultMethods;
   std::string seconds = "60";
   std::uint64_t cases = 0;
-  std::string shard;
   int within = 0;  ///< 0: any scale
   std::optional<std::string> shape;
   std::uint64_t seed = 1;
@@ -70,13 +69,6 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   parsed.threads = options.threads;
   parsed.seconds = *seconds;
   if (options.cases > 0) parsed.cases = options.cases;
-  if (!options.shard.empty() && !parsed.cases) {
-    return input_error("--shard", "needs --cases: a hunt by time has no shares");
-  }
-  const Result<Shard> shard =
-      parse_shard(options.shard, options.cases * Draws(0, parsed.ground).classes().size(), "draws");
-  if (!shard) return tl::unexpected(shard.error());
-  parsed.shard = *shard;
   parsed.search = *search;
   parsed.shrink = options.shrink == "all"    ? Shrink::kAll
                   : options.shrink == "none" ? Shrink::kNone
@@ -171,7 +163,6 @@ std::string hunt_command(const HuntArguments& options) {
   } else {
     add("--seconds", options.seconds);
   }
-  if (!options.shard.empty()) add("--shard", options.shard);
   if (options.linear) text += " --linear";
   if (options.shape) add("--shape", *options.shape);
   if (options.within > 0) add("--within", fmt::format("{}", options.within));
@@ -258,8 +249,7 @@ Result<int> run_hunt(const HuntArguments& options) {
   if (interrupted) return interrupted_exit_code();
   if (asked_nothing(report)) {
     print_that_nothing_was_asked(report, options);
-    // A share may have nothing to ask where the whole has.
-    if (parsed->shard.is_whole()) return kCheckFailed;
+    return kCheckFailed;
   }
   return fails(report, options.fail_on) ? kCheckFailed : kDone;
 }
@@ -276,7 +266,6 @@ void add_hunt(CommandLine& line) {
              kMostCases)
       .excludes(seconds)
       .without_default();
-  add_shard(command, options->shard);
   command.text("--methods", options->methods, "Methods to ask, separated by commas");
   constexpr int kWidest = 1074;  // 2^-1074 is the least double
   command

@@ -18,7 +18,6 @@ int main(int argc, char** argv) {
   ccdfuzz::add_prove(line);
   ccdfuzz::add_merge(line);
   ccdfuzz::add_triage(line, ccdfuzz::fuzz_target_named);
-  ccdfuzz::add_corpus(line);
   ccdfuzz::add_replay(line);
   ccdfuzz::add_minimize(line);
   ccdfuzz::add_report(line);

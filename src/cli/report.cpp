@@ -18,7 +18,6 @@
 #include "cli/terminal.hpp"
 #include "corpus/entries.hpp"
 #include "eval/ask.hpp"
-#include "eval/evaluate.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "eval/in_order.hpp"
 #include "method/method.hpp"
@@ -31,9 +30,7 @@ namespace {
 
 struct ReportArguments {
   std::string source = "corpus";
-  std::string methods = kDefaultMethods;
   AllowedPlugins plugins;
-  SearchFlags search;
   std::string scoreboard;
   std::string folder;
   int threads = 1;
@@ -41,8 +38,8 @@ struct ReportArguments {
 
 /// An entry as its expectations say; where those are of a time that a method reported, it is asked
 /// again for it.
-Result<ReportedCase> reported_entry(NamedCase entry, const SearchFlags& flags, MethodSet& methods) {
-  const Result<SearchOptions> search = flags.parse_for(entry);
+Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
+  const Result<SearchOptions> search = SearchFlags().parse_for(entry);
   if (!search) return tl::unexpected(search.error());
   ReportedCase reported;
   for (const auto& [method, outcome] : entry.value.expect) {
@@ -87,9 +84,7 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
   tbb::enumerable_thread_specific<MethodSet> methods;
   run_in_order<Result<ReportedCase>>(
       total, options.threads,
-      [&](size_t i) {
-        return reported_entry(std::move((*entries)[i]), options.search, methods.local());
-      },
+      [&](size_t i) { return reported_entry(std::move((*entries)[i]), methods.local()); },
       [&](Result<ReportedCase> reported) {
         if (!reported) {
           if (read) read = tl::unexpected(reported.error());
@@ -108,40 +103,6 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
   report.plugins = plugins_among({expected.begin(), expected.end()});
   if (!left_out.empty()) print_err(fmt::format("ccdfuzz: report: {}\n", to_text(left_out)));
   keep_most_telling(report);
-  return report;
-}
-
-Result<ReportPage> report_data_set(const ReportArguments& options,
-                                   const std::atomic<bool>& interrupted) {
-  const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
-  if (!methods) return tl::unexpected(methods.error());
-  const Result<SearchOptions> search = options.search.parse();
-  if (!search) return tl::unexpected(search.error());
-  const Result<std::vector<NamedCase>> cases = read_all({options.source});
-  if (!cases) return tl::unexpected(cases.error());
-  EvaluateOptions asked;
-  asked.methods = *methods;
-  asked.search = *search;
-  asked.threads = options.threads;
-  ReportRows rows;
-  const auto record = read_generation(generation_path(options.source));
-  if (!record) return tl::unexpected(record.error());
-  std::uint64_t answers = 0;
-  Progress progress;
-  const Result<bool> complete = evaluate(
-      *cases, asked,
-      [&](const AnswerRecord& answer, double share) {
-        rows.add(answer, cases->at(answer.index), search->precision);
-        progress.show(share, fmt::format("{} {}", answer.contact, answer.method), ++answers,
-                      "answers");
-      },
-      &interrupted);
-  if (!complete) return tl::unexpected(complete.error());
-  note_words(*cases, "report");
-  ReportPage report;
-  report.title = fmt::format("Evaluation of {}", options.source);
-  report.plugins = plugins_among(asked.methods);
-  rows.finish(report, *record ? (*record)->costs : std::vector<GenerationCost>());
   return report;
 }
 
@@ -189,7 +150,8 @@ Result<ReportPage> report_source(const ReportArguments& options,
                                  const std::atomic<bool>& interrupted) {
   std::error_code error;
   if (!std::filesystem::is_directory(options.source, error)) {
-    return report_data_set(options, interrupted);
+    return input_error(options.source,
+                       "is no folder; `evaluate FILE --report DIR` shows a file of cases");
   }
   if (std::filesystem::exists(EvaluationFolder::answers_path(options.source), error)) {
     return report_run(options);
@@ -201,7 +163,6 @@ Result<ReportPage> report_source(const ReportArguments& options,
 }
 
 Result<int> run_report(const ReportArguments& options) {
-  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   Scoreboard scoreboard;
   if (!options.scoreboard.empty()) {
     Result<Scoreboard> read = read_scoreboard(options.scoreboard);
@@ -226,15 +187,13 @@ Result<int> run_report(const ReportArguments& options) {
 
 void add_report(CommandLine& line) {
   auto [command, options] = line.add<ReportArguments>(
-      "report", "Show a corpus or a data set as a page of figures, tables and watchable cases",
+      "report", "Show a corpus or a run as a page of figures, tables and watchable cases",
       run_report);
   command.text(
       "source", options->source,
-      "A corpus (its entries and what they expect), the folder of an `evaluate -o` or of a "
-      "`hunt --report`, or a file of cases (which the methods are asked about)");
-  command.text("--methods", options->methods, "Methods to ask about a file of cases");
+      "A corpus (its entries and what they expect), or the folder of an `evaluate -o` or of a "
+      "`hunt --report`");
   options->plugins.add_to(command);
-  options->search.add_to(command);
   command.text("--scoreboard", options->scoreboard,
                "Also show how the tests fare with planted faults: a .json that "
                "`ccdfuzz-scoreboard --tables` wrote");

@@ -8,21 +8,20 @@
 
 namespace ccdfuzz {
 
-Race::Race(const std::vector<std::string>& specs, const SearchOptions& options,
-           const SearchOptions& options_of_trad) {
+Race::Race(const std::vector<std::string>& specs, const SearchOptions& options)
+    : options_(options) {
   for (const std::string& spec : specs) {
     Result<std::unique_ptr<Method>> method = make_method(spec);
     CCDFUZZ_VERIFY(method.has_value());
     Runner& runner = runners_.emplace_back();
     runner.spec = spec;
     runner.method = std::move(*method);
-    runner.options = spec.starts_with("trad") ? options_of_trad : options;
   }
 }
 
 void Race::ask(const Query& query) {
   if (queries_ == 0) {
-    for (Runner& runner : runners_) runner.method->answer(query, runner.options);  // warm
+    for (Runner& runner : runners_) runner.method->answer(query, options_);  // warm
   }
   ++queries_;
   for (Runner& runner : runners_) {
@@ -30,7 +29,7 @@ void Race::ask(const Query& query) {
     Answer answer;
     for (int i = 0; i < kRepeats && !(i > 0 && least > kLong); ++i) {
       const double start = thread_cpu_seconds();
-      answer = runner.method->answer(query, runner.options);
+      answer = runner.method->answer(query, options_);
       least = std::min(least, thread_cpu_seconds() - start);
     }
     if (answer.verdict == Verdict::kRefused) {

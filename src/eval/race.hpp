@@ -21,7 +21,6 @@ class Race {
   struct Runner {
     std::string spec;
     std::unique_ptr<Method> method;
-    SearchOptions options;
     std::uint64_t asked = 0;      ///< queries that it did not refuse
     std::uint64_t not_asked = 0;  ///< that it refused: in no other number
     double seconds = 0;           ///< of all queries so far
@@ -30,9 +29,8 @@ class Race {
     std::uint64_t undecided = 0;  ///< cut short by the budget: the time is a lower bound
   };
 
-  /// Requires specs that parse_method_list accepts. trad has a budget of its own.
-  Race(const std::vector<std::string>& specs, const SearchOptions& options,
-       const SearchOptions& options_of_trad);
+  /// Requires specs that parse_method_list accepts.
+  Race(const std::vector<std::string>& specs, const SearchOptions& options);
 
   /// Puts one query to all of them.
   void ask(const Query& query);
@@ -41,6 +39,7 @@ class Race {
   const std::vector<Runner>& runners() const { return runners_; }
 
  private:
+  SearchOptions options_;
   std::vector<Runner> runners_;
   std::uint64_t queries_ = 0;
 };

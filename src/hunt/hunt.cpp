@@ -197,12 +197,11 @@ class Hunt {
       TracerSet tracers;
     };
     tbb::enumerable_thread_specific<Workshop> workshops;
-    const std::uint64_t populations = options_.shard.size(report_.cells.size());
+    const size_t populations = report_.cells.size();
     size_t recorded = 0;
     run_in_order<std::vector<Found>>(
         populations, options_.threads,
-        [&](size_t k) {
-          const std::uint64_t cell = options_.shard.item(k);
+        [&](size_t cell) {
           Workshop& workshop = workshops.local();
           Breeder& breeder = nurseries_[cell].breeder;
           for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
@@ -215,7 +214,7 @@ class Hunt {
           return breed(cell, workshop.methods, workshop.tracers, [&] { return left-- > 0; });
         },
         [&](const std::vector<Found>& all) {
-          const std::uint64_t cell = options_.shard.item(recorded++);
+          const size_t cell = recorded++;
           for (const Found& found : all) offer(report_.cells[cell].method, found);
           count_bred(cell);
           show(kDrawingShare + (1 - kDrawingShare) * static_cast<double>(recorded) /
@@ -233,12 +232,11 @@ class Hunt {
       double draw_cpu_seconds = 0;
     };
     const size_t classes = draws_.classes().size();
-    const std::uint64_t total = options_.shard.size(count * classes);
+    const std::uint64_t total = count * classes;
     tbb::enumerable_thread_specific<MethodSet> methods;
     run_in_order<Answered>(
         total, options_.threads,
-        [&](size_t k) {
-          const std::uint64_t i = options_.shard.item(k);
+        [&](size_t i) {
           const size_t contact = i % classes;
           const double start = thread_cpu_seconds();
           Answered answered{draws_.at(draws_.classes()[contact], i / classes), {}, 0};

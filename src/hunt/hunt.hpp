@@ -8,7 +8,6 @@
 
 #include "corpus/store.hpp"
 #include "eval/ask.hpp"
-#include "eval/shard.hpp"
 #include "eval/tally.hpp"
 #include "hunt/breeder.hpp"
 #include "query/taxonomy.hpp"
@@ -27,8 +26,6 @@ struct HuntOptions {
   /// instead of a time: then the hunt depends on nothing but these options, and finds the same
   /// things in every run.
   std::optional<std::uint64_t> cases;
-  /// Of those draws, and of the populations of mutants; a hunt by time has all.
-  Shard shard;
   HuntGround ground;
   Shrink shrink = Shrink::kPlugins;
   /// Budgets of a query; the precision is the default one, since replay asks at that.

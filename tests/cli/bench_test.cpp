@@ -8,7 +8,7 @@ namespace {
 
 TEST(Bench, EveryClassHasARowForEachMethodAndTheFirstIsTheMeasure) {
   const Finished finished = ccdfuzz({"bench", "--classes", "VV,VE", "--count", "2", "--seed", "3",
-                                     "--methods", "tdibm-c,tdibm-e", "--unoptimised", "--json"});
+                                     "--methods", "tdibm-c,tdibm-e,tdibm-e@unoptimised", "--json"});
   EXPECT_EQ(finished.code, 0) << finished.err;
   const auto rows = json_lines(finished.out);
   ASSERT_EQ(rows.size(), 6U);
@@ -28,13 +28,13 @@ TEST(Bench, EveryClassHasARowForEachMethodAndTheFirstIsTheMeasure) {
   EXPECT_EQ(rows[1]["pops"], rows[2]["pops"]);
 }
 
-TEST(Bench, TradStopsAtItsBudgetAndTheTableSaysSo) {
+TEST(Bench, AQueryStopsAtTheBudgetAndTheTableSaysSo) {
   const std::vector<std::string> arguments = {
-      "bench", "--classes", "EF",           "--count",     "1", "--seed",
-      "1",     "--methods", "tdibm-c,trad", "--trad-pops", "50"};
+      "bench", "--classes", "EF",           "--count",    "1", "--seed",
+      "1",     "--methods", "tdibm-c,trad", "--max-pops", "50"};
   const Finished finished = ccdfuzz(arguments);
   EXPECT_EQ(finished.code, 0) << finished.err;
-  EXPECT_THAT(finished.out, testing::HasSubstr("trad stops after 50 pops"));
+  EXPECT_THAT(finished.out, testing::HasSubstr("A query ends after 50 pops"));
   EXPECT_THAT(finished.out, testing::HasSubstr("≥ "));
 }
 

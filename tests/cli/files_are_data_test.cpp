@@ -59,7 +59,7 @@ TEST(FilesAreData, WhatReadsCasesStartsNothing) {
   expect_data(trap, {"minimize", entry, "--method", "tdibm-e", "-o", trap / "small.json"});
   expect_data(trap, {"triage", entry, "--methods", "tdibm-e", "--known", trap.corpus(), "-o",
                      trap / "finds"});
-  expect_data(trap, {"corpus", "merge", trap.corpus(), trap.corpus(), "-o", trap / "both"});
+  expect_data(trap, {"merge", trap.corpus(), trap.corpus(), "-o", trap / "both"});
   expect_data(trap, {"evaluate", cases, "--methods", "tdibm-c", "-o", trap / "run"});
 }
 

@@ -253,19 +253,10 @@ TEST(Hunt, ThatAskedNothingFailsAndSaysWhy) {
       << no_time.err;
 }
 
-TEST(Hunt, AShareMayHaveNothingToAsk) {
-  const ScratchFolder folder;
-  std::vector<std::string> arguments = {"hunt", "--shard", "5/6", "--corpus", folder / "finds"};
-  arguments.insert(arguments.end(), kNothingToAsk.begin(), kNothingToAsk.end());
-  const Finished finished = ccdfuzz(arguments);
-  EXPECT_EQ(finished.code, 0);
-  EXPECT_NE(finished.err.find("nothing was checked"), std::string::npos) << finished.err;
-}
-
 TEST(Hunt, RefusesMoreCasesThanItCanCount) {
   const ScratchFolder folder;
   for (const char* cases : {"1000000000000000001", "18446744073709551615"}) {
-    const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", cases, "--shard", "5/7"}));
+    const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", cases}));
     EXPECT_EQ(finished.code, 2) << cases;
     EXPECT_TRUE(finished.err.starts_with(
         fmt::format("--cases: {} is not in [1, 1000000000000000000]\n", cases)))
@@ -277,30 +268,6 @@ TEST(Hunt, RefusesMoreCasesThanItCanCount) {
 TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
   const ScratchFolder folder;
   EXPECT_EQ(ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err, "");
-}
-
-/// One method: a find of one shard may also be the smallest failure of another method, which the
-/// whole hunt never asked about it.
-TEST(Hunt, SharesMergeIntoTheWhole) {
-  const ScratchFolder folder;
-  const auto of_one_method = [](const std::string& corpus, const std::vector<std::string>& more) {
-    std::vector<std::string> arguments = {"hunt",  "--corpus",   corpus, "--methods",
-                                          "tdibm", "--max-pops", "20",   "--cases"};
-    arguments.push_back(kAFew);
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  };
-  EXPECT_EQ(ccdfuzz(of_one_method(folder / "whole", {})).code, 0);
-  std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
-  for (const char* shard : {"1/3", "2/3", "0/3"}) {
-    merge.push_back(folder / fmt::format("share-{}", shard[0]));
-    EXPECT_EQ(ccdfuzz(of_one_method(merge.back(), {"--shard", shard})).code, 0);
-  }
-  const Finished merged = ccdfuzz(merge);
-  EXPECT_EQ(merged.code, 0) << merged.err;
-  ASSERT_TRUE(has_entry(folder / "whole"));
-  EXPECT_EQ(files_in(folder / "merged"), files_in(folder / "whole"));
-  EXPECT_EQ(ccdfuzz(hunt(folder / "x", {"--seconds", "1", "--shard", "0/2"})).code, 2);
 }
 
 }  // namespace

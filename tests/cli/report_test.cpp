@@ -11,23 +11,28 @@ using testing::HasSubstr;
 const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json";
 const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
-TEST(ReportCommand, ShowsAFileOfCases) {
+TEST(ReportCommand, OfAnEvaluationShowsAFileOfCases) {
   const ScratchFolder folder;
   const Finished made =
-      ccdfuzz({"report", kEntry, "--methods", "tdibm-e,tdibm-c", "-o", folder / "page"});
+      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "--report", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
-  EXPECT_THAT(made.out, HasSubstr("index.html: 1 cases"));
   EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"tdibm-e\""));
   EXPECT_THAT(read_text(folder / "page/groups.csv"), HasSubstr(",tdibm-e,1,1,0,0,1,0,"));
   EXPECT_THAT(read_text(folder / "page/counterexamples.csv"), HasSubstr(",tdibm-e,missed,"));
 }
 
-TEST(ReportCommand, ShowsACorpus) {
-  const ScratchFolder folder;
+/// A folder with one entry.
+std::string small_corpus(const ScratchFolder& folder) {
   std::filesystem::create_directories(folder / "corpus");
   std::filesystem::copy(kEntry, folder / "corpus/entry.json");
-  const Finished made = ccdfuzz({"report", folder / "corpus", "-o", folder / "page"});
+  return folder / "corpus";
+}
+
+TEST(ReportCommand, ShowsACorpus) {
+  const ScratchFolder folder;
+  const Finished made = ccdfuzz({"report", small_corpus(folder), "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("index.html: 1 cases"));
   EXPECT_THAT(read_text(folder / "page/counterexamples.csv"), HasSubstr("entry.json,"));
 }
 
@@ -157,14 +162,14 @@ TEST(ReportCommand, ShowsTheEndOfAHuntByTime) {
 TEST(ReportCommand, ShowsTheScoreboard) {
   const ScratchFolder folder;
   const std::string board = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/results.json";
-  const Finished made = ccdfuzz(
-      {"report", kEntry, "--methods", "tdibm-c", "--scoreboard", board, "-o", folder / "page"});
+  const std::string corpus = small_corpus(folder);
+  const Finished made = ccdfuzz({"report", corpus, "--scoreboard", board, "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_THAT(read_text(folder / "page/scoreboard.csv"), HasSubstr("\nproperties,end.sign,"));
   EXPECT_THAT(read_text(folder / "page/scoreboard-drivers.csv"), HasSubstr("\nproperties,"));
   write_text(folder / "board.json", "{\"format\": \"else\"}");
   const Finished refused =
-      ccdfuzz({"report", kEntry, "--scoreboard", folder / "board.json", "-o", folder / "other"});
+      ccdfuzz({"report", corpus, "--scoreboard", folder / "board.json", "-o", folder / "other"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err, HasSubstr("board.json: format: \"else\""));
   EXPECT_FALSE(std::filesystem::exists(folder / "other/index.html"));
@@ -172,12 +177,16 @@ TEST(ReportCommand, ShowsTheScoreboard) {
 
 TEST(ReportCommand, RefusesWhatItCannotRead) {
   const ScratchFolder folder;
-  EXPECT_EQ(ccdfuzz({"report", folder / "nothing.json", "-o", folder / "page"}).code, 2);
+  for (const std::string& source : {folder / "nothing.json", kEntry}) {
+    const Finished refused = ccdfuzz({"report", source, "-o", folder / "page"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(source + ": is no folder"));
+  }
   std::filesystem::create_directories(folder / "empty");
   EXPECT_EQ(ccdfuzz({"report", folder / "empty", "-o", folder / "page"}).code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder / "page/index.html"));
   write_text(folder / "file", "");
-  const Finished blocked = ccdfuzz({"report", kEntry, "-o", folder / "file/page"});
+  const Finished blocked = ccdfuzz({"report", small_corpus(folder), "-o", folder / "file/page"});
   EXPECT_EQ(blocked.code, 2);
   EXPECT_THAT(blocked.err, HasSubstr("file/page"));
 }

@@ -108,9 +108,9 @@ TEST(OddOptions, TimesOfWhatHasNoneAreRefused) {
 }
 
 TEST(OddOptions, AnEmptyNameIsRefusedByItsOption) {
-  const std::vector<std::vector<std::string>> commands = {
-      {"prove", "x.json"},      {"merge", "x.json"},  {"import", "x.csv"}, {"triage", "x"},
-      {"corpus", "merge", "x"}, {"export", "x.json"}, {"report", "x"}};
+  const std::vector<std::vector<std::string>> commands = {{"prove", "x.json"},  {"merge", "x.json"},
+                                                          {"import", "x.csv"},  {"triage", "x"},
+                                                          {"export", "x.json"}, {"report", "x"}};
   for (auto command : commands) {
     command.insert(command.end(), {"-o", ""});
     const Finished finished = ccdfuzz(command);

@@ -193,7 +193,7 @@ TEST_F(TriageOfClaims, TakesDrawsToo) {
 }
 
 TEST_F(TriageOfClaims, RefusesWhatIsOfMethods) {
-  for (const char* option : {"--methods", "--max-pops", "--max-mb", "--max-seconds"}) {
+  for (const char* option : {"--methods", "--max-pops", "--max-seconds"}) {
     const Finished run = triage({option, "1"});
     EXPECT_EQ(run.code, 2) << option;
     EXPECT_THAT(run.err, HasSubstr(option));

@@ -1,4 +1,4 @@
-// triage and corpus merge: what fuzzers found becomes entries of a corpus.
+// triage and merge: what fuzzers found becomes entries of a corpus.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -129,18 +129,16 @@ TEST(Triage, RefusesWhatIsNoInput) {
   EXPECT_THAT(absent.err, HasSubstr("no such file or folder"));
 }
 
-TEST(CorpusMerge, KeepsOneOfEachFailure) {
+TEST(MergeOfCorpora, KeepsOneOfEachFailure) {
   const ScratchFolder folder;
   const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
   ASSERT_EQ(ccdfuzz({"triage", drawn, "-o", finds, "--methods", "tdibm"}).code, 0);
   std::filesystem::copy(finds, folder / "twin", std::filesystem::copy_options::recursive);
-  const Finished merged =
-      ccdfuzz({"corpus", "merge", finds, folder / "twin", "-o", folder / "all"});
+  const Finished merged = ccdfuzz({"merge", finds, folder / "twin", "-o", folder / "all"});
   EXPECT_EQ(merged.code, 0) << merged.err;
   EXPECT_GT(entries_of(finds), 0U);
   EXPECT_EQ(entries_of(folder / "all"), entries_of(finds));
-  EXPECT_EQ(ccdfuzz({"corpus", "split", finds, "-o", folder / "all"}).code, 2);
-  EXPECT_EQ(ccdfuzz({"corpus", "merge", "-o", folder / "all"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"merge", "-o", folder / "all"}).code, 2);
 }
 
 }  // namespace

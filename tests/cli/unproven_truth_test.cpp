@@ -42,7 +42,7 @@ TEST(UnprovenTruth, AFalseProofIsBadInputWhereverAnswersAreJudged) {
          {std::vector<std::string>{"query", file, "--methods", "tdibm-c"},
           {"evaluate", file, "--methods", "tdibm-c"},
           {"evaluate", file, "--methods", "tdibm-c", "-o", folder / "run"},
-          {"report", file, "--methods", "tdibm-c", "-o", folder / "page"},
+          {"evaluate", file, "--methods", "tdibm-c", "--report", folder / "page"},
           {"report", folder / "store", "-o", folder / "page"},
           {"minimize", file, "--method", "tdibm-c"},
           {"triage", file, "-o", folder / "finds"},

@@ -58,7 +58,6 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"query", "x.json", "--precision", "-1"}, "-1"},
       {{"query", "x.json", "--precision", "nan"}, "nan"},
       {{"query", "x.json", "--max-pops", "0"}, "--max-pops"},
-      {{"query", "x.json", "--max-mb", "0"}, "--max-mb"},
       {{"query", "x.json", "--threads", "0"}, "--threads"},
       {{"query", "x.json", "--threads", "two"}, "two"},
       {{"generate"}, "required"},
