@@ -46,7 +46,12 @@ class Deadline {
     work_ += work;
     if (work_ < kWorkBetweenLooks) return false;
     work_ = 0;
-    return clock_() - start_ > seconds_;
+    return left() < 0;
+  }
+
+  /// Seconds that are left, negative if the time has passed. Reads the clock.
+  double left() const {
+    return is_limited() ? seconds_ - (clock_() - start_) : SearchOptions::kNoTimeLimit;
   }
 
  private:

@@ -128,6 +128,14 @@ TEST(TimeLimit, IsLookedAtOncePerPairOfLargePatches) {
   EXPECT_LE(answer.pops, 21U);
 }
 
+TEST(TimeLimit, EndsTheOraclesSearchesAndTrees) {
+  const Answer answer = ask_by_clock("oracle", parallel(Shape::tensor(8, 8), 0x1p-28), 20.5);
+  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
+  EXPECT_EQ(answer.note, "time budget exhausted");
+  EXPECT_LE(answer.pops, 25U);
+  EXPECT_LE(reads, 100) << "each search and each tree that is not begun any more reads a few times";
+}
+
 TEST(TimeLimit, CostsFewLooksWhereTestsAreQuick) {
   for (const char* spec : {"tdibm", "tdibm-c"}) {
     const Answer answer = ask_by_clock(spec, parallel(Shape::triangle(2), 0x1p-28), 1e9);

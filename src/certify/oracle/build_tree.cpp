@@ -61,8 +61,8 @@ bool for_each_candidate(const Skeleton& a, const Skeleton& b, const Visit& visit
 
 class Builder {
  public:
-  Builder(const Query& query, const Rational& until, std::uint64_t max_nodes)
-      : nodes_left_(max_nodes) {
+  Builder(const Query& query, const Rational& until, std::uint64_t max_nodes, Deadline* deadline)
+      : nodes_left_(max_nodes), deadline_(deadline) {
     Query horizon = query;
     horizon.t_max = round_up(until);
     normalise(horizon, query_);
@@ -170,6 +170,9 @@ class Builder {
 
   bool node(Pair pair) {
     if (nodes_left_ == 0 || pair.level > kMaxTreeDepth / 2) return false;
+    if (deadline_ != nullptr && deadline_->passed(trees_[0].count() + trees_[1].count())) {
+      return false;
+    }
     --nodes_left_;
     Cut cut;
     std::optional<TreeAxis> found;
@@ -239,6 +242,7 @@ class Builder {
   double until_ = 0;
   TreeBits bits_;
   std::uint64_t nodes_left_;
+  Deadline* deadline_;
 };
 
 }  // namespace
@@ -248,9 +252,9 @@ class Builder {
 namespace ccdfuzz {
 
 std::optional<std::string> build_miss_tree(const Query& query, const Rational& until,
-                                           std::uint64_t max_nodes) {
+                                           std::uint64_t max_nodes, Deadline* deadline) {
   const FpGuard guard;
-  return certified::Builder(query, until, max_nodes).run();
+  return certified::Builder(query, until, max_nodes, deadline).run();
 }
 
 }  // namespace ccdfuzz

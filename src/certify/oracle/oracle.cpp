@@ -7,6 +7,7 @@
 
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
+#include "ccd/search.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/linear/first_contact.hpp"
@@ -22,7 +23,10 @@ namespace {
 
 class Deciding {
  public:
-  Deciding(const Query& query, const OracleOptions& options) : query_(query), options_(options) {}
+  Deciding(const Query& query, const OracleOptions& options)
+      : query_(query),
+        options_(options),
+        deadline_(SearchOptions{.max_seconds = options.max_seconds, .clock = options.clock}) {}
 
   Decision run() {
     if (options_.known && options_.known->t <= exact(query_.t_max)) {
@@ -53,7 +57,8 @@ class Deciding {
     // A pair of cells costs the exact method about as much as a dozen cost the other.
     const bool is_exact = std::is_same_v<Method, TdibmRational>;
     const std::uint64_t pops = is_exact ? options_.max_pops / 12 : options_.max_pops;
-    const Answer answer = method.answer(query_, {precision, pops, options_.max_bytes});
+    const Answer answer = method.answer(
+        query_, {precision, pops, options_.max_bytes, deadline_.left(), options_.clock});
     out_.pops += answer.pops;
     if (answer.verdict != Verdict::kMiss && answer.toi) clear_ = std::max(clear_, *answer.toi);
     if (answer.verdict == Verdict::kUndecided) out_.note = answer.note;
@@ -106,7 +111,7 @@ class Deciding {
   }
 
   bool try_tree(const Rational& until, std::uint64_t max_nodes) {
-    std::optional<std::string> tree = build_miss_tree(query_, until, max_nodes);
+    std::optional<std::string> tree = build_miss_tree(query_, until, max_nodes, &deadline_);
     if (!tree) return false;
     out_.truth.clearance = MissTree{until, {}};
     out_.tree = *std::move(tree);
@@ -150,6 +155,7 @@ class Deciding {
 
   const Query& query_;
   const OracleOptions& options_;
+  Deadline deadline_;
   Decision out_;
   double clear_ = 0;  ///< the searches found no contact before
   bool missed_ = false;
@@ -180,6 +186,8 @@ Answer Oracle::answer(const Query& query, const SearchOptions& options) {
   OracleOptions limits;
   limits.max_pops = options.max_pops;
   limits.max_bytes = options.max_bytes;
+  limits.max_seconds = options.max_seconds;
+  limits.clock = options.clock;
   const Decision decision = decide(query, limits);
   Answer answer;
   answer.pops = decision.pops;

@@ -9,11 +9,15 @@
 
 namespace ccdfuzz {
 
-/// Limits of one decision. All are counts, so that a decision does not depend on the machine.
+/// Limits of one decision. All but max_seconds are counts, so that a decision without it does not
+/// depend on the machine.
 struct OracleOptions {
   std::uint64_t max_pops = 100'000;        ///< of each search
   std::uint64_t max_bytes = 256 << 20;     ///< of each search's queue
   std::uint64_t max_tree_nodes = 250'000;  ///< of a miss tree that decides; a quarter of others
+  /// Wall time of the searches and trees; what was found by then is checked and returned.
+  double max_seconds = SearchOptions::kNoTimeLimit;
+  double (*clock)() = nullptr;  ///< as of SearchOptions
   /// A contact that is known already.
   std::optional<Witness> known;
   /// A time up to which absence of contact is wanted, if it can be had: an earlier claim, say.
