@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -20,6 +21,7 @@
 #include "cli/terminal.hpp"
 #include "corpus/failure.hpp"
 #include "hunt/draw.hpp"
+#include "query/case_json.hpp"
 #include "query/shell_word.hpp"
 
 namespace ccdfuzz {
@@ -115,13 +117,27 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
       fmt::format("\n{} queries about {} cases in {:.1f} s; {:.1f} s of CPU time went into "
                   "making the cases\n",
                   query_count(report), report.cases, report.seconds, report.draw_cpu_seconds));
-  print_out(fmt::format("{} new counterexamples in {}{}\n", report.finds.size(), options.corpus,
-                        report.finds.empty() ? "" : ", each with the command that shows it:"));
-  for (const HuntFind& find : report.finds) {
-    const Origin& origin = find.value.origin;
-    print_out(fmt::format("{} {} {}: {}\n    {}\n", origin.contact, origin.kind, origin.generator,
-                          failures_text(find), reproduction(find.path, find.value.expect)));
-  }
+  const auto print_finds = [&](bool stored) {
+    for (const HuntFind& find : report.finds) {
+      if (find.path.empty() == stored) continue;
+      const Origin& origin = find.value.origin;
+      print_out(
+          fmt::format("{} {} {}: {}\n    {}\n", origin.contact, origin.kind, origin.generator,
+                      failures_text(find),
+                      stored ? reproduction(find.path, find.value.expect) : to_json(find.value)));
+    }
+  };
+  const auto unstored = static_cast<size_t>(std::ranges::count(report.finds, "", &HuntFind::path));
+  const size_t stored = report.finds.size() - unstored;
+  print_out(fmt::format("{} new counterexamples in {}{}\n", stored, options.corpus,
+                        stored == 0 ? "" : ", each with the command that shows it:"));
+  print_finds(true);
+  if (unstored == 0) return;
+  print_out(
+      fmt::format("{} new counterexamples could not be stored, each with the text of its "
+                  ".json file:\n",
+                  unstored));
+  print_finds(false);
 }
 
 void print_report_json(const HuntReport& report) {
@@ -133,16 +149,22 @@ void print_report_json(const HuntReport& report) {
       expect[method] = name_of(outcome);
       if (outcome == Outcome::kError) errors[method] = error_name(find.value, method);
     }
-    print_json({{"row", "find"},
-                {"path", find.path},
-                {"class", find.value.origin.contact},
-                {"kind", find.value.origin.kind},
-                {"generator", find.value.origin.generator},
-                {"failures", find.failures},
-                {"breaks_claim", find.breaks_claim},
-                {"expect", expect},
-                {"errors", errors},
-                {"reproduce", reproduction(find.path, find.value.expect)}});
+    nlohmann::ordered_json row = {{"row", "find"},
+                                  {"path", find.path},
+                                  {"class", find.value.origin.contact},
+                                  {"kind", find.value.origin.kind},
+                                  {"generator", find.value.origin.generator},
+                                  {"failures", find.failures},
+                                  {"breaks_claim", find.breaks_claim},
+                                  {"expect", expect},
+                                  {"errors", errors},
+                                  {"reproduce", reproduction(find.path, find.value.expect)}};
+    if (find.path.empty()) {
+      row["path"] = nullptr;
+      row.erase("reproduce");
+      row["case"] = nlohmann::ordered_json::parse(to_json(find.value));
+    }
+    print_json(row);
   }
   print_json({{"row", "summary"},
               {"queries", query_count(report)},
@@ -183,7 +205,9 @@ Result<void> write_hunt_page(const HuntReport& report, const HuntArguments& opti
   HuntRecord record{
       hunt_command(options),        options.corpus, report.seconds, report.cells, {}, course,
       plugins_among(course.methods)};
-  for (const HuntFind& find : report.finds) record.finds.push_back(find.path);
+  for (const HuntFind& find : report.finds) {
+    if (!find.path.empty()) record.finds.push_back(find.path);
+  }
   if (auto done = write_hunt_record(options.page, record); !done) return done;
   const Result<ReportPage> page = hunt_page(record);
   if (!page) return tl::unexpected(page.error());
@@ -230,10 +254,18 @@ Result<int> run_hunt(const HuntArguments& options) {
   const auto seconds = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
+  bool told = false;
   const HuntReport report = hunt(
       *parsed, *store,
       [&](const HuntProgress& p) {
         notes.note(seconds(), p);
+        if (p.trouble && !std::exchange(told, true)) {
+          progress.clear();
+          print_err(
+              fmt::format("ccdfuzz: {}: the hunt continues; it keeps its finds in memory and "
+                          "stores them as soon as it can\n",
+                          p.trouble->message()));
+        }
         progress.show(p.share, fmt::format("{} counterexamples", p.finds), p.queries, "queries");
       },
       interrupted);

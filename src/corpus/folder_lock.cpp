@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -22,6 +23,25 @@ Result<FolderLock> FolderLock::take(const std::string& folder) {
 
 FolderLock::~FolderLock() {
   if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+OpenFolder FolderLock::folder() const {
+  // Not a duplicate of the descriptor, which would hold the lock.
+  return OpenFolder(::openat(descriptor_, ".", O_PATH | O_DIRECTORY | O_CLOEXEC));
+}
+
+OpenFolder::~OpenFolder() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+std::pair<dev_t, ino_t> OpenFolder::inode() const {
+  struct stat info {};
+  if (::fstat(descriptor_, &info) != 0) return {};
+  return {info.st_dev, info.st_ino};
+}
+
+bool OpenFolder::operator==(const OpenFolder& other) const {
+  return inode() == other.inode();
 }
 
 }  // namespace ccdfuzz

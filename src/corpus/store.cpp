@@ -51,6 +51,8 @@ struct Store::State {
   std::string home;  ///< where entries are written; locked while that is done
   std::mutex mutex;
   StoreIndex index;
+  OpenFolder home_folder;
+  std::uint64_t times_replaced = 0;
 
   struct Plan {
     Added added = Added::kKnown;
@@ -59,6 +61,7 @@ struct Store::State {
     std::string old_path;  ///< where its query stands already; may be empty
   };
 
+  Result<FolderLock> enter();
   Result<Added> add(const Case& find);
   bool surely_known(const Case& find, const Rank& rank) const;
   Result<Plan> plan(const Case& find, const Rank& rank) const;
@@ -66,6 +69,21 @@ struct Store::State {
   Result<void> take_away(const std::string& path, const std::set<FailureKey>& keys);
   Result<void> tidy();
 };
+
+/// Locks the folder, which is made again if it was removed, and brings the index up to date.
+Result<FolderLock> Store::State::enter() {
+  std::error_code error;
+  fs::create_directories(home, error);
+  if (error) return system_error(home, "make the folder", error.value());
+  auto lock = FolderLock::take(home);
+  if (!lock) return lock;
+  if (OpenFolder now = lock->folder(); !(now == home_folder)) {
+    home_folder = std::move(now);
+    ++times_replaced;
+  }
+  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
+  return lock;
+}
 
 /// True if what is known already tells that nothing would be written: entries of other processes
 /// only ever make more finds superfluous.
@@ -136,9 +154,8 @@ Result<Store::Added> Store::State::add(const Case& find) {
   const Rank rank = {size_of(find.query), content_address(find.query)};
   const std::lock_guard one_at_a_time(mutex);
   if (surely_known(find, rank)) return Added::kKnown;
-  const auto lock = FolderLock::take(home);
+  const auto lock = enter();
   if (!lock) return tl::unexpected(lock.error());
-  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
 
   const auto todo = plan(find, rank);
   if (!todo) return tl::unexpected(todo.error());
@@ -168,9 +185,8 @@ Result<void> Store::State::take_away(const std::string& path, const std::set<Fai
 Result<void> Store::State::supersede(const Case& larger, const std::string& method,
                                      const Case& simpler) {
   const std::lock_guard one_at_a_time(mutex);
-  const auto lock = FolderLock::take(home);
+  const auto lock = enter();
   if (!lock) return tl::unexpected(lock.error());
-  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
   const std::string* old_path = index.find(content_address(larger.query));
   const std::string* path = index.find(content_address(simpler.query));
   if (old_path == nullptr || path == nullptr || *old_path == *path) return {};
@@ -218,6 +234,7 @@ Result<Store> Store::open(const std::string& folder) {
 
   const auto lock = FolderLock::take(state->home);
   if (!lock) return tl::unexpected(lock.error());
+  state->home_folder = lock->folder();
   remove_leftovers(state->home);
   // Whoever cannot write should learn it now, and not when the first find is to be kept.
   if (auto probe = OutputFile::create(state->home + "/.probe"); !probe) {
@@ -245,14 +262,20 @@ Result<void> Store::supersede(const Case& larger, const std::string& method, con
 
 Result<std::vector<NamedCase>> Store::load() const {
   const std::lock_guard one_at_a_time(state_->mutex);
-  const auto lock = FolderLock::take(state_->home);
+  const auto lock = state_->enter();
   if (!lock) return tl::unexpected(lock.error());
-  if (auto read = state_->index.refresh(state_->folder, state_->home); !read) {
-    return tl::unexpected(read.error());
-  }
   std::vector<NamedCase> entries;
   for (const auto& [path, entry] : state_->index.entries()) entries.push_back({path, entry.value});
   return entries;
+}
+
+const std::string& Store::folder() const {
+  return state_->folder;
+}
+
+std::uint64_t Store::times_replaced() const {
+  const std::lock_guard one_at_a_time(state_->mutex);
+  return state_->times_replaced;
 }
 
 }  // namespace ccdfuzz

@@ -40,10 +40,11 @@ class Store {
   Store& operator=(Store&&) noexcept;
   ~Store();
 
-  /// Adds a case with its expectations. A failure that a smaller entry stands for is dropped from
-  /// it; a case without failures is known by its address alone. Safe from several threads.
-  /// Errors: a refuted truth; a full disk or any other refusal of the system, after which the
-  /// entries so far stand; an origin.name that is no file name or names another case.
+  /// Adds a case with its expectations, and makes the folder again if it was removed. A failure
+  /// that a smaller entry stands for is dropped from it; a case without failures is known by its
+  /// address alone. Safe from several threads. Errors: a refuted truth; a full disk or any other
+  /// refusal of the system, after which the entries so far stand; an origin.name that is no file
+  /// name or names another case.
   Result<Added> add(const Case& find);
 
   /// Takes the failure of a method away from the entry of `larger`, and the entry if it then stands
@@ -52,8 +53,15 @@ class Store {
   /// Nothing happens to named entries, or where either is not there. Errors: as add.
   Result<void> supersede(const Case& larger, const std::string& method, const Case& simpler);
 
-  /// All entries, ordered by path; none is no error.
+  /// All entries, ordered by path; none is no error. Makes the folder again if it was removed.
   Result<std::vector<NamedCase>> load() const;
+
+  /// As Store::open was given it, in its normal spelling.
+  const std::string& folder() const;
+
+  /// How often the folder has turned out to be another one than before, as where it was removed
+  /// and made again: what was stored in the old one is not in it.
+  std::uint64_t times_replaced() const;
 
  private:
   struct State;

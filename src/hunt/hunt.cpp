@@ -7,6 +7,7 @@
 #include <exception>
 #include <mutex>
 #include <thread>
+#include <tuple>
 
 #include "eval/cpu_time.hpp"
 #include "eval/in_order.hpp"
@@ -89,14 +90,12 @@ class Hunt {
     }
     if (failure_) std::rethrow_exception(failure_);
     for (size_t c = 0; c < nurseries_.size(); ++c) count_bred(c);
-    if (!report_.error && !stop_) shrink();
-    if (!report_.error && !stop_) note(trophies_.complete(stop_));
-    Result<std::vector<HuntFind>> finds = trophies_.finds();
-    if (finds) {
-      report_.finds = std::move(*finds);
-    } else if (!report_.error) {
-      report_.error = finds.error();
-    }
+    if (!stop_) shrink();
+    Result<void> stored;
+    if (!stop_) stored = trophies_.complete(stop_);
+    if (const auto all = trophies_.store_all(); !all) stored = all;
+    if (!stored) report_.error = stored.error();
+    report_.finds = trophies_.finds();
     report_.seconds = elapsed();
     show(1);
     return std::move(report_);
@@ -107,19 +106,14 @@ class Hunt {
   void shrink() {
     const double until = options_.cases ? std::numeric_limits<double>::infinity()
                                         : elapsed() + std::max(options_.seconds, 20.0);
-    note(trophies_.shrink([this, until] { return stop_ || elapsed() > until; }));
+    // What cannot be stored now may be stored later, as it is.
+    std::ignore = trophies_.shrink([this, until] { return stop_ || elapsed() > until; });
   }
 
   size_t method_count() const { return options_.methods.size(); }
 
   double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-  void note(const Result<void>& result) {
-    if (result || report_.error) return;
-    report_.error = result.error();
-    ended_ = true;
   }
 
   /// What answers in another process costs what we wait for it.
@@ -149,16 +143,18 @@ class Hunt {
       const Judged& judged = turn.judged[q];
       cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].collides());
       if (judged.outcome != Outcome::kNotAsked) ++queries_;
-      if (is_failure(judged.outcome)) offer(cell.method, {drawn.asked[q].value(), judged});
+      if (is_failure(judged.outcome)) {
+        trophies_.offer(cell.method, drawn.asked[q].value(), judged);
+      }
     }
   }
 
   void offer(const std::string& method, const Found& found) {
-    if (!report_.error) note(trophies_.offer(method, found.asked, found.judged));
+    trophies_.offer(method, found.asked, found.judged);
   }
 
   void show(double share) const {
-    HuntProgress now{std::min(share, 1.0), queries_, 0, trophies_.count(), {}};
+    HuntProgress now{std::min(share, 1.0), queries_, 0, trophies_.count(), {}, trophies_.trouble()};
     now.margins.resize(method_count());
     for (size_t c = 0; c < report_.cells.size(); ++c) {
       const BreedTally& bred = report_.cells[c].bred;
@@ -364,7 +360,7 @@ class Hunt {
   HuntReport report_;
   std::uint64_t queries_ = 0;
   std::exception_ptr failure_;
-  std::atomic<bool> ended_ = false;  ///< the store or a worker failed, or stop was seen
+  std::atomic<bool> ended_ = false;  ///< a worker failed, or stop was seen
 };
 
 }  // namespace

@@ -44,9 +44,9 @@ struct HuntCell {
 /// True iff the outcome is a false negative and the method claims to have none.
 bool breaks_claim(const std::string& method, Outcome outcome);
 
-/// A counterexample that this hunt put into the store.
+/// A counterexample of this hunt.
 struct HuntFind {
-  std::string path;
+  std::string path;                   ///< empty if it could not be stored
   Case value;                         ///< as it stands in the store, with its expectations
   std::vector<std::string> failures;  ///< methods that are expected to fail on it
   bool breaks_claim = false;          ///< of one of them
@@ -58,7 +58,8 @@ struct HuntReport {
   std::uint64_t cases = 0;      ///< different draws
   double seconds = 0;
   double draw_cpu_seconds = 0;  ///< spent on making cases
-  /// The store failed: the hunt ended there, and what was stored before stands.
+  /// The store cannot be read or written at the end of the hunt. finds then holds all the same what
+  /// could not be stored.
   std::optional<InputError> error;
 };
 
@@ -70,6 +71,9 @@ struct HuntProgress {
   std::uint64_t finds = 0;
   /// Of each of HuntOptions::methods: BreedTally::margin over all classes.
   std::vector<std::optional<std::uint64_t>> margins;
+  /// What first went wrong with the store, if anything did. The hunt continues: it keeps its finds
+  /// in memory and stores them as soon as it can.
+  std::optional<InputError> trouble = {};
 };
 
 /// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds

@@ -3,6 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "eval/in_order.hpp"
 #include "hunt/expect_of_others.hpp"
@@ -29,27 +30,70 @@ bool breaks_claim(const std::string& method, Outcome outcome) {
   return info && info->claims_no_false_negative;
 }
 
-Result<void> Trophies::offer(const std::string& method, const Case& asked, const Judged& judged) {
+void Trophies::offer(const std::string& method, const Case& asked, const Judged& judged) {
   Case find = asked;
   find.expect = {{method, judged.outcome}};
   set_error_name(find, method, judged.error);
   const FailureKey key = failure_key(find, method, judged.outcome);
-  const Rank rank = {size_of(asked.query), content_address(asked.query)};
+  const std::pair rank(size_of(asked.query), content_address(asked.query));
   const std::lock_guard lock(mutex_);
-  const auto [known, is_first] = smallest_.emplace(key, rank);
-  if (!is_first && !(rank < known->second)) return {};
-  known->second = rank;
-  const Result<Store::Added> added = store_.add(find);
-  if (!added) return tl::unexpected(added.error());
-  if (*added != Store::Added::kKnown) added_.insert(rank.second);
+  const auto [known, is_first] = smallest_.try_emplace(key);
+  if (!is_first && !(rank < known->second.rank)) return;
+  known->second = {rank, std::move(find), false};
+  std::ignore = store_kept();
+}
+
+Result<void> Trophies::store_all() {
+  const std::lock_guard lock(mutex_);
+  // Notices a folder that was replaced.
+  if (const auto loaded = store_.load(); !loaded) return noted(tl::unexpected(loaded.error()));
+  return store_kept();
+}
+
+Result<void> Trophies::store_kept() {
+  Result<void> stored;
+  constexpr int kPasses = 2;  // in the first the folder may turn out to have been replaced
+  for (int pass = 0; stored && pass < kPasses; ++pass) {
+    notice_replacement();
+    for (auto& [key, smallest] : smallest_) {
+      if (smallest.stored) continue;
+      const Result<Store::Added> added = store_.add(smallest.find);
+      if (!added) {
+        stored = tl::unexpected(added.error());
+        break;
+      }
+      smallest.stored = true;
+      if (*added != Store::Added::kKnown) added_.insert(smallest.rank.second);
+    }
+  }
+  notice_replacement();
   standing_ = standing();
-  return {};
+  return noted(stored);
+}
+
+/// What was stored in a folder that is gone is kept only here.
+void Trophies::notice_replacement() {
+  const std::uint64_t times = store_.times_replaced();
+  if (std::exchange(times_replaced_, times) == times) return;
+  for (auto& [key, smallest] : smallest_) smallest.stored = false;
+  std::ignore = noted(input_error(store_.folder(), "was removed"));
+}
+
+Result<void> Trophies::noted(Result<void> result) {
+  if (!result && !trouble_) trouble_ = result.error();
+  return result;
+}
+
+std::optional<InputError> Trophies::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return trouble_;
 }
 
 size_t Trophies::standing() const {
   std::set<std::string> addresses;
-  for (const auto& [key, rank] : smallest_) {
-    if (added_.contains(rank.second)) addresses.insert(rank.second);
+  for (const auto& [key, smallest] : smallest_) {
+    const std::string& address = smallest.rank.second;
+    if (!smallest.stored || added_.contains(address)) addresses.insert(address);
   }
   return addresses.size();
 }
@@ -98,8 +142,8 @@ Result<void> Trophies::shrink(const std::function<bool()>& stop) {
       },
       [&](const Case& smaller) {
         const Task& task = tasks[done++];
-        stored = stored.and_then([&] { return offer(task.method, smaller, task.failure); })
-                     .and_then([&] { return store_.supersede(*task.found, task.method, smaller); });
+        offer(task.method, smaller, task.failure);
+        if (stored) stored = store_.supersede(*task.found, task.method, smaller);
         if (!stored || stop()) ended = true;
       },
       &ended);
@@ -133,19 +177,29 @@ Result<void> Trophies::complete(const std::atomic<bool>& stop) {
   return stored;
 }
 
-Result<std::vector<HuntFind>> Trophies::finds() const {
-  Result<std::vector<NamedCase>> entries = store_.load();
-  if (!entries) return tl::unexpected(entries.error());
+std::vector<HuntFind> Trophies::finds() const {
+  const std::lock_guard lock(mutex_);
   std::vector<HuntFind> finds;
-  for (NamedCase& entry : *entries) {
-    if (!added_.contains(address_of(entry))) continue;
-    HuntFind find{entry.id, std::move(entry.value), {}, false};
+  const auto add = [&](std::string path, Case value) {
+    HuntFind find{std::move(path), std::move(value), {}, false};
     for (const auto& [method, outcome] : find.value.expect) {
       if (!is_failure(outcome)) continue;
       find.failures.push_back(method);
       find.breaks_claim = find.breaks_claim || breaks_claim(method, outcome);
     }
     finds.push_back(std::move(find));
+  };
+  Result<std::vector<NamedCase>> entries = store_.load();
+  if (entries) {
+    for (NamedCase& entry : *entries) {
+      if (added_.contains(address_of(entry))) add(entry.id, std::move(entry.value));
+    }
+  }
+  for (const auto& [key, smallest] : smallest_) {
+    const bool is_there = entries && smallest.stored;
+    if (!is_there && (!smallest.stored || added_.contains(smallest.rank.second))) {
+      add("", smallest.find);
+    }
   }
   std::ranges::sort(finds, {}, [](const HuntFind& f) {
     return std::pair(contact_class_named(f.value.origin.contact).value_or(ContactClass::kVV),

@@ -1,0 +1,109 @@
+// The folder of a hunt's finds is removed or cannot be written while it runs.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+
+std::set<std::string> entries_in(const std::string& folder) {
+  std::set<std::string> names;
+  std::error_code vanished;
+  for (fs::directory_iterator it(folder, vanished), end; !vanished && it != end;
+       it.increment(vanished)) {
+    const std::string name = it->path().filename();
+    if (name.ends_with(".json") && !name.starts_with('.')) names.insert(name);
+  }
+  return names;
+}
+
+size_t count_of(const std::string& text, const std::string& part) {
+  size_t count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+/// A long hunt that has stored something. Plain TDIBM fails on the first draws.
+class LostFolder : public testing::Test {
+ protected:
+  LostFolder() { wait_for_an_entry(); }
+
+  void wait_for_an_entry() {
+    while (entries_in(finds_).empty() && !hunt_.is_over()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
+
+  Finished end() {
+    hunt_.signal(SIGINT);
+    return hunt_.wait();
+  }
+
+  /// The finds of the folder, and under which name it is kept from the hunt.
+  ScratchFolder folder_;
+  const std::string finds_ = folder_ / "finds", away_ = folder_ / "away";
+  Process hunt_{
+      {"hunt", "--corpus", finds_, "--seconds", "600", "--methods", "tdibm", "--max-pops", "20"}};
+};
+
+TEST_F(LostFolder, IsMadeAgainWithAllFinds) {
+  fs::rename(finds_, away_);
+  wait_for_an_entry();
+  const Finished finished = end();
+  EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
+  EXPECT_EQ(count_of(finished.err, "the hunt continues"), 1U) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr(finds_)) << finished.err;
+  EXPECT_EQ(count_of(finished.out, "\n    "), entries_in(finds_).size()) << finished.out;
+  EXPECT_FALSE(entries_in(finds_).empty());
+  // An entry may have been replaced by a smaller one since.
+  const Finished merged = ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(entries_in(folder_ / "merged"), entries_in(finds_));
+  const Finished replayed = ccdfuzz({"replay", finds_});
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+}
+
+TEST_F(LostFolder, IsWrittenOnceItCanBe) {
+  fs::rename(finds_, away_);
+  write_text(finds_, "no folder");
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  EXPECT_FALSE(hunt_.is_over());
+  fs::remove(finds_);
+  const Finished finished = end();
+  EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
+  const Finished merged = ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"});
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(entries_in(folder_ / "merged"), entries_in(finds_));
+}
+
+TEST_F(LostFolder, ThatStaysLostIsAnErrorAfterTheSummaryAndTheCases) {
+  fs::rename(finds_, away_);
+  write_text(finds_, "no folder");
+  const Finished finished = end();
+  EXPECT_EQ(finished.code, 2) << finished.err;
+  EXPECT_EQ(count_of(finished.err, "the hunt continues"), 1U) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("ccdfuzz: " + finds_));
+  EXPECT_THAT(finished.out, HasSubstr("FN missed"));
+  EXPECT_THAT(finished.out, HasSubstr("could not be stored"));
+  EXPECT_EQ(read_text(finds_), "no folder");
+  // The cases are on standard output instead.
+  std::istringstream lines(finished.out);
+  size_t cases = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("    {")) continue;
+    write_text(folder_ / fmt::format("away/unstored-{}.json", cases++), line);
+  }
+  EXPECT_GT(cases, 0U) << finished.out;
+  EXPECT_EQ(ccdfuzz({"replay", away_}).code, 0);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
