@@ -4,8 +4,6 @@
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/export_gltf.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "query/output_file.hpp"
 #include "query/query_csv.hpp"
@@ -19,7 +17,6 @@ struct ExportArguments {
   std::vector<std::string> files;
   std::string output;
   std::string as = "csv";
-  std::string times;
   bool round = false;
 };
 
@@ -57,26 +54,7 @@ Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t
   return rows;
 }
 
-Result<int> run_export_gltf(const ExportArguments& options) {
-  std::vector<double> times;
-  if (!options.times.empty()) {
-    Result<std::vector<double>> parsed = parse_numbers("--times", options.times);
-    if (!parsed) return tl::unexpected(parsed.error());
-    times = std::move(*parsed);
-  }
-  const Result<std::vector<std::string>> written =
-      export_gltf(options.files, times, options.output);
-  if (!written) return tl::unexpected(written.error());
-  for (const std::string& path : *written) print_out(path + "\n");
-  return kDone;
-}
-
 Result<int> run_export(const ExportArguments& options) {
-  if (options.as == "gltf") return run_export_gltf(options);
-  if (!options.times.empty()) {
-    return input_error("--times",
-                       fmt::format("does not apply to --as {}, only to gltf", options.as));
-  }
   if (options.as != "csv") return export_tests(options);
   Result<OutputFile> out = OutputFile::create(options.output);
   if (!out) return tl::unexpected(out.error());
@@ -114,18 +92,14 @@ Result<int> run_export(const ExportArguments& options) {
 
 void add_export(CommandLine& line) {
   auto [command, options] = line.add<ExportArguments>(
-      "export", "Write cases as a query CSV, as tests of a plug-in or as glTF", run_export);
+      "export", "Write cases as a query CSV or as tests of a plug-in", run_export);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("-o,--output", options->output, "File to write").required();
   command
-      .text(
-          "--as", options->as,
-          "csv: 8 rows a linear query, 24 a curved one. gtest, catch2: a C++ file with a test a "
-          "case, which needs ccdfuzz_plugin.h and the plug-in to link with. gltf: what Blender and "
-          "others show, one .gltf a case")
-      .one_of({"csv", "gtest", "catch2", "gltf"});
-  command.text("--times", options->times,
-               "Of glTF: show the patches at these times; without, an animation of the whole step");
+      .text("--as", options->as,
+            "csv: 8 rows a linear query, 24 a curved one. gtest, catch2: a C++ file with a test a "
+            "case, which needs ccdfuzz_plugin.h and the plug-in to link with")
+      .one_of({"csv", "gtest", "catch2"});
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
 }

@@ -9,6 +9,9 @@
 
 namespace ccdfuzz {
 
+namespace {
+
+/// The bytes in base64 (RFC 4648).
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -25,6 +28,8 @@ std::string base64(std::string_view bytes) {
   }
   return out;
 }
+
+}  // namespace
 
 std::string gzip_base64(std::string_view bytes) {
   constexpr int kGzip = 16 + MAX_WBITS, kDefaultMemory = 8;

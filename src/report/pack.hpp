@@ -5,9 +5,6 @@
 
 namespace ccdfuzz {
 
-/// The bytes in base64 (RFC 4648).
-std::string base64(std::string_view bytes);
-
 /// The bytes compressed as gzip (RFC 1952), the same for the same bytes, in base64 (RFC 4648).
 std::string gzip_base64(std::string_view bytes);
 

@@ -101,12 +101,6 @@ TEST(OddNames, ReachNoTerminalRaw) {
   }
 }
 
-TEST(OddOptions, TimesOfWhatHasNoneAreRefused) {
-  const Finished finished = ccdfuzz({"export", "x.json", "--times", "nan", "-o", "e.csv"});
-  EXPECT_EQ(finished.code, 2);
-  EXPECT_THAT(finished.err, HasSubstr("--times: does not apply to --as csv"));
-}
-
 TEST(OddOptions, AnEmptyNameIsRefusedByItsOption) {
   const std::vector<std::vector<std::string>> commands = {{"prove", "x.json"},  {"merge", "x.json"},
                                                           {"import", "x.csv"},  {"triage", "x"},

@@ -69,12 +69,15 @@ export function copyButton(label, text) {
   return button;
 }
 
-/** A button that saves text as a file. */
-export function saveButton(label, name, text, type = 'text/csv') {
+/** "corpus/a.json" → "a", "b.jsonl.zst:12" → "b-12": where a case is, as the name of a file. */
+export const fileName = (id) => id.replace(/^.*\//, '').replace(/\.jsonl?(\.zst)?(:|$)/, '$2').replace(/[^\w.-]+/g, '-');
+
+/** A button that saves content(), text or bytes or a promise of them, as a file. */
+export function saveButton(label, name, content, type = 'text/csv') {
   return h('button.copy', {
     type: 'button',
-    onclick: () => {
-      const link = h('a', { href: URL.createObjectURL(new Blob([text()], { type })), download: name });
+    onclick: async () => {
+      const link = h('a', { href: URL.createObjectURL(new Blob([await content()], { type })), download: name });
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 1000);
     },

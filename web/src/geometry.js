@@ -1,4 +1,5 @@
 // Where the eye is, and how large what it sees is.
+import { fractionOf, subtract, toNumber, ulpOf } from './exact.js';
 import { cellCorners, partOf } from './local.js';
 
 /** The cell of a level that holds the centre, the lowest one if several do. */
@@ -25,6 +26,18 @@ export const relativeSpeed = ([a, b]) => Math.hypot(...a.terms[0].v.map((x, k) =
 export function cellOfPatch(patch, level, cell, uv) {
   const corners = cellCorners(patch.shape, cell, level, uv);
   return { corners, controls: partOf(patch, corners) };
+}
+
+/** What is in sight at magnification `zoom`: of each patch the part in the cell cellOf(side, zoom), the
+ * largest of their coordinates, and the times before and after the centre's that stay in sight. */
+export function pictureOf({ patches, uv, t }, tMax, zoom, cellOf) {
+  const parts = patches.map((patch, s) => ({ patch, ...cellOfPatch(patch, zoom, cellOf(s, zoom), uv[s]) }));
+  const scale = Math.max(...parts.map(({ controls }) => largest(controls))) || 1;
+  const speed = relativeSpeed(patches);
+  const reach = zoom === 0 || !(speed > 0) ? Infinity : (0.6 * scale) / speed;
+  const lo = Math.max(-toNumber(t), -reach);
+  const hi = Math.min(toNumber(subtract(fractionOf(tMax), t)), reach);
+  return { parts, scale, range: hi > lo ? [lo, hi] : [lo, lo + (ulpOf(toNumber(t)) || 1)] };
 }
 
 export function unit(axis) {

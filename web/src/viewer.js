@@ -1,8 +1,9 @@
 // One case to watch: patches in 3-D, time, the boxes along the trace, and the exact numbers.
 import { details } from './data.js';
-import { copyButton, h, scientific } from './dom.js';
+import { copyButton, fileName, h, saveButton, scientific } from './dom.js';
 import { toNumber, ulpOf, fractionOf, subtract } from './exact.js';
-import { cellAt, cellOfPatch, largest, relativeSpeed, unit } from './geometry.js';
+import { cellAt, cellOfPatch, largest, pictureOf, relativeSpeed, unit } from './geometry.js';
+import { gltfText } from './gltf.js';
 import { centreOf, localPatches, real, shapeOf } from './local.js';
 import { numbersTable } from './numbers.js';
 import { bands, ladder } from './timeline.js';
@@ -153,20 +154,17 @@ export class Viewer {
     this.zoomLevel = zoom;
     this.zoom.value = zoom;
     const { patches, uv } = this.local;
-    const parts = patches.map((patch, s) => {
-      const cellOf = (level) => this.cellsOf(level)?.[s] ?? cellAt(patch.shape, uv[s], level);
+    const cellOf = (s, level) => this.cellsOf(level)?.[s] ?? cellAt(patches[s].shape, uv[s], level);
+    this.picture = pictureOf(this.local, this.tMax, zoom, cellOf);
+    const { scale } = this.picture;
+    this.range = this.picture.range;
+    const parts = this.picture.parts.map((part, s) => {
       const boxes = [];
       for (let level = Math.min(this.level, Math.max(0, zoom - 1)); level <= this.level; ++level) {
-        boxes.push({ ...cellOfPatch(patch, level, cellOf(level), uv[s]), faint: level !== this.level });
+        boxes.push({ ...cellOfPatch(patches[s], level, cellOf(s, level), uv[s]), faint: level !== this.level });
       }
-      return { patch, ...cellOfPatch(patch, zoom, cellOf(zoom), uv[s]), boxes };
+      return { ...part, boxes };
     });
-    const scale = Math.max(...parts.map(({ controls }) => largest(controls))) || 1;
-    const speed = relativeSpeed(patches);
-    const reach = zoom === 0 || !(speed > 0) ? Infinity : (0.6 * scale) / speed;
-    const most = toNumber(subtract(fractionOf(this.tMax), this.centre.t));
-    this.range = [Math.max(-this.tStar, -reach), Math.min(most, reach)];
-    if (!(this.range[1] > this.range[0])) this.range = [this.range[0], this.range[0] + (ulpOf(this.tStar) || 1)];
     const loss = this.traceOf(this.method)?.loss;
     const step = this.step();
     this.axis = loss?.level === this.level && loss.direction ? loss.direction : step?.[6] ?? null;
@@ -179,7 +177,6 @@ export class Viewer {
       witness: this.centre.witness,
       boxDt: Math.max(this.range[0], step ? step[1][0] : this.range[0]),
     });
-    this.scale = scale;
     this.zoomText.textContent = zoom === 0 ? 'whole patches' : `1 : 2^${zoom}`;
     this.scaleText.textContent = `${scientific(scale, 2)} across`;
     this.track.replaceChildren(...bands({
@@ -276,6 +273,7 @@ export class Viewer {
       copyButton('Copy case (JSON)', () => JSON.stringify(this.case)),
       copyButton('Copy command', () => command),
       copyButton('Copy GoogleTest', () => this.details.gtest),
+      saveButton('Save glTF', `${fileName(this.row.id)}.gltf`, () => gltfText(this.centre, this.local.origin, this.picture), 'model/gltf+json'),
       h('code.command', command));
   }
 }

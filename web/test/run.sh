@@ -1,5 +1,5 @@
 #!/bin/sh
-# run.sh bundle | page CCDFUZZ WORK [SCREENSHOTS]: the tests that need Node, with what npm installs.
+# run.sh bundle | gltf WORK | page CCDFUZZ WORK [SCREENSHOTS]: the tests that need Node, with what npm installs.
 # Ends with 77, which ctest shows as skipped, where a tool is absent.
 set -eu
 web=$(cd "$(dirname "$0")/.." && pwd)
@@ -25,6 +25,7 @@ flock -u 9
 
 case $1 in
   bundle) exec node "$web/build.mjs" --check ;;
+  gltf) exec node "$web/test/gltf.mjs" "$web/../corpus/regressions" "$2" ;;
   page)
     shift
     command -v chromium >/dev/null || command -v chromium-browser >/dev/null ||

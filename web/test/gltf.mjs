@@ -1,0 +1,128 @@
+// Cases as glTF: node gltf.mjs CORPUS WORK. Runs the script on cases of every shape, has Khronos' validator
+// look at what it writes, and checks shapes and motion. Prints a line a claim; exits with 1 if any does not hold.
+import { validateBytes } from 'gltf-validator';
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { grid, netEdges } from '../src/patch_view.js';
+
+const [corpus, work] = process.argv.slice(2);
+const script = join(dirname(fileURLToPath(import.meta.url)), '..', 'gltf.mjs');
+
+let failures = 0;
+function claim(what, holds, ...operands) {
+  console.log(`${holds ? 'ok' : 'FAILED'}: ${what}${holds ? '' : ` (${operands.map((o) => JSON.stringify(o)).join(', ')})`}`);
+  if (!holds) ++failures;
+}
+
+rmSync(work, { recursive: true, force: true });
+mkdirSync(work, { recursive: true });
+const run = (...args) => spawnSync(process.execPath, [script, ...args], { encoding: 'utf8' });
+function written(known, name) {
+  const path = join(work, `${name}.json`);
+  writeFileSync(path, JSON.stringify(known));
+  const { status, stderr } = run(path, '-o', join(work, `${name}.gltf`));
+  if (status !== 0) throw new Error(`${name}: ${stderr}`);
+  return JSON.parse(readFileSync(join(work, `${name}.gltf`), 'utf8'));
+}
+
+// Two counterexamples, and without a contact every pair of shapes, one of them without an extent.
+const cases = readdirSync(corpus).filter((f) => f.endsWith('.json')).sort().slice(0, 2)
+  .map((file) => JSON.parse(readFileSync(join(corpus, file), 'utf8')));
+const wave = (count, seed) => Array.from({ length: count }, (_, i) => [0, 1, 2].map((k) => Math.sin(seed + 5 * i + k)));
+const shapes = [[{ shape: 'point' }, 1], [{ shape: 'curve', degree: 3 }, 4], [{ shape: 'triangle', degree: 2 }, 6],
+  [{ shape: 'tensor', degree: [2, 1] }, 6]].map(([shape, count], s) => ({ ...shape, positions: wave(count, s), velocities: wave(count, s + 9) }));
+const still = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
+shapes.push({ shape: 'triangle', degree: 1, positions: still, velocities: still });
+for (const one of shapes) {
+  for (const two of shapes) cases.push({ format: 'ccdfuzz-case', version: 1, t_max: '0x1p-1', patches: [one, two], truth: { collides: null } });
+}
+const complaints = [];
+let number = 0;
+for (const known of cases) {
+  const name = `case-${++number}`;
+  const gltf = written(known, name);
+  const { issues } = await validateBytes(new Uint8Array(readFileSync(join(work, `${name}.gltf`))));
+  complaints.push(...issues.messages.filter((m) => m.severity < 2).map((m) => `${name}: ${m.code} ${m.pointer}`));
+  const moving = gltf.animations[0].channels.map((c) => c.target.node).sort((a, b) => a - b);
+  const meshes = gltf.nodes.flatMap((node, at) => (node.mesh === undefined ? [] : [at]));
+  if (JSON.stringify(moving) !== JSON.stringify(meshes)) complaints.push(`${name}: meshes that do not move`);
+}
+claim(`the validator has no complaint of ${number} cases`, complaints.length === 0, number, complaints.slice(0, 5));
+
+/** A triangle that rises by `size` a second, and a point above its corner that rests; they touch at t = 1. */
+const rising = (size) => ({
+  format: 'ccdfuzz-case', version: 1, t_max: 2,
+  patches: [
+    { shape: 'triangle', degree: 1, positions: [[0, 0, 0], [0, size, 0], [size, 0, 0]], velocities: [[0, 0, size], [0, 0, size], [0, 0, size]] },
+    { shape: 'point', positions: [[0, 0, size]], velocities: [[0, 0, 0]] },
+  ],
+  truth: { collides: true, witness: { t: '1', uv: [['0', '0'], ['0', '0']] } },
+});
+/** Bounds of the first mesh of that name at the begin, and of how much its points move. */
+function bounds(gltf, name) {
+  const [primitive] = gltf.meshes[gltf.nodes.find((n) => n.name === name).mesh].primitives;
+  return [primitive.attributes, primitive.targets[0]].map(({ POSITION: at }) => [gltf.accessors[at].min, gltf.accessors[at].max]);
+}
+const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+{
+  const gltf = written(rising(1), 'rising');
+  // Seen from the contact, which moves along with the mean of both velocities.
+  const [begin, motion] = bounds(gltf, 'patch 1');
+  claim('a patch begins where it is relative to the contact', same(begin, [[0, 0, -0.5], [1, 1, -0.5]]), begin);
+  claim('a patch moves as far as it does within the step', same(motion, [[0, 0, 1], [0, 0, 1]]), motion);
+  claim('the other one comes from the other side', same(bounds(gltf, 'patch 2')[0], [[0, 0, 0.5], [0, 0, 0.5]]));
+  claim('the contact has a node', gltf.nodes.some((n) => n.name === 'contact'));
+  const { extras } = gltf.scenes[0];
+  claim('extras say where, when and how large', same(extras, { origin: [0, 0, 1], unit: 1, t: 1, times: [-1, 1] }), extras);
+}
+for (const exponent of [-1060, -500, 500, 1020]) {
+  const gltf = written(rising(2 ** exponent), `size${exponent}`);
+  const [begin] = bounds(gltf, 'patch 1');
+  claim(`2^${exponent} is brought into single precision by a power of two`,
+    gltf.scenes[0].extras.unit === 2 ** exponent && same(begin, [[0, 0, -0.5], [1, 1, -0.5]]), gltf.scenes[0].extras, begin);
+}
+
+// What is no case ends with 2, says what and where, and leaves no file.
+const bad = { ...rising(1) };
+for (const [change, said] of [
+  [{ format: 'x' }, 'format is not "ccdfuzz-case"'],
+  [{ t_max: -1 }, 't_max is not a positive number'],
+  [{ patches: [] }, 'patches: there are not two'],
+  [{ patches: [{ ...bad.patches[0], shape: 'sphere' }, bad.patches[1]] }, 'patches[0].shape is none of'],
+  [{ patches: [{ ...bad.patches[0], degree: 1e9 }, bad.patches[1]] }, 'patches[0].degree is not from 0 to 8'],
+  [{ patches: [{ ...bad.patches[0], degree: 2 }, bad.patches[1]] }, 'patches[0].positions does not have as many rows'],
+  [{ patches: [bad.patches[0], { ...bad.patches[1], velocities: [[0, 'x', 0]] }] }, 'patches[1].velocities has a row'],
+  [{ truth: { witness: { t: 'x', uv: [['0', '0'], ['0', '0']] } } }, 'BigInt'],
+]) {
+  const path = join(work, 'bad.json');
+  writeFileSync(path, JSON.stringify({ ...bad, ...change }));
+  const { status, stderr } = run(path, '-o', join(work, 'bad.gltf'));
+  claim(`refused: ${said}`, status === 2 && stderr.startsWith(`gltf.mjs: ${path}: `) && stderr.includes(said) && !existsSync(join(work, 'bad.gltf')), status, stderr);
+}
+claim('refused: no case named', run('-o', join(work, 'bad.gltf')).status === 2);
+claim('refused: no such file', run(join(work, 'nothing.json'), '-o', join(work, 'bad.gltf')).status === 2);
+
+// Surfaces and nets of both the page and the files.
+for (const [kind, area] of [['triangle', 0.5], ['tensor', 1]]) {
+  const { at, faces } = grid({ kind });
+  let sum = 0;
+  let least = Infinity;
+  for (let i = 0; i < faces.length; i += 3) {
+    const [p, q, r] = faces.slice(i, i + 3).map((v) => at[v]);
+    const twice = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    least = Math.min(least, twice);
+    sum += twice / 2;
+  }
+  claim(`the triangles of a ${kind} cover its domain once`, least > 0 && Math.abs(sum - area) < 1e-12, least, sum);
+}
+for (const [shape, lines] of [
+  [{ kind: 'triangle', n: 1, m: 0 }, 3], [{ kind: 'triangle', n: 2, m: 0 }, 9], [{ kind: 'tensor', n: 2, m: 1 }, 7],
+  [{ kind: 'curve', n: 3, m: 0 }, 3], [{ kind: 'point', n: 0, m: 0 }, 0],
+]) {
+  claim(`a net has its lines: ${shape.kind} ${shape.n}, ${shape.m}`, netEdges(shape).length === 2 * lines, netEdges(shape));
+}
+
+console.log(failures === 0 ? 'all as claimed' : `${failures} claims do not hold`);
+process.exit(failures === 0 ? 0 : 1);
