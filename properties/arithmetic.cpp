@@ -41,14 +41,15 @@ Check check_rational_rounding(ChoiceSource& choices) {
   return Check::holds();
 }
 
-Integer to_integer(const WideInt<192>& x) {
+template <int Bits>
+Integer to_integer(const WideInt<Bits>& x) {
   Integer sum = 0;
-  for (int i = 2; i >= 0; --i) {
+  for (int i = Bits / 64; i-- > 0;) {
     sum <<= 64;
     sum += Integer(fmt::format("{}", x.limb(i)));
   }
   Integer half = 1;
-  half <<= 191;
+  half <<= Bits - 1;
   return sum >= half ? Integer(sum - 2 * half) : sum;
 }
 
@@ -69,8 +70,16 @@ Check check_wide_int(ChoiceSource& choices) {
     }
     if (operation == 3 && mpz_sizeinbase(expected.get_mpz_t(), 2) < 120) sum <<= 9, expected <<= 9;
   }
-  if (to_integer(sum) == expected && sum.sign() == sgn(expected)) return Check::holds();
-  return Check::fails("0" + steps);
+  if (to_integer(sum) != expected || sum.sign() != sgn(expected)) return Check::fails("0" + steps);
+  const std::int64_t x = choices.integer(-(std::int64_t{1} << 61), std::int64_t{1} << 61);
+  const WideInt<128> factor = WideInt<128>(x) << static_cast<int>(choices.choose(65));
+  const auto product = factor * sum;
+  if (to_integer(product) != to_integer(factor) * expected) {
+    return Check::fails(fmt::format("0{} times {}", steps, to_integer(factor).get_str()));
+  }
+  const Rational off = abs(exact(product.approximate()) - Rational(to_integer(product)));
+  if (off * power_of_two(52) <= abs(to_integer(product))) return Check::holds();
+  return Check::fails(fmt::format("about {}", to_integer(product).get_str()));
 }
 
 /// Integers of bounded length agree with GMP, also where they grow and shrink by many limbs.

@@ -10,6 +10,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "numeric/double_parts.hpp"
+#include "properties/draw_grazing.hpp"
 #include "properties/draw_linear.hpp"
 #include "query/case_json.hpp"
 
@@ -90,11 +91,11 @@ Check linear_answer_is_exact(const Query& query, const SearchOptions& options) {
 
 namespace {
 
-/// A degenerate query, then made different by as little as 2^-60 of its size, or with a coordinate
-/// of another scale than the others.
-Check check_linear_exact(ChoiceSource& choices) {
+/// A degenerate query, made different by as little as 2^-60 of its size, or with a coordinate of
+/// another scale than the others.
+Result<Query> draw_nearly_degenerate(ChoiceSource& choices) {
   Result<Query> drawn = draw_linear(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
+  if (!drawn) return drawn;
   double size = 0;
   for (const MovingPatch<double>& patch : drawn->patches) {
     for (const Vec3<double>& p : patch.positions) size = std::max(size, p.cwiseAbs().maxCoeff());
@@ -118,6 +119,13 @@ Check check_linear_exact(ChoiceSource& choices) {
       }
     }
   }
+  return drawn;
+}
+
+Check check_linear_exact(ChoiceSource& choices) {
+  const Result<Query> drawn =
+      choices.choose(2) == 2 ? draw_grazing(choices) : draw_nearly_degenerate(choices);
+  if (!drawn) return Check::discarded(drawn.error().message());
   if (most_places(*drawn) > 254) return Check::discarded("numbers of too many binary places");
   const SearchOptions options{.precision = choices.pick(std::array{1e-4, 1e-1, 1e-12})};
   return linear_answer_is_exact(*drawn, options);
@@ -156,8 +164,8 @@ std::vector<Property> linear_properties() {
          return check_linear_answer("tdibm-c", c, kFine);
        }},
       {"tdibm-c.linear_decided_exactly",
-       "Degenerate linear queries, and near ones, are decided exactly, at a time within the "
-       "precision",
+       "Degenerate linear queries, near ones and ones that graze are decided exactly, at a time "
+       "within the precision",
        "src/ccd/certified/DERIVATION.md", kHolds, check_linear_exact},
   };
 }

@@ -97,6 +97,8 @@ class BoundedInt {
     return r;
   }
 
+  friend BoundedInt operator*(const BoundedInt& a, std::int64_t b) { return a * BoundedInt(b); }
+
   /// Requires shift ≥ 0.
   friend BoundedInt operator<<(const BoundedInt& a, int shift) {
     BoundedInt r;

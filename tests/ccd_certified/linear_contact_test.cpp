@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ccd/certified/short_contact.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "generators/random.hpp"
@@ -93,6 +94,46 @@ TEST(LinearContact, DecidesAtObliquePlanes) {
   }
   EXPECT_GT(hits, total / 20);
   EXPECT_LT(hits, total - total / 20);
+}
+
+/// Two edges or a point and a face about the origin, at `bits` bits a number.
+Query about_origin(Random& random, int bits) {
+  const bool edges = random.coin();
+  Query query;
+  for (std::size_t s = 0; s < 2; ++s) {
+    query.patches[s].shape = edges ? Shape::curve(1) : s == 0 ? Shape::point() : Shape::triangle(1);
+    for (int i = 0; i < query.patches[s].shape.control_count(); ++i) {
+      for (Points<double>* points : {&query.patches[s].positions, &query.patches[s].velocities}) {
+        Vec3<double> p;
+        for (int k = 0; k < 3; ++k) {
+          p[k] =
+              std::ldexp(static_cast<double>(random.between(-(1LL << bits), 1LL << bits)), -bits);
+        }
+        points->push_back(p);
+      }
+    }
+  }
+  query.t_max = random.pick(std::array{1.0, 0.7, 2.0});
+  return query;
+}
+
+// Level 45 is too fine for short integers.
+TEST(LinearContact, IsTheSameInShortAndLongIntegers) {
+  Random random = Random::keyed({41});
+  int is_short = 0, hits = 0, total = 0;
+  for (std::size_t i = 0; i < 6000 / kOneIn; ++i, ++total) {
+    const Query query = about_origin(random, random.pick(std::array{1, 2, 3, 20, 53}));
+    const LinearContact coarse = first_linear_contact(query, 44),
+                        fine = first_linear_contact(query, 45);
+    ASSERT_EQ(coarse.kind, fine.kind) << to_json({query, {}, {}, {}});
+    ASSERT_LE(coarse.toi, fine.toi) << to_json({query, {}, {}, {}});
+    ASSERT_LE(fine.toi - coarse.toi, 0x1p-43 * query.t_max) << to_json({query, {}, {}, {}});
+    is_short += short_contact(query).has_value();
+    hits += coarse.kind == Kind::kProven;
+  }
+  EXPECT_GT(is_short, total / 2);
+  EXPECT_LT(is_short, total);
+  EXPECT_GT(hits, total / 20);
 }
 
 // p(t) = (t − ½, ε), q(t) = (s·ε, t − ½) about the origin: collinear with it where (t − ½)² = s·ε²,

@@ -67,6 +67,24 @@ void agrees_with_gmp() {
   RC_ASSERT(a.sign() == sgn(x));
 }
 
+template <int Bits, int Others>
+void product_is_gmp() {
+  const WideInt<Bits> a = any_wide<Bits>();
+  const WideInt<Others> b = any_wide<Others>();
+  const Integer x = to_integer(a), y = to_integer(b), product = to_integer(a * b);
+  RC_LOG() << "a = " << x << "\nb = " << y << "\n";
+  RC_ASSERT(product == x * y);
+  RC_ASSERT(to_integer(WideInt<Bits + Others>(a)) == x);
+  const Rational off = abs(exact((a * b).approximate()) - Rational(product));
+  RC_ASSERT(off * power_of_two(52) <= Rational(abs(product)));
+}
+
+RC_GTEST_PROP(WideInt, ProductsOfAnyLengthsAreExact, ()) {
+  product_is_gmp<128, 128>();
+  product_is_gmp<128, 256>();
+  product_is_gmp<256, 128>();
+}
+
 RC_GTEST_PROP(WideInt, AgreesWithGmpModulo2To128, ()) {
   agrees_with_gmp<128>();
 }

@@ -8,6 +8,7 @@
 
 #include "ccd/certified/moment.hpp"
 #include "ccd/certified/moving_polygon.hpp"
+#include "ccd/certified/short_contact.hpp"
 #include "ccd/next_double.hpp"
 
 namespace ccdfuzz::certified {
@@ -15,9 +16,18 @@ namespace ccdfuzz::certified {
 namespace {
 
 using Kind = LinearContact::Kind;
+using LongPolygon = MovingPolygon<LongIntegers>;
 
 /// Halvings after which a polynomial is asked for a repeated root, which no halving parts.
 constexpr int kLevelsBeforeGcd = 6;
+
+/// No more than a share of t_max, of which `share` is a quotient of approximations.
+double time_below(double share, double t_max) {
+  // Two approximations, 2^-52 each, a quotient and two products: less than 2^-50 in all. A root is
+  // 2^-774 at least, and the last product alone may underflow, which one double covers.
+  const double product = share * (1 - 0x1p-50) * t_max;
+  return product > 0 ? next_down(product) : 0;
+}
 
 enum class Touch : std::uint8_t { kNo, kYes, kOpen };
 
@@ -35,7 +45,7 @@ struct SignCount {
 
 class ContactSearch {
  public:
-  ContactSearch(MovingPolygon& polygon, double t_max, int level)
+  ContactSearch(LongPolygon& polygon, double t_max, int level)
       : polygon_(polygon), t_max_(t_max), level_(level) {}
 
   LinearContact run() {
@@ -74,7 +84,7 @@ class ContactSearch {
   bool try_moment(Moment& t);
   void keep(Kind kind, const TimeRatio& lower_bound);
 
-  MovingPolygon& polygon_;
+  LongPolygon& polygon_;
   const double t_max_;
   const int level_;
   LinearContact best_{Kind::kNone, 0};
@@ -85,7 +95,7 @@ class ContactSearch {
 template <class Of>
 SignCount ContactSearch::count_signs(Moment& t, bool quick, const Of& of) const {
   SignCount count;
-  std::array<bool, MovingPolygon::kMostCorners> open{};
+  std::array<bool, LongPolygon::kMostCorners> open{};
   for (std::size_t i = 0; i < polygon_.corners(); ++i) {
     const std::optional<int> sign = t.quick_sign_of(of(i));
     open[i] = !sign;
@@ -125,11 +135,8 @@ Touch ContactSearch::touches(Moment& t) const {
 
 void ContactSearch::keep(Kind kind, const TimeRatio& lower_bound) {
   const Int::Approximation num = lower_bound.num.approximate(), den = lower_bound.den.approximate();
-  // Two approximations, 2^-52 each, a quotient and two products: less than 2^-50 in all. A root is
-  // 2^-774 at least, and the last product alone may underflow, which one double covers.
   const double share = std::ldexp(num.mantissa / den.mantissa, num.exponent - den.exponent);
-  const double product = share * (1 - 0x1p-50) * t_max_;
-  const double toi = product > 0 ? next_down(product) : 0;
+  const double toi = time_below(share, t_max_);
   if (best_.kind == Kind::kNone || toi < best_.toi) best_ = {kind, toi};
 }
 
@@ -152,13 +159,13 @@ bool ContactSearch::try_ratio(const Int& c0, const Int& c1) {
 /// common divisor with its derivative.
 void ContactSearch::try_ratios(const TimePolynomial& p, const TimePolynomial& repeated) {
   if (repeated.degree() == 2) {  // a constant times (t − root)²
-    try_ratio(repeated[1], repeated[2] * Int(2));
+    try_ratio(repeated[1], repeated[2] * 2);
     return;
   }
   try_ratio(repeated[0], repeated[1]);
   // The other root, as the sum of all is −p2/p3.
   if (p.degree() == 3) {
-    try_ratio(p[2] * repeated[1] - p[3] * repeated[0] * Int(2), p[3] * repeated[1]);
+    try_ratio(p[2] * repeated[1] - p[3] * repeated[0] * 2, p[3] * repeated[1]);
   }
 }
 
@@ -216,7 +223,13 @@ void ContactSearch::try_roots(const TimePolynomial& p) {
 }  // namespace
 
 LinearContact first_linear_contact(const Query& query, int level) {
-  MovingPolygon polygon;
+  if (level <= kShortLevel) {
+    if (const auto answer = short_contact(query)) {
+      if (!answer->touch) return {Kind::kNone, 0};
+      return {Kind::kProven, time_below(answer->share, query.t_max)};
+    }
+  }
+  LongPolygon polygon;
   if (!polygon.begin(query)) return {};
   return ContactSearch(polygon, query.t_max, level).run();
 }

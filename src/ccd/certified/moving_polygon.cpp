@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "ccd/certified/short_polynomial.hpp"
+#include "ccd/certified/time_polynomial.hpp"
 #include "numeric/double_parts.hpp"
 
 namespace ccdfuzz::certified {
 
-bool MovingPolygon::begin(const Query& query) {
+template <class Integers>
+bool MovingPolygon<Integers>::begin(const Query& query) {
   const int a = query.patches[0].shape.control_count() - 1;
   const int b = query.patches[1].shape.control_count() - 1;
   if (a == 1 && b == 1) {
@@ -23,7 +26,8 @@ bool MovingPolygon::begin(const Query& query) {
 }
 
 /// The numbers of coordinate k as multiples of the largest power of two that divides all of them.
-bool MovingPolygon::make_coordinate(const Query& query, std::size_t k) {
+template <class Integers>
+bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k) {
   const DoubleParts step = parts_of(query.t_max);
   std::array<std::array<DoubleParts, 3>, 2> position, velocity;
   int least = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::min();
@@ -42,23 +46,26 @@ bool MovingPolygon::make_coordinate(const Query& query, std::size_t k) {
       note(velocity[s][i], step.exponent, step.top());
     }
   }
-  if (top >= least && top - least >= kMostBits) return false;
-  const Int factor(step.mantissa);
+  if (top >= least && top - least >= Integers::kBits) return false;
+  const std::int64_t factor = step.mantissa;
   for (std::size_t c = 0; c < corners_; ++c) {
-    Int start, way;
+    Int start(0), way(0);
     for (std::size_t s = 0; s < 2; ++s) {
       const auto i = static_cast<std::size_t>(places_[c][s]);
       const DoubleParts &p = position[s][i], &v = velocity[s][i];
-      const Int at = p.mantissa == 0 ? Int() : Int(p.mantissa) << (p.exponent - least);
+      const Int at = p.mantissa == 0 ? Int(0) : Int(p.mantissa) << (p.exponent - least);
       const Int moves = v.mantissa == 0
-                            ? Int()
+                            ? Int(0)
                             : Int(v.mantissa) * factor << (v.exponent + step.exponent - least);
       start = s == 0 ? at : start - at;
       way = s == 0 ? moves : way - moves;
     }
-    corner_[c][k] = TimePolynomial(start, way);
+    corner_[c][k] = Corner(start, way);
   }
   return true;
 }
+
+template class MovingPolygon<LongIntegers>;
+template class MovingPolygon<ShortIntegers>;
 
 }  // namespace ccdfuzz::certified

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "ccd/certified/guess_root.hpp"
+
 namespace ccdfuzz::certified {
 
 void TimePolynomial::trim(int degree) {
@@ -40,7 +42,7 @@ TimePolynomial operator*(const TimePolynomial& a, const TimePolynomial& b) {
 
 TimePolynomial TimePolynomial::derivative() const {
   TimePolynomial r;
-  for (int i = 1; i <= degree_; ++i) r.c_[static_cast<std::size_t>(i - 1)] = (*this)[i] * Int(i);
+  for (int i = 1; i <= degree_; ++i) r.c_[static_cast<std::size_t>(i - 1)] = (*this)[i] * i;
   r.trim(degree_ - 1);
   return r;
 }
@@ -92,7 +94,6 @@ SignsOnPart TimePolynomial::signs_on(const TimePart& part) const {
 }
 
 double TimePolynomial::guess_root(const TimePart& part) const {
-  constexpr int kSteps = 12;
   const Coefficients exact = on(part);
   std::array<Int::Approximation, 4> parts{};
   int top = 0;
@@ -104,18 +105,7 @@ double TimePolynomial::guess_root(const TimePart& part) const {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     c[i] = std::ldexp(parts[i].mantissa, parts[i].exponent - top);
   }
-  const auto value = [&c](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
-  // Newton's steps, halving where they leave the interval.
-  const bool rises = value(1) > 0;
-  double lo = 0, hi = 1, x = 0.5;
-  for (int i = 0; i < kSteps; ++i) {
-    const double y = value(x);
-    ((y < 0) == rises ? lo : hi) = x;
-    const double next = x - y / (c[1] + x * (2 * c[2] + x * 3 * c[3]));
-    const double before = std::exchange(x, lo < next && next < hi ? next : 0.5 * (lo + hi));
-    if (std::abs(x - before) <= 0x1p-52) break;
-  }
-  return std::min(x, 1 - 0x1p-53);
+  return certified::guess_root(c);
 }
 
 /// Each step takes the leading term away from lc(b)·p.

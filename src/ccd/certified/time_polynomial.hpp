@@ -70,6 +70,15 @@ class TimePolynomial {
   int degree_ = -1;  ///< all coefficients above are 0
 };
 
+/// What MovingPolygon is made of, for numbers of any length.
+struct LongIntegers {
+  static constexpr int kBits = kMostBits;
+  using Int = certified::Int;
+  using Corner = TimePolynomial;
+  using Cross = TimePolynomial;
+  using Determinant = TimePolynomial;
+};
+
 /// The greatest common divisor of two polynomials, not both 0, up to a constant factor.
 TimePolynomial gcd(TimePolynomial a, TimePolynomial b);
 

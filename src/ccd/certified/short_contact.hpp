@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+#include "query/query.hpp"
+
+namespace ccdfuzz::certified {
+
+/// What short integers tell of a linear query.
+struct ShortAnswer {
+  bool touch;        ///< the patches touch at some t in [0, t_max]
+  double share = 0;  ///< touching: as LinearContact::toi, of t_max and not yet rounded down
+};
+
+/// Parts of the time step that short integers look at, as a power of two.
+inline constexpr int kShortLevel = 44;
+
+/// Decides most linear queries in integers of fixed length, and signs that are clear in doubles of
+/// these (DERIVATION.md, 7, L10). Nothing where numbers have more than 124 binary places, or a time
+/// of contact is not inside of the time step, not the only root of the determinant there, or one at
+/// which signs are 0 or not told. Requires finite numbers, t_max ≥ 0 and can_advance.
+std::optional<ShortAnswer> short_contact(const Query& query);
+
+}  // namespace ccdfuzz::certified
