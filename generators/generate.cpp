@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "generators/elsewhere.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/grazing.hpp"
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
+#include "generators/planted.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/stress.hpp"
 #include "numeric/verify.hpp"
@@ -47,6 +49,7 @@ constexpr std::array<FamilyWords, kFamilies.size()> kFamilyWords = {{
     {"mixed-scales", "one much smaller than the other, coordinates of different sizes"},
     {"far-away", "as far from the origin as the bits allow"},
     {"concurrent-lines", "all control points pass through one point at one time, or nearly"},
+    {"anywhere", "contacts of these families and others in any scale and place; some witness only"},
 }};
 
 }  // namespace
@@ -162,13 +165,33 @@ tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, cons
   return finalize(*scene, *query, options.kind, clear);
 }
 
+/// One attempt at a case of the family kAnywhere.
+tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const Dyadic& eps_t,
+                                          Random& random) {
+  const auto between = [&](int lo, int hi) { return static_cast<int>(random.between(lo, hi)); };
+  if (!options.shapes && random.coin()) {
+    return elsewhere(planted_case(options.contact, random), between);
+  }
+  GeneratorOptions base = options;
+  base.construction = Construction::kOneSided;
+  do {
+    base.family = random.pick(kFamilies);
+  } while (base.family == Family::kAnywhere || !validate(base));
+  const auto attempt = is_shaped(base) ? shaped_case : quadratic_case;
+  return attempt(base, eps_t, random).map([&](const Case& made) {
+    return elsewhere(made, between);
+  });
+}
+
 }  // namespace
 
 Generated generate(const GeneratorOptions& options, std::uint64_t index) {
   CCDFUZZ_VERIFY(validate(options));
   Random random = stream_of(options, index);
   const Dyadic eps_t(1, eps_t_exponent(options));
-  const auto attempt = is_shaped(options) ? shaped_case : quadratic_case;
+  const auto attempt = options.family == Family::kAnywhere ? case_anywhere
+                       : is_shaped(options)                ? shaped_case
+                                                           : quadratic_case;
   Generated out;
   for (;;) {
     CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);

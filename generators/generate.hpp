@@ -68,13 +68,16 @@ enum class Family : std::uint8_t {
   /// All control points pass through one point at one time, exactly or but for a few ulps, so that
   /// the lines they make on every axis cross in one point.
   kConcurrentLines,
+  /// A contact of any of these families, or a planted one (planted.hpp), in other coordinates
+  /// (elsewhere.hpp): in all scales and places. Of the time before it says what that one does.
+  kAnywhere,
 };
 inline constexpr std::array kFamilies = {
-    Family::kRegular,     Family::kFlatGrazing,  Family::kCommonVelocity, Family::kScaled,
-    Family::kTwins,       Family::kInteriorTime, Family::kAtStart,        Family::kResting,
-    Family::kSliding,     Family::kSharedEdge,   Family::kRuled,          Family::kSeveral,
-    Family::kArea,        Family::kDegenerate,   Family::kSliver,         Family::kHighCurvature,
-    Family::kMixedScales, Family::kFarAway,      Family::kConcurrentLines};
+    Family::kRegular,     Family::kFlatGrazing,  Family::kCommonVelocity,  Family::kScaled,
+    Family::kTwins,       Family::kInteriorTime, Family::kAtStart,         Family::kResting,
+    Family::kSliding,     Family::kSharedEdge,   Family::kRuled,           Family::kSeveral,
+    Family::kArea,        Family::kDegenerate,   Family::kSliver,          Family::kHighCurvature,
+    Family::kMixedScales, Family::kFarAway,      Family::kConcurrentLines, Family::kAnywhere};
 std::string_view name_of(Family family);
 /// In a few words, without a full stop.
 std::string_view description_of(Family family);

@@ -129,7 +129,7 @@ bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind) {
   if (kind == CaseKind::kRP) return true;
   if (family == Family::kSeveral && contact == kFF) return false;
   return family != Family::kAtStart && family != Family::kResting && family != Family::kSliding &&
-         family != Family::kFlatGrazing;
+         family != Family::kFlatGrazing && family != Family::kAnywhere;
 }
 
 Result<void> validate_shaped(const GeneratorOptions& options) {

@@ -1,0 +1,59 @@
+#include "generators/elsewhere.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "generators/similar.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The exponent e of the patches' size, 2^(e-1) to 2^e; 0 if both are one point.
+int size_exponent(const Query& query) {
+  double size = 0;
+  const Vec3<double>& first = query.patches[0].positions[0];
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(p[k] - first[k]));
+    }
+  }
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return exponent;
+}
+
+/// The case with a vector of short numbers as `part`: of up to 2^40 times its size, or of as much
+/// as its bits allow.
+Case moved(const Case& base, int size, Vec3<double> Similarity::*part, const Between& between) {
+  constexpr int kFarthest = 40, kStep = 5, kBits = 4, kMost = (1 << kBits) - 1;
+  if (between(0, 1) == 0) return base;
+  const int farthest = between(0, kFarthest);
+  Vec3<double> numbers;
+  for (int k = 0; k < 3; ++k) numbers[k] = between(-kMost, kMost);
+  for (int e = farthest; e >= 0; e -= kStep) {
+    Similarity change;
+    for (int k = 0; k < 3; ++k) (change.*part)[k] = std::ldexp(numbers[k], size + e - kBits);
+    if (auto out = similar(base, change)) return *std::move(out);
+  }
+  return base;
+}
+
+/// The case in other units of length, three times of four, and of time, one time of four.
+Case rescaled(const Case& base, const Between& between) {
+  Similarity change;
+  if (between(0, 3) != 0) change.space = between(-1000, 900);
+  if (between(0, 3) == 3) change.time = between(-100, 100);
+  auto out = similar(base, change);
+  return out ? *std::move(out) : base;
+}
+
+}  // namespace
+
+Case elsewhere(const Case& base, const Between& between) {
+  const int size = size_exponent(base.query);
+  const Case shifted = moved(base, size, &Similarity::shift, between);
+  return rescaled(moved(shifted, size, &Similarity::drift, between), between);
+}
+
+}  // namespace ccdfuzz
