@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "generators/elsewhere.hpp"
 #include "properties/draw_patch.hpp"
 
 namespace ccdfuzz {
@@ -150,7 +151,9 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
   drawn.query.t_max =
       choices.pick(std::array{t_contact, t_contact + 0x1p-30, t_contact + 0.5, 2.0});
   drawn.origin.generator = "draw_contact";
-  return drawn;
+  if (!range.elsewhere || !choices.coin()) return drawn;
+  return elsewhere(drawn,
+                   [&](int lo, int hi) { return static_cast<int>(choices.integer(lo, hi)); });
 }
 
 double draw_double_near(ChoiceSource& choices, const Rational& near) {

@@ -15,6 +15,8 @@ struct ContactRange {
   int coordinate_bits = 5;  ///< of a control point's place relative to the contact; at most 40
   /// The contact comes up to 7·2^-43 before or after the time that it would come at else.
   bool off_grid = false;
+  /// True: half of the contacts are put into other coordinates (generators/elsewhere.hpp).
+  bool elsewhere = false;
 };
 
 /// Two moving patches of any of the four shapes that touch in an exact witness:

@@ -247,11 +247,14 @@ Check check_generated_clearance(ChoiceSource& choices) {
       fmt::format("{}: contact by {}\n{}", text_of(options), to_text(*contact), to_json(made)));
 }
 
+constexpr ContactRange kAnywhere{
+    .lowest = -1000, .highest = 900, .max_degree = 5, .elsewhere = true};
+
 /// Drawn and planted contacts are contacts.
 Check check_other_contacts(ChoiceSource& choices) {
   Case made;
   if (choices.coin()) {
-    const Result<Case> drawn = draw_contact(choices, {-1000, 900, 5});
+    const Result<Case> drawn = draw_contact(choices, kAnywhere);
     if (!drawn) return Check::discarded(drawn.error().message());
     made = *drawn;
   } else {
