@@ -4,10 +4,8 @@
 #include "ccd/witness_trace/trace.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "cli/trace_generated.hpp"
 #include "cli/trace_row.hpp"
 #include "eval/by_spec.hpp"
 #include "eval/in_order.hpp"
@@ -23,9 +21,6 @@ struct TraceArguments {
   int threads = 1;
   bool all = false;
   bool json = false;
-  std::uint64_t generate = 0;  ///< 0: cases from files
-  std::uint64_t seed = 0, first = 0;
-  std::string output;
 };
 
 /// How each case is traced. Errors: a case without a witness within its step, naming it.
@@ -53,21 +48,6 @@ Result<int> run_trace(const TraceArguments& options) {
   for (const std::string& method : *methods) {  // a plug-in has no tracer
     if (const auto tracer = make_tracer(method); !tracer) return tl::unexpected(tracer.error());
   }
-  const Result<SearchOptions> search = options.search.parse();
-  if (!search) return tl::unexpected(search.error());
-  if (options.generate > 0) {
-    if (const auto room = check_room(options.first, options.generate, "cases"); !room) {
-      return tl::unexpected(room.error());
-    }
-    return trace_generated_cases({*methods,
-                                  options.seed,
-                                  options.first,
-                                  options.generate,
-                                  {search->precision, options.all},
-                                  options.threads},
-                                 options.output, options.json);
-  }
-  if (options.files.empty()) return input_error("", "no case to trace: name files or --generate");
   const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
   if (!cases) return tl::unexpected(cases.error());
   const Result<std::vector<TraceOptions>> how = trace_options(options, *cases);
@@ -108,20 +88,7 @@ Result<int> run_trace(const TraceArguments& options) {
 void add_trace(CommandLine& line) {
   auto [command, options] = line.add<TraceArguments>(
       "trace", "Follow the witness of cases through the inclusion tests of methods", run_trace);
-  const Option files =
-      command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst");
-  Option generate = command.whole("--generate", options->generate,
-                                  "Instead of files: this many cases of all contact classes, in "
-                                  "many scales and places; exit code 1 if a method that claims to "
-                                  "have no false negative loses a witness",
-                                  1);
-  generate.excludes(files).without_default();
-  command.whole("--seed", options->seed, "Seed of generated cases").needs(generate);
-  command.whole("--first", options->first, "Number of the first generated case").needs(generate);
-  command
-      .text("-o,--output", options->output,
-            "File for the generated cases whose witness was lost: .jsonl or .jsonl.zst")
-      .needs(generate);
+  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("--methods", options->methods, "Methods to trace, separated by commas");
   options->search.add_precision_to(command);
   command.flag("--all", options->all,

@@ -2,14 +2,30 @@
 
 #include <fmt/format.h>
 
+#include "eval/horizons.hpp"
+#include "generators/generate.hpp"
+
 namespace ccdfuzz {
 
 namespace {
 
 constexpr int kMutants = 4;  // of each method, an execution
-/// Where contacts are traced, so many of a block are asked: a query takes as long as many traces.
+/// Where contacts are traced, one in so many is asked: a query takes as long as many traces.
 constexpr std::uint64_t kOneAskedIn = 4;
+/// One in so many is bred, the first of those that are of one class.
 constexpr std::uint64_t kOneBredIn = 8;
+
+/// A contact in any scale and place, asked up to it or past it.
+Case contact_anywhere(std::uint64_t seed, std::uint64_t index) {
+  const std::uint64_t round = index / kOneBredIn;
+  GeneratorOptions options;
+  options.family = Family::kAnywhere;
+  options.contact = kContactClasses[round % kContactClasses.size()];
+  options.seed = seed;
+  const Case known = generate(options, index).value;
+  const double factor = kHorizonFactors[round / kContactClasses.size() % kHorizonFactors.size()];
+  return at_horizon(known, factor).value_or(known);
+}
 
 }  // namespace
 
@@ -36,13 +52,11 @@ std::string HuntDriver::operator()(std::uint64_t index) {
 }
 
 std::string HuntDriver::generate(std::uint64_t index) {
-  const std::uint64_t place = index % kTracedBlock;
-  if (place == 0) block_ = traced_block(seed_, index / kTracedBlock);
-  const Case& known = block_.cases[place];
+  const Case known = contact_anywhere(seed_, index);
   Look look = parts_.look;
-  if (look.traces && place % kOneAskedIn != 0) look.asks = false;
+  if (look.traces && index % kOneAskedIn != 0) look.asks = false;
   std::string found = lost_contact(known, look, tracers_);
-  if (!found.empty() || place % kOneBredIn != 0) return found;
+  if (!found.empty() || index % kOneBredIn != 0) return found;
   for (Breeder& breeder : breeders_) breeder.add(known, tracers_);
   return found;
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "hunt/breeder.hpp"
-#include "hunt/traced_cases.hpp"
 #include "sound.hpp"
 
 namespace ccdfuzz {
@@ -29,7 +28,6 @@ class HuntDriver {
 
   std::uint64_t seed_;
   HuntParts parts_;
-  TracedBlock block_;
   MethodSet methods_;
   TracerSet tracers_;
   std::vector<Breeder> breeders_;
