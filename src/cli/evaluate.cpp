@@ -77,7 +77,9 @@ Journal::Header evaluation_header(const EvaluateOptions& options,
           {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
           {"--precision", fmt::format("{}", search.precision)},
           {"--max-pops", fmt::format("{}", search.max_pops)},
-          {"--max-seconds", fmt::format("{}", search.max_seconds)},
+          {"--max-seconds", search.max_seconds < SearchOptions::kNoTimeLimit
+                                ? fmt::format("{}", search.max_seconds)
+                                : "none"},
           {"--shard", fmt::format("{}/{}", options.shard.index, options.shard.of)}};
 }
 
