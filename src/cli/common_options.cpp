@@ -138,40 +138,23 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
   return Shard{*index, *of};
 }
 
-namespace {
-
-Result<std::vector<NamedCase>> read_all_by(
-    Result<std::vector<NamedCase>> (*read)(const std::string& path),
-    const std::vector<std::string>& paths) {
-  std::vector<NamedCase> all;
-  for (const std::string& path : paths) {
-    Result<std::vector<NamedCase>> cases = read(path);
-    if (!cases) return cases;
-    all.insert(all.end(), std::make_move_iterator(cases->begin()),
-               std::make_move_iterator(cases->end()));
-  }
-  return all;
+void WordCount::add(const Case& value) {
+  ++cases;
+  if (value.truth.collides == false && !value.truth.clearance) ++by_word;
 }
 
-}  // namespace
-
-Result<std::vector<NamedCase>> read_all(const std::vector<std::string>& paths) {
-  return read_all_by(read_cases, paths);
-}
-
-Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths) {
-  return read_all_by(read_checked_cases, paths);
-}
-
-void note_words(const std::vector<NamedCase>& cases, const char* command) {
-  const auto by_word = std::ranges::count_if(cases, [](const NamedCase& named) {
-    return named.value.truth.collides == false && !named.value.truth.clearance;
-  });
+void WordCount::note(const char* command) const {
   if (by_word == 0) return;
   print_err(fmt::format(
       "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their outcome is "
       "unknown (`ccdfuzz prove` gives proofs)\n",
-      command, by_word, cases.size()));
+      command, by_word, cases));
+}
+
+void note_words(const std::vector<NamedCase>& cases, const char* command) {
+  WordCount count;
+  for (const NamedCase& named : cases) count.add(named.value);
+  count.note(command);
 }
 
 }  // namespace ccdfuzz

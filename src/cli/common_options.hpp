@@ -76,13 +76,14 @@ Result<Enum> parse_choice(const std::string& where, const std::string& text,
   return input_error(where, fmt::format("\"{}\" is not one of {}", text, names));
 }
 
-/// The cases of several files, in the order given, not checked. Errors: of the first bad file.
-Result<std::vector<NamedCase>> read_all(const std::vector<std::string>& paths);
+/// Counts cases, and how many of them rest on the word of a method, by which nothing is judged.
+struct WordCount {
+  std::uint64_t cases = 0, by_word = 0;
 
-/// Says on stderr how many of the cases rest on the word of a method, by which nothing is judged.
+  void add(const Case& value);
+  /// Says so on stderr, if any does.
+  void note(const char* command) const;
+};
 void note_words(const std::vector<NamedCase>& cases, const char* command);
-
-/// The checked cases of several files, in the order given. Errors: of the first bad file.
-Result<std::vector<NamedCase>> read_all_checked(const std::vector<std::string>& paths);
 
 }  // namespace ccdfuzz

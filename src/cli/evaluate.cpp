@@ -215,7 +215,7 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
     return run_evaluate_linear(options.linear, *parsed, options.json, options.page);
   }
   if (options.files.empty()) return input_error("dataset", "is required");
-  const Result<std::vector<NamedCase>> cases = read_all(options.files);
+  const Result<std::vector<NamedCase>> cases = read_cases(options.files);
   if (!cases) return tl::unexpected(cases.error());
   const Result<Shard> shard = parse_shard(options.shard, cases->size(), "cases");
   if (!shard) return tl::unexpected(shard.error());

@@ -21,13 +21,20 @@ struct ExportArguments {
 };
 
 Result<int> export_tests(const ExportArguments& options) {
-  const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
-  if (!cases) return tl::unexpected(cases.error());
   const auto framework =
       options.as == "gtest" ? TestFramework::kGoogleTest : TestFramework::kCatch2;
-  const auto written = write_file(options.output, test_snippet(*cases, framework));
-  if (!written) return tl::unexpected(written.error());
-  print_out(fmt::format("{} tests\n", cases->size()));
+  Result<OutputFile> out = OutputFile::create(options.output);
+  if (!out) return tl::unexpected(out.error());
+  std::uint64_t count = 0;
+  const auto done = out->write(test_preamble(framework))
+                        .and_then([&] {
+                          return for_each_checked_case(options.files, [&](const NamedCase& named) {
+                            return out->write(test_snippet(named, ++count, framework));
+                          });
+                        })
+                        .and_then([&] { return out->commit(); });
+  if (!done) return tl::unexpected(done.error());
+  print_out(fmt::format("{} tests\n", count));
   return kDone;
 }
 
@@ -60,27 +67,25 @@ Result<int> run_export(const ExportArguments& options) {
   if (!out) return tl::unexpected(out.error());
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
-  for (const std::string& path : options.files) {
-    const auto visited = for_each_case(path, [&](const NamedCase& named) -> Result<void> {
-      if (auto checked = check_case(named); !checked) return tl::unexpected(checked.error());
-      const auto own = csv_layout_of(named.value.query);
-      if (!own) {
-        return input_error(named.id,
-                           "is neither edge-edge nor vertex-face of degree 1 nor two "
-                           "triangles of degree 2");
-      }
-      if (layout && *layout != *own) {
-        return input_error(named.id, fmt::format("is {}, but the file holds {} so far",
-                                                 name_of(*own), name_of(*layout)));
-      }
-      layout = own;
-      return exported_rows(named, options.round, rounded).and_then([&](const CsvQuery& rows) {
-        ++count;
-        return out->write(to_csv(rows));
+  const auto visited =
+      for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+        const auto own = csv_layout_of(named.value.query);
+        if (!own) {
+          return input_error(named.id,
+                             "is neither edge-edge nor vertex-face of degree 1 nor two "
+                             "triangles of degree 2");
+        }
+        if (layout && *layout != *own) {
+          return input_error(named.id, fmt::format("is {}, but the file holds {} so far",
+                                                   name_of(*own), name_of(*layout)));
+        }
+        layout = own;
+        return exported_rows(named, options.round, rounded).and_then([&](const CsvQuery& rows) {
+          ++count;
+          return out->write(to_csv(rows));
+        });
       });
-    });
-    if (!visited) return tl::unexpected(visited.error());
-  }
+  if (!visited) return tl::unexpected(visited.error());
   if (auto done = out->commit(); !done) return tl::unexpected(done.error());
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);

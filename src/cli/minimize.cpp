@@ -32,12 +32,9 @@ std::string size_text(const Query& query) {
 }
 
 Result<int> run_minimize(const MinimizeArguments& options) {
-  const Result<std::vector<NamedCase>> cases = read_all({options.file});
-  if (!cases) return tl::unexpected(cases.error());
-  if (cases->size() != 1) {
-    return input_error(options.file, fmt::format("holds {} cases, not one", cases->size()));
-  }
-  const NamedCase& found = cases->front();
+  const Result<NamedCase> only = read_case(options.file);
+  if (!only) return tl::unexpected(only.error());
+  const NamedCase& found = *only;
   const Result<SearchOptions> search = options.search.parse_for(found);
   if (!search) return tl::unexpected(search.error());
   const auto expected = found.value.expect.find(options.method);

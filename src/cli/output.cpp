@@ -37,6 +37,14 @@ void print_next_rows(Table& table) {
   write_out(table.next_text(wants_colour(stdout)));
 }
 
+void print_full_rows(Table& table) {
+  write_out(table.take_text(wants_colour(stdout), 1000));
+}
+
+void print_last_rows(Table& table) {
+  write_out(table.take_text(wants_colour(stdout), 0));
+}
+
 void print_err(const std::string& text) {
   const std::string shown = shown_lines(text);
   std::fwrite(shown.data(), 1, shown.size(), stderr);

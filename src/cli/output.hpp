@@ -18,6 +18,12 @@ void print_out(const std::string& text);
 void print_table(const Table& table);
 void print_next_rows(Table& table);
 
+/// For a table of any length: prints its rows so far and forgets them, once there are 1,000, so
+/// that columns are as wide as 1,000 rows need.
+void print_full_rows(Table& table);
+/// The rest of its rows.
+void print_last_rows(Table& table);
+
 /// Writes text to stderr, control characters shown. Where that fails there is nobody to tell.
 void print_err(const std::string& text);
 

@@ -8,7 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "eval/in_order.hpp"
+#include "eval/stream_cases.hpp"
 #include "eval/table.hpp"
 #include "query/tree_file.hpp"
 
@@ -64,21 +64,15 @@ struct Counts {
   }
 };
 
-Result<int> run_prove(const ProveArguments& options) {
-  std::vector<NamedCase> cases;
-  std::vector<std::string> trees;  // of each case
-  for (const std::string& file : options.files) {
-    Result<std::vector<NamedCase>> read = read_cases(file);
-    if (!read) return tl::unexpected(read.error());
-    for (const NamedCase& named : *read) {
-      // Of a certificate of absence complete_truth says whether it is refuted.
-      if (auto checked = check_truth(named.value); !checked) {
-        return input_error(named.id + ": " + checked.error().where, checked.error().what);
-      }
-    }
-    trees.insert(trees.end(), read->size(), trees_path(file));
-    std::ranges::move(*read, std::back_inserter(cases));
+Result<Completed> prove(const NamedCase& named, const OracleOptions& oracle) {
+  // Of a certificate of absence complete_truth says whether it is refuted.
+  if (auto checked = check_truth(named.value); !checked) {
+    return input_error(named.id + ": " + checked.error().where, checked.error().what);
   }
+  return complete_truth(named.value, trees_path(named.file), oracle);
+}
+
+Result<int> run_prove(const ProveArguments& options) {
   Result<DataSetWriter> destination = DataSetWriter::open(options.output);
   if (!destination) return tl::unexpected(destination.error());
 
@@ -91,12 +85,13 @@ Result<int> run_prove(const ProveArguments& options) {
   std::atomic<bool> stop = false;
   const std::atomic<bool>& interrupted = catch_interrupts();
   Result<void> written;
-  size_t done = 0;
-  run_in_order<Completed>(
-      cases.size(), options.threads,
-      [&](size_t i) { return complete_truth(cases[i].value, trees[i], oracle); },
-      [&](Completed completed) {
-        const std::string& id = cases[done++].id;
+  std::uint64_t done = 0;
+  const Result<void> read = stream_cases<NamedCase, Completed>(
+      options.files, 1, options.threads,
+      [&](const NamedCase& named, size_t) { return prove(named, oracle); },
+      [&](const NamedCase& named, size_t, Completed completed, double share) {
+        const std::string& id = named.id;
+        ++done;
         counts.add(completed);
         if (options.json) {
           print_json(row_json(id, completed));
@@ -104,22 +99,23 @@ Result<int> run_prove(const ProveArguments& options) {
           table.add_row({{id},
                          {completed.refuted ? "refuted" : "undecided", Emphasis::kBad},
                          {completed.note}});
+          print_full_rows(table);
         }
         if (written) written = destination->write(std::move(completed.value), completed.tree);
         if (!written || interrupted) stop = true;
-        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id, done,
-                      "cases");
+        progress.show(share, id, done, "cases");
       },
       &stop);
   progress.clear();
+  if (table.row_count() > 0) {
+    print_last_rows(table);
+    print_out("\n");
+  }
+  if (!read) return tl::unexpected(read.error());
   if (!written) return tl::unexpected(written.error());
   if (interrupted) return interrupted_exit_code();
   if (auto finished = destination->finish(); !finished) return tl::unexpected(finished.error());
   if (!options.json) {
-    if (table.row_count() > 0) {
-      print_table(table);
-      print_out("\n");
-    }
     std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", done,
                                       counts.hit, counts.miss, counts.undecided);
     if (counts.refuted > 0) summary += fmt::format("; {} had claimed otherwise", counts.refuted);

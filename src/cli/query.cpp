@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
-#include "certify/checker/check_case.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
+#include "cli/shared_case.hpp"
 #include "cli/terminal.hpp"
-#include "eval/in_order.hpp"
+#include "eval/stream_cases.hpp"
 #include "eval/table.hpp"
 
 namespace ccdfuzz {
@@ -54,19 +54,6 @@ Result<int> run_query(const QueryArguments& options) {
   const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
   if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
-  const Result<std::vector<NamedCase>> cases = read_all(options.files);
-  if (!cases) return tl::unexpected(cases.error());
-  std::vector<SearchOptions> searches;
-  std::vector<CheckedCase> checked;
-  for (const NamedCase& named : *cases) {
-    Result<CheckedCase> known = check_case(named);
-    if (!known) return tl::unexpected(known.error());
-    checked.push_back(*std::move(known));
-    const Result<SearchOptions> own = options.search.parse_for(named);
-    if (!own) return tl::unexpected(own.error());
-    searches.push_back(*own);
-  }
-
   Table table({{"case", Align::kLeft},
                {"method", Align::kLeft},
                {"verdict", Align::kLeft},
@@ -77,33 +64,40 @@ Result<int> run_query(const QueryArguments& options) {
                {"note", Align::kLeft}});
   Progress progress;
   tbb::enumerable_thread_specific<MethodSet> method_sets;
-  const size_t total = cases->size() * methods->size();
-  size_t done = 0, undecided = 0;
-  run_in_order<Judged>(
-      total, options.threads,
-      [&](size_t i) {
-        const CheckedCase& asked = checked[i / methods->size()];
-        const std::string& method = (*methods)[i % methods->size()];
-        SearchOptions search = searches[i / methods->size()];
-        if (search.max_pops == 0) search.max_pops = default_pops(asked.query(), method);
-        return ask(method_sets.local()[method], asked, search);
+  std::uint64_t done = 0, undecided = 0;
+  WordCount words;
+  const Result<void> read = stream_cases<SharedCase, Judged>(
+      options.files, methods->size(), options.threads,
+      [&](SharedCase& shared, size_t m) -> Result<Judged> {
+        const Result<CheckedCase>& asked = shared.checked();
+        if (!asked) return tl::unexpected(asked.error());
+        Result<SearchOptions> search = options.search.parse_for(shared.named());
+        if (!search) return tl::unexpected(search.error());
+        const std::string& method = (*methods)[m];
+        if (search->max_pops == 0) search->max_pops = default_pops(asked->query(), method);
+        return ask(method_sets.local()[method], *asked, *search);
       },
-      [&](const Judged& judged) {
-        const std::string& id = (*cases)[done / methods->size()].id;
-        const std::string& method = (*methods)[done % methods->size()];
+      [&](const SharedCase& shared, size_t m, const Judged& judged, double share) {
+        const std::string& id = shared.named().id;
+        const std::string& method = (*methods)[m];
         ++done;
+        if (m == 0) words.add(shared.named().value);
         if (judged.answer.verdict == Verdict::kUndecided) ++undecided;
         if (options.json) {
           print_json(answer_row(id, method, judged));
         } else {
-          if (done % methods->size() == 1 % methods->size()) table.start_group();
+          if (m == 0) {
+            print_full_rows(table);
+            table.start_group();
+          }
           table.add_row(table_row(id, method, judged));
         }
-        progress.show(static_cast<double>(done) / static_cast<double>(total), id, done, "answers");
+        progress.show(share, id, done, "answers");
       });
   progress.clear();
-  note_words(*cases, "query");
-  if (!options.json) print_table(table);
+  words.note("query");
+  if (table.row_count() > 0) print_last_rows(table);
+  if (!read) return tl::unexpected(read.error());
   if (!options.json && undecided > 0 && options.search.max_pops == 0) {
     print_out(
         fmt::format("\n{} of {} answers undecided, most often for want of the default budget of "

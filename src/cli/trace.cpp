@@ -5,10 +5,11 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
+#include "cli/shared_case.hpp"
 #include "cli/terminal.hpp"
 #include "cli/trace_row.hpp"
 #include "eval/by_spec.hpp"
-#include "eval/in_order.hpp"
+#include "eval/stream_cases.hpp"
 
 namespace ccdfuzz {
 
@@ -23,23 +24,18 @@ struct TraceArguments {
   bool json = false;
 };
 
-/// How each case is traced. Errors: a case without a witness within its step, naming it.
-Result<std::vector<TraceOptions>> trace_options(const TraceArguments& options,
-                                                const std::vector<NamedCase>& cases) {
-  std::vector<TraceOptions> out;
-  for (const NamedCase& named : cases) {
-    const auto& witness = named.value.truth.witness;
-    if (!witness) return input_error(named.id + ": truth.witness", "is missing: nothing to trace");
-    if (witness->t > exact(named.value.query.t_max)) {
-      return input_error(named.id + ": truth.witness.t",
-                         fmt::format("{} is past t_max {}: nothing to trace", to_text(witness->t),
-                                     named.value.query.t_max));
-    }
-    const Result<SearchOptions> own = options.search.parse_for(named);
-    if (!own) return tl::unexpected(own.error());
-    out.push_back({own->precision, options.all});
+/// How a case is traced. Errors: a case without a witness within its step, naming it.
+Result<TraceOptions> trace_options(const TraceArguments& options, const NamedCase& named) {
+  const auto& witness = named.value.truth.witness;
+  if (!witness) return input_error(named.id + ": truth.witness", "is missing: nothing to trace");
+  if (witness->t > exact(named.value.query.t_max)) {
+    return input_error(named.id + ": truth.witness.t",
+                       fmt::format("{} is past t_max {}: nothing to trace", to_text(witness->t),
+                                   named.value.query.t_max));
   }
-  return out;
+  return options.search.parse_for(named).map([&](const SearchOptions& own) {
+    return TraceOptions{own.precision, options.all};
+  });
 }
 
 Result<int> run_trace(const TraceArguments& options) {
@@ -48,38 +44,38 @@ Result<int> run_trace(const TraceArguments& options) {
   for (const std::string& method : *methods) {  // a plug-in has no tracer
     if (const auto tracer = make_tracer(method); !tracer) return tl::unexpected(tracer.error());
   }
-  const Result<std::vector<NamedCase>> cases = read_all_checked(options.files);
-  if (!cases) return tl::unexpected(cases.error());
-  const Result<std::vector<TraceOptions>> how = trace_options(options, *cases);
-  if (!how) return tl::unexpected(how.error());
-
+  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   Table table = trace_table();
   Progress progress;
   tbb::enumerable_thread_specific<TracerSet> tracers;
-  const size_t total = cases->size() * methods->size();
-  size_t done = 0;
-  run_in_order<Trace>(
-      total, options.threads,
-      [&](size_t i) {
-        const size_t at = i / methods->size();
-        const Case& known = (*cases)[at].value;
-        return tracers.local()[(*methods)[i % methods->size()]].trace(
-            known.query, *known.truth.witness, (*how)[at]);
-      },
-      [&](const Trace& trace) {
-        const std::string& id = (*cases)[done / methods->size()].id;
-        const std::string& method = (*methods)[done % methods->size()];
-        if (options.json) {
-          print_json(trace_row(id, method, trace));
-        } else {
-          if (done % methods->size() == 0) table.start_group();
-          table.add_row(trace_cells(id, method, trace));
+  std::uint64_t done = 0;
+  const Result<void> read = stream_cases<SharedCase, Trace>(
+      options.files, methods->size(), options.threads,
+      [&](SharedCase& shared, size_t m) -> Result<Trace> {
+        if (const auto& checked = shared.checked(); !checked) {
+          return tl::unexpected(checked.error());
         }
-        ++done;
-        progress.show(static_cast<double>(done) / static_cast<double>(total), id, done, "traces");
+        return trace_options(options, shared.named()).map([&](const TraceOptions& how) {
+          const Case& known = shared.named().value;
+          return tracers.local()[(*methods)[m]].trace(known.query, *known.truth.witness, how);
+        });
+      },
+      [&](const SharedCase& shared, size_t m, const Trace& trace, double share) {
+        const std::string& id = shared.named().id;
+        if (options.json) {
+          print_json(trace_row(id, (*methods)[m], trace));
+        } else {
+          if (m == 0) {
+            print_full_rows(table);
+            table.start_group();
+          }
+          table.add_row(trace_cells(id, (*methods)[m], trace));
+        }
+        progress.show(share, id, ++done, "traces");
       });
   progress.clear();
-  if (!options.json) print_table(table);
+  if (table.row_count() > 0) print_last_rows(table);
+  if (!read) return tl::unexpected(read.error());
   return kDone;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "certify/checker/check_case.hpp"
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -36,7 +37,7 @@ struct TriageArguments {
 
 /// The cases of a file: a case file, or an input of a fuzz target. Errors: it is neither.
 Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
-  if (case_file_kind(path)) return read_all_checked({path});
+  if (case_file_kind(path)) return read_checked_cases(path);
   const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
   if (!bytes) return tl::unexpected(bytes.error());
   std::vector<NamedCase> cases;

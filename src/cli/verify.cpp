@@ -8,7 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "eval/in_order.hpp"
+#include "eval/stream_cases.hpp"
 #include "eval/table.hpp"
 #include "query/tree_file.hpp"
 
@@ -80,21 +80,17 @@ Verified verify(const NamedCase& named) {
 }
 
 Result<int> run_verify(const VerifyArguments& options) {
-  std::vector<NamedCase> cases;
-  for (const std::string& file : options.files) {
-    Result<std::vector<NamedCase>> read = read_cases(file);
-    if (!read) return tl::unexpected(read.error());
-    std::ranges::move(*read, std::back_inserter(cases));
-  }
   std::array<std::uint64_t, 5> counts{};
   Table table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
   Progress progress;
   const std::atomic<bool>& interrupted = catch_interrupts();
-  size_t done = 0;
-  run_in_order<Verified>(
-      cases.size(), options.threads, [&](size_t i) { return verify(cases[i]); },
-      [&](const Verified& verified) {
-        const std::string& id = cases[done++].id;
+  std::uint64_t done = 0;
+  const Result<void> read = stream_cases<NamedCase, Verified>(
+      options.files, 1, options.threads,
+      [](const NamedCase& named, size_t) -> Result<Verified> { return verify(named); },
+      [&](const NamedCase& named, size_t, const Verified& verified, double share) {
+        const std::string& id = named.id;
+        ++done;
         ++counts[static_cast<size_t>(verified.standing)];
         if (options.json) {
           nlohmann::ordered_json row = {{"case", id}, {"truth", name_of(verified.standing)}};
@@ -102,18 +98,19 @@ Result<int> run_verify(const VerifyArguments& options) {
           print_json(row);
         } else if (verified.standing > Standing::kHoldsByMethod) {
           table.add_row({{id}, {name_of(verified.standing), Emphasis::kBad}, {verified.note}});
+          print_full_rows(table);
         }
-        progress.show(static_cast<double>(done) / static_cast<double>(cases.size()), id, done,
-                      "cases");
+        progress.show(share, id, done, "cases");
       },
       &interrupted);
   progress.clear();
+  if (table.row_count() > 0) {
+    print_last_rows(table);
+    print_out("\n");
+  }
+  if (!read) return tl::unexpected(read.error());
   const auto [hold, by_method, refuted, unproven, no_claim] = counts;
   if (!options.json) {
-    if (table.row_count() > 0) {
-      print_table(table);
-      print_out("\n");
-    }
     std::string summary = fmt::format("{} cases: {} hold, ", done, hold);
     if (by_method > 0) summary += fmt::format("{} hold by method, ", by_method);
     summary += fmt::format("{} refuted, {} unproven", refuted, unproven);

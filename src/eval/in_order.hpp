@@ -6,18 +6,19 @@
 
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace ccdfuzz {
 
-/// Runs work(0), work(1), …, work(count − 1) on `threads` threads and hands the results to sink
-/// one at a time in the order of the indices, so that what sink sees does not depend on the
-/// number of threads. Both may throw: the first exception ends the run and is thrown here.
-/// stop, if given, is read before each index is handed out; once it is true no more are, and what
-/// was handed out still reaches sink. Requires threads ≥ 1. Returns how many results reached sink.
-template <class Result, class Work, class Sink>
-size_t run_in_order(size_t count, int threads, const Work& work, const Sink& sink,
-                    const std::atomic<bool>* stop = nullptr) {
+/// Runs work(item) on `threads` threads for each item that next() gives, until it gives nothing,
+/// and hands the results to sink one at a time in the order of the items, so that what sink sees
+/// does not depend on the number of threads. next returns a std::optional and is called by one
+/// thread at a time. All three may throw: the first exception ends the run and is thrown here. At
+/// most 64 items per thread are held. Requires threads ≥ 1. Returns how many results reached sink.
+template <class Result, class Next, class Work, class Sink>
+size_t stream_in_order(int threads, const Next& next, const Work& work, const Sink& sink) {
+  using Item = decltype(next());
   // Enough in flight that one slow item does not idle the other threads, few enough to stay small.
   const auto in_flight = static_cast<size_t>(threads) * 64;
   // Calls from several threads at once are not wanted, so the arena may be as wide as asked for,
@@ -25,28 +26,39 @@ size_t run_in_order(size_t count, int threads, const Work& work, const Sink& sin
   const tbb::global_control width(tbb::global_control::max_allowed_parallelism,
                                   static_cast<size_t>(threads));
   tbb::task_arena arena(threads);
-  size_t next = 0;
   size_t done = 0;
   arena.execute([&] {
     tbb::parallel_pipeline(
         in_flight,
-        tbb::make_filter<void, size_t>(tbb::filter_mode::serial_in_order,
-                                       [&](tbb::flow_control& control) -> size_t {
-                                         if (next == count ||
-                                             (stop && stop->load(std::memory_order_relaxed))) {
-                                           control.stop();
-                                           return 0;
-                                         }
-                                         return next++;
-                                       }) &
-            tbb::make_filter<size_t, Result>(tbb::filter_mode::parallel,
-                                             [&](size_t index) { return work(index); }) &
+        tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
+                                     [&](tbb::flow_control& control) -> Item {
+                                       Item item = next();
+                                       if (!item) control.stop();
+                                       return item;
+                                     }) &
+            tbb::make_filter<Item, Result>(tbb::filter_mode::parallel,
+                                           [&](Item item) { return work(*std::move(item)); }) &
             tbb::make_filter<Result, void>(tbb::filter_mode::serial_in_order, [&](Result result) {
               sink(std::move(result));
               ++done;
             }));
   });
   return done;
+}
+
+/// The same with the items 0, 1, …, count − 1. stop, if given, is read before each item is handed
+/// out; once it is true no more are, and what was handed out still reaches sink.
+template <class Result, class Work, class Sink>
+size_t run_in_order(size_t count, int threads, const Work& work, const Sink& sink,
+                    const std::atomic<bool>* stop = nullptr) {
+  size_t next = 0;
+  return stream_in_order<Result>(
+      threads,
+      [&]() -> std::optional<size_t> {
+        const bool stopped = stop != nullptr && stop->load(std::memory_order_relaxed);
+        return stopped || next == count ? std::nullopt : std::optional(next++);
+      },
+      work, sink);
 }
 
 }  // namespace ccdfuzz

@@ -58,7 +58,7 @@ void Table::add_row(std::vector<TableCell> cells) {
 }
 
 void Table::start_group() {
-  group_pending_ = !rows_.empty();
+  group_pending_ = row_count() > 0;
 }
 
 std::vector<std::string> Table::titles() const {
@@ -123,6 +123,18 @@ std::string Table::next_text(bool colour) {
     const Row& row = rows_[rows_shown_++];
     out += row_text(row, widths_from(rows_.size()), colour);
   }
+  return out;
+}
+
+std::string Table::take_text(bool colour, size_t least) {
+  if (rows_.size() < least) return "";
+  const std::vector<size_t> widths = widths_from(0);
+  std::string out = header_shown_ ? "" : header_text(widths, colour);
+  header_shown_ = true;
+  for (const Row& row : rows_) out += row_text(row, widths, colour);
+  rows_taken_ += rows_.size();
+  rows_.clear();
+  for (size_t c = 0; c < columns_.size(); ++c) columns_[c].least_width = widths[c];
   return out;
 }
 

@@ -32,7 +32,8 @@ class Table {
   /// The next row starts a new group: a blank line in aligned text, nothing elsewhere.
   void start_group();
 
-  size_t row_count() const { return rows_.size(); }
+  /// How many rows were added.
+  size_t row_count() const { return rows_taken_ + rows_.size(); }
 
   std::vector<std::string> titles() const;
   /// What stands in the rows.
@@ -44,6 +45,9 @@ class Table {
   /// What to_text has more than at the last call: for a table that is read while it grows. A text
   /// wider than its column's title and least_width moves its own row only.
   std::string next_text(bool colour);
+  /// to_text of the rows added since the last call, which are forgotten: for a table of any length.
+  /// Columns stay at least as wide as they were. Empty if there are fewer such rows than `least`.
+  std::string take_text(bool colour, size_t least);
   std::string to_markdown() const;
 
  private:
@@ -62,6 +66,7 @@ class Table {
   bool group_pending_ = false;
   bool header_shown_ = false;
   size_t rows_shown_ = 0;
+  size_t rows_taken_ = 0;
 };
 
 /// RFC 4180: a text with a comma, a quote or a line break is quoted.

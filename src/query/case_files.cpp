@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <zstd.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "numeric/verify.hpp"
 #include "query/case_json.hpp"
 #include "query/line_reader.hpp"
@@ -14,12 +17,20 @@ namespace {
 
 constexpr size_t kPiece = 1 << 16;
 
+/// Of a file; 0 of a pipe and of what is not there.
+std::uint64_t size_of(const std::string& path) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  return none ? 0 : size;
+}
+
 }  // namespace
 
 struct CaseReader::State {
   LineReader lines;
   CaseFileKind kind = CaseFileKind::kJson;
   bool any = false;  ///< gave a case
+  std::uint64_t bytes_given = 0;
 
   Result<std::optional<NamedCase>> next() {
     const bool whole = kind == CaseFileKind::kJson;
@@ -39,6 +50,7 @@ struct CaseReader::State {
       auto value = parse_case(**text, id);
       if (!value) return tl::unexpected(value.error());
       any = true;
+      bytes_given += (*text)->size();
       return NamedCase{id, *std::move(value), lines.path()};
     }
   }
@@ -62,26 +74,72 @@ Result<std::optional<NamedCase>> CaseReader::next() {
   return state_->next();
 }
 
-Result<void> for_each_case(const std::string& path,
-                           const std::function<Result<void>(NamedCase)>& visit) {
-  auto reader = CaseReader::open(path);
-  if (!reader) return tl::unexpected(reader.error());
+std::uint64_t CaseReader::bytes_given() const {
+  return state_->bytes_given;
+}
+
+std::uint64_t CaseReader::position() const {
+  return state_->lines.position();
+}
+
+CaseStream::CaseStream(std::vector<std::string> paths) : paths_(std::move(paths)) {
+  for (const std::string& path : paths_) size_ += size_of(path);
+}
+
+Result<std::optional<NamedCase>> CaseStream::next() {
+  for (; file_ < paths_.size(); ++file_) {
+    if (!reader_) {
+      auto opened = CaseReader::open(paths_[file_]);
+      if (!opened) return tl::unexpected(opened.error());
+      reader_ = *std::move(opened);
+    }
+    auto given = reader_->next();
+    if (!given || *given) return given;
+    size_before_ += size_of(paths_[file_]);
+    given_before_ += reader_->bytes_given();
+    reader_.reset();
+  }
+  return std::nullopt;
+}
+
+double CaseStream::share() const {
+  const std::uint64_t read = size_before_ + (reader_ ? reader_->position() : 0);
+  return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(read) / static_cast<double>(size_));
+}
+
+std::uint64_t CaseStream::bytes_given() const {
+  return given_before_ + (reader_ ? reader_->bytes_given() : 0);
+}
+
+Result<NamedCase> read_case(const std::string& path) {
+  CaseStream stream({path});
+  auto first = stream.next();
+  if (!first) return tl::unexpected(first.error());
+  const auto second = stream.next();
+  if (!second) return tl::unexpected(second.error());
+  if (*second) return input_error(path, "holds more than one case");
+  return **std::move(first);
+}
+
+Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths) {
+  std::vector<NamedCase> cases;
+  CaseStream stream(paths);
   for (;;) {
-    auto next = reader->next();
+    auto next = stream.next();
     if (!next) return tl::unexpected(next.error());
-    if (!*next) return {};
-    if (auto visited = visit(**std::move(next)); !visited) return visited;
+    if (!*next) return cases;
+    if (stream.bytes_given() + cases.size() * sizeof(NamedCase) > kMostBytesHeld) {
+      return input_error((*next)->id,
+                         fmt::format("the cases so far take more than {} bytes, the most that this "
+                                     "command holds in memory",
+                                     kMostBytesHeld));
+    }
+    cases.push_back(**std::move(next));
   }
 }
 
 Result<std::vector<NamedCase>> read_cases(const std::string& path) {
-  std::vector<NamedCase> cases;
-  const auto read = for_each_case(path, [&](NamedCase c) -> Result<void> {
-    cases.push_back(std::move(c));
-    return {};
-  });
-  if (!read) return tl::unexpected(read.error());
-  return cases;
+  return read_cases(std::vector{path});
 }
 
 struct CaseWriter::State {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <functional>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ struct NamedCase {
 };
 
 /// No case comes near this; it bounds the memory that a wrong file takes.
-inline constexpr size_t kMaxCaseBytes = 4 << 20;
+inline constexpr size_t kMaxCaseBytes = 1 << 20;
 
 /// Reads the cases of a file one after the other, holding one at a time. The ending says how they
 /// are stored: .json (one case), .jsonl (one a line; blank lines and CR LF are fine), .jsonl.zst
@@ -35,17 +35,47 @@ class CaseReader {
   /// one that holds no case at all; naming path and line. No reading on after an error.
   Result<std::optional<NamedCase>> next();
 
+  /// Bytes of the text of the cases given so far.
+  std::uint64_t bytes_given() const;
+  /// Bytes of the file, which may be compressed, read so far.
+  std::uint64_t position() const;
+
  private:
   struct State;
   explicit CaseReader(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 
-/// Calls visit on every case of the file in order, until it gives an error.
-Result<void> for_each_case(const std::string& path,
-                           const std::function<Result<void>(NamedCase)>& visit);
+/// The cases of several files one after the other, holding one at a time.
+class CaseStream {
+ public:
+  explicit CaseStream(std::vector<std::string> paths);
 
-/// All cases of the file at once.
+  /// The next case; nothing at the end. Errors: as CaseReader. No reading on after an error.
+  Result<std::optional<NamedCase>> next();
+  /// How much of the files has been read, in [0, 1].
+  double share() const;
+  /// Bytes of the text of the cases given so far.
+  std::uint64_t bytes_given() const;
+
+ private:
+  std::vector<std::string> paths_;
+  size_t file_ = 0;
+  std::optional<CaseReader> reader_;  ///< of that file
+  std::uint64_t size_ = 0;            ///< of all files
+  /// Of the files before: their sizes, and the bytes of their cases.
+  std::uint64_t size_before_ = 0, given_before_ = 0;
+};
+
+/// The only case of a file. Errors: as CaseReader; there are more.
+Result<NamedCase> read_case(const std::string& path);
+
+/// A command that needs all cases at once holds at most this many bytes of them, each counted as
+/// its text and sizeof(NamedCase): some 10,000 cases of two tensor(8,8) and 200,000 of two points.
+inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
+
+/// All cases of the files at once. Errors: as CaseReader; more than kMostBytesHeld.
+Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths);
 Result<std::vector<NamedCase>> read_cases(const std::string& path);
 
 /// Writes cases to a file, which appears whole with finish() or, if that is not reached, not at

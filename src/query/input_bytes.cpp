@@ -32,12 +32,15 @@ class PlainFile : public InputBytes {
     } while (got < 0 && errno == EINTR);
     if (got < 0) return system_error(path_, "read", errno);
     bytes.resize(static_cast<size_t>(got));
+    position_ += bytes.size();
     return bytes;
   }
+  std::uint64_t position() const override { return position_; }
 
  private:
   std::string path_;
   int descriptor_;
+  std::uint64_t position_ = 0;
 };
 
 class ZstdFile : public InputBytes {
@@ -74,6 +77,7 @@ class ZstdFile : public InputBytes {
     bytes.resize(out.pos);
     return bytes;
   }
+  std::uint64_t position() const override { return packed_->position(); }
 
  private:
   struct FreeStream {

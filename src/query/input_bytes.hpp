@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ class InputBytes {
   virtual ~InputBytes() = default;
   /// The next bytes, at most `most` of them; empty at the end of the file. Errors: naming the path.
   virtual Result<std::string> read(size_t most) = 0;
+  /// How many bytes of the file itself, which may be compressed, have been read.
+  virtual std::uint64_t position() const = 0;
 };
 
 /// Opens a file. Errors: it does not exist, is a folder, cannot be read, naming the path.

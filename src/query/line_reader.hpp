@@ -23,6 +23,8 @@ class LineReader {
   /// The number of the line that next gave last, from 1 on; 0 before.
   size_t line() const { return line_; }
   const std::string& path() const { return path_; }
+  /// How many bytes of the file, which may be compressed, have been read.
+  std::uint64_t position() const { return bytes_->position(); }
 
  private:
   std::string path_;

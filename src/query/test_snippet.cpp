@@ -135,7 +135,19 @@ std::string truth_text(const Case& value) {
   return "nothing is proven of contacts: an answer is all that is wanted";
 }
 
-std::string case_text(const NamedCase& named, size_t number, TestFramework framework) {
+}  // namespace
+
+std::string test_preamble(TestFramework framework) {
+  const bool google = framework == TestFramework::kGoogleTest;
+  std::string out =
+      "// Written by ccdfuzz: what a plug-in answered wrong, as tests of it. Compile with the "
+      "folder\n"
+      "// of ccdfuzz_plugin.h in the include path, and link with the plug-in";
+  out += google ? " and -lgtest_main -lgtest.\n" : " and Catch2's main.\n";
+  return out + fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
+}
+
+std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
   const Case& value = named.value;
   const Query& query = value.query;
   std::string id = named.id;
@@ -171,20 +183,6 @@ std::string case_text(const NamedCase& named, size_t number, TestFramework frame
     out += check_text(framework, "answer.verdict != CCDFUZZ_HIT");
   }
   return out + "}\n";
-}
-
-}  // namespace
-
-std::string test_snippet(const std::vector<NamedCase>& cases, TestFramework framework) {
-  const bool google = framework == TestFramework::kGoogleTest;
-  std::string out =
-      "// Written by ccdfuzz: what a plug-in answered wrong, as tests of it. Compile with the "
-      "folder\n"
-      "// of ccdfuzz_plugin.h in the include path, and link with the plug-in";
-  out += google ? " and -lgtest_main -lgtest.\n" : " and Catch2's main.\n";
-  out += fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
-  for (size_t i = 0; i < cases.size(); ++i) out += case_text(cases[i], i + 1, framework);
-  return out;
 }
 
 }  // namespace ccdfuzz

@@ -160,11 +160,13 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
   }
   Json cells = Json::array();
   share_cells(traces, cells);
-  const Json details = {{"reproduce", reported.reproduce},
-                        {"gtest", test_snippet({{reported.id, known}}, TestFramework::kGoogleTest)},
-                        {"answers", answers},
-                        {"cells", cells},
-                        {"traces", traces}};
+  const Json details = {
+      {"reproduce", reported.reproduce},
+      {"gtest", test_preamble(TestFramework::kGoogleTest) +
+                    test_snippet({reported.id, known}, 1, TestFramework::kGoogleTest)},
+      {"answers", answers},
+      {"cells", cells},
+      {"traces", traces}};
   const Origin& origin = known.origin;
   const Json is_new = reported.is_new ? Json(*reported.is_new) : Json();
   std::string text = json_text(details);

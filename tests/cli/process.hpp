@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -21,6 +22,7 @@ struct Finished {
   int code = -1;
   std::string out;
   std::string err;
+  std::uint64_t peak_bytes = 0;  ///< of memory in use, or of this process if that used more
 };
 
 /// A running program; by default the real ccdfuzz, as a user would start it.
@@ -63,10 +65,11 @@ class Process {
 
   Finished wait() {
     int status = 0;
-    ::waitpid(pid_, &status, 0);
+    rusage used = {};
+    ::wait4(pid_, &status, 0, &used);
     pid_ = -1;
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out_path_),
-            contents(err_path_)};
+            contents(err_path_), static_cast<std::uint64_t>(used.ru_maxrss) << 10U};
   }
 
  private:

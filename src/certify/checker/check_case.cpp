@@ -51,14 +51,24 @@ CheckedCase checked_contact(Case value) {
   return checked_or_unknown(value);
 }
 
+Result<void> for_each_checked_case(const std::vector<std::string>& paths,
+                                   const std::function<Result<void>(const NamedCase&)>& visit) {
+  CaseStream cases(paths);
+  for (;;) {
+    const auto next = cases.next();
+    if (!next) return tl::unexpected(next.error());
+    if (!*next) return {};
+    if (auto checked = check_case(**next); !checked) return tl::unexpected(checked.error());
+    if (auto visited = visit(**next); !visited) return visited;
+  }
+}
+
 Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
-  std::vector<NamedCase> cases;
-  const auto read = for_each_case(path, [&](NamedCase c) -> Result<void> {
-    if (auto checked = check_case(c); !checked) return tl::unexpected(checked.error());
-    cases.push_back(std::move(c));
-    return {};
-  });
-  if (!read) return tl::unexpected(read.error());
+  auto cases = read_cases(path);
+  if (!cases) return cases;
+  for (const NamedCase& named : *cases) {
+    if (auto checked = check_case(named); !checked) return tl::unexpected(checked.error());
+  }
   return cases;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,11 @@ CheckedCase checked_or_unknown(const Case& value, const std::string& trees = "")
 
 /// The same of what proves a contact alone; nothing is known of absence.
 CheckedCase checked_contact(Case value);
+
+/// Calls visit on every case of the files, one at a time, until it gives an error. Errors: as
+/// CaseStream and check_case.
+Result<void> for_each_checked_case(const std::vector<std::string>& paths,
+                                   const std::function<Result<void>(const NamedCase&)>& visit);
 
 /// Reads all cases of a file and refuses the first that check_case refuses. Errors: as read_cases
 /// and check_case, naming path and line.

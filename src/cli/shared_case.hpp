@@ -1,0 +1,30 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "certify/checker/check_case.hpp"
+
+namespace ccdfuzz {
+
+/// A case that several threads look at; the first of them checks it.
+class SharedCase {
+ public:
+  explicit SharedCase(NamedCase named) : named_(std::move(named)) {}
+
+  const NamedCase& named() const { return named_; }
+
+  /// As check_case.
+  const Result<CheckedCase>& checked() {
+    std::call_once(once_, [this] { checked_ = check_case(named_); });
+    return *checked_;
+  }
+
+ private:
+  NamedCase named_;
+  std::once_flag once_;
+  std::optional<Result<CheckedCase>> checked_;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "eval/in_order.hpp"
+#include "query/case_files.hpp"
+
+namespace ccdfuzz {
+
+/// Reads the files one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
+/// case on `threads` threads, where asked is one Asked(NamedCase) per case. work returns a
+/// Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is how much of the
+/// files has been read. Once stop, if given, is true no more is read, and what was begun still
+/// reaches sink. Errors: the first of reading or of work, after all rows before it.
+template <class Asked, class Row, class Work, class Sink>
+Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, int threads,
+                          const Work& work, const Sink& sink,
+                          const std::atomic<bool>* stop = nullptr) {
+  struct Item {
+    std::shared_ptr<Asked> asked;
+    size_t part = 0;
+    double share = 0;
+    std::optional<InputError> unreadable;
+  };
+  struct Done {
+    Item item;
+    Result<Row> row;
+  };
+  CaseStream cases(files);
+  Item current;
+  Result<void> result;
+  std::atomic<bool> ended = false;
+  stream_in_order<Done>(
+      threads,
+      [&]() -> std::optional<Item> {
+        if (ended || current.unreadable || (stop != nullptr && *stop)) return std::nullopt;
+        if (current.asked == nullptr || ++current.part == parts) {
+          Result<std::optional<NamedCase>> next = cases.next();
+          if (next && !*next) return std::nullopt;
+          current = {nullptr, 0, cases.share(), std::nullopt};
+          if (next) {
+            current.asked = std::make_shared<Asked>(**std::move(next));
+          } else {
+            current.unreadable = next.error();
+          }
+        }
+        return current;
+      },
+      [&](Item item) {
+        Result<Row> row = item.unreadable ? Result<Row>(tl::unexpected(*item.unreadable))
+                                          : work(*item.asked, item.part);
+        return Done{std::move(item), std::move(row)};
+      },
+      [&](Done done) {
+        if (result && !done.row) {
+          result = tl::unexpected(done.row.error());
+          ended = true;
+        }
+        if (result) sink(*done.item.asked, done.item.part, *std::move(done.row), done.item.share);
+      });
+  return result;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,91 @@
+// A data set whose cases do not fit into memory together: commands that look at one case at a time
+// hold only some of them, others refuse it and say why.
+#include <gmock/gmock.h>
+
+#include "process.hpp"
+#include "query/case_files.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::uint64_t kManyCases = 2'800;
+constexpr size_t kNoteBytes = 100'000;
+/// Half of what the notes alone take; the program without cases takes some 15 MB.
+constexpr std::uint64_t kSmall = kManyCases * kNoteBytes / 2;
+
+/// A point that moves down onto a triangle and reaches it at t = 1.
+Case contact_with_a_long_note() {
+  Case value;
+  const Vec3<double> still(0, 0, 0);
+  value.query.patches[0] = {Shape::point(), {{0.25, 0.25, 1}}, {{0, 0, -1}}};
+  value.query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {still, still, still}};
+  value.query.t_max = 1;
+  const Rational quarter(1, 4);
+  value.truth.collides = true;
+  value.truth.witness = Witness{1, {Uv<Rational>{0, 0}, Uv<Rational>{quarter, quarter}}};
+  value.origin.contact = "VF";
+  value.origin.kind = "RP";
+  value.origin.note = std::string(kNoteBytes, 'x');
+  return value;
+}
+
+class Streaming : public testing::Test {
+ protected:
+  Streaming() {
+    CaseWriter writer = CaseWriter::open(set_).value();
+    Case value = contact_with_a_long_note();
+    for (value.origin.index = 0; *value.origin.index < kManyCases; ++*value.origin.index) {
+      EXPECT_TRUE(writer.write(value));
+    }
+    EXPECT_TRUE(writer.finish());
+    EXPECT_LT(std::filesystem::file_size(set_), 1'000'000U);
+  }
+
+  Finished run(const std::string& command) const {
+    const Finished finished = shell(fmt::format("cd {}; $ccdfuzz {}", folder_.path(), command));
+    EXPECT_LT(finished.peak_bytes, 3 * kMostBytesHeld) << command;
+    return finished;
+  }
+
+  const ScratchFolder folder_;
+  const std::string set_ = folder_ / "set.jsonl.zst";
+};
+
+TEST_F(Streaming, CommandsThatLookAtOneCaseHoldFewOfThem) {
+  for (const char* command :
+       {"verify set.jsonl.zst", "query set.jsonl.zst --methods tdibm-c",
+        "query set.jsonl.zst --methods tdibm-c,tdibm --json",
+        "trace set.jsonl.zst --methods tdibm-c", "prove set.jsonl.zst -o proven.jsonl.zst",
+        "merge set.jsonl.zst -o merged.jsonl.zst", "export set.jsonl.zst -o out.csv",
+        "export set.jsonl.zst --as catch2 -o out.cpp"}) {
+    const Finished finished = run(command);
+    EXPECT_EQ(finished.code, 0) << command << finished.err;
+    EXPECT_LT(finished.peak_bytes, kSmall) << command;
+  }
+}
+
+TEST_F(Streaming, MinimizeReadsTwoCases) {
+  const Finished minimized = run("minimize set.jsonl.zst --method tdibm");
+  EXPECT_EQ(minimized.code, 2);
+  EXPECT_THAT(minimized.err, HasSubstr("set.jsonl.zst: holds more than one case"));
+  EXPECT_LT(minimized.peak_bytes, kSmall);
+}
+
+TEST_F(Streaming, CommandsThatNeedAllCasesNameTheLimit) {
+  for (const char* command :
+       {"evaluate set.jsonl.zst", "replay set.jsonl.zst", "triage set.jsonl.zst -o finds"}) {
+    const Finished finished = run(command);
+    EXPECT_EQ(finished.code, 2) << command;
+    EXPECT_THAT(finished.err, HasSubstr("set.jsonl.zst:2"));
+    EXPECT_THAT(finished.err,
+                HasSubstr(fmt::format("more than {} bytes, the most that this command "
+                                      "holds in memory",
+                                      kMostBytesHeld)));
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
