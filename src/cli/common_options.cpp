@@ -121,13 +121,11 @@ Option add_shard(Command& command, std::string& shard) {
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what) {
   if (text.empty()) return Shard{};
   const size_t slash = text.find('/');
-  if (slash == std::string::npos) {
-    return input_error("--shard", fmt::format("{} is not of the form i/n", text));
+  const auto index = parse_whole("", text.substr(0, slash));
+  const auto of = parse_whole("", slash == std::string::npos ? "" : text.substr(slash + 1));
+  if (!index || !of) {
+    return input_error("--shard", fmt::format("\"{}\" is not of the form i/n", text));
   }
-  const auto index = parse_whole("--shard", text.substr(0, slash));
-  if (!index) return tl::unexpected(index.error());
-  const auto of = parse_whole("--shard", text.substr(slash + 1));
-  if (!of) return tl::unexpected(of.error());
   if (*index >= *of) {
     return input_error("--shard", fmt::format("{}: there is no share {} of {}", text, *index, *of));
   }

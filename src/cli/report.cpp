@@ -65,9 +65,6 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
 
 Result<ReportPage> report_corpus(const ReportArguments& options,
                                  const std::atomic<bool>& interrupted) {
-  if (const auto admitted = options.plugins.admit(); !admitted) {
-    return tl::unexpected(admitted.error());
-  }
   Result<std::vector<NamedCase>> entries = load_corpus(options.source);
   if (!entries) return tl::unexpected(entries.error());
   NotAllowed left_out;
@@ -163,6 +160,9 @@ Result<ReportPage> report_source(const ReportArguments& options,
 }
 
 Result<int> run_report(const ReportArguments& options) {
+  if (const auto admitted = options.plugins.admit(); !admitted) {
+    return tl::unexpected(admitted.error());
+  }
   Scoreboard scoreboard;
   if (!options.scoreboard.empty()) {
     Result<Scoreboard> read = read_scoreboard(options.scoreboard);
