@@ -1,6 +1,7 @@
 // Small files that ask for much: every command ends in seconds and in little memory, with an error
 // or a refuted case that names the field and the limit.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "certify/checker/miss_tree.hpp"
 #include "process.hpp"
@@ -192,14 +193,22 @@ TEST_F(Hostile, ALongNumberIsNotRead) {
   EXPECT_THAT(verified.err, HasSubstr("has 800006 characters; a number has at most 2000"));
 }
 
-TEST_F(Hostile, ASignalIsObeyedWhateverTheProgramComputes) {
+TEST_F(Hostile, ASignalIsObeyedWhateverTheProgramComputesOrWaitsFor) {
   Case value;
   value.query = near_tensors();
   const std::string path = file(value);
+  // Nobody writes into these pipes.
+  const ScratchFolder inputs;
+  for (const char* pipe : {"edge-edge.csv", "pipe.jsonl"}) {
+    ASSERT_EQ(::mkfifo((inputs / pipe).c_str(), 0600), 0);
+  }
   for (const char* arguments :
-       {"query {} --methods trad,tdibm-rational --max-pops 1000000000", "prove {} -o {}.p.jsonl",
-        "evaluate {} --methods trad --max-pops 1000000000"}) {
-    const std::string line = fmt::format(fmt::runtime(arguments), path, path);
+       {"query {0} --methods trad,tdibm-rational --max-pops 1000000000", "prove {0} -o {0}.p.jsonl",
+        "evaluate {0} --methods trad --max-pops 1000000000",
+        "import {inputs}/edge-edge.csv -o {0}.i.jsonl",
+        "merge {inputs}/pipe.jsonl -o {0}.m.jsonl"}) {
+    const std::string line =
+        fmt::format(fmt::runtime(arguments), path, fmt::arg("inputs", inputs.path()));
     const Finished finished =
         shell("timeout --preserve-status -k 10 1 \"$ccdfuzz\" " + line + " >&2");
     EXPECT_EQ(finished.code, 128 + SIGTERM) << line << finished.err;
