@@ -14,6 +14,9 @@ namespace {
 
 constexpr size_t kLongestCsvLine = 1 << 20;
 constexpr size_t kLongestTruthList = 16 << 20;  // three million truths
+/// Those of doubles and of their sums and differences have at most 1,074 bits, 324 digits. Exact
+/// decisions multiply numbers of that denominator, so that it bounds their time.
+constexpr size_t kMostDenominatorDigits = 1000;
 constexpr std::array<const char*, 7> kColumns = {"xn", "xd", "yn", "yd", "zn", "zd", "truth"};
 
 /// A value as a message shows it.
@@ -30,6 +33,26 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     begin = comma + 1;
   }
   return fields;
+}
+
+/// Errors: the common denominator of the query's numbers is too long, naming its first line.
+Result<void> check_denominator(const CsvQuery& query) {
+  Integer all = 1;
+  for (const auto* points : {&query.start, &query.end}) {
+    for (const auto& side : *points) {
+      for (const Vec3<Rational>& point : side) {
+        for (int k = 0; k < 3; ++k) all = lcm(all, point[k].get_den());
+        const size_t digits = mpz_sizeinbase(all.get_mpz_t(), 10);
+        if (digits > kMostDenominatorDigits) {
+          return input_error(query.id(),
+                             fmt::format("the numbers of this query have a common denominator of "
+                                         "more than {} digits, the most that is read",
+                                         kMostDenominatorDigits));
+        }
+      }
+    }
+  }
+  return {};
 }
 
 Result<Integer> parse_integer(std::string_view text) {
@@ -227,6 +250,7 @@ struct CsvReader::State {
       }
       query.label = (*truths)[given];
     }
+    if (auto fits = check_denominator(query); !fits) return tl::unexpected(fits.error());
     ++given;
     return query;
   }

@@ -203,6 +203,33 @@ TEST(QueryCsv, NamesFileRowColumnAndValue) {
   }
 }
 
+/// Rows of a vertex-face query, the z of which has the denominators b + 1, b + 2, …
+std::string rows_over(const Integer& base) {
+  std::string rows;
+  for (int i = 1; i <= 8; ++i) rows += "0,1,0,1,1," + Integer(base + i).get_str() + "\n";
+  return rows;
+}
+
+TEST(QueryCsv, RefusesALongCommonDenominator) {
+  Integer base;
+  mpz_ui_pow_ui(base.get_mpz_t(), 10, 110);
+  EXPECT_TRUE(read(rows_over(base), CsvLayout::kVertexFace));
+  mpz_ui_pow_ui(base.get_mpz_t(), 10, 140);
+  const auto refused = read("# a comment\n" + rows_over(base), CsvLayout::kVertexFace);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message(),
+              HasSubstr("q.csv:2: the numbers of this query have a common denominator of more than "
+                        "1000 digits, the most that is read"));
+  // Doubles of any size have a common one.
+  Integer most;
+  mpz_ui_pow_ui(most.get_mpz_t(), 2, 1074);
+  std::string rows;
+  for (int i = 1; i <= 8; ++i) {
+    rows += fmt::format("0,1,{}1,{},1,{}\n", std::string(300, '9'), most.get_str(), 1U << i);
+  }
+  EXPECT_TRUE(read(rows, CsvLayout::kVertexFace));
+}
+
 TEST(QueryCsv, KnowsLayoutsByTheirPaths) {
   EXPECT_EQ(csv_layout_of_path("a/edge-edge/data_0_0.csv"), CsvLayout::kEdgeEdge);
   EXPECT_EQ(csv_layout_of_path("vertex-face-3.csv"), CsvLayout::kVertexFace);
