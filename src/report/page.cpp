@@ -133,39 +133,6 @@ Json course_json(const HuntCourse& course) {
   return {{"methods", course.methods}, {"samples", samples}};
 }
 
-Json scoreboard_json(const Scoreboard& board) {
-  if (board.empty()) return nullptr;
-  Json drivers = Json::array(), rows = Json::array();
-  for (const ScoreboardDriver& d : board.drivers) {
-    drivers.push_back({{"driver", d.driver},
-                       {"faults", d.faults},
-                       {"killed", d.killed},
-                       {"reached", d.reached},
-                       {"triggered", d.triggered},
-                       {"clean_runs", d.clean_runs},
-                       {"false_alarms", d.false_alarms},
-                       {"seconds", d.seconds},
-                       {"executions", d.executions},
-                       {"censored", d.censored}});
-  }
-  for (const ScoreboardRow& r : board.rows) {
-    rows.push_back({{"driver", r.driver},
-                    {"fault", r.fault},
-                    {"what", r.what},
-                    {"equivalent", r.equivalent},
-                    {"runs", r.runs},
-                    {"reached", r.reached},
-                    {"triggered", r.triggered},
-                    {"detected", r.detected},
-                    {"kill", r.is_kill()},
-                    {"seconds", r.seconds},
-                    {"executions", r.executions},
-                    {"limit", r.limit},
-                    {"found", r.found}});
-  }
-  return {{"drivers", drivers}, {"rows", rows}};
-}
-
 std::string script_element(const std::string& id, const char* type, const std::string& text) {
   return fmt::format("<script id=\"{}\" type=\"{}\">{}</script>\n", id, type, text);
 }
@@ -215,7 +182,6 @@ std::string report_page(const ReportPage& report, int threads) {
                      {"paper", paper_json(methods)},
                      {"tables", tables},
                      {"course", course_json(report.course)},
-                     {"scoreboard", scoreboard_json(report.scoreboard)},
                      {"curvature", histogram_json(curvature)},
                      {"cases", rows},
                      {"cases_left_out", report.cases_left_out},
@@ -226,6 +192,9 @@ std::string report_page(const ReportPage& report, int threads) {
   CCDFUZZ_VERIFY(mark != std::string_view::npos);
   std::string out(page.substr(0, mark));
   out += script_element("report", "application/json", script_safe(json_text(data)));
+  if (!report.scoreboard.empty()) {
+    out += script_element("scoreboard", "application/json", script_safe(report.scoreboard));
+  }
   out += chunks;
   out += page.substr(mark + kReportDataMark.size());
   return out;

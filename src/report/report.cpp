@@ -8,7 +8,6 @@
 
 #include "method/plugin/plugin_spec.hpp"
 #include "query/output_file.hpp"
-#include "report/page_tables.hpp"
 
 namespace ccdfuzz {
 
@@ -68,15 +67,6 @@ Result<void> write_report(ReportPage report, const std::string& folder, int thre
     keep_most_telling(report,
                       static_cast<std::size_t>(share * static_cast<double>(report.cases.size())));
     page = report_page(report, threads);
-  }
-  std::vector<std::string> stale = all_page_csv_names();
-  for (const auto& [name, text] : page_csvs(report)) {
-    if (auto done = write_file(folder + "/" + name, text); !done) return done;
-    std::erase(stale, name);
-  }
-  for (const std::string& name : stale) {
-    std::filesystem::remove(folder + "/" + name, error);
-    if (error) return system_error(folder + "/" + name, "remove", error.value());
   }
   return write_file(folder + "/index.html", page);
 }

@@ -1,26 +1,20 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "eval/table.hpp"
 #include "eval/tally.hpp"
 #include "method/method.hpp"
 #include "query/case.hpp"
-#include "report/scoreboard.hpp"
 
 namespace ccdfuzz {
 
-inline constexpr std::array<std::string_view, 4> kReportTableIds = {"finds", "hunt", "table-3",
-                                                                    "table-4"};
-
 /// A table of texts, shown as it is.
 struct ReportTable {
-  std::string id;     ///< of kReportTableIds
+  std::string id;     ///< unique in its page: what its CSV is called
   std::string title;  ///< one line
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< each as long as columns
@@ -83,8 +77,8 @@ struct ReportPage {
   std::vector<ReportGroup> groups;
   /// What is known of the plug-ins among the methods: to make a page starts none of them.
   std::vector<MethodInfo> plugins;
-  HuntCourse course;  ///< of a hunt
-  Scoreboard scoreboard;
+  HuntCourse course;       ///< of a hunt
+  std::string scoreboard;  ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
   /// Of both patches of the positive cases at their contacts, as rms_curvature.
   std::vector<double> curvatures;
   std::vector<ReportedCase> cases;
@@ -106,13 +100,8 @@ void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases
 /// Witnesses are traced on `threads` threads.
 std::string report_page(const ReportPage& report, int threads);
 
-/// Writes folder/index.html, and as tables for programs folder/groups.csv,
-/// folder/counterexamples.csv, folder/course.csv, folder/scoreboard.csv and
-/// folder/scoreboard-drivers.csv, as far as the page has them, and one file for each further table,
-/// called by its id; each appears whole or not at all, and those of them that an earlier page had
-/// and this one has not are removed. A page of more than most_bytes is made of
-/// fewer cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the
-/// path.
+/// Writes folder/index.html, whole or not at all. A page of more than most_bytes is made of fewer
+/// cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the path.
 Result<void> write_report(ReportPage report, const std::string& folder, int threads,
                           std::size_t most_bytes = kMostPageBytes);
 

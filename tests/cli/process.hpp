@@ -104,6 +104,16 @@ inline std::vector<nlohmann::ordered_json> json_lines(const std::string& text) {
   return rows;
 }
 
+/// The data in the page of a report's folder; the JSON of another of its elements.
+inline nlohmann::json page_data(const std::string& folder, const std::string& id = "report") {
+  const std::string page = read_text(folder + "/index.html");
+  const std::string open = fmt::format(R"(<script id="{}" type="application/json">)", id);
+  const size_t begin = page.find(open);
+  if (begin == std::string::npos) return {};
+  const size_t from = begin + open.size();
+  return nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
 /// Makes a data set; its path.
 inline std::string generated(const ScratchFolder& folder, const std::string& contact,
                              const std::string& kind, int count) {

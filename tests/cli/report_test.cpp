@@ -17,8 +17,10 @@ TEST(ReportCommand, OfAnEvaluationShowsAFileOfCases) {
       ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "--report", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"tdibm-e\""));
-  EXPECT_THAT(read_text(folder / "page/groups.csv"), HasSubstr(",tdibm-e,1,1,0,0,1,0,"));
-  EXPECT_THAT(read_text(folder / "page/counterexamples.csv"), HasSubstr(",tdibm-e,missed,"));
+  const nlohmann::json page = page_data(folder / "page");
+  EXPECT_EQ(page["groups"][0]["method"], "tdibm-e");
+  EXPECT_EQ(page["groups"][0]["missed"], 1);
+  EXPECT_EQ(page["cases"][0][4], "mc") << page["cases"];
 }
 
 /// A folder with one entry.
@@ -33,7 +35,7 @@ TEST(ReportCommand, ShowsACorpus) {
   const Finished made = ccdfuzz({"report", small_corpus(folder), "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
   EXPECT_THAT(made.out, HasSubstr("index.html: 1 cases"));
-  EXPECT_THAT(read_text(folder / "page/counterexamples.csv"), HasSubstr("entry.json,"));
+  EXPECT_THAT(page_data(folder / "page")["cases"][0][0], HasSubstr("entry.json"));
 }
 
 TEST(ReportCommand, HuntAndEvaluateWriteOne) {
@@ -55,7 +57,7 @@ TEST(ReportCommand, ShowsTheFolderOfAnEvaluation) {
   EXPECT_EQ(evaluated.code, 0) << evaluated.err;
   const Finished again = ccdfuzz({"report", folder / "run", "-o", folder / "again"});
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_EQ(read_text(folder / "page/groups.csv"), read_text(folder / "again/groups.csv"));
+  EXPECT_EQ(page_data(folder / "page")["groups"], page_data(folder / "again")["groups"]);
 }
 
 /// The lines of a hunt's record without what is of time or of its own folders.
@@ -87,7 +89,6 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
   const Finished again = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(read_text(folder / "1/page/index.html"), read_text(folder / "again/index.html"));
-  EXPECT_EQ(read_text(folder / "1/page/course.csv"), read_text(folder / "again/course.csv"));
 
   std::string record = read_text(folder / "1/page/hunt.jsonl");
   record.replace(record.find("\"n\":"), 4, "\"n\":-");
@@ -109,7 +110,9 @@ TEST(ReportCommand, ShowsAPluginsAnswers) {
   write_text(folder / "corpus/entry.json", entry.dump());
   const Finished made = ccdfuzz({"report", folder / "corpus", "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
-  EXPECT_THAT(read_text(folder / "page/counterexamples.csv"), HasSubstr(kPlugin + ",missed,"));
+  const nlohmann::json page = page_data(folder / "page");
+  EXPECT_EQ(page["methods"][1]["spec"], kPlugin);
+  EXPECT_EQ(page["cases"][0][4], "cm");
 }
 
 TEST(ReportCommand, OfAHuntNeedsNeitherItsPluginsNorTheFolderItRanIn) {
@@ -123,16 +126,19 @@ TEST(ReportCommand, OfAHuntNeedsNeitherItsPluginsNorTheFolderItRanIn) {
   std::filesystem::remove(folder / "libmine.so");
   const Finished again = ccdfuzz({"report", folder / "page", "-o", folder / "again"});
   EXPECT_EQ(again.code, 0) << again.err;
-  EXPECT_EQ(read_text(folder / "page/groups.csv"), read_text(folder / "again/groups.csv"));
-  EXPECT_THAT(read_text(folder / "again/counterexamples.csv"),
-              HasSubstr("plugin:./libmine.so,missed,"));
+  const nlohmann::json page = page_data(folder / "again");
+  EXPECT_EQ(page["groups"], page_data(folder / "page")["groups"]);
+  EXPECT_EQ(page["methods"][0]["spec"], "plugin:./libmine.so");
+  EXPECT_EQ(page["cases"][0][4], "m");
 
   std::filesystem::rename(folder / "finds", folder / "elsewhere");
   const Finished without = ccdfuzz({"report", folder / "page", "-o", folder / "again"});
   EXPECT_EQ(without.code, 0) << without.err;
   EXPECT_THAT(without.err, HasSubstr("finds: the store of the hunt is not there"));
-  EXPECT_THAT(read_text(folder / "again/finds.csv"), HasSubstr("\nfinds/"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "again/counterexamples.csv"));
+  const nlohmann::json left = page_data(folder / "again");
+  EXPECT_EQ(left["tables"].back()["id"], "finds");
+  EXPECT_THAT(left["tables"].back()["rows"][0][0], HasSubstr("finds/"));
+  EXPECT_TRUE(left["cases"].empty());
 }
 
 TEST(ReportCommand, ShowsTheEndOfAHuntByTime) {
@@ -165,14 +171,19 @@ TEST(ReportCommand, ShowsTheScoreboard) {
   const std::string corpus = small_corpus(folder);
   const Finished made = ccdfuzz({"report", corpus, "--scoreboard", board, "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
-  EXPECT_THAT(read_text(folder / "page/scoreboard.csv"), HasSubstr("\nproperties,end.sign,"));
-  EXPECT_THAT(read_text(folder / "page/scoreboard-drivers.csv"), HasSubstr("\nproperties,"));
-  write_text(folder / "board.json", "{\"format\": \"else\"}");
-  const Finished refused =
-      ccdfuzz({"report", corpus, "--scoreboard", folder / "board.json", "-o", folder / "other"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("board.json: format: \"else\""));
-  EXPECT_FALSE(std::filesystem::exists(folder / "other/index.html"));
+  EXPECT_EQ(page_data(folder / "page", "scoreboard"), nlohmann::json::parse(read_text(board)));
+  for (const auto& [text, complaint] : std::map<std::string, std::string>{
+           {"[", "board.json"},
+           {R"({"format": "else"})", "board.json: format: \"else\""},
+           {R"({"format": "ccdfuzz-scoreboard", "version": 1, "drivers": [], "rows": 5})",
+            "board.json: rows: 5"}}) {
+    write_text(folder / "board.json", text);
+    const Finished refused =
+        ccdfuzz({"report", corpus, "--scoreboard", folder / "board.json", "-o", folder / "other"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(complaint));
+    EXPECT_FALSE(std::filesystem::exists(folder / "other/index.html"));
+  }
 }
 
 TEST(ReportCommand, RefusesWhatItCannotRead) {

@@ -43,10 +43,14 @@ size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-Json data_of(const std::string& page) {
-  const std::string open = R"(<script id="report" type="application/json">)";
+Json element(const std::string& page, const std::string& id) {
+  const std::string open = "<script id=\"" + id + "\" type=\"application/json\">";
   const size_t from = page.find(open) + open.size();
   return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+Json data_of(const std::string& page) {
+  return element(page, "report");
 }
 
 TEST(ReportPage, OfNothingIsTheTemplateWithItsData) {
@@ -77,12 +81,12 @@ TEST(ReportPage, NoTextOfACaseEndsTheElementThatHoldsIt) {
 TEST(ReportPage, HasTheCourseOfAHuntAndTheScoreboard) {
   ReportPage report;
   report.course = {{"tdibm", "trad"}, {{0.5, 10, 100, 1, {3, std::nullopt}}}};
-  report.scoreboard.rows = {{"hunt", "end.sign", "a sign", false, 3, 3, 3, 2, .25, 10, 2, "x"}};
-  const Json data = data_of(report_page(report, 1));
-  EXPECT_EQ(data["course"]["samples"][0], Json::parse("[0.5, 10, 100, 1, [3, null]]"));
-  EXPECT_EQ(data["scoreboard"]["rows"][0]["kill"], true);
-  const Json none = data_of(report_page({}, 1));
-  EXPECT_TRUE(none["course"].is_null() && none["scoreboard"].is_null());
+  report.scoreboard = R"({"rows": [{"what": "</script>"}]})";
+  const std::string page = report_page(report, 1), none = report_page({}, 1);
+  EXPECT_EQ(data_of(page)["course"]["samples"][0], Json::parse("[0.5, 10, 100, 1, [3, null]]"));
+  EXPECT_EQ(element(page, "scoreboard"), Json::parse(report.scoreboard)) << "as it stands";
+  EXPECT_TRUE(data_of(none)["course"].is_null());
+  EXPECT_EQ(count(none, R"(id="scoreboard")"), 0U);
 }
 
 TEST(ReportPage, OfPluginsThatAreGoneHasAllButTheirTraces) {
@@ -100,22 +104,19 @@ TEST(ReportPage, OfPluginsThatAreGoneHasAllButTheirTraces) {
   EXPECT_EQ(data["cases"][0][4], "mcm");
 }
 
-TEST(ReportPage, TakesThePlaceOfAnEarlierOneWithItsTables) {
+TEST(ReportPage, IsTheOnlyFileOfItsFolder) {
   ReportPage report;
-  report.scoreboard.rows = {{"hunt", "end.sign", "a sign", false, 3, 3, 3, 2, .25, 10, 2, "x"}};
+  report.scoreboard = "{}";
   report.tables = {{"table-3", "Linear queries", {"a"}, {{"b"}}}};
   report.cases = {reported("VV", Outcome::kMissed)};
   const ScratchFolder folder;
-  ASSERT_TRUE(write_report(report, folder.path(), 1));
-  write_text(folder / "mine.csv", "of the user");
-  report.scoreboard = {};
-  report.tables.clear();
-  ASSERT_TRUE(write_report(report, folder.path(), 1));
+  ASSERT_TRUE(write_report(report, folder / "page", 1));
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "page")) {
     names.insert(entry.path().filename());
   }
-  EXPECT_EQ(names, (std::set<std::string>{"counterexamples.csv", "index.html", "mine.csv"}));
+  EXPECT_EQ(names, (std::set<std::string>{"index.html"}));
+  EXPECT_EQ(data_of(read_text(folder / "page/index.html"))["tables"][0]["rows"][0][0], "b");
 }
 
 TEST(ReportPage, OfTooManyBytesHasFewerCases) {

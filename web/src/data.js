@@ -3,6 +3,8 @@
 const text = (id) => document.getElementById(id)?.textContent ?? '';
 
 export const report = JSON.parse(text('report') || '{}');
+/** What ccdfuzz-scoreboard wrote, as it stands; null if there is none. */
+export const board = JSON.parse(text('scoreboard') || 'null');
 const blocks = new Map();
 
 async function inflate(base64) {

@@ -85,4 +85,6 @@ export function saveButton(label, name, content, type = 'text/csv') {
 }
 
 const csvField = (x) => (/[",\r\n]/.test(x) ? `"${String(x).replaceAll('"', '""')}"` : String(x ?? ''));
+/** Rows of objects with a first row of their keys, for csv(). */
+export const tableOf = (keys, objects) => [keys, ...objects.map((o) => keys.map((k) => o[k]))];
 export const csv = (rows) => rows.map((row) => row.map(csvField).join(',') + '\n').join('');

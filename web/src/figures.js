@@ -2,14 +2,18 @@
 import * as Plot from '@observablehq/plot';
 import { colourOf } from './colours.js';
 import { kClasses, methods, report } from './data.js';
-import { durationText, h, percentText, scientific } from './dom.js';
+import { csv, durationText, h, percentText, saveButton, scientific, tableOf } from './dom.js';
+import { pngOf } from './png.js';
 
 const groups = report.groups ?? [];
 const present = (list) => methods.filter((m) => list.some((g) => g.method === m));
 
+/** The counts of outcomes of a group. */
+export const kCounts = ['correct', 'missed', 'late', 'false_positive', 'undecided', 'unknown', 'error', 'not_asked'];
+
 /** Groups summed up by some of their keys. */
 export function summed(list, keys) {
-  const counts = ['n', 'positives', 'negatives', 'correct', 'missed', 'late', 'false_positive', 'undecided', 'unknown', 'error', 'not_asked'];
+  const counts = ['n', 'positives', 'negatives', ...kCounts];
   const found = new Map();
   for (const group of list) {
     const key = keys.map((k) => group[k]).join('\u0000');
@@ -33,8 +37,14 @@ export const asInThePaper = groups.filter((g) => g.factor === null || g.factor =
 
 export const legend = (list) => h('div.legend', list.map((m) => h('span', h('i', { style: `background:${colourOf(m)}` }), m)));
 
-export function figure(title, caption, ...nodes) {
-  return h('figure.card', h('h3', title), ...nodes, h('figcaption', caption));
+/** A figure with buttons that save it: as a picture, and its data, a table of `rows`. */
+export function figure(title, caption, rows, ...nodes) {
+  const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/-$/, '');
+  const made = h('figure.card',
+    h('div.table-head', h('h3', title), h('div.saves',
+      saveButton('CSV', `${name}.csv`, () => csv(rows)), saveButton('PNG', `${name}.png`, () => pngOf(made), 'image/png'))),
+    ...nodes, h('figcaption', caption));
+  return made;
 }
 
 export const wide = (...parts) => {
@@ -64,7 +74,10 @@ export function fig8() {
     const bars1 = rows.filter((r) => r[of] > 0);
     if (bars1.length === 0) return;
     const data = bars1.flatMap((r) => parts.map((part) => ({ ...r, part, rate: (100 * r[part]) / r[of] })));
-    out.push(figure(title, caption, legend(list), bars(data, list, (d) => ({
+    const inThePaper = (r) => (report.paper ?? []).find((p) => p.class === r.class && p.method === r.method)?.[key] ?? [];
+    const saved = tableOf(['class', 'method', of, ...parts, 'paper_count', 'paper_total'],
+      bars1.map((r) => ({ ...r, paper_count: inThePaper(r)[0], paper_total: inThePaper(r)[1] })));
+    out.push(figure(title, caption, saved, legend(list), bars(data, list, (d) => ({
       y: { label: '↑ %', grid: true, domain: [0, Math.max(1, ...d.map((r) => (100 * parts.reduce((s, p) => s + r[p], 0)) / r[of]), ...paper(key).map((p) => p.rate)) * 1.05] },
       marks: [
         Plot.barY(d, { fx: 'class', x: 'method', y: 'rate', fill: (r) => colourOf(r.method), fillOpacity: (r) => (r.part === 'late' ? 0.45 : 0.95),
@@ -78,7 +91,8 @@ export function fig8() {
   const timed = rows.filter((r) => r.seconds > 0 && r.n > 0).map((r) => ({ ...r, mean: (1000 * r.seconds) / r.n }));
   if (timed.length > 0) {
     const least = 10 ** Math.floor(Math.log10(Math.min(...timed.map((r) => r.mean))) - 0.001);
-    out.push(figure('Mean time of a query (Fig. 8 b)', 'In milliseconds, on a logarithmic scale.', legend(present(timed)), bars(timed, present(timed), (d) => ({
+    out.push(figure('Mean time of a query (Fig. 8 b)', 'In milliseconds, on a logarithmic scale.',
+      tableOf(['class', 'method', 'n', 'mean_ms'], timed.map((r) => ({ ...r, mean_ms: r.mean }))), legend(present(timed)), bars(timed, present(timed), (d) => ({
       y: { type: 'log', label: '↑ ms', grid: true, domain: [least, Math.max(...d.map((r) => r.mean)) * 1.4], tickFormat: (v) => (Math.abs(Math.log10(v) % 1) < 1e-9 ? String(v) : '') },
       marks: [
         Plot.barY(d, { fx: 'class', x: 'method', y1: least, y2: 'mean', fill: (r) => colourOf(r.method), title: (r) => `${r.method}, ${r.class}: ${durationText(r.mean / 1000)}` }),
@@ -121,9 +135,13 @@ function rebinned(histograms, bins, share) {
 export function fig9() {
   const rows = summed(asInThePaper, ['method']).filter((r) => r.log.length > 0);
   if (rows.length === 0) return [];
+  const data = [];
   const panels = rows.map((row) => {
     const linear = rebinned(row.linear, 40, 0.97).map((b) => ({ ...b, x1: 1000 * b.x1, x2: 1000 * b.x2 }));
     const log = added(row.log);
+    const add = (scale, bins, ms) => data.push(...bins.map((b) => ({ method: row.method, scale, from_ms: ms(b.x1), to_ms: ms(b.x2), count: b.count })));
+    add('linear', linear, (x) => x);
+    add('log', log, (x) => 1000 * 10 ** x);
     const colour = colourOf(row.method);
     const main = Plot.plot({
       style: { fontSize: '12px' }, width: 340, height: 220, marginLeft: 48,
@@ -139,7 +157,8 @@ export function fig9() {
     });
     return h('div.panel', h('h4', row.method), h('div.with-inset', main, h('div.inset', inset)));
   });
-  return [wide('Distributions of the time of a query (Fig. 9)', 'All classes together. Linear in time, up to the 97 % quantile, which the last bin goes past; the inset on a logarithmic scale.', h('div.panels', panels))];
+  return [wide('Distributions of the time of a query (Fig. 9)', 'All classes together. Linear in time, up to the 97 % quantile, which the last bin goes past; the inset on a logarithmic scale.',
+    tableOf(['method', 'scale', 'from_ms', 'to_ms', 'count'], data), h('div.panels', panels))];
 }
 
 /** RMS curvatures at the contacts (Fig. 5), if the report has them. */
@@ -152,5 +171,6 @@ export function fig5() {
     x: { type: 'log', label: 'RMS curvature at the contact →', ticks: 6, tickFormat: (v) => (Math.abs(Math.log10(v) % 1) < 1e-9 ? scientific(v, 1) : '') }, y: { label: '↑ patches', grid: true },
     marks: [Plot.rectY(bins, { x1: 'x1', x2: 'x2', y: 'count', fill: 'var(--accent)' }), Plot.ruleY([0])],
   });
-  return [figure('Curvature at the contact (Fig. 5)', 'Root mean square of the principal curvatures, √((κ₁² + κ₂²)/2), of each patch of a positive case at its contact.', plot)];
+  return [figure('Curvature at the contact (Fig. 5)', 'Root mean square of the principal curvatures, √((κ₁² + κ₂²)/2), of each patch of a positive case at its contact.',
+    tableOf(['from', 'to', 'count'], bins.map((b) => ({ from: b.x1, to: b.x2, count: b.count }))), plot)];
 }

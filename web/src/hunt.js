@@ -2,7 +2,7 @@
 import * as Plot from '@observablehq/plot';
 import { colourOf } from './colours.js';
 import { report } from './data.js';
-import { scientific, ulpsText } from './dom.js';
+import { scientific, tableOf, ulpsText } from './dom.js';
 import { figure, legend } from './figures.js';
 
 const kBins = 60;
@@ -42,10 +42,12 @@ export function huntFigures() {
       Plot.areaY(samples, { x: 'seconds', y: 'finds', fill: 'var(--alarm)', fillOpacity: 0.12, curve: 'step-after' }),
       Plot.lineY(samples, { x: 'seconds', y: 'finds', stroke: 'var(--alarm)', strokeWidth: 2, curve: 'step-after' }), Plot.ruleY([0])],
   });
+  const course = tableOf(['seconds', 'queries', 'mutants', 'finds', ...methods.map((m) => `margin_ulps ${m}`)],
+    samples.map((s) => ({ ...s, ...Object.fromEntries(methods.map((m, at) => [`margin_ulps ${m}`, s.margins[at]])) })));
   const out = [
-    figure('Queries', 'Answered and judged, a second. Classes and methods take turns, and some are slow.', throughput('queries', 'queries', 'var(--accent)')),
-    figure('Mutants', 'Bred of the draws towards what each method nearly loses, and traced, a second.', throughput('mutants', 'mutants', 'var(--patch-2)')),
-    figure('Counterexamples', 'How many stand in the store by this hunt’s doing: a smaller one takes the place of a larger.', finds),
+    figure('Queries', 'Answered and judged, a second. Classes and methods take turns, and some are slow.', course, throughput('queries', 'queries', 'var(--accent)')),
+    figure('Mutants', 'Bred of the draws towards what each method nearly loses, and traced, a second.', course, throughput('mutants', 'mutants', 'var(--patch-2)')),
+    figure('Counterexamples', 'How many stand in the store by this hunt’s doing: a smaller one takes the place of a larger.', course, finds),
   ];
   // On a logarithmic scale, kept by less than an ulp is drawn on the floor.
   const kFloor = 0.4;
@@ -56,7 +58,7 @@ export function huntFigures() {
     const last = methods.map((m) => margins.findLast((p) => p.method === m)).filter(Boolean);
     const of = last.map((p) => p.method);
     out.push(figure('Smallest margins', 'The least number of ulps of the time by which any traced contact survived a method’s tests so far, on a logarithmic scale; those on the floor are kept by less than an ulp. Contacts that were lost do not count here.',
-      legend(of), Plot.plot({
+      course, legend(of), Plot.plot({
         ...kSize, x,
         y: { type: 'log', label: '↑ ulps', domain: [kFloor * 0.75, Math.max(10, ...margins.map((p) => p.y)) * 1.5], grid: true, ticks: 5, tickFormat: (d) => (d < 1 ? '' : scientific(d, 1)) },
         marks: [

@@ -1,6 +1,6 @@
 // The list of cases: only the rows in sight are in the document, so that 5,000 are as quick as 5.
-import { cases, isFailure, kClasses, kOutcomes, methods } from './data.js';
-import { h, ulpsText } from './dom.js';
+import { cases, details, isFailure, kClasses, kOutcomes, methods } from './data.js';
+import { csv, h, saveButton, ulpsText } from './dom.js';
 import { colourOf } from './colours.js';
 
 const kRow = 46;
@@ -20,13 +20,24 @@ export class CaseList {
     this.count = h('div.count', { 'aria-live': 'polite' });
     this.rows = h('div.rows');
     this.box = h('div.list', { tabindex: 0, role: 'listbox', 'aria-label': 'Cases' }, this.rows);
-    root.append(h('div.filters', this.method, this.contact, this.outcome, this.age, this.search), this.count, this.box);
+    root.append(h('div.filters', this.method, this.contact, this.outcome, this.age, this.search),
+      h('div.table-head', this.count, saveButton('CSV', 'cases.csv', () => this.table())), this.box);
     for (const one of [this.method, this.contact, this.outcome, this.age]) one.addEventListener('change', () => this.filter());
     this.search.addEventListener('input', () => this.filter());
     this.box.addEventListener('scroll', () => this.draw());
     this.box.addEventListener('keydown', (event) => this.key(event));
     new ResizeObserver(() => this.draw()).observe(this.box);
     this.filter();
+  }
+
+  /** The answers to the cases shown, as CSV. */
+  async table() {
+    const rows = [['case', 'class', 'kind', 'generator', 'method', 'outcome', 'toi']];
+    for (const c of this.shown) {
+      const { answers } = await details(c.index);
+      for (const [method, { outcome, toi }] of Object.entries(answers)) rows.push([c.id, c.contact, c.kind, c.generator, method, outcome, toi]);
+    }
+    return csv(rows);
   }
 
   pick(method, contact) {

@@ -1,5 +1,5 @@
 import './style.css';
-import { cases, report } from './data.js';
+import { board, cases, report } from './data.js';
 import { h } from './dom.js';
 import { CaseList } from './list.js';
 import { fig5, fig8, fig9 } from './figures.js';
@@ -46,7 +46,7 @@ const definitions = [
   ['figures', 'Figures', report.groups?.length > 0, (panel) => panel.append(h('div.figures', ...fig8(), ...fig5(), ...fig9()))],
   ['tables', 'Tables', report.groups?.length > 0 || report.tables?.length > 0, (panel) => panel.append(...allTables())],
   ['hunt', 'Hunt', report.course?.samples.length > 1, (panel) => panel.append(h('div.figures', ...huntFigures()))],
-  ['scoreboard', 'Planted faults', report.scoreboard, (panel) => panel.append(...scoreboard())],
+  ['scoreboard', 'Planted faults', board, (panel) => panel.append(...scoreboard())],
 ];
 if (!cases.some((c) => c.failed.length)) definitions[1][1] = 'Cases';
 

@@ -1,6 +1,6 @@
 // What this report comes to: how often each method fails in each class.
 import { cases, isFailure, kClasses, methods, report } from './data.js';
-import { h, percentText, ulpsText } from './dom.js';
+import { csv, h, saveButton, ulpsText } from './dom.js';
 import { asInThePaper, summed } from './figures.js';
 import { colourOf } from './colours.js';
 
@@ -48,7 +48,12 @@ function matrix(onPick) {
           bad > 0 && watchable ? h('button', { type: 'button', onclick: () => onPick(method, contact), title: 'Show these cases' }, parts) : parts);
       }));
   }));
-  return h('div.scroll', h('table.matrix', head, body));
+  const save = () => csv([['method', 'class', 'missed', 'late', 'false_positive', 'error', 'of'], ...methods.flatMap((method) => kClasses.flatMap((contact) => {
+    const found = cell(method, contact, all);
+    return found && !found.refused ? [[method, contact, found.missed, found.late, found.fp, found.error, found.of]] : [];
+  }))]);
+  return [h('div.table-head', h('h3', 'False negatives: missed + late, by method and class'), saveButton('CSV', 'overview.csv', save)),
+    h('div.scroll', h('table.matrix', head, body))];
 }
 
 export function overview(open, pick) {
@@ -70,7 +75,6 @@ export function overview(open, pick) {
   return [
     h('div.facts', facts.map(([n, what]) => h('div', h('b', n), h('span', what)))),
     h('section.card',
-      h('h3', 'False negatives: missed + late, by method and class'),
       matrix(pick),
       h('p.note', `Missed: the method says that there is no contact, and an exact witness proves one. Late: it reports a time after a proven contact. FP: it reports a contact that is proven to be none.${rates}`,
         broken.length > 0 ? ` Claimed to be free of false negatives, and are not: ${broken.map((m) => m.spec).join(', ')}.` : '')),

@@ -1,15 +1,16 @@
 // Planted faults: how soon each driver of the tests notices them.
 import * as Plot from '@observablehq/plot';
-import { report } from './data.js';
-import { csv, durationText, h, saveButton } from './dom.js';
+import { board } from './data.js';
+import { csv, durationText, h, saveButton, tableOf } from './dom.js';
 import { wide } from './figures.js';
 
 const kColours = ['#0072b2', '#d55e00', '#009e73', '#9467bd', '#e69f00', '#cc2f7f'];
 const kLeast = 1e-4;  // seconds; what is sooner stands left of it
 
-const drivers = report.scoreboard?.drivers ?? [];
+const drivers = board?.drivers ?? [];
 const names = drivers.map((d) => d.driver);
-const rows = (report.scoreboard?.rows ?? []).filter((r) => r.fault !== 'none');
+// Detected by more than half of the runs.
+const rows = (board?.rows ?? []).filter((r) => r.fault !== 'none').map((r) => ({ ...r, kill: 2 * r.detected > r.runs }));
 const colourOfDriver = (name) => kColours[Math.max(0, names.indexOf(name)) % kColours.length];
 const timeText = (r) => (r.kill ? durationText(r.seconds) : `not in ${durationText(r.limit)}`);
 
@@ -35,8 +36,7 @@ function summary() {
     { title: 'median CPU time, misses counted as longest', number: true, text: (d) => `${d.censored ? '≥ ' : ''}${durationText(d.seconds)}` },
     { title: 'false alarms', number: true, text: (d) => `${d.false_alarms} of ${d.clean_runs}`, mark: (d) => (d.false_alarms > 0 ? 'bad' : '') },
   ];
-  const data = () => csv([['driver', 'killed', 'faults', 'reached', 'triggered', 'median_seconds', 'censored', 'false_alarms', 'clean_runs'],
-    ...drivers.map((d) => [d.driver, d.killed, d.faults, d.reached, d.triggered, d.seconds, d.censored ? 1 : 0, d.false_alarms, d.clean_runs])]);
+  const data = () => csv(tableOf(['driver', 'faults', 'killed', 'reached', 'triggered', 'clean_runs', 'false_alarms', 'seconds', 'executions', 'mean_seconds', 'censored'], drivers));
   return h('section.card', { id: 'drivers' },
     h('div.table-head', h('h3', 'Planted faults: would the tests notice?'), saveButton('CSV', 'scoreboard-drivers.csv', data)),
     h('div.scroll', table(columns, drivers)),
@@ -69,7 +69,8 @@ function dots() {
       Plot.dot(left, Plot.dodgeY({ anchor: 'middle', padding: 0.4 }, { x: 'x', fy: 'driver', r: 2.8, symbol: 'times', stroke: 'var(--alarm)', strokeWidth: 1.6, title })),
     ],
   });
-  return wide('CPU time to a kill, fault by fault', 'One dot a fault, on a logarithmic scale; dots left of 100 µs were killed at once. Red crosses, right of the dashed limit of their driver, were not killed within it. Faults that change nothing noticeable are left out.', h('div.scroll', plot));
+  return wide('CPU time to a kill, fault by fault', 'One dot a fault, on a logarithmic scale; dots left of 100 µs were killed at once. Red crosses, right of the dashed limit of their driver, were not killed within it. Faults that change nothing noticeable are left out.',
+    tableOf(['driver', 'fault', 'what', 'equivalent', 'runs', 'reached', 'triggered', 'detected', 'kill', 'seconds', 'executions', 'limit', 'found'], rows), h('div.scroll', plot));
 }
 
 function faults() {

@@ -1,7 +1,7 @@
 // The paper's tables, of this report's data.
 import { kClasses, methods, report } from './data.js';
 import { csv, h, saveButton } from './dom.js';
-import { asInThePaper, summed } from './figures.js';
+import { asInThePaper, kCounts, summed } from './figures.js';
 
 const kNames = { FF: 'Face-Face', EF: 'Edge-Face', EE: 'Edge-Edge', VF: 'Vert-Face', VE: 'Vert-Edge', VV: 'Vert-Vert' };
 
@@ -45,6 +45,15 @@ function plain({ id, title, columns, rows }) {
   return card(id, title, null, head, body, [columns, ...rows]);
 }
 
+/** What everything above is summed up from. */
+function everyGroup() {
+  const timed = report.groups.some((g) => g.seconds > 0);
+  const columns = ['class', 'kind', 'factor', 'method', 'n', 'positives', 'negatives', ...kCounts,
+    ...(timed ? ['seconds', 'median', 'p99'] : [])];
+  return { id: 'groups', title: 'Answers by class, kind, multiple of the contact’s time and method', columns,
+    rows: report.groups.map((g) => columns.map((c) => g[c])) };
+}
+
 export function allTables() {
   const out = [];
   if (asInThePaper.length > 0) {
@@ -66,5 +75,6 @@ export function allTables() {
       list, kClasses.map((c) => ({ name: kNames[c] ?? c, pick: (m) => list.find((r) => r.class === c && r.method === m) }))));
   }
   for (const table of report.tables ?? []) out.push(plain(table));
+  if (report.groups?.length > 0) out.push(plain(everyGroup()));
   return out;
 }
