@@ -14,7 +14,6 @@
 #include "cli/terminal.hpp"
 #include "corpus/data_set_address.hpp"
 #include "eval/evaluation_folder.hpp"
-#include "eval/figures.hpp"
 #include "eval/paper_tables.hpp"
 #include "method/method.hpp"
 #include "query/journal.hpp"
@@ -199,7 +198,7 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
     if (!flags.page.empty()) page.add(*record, cases.at(record->index), options.search.precision);
     return folder->add(*record);
   });
-  if (done) done = folder->finish(costs, figure_5_lines(cases, options.shard));
+  if (done) done = folder->finish(costs);
   if (done && !flags.page.empty())
     done = write_evaluation_page(page, costs, options.methods, flags);
   if (done) done = journal->remove();
@@ -272,8 +271,8 @@ void add_evaluate(CommandLine& line) {
   linear.excludes(add_shard(command, options->shard));
   linear.excludes(command.text(
       "-o,--output", options->folder,
-      "Folder for all answers, the tables and the figures' data (CSV, Markdown); killed, "
-      "the same command goes on where it was"));
+      "Folder for all answers (answers.csv), their counts (rows.jsonl) and the tables "
+      "(tables.md), which `report` shows; killed, the same command goes on where it was"));
   command.text("--report", options->page,
                "Folder for a page (index.html) of tables, figures and watchable failures");
   add_threads(command, options->threads);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "cli/command.hpp"
+#include "eval/evaluation_folder.hpp"
 
 namespace ccdfuzz {
 
@@ -24,7 +25,7 @@ Result<int> run_merge(const MergeArguments& options) {
     const auto file = std::ranges::find_if_not(options.inputs, is_folder);
     return input_error(*file, "is no folder, and others of the inputs are");
   }
-  const bool evaluated = std::filesystem::exists(options.inputs[0] + "/run.json");
+  const bool evaluated = std::filesystem::exists(EvaluationFolder::answers_path(options.inputs[0]));
   return evaluated ? merge_evaluations(options.inputs, options.output)
                    : merge_corpora(options.inputs, options.output);
 }

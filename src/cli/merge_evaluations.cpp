@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "cli/merge.hpp"
@@ -39,20 +38,6 @@ Result<void> check_shares(const std::vector<std::string>& inputs,
   return {};
 }
 
-/// The lines of all folders in the order of the cases.
-Result<std::string> curvatures_of(const std::vector<EvaluatedFolder>& folders) {
-  std::vector<std::pair<std::uint64_t, std::string>> lines;
-  for (const EvaluatedFolder& folder : folders) {
-    const auto read = folder.for_each_curvature(
-        [&](std::uint64_t index, const std::string& line) { lines.emplace_back(index, line); });
-    if (!read) return tl::unexpected(read.error());
-  }
-  std::ranges::sort(lines);  // the two of a case differ first in the patch
-  std::string text;
-  for (const auto& [index, line] : lines) text += line;
-  return text;
-}
-
 }  // namespace
 
 Result<int> merge_evaluations(const std::vector<std::string>& inputs, const std::string& output) {
@@ -80,9 +65,7 @@ Result<int> merge_evaluations(const std::vector<std::string>& inputs, const std:
     if (!done) return tl::unexpected(done.error());
     ++count;
   }
-  const Result<std::string> curvatures = curvatures_of(folders);
-  if (!curvatures) return tl::unexpected(curvatures.error());
-  if (auto done = merged->finish(folders.front().costs(), *curvatures); !done) {
+  if (auto done = merged->finish(folders.front().costs()); !done) {
     return tl::unexpected(done.error());
   }
   print_out(fmt::format("{} answers of {} folders in {}\n", count, inputs.size(), output));

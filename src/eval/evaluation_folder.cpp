@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "eval/figures.hpp"
 #include "eval/paper_tables.hpp"
 #include "query/json_text.hpp"
 
@@ -18,33 +16,39 @@ constexpr const char* kEvaluationFormat = "ccdfuzz-evaluation";
 /// So many bytes of answers are handed to the system at once.
 constexpr size_t kAnswersPiece = 1 << 16;
 
-std::string run_json(const EvaluationRun& run) {
+/// The first line of rows.jsonl.
+std::string head_json(const EvaluationRun& run, size_t costs) {
   const nlohmann::ordered_json json = {{"format", kEvaluationFormat},
-                                       {"version", 1},
+                                       {"version", 2},
                                        {"asked", run.asked},
                                        {"methods", run.methods},
-                                       {"shard", {run.shard.index, run.shard.of}}};
+                                       {"shard", {run.shard.index, run.shard.of}},
+                                       {"costs", costs}};
   return json_text(json) + "\n";
 }
 
-Result<EvaluationRun> read_run(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) return input_error(path, "cannot be read: this is no folder of an evaluation");
-  EvaluationRun run;
+/// Reads that line into a run; the number of costs that follow.
+Result<size_t> read_head(const std::string& line, const std::string& path, EvaluationRun& run) {
+  size_t costs = 0;
   try {
-    const auto json = nlohmann::ordered_json::parse(file);
-    if (json.at("format") != kEvaluationFormat || json.at("version") != 1) {
-      throw std::invalid_argument("is not of the format ccdfuzz-evaluation, version 1");
+    const auto json = nlohmann::ordered_json::parse(line);
+    if (json.at("format") != kEvaluationFormat || json.at("version") != 2) {
+      throw std::invalid_argument("is not of the format ccdfuzz-evaluation, version 2");
     }
     json.at("asked").get_to(run.asked);
     json.at("methods").get_to(run.methods);
     json.at("shard").at(0).get_to(run.shard.index);
     json.at("shard").at(1).get_to(run.shard.of);
+    json.at("costs").get_to(costs);
   } catch (const std::exception& error) {
     return input_error(path, error.what());
   }
   if (run.shard.index >= run.shard.of) return input_error(path, "shard: there is no such share");
-  return run;
+  return costs;
+}
+
+std::string rows_path(const std::string& folder) {
+  return folder + "/rows.jsonl";
 }
 
 }  // namespace
@@ -81,31 +85,17 @@ Result<void> EvaluationFolder::add(const AnswerRecord& record) {
   return written;
 }
 
-Result<void> EvaluationFolder::finish(const std::vector<GenerationCost>& costs,
-                                      const std::string& curvatures) {
+Result<void> EvaluationFolder::finish(const std::vector<GenerationCost>& costs) {
   const std::vector<EvaluatedGroup> groups = groups_.in_order();
-  std::string markdown, lines;
+  std::string markdown, rows = head_json(run_, costs.size());
   for (const auto& [title, table] : evaluation_tables(groups, costs)) {
     markdown +=
         fmt::format("{}## {}\n\n{}", markdown.empty() ? "" : "\n", title, table.to_markdown());
   }
-  for (const EvaluatedGroup& group : groups) lines += to_json(group) + "\n";
-  Result<void> done = write("tables.md", markdown);
-  const auto then = [&](const char* name, const std::string& text) {
-    if (done) done = write(name, text);
-  };
-  then("groups.jsonl", lines);
-  then("performance.csv", performance_csv(groups));
-  then("table_1.csv", paper_csv(compare_with_table_1(groups)));
-  then("table_2.csv", paper_csv(compare_with_table_2(groups)));
-  then("figure_5.csv", figure_5_header() + curvatures);
-  then("figure_8.csv", figure_8_csv(groups));
-  then("figure_9.csv", figure_9_csv(groups));
-  if (done) {
-    done = write_generation(folder_ + "/generation.jsonl", {run_.asked, run_.shard, costs});
-  }
-  then("table_4.csv", generation_csv(costs));
-  then("run.json", run_json(run_));
+  for (const GenerationCost& cost : costs) rows += to_json(cost) + "\n";
+  for (const EvaluatedGroup& group : groups) rows += to_json(group) + "\n";
+  Result<void> done = write_file(folder_ + "/tables.md", markdown);
+  if (done) done = write_file(rows_path(folder_), rows);
   if (done) done = answers_.write(pending_);
   return done ? answers_.commit() : done;
 }
@@ -113,12 +103,24 @@ Result<void> EvaluationFolder::finish(const std::vector<GenerationCost>& costs,
 Result<EvaluatedFolder> EvaluatedFolder::open(const std::string& folder) {
   EvaluatedFolder opened;
   opened.folder_ = folder;
-  Result<EvaluationRun> run = read_run(folder + "/run.json");
-  if (!run) return tl::unexpected(run.error());
-  opened.run_ = *std::move(run);
-  auto record = read_generation(folder + "/generation.jsonl");
-  if (!record) return tl::unexpected(record.error());
-  if (*record) opened.costs_ = std::move((*record)->costs);
+  const std::string path = rows_path(folder);
+  std::ifstream rows(path);
+  std::string line;
+  if (!std::getline(rows, line)) {
+    return input_error(path,
+                       "cannot be read: this is no folder of an evaluation, or an older version "
+                       "wrote it: run `ccdfuzz evaluate -o` again");
+  }
+  const Result<size_t> costs = read_head(line, path, opened.run_);
+  if (!costs) return tl::unexpected(costs.error());
+  while (opened.costs_.size() < *costs) {
+    line.clear();
+    std::getline(rows, line);
+    const std::string where = fmt::format("{}:{}", path, opened.costs_.size() + 2);
+    Result<GenerationCost> cost = parse_cost(line, where);
+    if (!cost) return tl::unexpected(cost.error());
+    opened.costs_.push_back(*std::move(cost));
+  }
   const std::string answers = EvaluationFolder::answers_path(folder);
   opened.answers_.open(answers);
   std::string header;
@@ -138,25 +140,6 @@ Result<void> EvaluatedFolder::advance() {
   Result<AnswerRecord> record = parse_answer_csv(line, where);
   if (!record) return tl::unexpected(record.error());
   current_ = *std::move(record);
-  return {};
-}
-
-Result<void> EvaluatedFolder::for_each_curvature(
-    const std::function<void(std::uint64_t, const std::string&)>& visit) const {
-  const std::string path = folder_ + "/figure_5.csv";
-  std::ifstream file(path);
-  std::string line;
-  if (!std::getline(file, line) || line + "\n" != figure_5_header()) {
-    return input_error(path, "does not begin with the line of Fig. 5's data");
-  }
-  for (size_t number = 2; std::getline(file, line); ++number) {
-    std::uint64_t index = 0;
-    const auto [end, status] = std::from_chars(line.data(), line.data() + line.size(), index);
-    if (status != std::errc() || *end != ',') {
-      return input_error(fmt::format("{}:{}", path, number), "does not begin with a case's index");
-    }
-    visit(index, line + "\n");
-  }
   return {};
 }
 

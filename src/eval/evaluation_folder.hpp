@@ -1,7 +1,6 @@
 #pragma once
 
 #include <fstream>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,9 +19,9 @@ struct EvaluationRun {
   Shard shard;
 };
 
-/// What an evaluation leaves in its folder: answers.csv, of which all else is made; run.json;
-/// tables.md; performance.csv and groups.jsonl; table_1.csv and table_2.csv, beside the paper;
-/// figure_5.csv, figure_8.csv and figure_9.csv; generation.jsonl and table_4.md's numbers in it.
+/// The files that an evaluation leaves in its folder. answers.csv has a line for each answer.
+/// rows.jsonl has a head (what was asked, of which shard), what the cases cost to make, and a line
+/// for each group of answers. tables.md has the tables as they are printed.
 /// Each file appears whole or not at all, answers.csv last.
 class EvaluationFolder {
  public:
@@ -34,9 +33,8 @@ class EvaluationFolder {
   /// In the order of the cases.
   Result<void> add(const AnswerRecord& record);
 
-  /// Must come last. costs: how the data sets were made, if that is known; curvatures: the lines of
-  /// figure_5.csv.
-  Result<void> finish(const std::vector<GenerationCost>& costs, const std::string& curvatures);
+  /// Must come last. costs: how the data sets were made, if that is known.
+  Result<void> finish(const std::vector<GenerationCost>& costs);
 
   std::vector<EvaluatedGroup> groups() const { return groups_.in_order(); }
 
@@ -46,10 +44,6 @@ class EvaluationFolder {
         run_(std::move(run)),
         answers_(std::move(answers)),
         groups_(run_.methods) {}
-
-  Result<void> write(const char* name, const std::string& text) const {
-    return write_file(folder_ + "/" + name, text);
-  }
 
   std::string folder_;
   EvaluationRun run_;
@@ -70,9 +64,6 @@ class EvaluatedFolder {
   const std::optional<AnswerRecord>& current() const { return current_; }
   /// Reads the next one. Errors: naming file, line and column.
   Result<void> advance();
-  /// Calls visit(index of the case, line) on the lines of figure_5.csv.
-  Result<void> for_each_curvature(
-      const std::function<void(std::uint64_t, const std::string&)>& visit) const;
 
  private:
   std::string folder_;

@@ -33,11 +33,7 @@ GenerationCost from_row(const GenerationJson& row) {
   return cost;
 }
 
-void read_generation_line(const GenerationJson& row, bool first, GenerationRecord& record) {
-  if (!first) {
-    record.costs.push_back(from_row(row));
-    return;
-  }
+void read_generation_head(const GenerationJson& row, GenerationRecord& record) {
   if (row.at("format") != kGenerationFormat || row.at("version") != 1) {
     throw std::invalid_argument("is not of the format ccdfuzz-generation, version 1");
   }
@@ -55,6 +51,14 @@ std::string to_json(const GenerationCost& cost) {
   for (const auto& [step, count] : cost.discarded) row["discarded"][step] = count;
   row["cpu_seconds"] = cost.cpu_seconds;
   return json_text(row);
+}
+
+Result<GenerationCost> parse_cost(const std::string& line, const std::string& where) {
+  try {
+    return from_row(GenerationJson::parse(line));
+  } catch (const std::exception& error) {
+    return input_error(where, error.what());
+  }
 }
 
 GenerationCost& GenerationCost::operator+=(const GenerationCost& o) {
@@ -86,8 +90,14 @@ Result<std::optional<GenerationRecord>> read_generation(const std::string& path)
   size_t number = 0;
   for (std::string line; std::getline(file, line);) {
     const std::string where = fmt::format("{}:{}", path, ++number);
+    if (number > 1) {
+      Result<GenerationCost> cost = parse_cost(line, where);
+      if (!cost) return tl::unexpected(cost.error());
+      record.costs.push_back(*std::move(cost));
+      continue;
+    }
     try {
-      read_generation_line(GenerationJson::parse(line), number == 1, record);
+      read_generation_head(GenerationJson::parse(line), record);
     } catch (const std::exception& error) {
       return input_error(where, error.what());
     }
@@ -153,24 +163,6 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
     add(total, "-");
   }
   return table;
-}
-
-std::string generation_csv(const std::vector<GenerationCost>& costs) {
-  std::string lines = "class,kinds,cases,mean_ms,paper_mean_ms,begun";
-  if (!costs.empty()) {
-    for (const auto& [step, count] : costs[0].discarded) lines += "," + csv_field(step);
-  }
-  lines += "\n";
-  for (const GenerationCost& cost : costs) {
-    const std::optional<double> papers = paper_generation_seconds(cost.contact, cost.kind);
-    lines +=
-        fmt::format("{},{},{},{},{},{}", csv_field(cost.contact), csv_field(cost.kind), cost.cases,
-                    cost.cases == 0 ? 0 : cost.cpu_seconds * 1e3 / static_cast<double>(cost.cases),
-                    papers ? fmt::format("{}", *papers * 1e3) : "", cost.begun);
-    for (const auto& [step, count] : cost.discarded) lines += fmt::format(",{}", count);
-    lines += "\n";
-  }
-  return lines;
 }
 
 }  // namespace ccdfuzz

@@ -28,6 +28,8 @@ struct GenerationCost {
 
 /// A cost as a JSON object on one line.
 std::string to_json(const GenerationCost& cost);
+/// The cost on such a line. Errors: it is none, at `where`.
+Result<GenerationCost> parse_cost(const std::string& line, const std::string& where);
 
 /// How a data set was made. It stands in a file beside the cases, since times differ from run to
 /// run and the cases do not: X.jsonl.zst → X.generation.jsonl, and so for .jsonl. Its first line
@@ -51,7 +53,5 @@ void merge_costs(std::vector<GenerationCost>& into, const std::vector<Generation
 /// Table 4: counts, CPU time of each accepted case with its share of what was discarded, beside the
 /// paper's, and the discards of each step.
 Table generation_table(const std::vector<GenerationCost>& costs);
-/// The same numbers for a program, times in milliseconds.
-std::string generation_csv(const std::vector<GenerationCost>& costs);
 
 }  // namespace ccdfuzz

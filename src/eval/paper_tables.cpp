@@ -88,24 +88,4 @@ Table paper_table(const std::vector<PaperComparison>& rows) {
   return table;
 }
 
-std::string paper_csv(const std::vector<PaperComparison>& rows) {
-  std::string lines =
-      "class,kinds,method,mean_ms,paper_mean_ms,missed,positives,paper_missed,paper_positives,"
-      "false_positives,negatives,paper_false_positives,paper_negatives\n";
-  for (const PaperComparison& row : rows) {
-    const Tally& tally = row.group.tally;
-    const std::optional<PaperResult>& paper = row.paper;
-    const auto rate = [](const std::optional<PaperRate>& r) {
-      return r ? fmt::format("{},{}", r->count, r->total) : std::string(",");
-    };
-    lines += fmt::format(
-        "{},{},{},{},{},{},{},{},{}\n", csv_field(row.group.contact), csv_field(row.kinds),
-        csv_field(row.group.method), tally.mean_seconds() * 1e3,
-        paper ? fmt::format("{}", paper->seconds * 1e3) : "", rate(missed_of(tally)),
-        rate(paper ? paper->false_negatives : std::nullopt), rate(false_positives_of(tally)),
-        rate(paper ? std::optional(paper->false_positives) : std::nullopt));
-  }
-  return lines;
-}
-
 }  // namespace ccdfuzz

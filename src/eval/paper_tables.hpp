@@ -25,14 +25,10 @@ std::vector<PaperComparison> compare_with_table_2(const std::vector<EvaluatedGro
 
 /// Mean times, false positives and false negatives (missed: the paper's only sort) side by side.
 Table paper_table(const std::vector<PaperComparison>& rows);
-/// The same numbers for a program, times in milliseconds.
-std::string paper_csv(const std::vector<PaperComparison>& rows);
 
 /// Everything that is known of each group, a row for each.
 Table performance_table(const std::vector<EvaluatedGroup>& groups);
 /// The same as a JSON object on one line.
 std::string to_json(const EvaluatedGroup& group);
-/// The same for a spreadsheet.
-std::string performance_csv(const std::vector<EvaluatedGroup>& groups);
 
 }  // namespace ccdfuzz

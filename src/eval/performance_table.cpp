@@ -16,7 +16,9 @@ std::string horizon_text(const std::optional<double>& factor) {
   return *factor == 1 ? "t*" : fmt::format("{} t*", *factor);
 }
 
-nlohmann::ordered_json group_row(const EvaluatedGroup& group) {
+}  // namespace
+
+std::string to_json(const EvaluatedGroup& group) {
   const Tally& tally = group.tally;
   nlohmann::ordered_json row = {
       {"class", group.contact}, {"kinds", group.kinds}, {"t_max_factor", nullptr}};
@@ -37,32 +39,7 @@ nlohmann::ordered_json group_row(const EvaluatedGroup& group) {
               {"mean_seconds", tally.mean_seconds()},
               {"median_seconds", group.seconds.median()},
               {"p99_seconds", group.seconds.p99()}});
-  return row;
-}
-
-}  // namespace
-
-std::string to_json(const EvaluatedGroup& group) {
-  return json_text(group_row(group));
-}
-
-std::string performance_csv(const std::vector<EvaluatedGroup>& groups) {
-  std::string header, lines;
-  for (const EvaluatedGroup& group : groups) {
-    header.clear();
-    std::string line;
-    const nlohmann::ordered_json row = group_row(group);
-    for (const auto& [key, value] : row.items()) {
-      const char* const comma = header.empty() ? "" : ",";
-      header += comma + key;
-      const std::string text = value.is_string() ? value.get<std::string>()
-                               : value.is_null() ? ""
-                                                 : json_text(value);
-      line += comma + csv_field(text);
-    }
-    lines += line + "\n";
-  }
-  return header + "\n" + lines;
+  return json_text(row);
 }
 
 Table performance_table(const std::vector<EvaluatedGroup>& groups) {

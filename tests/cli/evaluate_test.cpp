@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "killed_run.hpp"
 
@@ -72,9 +74,15 @@ TEST(Evaluate, TheReportFolderHoldsEveryAnswerInOrder) {
   }
   EXPECT_FALSE(std::getline(answers, line));
   EXPECT_NE(read_text(report + "/tables.md").find("| VV | tdibm |"), std::string::npos);
-  EXPECT_EQ(json_lines(read_text(report + "/groups.jsonl")).size(), 2U);
-  EXPECT_NE(read_text(report + "/performance.csv").find("class,kinds,t_max_factor,method,n,"),
-            std::string::npos);
+  const auto rows = json_lines(read_text(report + "/rows.jsonl"));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0]["methods"], (std::vector<std::string>{"tdibm", "tdibm-e"}));
+  EXPECT_EQ(rows[2]["method"], "tdibm-e");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(report)) {
+    names.insert(entry.path().filename());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"answers.csv", "rows.jsonl", "tables.md"}));
 }
 
 TEST(Evaluate, TheTableStandsBesideThePapersRates) {
@@ -96,20 +104,19 @@ std::string paper_part(const ScratchFolder& folder) {
 
 /// What stands in a report folder, but for times.
 std::vector<std::string> without_times(const std::string& report) {
-  std::vector<std::string> all = {read_text(report + "/figure_5.csv"),
-                                  read_text(report + "/generation.jsonl")};
+  std::vector<std::string> all;
   std::istringstream answers(read_text(report + "/answers.csv"));
   for (std::string line; std::getline(answers, line);) {
     all.push_back(line.substr(0, line.rfind(',')));
   }
-  for (nlohmann::ordered_json row : json_lines(read_text(report + "/groups.jsonl"))) {
+  for (nlohmann::ordered_json row : json_lines(read_text(report + "/rows.jsonl"))) {
     for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) row.erase(time);
     all.push_back(row.dump());
   }
   return all;
 }
 
-TEST(Evaluate, WritesTheTablesAndTheFiguresData) {
+TEST(Evaluate, WritesTheTablesAndTheirRows) {
   const ScratchFolder folder;
   const std::string set = paper_part(folder), report = folder / "report";
   const Finished finished =
@@ -128,15 +135,11 @@ TEST(Evaluate, WritesTheTablesAndTheFiguresData) {
     return std::count(text.begin(), text.end(), '\n');
   };
   EXPECT_EQ(lines("answers.csv"), 1 + 24 * 2);
-  EXPECT_EQ(lines("table_1.csv"), 1 + 6 * 2);
-  EXPECT_EQ(lines("table_2.csv"), 1 + 12 * 2);
-  EXPECT_EQ(lines("table_4.csv"), 1 + 18);
-  EXPECT_EQ(lines("figure_5.csv"), 1 + 12 * 2) << "both patches of each positive case";
-  EXPECT_EQ(lines("figure_8.csv"), 1 + 6 * 2);
-  EXPECT_GT(lines("figure_9.csv"), 1 + 12 * 2);
-  const auto groups = json_lines(read_text(report + "/groups.jsonl"));
-  ASSERT_EQ(groups.size(), 24U);
-  for (const auto& group : groups) EXPECT_GT(group.at("max_bytes"), 0) << group;
+  const auto rows = json_lines(read_text(report + "/rows.jsonl"));
+  ASSERT_EQ(rows.size(), 1U + 18 + 24);
+  EXPECT_EQ(rows[0].at("costs"), 18);
+  for (size_t i = 1; i <= 18; ++i) EXPECT_TRUE(rows[i].contains("cpu_seconds")) << rows[i];
+  for (size_t i = 19; i < rows.size(); ++i) EXPECT_GT(rows[i].at("max_bytes"), 0) << rows[i];
 }
 
 TEST(Evaluate, SharesMergeIntoTheWhole) {
@@ -160,7 +163,6 @@ TEST(Evaluate, SharesMergeIntoTheWhole) {
   const Finished merged = ccdfuzz(merge);
   ASSERT_EQ(merged.code, 0) << merged.err;
   EXPECT_EQ(without_times(folder / "merged"), without_times(whole));
-  EXPECT_EQ(read_text(folder / "merged/run.json"), read_text(whole + "/run.json"));
   // A share left out, twice there, or of another run.
   const std::string last = merge.back();
   merge.pop_back();
@@ -174,6 +176,35 @@ TEST(Evaluate, SharesMergeIntoTheWhole) {
   const Finished other = ccdfuzz(merge);
   EXPECT_EQ(other.code, 2);
   EXPECT_NE(other.err.find("--max-pops 7"), std::string::npos) << other.err;
+}
+
+TEST(Evaluate, AFolderWithoutRowsIsRefusedWithWhatToDo) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "VV", "RP", 2), run = folder / "run";
+  ASSERT_EQ(ccdfuzz({"evaluate", set, "--methods", "tdibm", "-o", run}).code, 0);
+  const auto refusal = [&] {
+    const Finished merged = ccdfuzz({"merge", run, "-o", folder / "merged"});
+    const Finished shown = ccdfuzz({"report", run, "-o", folder / "page"});
+    EXPECT_EQ(merged.code, 2);
+    EXPECT_EQ(shown.code, 2);
+    return merged.err + shown.err;
+  };
+  const std::string rows = read_text(run + "/rows.jsonl");
+  const std::map<std::string, std::string> changes = {
+      {"\"version\":2", "rows.jsonl: is not of the format ccdfuzz-evaluation, version 2"},
+      {"\"costs\":0", "rows.jsonl:2: "},
+      {"\"shard\":[0,1]", "shard: there is no such share"}};
+  for (const auto& [text, complaint] : changes) {
+    std::string changed = rows;
+    const size_t at = changed.find(text);
+    ASSERT_NE(at, std::string::npos) << text << rows;
+    changed.replace(at, text.size(),
+                    text.substr(0, text.find(':')) + (text.back() == ']' ? ":[1,1]" : ":3"));
+    write_text(run + "/rows.jsonl", changed);
+    EXPECT_NE(refusal().find(complaint), std::string::npos) << text << refusal();
+  }
+  std::filesystem::remove(run + "/rows.jsonl");
+  EXPECT_NE(refusal().find("evaluate -o` again"), std::string::npos);
 }
 
 TEST(Evaluate, GoesOnAfterKillsAndRefusesAnotherRunsJournal) {
