@@ -28,12 +28,12 @@ struct QueryArguments {
 /// measured, with the methods of the paper, 0.63 ms for two tensor(8,8) and 0.02 ms for two
 /// triangle(2). tdibm-c takes an eighth or less of that; tdibm-rational as much, and more where its
 /// numbers grow long.
-std::uint64_t default_pops(const Query& query, std::string_view method) {
+std::uint64_t default_pops(const Query& query) {
   constexpr std::uint64_t kWork = 40'000'000;  // times 15 ns: 0.6 s a method
   const std::uint64_t points =
       query.patches[0].positions.size() + query.patches[1].positions.size();
-  const std::uint64_t pops = std::max<std::uint64_t>(1, kWork / (points * (points + 100)));
-  return std::min(SearchOptions().max_pops, method == "tdibm-c" ? 8 * pops : pops);
+  const std::uint64_t pops = kWork / (points * (points + 100));
+  return std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
 }
 
 std::vector<TableCell> table_row(const std::string& case_id, const std::string& method,
@@ -74,7 +74,7 @@ Result<int> run_query(const QueryArguments& options) {
         Result<SearchOptions> search = options.search.parse_for(shared.named());
         if (!search) return tl::unexpected(search.error());
         const std::string& method = (*methods)[m];
-        if (search->max_pops == 0) search->max_pops = default_pops(asked->query(), method);
+        if (search->max_pops == 0) search->max_pops = default_pops(asked->query());
         return ask(method_sets.local()[method], *asked, *search);
       },
       [&](const SharedCase& shared, size_t m, const Judged& judged, double share) {
