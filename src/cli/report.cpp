@@ -178,6 +178,9 @@ Result<std::string> read_scoreboard(const std::string& path) {
 }
 
 Result<int> run_report(const ReportArguments& options) {
+  if (const auto admitted = options.plugins.admit(); !admitted) {
+    return tl::unexpected(admitted.error());
+  }
   Result<std::string> scoreboard;
   if (!options.scoreboard.empty()) scoreboard = read_scoreboard(options.scoreboard);
   if (!scoreboard) return tl::unexpected(scoreboard.error());
