@@ -32,7 +32,6 @@ SENSE = {
     "--seconds": [b"9" * 40],
     "--t-max-factors": [b"9" * 40],  # any number from 1 on
     "--hex": [b"", b"9" * 40],  # bytes
-    "--times": [b"-1", b"9" * 40],  # any number
     # Any folder.
     "--known": [b"."],
     "corpus": [b"."],
@@ -51,15 +50,14 @@ ARGUMENTS = {
     "generate": ["--contact", "VV", "--kind", "RP", "--count", "1", "--output", "made.jsonl"],
     "evaluate": [CASE, "--methods", "tdibm"],
     "import": ["queries.csv", "--as", "vertex-face", "--output", "imported.jsonl"],
-    "export": [CASE, "--as", "gltf", "--output", "exported"],
+    "export": [CASE, "--output", "exported.csv"],
     "verify": [CASE],
     "prove": [CASE, "--output", "proven.jsonl"],
     "merge": ["finds", "--output", "merged"],
     "triage": [CASE, "--methods", "tdibm", "--output", "finds"],
-    "corpus": ["merge", "finds", "--output", "merged"],
     "replay": [CASE],
     "minimize": [CASE, "--method", "tdibm"],
-    "report": [CASE, "--methods", "tdibm", "--output", "page"],
+    "report": [".", "--output", "page"],
     "bench": ["--count", "1", "--methods", "tdibm-c", "--classes", "VV"],
     "check": ["paper.eps_coeff", "--count", "1", "--save", "saved"],
     "methods": [],
