@@ -132,7 +132,7 @@ TEST(LinearContact, IsTheSameInShortAndLongIntegers) {
     hits += coarse.kind == Kind::kProven;
   }
   EXPECT_GT(is_short, total / 2);
-  EXPECT_LT(is_short, total);
+  if (kOneIn == 1) EXPECT_LT(is_short, total) << "few are long";
   EXPECT_GT(hits, total / 20);
 }
 

@@ -1,5 +1,6 @@
 #include "ccd/certified/short_contact.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -136,7 +137,7 @@ ShortMoment ShortSearch::root_in(std::int64_t part, int level, int first, double
       hi = m;
       m = hi - step;
     }
-    step *= 2;
+    step = std::min(2 * step, length);
   }
   const double time = static_cast<double>(lo) * kPart;
   return {time + 0.5 * kPart, 0.5 * kPart, lo, time};
