@@ -132,7 +132,9 @@ TEST(LinearContact, IsTheSameInShortAndLongIntegers) {
     hits += coarse.kind == Kind::kProven;
   }
   EXPECT_GT(is_short, total / 2);
-  if (kOneIn == 1) EXPECT_LT(is_short, total) << "few are long";
+  if (kOneIn == 1) {
+    EXPECT_LT(is_short, total) << "few are long";
+  }
   EXPECT_GT(hits, total / 20);
 }
 

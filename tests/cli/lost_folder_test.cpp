@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -34,29 +35,33 @@ size_t count_of(const std::string& text, const std::string& part) {
 /// A long hunt that has stored something. Plain TDIBM fails on the first draws.
 class LostFolder : public testing::Test {
  protected:
-  LostFolder() { wait_for_an_entry(); }
+  void begin(const char* seconds) {
+    hunt_.emplace(std::vector<std::string>{"hunt", "--corpus", finds_, "--seconds", seconds,
+                                           "--methods", "tdibm", "--max-pops", "20"});
+    wait_for_entries();
+  }
 
-  void wait_for_an_entry() {
-    while (entries_in(finds_).empty() && !hunt_.is_over()) {
+  void wait_for_entries(size_t count = 1) {
+    while (entries_in(finds_).size() < count && !hunt_->is_over()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   }
 
   Finished end() {
-    hunt_.signal(SIGINT);
-    return hunt_.wait();
+    hunt_->signal(SIGINT);
+    return hunt_->wait();
   }
 
   /// The finds of the folder, and under which name it is kept from the hunt.
   ScratchFolder folder_;
   const std::string finds_ = folder_ / "finds", away_ = folder_ / "away";
-  Process hunt_{
-      {"hunt", "--corpus", finds_, "--seconds", "600", "--methods", "tdibm", "--max-pops", "20"}};
+  std::optional<Process> hunt_;
 };
 
 TEST_F(LostFolder, IsMadeAgainWithAllFinds) {
+  begin("600");
   fs::rename(finds_, away_);
-  wait_for_an_entry();
+  wait_for_entries(entries_in(away_).size());
   const Finished finished = end();
   EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
   EXPECT_EQ(count_of(finished.err, "the hunt continues"), 1U) << finished.err;
@@ -72,11 +77,13 @@ TEST_F(LostFolder, IsMadeAgainWithAllFinds) {
 }
 
 TEST_F(LostFolder, IsWrittenOnceItCanBe) {
+  begin("600");
   fs::rename(finds_, away_);
   write_text(finds_, "no folder");
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  EXPECT_FALSE(hunt_.is_over());
+  EXPECT_FALSE(hunt_->is_over());
   fs::remove(finds_);
+  wait_for_entries(entries_in(away_).size());
   const Finished finished = end();
   EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
   const Finished merged = ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"});
@@ -85,9 +92,10 @@ TEST_F(LostFolder, IsWrittenOnceItCanBe) {
 }
 
 TEST_F(LostFolder, ThatStaysLostIsAnErrorAfterTheSummaryAndTheCases) {
+  begin("5");
   fs::rename(finds_, away_);
   write_text(finds_, "no folder");
-  const Finished finished = end();
+  const Finished finished = hunt_->wait();
   EXPECT_EQ(finished.code, 2) << finished.err;
   EXPECT_EQ(count_of(finished.err, "the hunt continues"), 1U) << finished.err;
   EXPECT_THAT(finished.err, HasSubstr("ccdfuzz: " + finds_));
