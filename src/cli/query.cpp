@@ -82,7 +82,7 @@ Result<int> run_query(const QueryArguments& options) {
         const std::string& method = (*methods)[m];
         ++done;
         if (m == 0) words.add(shared.named().value);
-        if (judged.answer.verdict == Verdict::kUndecided) ++undecided;
+        if (judged.answer.verdict == Verdict::kUndecided && judged.error.empty()) ++undecided;
         if (options.json) {
           print_json(answer_row(id, method, judged));
         } else {

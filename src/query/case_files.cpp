@@ -31,6 +31,9 @@ struct CaseReader::State {
   CaseFileKind kind = CaseFileKind::kJson;
   bool any = false;  ///< gave a case
   std::uint64_t bytes_given = 0;
+  /// Compressed, gigabytes of them are a small file.
+  static constexpr std::uint64_t kMostBlankLines = 1000;
+  std::uint64_t blank_lines = 0;
 
   Result<std::optional<NamedCase>> next() {
     const bool whole = kind == CaseFileKind::kJson;
@@ -44,7 +47,11 @@ struct CaseReader::State {
         const bool is_empty = lines.line() == 0 || whole;
         return input_error(lines.path(), is_empty ? "is empty" : "holds no case");
       }
-      if (blank) continue;
+      if (blank) {
+        if (++blank_lines <= kMostBlankLines) continue;
+        return input_error(fmt::format("{}:{}", lines.path(), lines.line()),
+                           fmt::format("is one of more than {} blank lines", kMostBlankLines));
+      }
       const std::string id =
           whole ? lines.path() : fmt::format("{}:{}", lines.path(), lines.line());
       auto value = parse_case(**text, id);

@@ -131,6 +131,9 @@ TEST(CaseFiles, WhatCannotBeReadIsNamed) {
   write_text(folder / "utf16.json", std::string("\xff\xfe{\0}\0", 6));
   write_text(folder / "long.json", std::string(kMaxCaseBytes + (1 << 17), ' '));
   write_text(folder / "two.json", to_json(simple_case()) + "\n" + to_json(simple_case()));
+  write_text(folder / "nul.json", to_json(simple_case()) + std::string("\0{", 2));
+  write_text(folder / "nul.jsonl", to_json(simple_case()) + std::string("\0{", 2) + "\n");
+  write_text(folder / "lines.jsonl", to_json(simple_case()) + std::string(1002, '\n'));
   const std::vector<std::pair<std::string, std::string>> table = {
       {"none.json", "cannot read: No such file or directory"},
       {"none.txt", "cannot read: No such file or directory"},
@@ -147,6 +150,11 @@ TEST(CaseFiles, WhatCannotBeReadIsNamed) {
   for (const auto& [name, message] : table) {
     EXPECT_EQ(error_of(folder / name), folder / name + ": " + message);
   }
+  for (const char* name : {"nul.json", "nul.jsonl"}) {
+    EXPECT_THAT(error_of(folder / name), testing::HasSubstr("is 0, which no JSON text has"));
+  }
+  EXPECT_EQ(error_of(folder / "lines.jsonl"),
+            folder / "lines.jsonl:1002: is one of more than 1000 blank lines");
   EXPECT_THAT(error_of(folder / "utf16.json"),
               testing::StartsWith(folder / "utf16.json: column 1"));
   EXPECT_THAT(error_of(folder / "two.json"),
