@@ -35,7 +35,6 @@ class Race {
   /// Puts one query to all of them.
   void ask(const Query& query);
 
-  std::uint64_t queries() const { return queries_; }
   const std::vector<Runner>& runners() const { return runners_; }
 
  private:

@@ -21,8 +21,9 @@ struct NamedCase {
 inline constexpr size_t kMaxCaseBytes = 1 << 20;
 
 /// Reads the cases of a file one after the other, holding one at a time. The ending says how they
-/// are stored: .json (one case), .jsonl (one a line; blank lines and CR LF are fine), .jsonl.zst
-/// (the same, compressed by zstd). A device or a pipe is read as .jsonl whatever its name.
+/// are stored: .json (one case), .jsonl (one a line; CR LF and up to 1,000 blank lines are fine),
+/// .jsonl.zst (the same, compressed by zstd). A device or a pipe is read as .jsonl whatever its
+/// name.
 class CaseReader {
  public:
   /// Errors: another ending, no such file, a folder, unreadable; naming the path.
