@@ -46,6 +46,9 @@ Result<EvaluateOptions> parse(const EvaluateArguments& options) {
   const Result<SearchOptions> search = options.search.parse();
   if (!search) return tl::unexpected(search.error());
   parsed.search = *search;
+  parsed.search_for = [flags = options.search](const NamedCase& named) {
+    return flags.parse_for(named);
+  };
   if (!options.horizons.empty()) {
     Result<std::vector<double>> factors = parse_numbers("--t-max-factors", options.horizons);
     if (!factors) return tl::unexpected(factors.error());
@@ -65,6 +68,15 @@ Result<EvaluateOptions> parse(const EvaluateArguments& options) {
   return parsed;
 }
 
+/// "0.0001", and whether a case is asked at a precision of its own instead.
+std::string precision_text(const EvaluateOptions& options, const std::vector<NamedCase>& cases) {
+  const bool is_own = std::ranges::any_of(cases, [&](const NamedCase& named) {
+    const Result<SearchOptions> search = options.search_for(named);
+    return search && search->precision != options.search.precision;
+  });
+  return fmt::format("{}{}", options.search.precision, is_own ? " or the case's own" : "");
+}
+
 /// What must be the same for answers to belong together; the share comes last.
 Journal::Header evaluation_header(const EvaluateOptions& options,
                                   const std::vector<NamedCase>& cases) {
@@ -74,7 +86,7 @@ Journal::Header evaluation_header(const EvaluateOptions& options,
           {"cases", fmt::format("{} of address {}", cases.size(), data_set_address(cases))},
           {"--methods", fmt::format("{}", fmt::join(options.methods, ","))},
           {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
-          {"--precision", fmt::format("{}", search.precision)},
+          {"--precision", precision_text(options, cases)},
           {"--max-pops", fmt::format("{}", search.max_pops)},
           {"--max-seconds", search.max_seconds < SearchOptions::kNoTimeLimit
                                 ? fmt::format("{}", search.max_seconds)
@@ -195,7 +207,10 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   Result<void> done = journal->for_each([&](std::string_view line) -> Result<void> {
     const Result<AnswerRecord> record = parse_answer_csv(line, path);
     if (!record) return tl::unexpected(record.error());
-    if (!flags.page.empty()) page.add(*record, cases.at(record->index), options.search.precision);
+    if (!flags.page.empty()) {
+      const NamedCase& named = cases.at(record->index);
+      page.add(*record, named, options.search_for(named)->precision);
+    }
     return folder->add(*record);
   });
   if (done) done = folder->finish(costs);
@@ -233,7 +248,8 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
       [&](const AnswerRecord& record, double share) {
         groups.add(record);
         if (!options.page.empty()) {
-          page.add(record, cases->at(record.index), parsed->search.precision);
+          const NamedCase& named = cases->at(record.index);
+          page.add(record, named, parsed->search_for(named)->precision);
         }
         progress.show(share, progress_note(record), ++answers, "answers");
       },

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cli/hunt_table.hpp"
+#include "query/input_bytes.hpp"
 #include "query/json_text.hpp"
 #include "query/line_reader.hpp"
 #include "query/output_file.hpp"
@@ -151,7 +152,8 @@ Result<void> write_hunt_record(const std::string& folder, const HuntRecord& reco
 
 Result<HuntRecord> read_hunt_record(const std::string& folder) {
   const std::string path = hunt_record_path(folder);
-  auto lines = LineReader::open(path, false, std::numeric_limits<size_t>::max());
+  auto lines = refuse_irregular(path).and_then(
+      [&] { return LineReader::open(path, false, std::numeric_limits<size_t>::max()); });
   if (!lines) return tl::unexpected(lines.error());
   HuntRecord record;
   std::string from_record;

@@ -4,6 +4,7 @@
 #include "cli/output.hpp"
 #include "corpus/entries.hpp"
 #include "corpus/store.hpp"
+#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -21,7 +22,7 @@ Result<int> merge_corpora(const std::vector<std::string>& inputs, const std::str
   if (!store) return tl::unexpected(store.error());
   std::uint64_t added = 0;
   for (const NamedCase& find : finds) {
-    const Result<Store::Added> done = store->add(find.value);
+    const Result<Store::Added> done = store->add(find.value, trees_path(find.file));
     if (!done) return tl::unexpected(done.error());
     if (*done != Store::Added::kKnown) ++added;
   }

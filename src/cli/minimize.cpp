@@ -42,7 +42,7 @@ Result<int> run_minimize(const MinimizeArguments& options) {
       expected != found.value.expect.end() && expected->second == Outcome::kError;
   const auto make = may_crash ? make_method_apart : make_method;
   auto method = admit_plugin(options.method).and_then([&] { return make(options.method); });
-  if (!method) return tl::unexpected(method.error());
+  if (!method) return input_error("--method", method.error().what);
   const Result<CheckedCase> known = check_case(found);
   if (!known) return tl::unexpected(known.error());
   const Judged failure = ask(**method, *known, *search);
@@ -54,7 +54,21 @@ Result<int> run_minimize(const MinimizeArguments& options) {
   const std::atomic<bool>& interrupted = catch_interrupts();
   Minimised minimised = shrink(found.value, options.method, **method, failure, *search,
                                {options.max_trials, [&] { return interrupted.load(); }});
-  drop_tree(minimised.value.truth);
+  // Only a case that stays as it is keeps a tree.
+  const bool had_tree = minimised.value.truth.clearance &&
+                        std::holds_alternative<MissTree>(*minimised.value.truth.clearance);
+  if (const auto carried =
+          carry_tree(minimised.value.truth, options.output.empty() ? "" : trees_path(options.file),
+                     options.output);
+      !carried) {
+    return tl::unexpected(carried.error());
+  }
+  if (had_tree && options.output.empty()) {
+    print_err(
+        "ccdfuzz: minimize: without its tree of separating axes, which stdout cannot hold, the "
+        "case "
+        "proves no absence of contact: use --output\n");
+  }
   const std::string text = to_json(minimised.value, JsonLayout::kReadable) + "\n";
   if (options.output.empty()) {
     if (!options.json) print_out(text);
@@ -85,7 +99,9 @@ void add_minimize(CommandLine& line) {
       "minimize", "Shrink a counterexample exactly: the method still fails alike", run_minimize);
   command.text("case", options->file, "File with one case").required();
   command.text("--method", options->method, "The method that fails on it").required();
-  command.text("-o,--output", options->output, "File to write, .json; default stdout");
+  command.text("-o,--output", options->output,
+               "File to write, .json, and beside it the tree of the case if it has one; default "
+               "stdout");
   command.whole("--max-trials", options->max_trials, "How often to ask the method", 1);
   options->search.add_to(command);
   command.flag("--json", options->json, "What was reached, as a JSON object on stdout");

@@ -21,6 +21,7 @@
 #include "eval/evaluation_folder.hpp"
 #include "eval/in_order.hpp"
 #include "method/method.hpp"
+#include "query/input_bytes.hpp"
 #include "query/line_reader.hpp"
 #include "query/shell_word.hpp"
 #include "report/json_field.hpp"
@@ -113,7 +114,9 @@ class CasesById {
     const size_t colon = id.find_last_of(':');
     const bool of_line = colon != std::string::npos && id.find('/', colon) == std::string::npos &&
                          !id.ends_with(".json");
-    Result<std::vector<NamedCase>> read = read_checked_cases(of_line ? id.substr(0, colon) : id);
+    const std::string file = of_line ? id.substr(0, colon) : id;
+    Result<std::vector<NamedCase>> read =
+        refuse_irregular(file).and_then([&] { return read_checked_cases(file); });
     if (!read) return tl::unexpected(read.error());
     files_.push_back(std::move(*read));
     for (const NamedCase& named : files_.back()) by_id_.emplace(named.id, &named);
@@ -136,7 +139,9 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   while (folder->current()) {
     const Result<const NamedCase*> source = cases.find(folder->current()->id);
     if (!source) return tl::unexpected(source.error());
-    rows.add(*folder->current(), **source, SearchOptions().precision);
+    const Result<SearchOptions> search = SearchFlags().parse_for(**source);
+    if (!search) return tl::unexpected(search.error());
+    rows.add(*folder->current(), **source, search->precision);
     if (auto read = folder->advance(); !read) return tl::unexpected(read.error());
   }
   ReportPage report;

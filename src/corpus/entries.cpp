@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "certify/checker/check_case.hpp"
+#include "query/input_bytes.hpp"
 #include "query/output_file.hpp"
 
 namespace ccdfuzz {
@@ -18,10 +19,9 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
     std::error_code vanished;
     const bool hidden = it->path().filename().string().starts_with('.');
     if (hidden) it.disable_recursion_pending();
-    const bool is_entry = it->is_regular_file(vanished) || it->is_symlink(vanished);
-    if (!hidden && it->path().extension() == ".json" && is_entry) {
-      paths.push_back(it->path().string());
-    }
+    if (hidden || it->path().extension() != ".json" || it->is_directory(vanished)) continue;
+    paths.push_back(it->path().string());
+    if (auto file = refuse_irregular(paths.back()); !file) return tl::unexpected(file.error());
   }
   if (error) return system_error(folder, "read", error.value());
   std::sort(paths.begin(), paths.end());

@@ -8,7 +8,8 @@
 namespace ccdfuzz {
 
 /// The paths of all entries (every .json whose name does not start with a dot) of a folder and its
-/// sub-folders, in order. Errors: the folder or a sub-folder cannot be read, naming it.
+/// sub-folders, in order. Errors: the folder or a sub-folder cannot be read, or an entry is not a
+/// regular file, as a pipe, naming it.
 Result<std::vector<std::string>> list_entries(const std::string& folder);
 
 /// All entries of a folder, each with its path as id, ordered by path; or the cases of one file.

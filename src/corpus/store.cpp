@@ -33,9 +33,11 @@ Result<void> check_name(const std::string& name) {
                                  name, kLongest));
 }
 
-Result<void> remove_file(const std::string& path) {
+/// Removes an entry and then its tree, so that no entry names one that is not there.
+Result<void> remove_entry(const std::string& path) {
   std::error_code error;
   fs::remove(path, error);
+  if (!error) fs::remove(trees_path(path), error);
   if (error) return system_error(path, "remove", error.value());
   return {};
 }
@@ -62,7 +64,7 @@ struct Store::State {
   };
 
   Result<FolderLock> enter();
-  Result<Added> add(const Case& find);
+  Result<Added> add(const Case& find, const std::string& trees);
   bool surely_known(const Case& find, const Rank& rank) const;
   Result<Plan> plan(const Case& find, const Rank& rank) const;
   Result<void> supersede(const Case& larger, const std::string& method, const Case& simpler);
@@ -141,14 +143,13 @@ Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank
       at != nullptr && !gets_a_name
           ? plan.old_path
           : fmt::format("{}/{}.json", home, origin.name.empty() ? rank.second : origin.name);
-  if (plan.path != plan.old_path) drop_tree(plan.entry.truth);
   if (plan.path != plan.old_path && fs::exists(plan.path)) {
     return input_error(plan.path, "holds another case of this name");
   }
   return plan;
 }
 
-Result<Store::Added> Store::State::add(const Case& find) {
+Result<Store::Added> Store::State::add(const Case& find, const std::string& trees) {
   if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
   if (auto named = check_name(find.origin.name); !named) return tl::unexpected(named.error());
   const Rank rank = {size_of(find.query), content_address(find.query)};
@@ -157,17 +158,20 @@ Result<Store::Added> Store::State::add(const Case& find) {
   const auto lock = enter();
   if (!lock) return tl::unexpected(lock.error());
 
-  const auto todo = plan(find, rank);
+  auto todo = plan(find, rank);
   if (!todo) return tl::unexpected(todo.error());
   if (todo->added == Added::kKnown) return Added::kKnown;
-  const auto done = write_entry(todo->path, todo->entry)
-                        .and_then([&]() -> Result<void> {
-                          const bool moved =
-                              !todo->old_path.empty() && todo->old_path != todo->path;
-                          return moved ? remove_file(todo->old_path) : Result<void>();
-                        })
-                        .and_then([&] { return index.refresh(folder, home); })
-                        .and_then([&] { return tidy(); });
+  const bool known = !todo->old_path.empty(), at_new_path = todo->old_path != todo->path;
+  Result<void> carried;
+  if (at_new_path) {
+    carried = carry_tree(todo->entry.truth, known ? trees_path(todo->old_path) : trees, todo->path);
+  }
+  const auto done =
+      carried.and_then([&] { return write_entry(todo->path, todo->entry); })
+          .and_then(
+              [&] { return known && at_new_path ? remove_entry(todo->old_path) : Result<void>(); })
+          .and_then([&] { return index.refresh(folder, home); })
+          .and_then([&] { return tidy(); });
   if (!done) return tl::unexpected(done.error());
   return todo->added;
 }
@@ -179,7 +183,7 @@ Result<void> Store::State::take_away(const std::string& path, const std::set<Fai
   std::erase_if(value.expect, [&](const auto& e) {
     return is_failure(e.second) && keys.contains(failure_key(value, e.first, e.second));
   });
-  return failures_of(value).empty() ? remove_file(path) : write_entry(path, value);
+  return failures_of(value).empty() ? remove_entry(path) : write_entry(path, value);
 }
 
 Result<void> Store::State::supersede(const Case& larger, const std::string& method,
@@ -252,8 +256,8 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Result<Store::Added> Store::add(const Case& find) {
-  return state_->add(find);
+Result<Store::Added> Store::add(const Case& find, const std::string& trees) {
+  return state_->add(find, trees);
 }
 
 Result<void> Store::supersede(const Case& larger, const std::string& method, const Case& simpler) {

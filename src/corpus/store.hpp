@@ -44,8 +44,9 @@ class Store {
   /// that a smaller entry stands for is dropped from it; a case without failures is known by its
   /// address alone. Safe from several threads. Errors: a refuted truth; a full disk or any other
   /// refusal of the system, after which the entries so far stand; an origin.name that is no file
-  /// name or names another case.
-  Result<Added> add(const Case& find);
+  /// name or names another case. trees: the file of trees beside the case, of which its own comes
+  /// along; without it (empty) what a tree proves is left out.
+  Result<Added> add(const Case& find, const std::string& trees = "");
 
   /// Takes the failure of a method away from the entry of `larger`, and the entry if it then stands
   /// for none, where the entry of `simpler` stands for the same one of another kind or generator,

@@ -40,10 +40,14 @@ struct Asker {
   MethodSet methods;
   std::optional<std::uint64_t> index;
   CheckedCase known;
+  SearchOptions search;
 
-  /// Errors: the case is refuted.
-  Result<void> take(const NamedCase& named, std::uint64_t at) {
+  /// Errors: the case is refuted, or has no limits.
+  Result<void> take(const NamedCase& named, std::uint64_t at, const EvaluateOptions& options) {
     if (index == at) return {};
+    const auto own = options.search_for ? options.search_for(named) : options.search;
+    if (!own) return tl::unexpected(own.error());
+    search = *own;
     return check_case(named).map([&](CheckedCase checked) {
       known = std::move(checked);
       index = at;
@@ -97,9 +101,9 @@ Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions
         const Item& item = items[index / methods_each];
         const std::string& spec = options.methods[index % methods_each];
         Asker& asker = askers.local();
-        return asker.take(cases[item.index], item.index).map([&] {
+        return asker.take(cases[item.index], item.index, options).map([&] {
           return answer_item(cases[item.index].id, asker.known, item, spec, asker.methods[spec],
-                             options.search);
+                             asker.search);
         });
       },
       [&](const Result<AnswerRecord>& record) {

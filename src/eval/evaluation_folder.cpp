@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/paper_tables.hpp"
+#include "query/input_bytes.hpp"
 #include "query/json_text.hpp"
 
 namespace ccdfuzz {
@@ -103,7 +104,10 @@ Result<void> EvaluationFolder::finish(const std::vector<GenerationCost>& costs) 
 Result<EvaluatedFolder> EvaluatedFolder::open(const std::string& folder) {
   EvaluatedFolder opened;
   opened.folder_ = folder;
-  const std::string path = rows_path(folder);
+  const std::string path = rows_path(folder), answers = EvaluationFolder::answers_path(folder);
+  for (const std::string& file : {path, answers}) {
+    if (auto regular = refuse_irregular(file); !regular) return tl::unexpected(regular.error());
+  }
   std::ifstream rows(path);
   std::string line;
   if (!std::getline(rows, line)) {
@@ -121,7 +125,6 @@ Result<EvaluatedFolder> EvaluatedFolder::open(const std::string& folder) {
     if (!cost) return tl::unexpected(cost.error());
     opened.costs_.push_back(*std::move(cost));
   }
-  const std::string answers = EvaluationFolder::answers_path(folder);
   opened.answers_.open(answers);
   std::string header;
   if (!std::getline(opened.answers_, header) || header != answer_csv_header()) {

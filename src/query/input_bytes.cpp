@@ -107,6 +107,13 @@ Result<CaseFileKind> case_file_kind(const std::string& path) {
   return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst");
 }
 
+Result<void> refuse_irregular(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (!fs::exists(status) || fs::is_regular_file(status)) return {};
+  return input_error(path, "is not a regular file");
+}
+
 Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zstd) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return system_error(path, "read", EISDIR);

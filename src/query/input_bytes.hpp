@@ -16,6 +16,10 @@ enum class CaseFileKind { kJson, kJsonLines, kJsonLinesZstd };
 /// Errors: an ending other than .json, .jsonl and .jsonl.zst, naming the path.
 Result<CaseFileKind> case_file_kind(const std::string& path);
 
+/// For a path that no command line names but a file or a folder, where a pipe would block for ever.
+/// Errors: what is there is not a regular file.
+Result<void> refuse_irregular(const std::string& path);
+
 /// Bytes of a file, from the start, a piece at a time; decompressed where it is zstd.
 class InputBytes {
  public:

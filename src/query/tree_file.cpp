@@ -9,6 +9,7 @@
 
 #include "numeric/verify.hpp"
 #include "query/hash_name.hpp"
+#include "query/input_bytes.hpp"
 
 namespace ccdfuzz {
 
@@ -16,6 +17,7 @@ namespace {
 
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
+  if (auto regular = refuse_irregular(path); !regular) return tl::unexpected(regular.error());
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return system_error(path, "read", errno);
   std::string bytes(length, '\0');
@@ -82,6 +84,19 @@ void drop_tree(Truth& truth) {
   truth.clearance.reset();
   truth.clear_until.reset();
   if (truth.collides == false) truth.proof = "rational-tdibm";
+}
+
+Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path) {
+  if (trees.empty()) drop_tree(truth);
+  auto* const miss = truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
+  if (miss == nullptr) return {};
+  const auto bytes = read_tree(trees, miss->tree);
+  if (!bytes) return tl::unexpected(bytes.error());
+  TreeWriter writer(case_path);
+  const auto tree = writer.write(*bytes);
+  if (!tree) return tl::unexpected(tree.error());
+  miss->tree = *tree;
+  return writer.finish();
 }
 
 Result<TreeRef> TreeWriter::write(std::string_view bytes) {

@@ -28,6 +28,11 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree);
 /// method's word.
 void drop_tree(Truth& truth);
 
+/// Copies the tree of a truth, if it has one, from the file `trees` to the file beside `case_path`,
+/// and makes the truth name it there. Without `trees` (empty) as drop_tree. Errors: as read_tree
+/// and TreeWriter.
+Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path);
+
 /// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.
 class TreeWriter {
  public:

@@ -1,0 +1,110 @@
+// A proof of absence by a tree of separating axes stays with its case, whatever moves the case.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "process.hpp"
+#include "query/case_files.hpp"
+#include "query/case_json.hpp"
+#include "query/tree_file.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+using testing::HasSubstr;
+
+class KeptTree : public testing::Test {
+ protected:
+  /// Corpora "plain" and "named" of one near-miss each, the same one, whose absence of contact is
+  /// proven by a tree. At precision 1 tdibm says that there is a contact.
+  KeptTree() {
+    const std::string set = generated(folder_, "VF", "NMN", 1), proven = folder_ / "proven.json";
+    EXPECT_EQ(ccdfuzz({"prove", set, "-o", proven}).code, 0);
+    auto found = read_case(proven);
+    EXPECT_TRUE(found && found->value.truth.proof == "T");
+    for (const char* name : {"plain", "named"}) {
+      std::filesystem::create_directories(folder_ / name);
+      found->value.origin.name = name[0] == 'n' ? "near-miss" : "";
+      found->value.origin.more["precision"] = "1";
+      found->value.expect = {{"tdibm", Outcome::kFalsePositive}};
+      write_text(case_in(name), to_json(found->value));
+      std::filesystem::copy_file(trees_path(proven), trees_path(case_in(name)));
+    }
+  }
+  std::string case_in(const std::string& corpus) const {
+    return folder_ / (corpus + "/near-miss.json");
+  }
+  void expect_proven(const std::string& corpus) const {
+    const Finished replayed = ccdfuzz({"replay", corpus});
+    EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+    EXPECT_THAT(replayed.out, HasSubstr("1 entries, 1 expectations: 1 as expected"));
+    EXPECT_EQ(replayed.err, "");
+  }
+
+  const ScratchFolder folder_;
+};
+
+TEST_F(KeptTree, OfAMergedEntry) {
+  const std::string all = folder_ / "all";
+  ASSERT_EQ(ccdfuzz({"merge", folder_ / "plain", "-o", all}).code, 0);
+  expect_proven(all);
+}
+
+TEST_F(KeptTree, OfAnEntryThatGetsAName) {
+  const std::string all = folder_ / "all";
+  ASSERT_EQ(ccdfuzz({"merge", folder_ / "plain", folder_ / "named", "-o", all}).code, 0);
+  expect_proven(all);
+  size_t files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(all)) {
+    EXPECT_THAT(file.path().filename().string(), testing::StartsWith("near-miss.")) << "is left";
+    ++files;
+  }
+  EXPECT_EQ(files, 2U);
+}
+
+TEST_F(KeptTree, OfACaseThatMinimizeCannotChange) {
+  const std::string small = folder_ / "small.json";
+  const Finished done = ccdfuzz({"minimize", case_in("plain"), "--method", "tdibm", "-o", small});
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("false_positive by tdibm"));
+  const Finished verified = ccdfuzz({"verify", small});
+  EXPECT_EQ(verified.out, "1 cases: 1 hold, 0 refuted, 0 unproven\n");
+  const Finished shown = ccdfuzz({"minimize", case_in("plain"), "--method", "tdibm"});
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_THAT(shown.err, HasSubstr("which stdout cannot hold"));
+}
+
+TEST_F(KeptTree, IsNotReadFromAPipe) {
+  const std::string trees = trees_path(case_in("plain"));
+  std::filesystem::remove(trees);
+  ASSERT_EQ(::mkfifo(trees.c_str(), 0600), 0);
+  const Finished verified =
+      shell(fmt::format("timeout 60 \"$ccdfuzz\" verify {}", case_in("plain")));
+  EXPECT_EQ(verified.code, 1) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("near-miss.trees.zst: is not a regular file"));
+}
+
+TEST_F(KeptTree, OrACorpusWithAPipeAmongItsEntriesIsRefused) {
+  const std::string pipe = folder_ / "plain/pipe", link = folder_ / "plain/link.json";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe", link);
+  const Finished replayed =
+      shell(fmt::format("timeout 60 \"$ccdfuzz\" replay {}", folder_ / "plain"));
+  EXPECT_EQ(replayed.code, 2) << replayed.err;
+  EXPECT_THAT(replayed.err, HasSubstr(link + ": is not a regular file"));
+}
+
+TEST_F(KeptTree, EvaluateAsksACaseAtItsOwnPrecision) {
+  const auto rate = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"evaluate", case_in("plain"), "--methods", "tdibm", "--json"});
+    const auto rows = json_lines(ccdfuzz(more).out);
+    return rows.empty() ? -1 : rows[0].at("false_positive").get<int>();
+  };
+  EXPECT_EQ(rate({}), 1);
+  EXPECT_EQ(rate({"-o", folder_ / "run"}), 1);
+  EXPECT_EQ(rate({"--precision", "1e-9"}), 0);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
