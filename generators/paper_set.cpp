@@ -20,7 +20,9 @@ PaperCounts paper_counts(ContactClass contact) {
 
 std::vector<PaperItem> paper_items(std::uint64_t one_in) {
   CCDFUZZ_VERIFY(one_in >= 1);
-  const auto part = [one_in](std::uint64_t count) { return (count + one_in - 1) / one_in; };
+  const auto part = [one_in](std::uint64_t count) {
+    return count / one_in + (count % one_in != 0 ? 1 : 0);
+  };
   std::vector<PaperItem> items;
   for (const ContactClass contact : kContactClasses) {
     const PaperCounts counts = paper_counts(contact);

@@ -158,10 +158,6 @@ Journal::Header paper_header(const GeneratePaperOptions& options) {
 
 Result<int> generate_paper(const GeneratePaperOptions& options) {
   const std::vector<PaperItem> items = paper_items(options.one_in);
-  if (options.shard.of > items.size()) {
-    return input_error("--shard", fmt::format("there are {} constructions, less than {} shards",
-                                              items.size(), options.shard.of));
-  }
   const auto kind = case_file_kind(options.output);
   if (!kind) return tl::unexpected(kind.error());
   if (*kind == CaseFileKind::kJson) {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace ccdfuzz {
 
@@ -27,6 +28,7 @@ std::optional<double> take_term(std::string_view& rest) {
     const auto read = std::from_chars(begin + 2, end, exponent);
     if (read.ec != std::errc()) return std::nullopt;
     value = std::ldexp(1.0, exponent);
+    if (value == 0) return std::nullopt;
     after = read.ptr;
   } else {
     const bool hex = rest.starts_with("0x") || rest.starts_with("0X");
@@ -65,7 +67,11 @@ Result<double> parse_number(const std::string& where, const std::string& text) {
     }
     const std::optional<double> term = take_term(rest);
     if (!term) return refuse();
-    sum += sign * *term;
+    const double before = std::exchange(sum, sum + sign * *term);
+    if (!first && ((*term != 0 && sum == before) || (before != 0 && sum == sign * *term))) {
+      return input_error(
+          where, fmt::format("\"{}\" is not a double: a term of it is lost by rounding", text));
+    }
     first = false;
   }
   if (!std::isfinite(sum)) return refuse();

@@ -56,11 +56,16 @@ Result<void> check_denominator(const CsvQuery& query) {
 }
 
 Result<Integer> parse_integer(std::string_view text) {
-  const auto number = parse_rational(text);
-  if (!number || text.find('/') != std::string_view::npos) {
+  std::string_view digits = text;
+  if (digits.starts_with('-')) digits.remove_prefix(1);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
     return input_error("", shown_text(text) + " is not a whole number");
   }
-  return number->get_num();
+  if (digits.size() > kMaxRationalDigits) {
+    return input_error("", fmt::format("{} has {} digits; at most {} are read", shown_text(text),
+                                       digits.size(), kMaxRationalDigits));
+  }
+  return Integer(std::string(text));
 }
 
 Result<std::vector<bool>> read_truths(const std::string& path) {

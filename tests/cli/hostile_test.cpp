@@ -134,6 +134,17 @@ TEST_F(Hostile, TheLongestTimeOfALinearClearanceIsChecked) {
   EXPECT_THAT(verified.code, testing::AnyOf(0, 1)) << verified.err;
 }
 
+TEST_F(Hostile, ATimeOfOneDigitMoreIsNotRead) {
+  Case value;
+  value.query = vertex_face();
+  for (const auto& [digits, code] :
+       {std::pair{kMaxRationalDigits, 0}, {kMaxRationalDigits + 1, 2}}) {
+    value.truth.clearance = LinearClearance{fraction(digits), true};
+    const Finished verified = limited("verify " + file(value));
+    EXPECT_EQ(verified.code, code) << digits << verified.err;
+  }
+}
+
 TEST_F(Hostile, ATreeOfNestedSplitsIsRefused) {
   TreeBits bits;
   for (int i = 0; i < 995; ++i) bits.split(i % 2);
@@ -214,6 +225,25 @@ TEST_F(Hostile, ASignalIsObeyedWhateverTheProgramComputesOrWaitsFor) {
     EXPECT_EQ(finished.code, 128 + SIGTERM) << line << finished.err;
   }
   EXPECT_EQ(folder_.entry_count(), 1U) << "a temporary file is left";
+}
+
+/// Edges without end, whose numbers have as many digits as a query's may.
+TEST_F(Hostile, ASignalEndsAnImportThatComputes) {
+  const std::string csv = folder_ / "edges.csv", out = folder_ / "out.jsonl";
+  std::string rows;
+  for (int i = 0; i < 8; ++i) {
+    rows += fmt::format("{0},{1},{2},{1},{3},{1}\n", digits(900 + i), "1" + digits(900),
+                        digits(899 - i), digits(890 + 2 * i));
+  }
+  write_text(csv, rows);
+  ASSERT_EQ(limited(fmt::format("import --round {} --as edge-edge -o {}", csv, out)).code, 0);
+  std::filesystem::remove(out);
+  const Finished finished = shell(fmt::format(
+      "while cat {}; do :; done 2>/dev/null | timeout --preserve-status -k 300 1 \"$ccdfuzz\" "
+      "import --round /dev/stdin --as edge-edge -o {}",
+      csv, out));
+  EXPECT_EQ(finished.code, 128 + SIGTERM) << finished.err;
+  EXPECT_EQ(folder_.entry_count(), 1U) << "a file is left, whole or not";
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ TEST(NumberText, ReadsWhatPeopleWrite) {
 
 TEST(NumberText, RefusesTheRestNamingOptionAndText) {
   for (const char* text :
-       {"",    " ",    "x",     "1x",    "1 ",  " 1",  "+1",      "1+",    "1++1",
-        "nan", "inf",  "-inf",  "1e999", "2^",  "2^x", "2^99999", "2^1.5", "3^2",
-        "0x",  "0x-1", "0xinf", "0xnan", "1,2", "--1", "."}) {
+       {"",      " ",       "x",         "1x",      "1 ",      " 1",     "+1",  "1+",
+        "1++1",  "nan",     "inf",       "-inf",    "1e999",   "2^",     "2^x", "2^99999",
+        "2^1.5", "3^2",     "0x",        "0x-1",    "0xinf",   "0xnan",  "1,2", "--1",
+        ".",     "2^-1075", "1+2^-2000", "1+2^-53", "2^-60+1", "1-1e-30"}) {
     const auto number = parse_number("--option", text);
     ASSERT_FALSE(number) << text << " was read as " << *number;
     EXPECT_EQ(number.error().where, "--option");
@@ -32,6 +33,13 @@ TEST(NumberText, RefusesTheRestNamingOptionAndText) {
   for (const char* text : {"", ",", "1,", ",1", "1,,2", "1;2"}) {
     EXPECT_FALSE(parse_numbers("--option", text)) << text;
   }
+}
+
+TEST(NumberText, ReadsTheSmallestTermsThatCount) {
+  EXPECT_EQ(parse_number("--x", "2^-1074"), 0x1p-1074);
+  EXPECT_EQ(parse_number("--x", "1+2^-52"), 1 + 0x1p-52);
+  EXPECT_EQ(parse_number("--x", "0+1"), 1.0);
+  EXPECT_EQ(parse_number("--x", "1+0"), 1.0);
 }
 
 TEST(NumberText, PowersOfTwoGiveTheirExponent) {

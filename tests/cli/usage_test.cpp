@@ -101,6 +101,10 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"evaluate", "x.jsonl", "--t-max-factors", "0.5"}, "0.5"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,,2"}, "\"\""},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,2,1"}, "twice"},
+      {{"evaluate", "x.jsonl", "--t-max-factors", "1+2^-2000"}, "--t-max-factors: \"1+2^-2000\""},
+      {{"minimize", CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json", "--method",
+        "nope"},
+       "--method: unknown method \"nope\""},
   };
   for (const BadUsage& bad : table) {
     const Finished finished = ccdfuzz(bad.arguments);

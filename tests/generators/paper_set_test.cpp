@@ -27,6 +27,10 @@ TEST(PaperSet, APartHasEveryClassAndKind) {
   EXPECT_EQ((counts[{ContactClass::kVV, CaseKind::kNMN}]), 1U);
 }
 
+TEST(PaperSet, TheSmallestPartHasOneOfEachClassAndKind) {
+  EXPECT_EQ(paper_items(~std::uint64_t{0}).size(), 18U);
+}
+
 TEST(PaperSet, NegativesAreThoseThatGenerateMakes) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t i = 0; i < 8 / std::min<std::uint64_t>(kOneIn, 8); ++i) {

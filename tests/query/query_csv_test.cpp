@@ -230,6 +230,19 @@ TEST(QueryCsv, RefusesALongCommonDenominator) {
   EXPECT_TRUE(read(rows, CsvLayout::kVertexFace));
 }
 
+TEST(QueryCsv, ReadsNumeratorsOfAsManyDigitsAsRationals) {
+  const auto rows = [](size_t digits) {
+    return rows_over(1) + "0,1,0,1,-" + std::string(digits, '7') + ",1\n";
+  };
+  const auto longest = read(rows(kMaxRationalDigits), CsvLayout::kVertexFace);
+  EXPECT_THAT(longest.error().message(), HasSubstr("ends after row 1"));  // the row is read
+  const auto longer = read(rows(kMaxRationalDigits + 1), CsvLayout::kVertexFace);
+  EXPECT_THAT(
+      longer.error().message(),
+      HasSubstr("q.csv:9: column 5 (zn): \"-777777777777777777777777777777777777777777777777"
+                "77777777777…\" has 5001 digits; at most 5000 are read"));
+}
+
 TEST(QueryCsv, KnowsLayoutsByTheirPaths) {
   EXPECT_EQ(csv_layout_of_path("a/edge-edge/data_0_0.csv"), CsvLayout::kEdgeEdge);
   EXPECT_EQ(csv_layout_of_path("vertex-face-3.csv"), CsvLayout::kVertexFace);
