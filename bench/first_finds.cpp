@@ -13,8 +13,8 @@
 #include <set>
 #include <vector>
 
+#include "base/cpu_time.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
-#include "eval/cpu_time.hpp"
 #include "hunt/breeder.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/scheduler.hpp"

@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "eval/cpu_time.hpp"
+#include "base/cpu_time.hpp"
 
 namespace ccdfuzz {
 

@@ -1,10 +1,10 @@
-# ccdfuzz_base carries what every target needs: the language level, and the floating-point rules
+# ccdfuzz_flags carries what every target needs: the language level, and the floating-point rules
 # on which every error bound in this project stands.
-add_library(ccdfuzz_base INTERFACE)
-add_library(ccdfuzz::base ALIAS ccdfuzz_base)
-set_target_properties(ccdfuzz_base PROPERTIES EXPORT_NAME base)
-target_compile_features(ccdfuzz_base INTERFACE cxx_std_20)
-target_compile_options(ccdfuzz_base INTERFACE -ffp-contract=off)
+add_library(ccdfuzz_flags INTERFACE)
+add_library(ccdfuzz::flags ALIAS ccdfuzz_flags)
+set_target_properties(ccdfuzz_flags PROPERTIES EXPORT_NAME flags)
+target_compile_features(ccdfuzz_flags INTERFACE cxx_std_20)
+target_compile_options(ccdfuzz_flags INTERFACE -ffp-contract=off)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
@@ -79,7 +79,7 @@ function(ccdfuzz_library name)
     # (Compilers take them at any level of optimisation but none, and with the same instruments.)
     if(name STREQUAL "numeric")
       target_precompile_headers(ccdfuzz_numeric PRIVATE ${ccdfuzz_read_once})
-    elseif(NOT ARG_QUICK)
+    elseif(NOT ARG_QUICK AND NOT name STREQUAL "base")  # (base has no Eigen)
       target_precompile_headers(ccdfuzz_${name} REUSE_FROM ccdfuzz_numeric)
     endif()
   else()
@@ -93,6 +93,6 @@ function(ccdfuzz_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz>)
-  target_link_libraries(ccdfuzz_${name} ${scope} ccdfuzz::base ${ARG_DEPENDS})
+  target_link_libraries(ccdfuzz_${name} ${scope} ccdfuzz::flags ${ARG_DEPENDS})
   set_property(GLOBAL APPEND PROPERTY CCDFUZZ_LIBRARIES ccdfuzz_${name})
 endfunction()

@@ -1,7 +1,7 @@
 # The floating-point rules are checked, not assumed: fp_probe.cpp fails if the flags that this
 # build really uses contract a*b+c, evaluate in extended precision, flush subnormals or allow
 # reassociation. The order is that of a target's command line: global flags, those of the build
-# type, the directory's options, then what ccdfuzz_base adds (which therefore wins over a
+# type, the directory's options, then what ccdfuzz_flags adds (which therefore wins over a
 # -ffp-contract=fast before it). tests/build runs the same probe as a target of this build.
 include(CheckCXXSourceRuns)
 
@@ -12,7 +12,7 @@ else()
 endif()
 get_directory_property(ccdfuzz_directory_options COMPILE_OPTIONS)
 get_directory_property(CMAKE_REQUIRED_LINK_OPTIONS LINK_OPTIONS)
-get_target_property(ccdfuzz_base_options ccdfuzz_base INTERFACE_COMPILE_OPTIONS)
+get_target_property(ccdfuzz_base_options ccdfuzz_flags INTERFACE_COMPILE_OPTIONS)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/fp_probe.cpp ccdfuzz_fp_probe)
 
 foreach(config IN LISTS ccdfuzz_checked_configs)

@@ -1,9 +1,9 @@
 # find_package(ccdfuzz CONFIG) then gives ccdfuzz::NAME for every library, and headers as
-# <ccdfuzz/query/query.hpp>.
+# <ccdfuzz/case/query.hpp>.
 include(CMakePackageConfigHelpers)
 
 get_property(ccdfuzz_libraries GLOBAL PROPERTY CCDFUZZ_LIBRARIES)
-install(TARGETS ccdfuzz_base ${ccdfuzz_libraries} EXPORT ccdfuzz_targets)
+install(TARGETS ccdfuzz_flags ${ccdfuzz_libraries} EXPORT ccdfuzz_targets)
 
 # The public interface: reading and writing cases, asking methods and the oracle, judging, checking. These
 # may be compiled with any flags, -ffast-math too: none includes numeric/ieee_arithmetic.hpp, as all headers
@@ -16,9 +16,9 @@ set(ccdfuzz_public_headers
   certify/checker/check_witness.hpp certify/checker/work.hpp
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
   method/method.hpp
-  numeric/dyadic.hpp numeric/eigen_traits.hpp numeric/rational.hpp numeric/result.hpp numeric/verify.hpp
-  query/answer.hpp query/case.hpp query/case_files.hpp query/case_json.hpp query/certificate.hpp
-  query/checked_case.hpp query/judge.hpp query/outcome.hpp query/output_file.hpp query/query.hpp query/tree_file.hpp)
+  numeric/dyadic.hpp numeric/eigen_traits.hpp numeric/rational.hpp base/result.hpp base/verify.hpp
+  case/answer.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp
+  case/checked_case.hpp case/judge.hpp case/outcome.hpp base/output_file.hpp case/query.hpp case/tree_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/${folder})

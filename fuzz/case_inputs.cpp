@@ -10,10 +10,10 @@
 #include <iostream>
 #include <iterator>
 
+#include "case/case_files.hpp"
+#include "case/case_json.hpp"
 #include "corpus/content_address.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
-#include "query/case_files.hpp"
-#include "query/case_json.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 

@@ -9,8 +9,8 @@
 #include <iostream>
 #include <iterator>
 
+#include "base/text.hpp"
 #include "properties/registry.hpp"
-#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "query/hash_name.hpp"
-#include "query/output_file.hpp"
+#include "base/hash_name.hpp"
+#include "base/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -8,9 +8,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/text.hpp"
 #include "fuzz/libfuzzer.hpp"
 #include "properties/fuzz_targets.hpp"
-#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 

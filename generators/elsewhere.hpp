@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "query/case.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

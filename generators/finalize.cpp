@@ -1,8 +1,8 @@
 #include "generators/finalize.hpp"
 
+#include "base/verify.hpp"
 #include "bezier/to_doubles.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

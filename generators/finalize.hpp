@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "case/case.hpp"
+#include "case/taxonomy.hpp"
 #include "generators/scene.hpp"
-#include "query/case.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 

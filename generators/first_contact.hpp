@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "case/query.hpp"
 #include "generators/scene.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/verify.hpp"
 #include "generators/elsewhere.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
@@ -13,7 +14,6 @@
 #include "generators/planted.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/stress.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

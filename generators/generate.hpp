@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "query/case.hpp"
-#include "query/taxonomy.hpp"
+#include "case/case.hpp"
+#include "case/taxonomy.hpp"
 
 namespace ccdfuzz {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "case/certificate.hpp"
 #include "generators/scene.hpp"
-#include "query/certificate.hpp"
 
 namespace ccdfuzz {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "case/taxonomy.hpp"
 #include "generators/random.hpp"
 #include "generators/scene.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 

@@ -1,10 +1,10 @@
 #include "generators/planted.hpp"
 
+#include "base/verify.hpp"
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "generators/finalize.hpp"
 #include "generators/prescribe.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

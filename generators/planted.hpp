@@ -1,8 +1,8 @@
 #pragma once
 
+#include "case/case.hpp"
+#include "case/taxonomy.hpp"
 #include "generators/random.hpp"
-#include "query/case.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 

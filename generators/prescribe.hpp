@@ -1,8 +1,8 @@
 #pragma once
 
+#include "case/taxonomy.hpp"
 #include "generators/random.hpp"
 #include "generators/scene.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <initializer_list>
 
+#include "base/verify.hpp"
 #include "numeric/dyadic.hpp"
 #include "numeric/eigen_traits.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

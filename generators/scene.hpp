@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "case/certificate.hpp"
 #include "generators/quadratic.hpp"
-#include "query/certificate.hpp"
 
 namespace ccdfuzz {
 

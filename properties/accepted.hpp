@@ -4,8 +4,8 @@
 
 #include <string_view>
 
+#include "case/case_json.hpp"
 #include "properties/property.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -2,11 +2,11 @@
 
 #include <array>
 
+#include "case/case.hpp"
 #include "ccd/search.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "properties/property.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

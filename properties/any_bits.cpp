@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "case/judge.hpp"
 #include "ccd/search.hpp"
 #include "certify/checker/check_case.hpp"
 #include "method/method.hpp"
 #include "properties/draw_patch.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
@@ -226,7 +226,7 @@ std::vector<Property> any_bits_properties() {
       {"query.is_valid",
        "What methods take, and validate accepts, is what the fields are documented to hold; what "
        "is no precision gives the deepest cells",
-       "src/query/refusal.hpp", kHolds, check_validity},
+       "src/case/refusal.hpp", kHolds, check_validity},
   };
 }
 

@@ -5,6 +5,11 @@
 #include <bit>
 #include <limits>
 
+#include "base/double_parts.hpp"
+#include "base/fp_guard.hpp"
+#include "base/json_real.hpp"
+#include "base/json_write.hpp"
+#include "case/case_json.hpp"
 #include "ccd/next_double.hpp"
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/witness_trace/trace.hpp"
@@ -18,13 +23,9 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
-#include "numeric/double_parts.hpp"
-#include "numeric/fp_guard.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"
-#include "query/case_json.hpp"
-#include "query/json_tree.hpp"
 
 namespace ccdfuzz {
 
@@ -293,7 +294,7 @@ Check check_contact_stays(ChoiceSource& choices) {
 
 std::vector<Property> any_environment_properties() {
   constexpr auto kHolds = Expectation::kHolds;
-  constexpr auto kSource = "src/numeric/fp_guard.hpp";
+  constexpr auto kSource = "src/base/fp_guard.hpp";
   return {
       {"fp_guard.sound_and_restored",
        "Within a guard the environment is sound, and on leaving it is the caller's again", kSource,
@@ -301,7 +302,7 @@ std::vector<Property> any_environment_properties() {
       {"double.exact_in_any_environment",
        "Conversions between doubles, exact numbers and texts do not depend on the floating-point "
        "environment",
-       "src/numeric/double_parts.hpp", kHolds, check_exact_numbers},
+       "src/base/double_parts.hpp", kHolds, check_exact_numbers},
       {"checker.same_in_any_environment",
        "The checker and the judge say the same in every floating-point environment", kSource,
        kHolds, check_judgement},

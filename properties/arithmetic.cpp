@@ -5,15 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/double_parts.hpp"
+#include "base/json_real.hpp"
+#include "base/json_write.hpp"
 #include "ccd/line.hpp"
 #include "ccd/next_double.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "generators/exact_sum.hpp"
 #include "numeric/bounded_int.hpp"
-#include "numeric/double_parts.hpp"
 #include "numeric/wide_int.hpp"
 #include "properties/draw_lines.hpp"
-#include "query/json_tree.hpp"
 
 namespace ccdfuzz {
 
@@ -240,7 +241,7 @@ std::vector<Property> arithmetic_properties() {
       {"bounded_int.is_gmp", "Integers of bounded length agree with GMP",
        "src/numeric/bounded_int.hpp", kHolds, check_bounded_int},
       {"double.parts", "A double is its mantissa times its power of two, and next_up is nextafter",
-       "src/numeric/double_parts.hpp", kHolds, check_double_parts},
+       "src/base/double_parts.hpp", kHolds, check_double_parts},
       {"double.exact_sums", "A sum of doubles is told from a rounded one",
        "generators/exact_sum.hpp", kHolds, check_exact_sums},
       {"number.texts", "Numbers come back from the texts that files hold", "the case format",

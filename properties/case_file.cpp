@@ -7,9 +7,9 @@
 #include <cmath>
 #include <string_view>
 
+#include "case/case_json.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_patch.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

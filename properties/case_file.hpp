@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "case/case.hpp"
 #include "properties/property.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

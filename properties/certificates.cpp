@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -15,7 +16,6 @@
 #include "numeric/products.hpp"
 #include "properties/accepted.hpp"
 #include "properties/draw_contact.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

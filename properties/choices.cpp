@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

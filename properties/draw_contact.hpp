@@ -1,8 +1,8 @@
 #pragma once
 
+#include "case/case.hpp"
 #include "generators/generate.hpp"
 #include "properties/choices.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

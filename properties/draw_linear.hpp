@@ -1,7 +1,7 @@
 #pragma once
 
+#include "case/query.hpp"
 #include "properties/choices.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "query/case_json.hpp"
+#include "case/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -2,8 +2,8 @@
 
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
+#include "case/query.hpp"
 #include "properties/choices.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

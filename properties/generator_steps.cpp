@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/differential.hpp"
@@ -21,7 +22,6 @@
 #include "numeric/products.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/draw_patch.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "case/case_json.hpp"
+#include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "method/plugin/plugin_terms.hpp"
 #include "properties/draw_contact.hpp"
-#include "query/case_json.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
@@ -328,7 +328,7 @@ Check check_loosest_claims(ChoiceSource& choices) {
 
 std::vector<Property> judge_properties() {
   constexpr auto kHolds = Expectation::kHolds;
-  constexpr auto kSource = "src/query/judge.hpp";
+  constexpr auto kSource = "src/case/judge.hpp";
   return {
       {"judge.sees_misses_and_late_answers",
        "A miss and a toi after a proven contact are false negatives, and nonsense is an error",

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
+#include "base/json_real.hpp"
+#include "case/case_json.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/miss_tree.hpp"
-#include "query/case_json.hpp"
-#include "query/json_tree.hpp"
 
 namespace ccdfuzz {
 
@@ -93,7 +93,7 @@ Check check_long_decimals(ChoiceSource& choices) {
   const std::string rest =
       all.substr(0, all.find('e')).substr(static_cast<std::size_t>(2 + digits));
   const bool is_all = rest.find_first_not_of('0') == std::string::npos;
-  const Result<double> read = parse_case_real({JsonKind::kNumber, text, {}, {}});
+  const Result<double> read = parse_exact_real({JsonKind::kNumber, text, {}, {}});
   const std::string shown = fmt::format("{} of {}", text, to_hex(x));
   if (read) {
     if (digits > 16 && !is_all) return Check::fails("rounded: " + shown);

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "properties/draw_linear.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

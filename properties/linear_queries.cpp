@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/double_parts.hpp"
+#include "case/case_json.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
-#include "numeric/double_parts.hpp"
 #include "properties/draw_grazing.hpp"
 #include "properties/draw_linear.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

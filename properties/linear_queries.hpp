@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "case/query.hpp"
 #include "ccd/search.hpp"
 #include "properties/property.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "case/case_json.hpp"
+#include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
@@ -12,8 +14,6 @@
 #include "properties/against_oracle.hpp"
 #include "properties/draw_patch.hpp"
 #include "properties/no_false_negative.hpp"
-#include "query/case_json.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
@@ -205,7 +205,7 @@ std::vector<Property> method_answer_properties() {
        "src/method/method.hpp", kHolds, check_no_state},
       {"methods.sensible_answers",
        "On any finite numbers, toi is within [0, t_max] and parameters are in their domains",
-       "src/query/judge.hpp", kHolds, check_answers_make_sense},
+       "src/case/judge.hpp", kHolds, check_answers_make_sense},
       {"methods.optimised", "The optimised form of a method of the paper answers as the plain one",
        "src/ccd/DERIVATION.md", kHolds, check_optimised},
       {"methods.not_contradicted", "No claim to miss nothing is contradicted by the oracle",

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/symmetry.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "properties/draw_patch.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

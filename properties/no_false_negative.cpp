@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "case/case_json.hpp"
+#include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
-#include "query/case_json.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 

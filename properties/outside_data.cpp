@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "case/query_csv.hpp"
 #include "method/plugin/line_protocol.hpp"
-#include "query/query_csv.hpp"
 
 namespace ccdfuzz {
 
@@ -172,7 +172,7 @@ std::vector<Property> outside_data_properties() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"csv.any_bytes", "Any text is refused with a reason, or read as queries that it then writes",
-       "src/query/query_csv.hpp", kHolds, check_csv},
+       "src/case/query_csv.hpp", kHolds, check_csv},
       {"plugin.any_line", "Any line of a plug-in is a fault with a name, or a sensible answer",
        "src/method/plugin/line_protocol.hpp", kHolds, check_plugin_line},
   };

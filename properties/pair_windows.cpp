@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "case/case_json.hpp"
 #include "ccd/certified/pair_split.hpp"
 #include "properties/draw_contact.hpp"
 #include "properties/error_bound.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "generators/finalize.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
@@ -12,7 +13,6 @@
 #include "properties/draw_patch.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/symmetry.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
@@ -11,7 +12,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "properties/case_file.hpp"
 #include "properties/draw_contact.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 
@@ -168,7 +168,7 @@ Check check_wrong_texts(ChoiceSource& choices) {
 
 std::vector<Property> spoilt_certificate_properties() {
   constexpr auto kHolds = Expectation::kHolds;
-  constexpr auto kSource = "src/query/certificate.hpp";
+  constexpr auto kSource = "src/case/certificate.hpp";
   return {
       {"checker.refuses_wrong_trees", "No tree of separating axes covers the time of a contact",
        kSource, kHolds, check_wrong_tree},

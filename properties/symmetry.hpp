@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "bezier/cell.hpp"
+#include "case/case.hpp"
 #include "properties/choices.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

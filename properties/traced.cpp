@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "case/case_json.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "method/method.hpp"
 #include "properties/draw_contact.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "numeric/double_parts.hpp"
+#include "base/double_parts.hpp"
 #include "numeric/dyadic.hpp"
 #include "numeric/eigen_traits.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "case/query.hpp"
 #include "generators/random.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

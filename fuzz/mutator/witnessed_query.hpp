@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "case/case.hpp"
+#include "case/taxonomy.hpp"
 #include "generators/random.hpp"
-#include "query/case.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/verify.hpp"
 #include "bezier/blossom.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "generators/finalize.hpp"
 #include "numeric/products.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

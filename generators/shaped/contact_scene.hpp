@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "case/case.hpp"
 #include "generators/frame.hpp"
 #include "generators/shaped/features.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

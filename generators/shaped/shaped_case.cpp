@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "base/verify.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/shaped/extended_contacts.hpp"
 #include "generators/stress.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <span>
 
+#include "base/verify.hpp"
 #include "bezier/patch.hpp"
 #include "numeric/ieee_arithmetic.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

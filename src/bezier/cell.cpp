@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -93,6 +93,11 @@ struct Shape {
   friend constexpr bool operator==(const Shape&, const Shape&) = default;
 };
 
+inline constexpr std::array kShapeKinds = {ShapeKind::kPoint, ShapeKind::kCurve,
+                                           ShapeKind::kTriangle, ShapeKind::kTensor};
+constexpr const auto& all_of(ShapeKind) {
+  return kShapeKinds;
+}
 /// "point", "curve", "triangle", "tensor".
 const char* name_of(ShapeKind kind);
 /// "triangle(2)", "tensor(3,2)", …

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "base/verify.hpp"
 #include "bezier/shape.hpp"
 #include "numeric/ieee_arithmetic.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

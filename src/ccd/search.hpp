@@ -10,14 +10,14 @@
 #include <span>
 #include <string>
 
+#include "base/fp_guard.hpp"
 #include "bezier/cell.hpp"
+#include "case/answer.hpp"
+#include "case/query.hpp"
+#include "case/refusal.hpp"
 #include "ccd/line.hpp"
 #include "ccd/search_options.hpp"
 #include "ccd/search_queue.hpp"
-#include "numeric/fp_guard.hpp"
-#include "query/answer.hpp"
-#include "query/query.hpp"
-#include "query/refusal.hpp"
 
 namespace ccdfuzz {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "bezier/cell.hpp"
+#include "case/query.hpp"
 #include "ccd/axes.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "base/table.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "eval/race.hpp"
-#include "eval/table.hpp"
 #include "generators/generate.hpp"
 
 namespace ccdfuzz {

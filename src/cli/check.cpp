@@ -4,11 +4,11 @@
 #include <chrono>
 #include <filesystem>
 
+#include "base/number_text.hpp"
 #include "cli/check_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "numeric/effort.hpp"
 #include "properties/registry.hpp"

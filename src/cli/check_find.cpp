@@ -9,10 +9,10 @@
 #include <regex>
 #include <utility>
 
+#include "base/output_file.hpp"
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "generators/random.hpp"
-#include "query/output_file.hpp"
-#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 

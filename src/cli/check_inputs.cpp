@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "eval/in_order.hpp"
+#include "base/in_order.hpp"
 
 namespace ccdfuzz {
 

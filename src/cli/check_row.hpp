@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/table.hpp"
 #include "cli/check_find.hpp"
 #include "cli/check_inputs.hpp"
-#include "eval/table.hpp"
 
 namespace ccdfuzz {
 

@@ -12,11 +12,11 @@
 #include <iostream>
 #include <sstream>
 
+#include "base/number_text.hpp"
+#include "base/output_file.hpp"
+#include "base/text.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
-#include "query/json_tree.hpp"
-#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 

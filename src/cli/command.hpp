@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "numeric/result.hpp"
+#include "base/result.hpp"
 
 // CLI11's headers cost seconds in each file that includes them: command.cpp alone does.
 namespace CLI {

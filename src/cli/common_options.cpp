@@ -6,12 +6,12 @@
 #include <iterator>
 #include <thread>
 
+#include "base/number_text.hpp"
+#include "base/text.hpp"
 #include "certify/checker/check_case.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
-#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 

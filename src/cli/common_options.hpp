@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "base/result.hpp"
+#include "base/shard.hpp"
+#include "case/case_files.hpp"
 #include "ccd/search.hpp"
 #include "cli/command.hpp"
-#include "eval/shard.hpp"
-#include "numeric/result.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 

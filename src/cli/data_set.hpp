@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "query/case_files.hpp"
-#include "query/tree_file.hpp"
+#include "case/case_files.hpp"
+#include "case/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -4,11 +4,13 @@
 
 #include <map>
 
+#include "base/journal.hpp"
+#include "base/number_text.hpp"
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/evaluate_linear.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/refusals.hpp"
 #include "cli/terminal.hpp"
@@ -16,8 +18,6 @@
 #include "eval/evaluation_folder.hpp"
 #include "eval/paper_tables.hpp"
 #include "method/method.hpp"
-#include "query/journal.hpp"
-#include "query/shell_word.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {

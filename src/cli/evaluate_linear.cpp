@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/refusals.hpp"
 #include "cli/terminal.hpp"
 #include "eval/linear_table.hpp"
-#include "query/shell_word.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {

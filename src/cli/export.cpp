@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
+#include "case/query_csv.hpp"
+#include "case/test_snippet.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
-#include "query/output_file.hpp"
-#include "query/query_csv.hpp"
-#include "query/test_snippet.hpp"
 
 namespace ccdfuzz {
 

@@ -5,19 +5,19 @@
 #include <chrono>
 #include <ctime>
 
+#include "base/in_order.hpp"
+#include "base/number_text.hpp"
+#include "base/table.hpp"
+#include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/generate_paper.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/shape_text.hpp"
 #include "cli/terminal.hpp"
 #include "eval/generation_record.hpp"
-#include "eval/in_order.hpp"
-#include "eval/table.hpp"
 #include "generators/paper_set.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -6,20 +6,20 @@
 #include <chrono>
 #include <unordered_set>
 
+#include "base/cpu_time.hpp"
+#include "base/in_order.hpp"
+#include "base/input_bytes.hpp"
+#include "base/journal.hpp"
+#include "base/verify.hpp"
+#include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/data_set.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/content_address.hpp"
-#include "eval/cpu_time.hpp"
 #include "eval/generation_record.hpp"
-#include "eval/in_order.hpp"
 #include "generators/paper_set.hpp"
-#include "numeric/verify.hpp"
-#include "query/case_json.hpp"
-#include "query/input_bytes.hpp"
-#include "query/journal.hpp"
 
 namespace ccdfuzz {
 

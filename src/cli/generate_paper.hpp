@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "eval/shard.hpp"
-#include "numeric/result.hpp"
+#include "base/result.hpp"
+#include "base/shard.hpp"
 
 namespace ccdfuzz {
 

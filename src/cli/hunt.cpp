@@ -7,13 +7,15 @@
 #include <optional>
 #include <utility>
 
+#include "base/number_text.hpp"
+#include "base/text.hpp"
+#include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/course_notes.hpp"
 #include "cli/hunt_page.hpp"
 #include "cli/hunt_table.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/refusals.hpp"
 #include "cli/reproduction.hpp"
@@ -21,8 +23,6 @@
 #include "cli/terminal.hpp"
 #include "corpus/failure.hpp"
 #include "hunt/draw.hpp"
-#include "query/case_json.hpp"
-#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 
@@ -141,7 +141,7 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
 }
 
 void print_report_json(const HuntReport& report) {
-  for (const HuntCell& cell : report.cells) print_json(cell_json(cell));
+  for (const HuntCell& cell : report.cells) print_row(cell);
   for (const HuntFind& find : report.finds) {
     nlohmann::ordered_json expect = nlohmann::ordered_json::object();
     nlohmann::ordered_json errors = nlohmann::ordered_json::object();

@@ -5,87 +5,50 @@
 #include <filesystem>
 #include <limits>
 
+#include "base/fields.hpp"
+#include "base/input_bytes.hpp"
+#include "base/json_text.hpp"
+#include "base/line_reader.hpp"
+#include "base/output_file.hpp"
 #include "cli/hunt_table.hpp"
-#include "query/input_bytes.hpp"
-#include "query/json_text.hpp"
-#include "query/line_reader.hpp"
-#include "query/output_file.hpp"
-#include "report/json_field.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-using RecordJson = nlohmann::ordered_json;
+/// The first line of a record.
+struct HuntHead {
+  std::string command, store;
+  double seconds = 0;
+  std::vector<std::string> methods;
 
-RecordJson sample_json(const HuntSample& sample) {
-  RecordJson margins = RecordJson::array();
-  for (const auto& margin : sample.margins) {
-    margins.push_back(margin ? RecordJson(*margin) : RecordJson());
+  static void fields(auto& archive, auto& head) {
+    archive.format("ccdfuzz-hunt", 1, 1);
+    archive("command", head.command);
+    archive("store", head.store);
+    archive("seconds", head.seconds, not_negative);
+    archive("methods", head.methods);
   }
-  return {{"row", "sample"},           {"seconds", sample.seconds}, {"queries", sample.queries},
-          {"mutants", sample.mutants}, {"finds", sample.finds},     {"margins", margins}};
-}
+};
 
-std::optional<std::uint64_t> optional_count(const JsonField& field) {
-  return field.is_null() ? std::nullopt : std::optional(field.count());
-}
+/// Where the store stands, seen from the folder of the record.
+struct StoreRow {
+  std::string from_record;
 
-HuntCell cell_of(const JsonField& row) {
-  HuntCell cell;
-  cell.method = row["method"].text();
-  const auto contact = contact_class_named(row["class"].text());
-  if (!contact) row["class"].refuse("is no contact class");
-  cell.contact = *contact;
-  cell.tally.n = row["n"].count();
-  cell.tally.positives = row["positives"].count();
-  cell.tally.negatives = row["negatives"].count();
-  for (const Outcome outcome : kAllOutcomes) {
-    const std::string name(name_of(outcome));
-    // Records written before methods could refuse do not have it.
-    if (outcome == Outcome::kNotAsked && !row.find(name.c_str())) continue;
-    cell.tally.by_outcome[static_cast<size_t>(outcome)] = row[name.c_str()].count();
+  static void fields(auto& archive, auto& row) {
+    archive.constant("row", "store");
+    archive("from_record", row.from_record);
   }
-  cell.cpu_seconds = row["cpu_seconds"].amount();
-  cell.bred.mutants = row["mutants"].count();
-  cell.bred.lost = row["lost_mutants"].count();
-  cell.bred.margin = optional_count(row["margin_ulps"]);
-  return cell;
-}
+};
 
-HuntSample sample_of(const JsonField& row, size_t methods) {
-  HuntSample sample;
-  sample.seconds = row["seconds"].amount();
-  sample.queries = row["queries"].count();
-  sample.mutants = row["mutants"].count();
-  sample.finds = row["finds"].count();
-  for (const JsonField& margin : row["margins"].items()) {
-    sample.margins.push_back(optional_count(margin));
-  }
-  if (sample.margins.size() != methods) {
-    row["margins"].refuse(fmt::format("has {} items, not one a method", sample.margins.size()));
-  }
-  return sample;
-}
+struct FindRow {
+  std::string path;
 
-void read_head(const JsonField& row, HuntRecord& record) {
-  expect_format(row, "ccdfuzz-hunt");
-  record.command = row["command"].text();
-  record.store = row["store"].text();
-  record.seconds = row["seconds"].amount();
-  for (const JsonField& method : row["methods"].items()) {
-    record.course.methods.push_back(method.text());
+  static void fields(auto& archive, auto& row) {
+    archive.constant("row", "find");
+    archive("path", row.path);
   }
-}
-
-MethodInfo plugin_of(const JsonField& row) {
-  MethodInfo info;
-  info.spec = row["method"].text();
-  info.source = row["source"].text();
-  info.description = row["description"].text();
-  info.claims_no_false_negative = row["claims_no_false_negative"].truth();
-  return info;
-}
+};
 
 /// The store and what was found in it as they stand seen from here: as the hunt was told, unless
 /// the record has been moved and the store with it. from_record: the way from one to the other.
@@ -100,20 +63,22 @@ void follow_store(const std::string& folder, const std::string& from_record, Hun
   record.store = beside.string();
 }
 
-void read_row(const JsonField& row, HuntRecord& record, std::string& from_record) {
-  const std::string& kind = row["row"].text();
-  if (kind == "store") {
-    from_record = row["from_record"].text();
-  } else if (kind == "plugin") {
-    record.plugins.push_back(plugin_of(row));
-  } else if (kind == "cell") {
-    record.cells.push_back(cell_of(row));
-  } else if (kind == "find") {
-    record.finds.push_back(row["path"].text());
-  } else if (kind == "sample") {
-    record.course.samples.push_back(sample_of(row, record.course.methods.size()));
+/// Adds what the line says, which is not the first, to the record.
+void read_row(const JsonCursor& row, HuntRecord& record, std::string& from_record) {
+  const JsonCursor kind = row.at("row");
+  if (kind.string() == "store") {
+    from_record = read_json<StoreRow>(row).from_record;
+  } else if (kind.string() == "plugin") {
+    record.plugins.push_back(read_json<MethodInfo>(row));
+  } else if (kind.string() == "cell") {
+    record.cells.push_back(read_json<HuntCell>(row));
+  } else if (kind.string() == "find") {
+    record.finds.push_back(read_json<FindRow>(row).path);
+  } else if (kind.string() == "sample") {
+    record.course.samples.push_back(read_json<HuntSample>(row));
+    row.at("margins").array(record.course.methods.size(), "items, one a method");
   } else {
-    row["row"].refuse("is none of \"store\", \"plugin\", \"cell\", \"find\" and \"sample\"");
+    kind.refuse_value("is none of \"store\", \"plugin\", \"cell\", \"find\" and \"sample\"");
   }
 }
 
@@ -128,25 +93,14 @@ Result<void> write_hunt_record(const std::string& folder, const HuntRecord& reco
   std::filesystem::create_directories(folder, error);
   if (error) return input_error(folder, "cannot make the folder: " + error.message());
   std::string lines;
-  const auto add = [&](const RecordJson& row) { lines += json_text(row) + "\n"; };
-  add({{"format", "ccdfuzz-hunt"},
-       {"version", 1},
-       {"command", record.command},
-       {"store", record.store},
-       {"seconds", record.seconds},
-       {"methods", record.course.methods}});
-  for (const HuntCell& cell : record.cells) add(cell_json(cell));
+  const auto add = [&](const auto& row) { lines += to_json(row) + "\n"; };
+  add(HuntHead{record.command, record.store, record.seconds, record.course.methods});
+  for (const HuntCell& cell : record.cells) add(cell);
   const std::filesystem::path way = std::filesystem::proximate(record.store, folder, error);
-  if (!error) add({{"row", "store"}, {"from_record", way.string()}});
-  for (const MethodInfo& info : record.plugins) {
-    add({{"row", "plugin"},
-         {"method", info.spec},
-         {"source", info.source},
-         {"description", info.description},
-         {"claims_no_false_negative", info.claims_no_false_negative}});
-  }
-  for (const std::string& path : record.finds) add({{"row", "find"}, {"path", path}});
-  for (const HuntSample& sample : record.course.samples) add(sample_json(sample));
+  if (!error) add(StoreRow{way.string()});
+  for (const MethodInfo& info : record.plugins) add(info);
+  for (const std::string& path : record.finds) add(FindRow{path});
+  for (const HuntSample& sample : record.course.samples) add(sample);
   return write_file(hunt_record_path(folder), lines);
 }
 
@@ -162,8 +116,13 @@ Result<HuntRecord> read_hunt_record(const std::string& folder) {
     if (!line) return tl::unexpected(line.error());
     if (!*line) break;
     const std::string where = fmt::format("{}:{}", path, lines->line());
-    const auto read = read_fields(**line, where, [&](const JsonField& row) {
-      lines->line() == 1 ? read_head(row, record) : read_row(row, record, from_record);
+    const auto read = read_json_text(**line, where, [&](const JsonCursor& row) {
+      if (lines->line() > 1) return read_row(row, record, from_record);
+      auto head = read_json<HuntHead>(row);
+      record.command = std::move(head.command);
+      record.store = std::move(head.store);
+      record.seconds = head.seconds;
+      record.course.methods = std::move(head.methods);
     });
     if (!read) return tl::unexpected(read.error());
   }

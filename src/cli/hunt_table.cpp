@@ -47,18 +47,4 @@ Table hunt_table(const std::vector<HuntCell>& cells) {
   return table;
 }
 
-nlohmann::ordered_json cell_json(const HuntCell& cell) {
-  const Tally& tally = cell.tally;
-  nlohmann::ordered_json row = {
-      {"row", "cell"}, {"class", name_of(cell.contact)}, {"method", cell.method},
-      {"n", tally.n},  {"positives", tally.positives},   {"negatives", tally.negatives}};
-  for (const Outcome o : kAllOutcomes) row[std::string(name_of(o))] = tally.count(o);
-  row["cpu_seconds"] = cell.cpu_seconds;
-  row["mutants"] = cell.bred.mutants;
-  row["lost_mutants"] = cell.bred.lost;
-  row["margin_ulps"] = nullptr;
-  if (cell.bred.margin) row["margin_ulps"] = *cell.bred.margin;
-  return row;
-}
-
 }  // namespace ccdfuzz

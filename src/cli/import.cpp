@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
+#include "base/table.hpp"
+#include "case/case_files.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "eval/imported.hpp"
-#include "eval/table.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 

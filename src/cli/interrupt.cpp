@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "query/output_file.hpp"
+#include "base/output_file.hpp"
 
 namespace ccdfuzz {
 

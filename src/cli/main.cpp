@@ -1,5 +1,5 @@
+#include "base/fp_guard.hpp"
 #include "cli/command.hpp"
-#include "numeric/fp_guard.hpp"
 #include "properties/fuzz_targets.hpp"
 #include "properties/registry.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "numeric/result.hpp"
+#include "base/result.hpp"
 
 namespace ccdfuzz {
 

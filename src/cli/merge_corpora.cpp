@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
+#include "case/tree_file.hpp"
 #include "cli/merge.hpp"
 #include "cli/output.hpp"
 #include "corpus/entries.hpp"
 #include "corpus/store.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -5,12 +5,13 @@
 #include <set>
 #include <tuple>
 
+#include "base/enum_names.hpp"
+#include "case/taxonomy.hpp"
 #include "cli/data_set.hpp"
 #include "cli/merge.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "eval/generation_record.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 
@@ -30,12 +31,12 @@ std::string text_of_series(const CaseSeries& series) {
 }
 
 size_t rank_of_contact(const std::string& contact) {
-  const auto known = contact_class_named(contact);
+  const auto known = enum_named<ContactClass>(contact);
   return known ? static_cast<size_t>(*known) : kContactClasses.size();
 }
 
 size_t rank_of_kind(const std::string& kind) {
-  const auto known = case_kind_named(kind);
+  const auto known = enum_named<CaseKind>(kind);
   return known ? static_cast<size_t>(*known) : kCaseKinds.size();
 }
 

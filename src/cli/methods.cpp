@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/table.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "eval/table.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include "base/output_file.hpp"
+#include "case/case_json.hpp"
+#include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -9,9 +12,6 @@
 #include "corpus/failure.hpp"
 #include "hunt/shrink.hpp"
 #include "method/method_apart.hpp"
-#include "query/case_json.hpp"
-#include "query/output_file.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

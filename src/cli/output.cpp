@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/json_text.hpp"
+#include "base/text.hpp"
 #include "cli/terminal.hpp"
-#include "query/json_text.hpp"
-#include "query/json_tree.hpp"
 
 namespace ccdfuzz {
 

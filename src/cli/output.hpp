@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "eval/table.hpp"
-#include "numeric/result.hpp"
+#include "base/fields.hpp"
+#include "base/table.hpp"
 
 namespace ccdfuzz {
 
@@ -29,6 +29,10 @@ void print_err(const std::string& text);
 
 /// One JSON object on a line of its own.
 void print_json(const nlohmann::ordered_json& object);
+template <HasFields Row>
+void print_row(const Row& row) {
+  print_out(to_json(row) + "\n");
+}
 
 /// Errors: something that was printed did not reach its destination. check_stdout looks only at
 /// what was tried so far, flush_stdout tries all of it.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
+#include "base/table.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -8,7 +9,6 @@
 #include "cli/shared_case.hpp"
 #include "cli/terminal.hpp"
 #include "eval/stream_cases.hpp"
-#include "eval/table.hpp"
 
 namespace ccdfuzz {
 

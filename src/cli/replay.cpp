@@ -7,18 +7,18 @@
 #include <map>
 #include <span>
 
+#include "base/in_order.hpp"
+#include "base/number_text.hpp"
+#include "base/table.hpp"
+#include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/entries.hpp"
-#include "eval/in_order.hpp"
-#include "eval/table.hpp"
 #include "method/method_apart.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -8,6 +8,11 @@
 #include <map>
 #include <set>
 
+#include "base/fields.hpp"
+#include "base/in_order.hpp"
+#include "base/input_bytes.hpp"
+#include "base/line_reader.hpp"
+#include "base/text.hpp"
 #include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -19,12 +24,7 @@
 #include "corpus/entries.hpp"
 #include "eval/ask.hpp"
 #include "eval/evaluation_folder.hpp"
-#include "eval/in_order.hpp"
 #include "method/method.hpp"
-#include "query/input_bytes.hpp"
-#include "query/line_reader.hpp"
-#include "query/shell_word.hpp"
-#include "report/json_field.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {
@@ -174,11 +174,11 @@ Result<std::string> read_scoreboard(const std::string& path) {
   const auto text = file->next(true);
   if (!text) return tl::unexpected(text.error());
   std::string json(text->value_or(""));
-  return read_fields(json, path,
-                     [](const JsonField& top) {
-                       expect_format(top, "ccdfuzz-scoreboard");
-                       for (const char* list : {"drivers", "rows"}) top[list].items();
-                     })
+  return read_json_text(json, path,
+                        [](const JsonCursor& top) {
+                          JsonReader(top).format("ccdfuzz-scoreboard", 1, 1);
+                          for (const char* list : {"drivers", "rows"}) top.at(list).array();
+                        })
       .map([&] { return std::move(json); });
 }
 

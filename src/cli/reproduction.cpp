@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "corpus/store.hpp"
-#include "query/shell_word.hpp"
 
 namespace ccdfuzz {
 

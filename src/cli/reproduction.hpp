@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "query/outcome.hpp"
+#include "case/outcome.hpp"
 
 namespace ccdfuzz {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
+#include "base/result.hpp"
 #include "bezier/shape.hpp"
-#include "numeric/result.hpp"
 
 namespace ccdfuzz {
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "query/json_tree.hpp"
+#include "base/text.hpp"
 
 namespace ccdfuzz {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/table.hpp"
 #include "ccd/witness_trace/trace.hpp"
-#include "eval/table.hpp"
 
 namespace ccdfuzz {
 

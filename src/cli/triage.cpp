@@ -5,18 +5,18 @@
 #include <chrono>
 #include <filesystem>
 
+#include "base/input_bytes.hpp"
+#include "base/number_text.hpp"
 #include "certify/checker/check_case.hpp"
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/number_text.hpp"
 #include "cli/output.hpp"
 #include "cli/triage_claims.hpp"
 #include "cli/triage_files.hpp"
 #include "corpus/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
-#include "query/input_bytes.hpp"
 
 namespace ccdfuzz {
 

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "base/output_file.hpp"
 #include "cli/output.hpp"
-#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/result.hpp"
 #include "cli/terminal.hpp"
-#include "numeric/result.hpp"
 
 namespace ccdfuzz {
 

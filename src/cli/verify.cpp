@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include "base/table.hpp"
+#include "case/tree_file.hpp"
 #include "ccd/rational/proves_clear.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/shown.hpp"
@@ -9,8 +11,6 @@
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "eval/stream_cases.hpp"
-#include "eval/table.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

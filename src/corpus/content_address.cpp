@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <limits>
 
-#include "numeric/double_parts.hpp"
-#include "query/hash_name.hpp"
+#include "base/double_parts.hpp"
+#include "base/hash_name.hpp"
 
 namespace ccdfuzz {
 

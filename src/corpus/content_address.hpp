@@ -4,7 +4,7 @@
 #include <string>
 #include <tuple>
 
-#include "query/query.hpp"
+#include "case/query.hpp"
 
 namespace ccdfuzz {
 

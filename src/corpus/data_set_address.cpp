@@ -1,7 +1,7 @@
 #include "corpus/data_set_address.hpp"
 
+#include "base/hash_name.hpp"
 #include "corpus/content_address.hpp"
-#include "query/hash_name.hpp"
 
 namespace ccdfuzz {
 

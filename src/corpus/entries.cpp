@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/input_bytes.hpp"
+#include "base/output_file.hpp"
 #include "certify/checker/check_case.hpp"
-#include "query/input_bytes.hpp"
-#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "query/case_files.hpp"
+#include "case/case_files.hpp"
 
 namespace ccdfuzz {
 

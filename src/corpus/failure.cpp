@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "query/json_tree.hpp"
+#include "base/json_tree.hpp"
+#include "base/json_write.hpp"
 
 namespace ccdfuzz {
 

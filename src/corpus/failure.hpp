@@ -4,7 +4,7 @@
 #include <string>
 #include <tuple>
 
-#include "query/case.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <vector>
 
+#include "case/query.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "corpus/failure.hpp"
 #include "corpus/simplify.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

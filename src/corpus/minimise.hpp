@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "query/case.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "query/case_files.hpp"
-#include "query/judge.hpp"
+#include "case/case_files.hpp"
+#include "case/judge.hpp"
 
 namespace ccdfuzz {
 

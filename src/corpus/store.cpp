@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <mutex>
 
+#include "base/folder_lock.hpp"
+#include "base/output_file.hpp"
+#include "case/case_json.hpp"
+#include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "corpus/folder_lock.hpp"
 #include "corpus/store_index.hpp"
-#include "query/case_json.hpp"
-#include "query/output_file.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "case/case_files.hpp"
 #include "corpus/content_address.hpp"
 #include "corpus/entries.hpp"
 #include "corpus/failure.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "case/case.hpp"
 #include "corpus/content_address.hpp"
 #include "corpus/failure.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

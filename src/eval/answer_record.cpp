@@ -6,7 +6,7 @@
 #include <charconv>
 #include <vector>
 
-#include "eval/table.hpp"
+#include "base/table.hpp"
 
 namespace ccdfuzz {
 

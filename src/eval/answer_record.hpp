@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "numeric/result.hpp"
-#include "query/answer.hpp"
-#include "query/outcome.hpp"
+#include "base/result.hpp"
+#include "case/answer.hpp"
+#include "case/outcome.hpp"
 
 namespace ccdfuzz {
 

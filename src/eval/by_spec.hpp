@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "base/verify.hpp"
 #include "method/method.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "query/case.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

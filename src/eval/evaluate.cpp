@@ -2,12 +2,12 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "base/in_order.hpp"
+#include "base/verify.hpp"
 #include "certify/checker/check_case.hpp"
 #include "eval/ask.hpp"
 #include "eval/by_spec.hpp"
 #include "eval/horizons.hpp"
-#include "eval/in_order.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

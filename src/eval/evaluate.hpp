@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/shard.hpp"
+#include "case/case_files.hpp"
 #include "ccd/search.hpp"
 #include "eval/answer_record.hpp"
-#include "eval/shard.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/input_bytes.hpp"
+#include "base/json_text.hpp"
 #include "eval/paper_tables.hpp"
-#include "query/input_bytes.hpp"
-#include "query/json_text.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/output_file.hpp"
 #include "eval/generation_record.hpp"
 #include "eval/groups.hpp"
-#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -7,10 +7,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.hpp"
+#include "base/output_file.hpp"
+#include "base/verify.hpp"
 #include "eval/paper_rates.hpp"
-#include "numeric/verify.hpp"
-#include "query/json_text.hpp"
-#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "eval/shard.hpp"
-#include "eval/table.hpp"
-#include "numeric/result.hpp"
+#include "base/result.hpp"
+#include "base/shard.hpp"
+#include "base/table.hpp"
 
 namespace ccdfuzz {
 

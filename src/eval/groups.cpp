@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "query/taxonomy.hpp"
+#include "base/enum_names.hpp"
+#include "case/taxonomy.hpp"
 
 namespace ccdfuzz {
 
@@ -10,7 +11,7 @@ namespace {
 
 /// The paper's classes in its order, then the rest.
 size_t rank_of_class(const std::string& contact) {
-  const std::optional<ContactClass> known = contact_class_named(contact);
+  const std::optional<ContactClass> known = enum_named<ContactClass>(contact);
   return known ? static_cast<size_t>(*known) : kContactClasses.size();
 }
 
@@ -21,7 +22,7 @@ size_t rank_of_kinds(const std::string& kinds) {
 }  // namespace
 
 std::string kinds_of(const std::string& kind) {
-  const std::optional<CaseKind> known = case_kind_named(kind);
+  const std::optional<CaseKind> known = enum_named<CaseKind>(kind);
   if (!known) return kind.empty() ? "-" : kind;
   return *known == CaseKind::kRP || *known == CaseKind::kRN ? "RP+RN" : "NHP+NMN";
 }

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "numeric/verify.hpp"
-#include "query/judge.hpp"
+#include "base/verify.hpp"
+#include "case/judge.hpp"
 
 namespace ccdfuzz {
 

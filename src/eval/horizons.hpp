@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "query/checked_case.hpp"
+#include "case/checked_case.hpp"
 
 namespace ccdfuzz {
 

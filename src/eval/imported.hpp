@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "query/case.hpp"
-#include "query/query_csv.hpp"
+#include "case/case.hpp"
+#include "case/query_csv.hpp"
 
 namespace ccdfuzz {
 

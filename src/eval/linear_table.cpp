@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <limits>
 
+#include "base/cpu_time.hpp"
+#include "base/in_order.hpp"
 #include "certify/checker/check_case.hpp"
 #include "eval/ask.hpp"
-#include "eval/cpu_time.hpp"
-#include "eval/in_order.hpp"
 #include "eval/race.hpp"
 
 namespace ccdfuzz {

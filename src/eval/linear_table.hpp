@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/table.hpp"
 #include "eval/imported.hpp"
-#include "eval/table.hpp"
 #include "eval/tally.hpp"
 #include "method/method.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/table.hpp"
 #include "eval/groups.hpp"
 #include "eval/paper_rates.hpp"
-#include "eval/table.hpp"
 
 namespace ccdfuzz {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.hpp"
 #include "eval/paper_tables.hpp"
-#include "query/json_text.hpp"
 
 namespace ccdfuzz {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "eval/cpu_time.hpp"
-#include "numeric/verify.hpp"
+#include "base/cpu_time.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "eval/in_order.hpp"
-#include "query/case_files.hpp"
+#include "base/in_order.hpp"
+#include "case/case_files.hpp"
 
 namespace ccdfuzz {
 

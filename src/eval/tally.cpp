@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

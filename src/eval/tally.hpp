@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "query/answer.hpp"
-#include "query/outcome.hpp"
+#include "case/answer.hpp"
+#include "case/outcome.hpp"
 
 namespace ccdfuzz {
 
@@ -20,6 +20,16 @@ struct Tally {
   std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
   std::uint64_t pops = 0;
   double seconds = 0;
+
+  /// The counts; neither pops nor seconds.
+  static void fields(auto& archive, auto& tally) {
+    archive("n", tally.n);
+    archive("positives", tally.positives);
+    archive("negatives", tally.negatives);
+    for (const Outcome o : kAllOutcomes) {
+      archive(name_of(o), tally.by_outcome[static_cast<size_t>(o)]);
+    }
+  }
 
   void add(const Answer& answer, Outcome outcome, std::optional<bool> collides);
   void merge(const Tally& other);

@@ -1,9 +1,9 @@
 #include "hunt/draw.hpp"
 
+#include "base/verify.hpp"
 #include "certify/checker/check_case.hpp"
 #include "eval/horizons.hpp"
 #include "hunt/draw_linear_case.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "case/checked_case.hpp"
 #include "generators/generate.hpp"
 #include "hunt/ground.hpp"
-#include "query/checked_case.hpp"
 
 namespace ccdfuzz {
 

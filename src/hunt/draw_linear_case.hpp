@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "case/case.hpp"
 #include "hunt/linear_class.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "bezier/shape.hpp"
+#include "case/query.hpp"
 #include "hunt/linear_class.hpp"
 #include "hunt/scale.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

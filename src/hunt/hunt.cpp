@@ -9,12 +9,12 @@
 #include <thread>
 #include <tuple>
 
-#include "eval/cpu_time.hpp"
-#include "eval/in_order.hpp"
+#include "base/cpu_time.hpp"
+#include "base/in_order.hpp"
+#include "base/verify.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/scheduler.hpp"
 #include "hunt/trophies.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "base/fields.hpp"
+#include "case/taxonomy.hpp"
 #include "corpus/store.hpp"
 #include "eval/ask.hpp"
 #include "eval/tally.hpp"
 #include "hunt/breeder.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 
@@ -39,6 +40,17 @@ struct HuntCell {
   Tally tally;             ///< of the draws
   double cpu_seconds = 0;  ///< for the queries about them
   BreedTally bred;         ///< of their mutants
+
+  static void fields(auto& archive, auto& cell) {
+    archive.constant("row", "cell");
+    archive("class", cell.contact);
+    archive("method", cell.method);
+    Tally::fields(archive, cell.tally);
+    archive("cpu_seconds", cell.cpu_seconds, not_negative);
+    archive("mutants", cell.bred.mutants);
+    archive("lost_mutants", cell.bred.lost);
+    archive("margin_ulps", cell.bred.margin);
+  }
 };
 
 /// True iff the outcome is a false negative and the method claims to have none.

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "query/query.hpp"
-#include "query/taxonomy.hpp"
+#include "case/query.hpp"
+#include "case/taxonomy.hpp"
 
 namespace ccdfuzz {
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "case/case_json.hpp"
+#include "case/tree_file.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "corpus/failure.hpp"
@@ -13,8 +15,6 @@
 #include "hunt/shrink.hpp"
 #include "method/method_apart.hpp"
 #include "properties/against_oracle.hpp"
-#include "query/case_json.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

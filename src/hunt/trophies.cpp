@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <tuple>
 
-#include "eval/in_order.hpp"
+#include "base/enum_names.hpp"
+#include "base/in_order.hpp"
+#include "case/tree_file.hpp"
 #include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
 #include "method/plugin/plugin_spec.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -202,7 +203,7 @@ std::vector<HuntFind> Trophies::finds() const {
     }
   }
   std::ranges::sort(finds, {}, [](const HuntFind& f) {
-    return std::pair(contact_class_named(f.value.origin.contact).value_or(ContactClass::kVV),
+    return std::pair(enum_named<ContactClass>(f.value.origin.contact).value_or(ContactClass::kVV),
                      f.path);
   });
   return finds;

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "case/answer.hpp"
+#include "case/case.hpp"
+#include "case/judge.hpp"
 #include "ccd/search_options.hpp"
-#include "query/answer.hpp"
-#include "query/case.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 
@@ -68,6 +68,15 @@ struct MethodInfo {
   bool claims_no_false_negative = false;
   /// What may stand behind a spec after '@', any of them, each once: "tdibm-e@unit-axes".
   std::vector<std::string> switches = {};
+
+  /// Of a plug-in, as records of hunts have it.
+  static void fields(auto& archive, auto& info) {
+    archive.constant("row", "plugin");
+    archive("method", info.spec);
+    archive("source", info.source);
+    archive("description", info.description);
+    archive("claims_no_false_negative", info.claims_no_false_negative);
+  }
 };
 
 /// A switch of the methods of the paper: the form without any optimisation, for comparison.

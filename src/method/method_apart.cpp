@@ -5,9 +5,9 @@
 #include <system_error>
 #include <type_traits>
 
+#include "base/verify.hpp"
+#include "case/case_json.hpp"
 #include "ccd/search.hpp"
-#include "numeric/verify.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

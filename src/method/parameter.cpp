@@ -4,7 +4,7 @@
 
 #include <cctype>
 
-#include "numeric/read_double.hpp"
+#include "base/read_double.hpp"
 
 namespace ccdfuzz {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

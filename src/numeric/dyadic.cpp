@@ -2,8 +2,8 @@
 
 #include <ostream>
 
-#include "numeric/double_parts.hpp"
-#include "numeric/verify.hpp"
+#include "base/double_parts.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "numeric/result.hpp"
+#include "base/result.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "numeric/double_parts.hpp"
-#include "numeric/fp_guard.hpp"
-#include "numeric/verify.hpp"
+#include "base/double_parts.hpp"
+#include "base/fp_guard.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "numeric/result.hpp"
+#include "base/result.hpp"
 
 namespace ccdfuzz {
 

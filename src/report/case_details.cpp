@@ -4,10 +4,10 @@
 
 #include <cstdlib>
 
+#include "base/json_text.hpp"
+#include "case/case_json.hpp"
+#include "case/test_snippet.hpp"
 #include "corpus/store.hpp"
-#include "query/case_json.hpp"
-#include "query/json_text.hpp"
-#include "query/test_snippet.hpp"
 #include "report/loss.hpp"
 
 namespace ccdfuzz {

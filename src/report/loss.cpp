@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/verify.hpp"
 #include "bezier/restrict.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "case/case.hpp"
 #include "ccd/witness_trace/trace.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

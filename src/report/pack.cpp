@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "eval/in_order.hpp"
+#include "base/in_order.hpp"
+#include "base/json_text.hpp"
+#include "base/verify.hpp"
+#include "case/taxonomy.hpp"
 #include "eval/paper_rates.hpp"
 #include "method/plugin/plugin_spec.hpp"
-#include "numeric/verify.hpp"
-#include "query/json_text.hpp"
-#include "query/taxonomy.hpp"
 #include "report/case_details.hpp"
 #include "report/histogram.hpp"
 #include "report/pack.hpp"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <map>
 
+#include "base/output_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
-#include "query/output_file.hpp"
 
 namespace ccdfuzz {
 

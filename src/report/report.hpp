@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "eval/table.hpp"
+#include "base/table.hpp"
+#include "case/case.hpp"
 #include "eval/tally.hpp"
 #include "method/method.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 
@@ -61,6 +61,15 @@ struct HuntSample {
   /// Of each method of the course the least number of ulps by which a contact survived its tests;
   /// nothing while none was traced.
   std::vector<std::optional<std::uint64_t>> margins;
+
+  static void fields(auto& archive, auto& sample) {
+    archive.constant("row", "sample");
+    archive("seconds", sample.seconds);
+    archive("queries", sample.queries);
+    archive("mutants", sample.mutants);
+    archive("finds", sample.finds);
+    archive("margins", sample.margins);
+  }
 };
 
 /// How a hunt went.

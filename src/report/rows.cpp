@@ -4,9 +4,10 @@
 
 #include <algorithm>
 
+#include "base/enum_names.hpp"
+#include "case/taxonomy.hpp"
 #include "eval/curvature.hpp"
 #include "eval/horizons.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 
@@ -16,7 +17,7 @@ namespace {
 constexpr int kSamplesOfEach = 4;
 
 std::size_t rank_of_class(const std::string& contact) {
-  const auto known = contact_class_named(contact);
+  const auto known = enum_named<ContactClass>(contact);
   return known ? static_cast<std::size_t>(*known) : kContactClasses.size();
 }
 

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
+#include "case/case_files.hpp"
 #include "eval/answer_record.hpp"
 #include "eval/generation_record.hpp"
-#include "query/case_files.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query/query.hpp"
+#include "case/query.hpp"
 
 namespace ccdfuzz {
 

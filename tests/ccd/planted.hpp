@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/verify.hpp"
 #include "bezier/blossom.hpp"
+#include "case/case.hpp"
 #include "generators/random.hpp"
-#include "numeric/verify.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

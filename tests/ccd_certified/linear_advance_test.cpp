@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "generators/random.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz::certified {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
+#include "case/case_json.hpp"
 #include "ccd/certified/short_contact.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "generators/random.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz::certified {

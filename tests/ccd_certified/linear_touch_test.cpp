@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "generators/random.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz::certified {

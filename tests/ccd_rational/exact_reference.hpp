@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "bezier/restrict.hpp"
+#include "case/query.hpp"
 #include "ccd/rational/axis.hpp"
-#include "query/query.hpp"
 
 // What the exact tests compare with: slow, and as close to the definitions as can be.
 namespace ccdfuzz {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "query/query.hpp"
+#include "case/query.hpp"
 
 namespace ccdfuzz {
 

@@ -4,7 +4,7 @@
 
 #include "bezier/cell.hpp"
 #include "bezier/random_patch.hpp"
-#include "query/query.hpp"
+#include "case/query.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "query/case_files.hpp"
+#include "case/case_files.hpp"
 #include "traced.hpp"
 
 namespace ccdfuzz {

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "case/judge.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "query/judge.hpp"
 #include "rising_triangle.hpp"
 
 namespace ccdfuzz {

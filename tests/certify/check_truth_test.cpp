@@ -5,9 +5,9 @@
 
 #include "bezier/blossom.hpp"
 #include "bezier/random_patch.hpp"
+#include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "query/case_json.hpp"
 #include "rising_triangle.hpp"
 #include "scratch_folder.hpp"
 

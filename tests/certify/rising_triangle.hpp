@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query/case.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

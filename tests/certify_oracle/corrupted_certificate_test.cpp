@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
@@ -13,7 +14,6 @@
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "mixed_cases.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 namespace {

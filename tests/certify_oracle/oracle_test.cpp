@@ -4,12 +4,12 @@
 
 #include <map>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "mixed_cases.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include "case/case_json.hpp"
+#include "case/tree_file.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "process.hpp"
-#include "query/case_json.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -1,8 +1,8 @@
 // import, export and evaluate --linear: query CSVs in and out of the real program.
 #include <gmock/gmock.h>
 
+#include "case/case_files.hpp"
 #include "process.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 namespace {

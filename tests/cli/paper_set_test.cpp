@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "base/journal.hpp"
 #include "killed_run.hpp"
-#include "query/journal.hpp"
 
 namespace ccdfuzz {
 namespace {

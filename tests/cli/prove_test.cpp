@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
+#include "case/case_files.hpp"
+#include "case/case_json.hpp"
+#include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "process.hpp"
-#include "query/case_files.hpp"
-#include "query/case_json.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -2,8 +2,8 @@
 // hold only some of them, others refuse it and say why.
 #include <gmock/gmock.h>
 
+#include "case/case_files.hpp"
 #include "process.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "case/case_files.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "process.hpp"
-#include "query/case_files.hpp"
 
 namespace ccdfuzz {
 namespace {

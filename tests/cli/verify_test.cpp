@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "case/case_files.hpp"
+#include "case/case_json.hpp"
 #include "process.hpp"
-#include "query/case_files.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -1,6 +1,6 @@
 #include "corpus/content_address.hpp"
 
-#include "query/random_case.hpp"
+#include "case/random_case.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "case/case_json.hpp"
 #include "corpus/store.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "case/case_json.hpp"
+#include "case/judge.hpp"
 #include "ccd/tdibm.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -14,8 +16,6 @@
 #include "generators/generate.hpp"
 #include "generators/random.hpp"
 #include "numeric/rational.hpp"
-#include "query/case_json.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
 #include "corpus/finds.hpp"
-#include "query/case_json.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

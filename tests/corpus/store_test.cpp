@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <random>
 
+#include "base/output_file.hpp"
+#include "case/case_json.hpp"
 #include "corpus/finds.hpp"
-#include "query/case_json.hpp"
-#include "query/output_file.hpp"
 #include "rapidcheck.hpp"
 #include "scratch_folder.hpp"
 

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
-#include "query/case_json.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -4,11 +4,11 @@
 
 #include <set>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "generators/generate.hpp"
 #include "generators/shaped/features.hpp"
 #include "generators/shaped/shaped_case.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/scale.hpp"
 #include "method/method.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "case/case_json.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "eval/ask.hpp"
 #include "eval/horizons.hpp"
 #include "generators/generate.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

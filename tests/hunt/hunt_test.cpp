@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-#include "eval/cpu_time.hpp"
+#include "base/cpu_time.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

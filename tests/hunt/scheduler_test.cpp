@@ -1,5 +1,5 @@
 #include "hunt/scheduler.hpp"
-#include "eval/cpu_time.hpp"
+#include "base/cpu_time.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "corpus/content_address.hpp"
 #include "corpus/failure.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/draw.hpp"
-#include "query/case_json.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

@@ -4,12 +4,12 @@
 #include <functional>
 #include <limits>
 
+#include "base/verify.hpp"
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 namespace {

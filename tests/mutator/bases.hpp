@@ -1,9 +1,9 @@
 #pragma once
 
+#include "case/taxonomy.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
-#include "query/taxonomy.hpp"
 
 namespace ccdfuzz {
 

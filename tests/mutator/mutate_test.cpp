@@ -5,8 +5,8 @@
 #include <map>
 
 #include "bases.hpp"
+#include "case/case_json.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "query/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

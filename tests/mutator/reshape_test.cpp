@@ -5,7 +5,7 @@
 #include "bases.hpp"
 #include "bezier/bernstein.hpp"
 #include "bezier/blossom.hpp"
-#include "query/case_json.hpp"
+#include "case/case_json.hpp"
 
 namespace ccdfuzz {
 namespace {

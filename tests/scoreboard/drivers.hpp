@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "numeric/result.hpp"
+#include "base/result.hpp"
 #include "run_apart.hpp"
 
 namespace ccdfuzz {

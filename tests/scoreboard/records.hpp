@@ -8,8 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "base/fields.hpp"
+#include "base/journal.hpp"
 #include "fault_list.hpp"
-#include "query/journal.hpp"
 
 namespace ccdfuzz {
 
@@ -33,6 +34,21 @@ struct Record {
   /// definition_hash of the fault that it was, or of all that were watched; empty: not known, or no
   /// fault.
   std::string definition;
+
+  static void fields(auto& archive, auto& record) {
+    archive("driver", record.driver);
+    archive("fault", record.fault);
+    archive("seed", record.seed);
+    archive("limit", record.limit, positive);
+    archive("reached", record.reached);
+    archive("triggered", record.triggered);
+    archive("detected", record.detected);
+    archive("executions", record.executions);
+    archive("seconds", record.seconds, not_negative);
+    archive("found", record.found);
+    archive("watched", record.watched);
+    archive.optional("definition", record.definition);
+  }
 };
 
 /// The records of a campaign, kept in a file of a JSON object a line. Those of a campaign that goes

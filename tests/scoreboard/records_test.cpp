@@ -144,12 +144,12 @@ TEST(Records, RefuseWhatIsNoneNamingLineFieldAndValue) {
       {R"("hunt")", R"("nosuch")", R"(r:2: driver: "nosuch" is not a driver)"},
       {R"("a.fault")", R"("gone")", R"(r:2: fault: "gone" is not in the list of faults)"},
       {R"("seed":1)", R"("seed":0)", "r:2: seed: 0 is not a seed"},
-      {R"("seed":1)", R"("seed":-1)", "r:2: seed: -1 is not a whole number"},
-      {R"("limit":10.0)", R"("limit":0.0)", "r:2: limit: 0.0 is not a time limit"},
-      {R"("limit":10.0)", R"("limit":-5)", "r:2: limit: -5 is negative"},
-      {R"("detected":false,)", "", R"(r:2: an object has no "detected")"},
-      {R"("found":)", R"("gone":1,"found":)", "r:2: gone: 1 is unknown"},
-      {R"("found":)", R"("Found":"","found":)", R"(r:2: Found: "" is unknown)"}};
+      {R"("seed":1)", R"("seed":-1)", "r:2: seed: -1 is outside 0.."},
+      {R"("limit":10)", R"("limit":0.0)", "r:2: limit: 0.0 is not > 0"},
+      {R"("limit":10)", R"("limit":-5)", "r:2: limit: -5 is not > 0"},
+      {R"("detected":false,)", "", "r:2: detected: missing"},
+      {R"("found":)", R"("gone":1,"found":)", "r:2: gone: unknown key"},
+      {R"("found":)", R"("Found":"","found":)", "r:2: Found: unknown key"}};
   for (const auto& [from, to, message] : wrong) {
     EXPECT_THAT(refusal_of(good + with(good, from, to)), StartsWith(message));
   }

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/number_text.hpp"
+#include "base/table.hpp"
 #include "campaign.hpp"
-#include "cli/number_text.hpp"
-#include "eval/table.hpp"
 #include "fault_list.hpp"
 #include "records.hpp"
 #include "rows.hpp"

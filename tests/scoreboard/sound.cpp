@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "hunt/scale.hpp"
-#include "query/judge.hpp"
 #include "scoreboard/planted.hpp"
 
 namespace ccdfuzz {

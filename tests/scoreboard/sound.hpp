@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 
+#include "case/case.hpp"
 #include "eval/by_spec.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "query/query.hpp"
+#include "case/query.hpp"
 
 namespace ccdfuzz::certified {
 

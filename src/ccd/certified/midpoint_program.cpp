@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz::certified {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/double_parts.hpp"
 #include "ccd/certified/short_polynomial.hpp"
 #include "ccd/certified/time_polynomial.hpp"
-#include "numeric/double_parts.hpp"
 
 namespace ccdfuzz::certified {
 

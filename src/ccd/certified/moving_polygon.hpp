@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "query/query.hpp"
+#include "case/query.hpp"
 
 namespace ccdfuzz::certified {
 

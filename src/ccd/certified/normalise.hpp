@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "case/query.hpp"
 #include "numeric/ieee_arithmetic.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz::certified {
 

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/fp_guard.hpp"
 #include "ccd/certified/linear_advance.hpp"
 #include "ccd/certified/linear_contact.hpp"
 #include "ccd/certified/linear_touch.hpp"
-#include "numeric/fp_guard.hpp"
 
 namespace ccdfuzz {
 

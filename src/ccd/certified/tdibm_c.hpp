@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
+#include "case/answer.hpp"
 #include "ccd/certified/pair_split.hpp"
 #include "ccd/search.hpp"
-#include "query/answer.hpp"
 
 namespace ccdfuzz {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/verify.hpp"
 #include "bezier/restrict.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz::exact_ccd {
 

@@ -4,12 +4,12 @@
 #include <span>
 #include <vector>
 
+#include "base/double_parts.hpp"
+#include "base/verify.hpp"
 #include "bezier/cell.hpp"
 #include "ccd/rational/axis.hpp"
 #include "ccd/rational/units.hpp"
-#include "numeric/double_parts.hpp"
 #include "numeric/rational.hpp"
-#include "numeric/verify.hpp"
 #include "numeric/wide_int.hpp"
 
 namespace ccdfuzz::exact_ccd {

@@ -1,9 +1,9 @@
 #include "ccd/rational/proves_clear.hpp"
 
+#include "base/double_parts.hpp"
+#include "base/fp_guard.hpp"
+#include "base/verify.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
-#include "numeric/double_parts.hpp"
-#include "numeric/fp_guard.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

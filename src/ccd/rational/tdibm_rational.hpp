@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "case/answer.hpp"
+#include "case/query.hpp"
 #include "ccd/search.hpp"
-#include "query/answer.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

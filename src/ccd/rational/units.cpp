@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "numeric/double_parts.hpp"
+#include "base/double_parts.hpp"
 
 namespace ccdfuzz::exact_ccd {
 

@@ -1,7 +1,7 @@
 #include "ccd/witness_trace/certified_tracer.hpp"
 
-#include "numeric/fp_guard.hpp"
-#include "numeric/verify.hpp"
+#include "base/fp_guard.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 

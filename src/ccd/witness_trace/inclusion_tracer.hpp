@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/fp_guard.hpp"
+#include "base/verify.hpp"
 #include "ccd/witness_trace/frontier.hpp"
 #include "ccd/witness_trace/watch.hpp"
-#include "numeric/fp_guard.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "bezier/cell.hpp"
+#include "case/case.hpp"
 #include "ccd/separation.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

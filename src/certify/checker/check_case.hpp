@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "query/case_files.hpp"
-#include "query/checked_case.hpp"
+#include "case/case_files.hpp"
+#include "case/checked_case.hpp"
 
 namespace ccdfuzz {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "case/case.hpp"
 #include "certify/checker/work.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

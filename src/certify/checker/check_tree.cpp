@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "base/double_parts.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "certify/checker/polar.hpp"
 #include "certify/checker/shown.hpp"
-#include "numeric/double_parts.hpp"
 
 namespace ccdfuzz {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "case/query.hpp"
 #include "certify/checker/work.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "case/tree_file.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/shown.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

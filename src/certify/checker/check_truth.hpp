@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "numeric/result.hpp"
-#include "query/case.hpp"
+#include "base/result.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "query/tree_file.hpp"
+#include "case/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "case/certificate.hpp"
+#include "case/query.hpp"
 #include "certify/checker/polar.hpp"
-#include "query/certificate.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

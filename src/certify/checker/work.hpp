@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "base/result.hpp"
 #include "numeric/dyadic.hpp"
-#include "numeric/result.hpp"
 
 namespace ccdfuzz {
 

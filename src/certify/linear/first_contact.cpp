@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/verify.hpp"
 #include "certify/linear/origin_in_triangle.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz::linear {
 

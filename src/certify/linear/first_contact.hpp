@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "bezier/patch.hpp"
+#include "case/case.hpp"
 #include "certify/linear/real_root.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz::linear {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "numeric/verify.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz::linear {
 

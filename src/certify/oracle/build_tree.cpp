@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/fp_guard.hpp"
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/pair_axes.hpp"
 #include "ccd/certified/window_trim.hpp"
 #include "certify/checker/miss_tree.hpp"
-#include "numeric/fp_guard.hpp"
 
 // The builder is made of the parts of `certified`.
 namespace ccdfuzz::certified {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "case/query.hpp"
 #include "ccd/search.hpp"
-#include "query/query.hpp"
 
 namespace ccdfuzz {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "query/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/verify.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/linear/first_contact.hpp"
-#include "numeric/verify.hpp"
 
 namespace ccdfuzz {
 

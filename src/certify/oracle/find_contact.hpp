@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "query/case.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/fp_guard.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd/search.hpp"
@@ -15,7 +16,6 @@
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
-#include "numeric/fp_guard.hpp"
 
 namespace ccdfuzz {
 

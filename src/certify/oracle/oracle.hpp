@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string>
 
+#include "case/answer.hpp"
+#include "case/case.hpp"
 #include "ccd/search_options.hpp"
-#include "query/answer.hpp"
-#include "query/case.hpp"
 
 namespace ccdfuzz {
 

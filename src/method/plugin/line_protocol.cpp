@@ -6,7 +6,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "query/json_tree.hpp"
+#include "base/json_real.hpp"
+#include "base/json_write.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
+#include "case/judge.hpp"
 #include "ccd/search.hpp"
 #include "method/plugin/worker_process.hpp"
-#include "query/judge.hpp"
 
 namespace ccdfuzz {
 

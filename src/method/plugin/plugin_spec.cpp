@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <type_traits>
 
-#include "numeric/read_double.hpp"
+#include "base/read_double.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "numeric/result.hpp"
+#include "base/result.hpp"
 
 namespace ccdfuzz {
 

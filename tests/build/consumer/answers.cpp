@@ -1,7 +1,7 @@
 // What every method and the checker say of the cases of a folder, to the bit.
+#include <ccdfuzz/case/judge.hpp>
 #include <ccdfuzz/certify/checker/check_case.hpp>
 #include <ccdfuzz/method/method.hpp>
-#include <ccdfuzz/query/judge.hpp>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>

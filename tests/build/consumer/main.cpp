@@ -1,6 +1,6 @@
 // Two points that fly at each other: the checker accepts their meeting and refuses any other time.
+#include <ccdfuzz/case/query.hpp>
 #include <ccdfuzz/certify/checker/check_witness.hpp>
-#include <ccdfuzz/query/query.hpp>
 #include <iostream>
 
 int main() {

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/result.hpp"
+
+namespace ccdfuzz {
+
+/// How a path's ending says its cases are stored.
+enum class CaseFileKind { kJson, kJsonLines, kJsonLinesZstd };
+
+/// The kind of a path. Devices and pipes of any name (/dev/stdin) hold lines.
+/// Errors: an ending other than .json, .jsonl and .jsonl.zst, naming the path.
+Result<CaseFileKind> case_file_kind(const std::string& path);
+
+/// For a path that no command line names but a file or a folder, where a pipe would block for ever.
+/// Errors: what is there is not a regular file.
+Result<void> refuse_irregular(const std::string& path);
+
+/// Bytes of a file, from the start, a piece at a time; decompressed where it is zstd.
+class InputBytes {
+ public:
+  virtual ~InputBytes() = default;
+  /// The next bytes, at most `most` of them; empty at the end of the file. Errors: naming the path.
+  virtual Result<std::string> read(size_t most) = 0;
+  /// How many bytes of the file itself, which may be compressed, have been read.
+  virtual std::uint64_t position() const = 0;
+};
+
+/// Opens a file. Errors: it does not exist, is a folder, cannot be read, naming the path.
+Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zstd);
+
+}  // namespace ccdfuzz

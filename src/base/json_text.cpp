@@ -1,0 +1,11 @@
+#include "base/json_text.hpp"
+
+#include "base/json_library.hpp"
+
+namespace ccdfuzz {
+
+std::string json_text(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,128 @@
+#include "base/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace ccdfuzz {
+
+namespace {
+
+bool is_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+
+/// Reads one term from the front of `rest`, without a sign, and drops it from there.
+std::optional<double> take_term(std::string_view& rest) {
+  const char* const begin = rest.data();
+  const char* const end = begin + rest.size();
+  double value = 0;
+  const char* after = begin;
+  if (rest.starts_with("2^")) {
+    int exponent = 0;
+    const auto read = std::from_chars(begin + 2, end, exponent);
+    if (read.ec != std::errc()) return std::nullopt;
+    value = std::ldexp(1.0, exponent);
+    if (value == 0) return std::nullopt;
+    after = read.ptr;
+  } else {
+    const bool hex = rest.starts_with("0x") || rest.starts_with("0X");
+    const char* const digits = hex ? begin + 2 : begin;
+    // from_chars would take "inf", "nan" and a sign.
+    if (digits == end || !(is_digit(*digits) || *digits == '.' || hex) || *digits == '-') {
+      return std::nullopt;
+    }
+    const auto read = std::from_chars(digits, end, value,
+                                      hex ? std::chars_format::hex : std::chars_format::general);
+    if (read.ec != std::errc()) return std::nullopt;
+    after = read.ptr;
+  }
+  rest.remove_prefix(static_cast<size_t>(after - begin));
+  return value;
+}
+
+}  // namespace
+
+Result<double> parse_number(const std::string& where, const std::string& text) {
+  const auto refuse = [&] {
+    return input_error(where, fmt::format("\"{}\" is not a number such as 0.5, 1e-6, 2^-20 or "
+                                          "1+2^-30",
+                                          text));
+  };
+  std::string_view rest = text;
+  double sum = 0;
+  bool first = true;
+  while (first || !rest.empty()) {
+    double sign = 1;
+    if (!rest.empty() && (rest[0] == '-' || (rest[0] == '+' && !first))) {
+      sign = rest[0] == '-' ? -1 : 1;
+      rest.remove_prefix(1);
+    } else if (!first) {
+      return refuse();
+    }
+    const std::optional<double> term = take_term(rest);
+    if (!term) return refuse();
+    const double before = std::exchange(sum, sum + sign * *term);
+    if (!first && ((*term != 0 && sum == before) || (before != 0 && sum == sign * *term))) {
+      return input_error(
+          where, fmt::format("\"{}\" is not a double: a term of it is lost by rounding", text));
+    }
+    first = false;
+  }
+  if (!std::isfinite(sum)) return refuse();
+  return sum;
+}
+
+Result<double> parse_seconds(const std::string& where, const std::string& text) {
+  return parse_number(where, text).and_then([&](double seconds) -> Result<double> {
+    if (seconds > 0) return seconds;
+    return input_error(where, fmt::format("{} is not above 0", text));
+  });
+}
+
+Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text) {
+  std::vector<double> numbers;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    const Result<double> number = parse_number(where, text.substr(begin, end - begin));
+    if (!number) return tl::unexpected(number.error());
+    numbers.push_back(*number);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+Result<int> parse_power_of_two(const std::string& where, const std::string& text) {
+  return parse_number(where, text).and_then([&](double value) -> Result<int> {
+    int exponent = 0;
+    if (!(value > 0) || std::frexp(value, &exponent) != 0.5) {
+      return input_error(where, fmt::format("\"{}\" is not a power of two such as 2^-20", text));
+    }
+    return exponent - 1;
+  });
+}
+
+Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, status] = std::from_chars(text.data(), end, value);
+  const bool octal_to_some = text.size() > 1 && text[0] == '0';
+  if (status == std::errc() && rest == end && !octal_to_some) return value;
+  constexpr size_t kShown = 40;
+  return input_error(where, fmt::format("\"{}{}\" is not a whole number from 0 to 2^64 - 1",
+                                        text.substr(0, kShown), text.size() > kShown ? "…" : ""));
+}
+
+Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things) {
+  if (first <= std::numeric_limits<std::uint64_t>::max() - count) return {};
+  return input_error(
+      "--first", fmt::format("{} is too large: the last of {} {} would be above 2^64 - 2", first,
+                             count, things));
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace ccdfuzz {
+
+/// A number as people write one on a command line: terms joined by + and −, each a decimal
+/// ("1e-6", "1.5"), a hex-float ("0x1p-20") or a power of two ("2^-20"); "1+2^-30" is one number.
+/// Each term is read to the nearest double and they are added from the left.
+/// Errors: anything else, a value that is not finite, a power of two below 2^-1074, or a term that
+/// rounding loses, as in 1+2^-60; `where` is the option's name.
+Result<double> parse_number(const std::string& where, const std::string& text);
+
+/// One above 0: how many seconds.
+Result<double> parse_seconds(const std::string& where, const std::string& text);
+
+/// A list of them, separated by commas.
+Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text);
+
+/// The exponent e of a value 2^e. Errors: the value is no power of two.
+Result<int> parse_power_of_two(const std::string& where, const std::string& text);
+
+/// "7" is a whole number; "-1", "+7", "010", " 7", "0x7" and what exceeds 64 bits are none.
+Result<std::uint64_t> parse_whole(const std::string& where, const std::string& text);
+
+/// Errors: first + count is past 2^64 - 1, where the numbers of cases end. things: what is counted.
+Result<void> check_room(std::uint64_t first, std::uint64_t count, const char* things);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.hpp"
+
+namespace ccdfuzz {
+
+/// A file that appears whole or not at all: written under a temporary name in the same folder,
+/// flushed to the disk and renamed over its path by commit(). Until then, and for ever if commit
+/// is never reached, what stood at the path stays. A path that is a device or a pipe is written
+/// directly. Errors: what the system says, naming the path.
+class OutputFile {
+ public:
+  static Result<OutputFile> create(const std::string& path);
+  OutputFile(OutputFile&& other) noexcept { *this = std::move(other); }
+  OutputFile& operator=(OutputFile&& other) noexcept;
+  ~OutputFile() { abandon(); }
+
+  Result<void> write(std::string_view bytes);
+  Result<void> commit();
+
+ private:
+  OutputFile() = default;
+  void abandon();
+  tl::unexpected<InputError> failed(const char* doing, int error);
+
+  std::string path_;       ///< as the caller named it, for messages
+  std::string target_;     ///< what to rename to; empty if written directly
+  std::string temporary_;  ///< empty if written directly or nothing is left to remove
+  int descriptor_ = -1;
+};
+
+/// Writes a whole file so.
+Result<void> write_file(const std::string& path, std::string_view bytes);
+
+/// The process that writes to a temporary file of this name, if it is one of OutputFile's. The file
+/// is a leftover once that process is no more.
+std::optional<int> temporary_writer(std::string_view file_name);
+
+/// Removes what killed writers left behind in a folder. The temporary file of a process that lives
+/// is left to it.
+void remove_leftovers(const std::string& folder);
+
+/// Removes the temporary files that this process writes to, for a signal handler that ends it.
+void remove_unfinished_files();
+
+/// "path: cannot DOING: what the system says of this errno".
+tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,47 @@
+#include "base/text.hpp"
+
+#include <fmt/format.h>
+
+namespace ccdfuzz {
+
+namespace {
+
+std::string without_controls(std::string_view text, std::string_view newline) {
+  std::string shown;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
+    if (byte == '\n') {
+      shown += newline;
+    } else if (byte < ' ' || byte == 0x7f) {
+      shown += fmt::format("\\u{:04x}", byte);
+    } else if (byte == 0xc2 && 0x80 <= next && next < 0xa0) {  // U+0080 to U+009F in UTF-8
+      shown += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      shown += text[i];
+    }
+  }
+  return shown;
+}
+
+}  // namespace
+
+std::string shown_line(std::string_view text) {
+  return without_controls(text, "\\n");
+}
+
+std::string shown_lines(std::string_view text) {
+  return without_controls(text, "\n");
+}
+
+std::string shell_word(const std::string& text) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+:,=@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) c == '\'' ? quoted += "'\\''" : quoted += c;
+  return quoted + "'";
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "case/certificate.hpp"
+#include "case/outcome.hpp"
+#include "case/query.hpp"
+#include "numeric/rational.hpp"
+
+namespace ccdfuzz {
+
+/// An exact contact: patch 1 at uv[0] and patch 2 at uv[1] coincide at time t.
+struct Witness {
+  Rational t;
+  std::array<Uv<Rational>, 2> uv;
+
+  friend bool operator==(const Witness&, const Witness&) = default;
+};
+
+/// How absence of contact may be known: by a moving plane, by a tree of separating axes, by a run
+/// of the rational method that `ccdfuzz verify` repeats, or by the checker's own decision, which is
+/// for linear patches.
+inline constexpr std::array<std::string_view, 4> kProofWords = {"P", "T", "rational-tdibm", "L"};
+constexpr bool is_proof_word(std::string_view word) {
+  return std::find(kProofWords.begin(), kProofWords.end(), word) != kProofWords.end();
+}
+
+/// What is known of a query, up to its t_max or, by clear_until and witness, beyond; and by what
+/// proof.
+struct Truth {
+  std::optional<bool> collides;         ///< absent: unknown
+  std::optional<Witness> witness;       ///< this, contact_box or contact_root, if collides
+  std::optional<Rational> clear_until;  ///< no contact for 0 ≤ t < clear_until is proven
+  std::optional<std::string> proof;     ///< one of kProofWords; needed if not collides
+  std::optional<ContactBox> contact_box;
+  std::optional<ContactRoot> contact_root;
+  std::optional<Clearance> clearance;  ///< needed if proof is "P", "T" or "L", and of that kind
+
+  /// The earliest time by which a contact is known to have come, whatever t_max is.
+  std::optional<Rational> contact_by() const {
+    std::optional<Rational> by;
+    const auto consider = [&by](const Rational& t) {
+      if (!by || t < *by) by = t;
+    };
+    if (witness) consider(witness->t);
+    if (contact_box) consider(contact_box->until());
+    if (contact_root) consider(contact_root->by);
+    return by;
+  }
+
+  friend bool operator==(const Truth&, const Truth&) = default;
+};
+
+/// Where a case comes from. Free text but for seed; nothing is derived from it but table rows.
+struct Origin {
+  std::string contact;    ///< contact class, "FF" … or a further class
+  std::string kind;       ///< "RP", "RN", …
+  std::string generator;  ///< which construction
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> index;
+  std::string ccdfuzz;  ///< version
+  std::string name;     ///< of a named corpus entry
+  std::string note;     ///< for readers
+  /// Any further keys of the file, each with its string or number as JSON text; kept as they are.
+  std::map<std::string, std::string> more;
+
+  friend bool operator==(const Origin&, const Origin&) = default;
+};
+
+/// The proof word of a clearance.
+inline std::string_view proof_word(const Clearance& clearance) {
+  constexpr std::array<size_t, 3> kWords = {0, 1, 3};
+  return kProofWords[kWords[clearance.index()]];
+}
+
+/// A query with its truth.
+struct Case {
+  Query query;
+  Truth truth;
+  Origin origin;
+  std::map<std::string, Outcome> expect;  ///< method spec → outcome that replay must find
+
+  friend bool operator==(const Case&, const Case&) = default;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace ccdfuzz {
+
+/// A case and where it was read: "path" of a .json, "path:line" of a .jsonl or .jsonl.zst.
+struct NamedCase {
+  std::string id;
+  Case value;
+  std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
+};
+
+/// No case comes near this; it bounds the memory that a wrong file takes.
+inline constexpr size_t kMaxCaseBytes = 1 << 20;
+
+/// Reads the cases of a file one after the other, holding one at a time. The ending says how they
+/// are stored: .json (one case), .jsonl (one a line; CR LF and up to 1,000 blank lines are fine),
+/// .jsonl.zst (the same, compressed by zstd). A device or a pipe is read as .jsonl whatever its
+/// name.
+class CaseReader {
+ public:
+  /// Errors: another ending, no such file, a folder, unreadable; naming the path.
+  static Result<CaseReader> open(const std::string& path);
+  CaseReader(CaseReader&&) noexcept;
+  CaseReader& operator=(CaseReader&&) noexcept;
+  ~CaseReader();
+
+  /// The next case; nothing at the end. Errors: as parse_case, and a truncated or corrupt file, or
+  /// one that holds no case at all; naming path and line. No reading on after an error.
+  Result<std::optional<NamedCase>> next();
+
+  /// Bytes of the text of the cases given so far.
+  std::uint64_t bytes_given() const;
+  /// Bytes of the file, which may be compressed, read so far.
+  std::uint64_t position() const;
+
+ private:
+  struct State;
+  explicit CaseReader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The cases of several files one after the other, holding one at a time.
+class CaseStream {
+ public:
+  explicit CaseStream(std::vector<std::string> paths);
+
+  /// The next case; nothing at the end. Errors: as CaseReader. No reading on after an error.
+  Result<std::optional<NamedCase>> next();
+  /// How much of the files has been read, in [0, 1].
+  double share() const;
+  /// Bytes of the text of the cases given so far.
+  std::uint64_t bytes_given() const;
+
+ private:
+  std::vector<std::string> paths_;
+  size_t file_ = 0;
+  std::optional<CaseReader> reader_;  ///< of that file
+  std::uint64_t size_ = 0;            ///< of all files
+  /// Of the files before: their sizes, and the bytes of their cases.
+  std::uint64_t size_before_ = 0, given_before_ = 0;
+};
+
+/// The only case of a file. Errors: as CaseReader; there are more.
+Result<NamedCase> read_case(const std::string& path);
+
+/// A command that needs all cases at once holds at most this many bytes of them, each counted as
+/// its text and sizeof(NamedCase): some 10,000 cases of two tensor(8,8) and 200,000 of two points.
+inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
+
+/// All cases of the files at once. Errors: as CaseReader; more than kMostBytesHeld.
+Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths);
+Result<std::vector<NamedCase>> read_cases(const std::string& path);
+
+/// Writes cases to a file, which appears whole with finish() or, if that is not reached, not at
+/// all. Endings as for reading; a .json takes one case. Errors: another ending, a full disk, a
+/// read-only folder, naming the path. No writing on after an error.
+class CaseWriter {
+ public:
+  static Result<CaseWriter> open(const std::string& path);
+  CaseWriter(CaseWriter&&) noexcept;
+  CaseWriter& operator=(CaseWriter&&) noexcept;
+  ~CaseWriter();
+
+  Result<void> write(const Case& value);
+  /// Must come last.
+  Result<void> finish();
+
+ private:
+  struct State;
+  explicit CaseWriter(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ccdfuzz

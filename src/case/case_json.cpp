@@ -1,0 +1,230 @@
+// The format of cases, field by field; corpus/README.md describes it.
+#include "case/case_json.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/fields.hpp"
+
+namespace ccdfuzz {
+
+template <>
+struct JsonForm<Rational> {
+  static void write(std::string& json, const Rational& x) { json += json_string(to_text(x)); }
+  static void read(const JsonCursor& from, Rational& x) {
+    if (from.value().kind != JsonKind::kString)
+      from.refuse_value("is not a string \"p\" or \"p/q\"");
+    Result<Rational> parsed = parse_rational(from.string());
+    if (!parsed) from.refuse(parsed.error().what);
+    x = *std::move(parsed);
+  }
+};
+
+template <>
+struct JsonForm<Integer> {
+  static void write(std::string& json, const Integer& x) { json += json_string(x.get_str()); }
+  static void read(const JsonCursor& from, Integer& x) {
+    Rational rational;
+    read_json(from, rational);
+    if (rational.get_den() != 1) from.refuse_value("is not a whole number");
+    x = rational.get_num();
+  }
+};
+
+template <>
+struct JsonForm<Vec3<double>> {
+  static void write(std::string& json, const Vec3<double>& point) {
+    write_json(json, std::array{point[0], point[1], point[2]});
+  }
+  static void read(const JsonCursor& from, Vec3<double>& point) {
+    from.array(3, "coordinates");
+    for (int k = 0; k < 3; ++k) point[k] = from.item(static_cast<size_t>(k)).real();
+  }
+};
+
+template <>
+struct JsonForm<MovingPatch<double>> {
+  static void fields(auto& archive, auto& patch) {
+    auto& shape = patch.shape;
+    archive("shape", shape.kind);
+    const auto degree = within(1, kMaxDegree);
+    if (shape.kind == ShapeKind::kTensor) {
+      std::array degrees{shape.n, shape.m};
+      archive("degree", degrees, Each{degree});
+      if constexpr (archive.kReads) shape = Shape::tensor(degrees[0], degrees[1]);
+    } else if (shape.kind != ShapeKind::kPoint) {
+      archive("degree", shape.n, degree);
+    }
+    const auto right_count = [&](const Points<double>& points) {
+      if (std::cmp_equal(points.size(), shape.control_count())) return std::string();
+      return fmt::format("has {} control points; {} has {}", points.size(), to_text(shape),
+                         shape.control_count());
+    };
+    archive("positions", patch.positions, right_count);
+    archive("velocities", patch.velocities, right_count);
+  }
+};
+
+template <>
+struct JsonForm<Witness> {
+  static void fields(auto& archive, auto& witness) {
+    archive("t", witness.t);
+    archive("uv", witness.uv);
+  }
+};
+
+template <>
+struct JsonForm<ContactBox> {
+  static void fields(auto& archive, auto& box) {
+    archive("centre", box.centre);
+    archive("dependent", box.dependent, Each{within(0, 2)});
+    archive("varied", box.varied, Each{within(0, ContactBox::kTime)}, [](const auto& places) {
+      const bool ascending = places[0] < places[1] && places[1] < places[2];
+      return std::string(ascending ? "" : "is not ascending");
+    });
+    archive("radius", box.radius, Each{positive});
+    archive("inverse", box.inverse);
+  }
+};
+
+template <>
+struct JsonForm<ContactRoot> {
+  static void fields(auto& archive, auto& root) {
+    archive("polynomial", root.polynomial, [](const auto& coefficients) {
+      if (coefficients.size() <= kMaxRootDegree + 1) return std::string();
+      return fmt::format("has {} coefficients; the degree is at most {}", coefficients.size(),
+                         kMaxRootDegree);
+    });
+    archive("from", root.from);
+    archive("by", root.by);
+  }
+};
+
+template <>
+struct JsonForm<TreeRef> {
+  static void fields(auto& archive, auto& tree) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
+    archive("offset", tree.offset, within(std::uint64_t{0}, kMost));
+    archive("length", tree.length, within(std::uint64_t{1}, kMost));
+    archive("xxh3", tree.xxh3, [](const std::string& hash) {
+      const bool good =
+          hash.size() == 32 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+      return std::string(good ? "" : "is not 32 lower-case hexadecimal digits");
+    });
+  }
+};
+
+template <>
+struct JsonForm<Clearance> {
+  static void fields(auto& archive, auto& clearance) {
+    std::string kind(proof_word(clearance));
+    archive("kind", kind, [](const std::string& word) {
+      const bool known = word == "P" || word == "T" || word == "L";
+      return std::string(known ? "" : "is not a certificate of absence (P, T, L)");
+    });
+    if constexpr (archive.kReads) {
+      if (kind == "T") clearance = MissTree{};
+      if (kind == "L") clearance = LinearClearance{};
+    }
+    std::visit([&](auto& certificate) { of(archive, certificate); }, clearance);
+  }
+
+ private:
+  static void of(auto& archive, auto& certificate) {
+    archive("until", certificate.until);
+    if constexpr (requires { certificate.tree; }) {
+      archive("tree", certificate.tree);
+    } else if constexpr (requires { certificate.closed; }) {
+      archive("closed", certificate.closed);
+    } else {
+      archive("normal", certificate.normal);
+      archive("offset", certificate.offset);
+    }
+  }
+};
+
+namespace {
+
+/// The certificates of a truth, which stand in an object of their own.
+template <class T>
+struct CertificatesOf {
+  T& truth;
+
+  static void fields(auto& archive, auto& certificates) {
+    auto& of = certificates.truth;
+    archive.optional("contact", of.contact_box);
+    archive.optional("root", of.contact_root);
+    archive.optional("clear", of.clearance);
+  }
+};
+
+/// Refused: a truth that lacks what it says that it rests on.
+void check_supports(const JsonCursor& from, const Truth& truth) {
+  if (truth.proof && *truth.proof != kProofWords[2]) {
+    if (!truth.clearance || proof_word(*truth.clearance) != *truth.proof) {
+      from.at("proof").refuse_value("has no certificate.clear of that kind");
+    }
+  }
+  if (truth.collides == true && !truth.witness && !truth.contact_box && !truth.contact_root) {
+    from.at("witness", ", though collides is true");
+  }
+  if (truth.collides == false) from.at("proof", ", though collides is false");
+}
+
+}  // namespace
+
+template <>
+struct JsonForm<Truth> {
+  static void fields(auto& archive, auto& truth) {
+    archive.when(true, "collides", truth.collides);
+    archive.optional("witness", truth.witness);
+    archive.optional("clear_until", truth.clear_until);
+    archive.optional("proof", truth.proof, {}, [](const auto& word) {
+      if (!word || is_proof_word(*word)) return std::string();
+      return fmt::format("is not a proof ({})", fmt::join(kProofWords, ", "));
+    });
+    const bool any = truth.contact_box || truth.contact_root || truth.clearance;
+    CertificatesOf<std::remove_reference_t<decltype(truth)>> certificates{truth};
+    archive.when(any, "certificate", certificates);
+    if constexpr (archive.kReads) check_supports(archive.object(), truth);
+  }
+};
+
+template <>
+struct JsonForm<Origin> {
+  static void fields(auto& archive, auto& origin) {
+    archive.optional("name", origin.name);
+    archive.optional("contact", origin.contact);
+    archive.optional("kind", origin.kind);
+    archive.optional("generator", origin.generator);
+    archive.optional("seed", origin.seed);
+    archive.optional("index", origin.index);
+    archive.optional("ccdfuzz", origin.ccdfuzz);
+    archive.optional("note", origin.note);
+    archive.others(origin.more);
+  }
+};
+
+template <>
+struct JsonForm<Case> {
+  static void fields(auto& archive, auto& value) {
+    archive.format("ccdfuzz-case", 1, 1);
+    archive("patches", value.query.patches);
+    archive("t_max", value.query.t_max, not_negative);
+    archive.optional("truth", value.truth);
+    archive.optional("origin", value.origin);
+    archive.optional("expect", value.expect);
+  }
+};
+
+Result<Case> parse_case(std::string_view json, const std::string& file) {
+  return from_json<Case>(json, file);
+}
+
+std::string to_json(const Case& value, JsonLayout layout) {
+  std::string json;
+  write_json(json, value);
+  return layout == JsonLayout::kOneLine ? json : readable_json(json);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "case/case.hpp"
+
+namespace ccdfuzz {
+
+/// Reads one case from its JSON text, the format of corpus/README.md.
+/// Reals are JSON numbers or hex-float strings (parse_exact_real: 0.1 is the double nearest to it,
+/// longer decimals must be doubles); exact values are strings "p" or "p/q". The truth is read, not
+/// believed: see certify/checker/check_truth.hpp. Errors name `file`, the JSON path and the value:
+/// not JSON, a duplicate, unknown or missing key, a wrong type, format or version, a real out of
+/// range, wrong counts or degrees, t_max < 0, collides without its witness or proof, a word that is
+/// no outcome. Only `origin` may hold keys of its own, with strings or numbers, which are kept.
+Result<Case> parse_case(std::string_view json, const std::string& file);
+
+enum class JsonLayout : std::uint8_t {
+  kOneLine,   ///< for data sets
+  kReadable,  ///< readable_json: for files that people read and compare
+};
+
+/// The case as JSON without a final newline; the same bytes for the same case everywhere.
+/// Empty fields are left out. Requires finite numbers. parse_case gives the same case back.
+std::string to_json(const Case& value, JsonLayout layout = JsonLayout::kOneLine);
+
+}  // namespace ccdfuzz

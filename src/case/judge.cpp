@@ -1,0 +1,157 @@
+#include "case/judge.hpp"
+
+#include "base/double_parts.hpp"
+#include "base/verify.hpp"
+#include "bezier/blossom.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+bool is_nonsense(const Query& query, const Answer& answer) {
+  const bool nan_toi = answer.toi && is_nan(*answer.toi);
+  switch (answer.verdict) {
+    case Verdict::kHit:
+      if (!answer.toi || nan_toi || compare(*answer.toi, 0) < 0 ||
+          compare(*answer.toi, query.t_max) > 0) {
+        return true;
+      }
+      for (const Uv<double>& uv : answer.uv) {
+        if (is_nan(uv[0]) || is_nan(uv[1])) return true;
+      }
+      return false;
+    case Verdict::kUndecided:
+      return nan_toi;
+    case Verdict::kMiss:
+    case Verdict::kRefused:
+      return false;  // carries no time; what stands there is not looked at
+  }
+  return true;
+}
+
+/// The time by which a contact has come, if that is in [0, t_max].
+std::optional<Rational> within(std::optional<Rational> by, double t_max) {
+  if (by && *by > exact(t_max)) by.reset();
+  return by;
+}
+
+/// The contact that an answer with these terms must not miss.
+std::optional<Rational> binding_contact(const CheckedCase& known, const AnswerTerms& terms) {
+  const double t_max = known.query().t_max;
+  std::optional<Rational> by = within(known.contact_by(), t_max);
+  if (by && !terms.closed_t_max && *by == exact(t_max)) by.reset();
+  if (by && !terms.contact_at_zero && *by == 0) by.reset();
+  return by;
+}
+
+bool in_domain(const Shape& shape, const Uv<double>& uv) {
+  const auto in_unit = [](double x) { return compare(x, 0) >= 0 && compare(x, 1) <= 0; };
+  return in_unit(uv[0]) && in_unit(uv[1]) &&
+         (shape.kind != ShapeKind::kTriangle || exact(uv[0]) + exact(uv[1]) <= 1);
+}
+
+/// The squared distance of a point on each patch from each other at time t.
+Rational squared_distance(const Query& query, const std::array<Uv<Rational>, 2>& uv,
+                          const Rational& t) {
+  std::array<Vec3<Rational>, 2> points;
+  for (size_t side = 0; side < 2; ++side) {
+    points[side] = evaluate<Rational>(exact_patch<Rational>(query.patches[side]), uv[side], t);
+  }
+  Rational squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Rational d = points[0][k] - points[1][k];
+    squared += d * d;
+  }
+  return squared;
+}
+
+/// Whether the two points that a hit names are at most so far apart at its toi.
+bool is_near(const Query& query, const Answer& hit, double tolerance) {
+  std::array<Uv<Rational>, 2> where;
+  for (size_t side = 0; side < 2; ++side) {
+    const Uv<double>& uv = hit.uv[side];
+    if (!in_domain(query.patches[side].shape, uv)) return false;
+    where[side] = {exact(uv[0]), exact(uv[1])};
+  }
+  return squared_distance(query, where, exact(*hit.toi)) <= exact(tolerance) * exact(tolerance);
+}
+
+/// Whether the patches are proven to come nearer than so before a time, the points of the witness:
+/// their distance falls in proportion to the time that is left, and is 0 at its own.
+bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
+  if (compare(terms.kept_separation, 0) == 0 || !known.witness() || before == 0) return false;
+  const Query& query = known.query();
+  const Witness& witness = *known.witness();
+  const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
+  if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;
+  return squared_distance(query, witness.uv, std::min(before, witness.t)) < squared;
+}
+
+}  // namespace
+
+Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms) {
+  const Query& query = known.query();
+  if (answer.verdict == Verdict::kRefused) return Outcome::kNotAsked;
+  if (is_nonsense(query, answer)) return Outcome::kError;
+  if (answer.verdict == Verdict::kUndecided) return Outcome::kUndecided;
+  const bool hit = answer.verdict == Verdict::kHit;
+  if (comes_nearer(known, terms, exact(hit ? *answer.toi : query.t_max))) {
+    return hit ? Outcome::kLate : Outcome::kMissed;
+  }
+  if (const auto contact = binding_contact(known, terms)) {
+    if (!hit) return Outcome::kMissed;
+    const bool in_time = exact(*answer.toi) <= *contact + exact(terms.time_tolerance);
+    return in_time ? Outcome::kCorrect : Outcome::kLate;
+  }
+  if (!known.is_clear()) return Outcome::kUnknown;
+  if (!hit) return Outcome::kCorrect;
+  const std::optional<Rational> later = known.contact_by();
+  if (compare(terms.early_tolerance, 0) > 0 && later &&
+      *later <= exact(*answer.toi) + exact(terms.early_tolerance)) {
+    return Outcome::kCorrect;
+  }
+  if (compare(terms.space_tolerance, 0) > 0) {
+    if (!terms.has_uv) return Outcome::kUnknown;
+    if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
+  }
+  return Outcome::kFalsePositive;
+}
+
+Case with_t_max(const Case& value, double t_max) {
+  CCDFUZZ_VERIFY(is_finite(t_max) && compare(t_max, 0) >= 0);
+  Case out = value;
+  out.query.t_max = t_max;
+  out.expect.clear();
+  if (compare(t_max, value.query.t_max) == 0) return out;
+  const bool still_absent = value.truth.collides == false && compare(t_max, value.query.t_max) <= 0;
+  out.truth.collides.reset();
+  if (still_absent) out.truth.collides = false;
+  if (within(value.truth.contact_by(), t_max)) out.truth.collides = true;
+  return out;
+}
+
+std::optional<Rational> CheckedCase::contact_by() const {
+  return value_.truth.contact_by();
+}
+
+bool CheckedCase::is_clear() const {
+  return clearance_holds_ && covers(*value_.truth.clearance, exact(value_.query.t_max));
+}
+
+std::optional<bool> CheckedCase::collides() const {
+  if (within(contact_by(), value_.query.t_max)) return true;
+  return is_clear() ? std::optional(false) : std::nullopt;
+}
+
+bool CheckedCase::is_clear_by_word() const {
+  const Truth& truth = value_.truth;
+  const bool says_so = truth.collides == false ||
+                       (truth.clear_until && *truth.clear_until > exact(value_.query.t_max));
+  return says_so && !is_clear();
+}
+
+CheckedCase CheckedCase::with_t_max(double t_max) const {
+  return {ccdfuzz::with_t_max(value_, t_max), clearance_holds_};
+}
+
+}  // namespace ccdfuzz

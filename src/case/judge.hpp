@@ -1,0 +1,58 @@
+#pragma once
+
+#include <string>
+
+#include "case/answer.hpp"
+#include "case/checked_case.hpp"
+
+namespace ccdfuzz {
+
+/// What a method claims of an answer beyond it. As they stand here: a contact counts at 0 and at
+/// t_max, and nothing is counted in its favour.
+struct AnswerTerms {
+  bool closed_t_max = true;
+  bool contact_at_zero = true;
+  /// A hit is in time so much after the contact. ≥ 0, finite.
+  double time_tolerance = 0;
+  /// A hit so near is a contact: what uv says must be this near at toi. ≥ 0, finite.
+  double space_tolerance = 0;
+  bool has_uv = true;  ///< the answer says where
+  /// A hit is true so much before a contact that comes after t_max. ≥ 0, finite.
+  double early_tolerance = 0;
+  /// Patches that come nearer than this are for it to report as if they touched; unless contacts at
+  /// 0 do not count, and they are as near as that from the start. ≥ 0, finite.
+  double kept_separation = 0;
+};
+
+/// How an answer stands against the truth, every comparison exact:
+///   not_asked       it refuses the query, whatever that holds
+///   error           the answer is nonsense: a hit without toi, toi NaN or outside [0, t_max]
+///   undecided       it says so
+///   missed, late    a witness or a contact box proves a contact by some t ≤ t_max (< t_max, and
+///                   > 0, where the terms leave an end out); the answer is a miss, or a hit later
+///                   than its time tolerance. Or the two points of a witness, of any time, come
+///                   nearer than the separation it keeps, and it is a miss, or a hit later than so
+///   false_positive  a hit, and absence of contact on [0, t_max] is proven (is_clear); the patches
+///                   at uv and toi are farther apart than the space tolerance; and no contact is
+///                   known to come within the early tolerance
+///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
+///                   them; or the answer has a space tolerance and does not say where
+///   correct         anything else
+/// The contact counts first.
+Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms& terms = {});
+
+/// An answer and how it stands against its truth.
+struct Judged {
+  Answer answer;
+  Outcome outcome = Outcome::kUnknown;
+  /// Of an error: by what like ones are told from others. "exception" or "nonsense" of methods that
+  /// give it no name.
+  std::string error;
+};
+
+/// The same two patches asked up to another t_max ≥ 0, with what its truth then still says: absence
+/// of contact holds for a shorter time but says nothing of a longer one, and a contact is
+/// proven only from its time on. Expectations are dropped: they were of another query.
+Case with_t_max(const Case& value, double t_max);
+
+}  // namespace ccdfuzz

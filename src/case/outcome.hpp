@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace ccdfuzz {
+
+/// How an answer stands against a truth.
+enum class Outcome : std::uint8_t {
+  kCorrect,
+  kMissed,         ///< said "no contact" though a witness proves one: a false negative
+  kLate,           ///< said "hit" at a time after a proven contact: a false negative too
+  kFalsePositive,  ///< said "hit" though absence is proven
+  kUndecided,      ///< gave up within its budget; never a false negative or positive
+  kUnknown,        ///< the truth is absent or does not reach far enough
+  kError,          ///< threw, crashed or returned nonsense (NaN, toi outside [0, t_max])
+  kNotAsked,       ///< refused the query; counted apart, in no number of queries and in no rate
+};
+
+inline constexpr std::array kAllOutcomes = {
+    Outcome::kCorrect,   Outcome::kMissed,  Outcome::kLate,  Outcome::kFalsePositive,
+    Outcome::kUndecided, Outcome::kUnknown, Outcome::kError, Outcome::kNotAsked};
+
+/// "correct", "missed", "late", "false_positive", "undecided", "unknown", "error", "not_asked".
+std::string_view name_of(Outcome outcome);
+constexpr const auto& all_of(Outcome) {
+  return kAllOutcomes;
+}
+
+/// A false negative of either kind.
+constexpr bool is_false_negative(Outcome o) {
+  return o == Outcome::kMissed || o == Outcome::kLate;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/query.hpp"
+
+namespace ccdfuzz {
+
+/// What the rows of a query CSV stand for. In each, all start points come first, then all end
+/// points in the same order:
+///   edge-edge    8 rows: both ends of edge 1, both ends of edge 2
+///   vertex-face  8 rows: the vertex, the three corners of the face
+///   curved       24 rows: the 6 control points of two quadratic triangles, each in Shape's order
+enum class CsvLayout { kEdgeEdge, kVertexFace, kCurved };
+
+inline constexpr std::array kAllCsvLayouts = {CsvLayout::kEdgeEdge, CsvLayout::kVertexFace,
+                                              CsvLayout::kCurved};
+
+/// "edge-edge", "vertex-face", "curved".
+const char* name_of(CsvLayout layout);
+
+/// The shapes of both patches.
+std::array<Shape, 2> csv_shapes(CsvLayout layout);
+
+/// The layout that a path tells: a folder or file with the layout's name in it, or, as in other
+/// public sets, a file name that ends in "ee.csv" or "vf.csv".
+std::optional<CsvLayout> csv_layout_of_path(const std::string& path);
+
+/// The layout in which a query may be written: edge-edge two curves of degree 1, vertex-face a
+/// point and a triangle of degree 1, curved two triangles of degree 2.
+std::optional<CsvLayout> csv_layout_of(const Query& query);
+
+/// A query as a file gives it, exactly: its control points go from `start` at t = 0 to `end` at
+/// t = 1. A vertex or edge 1 is patch 1.
+struct CsvQuery {
+  CsvLayout layout = CsvLayout::kEdgeEdge;
+  std::string path;
+  std::vector<size_t> lines;  ///< the line of each row
+  std::array<std::vector<Vec3<Rational>>, 2> start, end;
+  std::optional<bool> label;  ///< what the file says: there is a contact
+
+  /// "path:line" of the first row.
+  std::string id() const;
+  /// Its exact motion over t in [0, 1].
+  std::array<MovingPatch<Rational>, 2> patches() const;
+};
+
+/// Reads a query CSV one query after the other. A row is xn,xd,yn,yd,zn,zd, numerators and
+/// denominators of any size, and then the query's truth, 0 or 1, in each row, or nothing; in the
+/// latter case a JSON list of all truths may stand in a file of its own. Blanks around values,
+/// blank lines and lines that begin with # are skipped.
+class CsvReader {
+ public:
+  /// truths: the JSON file; empty if there is none. Errors: as open_input; not such a list.
+  static Result<CsvReader> open(const std::string& path, CsvLayout layout,
+                                const std::string& truths);
+  CsvReader(CsvReader&&) noexcept;
+  CsvReader& operator=(CsvReader&&) noexcept;
+  ~CsvReader();
+
+  /// The next query; nothing at the end. Errors, naming file, row, column and value: no number, a
+  /// denominator ≤ 0, too few or many columns; a file that ends within a query, or holds none;
+  /// truths that differ within a query or are not as many as there are queries.
+  Result<std::optional<CsvQuery>> next();
+
+ private:
+  struct State;
+  explicit CsvReader(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The query in doubles, t_max = 1. Positions are the start points, velocities their ways to the
+/// end points; a number that is no double is refused, or with `round` becomes the nearest one and
+/// is counted in `rounded`. Errors, naming file, row, column and value: such a number; one past the
+/// range of doubles in any case.
+Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded);
+
+/// The rows of a query, the vertex or edge 1 first; its end points are those at t_max. Rounds as
+/// to_query. Requires csv_layout_of(query). Errors: as to_query; `where` names the query.
+Result<CsvQuery> to_csv_query(const Query& query, const std::string& where, bool round,
+                              std::uint64_t& rounded);
+
+/// The text of its rows. Requires a label.
+std::string to_csv(const CsvQuery& query);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "base/verify.hpp"
+#include "case/query_csv.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The double nearest to x, the even one of two; infinite past the range.
+double nearest_double(const Rational& x) {
+  const double lo = round_down(x), hi = round_up(x);
+  if (lo == hi || std::isinf(lo)) return lo;
+  if (std::isinf(hi)) return hi;
+  const Rational below = x - exact(lo), above = exact(hi) - x;
+  if (below != above) return below < above ? lo : hi;
+  return std::bit_cast<std::uint64_t>(lo) % 2 == 0 ? lo : hi;
+}
+
+std::string shortened(const std::string& number) {
+  constexpr size_t kLongest = 60;
+  return number.size() > kLongest ? number.substr(0, kLongest) + "…" : number;
+}
+
+/// x as a double, or the complaint "what x is not a double".
+Result<double> as_double(const Rational& x, bool round, std::uint64_t& rounded,
+                         const std::string& where, const std::string& what) {
+  if (const auto exactly = to_double_exactly(x)) return *exactly;
+  const double nearest = nearest_double(x);
+  if (std::isinf(nearest)) {
+    return input_error(
+        where, fmt::format("{} {} is past the range of doubles", what, shortened(to_text(x))));
+  }
+  if (!round) {
+    return input_error(where, fmt::format("{} {} is not a double; --round takes the nearest", what,
+                                          shortened(to_text(x))));
+  }
+  ++rounded;
+  return nearest;
+}
+
+}  // namespace
+
+Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded) {
+  Query query;
+  const std::array<Shape, 2> shapes = csv_shapes(from.layout);
+  size_t row = 0;
+  const size_t half = from.lines.size() / 2;
+  for (size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = shapes[s];
+    for (size_t i = 0; i < from.start[s].size(); ++i, ++row) {
+      Vec3<double> position, velocity;
+      for (int k = 0; k < 3; ++k) {
+        const auto where = [&](size_t at) {
+          return fmt::format("{}:{}", from.path, from.lines[at]);
+        };
+        const char axis = "xyz"[k];
+        const Rational &start = from.start[s][i][k], &end = from.end[s][i][k];
+        const auto p = as_double(start, round, rounded, where(row), fmt::format("{} =", axis));
+        if (!p) return tl::unexpected(p.error());
+        const std::string way =
+            fmt::format("the way in {} from line {} to here,", axis, from.lines[row]);
+        const auto v = as_double(end - exact(*p), round, rounded, where(row + half), way);
+        if (!v) return tl::unexpected(v.error());
+        position[k] = *p;
+        velocity[k] = *v;
+      }
+      patch.positions.push_back(position);
+      patch.velocities.push_back(velocity);
+    }
+  }
+  query.t_max = 1;
+  return query;
+}
+
+Result<CsvQuery> to_csv_query(const Query& query, const std::string& where, bool round,
+                              std::uint64_t& rounded) {
+  const auto layout = csv_layout_of(query);
+  CCDFUZZ_VERIFY(layout);
+  CsvQuery out;
+  out.layout = *layout;
+  const bool swapped = query.patches[0].shape != csv_shapes(*layout)[0];
+  const Rational t_max = exact(query.t_max);
+  for (size_t s = 0; s < 2; ++s) {
+    const size_t side = swapped ? 1 - s : s;
+    const MovingPatch<double>& patch = query.patches[side];
+    const Points<Rational> ends = exact_patch<Rational>(patch).at(t_max);
+    for (size_t i = 0; i < ends.size(); ++i) {
+      Vec3<Rational> start, end;
+      for (int k = 0; k < 3; ++k) {
+        const std::string what =
+            fmt::format("patches[{}], control point {}: {} at t_max =", side, i, "xyz"[k]);
+        const auto x = as_double(ends[i][k], round, rounded, where, what);
+        if (!x) return tl::unexpected(x.error());
+        start[k] = exact(patch.positions[i][k]);
+        end[k] = exact(*x);
+      }
+      out.start[s].push_back(start);
+      out.end[s].push_back(end);
+    }
+  }
+  return out;
+}
+
+std::string to_csv(const CsvQuery& query) {
+  CCDFUZZ_VERIFY(query.label.has_value());
+  std::string text;
+  for (const auto* points : {&query.start, &query.end}) {
+    for (const auto& side : *points) {
+      for (const Vec3<Rational>& p : side) {
+        for (int k = 0; k < 3; ++k) {
+          text += fmt::format("{},{},", p[k].get_num().get_str(), p[k].get_den().get_str());
+        }
+        text += *query.label ? "1\n" : "0\n";
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace ccdfuzz

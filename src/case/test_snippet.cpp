@@ -1,0 +1,188 @@
+#include "case/test_snippet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr const char* kPreamble = R"(#include <ccdfuzz_plugin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+{0}
+namespace {{
+
+ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint32_t degree_v,
+                         std::uint64_t count, const double (*positions)[3],
+                         const double (*velocities)[3]) {{
+  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count, positions, velocities}};
+}}
+
+/// Asks the plug-in that this is linked with, with the patches in the order that it takes.
+ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max) {{
+  const ccdfuzz_plugin* const plugin = ccdfuzz_plugin_get();
+  ccdfuzz_answer answer{{}};
+  void* state = nullptr;
+  if (plugin->create("", &state) != 0) return answer;
+  ccdfuzz_description description{{}};
+  description.size = sizeof description;
+  plugin->describe(state, &description);
+  const auto takes = [&](const ccdfuzz_patch& first, const ccdfuzz_patch& second) {{
+    return std::any_of(description.pairs, description.pairs + description.pair_count,
+                       [&](const ccdfuzz_pair& pair) {{
+                         return pair.shapes[0] == first.shape && pair.shapes[1] == second.shape;
+                       }});
+  }};
+  if (!takes(a, b) && takes(b, a)) std::swap(a, b);
+  ccdfuzz_query query{{}};
+  query.size = sizeof query;
+  query.patches[0] = &a;
+  query.patches[1] = &b;
+  query.t_max = t_max;
+  query.precision = 1e-4;
+  query.max_iterations = 1000000;
+  query.max_seconds = 60;
+  answer.size = sizeof answer;
+  answer.toi_lower = answer.toi_upper = answer.tolerance = std::nan("");
+  for (auto& uv : answer.uv) uv[0] = uv[1] = std::nan("");
+  if (plugin->answer(state, &query, &answer) != 0) answer.verdict = CCDFUZZ_ERROR;
+  plugin->destroy(state);
+  return answer;
+}}
+
+/// Whether it is an answer to a query about [0, t_max] at all.
+bool is_answer(const ccdfuzz_answer& answer, double t_max) {{
+  if (answer.verdict != CCDFUZZ_HIT) {{
+    return answer.verdict == CCDFUZZ_MISS || answer.verdict == CCDFUZZ_INCONCLUSIVE;
+  }}
+  return answer.toi_lower >= 0 && answer.toi_lower <= t_max;
+}}
+
+}}  // namespace
+)";
+
+constexpr const char* kGoogleTestHeader = "#include <gtest/gtest.h>\n";
+constexpr const char* kCatch2Header = R"(#if __has_include(<catch2/catch_test_macros.hpp>)
+#include <catch2/catch_test_macros.hpp>
+#else
+#include <catch2/catch.hpp>
+#endif
+)";
+
+const char* abi_name(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kPoint:
+      return "CCDFUZZ_POINT";
+    case ShapeKind::kCurve:
+      return "CCDFUZZ_CURVE";
+    case ShapeKind::kTriangle:
+      return "CCDFUZZ_TRIANGLE";
+    case ShapeKind::kTensor:
+      return "CCDFUZZ_TENSOR";
+  }
+  return "?";
+}
+
+std::string points_text(const std::string& name, const Points<double>& points) {
+  std::string out = fmt::format("  const double {}[][3] = {{", name);
+  for (size_t i = 0; i < points.size(); ++i) {
+    out += fmt::format("{}\n      {{{}, {}, {}}}", i == 0 ? "" : ",", to_hex(points[i][0]),
+                       to_hex(points[i][1]), to_hex(points[i][2]));
+  }
+  return out + "};\n";
+}
+
+std::string check_text(TestFramework framework, const std::string& condition) {
+  return fmt::format("  {}({});\n",
+                     framework == TestFramework::kGoogleTest ? "EXPECT_TRUE" : "CHECK", condition);
+}
+
+/// Letters, digits and '_' of the file's name.
+std::string test_name(const std::string& id, size_t number) {
+  std::string name = id.substr(id.find_last_of('/') + 1);
+  name = name.substr(0, name.find(".json"));
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return fmt::format("Case{}_{}", number, name);
+}
+
+/// Requires that the certificate was checked. What a case says without one is not demanded of a
+/// method.
+bool is_proven_clear(const Case& value) {
+  const auto& clearance = value.truth.clearance;
+  return clearance && covers(*clearance, exact(value.query.t_max));
+}
+
+/// What is proven, for people.
+std::string truth_text(const Case& value) {
+  const Truth& truth = value.truth;
+  if (truth.witness && truth.collides == true) {
+    const auto& uv = truth.witness->uv;
+    return fmt::format("they touch at t = {}, (u, v) = ({}, {}) and ({}, {}), exactly",
+                       to_text(truth.witness->t), to_text(uv[0][0]), to_text(uv[0][1]),
+                       to_text(uv[1][0]), to_text(uv[1][1]));
+  }
+  if (truth.collides == true) return "they touch by t = " + to_text(*truth.contact_by());
+  if (is_proven_clear(value)) return "nothing touches in [0, t_max]";
+  return "nothing is proven of contacts: an answer is all that is wanted";
+}
+
+}  // namespace
+
+std::string test_preamble(TestFramework framework) {
+  const bool google = framework == TestFramework::kGoogleTest;
+  std::string out =
+      "// Written by ccdfuzz: what a plug-in answered wrong, as tests of it. Compile with the "
+      "folder\n"
+      "// of ccdfuzz_plugin.h in the include path, and link with the plug-in";
+  out += google ? " and -lgtest_main -lgtest.\n" : " and Catch2's main.\n";
+  return out + fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
+}
+
+std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
+  const Case& value = named.value;
+  const Query& query = value.query;
+  std::string id = named.id;
+  std::replace(id.begin(), id.end(), '\n', ' ');
+  std::string out = fmt::format("\n// {}\n// {}\n", id, truth_text(value));
+  const std::string name = test_name(named.id, number);
+  out += framework == TestFramework::kGoogleTest
+             ? fmt::format("TEST(FoundByCcdfuzz, {}) {{\n", name)
+             : fmt::format("TEST_CASE(\"found by ccdfuzz: {}\") {{\n", name);
+  std::string patches;
+  for (size_t side = 0; side < 2; ++side) {
+    const MovingPatch<double>& patch = query.patches[side];
+    const std::string letter = side == 0 ? "a" : "b";
+    out += points_text("positions_" + letter, patch.positions);
+    out += points_text("velocities_" + letter, patch.velocities);
+    patches += fmt::format(
+        "  const ccdfuzz_patch {0} =\n"
+        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, velocities_{0});\n",
+        letter, abi_name(patch.shape.kind), patch.shape.n, patch.shape.m, patch.positions.size());
+  }
+  out += patches;
+  out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));
+  out += "  const ccdfuzz_answer answer = ask(a, b, t_max);\n";
+  out += check_text(framework, "is_answer(answer, t_max)");
+  const std::optional<Rational> contact = value.truth.contact_by();
+  if (contact && *contact <= exact(query.t_max)) {
+    // toi > contact exactly if toi > the largest double that is not after it.
+    out += check_text(framework, "answer.verdict != CCDFUZZ_MISS");
+    out += fmt::format(
+        "  if (answer.verdict == CCDFUZZ_HIT) {{\n  {}  }}\n",
+        check_text(framework, fmt::format("answer.toi_lower <= {}", to_hex(round_down(*contact)))));
+  } else if (is_proven_clear(value)) {
+    out += check_text(framework, "answer.verdict != CCDFUZZ_HIT");
+  }
+  return out + "}\n";
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/case_files.hpp"
+
+namespace ccdfuzz {
+
+enum class TestFramework : std::uint8_t { kGoogleTest, kCatch2 };
+
+/// How a C++17 source file of tests begins, that needs ccdfuzz_plugin.h, the framework, and the
+/// plug-in to link with.
+std::string test_preamble(TestFramework framework);
+
+/// A test in it of a case, the number-th from 1 on. It asks the plug-in the very query (every
+/// number a hex float) and checks what the truth proves: a hit no later than the contact; no hit
+/// where nothing touches in [0, t_max]; and in any case an answer that is one. Requires a valid,
+/// checked case.
+std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/output_file.hpp"
+#include "case/case.hpp"
+
+namespace ccdfuzz {
+
+/// The miss trees of a case file stand in a file beside it: X.json → X.trees.zst, and so for .jsonl
+/// and .jsonl.zst. It is a sequence of zstd frames, one a tree; each case says which is its own.
+/// A tree's own format is certify/checker/miss_tree.hpp.
+
+/// The file of trees of a case file.
+std::string trees_path(const std::string& case_path);
+
+/// No tree comes near this; it bounds what a wrong file takes.
+inline constexpr size_t kMaxTreeBytes = 4 << 20;
+
+/// The bytes of a tree. Errors: no such file, it ends before the frame does, the frame is no zstd
+/// frame or is followed by something within its length, is larger than kMaxTreeBytes, or its bytes
+/// have another hash; naming the path.
+Result<std::string> read_tree(const std::string& path, const TreeRef& tree);
+
+/// For a truth whose tree does not come along: what it says of absence by that tree then rests on a
+/// method's word.
+void drop_tree(Truth& truth);
+
+/// Copies the tree of a truth, if it has one, from the file `trees` to the file beside `case_path`,
+/// and makes the truth name it there. Without `trees` (empty) as drop_tree. Errors: as read_tree
+/// and TreeWriter.
+Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path);
+
+/// Writes the trees of a case file; the file appears whole with finish(), and only if it holds any.
+class TreeWriter {
+ public:
+  explicit TreeWriter(const std::string& case_path) : path_(trees_path(case_path)) {}
+
+  /// Errors: of the file, naming its path. Requires at most kMaxTreeBytes.
+  Result<TreeRef> write(std::string_view bytes);
+  /// Before the cases are finished, so that no case ever names a tree that is not there.
+  Result<void> finish();
+
+ private:
+  std::string path_;
+  std::optional<OutputFile> file_;
+  std::uint64_t offset_ = 0;
+};
+
+}  // namespace ccdfuzz
