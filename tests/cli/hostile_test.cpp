@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
+#include <set>
 #include "case/case_json.hpp"
 #include "case/tree_file.hpp"
 #include "certify/checker/miss_tree.hpp"
@@ -143,6 +144,36 @@ TEST_F(Hostile, ATimeOfOneDigitMoreIsNotRead) {
     const Finished verified = limited("verify " + file(value));
     EXPECT_EQ(verified.code, code) << digits << verified.err;
   }
+}
+
+TEST_F(Hostile, AFileOfManyCasesThatNobodyDecidesIsLeftUndecidedAfterAWhile) {
+  constexpr size_t kCases = 40;
+  Case value;
+  value.query = near_tensors();
+  std::string cases;
+  for (size_t i = 0; i < kCases; ++i) {
+    value.query.t_max = 1 + static_cast<double>(i) / kCases;
+    cases += to_json(value) + "\n";
+  }
+  const std::string path = folder_ / "cases.jsonl";
+  write_text(path, cases);
+  const std::string line = "query --methods tdibm --json " + path;
+  std::set<std::string> outputs;
+  for (const char* threads : {"1", "2"}) {
+    const Finished asked = shell(fmt::format("\"$ccdfuzz\" {} --threads {}", line, threads));
+    EXPECT_EQ(asked.code, 2) << asked.out;
+    const size_t rows = json_lines(asked.out).size();
+    EXPECT_GE(rows, 28U);
+    EXPECT_LT(rows, kCases);
+    EXPECT_THAT(asked.err, HasSubstr(fmt::format("{}:{}: this case and all after it are left "
+                                                 "undecided: the default budget of a run",
+                                                 path, rows + 1)));
+    outputs.insert(asked.err);
+  }
+  EXPECT_EQ(outputs.size(), 1U) << "depends on the number of threads";
+  const Finished all = shell("\"$ccdfuzz\" " + line + " --max-pops 10");
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_EQ(json_lines(all.out).size(), kCases);
 }
 
 TEST_F(Hostile, ATreeOfNestedSplitsIsRefused) {

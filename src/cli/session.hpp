@@ -1,0 +1,104 @@
+#pragma once
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/fields.hpp"
+#include "base/table.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/terminal.hpp"
+#include "eval/stream_cases.hpp"
+
+namespace ccdfuzz {
+
+/// Ends a command with kBadInput and this message. Thrown by commands alone: libraries return a
+/// Result.
+struct BadInput {
+  InputError error;
+};
+
+/// What the result holds. Throws BadInput if it is an error.
+template <class T>
+T need(Result<T> result) {
+  if (!result) throw BadInput{std::move(result.error())};
+  if constexpr (!std::is_void_v<T>) return *std::move(result);
+}
+
+/// What every command has: threads, --json, a table or rows on stdout, progress, interrupts.
+class Session {
+ public:
+  int threads = 1;
+  bool json = false;
+
+  /// Begins a table whose rows are printed as they come, 1,000 at a time.
+  Table& begin_table(std::vector<Table::Column> columns) {
+    return table_.emplace(std::move(columns));
+  }
+  /// Prints the rest of the table, and a blank line if it had rows and more text follows.
+  void end_table(bool text_follows = false);
+
+  /// Prints the row as a line of JSON if --json was given, and what `cells` makes of it as a row of
+  /// the table otherwise. starts_group: a blank line stands before it in the table.
+  template <HasFields Row, class Cells>
+  void show(const Row& row, bool starts_group, const Cells& cells) {
+    if (json) return print_row(row);
+    if (starts_group) {
+      print_full_rows(*table_);
+      table_->start_group();
+    }
+    table_->add_row(cells(row));
+  }
+  /// The summary for people: nothing with --json.
+  void summary(const std::string& text) {
+    if (!json) print_out(text + "\n");
+  }
+
+  /// stream_cases with progress, until a signal. work may throw BadInput, which stands for its
+  /// error; sink(asked, part, row) may throw it, too. unit: what is counted, for the progress.
+  template <class Asked, class Row, class Work, class Sink>
+  void each_case(const std::vector<std::string>& files, size_t parts, const char* unit,
+                 const Work& work, const Sink& sink) {
+    std::uint64_t done = 0;
+    const Result<void> read = stream_cases<Asked, Row>(
+        files, parts, threads,
+        [&](Asked& asked, size_t part) -> Result<Row> {
+          try {
+            return work(asked, part);
+          } catch (const BadInput& bad) {
+            return tl::unexpected(bad.error);
+          }
+        },
+        [&](const Asked& asked, size_t part, Row row, double share) {
+          sink(asked, part, std::move(row));
+          progress_.show(share, id_of(asked), ++done, unit);
+        },
+        &catch_interrupts());
+    progress_.clear();
+    need(read);
+  }
+
+  /// True iff a signal asked the command to end.
+  bool interrupted() const { return catch_interrupts(); }
+  /// What the command ends with: `code`, or that of the signal.
+  int exit_code(int code) const { return interrupted() ? interrupted_exit_code() : code; }
+
+  Progress& progress() { return progress_; }
+
+ private:
+  static const std::string& id_of(const NamedCase& named) { return named.id; }
+  template <class Asked>
+  static const std::string& id_of(const Asked& asked) {
+    return asked.named().id;
+  }
+
+  Progress progress_;
+  std::optional<Table> table_;
+};
+
+}  // namespace ccdfuzz
