@@ -19,6 +19,9 @@ enum class Construction : std::uint8_t {
 };
 
 inline constexpr std::array kConstructions = {Construction::kPaper, Construction::kOneSided};
+constexpr const auto& all_of(Construction) {
+  return kConstructions;
+}
 std::string_view name_of(Construction construction);
 
 /// What is wanted of the cases beyond contact class and kind. All but the first are stress
@@ -78,6 +81,9 @@ inline constexpr std::array kFamilies = {
     Family::kSliding,     Family::kSharedEdge,   Family::kRuled,           Family::kSeveral,
     Family::kArea,        Family::kDegenerate,   Family::kSliver,          Family::kHighCurvature,
     Family::kMixedScales, Family::kFarAway,      Family::kConcurrentLines, Family::kAnywhere};
+constexpr const auto& all_of(Family) {
+  return kFamilies;
+}
 std::string_view name_of(Family family);
 /// In a few words, without a full stop.
 std::string_view description_of(Family family);

@@ -309,7 +309,7 @@ void write_json(std::string& json, const T& value) {
   } else if constexpr (std::integral<T>) {
     json += fmt::format("{}", value);
   } else if constexpr (std::floating_point<T>) {
-    json += json_number(value);
+    is_finite(value) ? json += json_number(value) : json += "null";
   } else {
     json += json_string(value);
   }
@@ -356,7 +356,7 @@ T read_json(const JsonCursor& from) {
   return value;
 }
 
-/// The value as JSON on one line, without its end. Requires finite numbers.
+/// The value as JSON on one line, without its end. A number that is not finite is null.
 template <class T>
 std::string to_json(const T& value) {
   std::string json;

@@ -17,6 +17,11 @@ enum class Verdict : std::uint8_t {
   kRefused,  ///< the query or an option is outside of what the method takes: it did not look at it
 };
 
+inline constexpr std::array kVerdicts = {Verdict::kHit, Verdict::kMiss, Verdict::kUndecided,
+                                         Verdict::kRefused};
+constexpr const auto& all_of(Verdict) {
+  return kVerdicts;
+}
 /// "hit", "miss", "undecided", "refused".
 std::string_view name_of(Verdict verdict);
 

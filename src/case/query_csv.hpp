@@ -20,6 +20,9 @@ enum class CsvLayout { kEdgeEdge, kVertexFace, kCurved };
 
 inline constexpr std::array kAllCsvLayouts = {CsvLayout::kEdgeEdge, CsvLayout::kVertexFace,
                                               CsvLayout::kCurved};
+constexpr const auto& all_of(CsvLayout) {
+  return kAllCsvLayouts;
+}
 
 /// "edge-edge", "vertex-face", "curved".
 const char* name_of(CsvLayout layout);

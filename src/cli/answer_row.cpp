@@ -2,22 +2,17 @@
 
 namespace ccdfuzz {
 
-nlohmann::ordered_json answer_row(const std::string& case_id, const std::string& method,
-                                  const Judged& judged) {
-  const Answer& answer = judged.answer;
-  nlohmann::ordered_json row = {{"case", case_id},
-                                {"method", method},
-                                {"verdict", name_of(answer.verdict)},
-                                {"toi", nullptr},
-                                {"uv", nullptr},
-                                {"outcome", name_of(judged.outcome)},
-                                {"pops", answer.pops},
-                                {"seconds", answer.seconds}};
-  if (answer.has_toi()) row["toi"] = *answer.toi;
-  if (answer.verdict == Verdict::kHit) row["uv"] = answer.uv;
-  if (!judged.error.empty()) row["error"] = judged.error;
-  if (!answer.note.empty()) row["note"] = answer.note;
-  return row;
+AnswerRow::AnswerRow(std::string case_id, std::string method_spec, const Judged& judged)
+    : id(std::move(case_id)),
+      method(std::move(method_spec)),
+      verdict(judged.answer.verdict),
+      outcome(judged.outcome),
+      pops(judged.answer.pops),
+      seconds(judged.answer.seconds),
+      error(judged.error),
+      note(judged.answer.note) {
+  if (judged.answer.has_toi()) toi = judged.answer.toi;
+  if (verdict == Verdict::kHit) uv = judged.answer.uv;
 }
 
 }  // namespace ccdfuzz

@@ -1,16 +1,37 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
-#include "eval/answer_record.hpp"
 #include "eval/ask.hpp"
 
 namespace ccdfuzz {
 
-/// An answer as the row of the JSON output. toi is null after a miss, uv unless it is a hit; note
-/// is there if there is something to say, and error, the name of one.
-nlohmann::ordered_json answer_row(const std::string& case_id, const std::string& method,
-                                  const Judged& judged);
+/// What a method says of a case and how that is judged, as a row of the JSON output.
+struct AnswerRow {
+  std::string id, method;
+  Verdict verdict = Verdict::kUndecided;
+  std::optional<double> toi;
+  std::optional<std::array<Uv<double>, 2>> uv;  ///< of a hit
+  Outcome outcome = Outcome::kUnknown;
+  std::uint64_t pops = 0;
+  double seconds = 0;
+  std::string error, note;
+
+  AnswerRow(std::string case_id, std::string method_spec, const Judged& judged);
+
+  static void fields(auto& archive, auto& row) {
+    archive("case", row.id);
+    archive("method", row.method);
+    archive("verdict", row.verdict);
+    archive("toi", row.toi);
+    archive("uv", row.uv);
+    archive("outcome", row.outcome);
+    archive("pops", row.pops);
+    archive("seconds", row.seconds);
+    archive.optional("error", row.error);
+    archive.optional("note", row.note);
+  }
+};
 
 }  // namespace ccdfuzz

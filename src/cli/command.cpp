@@ -11,12 +11,14 @@
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <thread>
 
 #include "base/number_text.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/session.hpp"
 
 namespace ccdfuzz {
 
@@ -128,9 +130,34 @@ Option Command::whole(const std::string& name, int& value, const std::string& de
                     ->capture_default_str());
 }
 
+Option Command::add_text(
+    const std::string& name, const std::string& description, const std::string& standard,
+    std::function<Result<void>(const std::string& where, const std::string& text)> take) {
+  const std::string where = name.substr(name.rfind(',') + 1);
+  return Option(app_->add_option_function<std::string>(
+                        name,
+                        [where, take = std::move(take)](const std::string& text) {
+                          if (text.empty()) throw BadInput{{where, "is empty"}};
+                          need(take(where, text));
+                        },
+                        description)
+                    ->default_str(standard));
+}
+
+Option Command::threads() {
+  session_->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return whole("--threads", session_->threads, "Threads to work on; results do not depend on it", 1,
+               1024);
+}
+
+Option Command::json(const std::string& description) {
+  return flag("--json", session_->json, description);
+}
+
 CommandLine::CommandLine()
     : app_(std::make_unique<CLI::App>(
-          "Fuzzing and property testing for continuous collision detection", "ccdfuzz")) {
+          "Fuzzing and property testing for continuous collision detection", "ccdfuzz")),
+      session_(std::make_unique<Session>()) {
   app_->set_version_flag("--version", CCDFUZZ_VERSION);
   app_->require_subcommand(0, 1);  // 1, 1 would answer a misspelt command with "required" alone
   app_->footer(
@@ -145,7 +172,7 @@ Command CommandLine::add_command(const std::string& name, const std::string& des
                                  std::function<Result<int>()> run) {
   CLI::App* const command = app_->add_subcommand(name, description);
   command->callback([this, run = std::move(run)] { chosen_ = run; });
-  return Command(command);
+  return Command(command, *session_);
 }
 
 int CommandLine::parse_and_run(int argc, char** argv) {
@@ -166,6 +193,8 @@ int CommandLine::parse_and_run(int argc, char** argv) {
 int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
+  } catch (const BadInput& bad) {
+    return complain(bad.error.message(), kBadInput);
   } catch (const CLI::ParseError& error) {
     const bool asked_for_help = error.get_exit_code() == 0;
     errno = 0;
@@ -182,7 +211,13 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     print_err(app_->help());
     return complain("no command given", kBadInput);
   }
-  const Result<int> result = chosen_();
+  Result<int> result = 0;
+  try {
+    result = chosen_();
+  } catch (const BadInput& bad) {
+    session_->end_table();
+    result = tl::unexpected(bad.error);
+  }
   // What was printed before an error must be out before the complaint, and an unwritable stdout is
   // an error of its own unless there is one already.
   const Result<void> flushed = flush_stdout();

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "base/result.hpp"
 
 // CLI11's headers cost seconds in each file that includes them: command.cpp alone does.
@@ -21,6 +22,7 @@ class Option;
 
 namespace ccdfuzz {
 
+class Session;
 struct FuzzTarget;
 struct Property;
 
@@ -34,6 +36,13 @@ enum ExitCode : int {
 
 /// How the user called this program, so that the commands we print work when pasted.
 const std::string& program_name();
+
+/// The value whose name the text is. Errors: none is; all are listed.
+template <NamedEnum E>
+Result<E> parse_choice(const std::string& where, const std::string& text) {
+  if (const std::optional<E> named = enum_named<E>(text)) return *named;
+  return input_error(where, fmt::format("\"{}\" is not one of {}", text, enum_names<E>()));
+}
 
 /// One option of a command, for what more is to be said of it.
 class Option {
@@ -55,8 +64,6 @@ class Option {
 /// before is its default.
 class Command {
  public:
-  explicit Command(CLI::App* app) : app_(app) {}
-
   /// An empty text is refused, as `value` that stays empty means that the option was not given.
   Option text(const std::string& name, std::string& value, const std::string& description);
   /// The same, where an empty text is not the same as none.
@@ -73,8 +80,39 @@ class Command {
   Option whole(const std::string& name, int& value, const std::string& description, int least,
                int most);
 
+  /// What parse(where, text) makes of the text; where is the option's name.
+  template <class Value, class T>
+  Option parsed(const std::string& name, Value& value, const std::string& description,
+                Result<T> (*parse)(const std::string& where, const std::string& text),
+                const std::string& standard = "") {
+    return add_text(name, description, standard,
+                    [&value, parse](const std::string& where, const std::string& text) {
+                      return parse(where, text).map([&](T parsed) { value = std::move(parsed); });
+                    });
+  }
+  /// One of the names of an enumeration's values.
+  template <NamedEnum E>
+  Option choice(const std::string& name, E& value, const std::string& description) {
+    return parsed(name, value, description, &parse_choice<E>, std::string(name_of(value)));
+  }
+  template <NamedEnum E>
+  Option choice(const std::string& name, std::optional<E>& value, const std::string& description) {
+    return parsed(name, value, description, &parse_choice<E>);
+  }
+
+  /// --threads, by default as many as there are cores; --json.
+  Option threads();
+  Option json(const std::string& description);
+
  private:
+  friend class CommandLine;
+  Command(CLI::App* app, Session& session) : app_(app), session_(&session) {}
+  Option add_text(
+      const std::string& name, const std::string& description, const std::string& standard,
+      std::function<Result<void>(const std::string& where, const std::string& text)> take);
+
   CLI::App* app_;
+  Session* session_;
 };
 
 /// The commands of this program.
@@ -87,6 +125,14 @@ class CommandLine {
 
   /// Adds a command that runs as run(options) and returns its exit code; an input error of it ends
   /// the program with kBadInput. Returns the command and its options, for the caller to bind.
+  template <class Options>
+  std::pair<Command, Options*> add(const std::string& name, const std::string& description,
+                                   int (*run)(const Options&, Session&)) {
+    const auto options = std::make_shared<Options>();
+    return {
+        add_command(name, description, [this, options, run] { return run(*options, *session_); }),
+        options.get()};
+  }
   template <class Options>
   std::pair<Command, Options*> add(const std::string& name, const std::string& description,
                                    Result<int> (*run)(const Options&)) {
@@ -106,6 +152,7 @@ class CommandLine {
                       std::function<Result<int>()> run);
 
   std::unique_ptr<CLI::App> app_;
+  std::unique_ptr<Session> session_;
   std::function<Result<int>()> chosen_;
 };
 

@@ -17,6 +17,10 @@ namespace ccdfuzz {
 
 namespace {
 
+Result<std::vector<std::string>> parse_methods(const std::string&, const std::string& text) {
+  return parse_method_list(text);
+}
+
 Result<double> parse_precision(const std::string& where, const std::string& text) {
   return parse_number(where, text).and_then([&](double width) -> Result<double> {
     // 2^-50 is where Cell::kMaxDepth ends.
@@ -29,10 +33,22 @@ Result<double> parse_precision(const std::string& where, const std::string& text
 
 }  // namespace
 
+std::vector<std::string> default_methods() {
+  return {"tdibm",           "tdibm-h:1e-16",  "tdibm-h:1e-12", "tdibm-e",
+          "tdibm-e-literal", "tdibm-rational", "tdibm-c"};
+}
+
+void add_methods(Command& command, std::vector<std::string>& methods,
+                 const std::string& description) {
+  command.parsed("--methods", methods, description, &parse_methods,
+                 fmt::format("{}", fmt::join(methods, ",")));
+}
+
 void SearchFlags::add_precision_to(Command& command) {
-  command.text("--precision", precision,
-               "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
-               "case was found at");
+  command.parsed("--precision", precision,
+                 "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
+                 "case was found at",
+                 &parse_precision);
 }
 
 void SearchFlags::add_to(Command& command) {
@@ -43,35 +59,31 @@ void SearchFlags::add_to(Command& command) {
 std::vector<Option> SearchFlags::add_budget_to(Command& command) {
   return {command.whole("--max-pops", max_pops,
                         "Pairs of boxes to look at before a method gives up as undecided", 1),
-          command.text(
+          command.parsed(
               "--max-seconds", max_seconds,
-              "Wall time of a query before it gives up; its answer then depends on the machine")};
+              "Wall time of a query before it gives up; its answer then depends on the machine",
+              &parse_seconds)};
 }
 
-Result<SearchOptions> SearchFlags::parse() const {
-  const SearchOptions defaults;
-  const Result<double> width =
-      precision.empty() ? defaults.precision : parse_precision("--precision", precision);
-  if (!width) return tl::unexpected(width.error());
-  SearchOptions options{*width, max_pops};
-  if (max_seconds.empty()) return options;
-  const Result<double> seconds = parse_seconds("--max-seconds", max_seconds);
-  if (!seconds) return tl::unexpected(seconds.error());
-  options.max_seconds = *seconds;
+SearchOptions SearchFlags::options() const {
+  SearchOptions options;
+  if (precision) options.precision = *precision;
+  options.max_pops = max_pops;
+  options.max_seconds = max_seconds;
   return options;
 }
 
-Result<SearchOptions> SearchFlags::parse_for(const NamedCase& named) const {
-  Result<SearchOptions> search = parse();
+Result<SearchOptions> SearchFlags::options_for(const NamedCase& named) const {
+  SearchOptions search = options();
   const auto& more = named.value.origin.more;
   const auto own = more.find("precision");
-  if (!search || !precision.empty() || own == more.end()) return search;
+  if (precision || own == more.end()) return search;
   const std::string where = named.id + ": origin.precision";
   if (own->second.starts_with('"')) return input_error(where, own->second + " is not a number");
-  const Result<double> width = parse_precision(where, own->second);
-  if (!width) return tl::unexpected(width.error());
-  search->precision = *width;
-  return search;
+  return parse_precision(where, own->second).map([&](double width) {
+    search.precision = width;
+    return search;
+  });
 }
 
 void AllowedPlugins::add_to(Command& command) {

@@ -19,25 +19,25 @@ namespace ccdfuzz {
 
 /// The methods that answer in seconds, whatever the case; `trad` takes minutes where patches are
 /// nearly parallel and runs where it is named or its budget is small.
+std::vector<std::string> default_methods();
 inline constexpr const char* kDefaultMethods =
     "tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-e-literal,tdibm-rational,"
     "tdibm-c";
 
 /// --precision, --max-pops and --max-seconds, the limits of one query.
 struct SearchFlags {
-  std::string precision;  ///< empty: 1e-4, or what a case's origin.precision says
+  std::optional<double> precision;  ///< absent: 1e-4, or what a case's origin.precision says
   std::uint64_t max_pops = SearchOptions().max_pops;
-  std::string max_seconds;  ///< empty: no limit
+  double max_seconds = SearchOptions::kNoTimeLimit;
 
   void add_to(Command& command);
   void add_precision_to(Command& command);
   /// Without --precision.
   std::vector<Option> add_budget_to(Command& command);
-  /// Errors: a precision that is no number in [2^-50, 1].
-  Result<SearchOptions> parse() const;
+  SearchOptions options() const;
   /// The same for one case, which may have been found at a precision of its own.
   /// Errors: naming that case, where the fault is its own.
-  Result<SearchOptions> parse_for(const NamedCase& named) const;
+  Result<SearchOptions> options_for(const NamedCase& named) const;
 };
 
 /// Plug-ins that files name are not started unless the user allows them by --allow-plugins.
@@ -55,6 +55,10 @@ using NotAllowed = std::map<std::string, std::uint64_t>;
 /// "3 expectations of plug-ins not run: allow them with --allow-plugins A,B". Requires not empty.
 std::string to_text(const NotAllowed& left_out);
 
+/// --methods: of these the command asks, in this order.
+void add_methods(Command& command, std::vector<std::string>& methods,
+                 const std::string& description);
+
 /// --threads, by default as many as there are cores.
 Option add_threads(Command& command, int& threads);
 
@@ -62,19 +66,6 @@ Option add_threads(Command& command, int& threads);
 Option add_shard(Command& command, std::string& shard);
 /// "i/n", of at most `total` shards, so that none is empty. Errors: it is none.
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
-
-/// The value whose name the text is. Errors: none is; all are listed.
-template <class Enum, size_t N>
-Result<Enum> parse_choice(const std::string& where, const std::string& text,
-                          const std::array<Enum, N>& all) {
-  std::string names;
-  for (const Enum e : all) {
-    if (name_of(e) == text) return e;
-    if (!names.empty()) names += ", ";
-    names += name_of(e);
-  }
-  return input_error(where, fmt::format("\"{}\" is not one of {}", text, names));
-}
 
 /// Counts cases, and how many of them rest on the word of a method, by which nothing is judged.
 struct WordCount {

@@ -26,7 +26,7 @@ namespace {
 
 struct EvaluateArguments {
   std::vector<std::string> files;
-  std::string methods = kDefaultMethods;
+  std::vector<std::string> methods = default_methods();
   std::string horizons;
   std::string linear;
   SearchFlags search;
@@ -40,14 +40,10 @@ struct EvaluateArguments {
 Result<EvaluateOptions> parse(const EvaluateArguments& options) {
   EvaluateOptions parsed;
   parsed.threads = options.threads;
-  Result<std::vector<std::string>> methods = parse_method_list(options.methods);
-  if (!methods) return tl::unexpected(methods.error());
-  parsed.methods = std::move(*methods);
-  const Result<SearchOptions> search = options.search.parse();
-  if (!search) return tl::unexpected(search.error());
-  parsed.search = *search;
+  parsed.methods = options.methods;
+  parsed.search = options.search.options();
   parsed.search_for = [flags = options.search](const NamedCase& named) {
-    return flags.parse_for(named);
+    return flags.options_for(named);
   };
   if (!options.horizons.empty()) {
     Result<std::vector<double>> factors = parse_numbers("--t-max-factors", options.horizons);
@@ -157,7 +153,7 @@ Result<void> write_evaluation_page(ReportRows& rows, const std::vector<Generatio
                    ? fmt::format("Evaluation of {}", options.files.front())
                    : fmt::format("Evaluation of {} files", options.files.size());
   page.command = fmt::format("{} evaluate … --methods {} --report {}", shell_word(program_name()),
-                             options.methods, shell_word(options.page));
+                             fmt::join(methods, ","), shell_word(options.page));
   rows.finish(page, costs);
   page.plugins = plugins_among(methods);
   return write_report(page, options.page, options.threads);
@@ -279,7 +275,7 @@ void add_evaluate(CommandLine& line) {
       "Instead: all edge-edge and vertex-face query CSVs under this folder (the paper's Table 3), "
       "judged by their exact truth");
   linear.excludes(dataset);
-  command.text("--methods", options->methods, "Methods to ask, separated by commas");
+  add_methods(command, options->methods, "Methods to ask, separated by commas");
   command.text("--t-max-factors", options->horizons,
                "Ask positive cases up to these multiples of the contact's time instead of their "
                "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show");

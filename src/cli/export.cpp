@@ -6,34 +6,38 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct ExportArguments {
+enum class ExportForm { kCsv, kGoogleTest, kCatch2 };
+constexpr std::array kExportForms = {ExportForm::kCsv, ExportForm::kGoogleTest,
+                                     ExportForm::kCatch2};
+constexpr const auto& all_of(ExportForm) {
+  return kExportForms;
+}
+std::string_view name_of(ExportForm form) {
+  return std::array{"csv", "gtest", "catch2"}[static_cast<size_t>(form)];
+}
+
+struct ExportOptions {
   std::vector<std::string> files;
   std::string output;
-  std::string as = "csv";
+  ExportForm as = ExportForm::kCsv;
   bool round = false;
 };
 
-Result<int> export_tests(const ExportArguments& options) {
+int export_tests(const ExportOptions& options, OutputFile& out) {
   const auto framework =
-      options.as == "gtest" ? TestFramework::kGoogleTest : TestFramework::kCatch2;
-  Result<OutputFile> out = OutputFile::create(options.output);
-  if (!out) return tl::unexpected(out.error());
+      options.as == ExportForm::kGoogleTest ? TestFramework::kGoogleTest : TestFramework::kCatch2;
   std::uint64_t count = 0;
-  const auto done = out->write(test_preamble(framework))
-                        .and_then([&] {
-                          return for_each_checked_case(options.files, [&](const NamedCase& named) {
-                            return out->write(test_snippet(named, ++count, framework));
-                          });
-                        })
-                        .and_then([&] { return out->commit(); });
-  if (!done) return tl::unexpected(done.error());
+  need(out.write(test_preamble(framework)));
+  need(for_each_checked_case(options.files, [&](const NamedCase& named) {
+    return out.write(test_snippet(named, ++count, framework));
+  }));
+  need(out.commit());
   print_out(fmt::format("{} tests\n", count));
   return kDone;
 }
@@ -61,50 +65,48 @@ Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t
   return rows;
 }
 
-Result<int> run_export(const ExportArguments& options) {
-  if (options.as != "csv") return export_tests(options);
-  Result<OutputFile> out = OutputFile::create(options.output);
-  if (!out) return tl::unexpected(out.error());
+int export_csv(const ExportOptions& options, OutputFile& out) {
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
-  const auto visited =
-      for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
-        const auto own = csv_layout_of(named.value.query);
-        if (!own) {
-          return input_error(named.id,
-                             "is neither edge-edge nor vertex-face of degree 1 nor two "
-                             "triangles of degree 2");
-        }
-        if (layout && *layout != *own) {
-          return input_error(named.id, fmt::format("is {}, but the file holds {} so far",
-                                                   name_of(*own), name_of(*layout)));
-        }
-        layout = own;
-        return exported_rows(named, options.round, rounded).and_then([&](const CsvQuery& rows) {
-          ++count;
-          return out->write(to_csv(rows));
-        });
-      });
-  if (!visited) return tl::unexpected(visited.error());
-  if (auto done = out->commit(); !done) return tl::unexpected(done.error());
+  need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+    const auto own = csv_layout_of(named.value.query);
+    if (!own) {
+      return input_error(named.id,
+                         "is neither edge-edge nor vertex-face of degree 1 nor two triangles of "
+                         "degree 2");
+    }
+    if (layout && *layout != *own) {
+      return input_error(named.id, fmt::format("is {}, but the file holds {} so far", name_of(*own),
+                                               name_of(*layout)));
+    }
+    layout = own;
+    return exported_rows(named, options.round, rounded).and_then([&](const CsvQuery& rows) {
+      ++count;
+      return out.write(to_csv(rows));
+    });
+  }));
+  need(out.commit());
   std::string summary = fmt::format("{} {} queries", count, name_of(*layout));
   if (rounded > 0) summary += fmt::format("; {} values rounded", rounded);
   print_out(summary + "\n");
   return kDone;
 }
 
+int run_export(const ExportOptions& options, Session&) {
+  OutputFile out = need(OutputFile::create(options.output));
+  return options.as == ExportForm::kCsv ? export_csv(options, out) : export_tests(options, out);
+}
+
 }  // namespace
 
 void add_export(CommandLine& line) {
-  auto [command, options] = line.add<ExportArguments>(
+  auto [command, options] = line.add<ExportOptions>(
       "export", "Write cases as a query CSV or as tests of a plug-in", run_export);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("-o,--output", options->output, "File to write").required();
-  command
-      .text("--as", options->as,
-            "csv: 8 rows a linear query, 24 a curved one. gtest, catch2: a C++ file with a test a "
-            "case, which needs ccdfuzz_plugin.h and the plug-in to link with")
-      .one_of({"csv", "gtest", "catch2"});
+  command.choice("--as", options->as,
+                 "csv: 8 rows a linear query, 24 a curved one. gtest, catch2: a C++ file with a "
+                 "test a case, which needs ccdfuzz_plugin.h and the plug-in to link with");
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
 }

@@ -24,12 +24,14 @@ namespace ccdfuzz {
 namespace {
 
 struct GenerateArguments {
-  std::string contact, kind;
-  std::string construction;  ///< empty: paper, or one-sided for shapes that paper has not
-  std::string shape;         ///< empty: the family's own
-  std::string family = "regular";
+  std::optional<ContactClass> contact;
+  std::optional<CaseKind> kind;
+  /// Absent: paper, or one-sided for shapes that paper has not.
+  std::optional<Construction> construction;
+  std::optional<std::array<Shape, 2>> shapes;  ///< absent: the family's own
+  Family family = Family::kRegular;
   std::uint64_t seed = 0;
-  std::string eps_t;
+  std::optional<int> eps_t_exponent;
   std::uint64_t count = 0;
   std::uint64_t first = 0;
   bool paper = false;
@@ -105,41 +107,28 @@ nlohmann::ordered_json summary_json(const GenerationCost& cost, double seconds) 
 }
 
 /// What was asked for but the share, in words.
-std::string text_of_run(const GenerateArguments& o) {
-  return fmt::format("{} {}, {}, {} {}, eps-t {}, seed {}, {} cases from {}", o.contact, o.kind,
-                     o.construction.empty() ? "as by default" : o.construction, o.shape, o.family,
-                     o.eps_t.empty() ? "as by default" : o.eps_t, o.seed, o.count, o.first);
+std::string text_of_run(const GeneratorOptions& g, const GenerateArguments& o) {
+  const auto shape = [&](size_t side) { return g.shapes ? to_text((*g.shapes)[side]) : "any"; };
+  return fmt::format("{} {}, {}, {},{} {}, eps-t {}, seed {}, {} cases from {}", name_of(g.contact),
+                     name_of(g.kind), name_of(g.construction), shape(0), shape(1),
+                     name_of(g.family),
+                     g.eps_t_exponent ? fmt::format("2^{}", *g.eps_t_exponent) : "as by default",
+                     g.seed, o.count, o.first);
 }
 
-Result<GeneratorOptions> parse(const GenerateArguments& options) {
-  const auto contact = parse_choice("--contact", options.contact, kContactClasses);
-  if (!contact) return tl::unexpected(contact.error());
-  const auto kind = parse_choice("--kind", options.kind, kCaseKinds);
-  if (!kind) return tl::unexpected(kind.error());
-  const auto family = parse_choice("--family", options.family, kFamilies);
-  if (!family) return tl::unexpected(family.error());
+Result<GeneratorOptions> generator_options(const GenerateArguments& options) {
   GeneratorOptions generator;
-  generator.contact = *contact;
-  generator.kind = *kind;
-  generator.family = *family;
+  generator.contact = *options.contact;
+  generator.kind = *options.kind;
+  generator.family = options.family;
   generator.seed = options.seed;
-  if (!options.shape.empty()) {
-    const auto shapes = parse_shapes("--shape", options.shape);
-    if (!shapes) return tl::unexpected(shapes.error());
-    generator.shapes = *shapes;
-    constexpr std::array kPaperShapes = {Shape::triangle(2), Shape::triangle(2)};
-    if (*shapes != kPaperShapes) generator.construction = Construction::kOneSided;
+  generator.shapes = options.shapes;
+  constexpr std::array kPaperShapes = {Shape::triangle(2), Shape::triangle(2)};
+  if (options.shapes && *options.shapes != kPaperShapes) {
+    generator.construction = Construction::kOneSided;
   }
-  if (!options.construction.empty()) {
-    const auto named = parse_choice("--construction", options.construction, kConstructions);
-    if (!named) return tl::unexpected(named.error());
-    generator.construction = *named;
-  }
-  if (!options.eps_t.empty()) {
-    const Result<int> exponent = parse_power_of_two("--eps-t", options.eps_t);
-    if (!exponent) return tl::unexpected(exponent.error());
-    generator.eps_t_exponent = *exponent;
-  }
+  if (options.construction) generator.construction = *options.construction;
+  generator.eps_t_exponent = options.eps_t_exponent;
   return validate(generator).map([&] { return generator; });
 }
 
@@ -158,12 +147,12 @@ Result<int> run_generate_paper(const GenerateArguments& options) {
 
 Result<int> run_generate(const GenerateArguments& options) {
   if (options.paper) return run_generate_paper(options);
-  for (const auto& [name, value] :
-       {std::pair("--contact", options.contact), std::pair("--kind", options.kind),
-        std::pair("--count", std::string(options.count == 0 ? "" : "given"))}) {
-    if (value.empty()) return input_error(name, "is required without --paper");
+  for (const auto& [name, given] :
+       {std::pair("--contact", options.contact.has_value()),
+        std::pair("--kind", options.kind.has_value()), std::pair("--count", options.count > 0)}) {
+    if (!given) return input_error(name, "is required without --paper");
   }
-  const Result<GeneratorOptions> generator = parse(options);
+  const Result<GeneratorOptions> generator = generator_options(options);
   if (!generator) return tl::unexpected(generator.error());
   if (const auto room = check_room(options.first, options.count, "cases"); !room) {
     return tl::unexpected(room.error());
@@ -205,8 +194,8 @@ Result<int> run_generate(const GenerateArguments& options) {
   }
   const GenerationCost cost = cost_of_run(*generator, counts);
   if (written && !shard->is_whole() && !options.output.empty() && options.output != "-") {
-    written =
-        write_generation(generation_path(options.output), {text_of_run(options), *shard, {cost}});
+    written = write_generation(generation_path(options.output),
+                               {text_of_run(*generator, options), *shard, {cost}});
   }
   if (written) written = destination->finish();
   if (!written) return tl::unexpected(written.error());
@@ -232,33 +221,35 @@ void add_generate(CommandLine& line) {
                               "Of the paper's set only one in so many cases of a class", 1);
   part.needs(paper);
   const Option contact =
-      command.text("--contact", options->contact, "Contact class: FF EF EE VF VE VV");
-  const Option kind = command.text(
+      command.choice("--contact", options->contact, "Contact class: FF EF EE VF VE VV");
+  const Option kind = command.choice(
       "--kind", options->kind,
       "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: as RP, but they graze. "
       "NMN: as NHP, but they just miss");
-  const Option construction = command.text(
+  const Option construction = command.choice(
       "--construction", options->construction,
       "paper: as the paper makes them, the default where --shape allows it. one-sided: each "
       "patch on its own side of a plane");
-  const Option shape = command.text(
-      "--shape", options->shape,
+  const Option shape = command.parsed(
+      "--shape", options->shapes,
       "Shape of both patches, or of patch 1 and patch 2 with a comma between: point, curve:N, "
       "triangle:N, tensor:NxM. By default triangle:2 in the first six families, random ones in "
-      "the others");
+      "the others",
+      &parse_shapes);
   std::string families = "What the cases are made to stress.";
   for (const Family f : kFamilies) {
     families += fmt::format(" {}: {}.", name_of(f), description_of(f));
   }
-  const Option family = command.text("--family", options->family, families);
+  const Option family = command.choice("--family", options->family, families);
   Option count = command.whole("--count", options->count, "How many cases", 1);
   count.without_default();
   const Option first = command.whole("--first", options->first, "Index of the first one");
   command.whole("--seed", options->seed, "Seed of the data set");
-  const Option eps_t = command.text(
-      "--eps-t", options->eps_t,
+  const Option eps_t = command.parsed(
+      "--eps-t", options->eps_t_exponent,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
-      "2^-10 for NHP");
+      "2^-10 for NHP",
+      &parse_power_of_two);
   for (const Option& other : {contact, kind, construction, shape, family, count, first, eps_t}) {
     paper.excludes(other);
   }

@@ -35,7 +35,7 @@ constexpr std::uint64_t kDefaultPops = 10'000;
 constexpr std::uint64_t kMostCases = 1'000'000'000'000'000'000;
 
 struct HuntArguments {
-  std::string methods = std::string("trad,") + kDefaultMethods;
+  std::string methods = fmt::format("trad,{}", fmt::join(default_methods(), ","));
   std::string seconds = "60";
   std::uint64_t cases = 0;
   int within = 0;  ///< 0: any scale
@@ -54,8 +54,7 @@ struct HuntArguments {
 Result<HuntOptions> parse(const HuntArguments& options) {
   Result<std::vector<std::string>> methods = parse_method_list(options.methods);
   if (!methods) return tl::unexpected(methods.error());
-  const Result<SearchOptions> search = options.search.parse();
-  if (!search) return tl::unexpected(search.error());
+  const SearchOptions search = options.search.options();
   const Result<double> seconds = parse_seconds("--seconds", options.seconds);
   if (!seconds) return tl::unexpected(seconds.error());
   HuntOptions parsed;
@@ -71,7 +70,7 @@ Result<HuntOptions> parse(const HuntArguments& options) {
   parsed.threads = options.threads;
   parsed.seconds = *seconds;
   if (options.cases > 0) parsed.cases = options.cases;
-  parsed.search = *search;
+  parsed.search = search;
   parsed.shrink = options.shrink == "all"    ? Shrink::kAll
                   : options.shrink == "none" ? Shrink::kNone
                                              : Shrink::kPlugins;
@@ -193,7 +192,9 @@ std::string hunt_command(const HuntArguments& options) {
   if (options.search.max_pops != kDefaultPops) {
     add("--max-pops", fmt::format("{}", options.search.max_pops));
   }
-  if (!options.search.max_seconds.empty()) add("--max-seconds", options.search.max_seconds);
+  if (options.search.max_seconds < SearchOptions::kNoTimeLimit) {
+    add("--max-seconds", fmt::format("{}", options.search.max_seconds));
+  }
   if (options.shrink != usual.shrink) add("--shrink", options.shrink);
   add("--corpus", options.corpus);
   add("--report", options.page);

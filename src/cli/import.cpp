@@ -1,25 +1,33 @@
 #include <fmt/format.h>
 
-#include "base/table.hpp"
 #include "case/case_files.hpp"
 #include "cli/command.hpp"
-#include "cli/common_options.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
-#include "cli/terminal.hpp"
+#include "cli/session.hpp"
 #include "eval/imported.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct ImportArguments {
+struct ImportOptions {
   std::vector<std::string> files;
   std::string output;
-  std::string layout;
+  std::optional<CsvLayout> layout;
   std::string truths;
   bool round = false;
-  bool json = false;
+};
+
+/// An imported query, as a row of the JSON output.
+struct ImportRow {
+  const Imported& query;
+
+  static void fields(auto& archive, auto& row) {
+    archive("query", row.query.id);
+    archive("label", row.query.label);
+    archive("in_file", row.query.collides);
+    archive("as_rounded", row.query.value.truth.collides);
+    archive("rounded", row.query.rounded);
+  }
 };
 
 const char* contact_text(const std::optional<bool>& collides) {
@@ -52,85 +60,63 @@ struct ImportCounts {
       text += fmt::format("; {} values of {} queries rounded, which changed the truth of {}",
                           rounded_values, rounded_queries, changed);
     }
-    return text + "\n";
+    return text;
   }
 };
 
-Result<CsvLayout> import_layout_of(const ImportArguments& options, const std::string& path) {
-  if (!options.layout.empty()) return parse_choice("--as", options.layout, kAllCsvLayouts);
-  if (const auto told = csv_layout_of_path(path)) return *told;
-  return input_error(path, "does not tell its layout: name it with --as");
-}
-
-Result<int> run_import(const ImportArguments& options) {
-  if (!options.truths.empty() && options.files.size() > 1) {
-    return input_error("--truths", "goes with one file");
-  }
+/// The layouts of the files. Throws BadInput: one does not tell it, and no --as does.
+std::vector<CsvLayout> layouts_of(const ImportOptions& options) {
   std::vector<CsvLayout> layouts;
   for (const std::string& path : options.files) {
-    const Result<CsvLayout> layout = import_layout_of(options, path);
-    if (!layout) return tl::unexpected(layout.error());
+    const auto layout = options.layout ? options.layout : csv_layout_of_path(path);
+    if (!layout) throw BadInput{{path, "does not tell its layout: name it with --as"}};
     layouts.push_back(*layout);
   }
-  Result<CaseWriter> writer = CaseWriter::open(options.output);
-  if (!writer) return tl::unexpected(writer.error());
-  Table table({{"query", Align::kLeft},
-               {"label", Align::kLeft},
-               {"in the file", Align::kLeft},
-               {"as rounded", Align::kLeft}});
+  return layouts;
+}
+
+int run_import(const ImportOptions& options, Session& session) {
+  if (!options.truths.empty() && options.files.size() > 1) {
+    throw BadInput{{"--truths", "goes with one file"}};
+  }
+  const std::vector<CsvLayout> layouts = layouts_of(options);
+  CaseWriter writer = need(CaseWriter::open(options.output));
+  session.begin_table({{"query", Align::kLeft},
+                       {"label", Align::kLeft},
+                       {"in the file", Align::kLeft},
+                       {"as rounded", Align::kLeft}});
   ImportCounts counts;
-  Progress progress;
-  std::uint64_t imported = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
   for (size_t f = 0; f < options.files.size(); ++f) {
-    Result<CsvReader> reader = CsvReader::open(options.files[f], layouts[f], options.truths);
-    if (!reader) return tl::unexpected(reader.error());
+    CsvReader reader = need(CsvReader::open(options.files[f], layouts[f], options.truths));
+    const double share = static_cast<double>(f) / static_cast<double>(options.files.size());
     for (std::uint64_t index = 0;; ++index) {
       if (interrupted) return interrupted_exit_code();
-      const Result<std::optional<CsvQuery>> next = reader->next();
-      if (!next) return tl::unexpected(next.error());
-      if (!*next) break;
-      const Result<Imported> query = import_case(**next, options.round, index);
-      if (!query) return tl::unexpected(query.error());
-      const bool notable = counts.add(*query);
-      const std::optional<bool>& asked = query->value.truth.collides;
-      if (options.json) {
-        nlohmann::ordered_json row = {{"query", query->id}, {"label", nullptr}};
-        if (query->label) row["label"] = *query->label;
-        row["in_file"] = row["as_rounded"] = nullptr;
-        if (query->collides) row["in_file"] = *query->collides;
-        if (asked) row["as_rounded"] = *asked;
-        row["rounded"] = query->rounded;
-        print_json(row);
-      } else if (notable) {
-        table.add_row({{query->id},
-                       {contact_text(query->label)},
-                       {contact_text(query->collides), Emphasis::kBad},
-                       {contact_text(asked)}});
+      const std::optional<CsvQuery> next = need(reader.next());
+      if (!next) break;
+      const Imported query = need(import_case(*next, options.round, index));
+      if (counts.add(query) || session.json) {
+        session.show(ImportRow{query}, false, [](const ImportRow& row) -> std::vector<TableCell> {
+          return {{row.query.id},
+                  {contact_text(row.query.label)},
+                  {contact_text(row.query.collides), Emphasis::kBad},
+                  {contact_text(row.query.value.truth.collides)}};
+        });
       }
-      if (const auto written = writer->write(query->value); !written) {
-        return tl::unexpected(written.error());
-      }
-      progress.show(static_cast<double>(f) / static_cast<double>(options.files.size()), query->id,
-                    ++imported, "queries");
+      need(writer.write(query.value));
+      session.progress().show(share, query.id, counts.queries, "queries");
     }
   }
-  progress.clear();
-  if (const auto finished = writer->finish(); !finished) return tl::unexpected(finished.error());
-  if (!options.json) {
-    if (table.row_count() > 0) {
-      print_table(table);
-      print_out("\n");
-    }
-    print_out(counts.summary());
-  }
+  need(writer.finish());
+  session.end_table(true);
+  session.summary(counts.summary());
   return kDone;
 }
 
 }  // namespace
 
 void add_import(CommandLine& line) {
-  auto [command, options] = line.add<ImportArguments>(
+  auto [command, options] = line.add<ImportOptions>(
       "import", "Read query CSVs, decide linear queries exactly, and list wrong labels",
       run_import);
   command
@@ -140,14 +126,12 @@ void add_import(CommandLine& line) {
   command
       .text("-o,--output", options->output, "File to write: .jsonl, .jsonl.zst, or .json for one")
       .required();
-  command
-      .text("--as", options->layout,
-            "edge-edge, vertex-face or curved; by default what the path of each file says")
-      .without_default();
+  command.choice("--as", options->layout,
+                 "edge-edge, vertex-face or curved; by default what the path of each file says");
   command.text("--truths", options->truths, "JSON list of truths of a file without that column");
   command.flag("--round", options->round,
                "Take the nearest double for numbers and ways that are none, and count them");
-  command.flag("--json", options->json, "One JSON object per query");
+  command.json("One JSON object per query");
 }
 
 }  // namespace ccdfuzz

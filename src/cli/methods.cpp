@@ -2,28 +2,37 @@
 
 #include <algorithm>
 
-#include "base/table.hpp"
 #include "cli/command.hpp"
-#include "cli/output.hpp"
-#include "cli/terminal.hpp"
+#include "cli/session.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct MethodsArguments {
+struct MethodsOptions {
   std::vector<std::string> specs;
-  bool json = false;
+};
+
+/// What a user may know of a method, as a row of the JSON output.
+struct MethodRow {
+  const MethodInfo& info;
+
+  static void fields(auto& archive, auto& row) {
+    archive("method", row.info.spec);
+    archive("source", row.info.source);
+    archive("description", row.info.description);
+    archive("claims_no_false_negative", row.info.claims_no_false_negative);
+    archive("switches", row.info.switches);
+  }
 };
 
 /// All that are registered and the two kinds of plug-ins, or those that were named.
-Result<std::vector<MethodInfo>> method_infos_of(const std::vector<std::string>& specs) {
+std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   std::vector<MethodInfo> infos;
   for (const std::string& spec : specs) {
-    const auto info = admit_plugin(spec).and_then([&] { return method_info(spec); });
-    if (!info) return tl::unexpected(info.error());
-    infos.push_back(*info);
+    need(admit_plugin(spec));
+    infos.push_back(need(method_info(spec)));
   }
   if (!specs.empty()) return infos;
   infos = registered_methods();
@@ -48,41 +57,32 @@ std::string switches_of(const std::vector<MethodInfo>& infos) {
   return table.row_count() == 0 ? "" : "\n" + table.to_text(wants_colour(stdout));
 }
 
-Result<int> run_methods(const MethodsArguments& options) {
-  const Result<std::vector<MethodInfo>> infos = method_infos_of(options.specs);
-  if (!infos) return tl::unexpected(infos.error());
-  if (options.json) {
-    for (const MethodInfo& info : *infos) {
-      print_json({{"method", info.spec},
-                  {"source", info.source},
-                  {"description", info.description},
-                  {"claims_no_false_negative", info.claims_no_false_negative},
-                  {"switches", info.switches}});
-    }
-    return kDone;
+int run_methods(const MethodsOptions& options, Session& session) {
+  const std::vector<MethodInfo> infos = method_infos_of(options.specs);
+  session.begin_table({{"method", Align::kLeft},
+                       {"claims no FN", Align::kLeft},
+                       {"source", Align::kLeft},
+                       {"description", Align::kLeft}});
+  for (const MethodInfo& info : infos) {
+    session.show(MethodRow{info}, false, [](const MethodRow& row) -> std::vector<TableCell> {
+      return {{row.info.spec},
+              {row.info.claims_no_false_negative ? "yes" : "no"},
+              {row.info.source},
+              {row.info.description}};
+    });
   }
-  Table table({{"method", Align::kLeft},
-               {"claims no FN", Align::kLeft},
-               {"source", Align::kLeft},
-               {"description", Align::kLeft}});
-  for (const MethodInfo& info : *infos) {
-    table.add_row({{info.spec},
-                   {info.claims_no_false_negative ? "yes" : "no"},
-                   {info.source},
-                   {info.description}});
-  }
-  print_table(table);
-  print_out(switches_of(*infos));
+  session.end_table();
+  if (!session.json) print_out(switches_of(infos));
   return kDone;
 }
 
 }  // namespace
 
 void add_methods(CommandLine& line) {
-  auto [command, options] = line.add<MethodsArguments>(
+  auto [command, options] = line.add<MethodsOptions>(
       "methods", "List the methods that there are, with the source of each", run_methods);
   command.texts("method", options->specs, "Only these, as --methods takes them; plug-ins, too");
-  command.flag("--json", options->json, "One JSON object per line");
+  command.json("One JSON object per line");
 }
 
 }  // namespace ccdfuzz

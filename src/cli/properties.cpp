@@ -3,15 +3,25 @@
 #include <sstream>
 
 #include "cli/command.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "properties/registry.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct PropertiesArguments {
-  bool json = false;
+struct PropertiesOptions {};
+
+/// A property, as a row of the JSON output.
+struct PropertyRow {
+  const Property& property;
+
+  static void fields(auto& archive, auto& row) {
+    archive("property", std::string_view(row.property.name));
+    archive("claim", std::string_view(row.property.claim));
+    archive("source", std::string_view(row.property.source));
+    archive("expected_to_fail", row.property.expected == Expectation::kFails);
+  }
 };
 
 constexpr size_t kColumns = 80;
@@ -30,19 +40,16 @@ std::string wrapped(std::string_view text, std::string_view indentation) {
   return lines + fmt::format("{}{}\n", indentation, line);
 }
 
-Result<int> run_properties(const PropertiesArguments& options) {
+int run_properties(const PropertiesOptions&, Session& session) {
   for (const Property& property : properties()) {
-    const bool known_false = property.expected == Expectation::kFails;
-    if (options.json) {
-      print_json({{"property", property.name},
-                  {"claim", property.claim},
-                  {"source", property.source},
-                  {"expected_to_fail", known_false}});
-    } else {
-      const std::string head = fmt::format("{} ({}){}", property.name, property.source,
-                                           known_false ? ", known to be false" : "");
-      print_out(wrapped(head, "") + wrapped(property.claim, "    "));
+    if (session.json) {
+      print_row(PropertyRow{property});
+      continue;
     }
+    const bool known_false = property.expected == Expectation::kFails;
+    const std::string head = fmt::format("{} ({}){}", property.name, property.source,
+                                         known_false ? ", known to be false" : "");
+    print_out(wrapped(head, "") + wrapped(property.claim, "    "));
   }
   return kDone;
 }
@@ -50,9 +57,9 @@ Result<int> run_properties(const PropertiesArguments& options) {
 }  // namespace
 
 void add_properties(CommandLine& line) {
-  auto [command, options] = line.add<PropertiesArguments>(
+  auto [command, options] = line.add<PropertiesOptions>(
       "properties", "List the properties, with the claim and source of each", run_properties);
-  command.flag("--json", options->json, "One JSON object per property");
+  command.json("One JSON object per property");
 }
 
 }  // namespace ccdfuzz

@@ -1,28 +1,20 @@
 #include <fmt/format.h>
 
-#include "base/table.hpp"
 #include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/complete_truth.hpp"
 #include "cli/command.hpp"
-#include "cli/common_options.hpp"
 #include "cli/data_set.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
-#include "cli/terminal.hpp"
-#include "eval/stream_cases.hpp"
+#include "cli/session.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct ProveArguments {
+struct ProveOptions {
   std::vector<std::string> files;
   std::string output;
-  std::uint64_t max_pops = OracleOptions().max_pops;
-  std::uint64_t max_nodes = OracleOptions().max_tree_nodes;
-  int threads = 1;
-  bool json = false;
+  OracleOptions oracle;
 };
 
 std::string_view verdict_of(const Completed& completed) {
@@ -31,7 +23,7 @@ std::string_view verdict_of(const Completed& completed) {
 }
 
 /// The certificate letters of a truth, as "WP" or "MT".
-std::string certificates(const Truth& truth) {
+std::string certificates_of(const Truth& truth) {
   std::string letters;
   if (truth.witness) letters += 'W';
   if (truth.contact_box) letters += 'M';
@@ -40,22 +32,44 @@ std::string certificates(const Truth& truth) {
   return letters;
 }
 
-nlohmann::ordered_json row_json(const std::string& id, const Completed& completed) {
-  const Truth& truth = completed.value.truth;
-  nlohmann::ordered_json row = {
-      {"case", id}, {"verdict", verdict_of(completed)}, {"certificates", certificates(truth)}};
-  row["contact_by"] = nullptr;
-  if (const auto by = truth.contact_by()) row["contact_by"] = to_text(*by);
-  row["clear_until"] = nullptr;
-  if (truth.clear_until) row["clear_until"] = to_text(*truth.clear_until);
-  row["tree_bytes"] = completed.tree.size();
-  row["refuted"] = completed.refuted;
-  if (!completed.note.empty()) row["note"] = completed.note;
-  return row;
-}
+/// A case that was decided, as a row of the JSON output.
+struct ProvedRow {
+  std::string id;
+  std::string_view verdict;
+  std::string certificates;
+  std::optional<std::string> contact_by, clear_until;
+  std::uint64_t tree_bytes = 0;
+  bool refuted = false;
+  std::string note;
+
+  ProvedRow(std::string case_id, const Completed& completed)
+      : id(std::move(case_id)),
+        verdict(verdict_of(completed)),
+        certificates(certificates_of(completed.value.truth)),
+        tree_bytes(completed.tree.size()),
+        refuted(completed.refuted),
+        note(completed.note) {
+    const Truth& truth = completed.value.truth;
+    if (const auto by = truth.contact_by()) contact_by = to_text(*by);
+    if (truth.clear_until) clear_until = to_text(*truth.clear_until);
+  }
+
+  static void fields(auto& archive, auto& row) {
+    archive("case", row.id);
+    archive("verdict", row.verdict);
+    archive("certificates", row.certificates);
+    archive("contact_by", row.contact_by);
+    archive("clear_until", row.clear_until);
+    archive("tree_bytes", row.tree_bytes);
+    archive("refuted", row.refuted);
+    archive.optional("note", row.note);
+  }
+};
 
 struct Counts {
   std::uint64_t hit = 0, miss = 0, undecided = 0, refuted = 0;
+
+  std::uint64_t all() const { return hit + miss + undecided; }
 
   void add(const Completed& completed) {
     const auto& collides = completed.value.truth.collides;
@@ -64,81 +78,60 @@ struct Counts {
   }
 };
 
-Result<Completed> prove(const NamedCase& named, const OracleOptions& oracle) {
+/// Throws BadInput: what the case says of a contact is refuted.
+Completed prove(const NamedCase& named, const OracleOptions& oracle) {
   // Of a certificate of absence complete_truth says whether it is refuted.
   if (auto checked = check_truth(named.value); !checked) {
-    return input_error(named.id + ": " + checked.error().where, checked.error().what);
+    throw BadInput{{named.id + ": " + checked.error().where, checked.error().what}};
   }
   return complete_truth(named.value, trees_path(named.file), oracle);
 }
 
-Result<int> run_prove(const ProveArguments& options) {
-  Result<DataSetWriter> destination = DataSetWriter::open(options.output);
-  if (!destination) return tl::unexpected(destination.error());
-
-  OracleOptions oracle;
-  oracle.max_pops = options.max_pops;
-  oracle.max_tree_nodes = options.max_nodes;
-  Table table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
+int run_prove(const ProveOptions& options, Session& session) {
+  DataSetWriter destination = need(DataSetWriter::open(options.output));
+  session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   Counts counts;
-  Progress progress;
-  std::atomic<bool> stop = false;
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  Result<void> written;
-  std::uint64_t done = 0;
-  const Result<void> read = stream_cases<NamedCase, Completed>(
-      options.files, 1, options.threads,
-      [&](const NamedCase& named, size_t) { return prove(named, oracle); },
-      [&](const NamedCase& named, size_t, Completed completed, double share) {
-        const std::string& id = named.id;
-        ++done;
+  session.each_case<NamedCase, Completed>(
+      options.files, 1, "cases",
+      [&](const NamedCase& named, size_t) { return prove(named, options.oracle); },
+      [&](const NamedCase& named, size_t, Completed completed) {
         counts.add(completed);
-        if (options.json) {
-          print_json(row_json(id, completed));
-        } else if (completed.refuted || !completed.value.truth.collides) {
-          table.add_row({{id},
-                         {completed.refuted ? "refuted" : "undecided", Emphasis::kBad},
-                         {completed.note}});
-          print_full_rows(table);
+        if (session.json || completed.refuted || !completed.value.truth.collides) {
+          session.show(ProvedRow(named.id, completed), false,
+                       [](const ProvedRow& row) -> std::vector<TableCell> {
+                         return {{row.id},
+                                 {row.refuted ? "refuted" : "undecided", Emphasis::kBad},
+                                 {row.note}};
+                       });
         }
-        if (written) written = destination->write(std::move(completed.value), completed.tree);
-        if (!written || interrupted) stop = true;
-        progress.show(share, id, done, "cases");
-      },
-      &stop);
-  progress.clear();
-  if (table.row_count() > 0) {
-    print_last_rows(table);
-    print_out("\n");
-  }
-  if (!read) return tl::unexpected(read.error());
-  if (!written) return tl::unexpected(written.error());
-  if (interrupted) return interrupted_exit_code();
-  if (auto finished = destination->finish(); !finished) return tl::unexpected(finished.error());
-  if (!options.json) {
-    std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", done,
-                                      counts.hit, counts.miss, counts.undecided);
-    if (counts.refuted > 0) summary += fmt::format("; {} had claimed otherwise", counts.refuted);
-    print_out(summary + "\n");
-  }
+        need(destination.write(std::move(completed.value), completed.tree));
+      });
+  session.end_table(true);
+  if (session.interrupted()) return interrupted_exit_code();
+  need(destination.finish());
+  std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", counts.all(),
+                                    counts.hit, counts.miss, counts.undecided);
+  if (counts.refuted > 0) summary += fmt::format("; {} had claimed otherwise", counts.refuted);
+  session.summary(summary);
   return counts.refuted == 0 ? kDone : kCheckFailed;
 }
 
 }  // namespace
 
 void add_prove(CommandLine& line) {
-  auto [command, options] = line.add<ProveArguments>(
+  auto [command, options] = line.add<ProveOptions>(
       "prove", "Decide cases, and write them with certificates that verify checks", run_prove);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command
       .text("-o,--output", options->output,
             "File to write: .jsonl, .jsonl.zst, or .json for one case; trees go beside it")
       .required();
-  command.whole("--max-pops", options->max_pops,
+  command.whole("--max-pops", options->oracle.max_pops,
                 "Pairs of cells that one search may take before it gives up", 1);
-  command.whole("--max-nodes", options->max_nodes, "Nodes that the tree of a miss may have", 1);
-  add_threads(command, options->threads);
-  command.flag("--json", options->json, "One JSON object per case");
+  command.whole("--max-nodes", options->oracle.max_tree_nodes,
+                "Nodes that the tree of a miss may have", 1);
+  command.threads();
+  command.json("One JSON object per case");
 }
 
 }  // namespace ccdfuzz

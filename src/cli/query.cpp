@@ -1,25 +1,19 @@
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
-#include "base/table.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "cli/shared_case.hpp"
-#include "cli/terminal.hpp"
-#include "eval/stream_cases.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct QueryArguments {
+struct QueryOptions {
   std::vector<std::string> files;
-  std::string methods = kDefaultMethods;
+  std::vector<std::string> methods = default_methods();
   SearchFlags search;
-  int threads = 1;
-  bool json = false;
 };
 
 /// The work of an answer is its pops times this: measured, a pair of boxes of two patches with n
@@ -32,123 +26,115 @@ std::uint64_t work_of_a_pop(const Query& query) {
   return points * (points + 100);
 }
 
-/// Pairs of boxes that a method may look at where no --max-pops is given, so that all default
-/// methods together take about 5 s on two close patches that none can decide, and the same on every
-/// machine.
-constexpr std::uint64_t kWorkOfAnAnswer = 40'000'000;  // times 15 ns: 0.6 s
-constexpr std::uint64_t kDefaultMethodCount = 7;
-std::uint64_t default_pops(const Query& query) {
-  const std::uint64_t pops = kWorkOfAnAnswer / work_of_a_pop(query);
-  return std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
+/// What a run may do where no --max-pops is given, on every machine and number of threads alike.
+class DefaultBudget {
+ public:
+  /// Pairs of boxes that a method may look at, so that all default methods together take about 5 s
+  /// on two close patches that none can decide.
+  static std::uint64_t pops_of(const Query& query) {
+    const std::uint64_t pops = kWorkOfAnAnswer / work_of_a_pop(query);
+    return std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
+  }
+
+  void add(const Query& query, const Answer& answer) {
+    work_ += answer.pops * work_of_a_pop(query);
+    ++answers_;
+  }
+  bool is_spent() const { return work_ >= kWorkOfARun + answers_ * kCreditOfAnAnswer; }
+
+ private:
+  static constexpr std::uint64_t kWorkOfAnAnswer = 40'000'000;  // times 15 ns: 0.6 s
+  /// A run may take this and kCreditOfAnAnswer for each answer given, so that a file of many of the
+  /// costliest cases ends, too: about 20 s and 0.05 s an answer. Ordinary data sets stay below:
+  /// measured, an answer takes 17,000 in the mean for VV RP and 2,200,000 for FF RN of triangle(2).
+  /// It takes 6,500,000 for FF RN of tensor(8,8), of which 50 cases are within.
+  static constexpr std::uint64_t kDefaultMethodCount = 7;
+  static constexpr std::uint64_t kWorkOfARun = 4 * kDefaultMethodCount * kWorkOfAnAnswer;
+  static constexpr std::uint64_t kCreditOfAnAnswer = kWorkOfAnAnswer / 12;
+
+  std::uint64_t work_ = 0, answers_ = 0;
+};
+
+std::vector<TableCell> query_cells(const AnswerRow& row) {
+  const bool bad = is_false_negative(row.outcome) || row.outcome == Outcome::kError;
+  return {{row.id},
+          {row.method},
+          {std::string(name_of(row.verdict))},
+          {row.toi ? fmt::format("{}", *row.toi) : ""},
+          {std::string(name_of(row.outcome)), bad ? Emphasis::kBad : Emphasis::kPlain},
+          {fmt::format("{}", row.pops)},
+          {duration_text(row.seconds)},
+          {row.error.empty() ? row.note : row.error + ": " + row.note}};
 }
 
-/// A run may take this and kCreditOfAnAnswer for each answer given, so that a file of many of the
-/// costliest cases ends, too: about 20 s and 0.05 s an answer. Ordinary data sets stay below:
-/// measured, an answer takes 17,000 in the mean for VV RP and 2,200,000 for FF RN of triangle(2).
-/// It takes 6,500,000 for FF RN of tensor(8,8), of which 50 cases are within.
-constexpr std::uint64_t kWorkOfARun = 4 * kDefaultMethodCount * kWorkOfAnAnswer;
-constexpr std::uint64_t kCreditOfAnAnswer = kWorkOfAnAnswer / 12;
-
-std::vector<TableCell> table_row(const std::string& case_id, const std::string& method,
-                                 const Judged& judged) {
-  const Answer& answer = judged.answer;
-  const bool bad = is_false_negative(judged.outcome) || judged.outcome == Outcome::kError;
-  return {{case_id},
-          {method},
-          {std::string(name_of(answer.verdict))},
-          {answer.has_toi() ? fmt::format("{}", *answer.toi) : ""},
-          {std::string(name_of(judged.outcome)), bad ? Emphasis::kBad : Emphasis::kPlain},
-          {fmt::format("{}", answer.pops)},
-          {duration_text(answer.seconds)},
-          {judged.error.empty() ? answer.note : judged.error + ": " + answer.note}};
-}
-
-Result<int> run_query(const QueryArguments& options) {
-  const Result<std::vector<std::string>> methods = parse_method_list(options.methods);
-  if (!methods) return tl::unexpected(methods.error());
-  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
-  Table table({{"case", Align::kLeft},
-               {"method", Align::kLeft},
-               {"verdict", Align::kLeft},
-               {"toi", Align::kLeft},
-               {"outcome", Align::kLeft},
-               {"pops"},
-               {"time"},
-               {"note", Align::kLeft}});
-  Progress progress;
-  tbb::enumerable_thread_specific<MethodSet> method_sets;
-  std::uint64_t done = 0, undecided = 0, work = 0;
+int run_query(const QueryOptions& options, Session& session) {
+  const bool by_default = options.search.max_pops == 0;
+  session.begin_table({{"case", Align::kLeft},
+                       {"method", Align::kLeft},
+                       {"verdict", Align::kLeft},
+                       {"toi", Align::kLeft},
+                       {"outcome", Align::kLeft},
+                       {"pops"},
+                       {"time"},
+                       {"note", Align::kLeft}});
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  DefaultBudget budget;
+  std::atomic<bool> spent = false;
   std::string first_left;  // the first case for which no work is left
-  std::atomic<bool> stop = false;
+  std::uint64_t done = 0, undecided = 0;
   WordCount words;
-  const Result<void> read = stream_cases<SharedCase, Judged>(
-      options.files, methods->size(), options.threads,
-      [&](SharedCase& shared, size_t m) -> Result<Judged> {
-        if (stop) return Judged();  // is not shown
-        const Result<CheckedCase>& asked = shared.checked();
-        if (!asked) return tl::unexpected(asked.error());
-        Result<SearchOptions> search = options.search.parse_for(shared.named());
-        if (!search) return tl::unexpected(search.error());
-        const std::string& method = (*methods)[m];
-        if (search->max_pops == 0) search->max_pops = default_pops(asked->query());
-        return ask(method_sets.local()[method], *asked, *search);
+  session.each_case<SharedCase, Judged>(
+      options.files, options.methods.size(), "answers",
+      [&](SharedCase& shared, size_t m) {
+        if (spent) return Judged();  // is not shown
+        const CheckedCase& asked = need(shared.checked());
+        SearchOptions search = need(options.search.options_for(shared.named()));
+        if (by_default) search.max_pops = DefaultBudget::pops_of(asked.query());
+        return ask(methods.local()[options.methods[m]], asked, search);
       },
-      [&](const SharedCase& shared, size_t m, const Judged& judged, double share) {
-        const std::string& id = shared.named().id;
-        const std::string& method = (*methods)[m];
-        if (m == 0 && !stop && options.search.max_pops == 0 &&
-            work >= kWorkOfARun + done * kCreditOfAnAnswer) {
-          first_left = id;
-          stop = true;
+      [&](const SharedCase& shared, size_t m, const Judged& judged) {
+        const NamedCase& named = shared.named();
+        if (m == 0 && by_default && !spent && budget.is_spent()) {
+          first_left = named.id;
+          spent = true;
         }
-        if (stop) return;
-        work += judged.answer.pops * work_of_a_pop(shared.named().value.query);
+        if (spent) return;
+        budget.add(named.value.query, judged.answer);
         ++done;
-        if (m == 0) words.add(shared.named().value);
+        if (m == 0) words.add(named.value);
         if (judged.answer.verdict == Verdict::kUndecided && judged.error.empty()) ++undecided;
-        if (options.json) {
-          print_json(answer_row(id, method, judged));
-        } else {
-          if (m == 0) {
-            print_full_rows(table);
-            table.start_group();
-          }
-          table.add_row(table_row(id, method, judged));
-        }
-        progress.show(share, id, done, "answers");
+        session.show(AnswerRow(named.id, options.methods[m], judged), m == 0, query_cells);
       },
-      &stop);
-  progress.clear();
+      &spent);
   words.note("query");
-  if (table.row_count() > 0) print_last_rows(table);
-  if (!read && first_left.empty()) return tl::unexpected(read.error());
-  if (!options.json && undecided > 0 && options.search.max_pops == 0) {
-    print_out(
+  session.end_table();
+  if (undecided > 0 && by_default) {
+    session.summary(
         fmt::format("\n{} of {} answers undecided, most often for want of the default budget of "
-                    "about 5 s a case; more: --max-pops {}\n",
+                    "about 5 s a case; more: --max-pops {}",
                     undecided, done, SearchOptions().max_pops));
   }
   if (!first_left.empty()) {
-    return input_error(first_left,
-                       "this case and all after it are left undecided: the default budget of a "
-                       "run, about 20 s of counted work and 0.05 s an answer, is spent; "
-                       "--max-pops N sets one for each answer instead");
+    throw BadInput{{first_left,
+                    "this case and all after it are left undecided: the default budget of a run, "
+                    "about 20 s of counted work and 0.05 s an answer, is spent; --max-pops N sets "
+                    "one for each answer instead"}};
   }
-  return kDone;
+  return session.exit_code(kDone);
 }
 
 }  // namespace
 
 void add_query(CommandLine& line) {
   auto [command, options] =
-      line.add<QueryArguments>("query", "Answer and judge single cases", run_query);
+      line.add<QueryOptions>("query", "Answer and judge single cases", run_query);
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
-  command.text("--methods", options->methods, "Methods to ask, separated by commas");
-  options->search.max_pops = 0;  // default_pops
+  add_methods(command, options->methods, "Methods to ask, separated by commas");
+  options->search.max_pops = 0;  // DefaultBudget
   options->search.add_precision_to(command);
   options->search.add_budget_to(command).front().without_default();
-  add_threads(command, options->threads);
-  command.flag("--json", options->json, "One JSON object per answer and line");
+  command.threads();
+  command.json("One JSON object per answer and line");
 }
 
 }  // namespace ccdfuzz

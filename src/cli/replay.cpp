@@ -102,7 +102,7 @@ Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries
   std::vector<Question> questions;
   for (size_t i = 0; i < entries.size(); ++i) {
     const NamedCase& entry = entries[i];
-    const Result<SearchOptions> own = flags.parse_for(entry);
+    const Result<SearchOptions> own = flags.options_for(entry);
     if (!own) return tl::unexpected(own.error());
     for (const auto& [method, outcome] : entry.value.expect) {
       if (const auto made = make_method(method); !made) {
@@ -119,11 +119,16 @@ bool may_end_its_process(const Question& question) {
   return question.expected == Outcome::kError && !names_plugin(question.method);
 }
 
-nlohmann::ordered_json row_json(const ReplayRow& row) {
-  nlohmann::ordered_json json = answer_row(row.id, row.method, row.got);
-  json["expected"] = name_of(row.expected);
-  return json;
-}
+/// An answer and what was expected, as a row of the JSON output.
+struct ReplayJson {
+  const ReplayRow& row;
+
+  static void fields(auto& archive, auto& json) {
+    const AnswerRow answer(json.row.id, json.row.method, json.row.got);
+    AnswerRow::fields(archive, answer);
+    archive("expected", json.row.expected);
+  }
+};
 
 void print_report(const ReplayReport& report) {
   Table table({{"entry", Align::kLeft},
@@ -147,7 +152,6 @@ void print_report(const ReplayReport& report) {
 }
 
 Result<int> run_replay(const ReplayArguments& options) {
-  if (const auto search = options.search.parse(); !search) return tl::unexpected(search.error());
   if (const auto admitted = options.plugins.admit(); !admitted) {
     return tl::unexpected(admitted.error());
   }
@@ -188,7 +192,7 @@ Result<int> run_replay(const ReplayArguments& options) {
       });
   if (!report) return tl::unexpected(report.error());
   if (options.json) {
-    for (const ReplayRow& row : report->rows) print_json(row_json(row));
+    for (const ReplayRow& row : report->rows) print_row(ReplayJson{row});
   } else {
     print_report(*report);
   }

@@ -42,7 +42,7 @@ struct ReportArguments {
 /// An entry as its expectations say; where those are of a time that a method reported, it is asked
 /// again for it.
 Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
-  const Result<SearchOptions> search = SearchFlags().parse_for(entry);
+  const Result<SearchOptions> search = SearchFlags().options_for(entry);
   if (!search) return tl::unexpected(search.error());
   ReportedCase reported;
   for (const auto& [method, outcome] : entry.value.expect) {
@@ -139,7 +139,7 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   while (folder->current()) {
     const Result<const NamedCase*> source = cases.find(folder->current()->id);
     if (!source) return tl::unexpected(source.error());
-    const Result<SearchOptions> search = SearchFlags().parse_for(**source);
+    const Result<SearchOptions> search = SearchFlags().options_for(**source);
     if (!search) return tl::unexpected(search.error());
     rows.add(*folder->current(), **source, search->precision);
     if (auto read = folder->advance(); !read) return tl::unexpected(read.error());

@@ -45,9 +45,9 @@ class Session {
 
   /// Prints the row as a line of JSON if --json was given, and what `cells` makes of it as a row of
   /// the table otherwise. starts_group: a blank line stands before it in the table.
-  template <HasFields Row, class Cells>
+  template <class Row, class Cells>
   void show(const Row& row, bool starts_group, const Cells& cells) {
-    if (json) return print_row(row);
+    if (json) return print_out(to_json(row) + "\n");
     if (starts_group) {
       print_full_rows(*table_);
       table_->start_group();
@@ -59,11 +59,13 @@ class Session {
     if (!json) print_out(text + "\n");
   }
 
-  /// stream_cases with progress, until a signal. work may throw BadInput, which stands for its
-  /// error; sink(asked, part, row) may throw it, too. unit: what is counted, for the progress.
+  /// stream_cases with progress, until a signal or until stop is true. work may throw BadInput,
+  /// which stands for its error; sink(asked, part, row) may throw it, too. unit: what is counted,
+  /// for the progress.
   template <class Asked, class Row, class Work, class Sink>
   void each_case(const std::vector<std::string>& files, size_t parts, const char* unit,
-                 const Work& work, const Sink& sink) {
+                 const Work& work, const Sink& sink, const std::atomic<bool>* stop = nullptr) {
+    const std::atomic<bool>& signalled = catch_interrupts();
     std::uint64_t done = 0;
     const Result<void> read = stream_cases<Asked, Row>(
         files, parts, threads,
@@ -78,7 +80,7 @@ class Session {
           sink(asked, part, std::move(row));
           progress_.show(share, id_of(asked), ++done, unit);
         },
-        &catch_interrupts());
+        [&] { return signalled || (stop != nullptr && *stop); });
     progress_.clear();
     need(read);
   }

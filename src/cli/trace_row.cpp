@@ -2,94 +2,128 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <optional>
+
+#include "base/fields.hpp"
+
 namespace ccdfuzz {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json to_row(const Vec3<double>& v) {
+std::array<double, 3> coordinates(const Vec3<double>& v) {
   return {v[0], v[1], v[2]};
 }
 
-Json to_row(const TracePlace& place) {
-  Json cells = Json::array();
-  for (const Cell& cell : place.cells) {
-    cells.push_back(
-        {{"i", cell.i}, {"j", cell.j}, {"depth", cell.depth}, {"inverted", cell.inverted}});
+struct TimesJson {
+  const Separation<double>& times;
+
+  static void fields(auto& archive, auto& json) {
+    archive("from", json.times.lo);
+    archive("to", json.times.hi);
+    archive("has_from", json.times.has_lo);
+    archive("has_to", json.times.has_hi);
   }
-  return {{"level", place.level}, {"cells", cells}, {"window", {place.window.lo, place.window.hi}}};
+};
+
+void place_fields(JsonWriter& archive, const TracePlace& place) {
+  archive("level", place.level);
+  archive("cells", place.cells);
+  archive("window", std::array{place.window.lo, place.window.hi});
 }
 
-void add(Json& row, const Exclusion& by) {
-  row["axis"] = by.axis;
-  row["direction"] = to_row(by.direction);
-  row["below"] = by.below;
-  row["excluded"] = {{"from", by.times.lo},
-                     {"to", by.times.hi},
-                     {"has_from", by.times.has_lo},
-                     {"has_to", by.times.has_hi}};
+/// Of an axis that excluded something (Exclusion), or how far it is from that (AxisGap).
+void axis_fields(JsonWriter& archive, const auto& by) {
+  archive("axis", by.axis);
+  archive("direction", coordinates(by.direction));
+  archive("below", by.below);
 }
 
-Json loss_row(const Trace::Loss& loss) {
-  Json row = to_row(loss.place);
-  add(row, loss.by);
-  row["left"] = nullptr;
-  if (loss.left) row["left"] = {loss.left->lo, loss.left->hi};
-  return row;
-}
-
-Json margin_row(const Trace::Margin& margin) {
-  Json row = {{"ulps", margin.ulps}};
-  row.update(to_row(margin.place));
-  add(row, margin.by);
-  return row;
-}
-
-Json slack_row(const Trace::Slack& slack) {
-  Json row = {{"value", slack.value}};
-  row.update(to_row(slack.place));
-  row["axis"] = slack.gap.axis;
-  row["direction"] = to_row(slack.gap.direction);
-  row["below"] = slack.gap.below;
-  row["gap"] = {slack.gap.at_lo, slack.gap.at_hi};
-  row["unit"] = slack.gap.unit;
-  return row;
+void exclusion_fields(JsonWriter& archive, const Exclusion& by) {
+  axis_fields(archive, by);
+  archive("excluded", TimesJson{by.times});
 }
 
 }  // namespace
 
-Json trace_row(const std::string& case_id, const std::string& method, const Trace& trace) {
-  Json row = {{"case", case_id},
-              {"method", method},
-              {"lost", trace.lost},
-              {"pairs", trace.pairs},
-              {"lost_pairs", trace.lost_pairs},
-              {"false_claims", trace.false_claims},
-              {"levels", trace.levels},
-              {"loss", nullptr},
-              {"margin", nullptr},
-              {"slack", nullptr}};
-  if (trace.loss) row["loss"] = loss_row(*trace.loss);
-  if (trace.margin) row["margin"] = margin_row(*trace.margin);
-  if (trace.slack) row["slack"] = slack_row(*trace.slack);
-  return row;
+template <>
+struct JsonForm<Cell> {
+  static void fields(auto& archive, auto& cell) {
+    archive("i", cell.i);
+    archive("j", cell.j);
+    archive("depth", cell.depth);
+    archive("inverted", cell.inverted);
+  }
+};
+
+template <>
+struct JsonForm<Trace::Loss> {
+  static void fields(auto& archive, auto& loss) {
+    place_fields(archive, loss.place);
+    exclusion_fields(archive, loss.by);
+    std::optional<std::array<double, 2>> left;
+    if (loss.left) left = {loss.left->lo, loss.left->hi};
+    archive("left", left);
+  }
+};
+
+template <>
+struct JsonForm<Trace::Margin> {
+  static void fields(auto& archive, auto& margin) {
+    archive("ulps", margin.ulps);
+    place_fields(archive, margin.place);
+    exclusion_fields(archive, margin.by);
+  }
+};
+
+template <>
+struct JsonForm<Trace::Slack> {
+  static void fields(auto& archive, auto& slack) {
+    archive("value", slack.value);
+    place_fields(archive, slack.place);
+    axis_fields(archive, slack.gap);
+    archive("gap", std::array{slack.gap.at_lo, slack.gap.at_hi});
+    archive("unit", slack.gap.unit);
+  }
+};
+
+template <>
+struct JsonForm<TraceRow> {
+  static void fields(auto& archive, auto& row) {
+    const Trace& trace = row.trace;
+    archive("case", row.id);
+    archive("method", row.method);
+    archive("lost", trace.lost);
+    archive("pairs", trace.pairs);
+    archive("lost_pairs", trace.lost_pairs);
+    archive("false_claims", trace.false_claims);
+    archive("levels", trace.levels);
+    archive("loss", trace.loss);
+    archive("margin", trace.margin);
+    archive("slack", trace.slack);
+  }
+};
+
+std::string to_json(const TraceRow& row) {
+  std::string json;
+  write_json(json, row);
+  return json;
 }
 
-Table trace_table() {
-  return Table({{"case", Align::kLeft},
-                {"method", Align::kLeft},
-                {"witness", Align::kLeft},
-                {"level"},
-                {"axis"},
-                {"below", Align::kLeft},
-                {"margin"},
-                {"slack"},
-                {"pairs"}});
+std::vector<Table::Column> trace_columns() {
+  return {{"case", Align::kLeft},
+          {"method", Align::kLeft},
+          {"witness", Align::kLeft},
+          {"level"},
+          {"axis"},
+          {"below", Align::kLeft},
+          {"margin"},
+          {"slack"},
+          {"pairs"}};
 }
 
-std::vector<TableCell> trace_cells(const std::string& case_id, const std::string& method,
-                                   const Trace& trace) {
+std::vector<TableCell> trace_cells(const TraceRow& row) {
+  const Trace& trace = row.trace;
   TableCell level, axis, below, margin, slack;
   const auto show = [&](const TracePlace& place, const Exclusion& by) {
     level = {fmt::format("{}", place.level)};
@@ -106,8 +140,8 @@ std::vector<TableCell> trace_cells(const std::string& case_id, const std::string
   const std::string pairs = trace.lost_pairs == 0
                                 ? fmt::format("{}", trace.pairs)
                                 : fmt::format("{} of {} lost", trace.lost_pairs, trace.pairs);
-  return {{case_id},
-          {method},
+  return {{row.id},
+          {row.method},
           {trace.lost ? "lost" : "kept", trace.lost ? Emphasis::kBad : Emphasis::kPlain},
           level,
           axis,

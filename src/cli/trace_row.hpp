@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -9,15 +8,18 @@
 
 namespace ccdfuzz {
 
-/// A trace as the row of the JSON output: all that Trace holds, under its own names. loss, margin
-/// and slack are null where there is none.
-nlohmann::ordered_json trace_row(const std::string& case_id, const std::string& method,
-                                 const Trace& trace);
+/// How a method's tests treated the witness of a case.
+struct TraceRow {
+  const std::string& id;
+  const std::string& method;
+  const Trace& trace;
+};
 
-/// A table whose rows are trace_cells.
-Table trace_table();
+/// All that Trace holds, under its own names. loss, margin and slack are null where there is none.
+std::string to_json(const TraceRow& row);
+
+std::vector<Table::Column> trace_columns();
 /// One line for people. Level and axis are those of the loss, or of the smallest margin if kept.
-std::vector<TableCell> trace_cells(const std::string& case_id, const std::string& method,
-                                   const Trace& trace);
+std::vector<TableCell> trace_cells(const TraceRow& row);
 
 }  // namespace ccdfuzz

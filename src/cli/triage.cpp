@@ -28,7 +28,7 @@ struct TriageArguments {
   std::string output = "finds";
   std::optional<std::string> target;
   std::string known;
-  std::string methods = std::string(kDefaultMethods) + ",trad";
+  std::string methods = fmt::format("{},trad", fmt::join(default_methods(), ","));
   std::string seconds = "60";
   SearchFlags search;
   bool json = false;
@@ -81,13 +81,11 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
                           const std::vector<std::string>& files, TriageWalk& walk) {
   Result<std::vector<std::string>> methods = parse_method_list(arguments.methods);
   if (!methods) return tl::unexpected(methods.error());
-  const Result<SearchOptions> search = arguments.search.parse();
-  if (!search) return tl::unexpected(search.error());
   Result<Store> store = Store::open(arguments.output);
   if (!store) return tl::unexpected(store.error());
   TriageOptions options;
   options.methods = *std::move(methods);
-  options.search = *search;
+  options.search = arguments.search.options();
   options.stop = stop;
   std::string at;  // what is worked on
   options.warn = [&](const std::string& warning) {

@@ -16,9 +16,6 @@ constexpr std::array<std::string_view, 14> kAnswerColumns = {
     "index", "case",    "class", "kind",    "collides", "t_max_factor", "method",
     "t_max", "verdict", "toi",   "outcome", "pops",     "bytes",        "seconds"};
 
-constexpr std::array kVerdicts = {Verdict::kHit, Verdict::kMiss, Verdict::kUndecided,
-                                  Verdict::kRefused};
-
 /// The fields of a line of CSV (RFC 4180); fields hold no line breaks.
 std::vector<std::string> csv_fields(std::string_view line) {
   std::vector<std::string> fields(1);

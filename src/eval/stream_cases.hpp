@@ -15,12 +15,11 @@ namespace ccdfuzz {
 /// Reads the files one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
 /// case on `threads` threads, where asked is one Asked(NamedCase) per case. work returns a
 /// Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is how much of the
-/// files has been read. Once stop, if given, is true no more is read, and what was begun still
+/// files has been read. Once stop() is true no more is read, and what was begun still
 /// reaches sink. Errors: the first of reading or of work, after all rows before it.
-template <class Asked, class Row, class Work, class Sink>
+template <class Asked, class Row, class Work, class Sink, class Stop>
 Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, int threads,
-                          const Work& work, const Sink& sink,
-                          const std::atomic<bool>* stop = nullptr) {
+                          const Work& work, const Sink& sink, const Stop& stop) {
   struct Item {
     std::shared_ptr<Asked> asked;
     size_t part = 0;
@@ -38,7 +37,7 @@ Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, i
   stream_in_order<Done>(
       threads,
       [&]() -> std::optional<Item> {
-        if (ended || current.unreadable || (stop != nullptr && *stop)) return std::nullopt;
+        if (ended || current.unreadable || stop()) return std::nullopt;
         if (current.asked == nullptr || ++current.part == parts) {
           Result<std::optional<NamedCase>> next = cases.next();
           if (next && !*next) return std::nullopt;
