@@ -11,10 +11,12 @@ namespace ccdfuzz::certified {
 
 namespace {
 
-/// Steps after which the general search takes over. Nearly all queries take one or two; where the
-/// patches turn against each other, steps become shorter only by a factor, and the search is
-/// quicker.
-constexpr int kMostSteps = 8;
+/// Steps after which roots decide (rough_contact.hpp). Nearly all queries take one or two; where
+/// the patches turn against each other, steps become shorter only by a factor.
+constexpr int kMostSteps = 3;
+/// The same of a point and an edge, or of two points, which are always in a plane with the origin.
+/// Roots tell nothing there, and integers take as long as twenty steps.
+constexpr int kMostStepsInPlane = 8;
 /// A step shorter than this part of t_max is the last: what is nearer than that, at the speed of
 /// the scene, is within a hundred times the error bound.
 constexpr double kShortestStep = 0x1p-44;
@@ -84,7 +86,9 @@ class Advancing {
     }
     Advanced out;
     time_ = furthest_;
-    for (out.steps = 1; out.steps <= kMostSteps; ++out.steps) {
+    const bool in_plane = query_.controls[0].size() + query_.controls[1].size() < 4;
+    const std::uint64_t most_steps = in_plane ? kMostStepsInPlane : kMostSteps;
+    for (out.steps = 1; out.steps <= most_steps; ++out.steps) {
       try_axes();
       if (clear_) {
         out.kind = Advanced::Kind::kClear;

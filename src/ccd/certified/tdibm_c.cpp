@@ -6,7 +6,7 @@
 #include "base/fp_guard.hpp"
 #include "ccd/certified/linear_advance.hpp"
 #include "ccd/certified/linear_contact.hpp"
-#include "ccd/certified/linear_touch.hpp"
+#include "ccd/certified/rough_contact.hpp"
 
 namespace ccdfuzz {
 
@@ -76,10 +76,19 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
                                                 std::max(time, std::ldexp(toi, -normalised.time)));
       return answer;
     };
-    const double reach = 0.5 * options.precision * normalised.t_max;
-    const double before = std::max(0.0, advanced.time - reach);
-    const double after = std::min(normalised.t_max, advanced.time + reach);
-    if (certified::certainly_touch(normalised, before, after)) return hit(advanced.time, 0);
+    // Half the precision is the window's, the rest is more than all roundings.
+    const double width = 0.5 * options.precision * normalised.t_max;
+    const double before = std::max(0.0, advanced.time - 0.5 * width);
+    const bool stopped = advanced.kind == certified::Advanced::Kind::kStopped;
+    const certified::RoughContact rough =
+        certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
+    if (rough.kind == certified::RoughContact::Kind::kNone) {
+      answer.verdict = Verdict::kMiss;
+      return answer;
+    }
+    if (rough.kind == certified::RoughContact::Kind::kProven) {
+      return hit(std::max(rough.time, advanced.time), 0);
+    }
 
     using Kind = certified::LinearContact::Kind;
     const certified::LinearContact contact =
