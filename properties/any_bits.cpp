@@ -187,9 +187,8 @@ Check check_refusals(ChoiceSource& choices) {
   const bool to_answer = is_right(question);
   if (to_answer && !is_quick(name, question.query)) return Check::discarded("takes long");
   const auto method = *make_method(name);
-  const Answer answer = method->answer(question.query, question.options);
-  const Outcome outcome =
-      judge(checked_contact({question.query, {}, {}, {}}), answer, method->terms());
+  const Answered answer = method->answer(question.query, question.options);
+  const Outcome outcome = judge(checked_contact({question.query, {}, {}, {}}), answer);
   const bool refused =
       answer.verdict == Verdict::kRefused && outcome == Outcome::kNotAsked && !answer.toi;
   const bool answered = answer.verdict != Verdict::kRefused && outcome != Outcome::kError;

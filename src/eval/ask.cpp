@@ -17,7 +17,7 @@ Judged failed(const std::exception& error, std::string name) {
 }  // namespace
 
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {
-  Answer answer;
+  Answered answer;
   try {
     answer = method.answer(known.query(), options);
   } catch (const MethodFault& fault) {
@@ -26,11 +26,11 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     return failed(error, "exception");
   }
   // What throws here is no fault of the method.
-  const Outcome outcome = judge(known, answer, method.terms());
+  const Outcome outcome = judge(known, answer);
   // A wrong answer to the query itself weighs more.
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
-  if (const auto broken = method.broken_claim(); broken && !wrong) {
-    return failed(*broken, broken->name());
+  if (answer.broken_claim && !wrong) {
+    return failed(*answer.broken_claim, answer.broken_claim->name());
   }
   return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
 }

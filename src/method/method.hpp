@@ -30,6 +30,18 @@ class MethodFault : public std::runtime_error {
   std::string name_;
 };
 
+/// An answer with what it claims, which says how it is to be judged.
+struct Answered : Answer {
+  AnswerTerms terms = {};
+  /// What the method claims besides and was just seen not to keep; absent: nothing.
+  std::optional<MethodFault> broken_claim = std::nullopt;
+};
+
+/// By its own terms.
+inline Outcome judge(const CheckedCase& known, const Answered& answer) {
+  return judge(known, answer, answer.terms);
+}
+
 /// A CCD method: built in, or a user's. One object serves one thread at a time and keeps its
 /// buffers between queries, but no other state: the same query gives the same answer.
 class Method {
@@ -38,11 +50,7 @@ class Method {
   /// Any bits may be asked about. What it does not take (is_taken, or a kind of query that it does
   /// not answer) it refuses, naming the reason. Errors: throws MethodFault, or any other exception,
   /// where it fails to answer.
-  virtual Answer answer(const Query& query, const SearchOptions& options) = 0;
-  /// What the answer given last claims; how it is to be judged.
-  virtual AnswerTerms terms() const { return {}; }
-  /// What it claims besides and was just seen not to keep; absent: nothing.
-  virtual std::optional<MethodFault> broken_claim() const { return std::nullopt; }
+  virtual Answered answer(const Query& query, const SearchOptions& options) = 0;
   /// True iff it answers in another process, so that CPU time of this one says nothing of it.
   virtual bool runs_elsewhere() const { return false; }
 };

@@ -42,12 +42,11 @@ std::string ask_and_write(Method& method, const std::string& question) {
   CCDFUZZ_VERIFY(question.size() >= sizeof options);
   std::memcpy(&options, question.data(), sizeof options);
   const std::string_view json = std::string_view(question).substr(sizeof options);
-  const Answer a = method.answer(parse_case(json, "question").value().query, options);
-  const std::optional<MethodFault> broken = method.broken_claim();
+  const Answered a = method.answer(parse_case(json, "question").value().query, options);
+  const std::optional<MethodFault>& broken = a.broken_claim;
   const std::array<std::string, 3> texts = {a.note, broken ? broken->name() : "",
                                             broken ? broken->what() : ""};
-  SaidApart said{a.verdict, a.toi,     a.uv,           a.pops,
-                 a.bytes,   a.seconds, method.terms(), broken.has_value()};
+  SaidApart said{a.verdict, a.toi, a.uv, a.pops, a.bytes, a.seconds, a.terms, broken.has_value()};
   for (std::size_t i = 0; i < texts.size(); ++i) said.text_sizes[i] = texts[i].size();
   std::string written(sizeof said, '\0');
   std::memcpy(written.data(), &said, sizeof said);
@@ -63,29 +62,25 @@ class MethodApart : public Method {
                  limits),
         most_seconds_(kShareTold * limits.cpu_seconds) {}
 
-  Answer answer(const Query& query, const SearchOptions& options) override {
+  Answered answer(const Query& query, const SearchOptions& options) override {
     SearchOptions told = options;
     told.max_seconds = std::min(told.max_seconds, most_seconds_);
-    terms_ = {};
-    broken_claim_.reset();
-    if (!is_taken(query, options)) return refusal(query, options);  // a case file holds no NaN
+    if (!is_taken(query, options)) return {refusal(query, options)};  // a case file holds no NaN
     try {
       const auto written = process_.ask(question_of(query, told));
       if (!written) throw MethodFault(written.error());
       return read(*written);
     } catch (const std::system_error& refused) {
-      Answer none;  // that is no fault of the method
+      Answered none;  // that is no fault of the method
       none.note = refused.what();
       return none;
     }
   }
 
-  AnswerTerms terms() const override { return terms_; }
-  std::optional<MethodFault> broken_claim() const override { return broken_claim_; }
   bool runs_elsewhere() const override { return true; }
 
  private:
-  Answer read(const std::string& written) {
+  static Answered read(const std::string& written) {
     SaidApart said;
     CCDFUZZ_VERIFY(written.size() >= sizeof said);
     std::memcpy(&said, written.data(), sizeof said);
@@ -95,16 +90,16 @@ class MethodApart : public Method {
       texts[i] = written.substr(std::min(at, written.size()), said.text_sizes[i]);
       at += texts[i].size();
     }
-    terms_ = said.terms;
-    if (said.has_broken_claim) broken_claim_.emplace(texts[1], texts[2]);
-    return {said.verdict, said.toi, said.uv, said.pops, said.bytes, said.seconds, texts[0]};
+    Answered answer{
+        {said.verdict, said.toi, said.uv, said.pops, said.bytes, said.seconds, texts[0]},
+        said.terms};
+    if (said.has_broken_claim) answer.broken_claim.emplace(texts[1], texts[2]);
+    return answer;
   }
 
   std::unique_ptr<Method> method_;
   ProcessApart process_;
   double most_seconds_;
-  AnswerTerms terms_;
-  std::optional<MethodFault> broken_claim_;
 };
 
 }  // namespace

@@ -27,8 +27,8 @@ class BuiltIn : public Method {
   template <class... Args>
   explicit BuiltIn(Args&&... args) : solver_(std::forward<Args>(args)...) {}
 
-  Answer answer(const Query& query, const SearchOptions& options) override {
-    return solver_.answer(query, options);
+  Answered answer(const Query& query, const SearchOptions& options) override {
+    return {solver_.answer(query, options)};
   }
 
  private:

@@ -77,8 +77,8 @@ TEST(Triage, StoresWhatFailsShrunkWithItsTruthAndFindsNothingTwice) {
 struct Farsighted : Method {
   explicit Farsighted(double limit_) : limit(limit_) {}
 
-  Answer answer(const Query& query, const SearchOptions&) override {
-    Answer answer;
+  Answered answer(const Query& query, const SearchOptions&) override {
+    Answered answer;
     answer.verdict = query.t_max >= limit ? Verdict::kMiss : Verdict::kUndecided;
     return answer;
   }
@@ -157,9 +157,9 @@ TEST(Triage, DecidesWhatComesWithoutTruth) {
 struct Failing : Method {
   explicit Failing(std::string how_) : how(std::move(how_)) {}
 
-  Answer answer(const Query& query, const SearchOptions&) override {
+  Answered answer(const Query& query, const SearchOptions&) override {
     const auto& velocities = query.patches[0].velocities;
-    Answer answer;
+    Answered answer;
     if (std::ranges::all_of(velocities, [](const auto& v) { return v.isZero(); })) return answer;
     if (how == "aborts") std::abort();
     if (how == "throws") throw std::runtime_error("cannot");

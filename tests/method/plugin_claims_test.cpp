@@ -237,16 +237,12 @@ TEST(PluginClaims, ThatOverflowAreTheLargestAndOfNoneIsNone) {
 
 class NotOnItsTerms : public Method {
  public:
-  Answer answer(const Query& /*query*/, const SearchOptions& /*options*/) override {
-    Answer given;
+  Answered answer(const Query& /*query*/, const SearchOptions& /*options*/) override {
+    Answered given;
     given.verdict = Verdict::kHit;
     given.toi = 0.5;
+    given.terms.time_tolerance = std::numeric_limits<double>::infinity();
     return given;
-  }
-  AnswerTerms terms() const override {
-    AnswerTerms terms;
-    terms.time_tolerance = std::numeric_limits<double>::infinity();
-    return terms;
   }
 };
 

@@ -178,10 +178,9 @@ TEST(Plugin, SaysWhatItIsAndClaims) {
   EXPECT_EQ(naive->description, "naive Newton 1.0");
   EXPECT_FALSE(naive->claims_no_false_negative);
   EXPECT_TRUE(method_info(kMisbehaving + ":nan")->claims_no_false_negative);
-  const auto linear = made(kLinear);
-  linear->answer(falling_vertex(), {});
-  EXPECT_EQ(linear->terms().time_tolerance, 1e-12);
-  EXPECT_TRUE(linear->terms().has_uv);
+  const AnswerTerms terms = made(kLinear)->answer(falling_vertex(), {}).terms;
+  EXPECT_EQ(terms.time_tolerance, 1e-12);
+  EXPECT_TRUE(terms.has_uv);
 }
 
 // A file may hold any spec: looking it up must start nothing.

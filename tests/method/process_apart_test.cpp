@@ -205,31 +205,27 @@ Query meeting_points() {
 
 /// A method that does and claims what it is told to.
 struct MadeUp : Method {
-  Answer answer(const Query& query, const SearchOptions& options) override {
+  Answered answer(const Query& query, const SearchOptions& options) override {
     EXPECT_EQ(query, meeting_points());
     ++asked;
     given.seconds = options.max_seconds;
     given.pops = asked;
     return given;
   }
-  AnswerTerms terms() const override { return claimed; }
-  std::optional<MethodFault> broken_claim() const override { return broken; }
 
-  Answer given;
-  AnswerTerms claimed;
-  std::optional<MethodFault> broken;
+  Answered given;
   std::uint64_t asked = 0;
 };
 
 TEST(MethodApart, HandsOnWhatTheMethodSays) {
   auto made = std::make_unique<MadeUp>();
-  made->given = {Verdict::kHit, 0x1.8p-3, {{{0.25, 0.5}, {1, 0}}}, 0, 77, 0, "a note"};
-  made->claimed.closed_t_max = false;
-  made->claimed.time_tolerance = 1e-9;
-  made->broken.emplace("nan policy", "said otherwise");
+  made->given = {{Verdict::kHit, 0x1.8p-3, {{{0.25, 0.5}, {1, 0}}}, 0, 77, 0, "a note"}};
+  made->given.terms.closed_t_max = false;
+  made->given.terms.time_tolerance = 1e-9;
+  made->given.broken_claim.emplace("nan policy", "said otherwise");
   const auto method = asked_apart(std::move(made), kPatient);
   for (std::uint64_t round = 1; round <= 2; ++round) {
-    const Answer answer = method->answer(meeting_points(), {});
+    const Answered answer = method->answer(meeting_points(), {});
     EXPECT_EQ(answer.verdict, Verdict::kHit);
     EXPECT_EQ(answer.toi, 0x1.8p-3);
     EXPECT_EQ(answer.uv[0], (Uv<double>{0.25, 0.5}));
@@ -238,10 +234,10 @@ TEST(MethodApart, HandsOnWhatTheMethodSays) {
     EXPECT_EQ(answer.bytes, 77U);
     EXPECT_EQ(answer.note, "a note");
     EXPECT_EQ(answer.seconds, 10) << "of 60 s";
-    EXPECT_FALSE(method->terms().closed_t_max);
-    EXPECT_EQ(method->terms().time_tolerance, 1e-9);
-    EXPECT_EQ(method->broken_claim()->name(), "nan policy");
-    EXPECT_STREQ(method->broken_claim()->what(), "said otherwise");
+    EXPECT_FALSE(answer.terms.closed_t_max);
+    EXPECT_EQ(answer.terms.time_tolerance, 1e-9);
+    EXPECT_EQ(answer.broken_claim->name(), "nan policy");
+    EXPECT_STREQ(answer.broken_claim->what(), "said otherwise");
   }
   SearchOptions hurried;
   hurried.max_seconds = 1;
@@ -263,7 +259,7 @@ TEST(MethodApart, AnswersAsHere) {
 }
 
 struct Crashing : Method {
-  Answer answer(const Query&, const SearchOptions&) override { std::abort(); }
+  Answered answer(const Query&, const SearchOptions&) override { std::abort(); }
 };
 
 TEST(MethodApart, CrashIsAnErrorLikeAny) {

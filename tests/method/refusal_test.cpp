@@ -138,11 +138,11 @@ TEST(Refusal, EveryMethodNamesTheFieldAndItsValue) {
       options.max_pops = 1000;
       ASSERT_NE(method->answer(query, options).verdict, Verdict::kRefused) << spec;
       spoilt.spoil(query, options);
-      const Answer answer = method->answer(query, options);
+      const Answered answer = method->answer(query, options);
       EXPECT_EQ(name_of(answer.verdict), "refused") << spec << ": " << spoilt.note;
       EXPECT_EQ(answer.note, spoilt.note) << spec;
       EXPECT_FALSE(answer.toi) << spec;
-      EXPECT_EQ(judge(known(query), answer, method->terms()), Outcome::kNotAsked) << spec;
+      EXPECT_EQ(judge(known(query), answer), Outcome::kNotAsked) << spec;
     }
   }
 }

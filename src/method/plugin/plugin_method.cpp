@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "method/plugin/plugin_terms.hpp"
 #include "method/plugin/probes.hpp"
@@ -58,11 +59,11 @@ class PluginMethod : public Method {
   explicit PluginMethod(std::shared_ptr<const KnownPlugin> plugin)
       : plugin_(std::move(plugin)), worker_(plugin_->spec) {}
 
-  Answer answer(const Query& query, const SearchOptions& options) override {
+  Answered answer(const Query& query, const SearchOptions& options) override {
     broken_claim_.reset();
-    if (!is_taken(query, options)) return refusal(query, options);
+    if (!is_taken(query, options)) return {refusal(query, options)};
     if (hangs_ >= kMostHangs) {
-      Answer none;
+      Answered none;
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
       return none;
     }
@@ -74,16 +75,14 @@ class PluginMethod : public Method {
     }
   }
 
-  AnswerTerms terms() const override { return terms_; }
-  std::optional<MethodFault> broken_claim() const override { return broken_claim_; }
   bool runs_elsewhere() const override { return true; }
 
  private:
-  Answer answer_or_throw(const Query& query, const SearchOptions& options) {
+  Answered answer_or_throw(const Query& query, const SearchOptions& options) {
     if (!plugin_->description) throw_fault(plugin_->description.error());
     const std::optional<bool> swapped = order_of(query);
     if (!swapped) {
-      Answer none;
+      Answered none;
       none.verdict = Verdict::kRefused;
       none.note = fmt::format("does not take {} and {}", to_text(query.patches[0].shape),
                               to_text(query.patches[1].shape));
@@ -94,11 +93,11 @@ class PluginMethod : public Method {
     PluginAnswer given = ask_unless_killed(asked, options);
     hangs_ = 0;
     if (*swapped) std::swap(given.answer.uv[0], given.answer.uv[1]);
-    terms_ = terms_of(*plugin_->description, given, query);
+    const AnswerTerms terms = terms_of(*plugin_->description, given, query);
     if (auto broken = broken_tolerance(*plugin_->description, given)) {
       broken_claim_ = std::move(broken);
     }
-    return std::move(given.answer);
+    return {std::move(given.answer), terms, std::exchange(broken_claim_, {})};
   }
 
   /// Whether the patches must be swapped to be as the plug-in takes them; absent if it takes
@@ -224,8 +223,7 @@ class PluginMethod : public Method {
 
   std::shared_ptr<const KnownPlugin> plugin_;
   WorkerProcess worker_;
-  AnswerTerms terms_;
-  std::optional<MethodFault> broken_claim_;
+  std::optional<MethodFault> broken_claim_;  ///< of the query that is being asked
   std::uint64_t last_id_ = 0;
   int hangs_ = 0;
 };
