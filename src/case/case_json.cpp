@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/fields.hpp"
+#include "base/verify.hpp"
 
 namespace ccdfuzz {
 
@@ -34,7 +35,11 @@ struct JsonForm<Integer> {
 template <>
 struct JsonForm<Vec3<double>> {
   static void write(std::string& json, const Vec3<double>& point) {
-    write_json(json, std::array{point[0], point[1], point[2]});
+    for (int k = 0; k < 3; ++k) {
+      json += k == 0 ? '[' : ',';
+      json += json_number(point[k]);
+    }
+    json += ']';
   }
   static void read(const JsonCursor& from, Vec3<double>& point) {
     from.array(3, "coordinates");
@@ -222,6 +227,7 @@ Result<Case> parse_case(std::string_view json, const std::string& file) {
 }
 
 std::string to_json(const Case& value, JsonLayout layout) {
+  CCDFUZZ_VERIFY(is_finite(value.query.t_max));
   std::string json;
   write_json(json, value);
   return layout == JsonLayout::kOneLine ? json : readable_json(json);
