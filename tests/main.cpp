@@ -12,7 +12,10 @@
 #include <string>
 
 #include "numeric/effort.hpp"
+#include "served_by_test.hpp"
 #include "share.hpp"
+
+void (*ccdfuzz::served_by_test)(int, char**) = nullptr;
 
 namespace {
 
@@ -70,6 +73,7 @@ class PrintsHowToReproduce : public testing::EmptyTestEventListener {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (ccdfuzz::served_by_test != nullptr) ccdfuzz::served_by_test(argc, argv);
   const std::string assignments = fix_random_cases();
   testing::InitGoogleMock(&argc, argv);
   testing::UnitTest::GetInstance()->listeners().Append(

@@ -6,6 +6,7 @@
 
 #include "base/fields.hpp"
 #include "base/verify.hpp"
+#include "case/query_json.hpp"
 
 namespace ccdfuzz {
 
@@ -221,6 +222,18 @@ struct JsonForm<Case> {
     archive.optional("expect", value.expect);
   }
 };
+
+template <>
+struct JsonForm<Query> {
+  static void fields(auto& archive, auto& query) {
+    archive("patches", query.patches);
+    archive("t_max", query.t_max, not_negative);
+  }
+};
+
+Result<Query> parse_query(std::string_view json, const std::string& file) {
+  return from_json<Query>(json, file, Unknown::kIgnore);
+}
 
 Result<Case> parse_case(std::string_view json, const std::string& file) {
   return from_json<Case>(json, file);

@@ -1,11 +1,13 @@
 #include "base/fp_guard.hpp"
 #include "cli/command.hpp"
+#include "hunt/serve.hpp"
 #include "properties/fuzz_targets.hpp"
 #include "properties/registry.hpp"
 
 int main(int argc, char** argv) {
   // A library that was loaded into this process may have set another, which all threads inherit.
   const ccdfuzz::FpGuard guard;
+  ccdfuzz::serve_if_asked(argc, argv, {.claims = ccdfuzz::properties()});
   ccdfuzz::CommandLine line;
   ccdfuzz::add_hunt(line);
   ccdfuzz::add_query(line);

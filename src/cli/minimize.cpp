@@ -10,7 +10,7 @@
 #include "corpus/content_address.hpp"
 #include "corpus/failure.hpp"
 #include "hunt/shrink.hpp"
-#include "method/method_apart.hpp"
+#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
@@ -53,7 +53,7 @@ std::unique_ptr<Method> method_for(const NamedCase& found, const std::string& sp
   const auto expected = found.value.expect.find(spec);
   const bool may_crash =
       expected != found.value.expect.end() && expected->second == Outcome::kError;
-  const auto make = may_crash ? make_method_apart : make_method;
+  const auto make = may_crash ? make_served_method : make_method;
   auto method = admit_plugin(spec).and_then([&] { return make(spec); });
   if (!method) throw BadInput{{"--method", method.error().what}};
   return *std::move(method);

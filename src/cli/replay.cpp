@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 
 #include "base/in_order.hpp"
 #include "base/number_text.hpp"
@@ -18,7 +17,7 @@
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/entries.hpp"
-#include "method/method_apart.hpp"
+#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
@@ -171,18 +170,14 @@ Result<int> run_replay(const ReplayArguments& options) {
                   q.entry->id, answers.size(), "answers");
     answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
   };
-  const auto middle = std::partition(questions->begin(), questions->end(), may_end_its_process);
-  const std::span<const Question> apart(questions->begin(), middle), here(middle, questions->end());
-  MethodSet methods_apart(make_method_apart);
-  for (const Question& q : apart) {  // before there are other threads
-    note(q, ask(methods_apart[q.method], *q.known, q.search));
-  }
-  tbb::enumerable_thread_specific<MethodSet> methods;
+  tbb::enumerable_thread_specific<MethodSet> methods,
+      served([] { return MethodSet(make_served_method); });
   run_in_order<Judged>(
-      here.size(), options.threads,
+      questions->size(), options.threads,
       [&](size_t i) {
-        const Question& q = here[i];
-        return ask(methods.local()[q.method], *q.known, q.search);
+        const Question& q = (*questions)[i];
+        MethodSet& asked = may_end_its_process(q) ? served.local() : methods.local();
+        return ask(asked[q.method], *q.known, q.search);
       },
       [&](Judged judged) { note((*questions)[answers.size()], std::move(judged)); });
   progress.clear();

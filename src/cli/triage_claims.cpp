@@ -8,7 +8,7 @@
 
 #include "cli/check_find.hpp"
 #include "cli/output.hpp"
-#include "hunt/claim_apart.hpp"
+#include "hunt/served_claim.hpp"
 
 namespace ccdfuzz {
 
@@ -46,8 +46,8 @@ class ClaimTriage {
       ++counts.harmless;
       return true;
     }
-    ClaimApart apart(input->property, {});
-    const InputRun run = apart.on(*input);
+    ServedClaim served(input->property);
+    const InputRun run = served.on(*input);
     if (!run.fails()) {
       ++counts.harmless;
       return true;
@@ -60,7 +60,7 @@ class ClaimTriage {
       ++counts.known;
       return true;
     }
-    if (auto least = apart.least(*input, run, {kShrinkTries, options_.stop})) {
+    if (auto least = served.least(*input, run, {kShrinkTries, options_.stop})) {
       set_least(find, input->property, *std::move(least));
     }
     if (had != had_.end() && !quality_of(find).replaces(had->second.quality)) {

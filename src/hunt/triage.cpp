@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/serve.hpp"
 #include "case/case_json.hpp"
 #include "case/tree_file.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
@@ -13,7 +14,6 @@
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"
-#include "method/method_apart.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace ccdfuzz {
@@ -21,6 +21,30 @@ namespace ccdfuzz {
 namespace {
 
 constexpr const char* kOracle = "oracle";
+
+struct Errand {
+  std::string name, method;
+  std::string value;  ///< a case, as JSON
+
+  static void fields(auto& archive, auto& errand) {
+    archive("errand", errand.name);
+    archive("method", errand.method);
+    archive("case", errand.value);
+  }
+};
+
+struct Told {
+  std::string text;
+
+  static void fields(auto& archive, auto& told) { archive("text", told.text); }
+};
+
+std::string loss_by(const std::string& method, const Case& value) {
+  TracerSet tracers;
+  Tracer* const tracer = tracers.find(method);
+  return tracer == nullptr ? ""
+                           : loss_signature(tracer->trace(value.query, *value.truth.witness, {}));
+}
 
 }  // namespace
 
@@ -55,11 +79,7 @@ std::string refutation_by_sound_methods(const Case& known) {
 }
 
 Triage::Triage(Store& store, TriageOptions options)
-    : store_(store),
-      options_(std::move(options)),
-      methods_([make = options_.make, limits = options_.apart](const std::string& spec) {
-        return make(spec).map([&](auto method) { return asked_apart(std::move(method), limits); });
-      }) {}
+    : store_(store), options_(std::move(options)), methods_(options_.make) {}
 
 void Triage::know(const Case& entry) {
   for (const auto& [method, outcome] : entry.expect) {
@@ -84,7 +104,7 @@ Result<void> Triage::add(const Case& candidate,
     const std::optional<Failure> failure = confirm(method, known);
     if (!failure && !decided && method == kOracle) {
       options_.warn(fmt::format("nobody knows the truth, since the oracle came to grief: {}: {}",
-                                decided.error().name(), decided.error().what()));
+                                decided.error().name, decided.error().note));
     }
     if (!failure) continue;
     fails = true;
@@ -119,20 +139,38 @@ Result<void> Triage::add(const Case& candidate,
   }
   if (!fails) ++tally_.saved;
   if (sound_fails) return {};
-  const auto refutation = work_apart([&] { return options_.refute(known); }, options_.apart);
+  const auto refutation = told("refute", known);
   if (refutation && refutation->empty()) return {};
   ++tally_.refuting;
   options_.warn(fmt::format("no full run of a sound method fails, but: {}",
-                            refutation ? *refutation : refutation.error().name()));
+                            refutation ? *refutation : refutation.error().name));
   return {};
 }
 
-tl::expected<Case, MethodFault> Triage::with_truth(const Case& candidate) const {
+std::string TriageErrands::done(const std::string& question) const {
+  const Errand errand = from_json<Errand>(question, "the question").value();
+  const Case value = parse_case(errand.value, "the question").value();
+  if (errand.name == "decide") return to_json(Told{to_json(decide(value))});
+  if (errand.name == "refute") return to_json(Told{refute(value)});
+  return to_json(Told{loss_by(errand.method, value)});
+}
+
+tl::expected<std::string, Fault> Triage::told(const char* errand, const Case& value,
+                                              const std::string& method) {
+  if (!errands_) {
+    Result<ChildProgram> program = served_child(options_.errands, kServedLimits);
+    if (!program) throw std::runtime_error(program.error().message());
+    errands_.emplace(*std::move(program));
+  }
+  return ask_served<Told>(*errands_, to_json(Errand{errand, method, to_json(value)}))
+      .map([](const Told& told) { return told.text; });
+}
+
+tl::expected<Case, Fault> Triage::with_truth(const Case& candidate) {
   if (candidate.truth.collides) return candidate;
-  return work_apart([&] { return to_json(options_.decide(candidate)); }, options_.apart)
-      .map([](const std::string& json) {
-        return parse_case(json, "what the oracle decided").value();
-      });
+  return told("decide", candidate).map([](const std::string& json) {
+    return parse_case(json, "what the oracle decided").value();
+  });
 }
 
 std::optional<Triage::Failure> Triage::confirm(const std::string& method, const Case& known) {
@@ -161,12 +199,8 @@ Triage::Signature Triage::signature_of(const std::string& method, const Case& va
 std::string Triage::loss_of(const std::string& method, const Case& value) {
   const std::optional<Witness>& witness = value.truth.witness;
   if (!witness || witness->t > exact(value.query.t_max)) return "";
-  Tracer* const tracer = tracers_.find(method);
-  if (tracer == nullptr) return "";
   // It answers the query, but the trace may look further than the search did.
-  return work_apart([&] { return loss_signature(tracer->trace(value.query, *witness, {})); },
-                    options_.apart)
-      .value_or("");
+  return told("loss", value, method).value_or("");
 }
 
 void Triage::complete(Case& value) {

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "base/child.hpp"
 #include "corpus/store.hpp"
 #include "eval/ask.hpp"
-#include "method/process_apart.hpp"
+#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
@@ -20,18 +22,26 @@ Case decided_with_little_effort(const Case& candidate);
 /// coarse search misses it; the checker refuses the oracle's certificate. Empty: they are not.
 std::string refutation_by_sound_methods(const Case& known);
 
+/// What is done of a triage in a child, since it may crash or hang.
+struct TriageErrands {
+  /// The truth of a case that has none, as far as little effort gives one.
+  std::function<Case(const Case&)> decide = decided_with_little_effort;
+  /// What on a case refutes the claims that fuzz targets stop on, besides full runs.
+  std::function<std::string(const Case&)> refute = refutation_by_sound_methods;
+
+  /// The answer to a line of Triage.
+  std::string done(const std::string& question) const;
+};
+
 struct TriageOptions {
   std::vector<std::string> methods;  ///< specs that parse_method_list accepted
   SearchOptions search;
   std::uint64_t shrink_trials = 1000;  ///< of one find
   /// True ends shrinking, and asking before the next method.
   std::function<bool()> stop = [] { return false; };
-  MethodSet::Make make = make_method;  ///< what is asked of a spec
-  /// The truth of a case that has none, as far as little effort gives one.
-  std::function<Case(const Case&)> decide = decided_with_little_effort;
-  ApartLimits apart;  ///< of each question
-  /// What on a case refutes the claims that fuzz targets stop on, besides full runs.
-  std::function<std::string(const Case&)> refute = refutation_by_sound_methods;
+  MethodSet::Make make = make_served_method;
+  /// Arguments of serve, of a child that has TriageErrands.
+  std::vector<std::string> errands = {"--triage"};
   /// Of an input on which the oracle comes to grief, but not as a method; and of a refutation.
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
@@ -58,8 +68,7 @@ struct TriageFind {
 /// it, classified by the judge, shrunk exactly, and kept if nothing like it was had: no failure of
 /// the same method, contact class, outcome and loss_signature, which is level, axes and what of the
 /// axis' claim is wrong; of errors ("crash SIGSEGV", "hang"), none of the same method and name.
-/// Methods and oracle work apart from this process (work_apart), which therefore survives whatever
-/// they do, and must have no other thread.
+/// Methods and oracle work in children, so that this process survives whatever they do.
 class Triage {
  public:
   Triage(Store& store, TriageOptions options);
@@ -83,8 +92,11 @@ class Triage {
   using Signature = std::tuple<std::string, std::string, Outcome, std::string, std::string>;
   static constexpr std::size_t kLossPlace = 4;
 
-  /// options.decide of a case without truth, or what it did instead.
-  tl::expected<Case, MethodFault> with_truth(const Case& candidate) const;
+  /// What a child says of a case, or what it did instead. method: of a loss.
+  tl::expected<std::string, Fault> told(const char* errand, const Case& value,
+                                        const std::string& method = "");
+  /// TriageErrands::decide of a case without truth, or what it did instead.
+  tl::expected<Case, Fault> with_truth(const Case& candidate);
   std::optional<Failure> confirm(const std::string& method, const Case& known);
   Signature signature_of(const std::string& method, const Case& value, const Judged& judged);
   std::string loss_of(const std::string& method, const Case& value);
@@ -96,7 +108,7 @@ class Triage {
   TriageTally tally_;
   std::set<Signature> had_;
   MethodSet methods_;
-  TracerSet tracers_;
+  std::optional<Child> errands_;
 };
 
 }  // namespace ccdfuzz

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "cli/command.hpp"
+#include "hunt/serve.hpp"
 #include "properties/fuzz_targets.hpp"
 
 namespace ccdfuzz {
@@ -143,6 +144,7 @@ std::vector<Property> misbehaving() {
 }  // namespace ccdfuzz
 
 int main(int argc, char** argv) {
+  ccdfuzz::serve_if_asked(argc, argv, {.claims = ccdfuzz::misbehaving()});
   ccdfuzz::CommandLine line;
   ccdfuzz::add_check(line, ccdfuzz::misbehaving());
   ccdfuzz::add_triage(line, [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::FuzzTarget> {

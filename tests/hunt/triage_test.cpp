@@ -1,5 +1,6 @@
 #include "hunt/triage.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,7 +12,9 @@
 #include "corpus/failure.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/draw.hpp"
+#include "hunt/serve.hpp"
 #include "scratch_folder.hpp"
+#include "served_by_test.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -86,6 +89,54 @@ struct Farsighted : Method {
   double limit;
 };
 
+/// Fails on contacts by its spec's name: where a velocity of the first patch is not 0.
+struct Failing : Method {
+  explicit Failing(std::string how_) : how(std::move(how_)) {}
+
+  Answered answer(const Query& query, const SearchOptions&) override {
+    const auto& velocities = query.patches[0].velocities;
+    Answered answer;
+    if (std::ranges::all_of(velocities, [](const auto& v) { return v.isZero(); })) return answer;
+    if (how == "aborts") std::abort();
+    if (how == "throws") throw std::runtime_error("cannot");
+    while (how == "spins") asm volatile("");
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+
+  std::string how;
+};
+
+/// What the children of these tests have: whatever is no method of ours fails as its name says.
+/// Words behind "--triage" say what of its errands is made up.
+void serve_made_up(int argc, char** argv) {
+  Served served;
+  served.make = [](const std::string& spec) -> Result<std::unique_ptr<Method>> {
+    if (spec.starts_with("far:")) return std::make_unique<Farsighted>(std::stod(spec.substr(4)));
+    if (auto ours = make_method(spec)) return ours;
+    return std::make_unique<Failing>(spec);
+  };
+  const std::string last = argv[argc - 1];
+  const bool is_made_up = argc > 2 && std::string(argv[argc - 2]) == "--triage";
+  if (last == "decide aborts") served.errands.decide = [](const Case&) -> Case { std::abort(); };
+  if (last == "refute aborts") {
+    served.errands.refute = [](const Case&) -> std::string { std::abort(); };
+  }
+  if (last == "refute all") {
+    served.errands.refute = [](const Case&) -> std::string { return "it is lost"; };
+  }
+  serve_if_asked(is_made_up ? argc - 1 : argc, argv, served);
+}
+
+[[maybe_unused]] const bool serves = (served_by_test = serve_made_up, true);
+
+/// A method that spins is given little time, so that others are not to be judged by what they do.
+Result<std::unique_ptr<Method>> served_patiently(const std::string& spec) {
+  ChildLimits limits = kServedLimits;
+  if (spec == "spins") limits.cpu_seconds = 0.04;
+  return served_method(spec, limits);
+}
+
 TEST(Triage, AsksAnInputAsItStandsToo) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();
@@ -93,10 +144,8 @@ TEST(Triage, AsksAnInputAsItStandsToo) {
   const double limit = 16 * far.query.t_max;
   far.query.t_max = limit;
   TriageOptions options = quick_options();
-  options.methods = {"far"};
-  options.make = [&](const std::string&) -> Result<std::unique_ptr<Method>> {
-    return std::make_unique<Farsighted>(limit);
-  };
+  options.methods = {fmt::format("far:{}", limit)};
+  options.make = served_patiently;
   Triage triage(store, options);
   const std::vector<TriageFind> finds = triaged(triage, {far});
   ASSERT_EQ(finds.size(), 1U);
@@ -135,7 +184,7 @@ TEST(Triage, AsksNoMethodOnceItIsToStop) {
   int asked = 0;
   options.make = [&](const std::string& spec) {
     ++asked;
-    return make_method(spec);
+    return make_served_method(spec);
   };
   options.stop = [&] { return asked == 1; };
   Triage triage(store, options);
@@ -153,33 +202,10 @@ TEST(Triage, DecidesWhatComesWithoutTruth) {
   EXPECT_GE(triaged(triage, raw).size(), 1U);
 }
 
-/// Fails on contacts by its spec's name: where a velocity of the first patch is not 0.
-struct Failing : Method {
-  explicit Failing(std::string how_) : how(std::move(how_)) {}
-
-  Answered answer(const Query& query, const SearchOptions&) override {
-    const auto& velocities = query.patches[0].velocities;
-    Answered answer;
-    if (std::ranges::all_of(velocities, [](const auto& v) { return v.isZero(); })) return answer;
-    if (how == "aborts") std::abort();
-    if (how == "throws") throw std::runtime_error("cannot");
-    while (how == "spins") asm volatile("");
-    answer.verdict = Verdict::kMiss;
-    return answer;
-  }
-
-  std::string how;
-};
-
-/// A method that spins is given little time, so that others are not to be judged by what they do.
 TriageOptions failing_options(const std::vector<std::string>& methods) {
   TriageOptions options = quick_options();
   options.methods = methods;
-  if (methods.front() == "spins") options.apart.cpu_seconds = 0.04;
-  options.make = [](const std::string& spec) -> Result<std::unique_ptr<Method>> {
-    if (spec == "tdibm-c") return make_method(spec);
-    return std::make_unique<Failing>(spec);
-  };
+  options.make = served_patiently;
   return options;
 }
 
@@ -226,10 +252,9 @@ TEST(Triage, ACrashOfTheOracleIsAFind) {
     Store store = Store::open(folder.path()).value();
     TriageOptions options = quick_options();
     options.methods = {"tdibm-c"};
-    options.decide = [](const Case&) -> Case { std::abort(); };
-    options.make = [&](const std::string& spec) -> Result<std::unique_ptr<Method>> {
-      if (spec != "oracle" || !repeats) return make_method(spec);
-      return std::make_unique<Failing>("aborts");
+    options.errands = {"--triage", "decide aborts"};
+    options.make = [&](const std::string& spec) {
+      return spec == "oracle" && repeats ? served_patiently("aborts") : make_served_method(spec);
     };
     std::vector<std::string> warnings;
     options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
@@ -260,10 +285,10 @@ TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
   const Case raw = raw_finds().front();
   EXPECT_TRUE(Triage(store, options).add(raw, [](const TriageFind&) { FAIL(); }));
   EXPECT_THAT(warnings, testing::IsEmpty());
-  options.refute = [](const Case&) -> std::string { return "it is lost"; };
+  options.errands = {"--triage", "refute all"};
   Triage refuted(store, options);
   EXPECT_TRUE(refuted.add(raw, [](const TriageFind&) { FAIL(); }));
-  options.refute = [](const Case&) -> std::string { std::abort(); };
+  options.errands = {"--triage", "refute aborts"};
   Triage crashed(store, options);
   EXPECT_TRUE(crashed.add(raw, [](const TriageFind&) { FAIL(); }));
   EXPECT_THAT(warnings,
@@ -274,7 +299,7 @@ TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
   // Nor does what other methods fail on hide it.
   warnings.clear();
   options.methods = {kFails};
-  options.refute = [](const Case&) -> std::string { return "it is lost"; };
+  options.errands = {"--triage", "refute all"};
   Triage failing(store, options);
   EXPECT_THAT(triaged(failing, raw_finds()), testing::Not(testing::IsEmpty()));
   EXPECT_EQ(failing.tally().refuting, raw_finds().size());

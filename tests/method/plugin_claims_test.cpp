@@ -300,7 +300,7 @@ TEST(PluginClaims, InLinesThatCannotBeReadAreGarbageAndNotGuessedAt) {
         R"("minimum_separation":Infinity)", R"("nan_policy":"miss")", R"("nan_policy":true)"}) {
     const Described read = read_description(fmt::format("{{\"protocol\":1,{}}}", claim));
     ASSERT_FALSE(read) << claim;
-    EXPECT_EQ(std::get<PluginFault>(read.error()).name, "garbage") << claim;
+    EXPECT_EQ(std::get<Fault>(read.error()).name, "garbage") << claim;
   }
 }
 

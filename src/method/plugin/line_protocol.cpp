@@ -15,11 +15,11 @@ namespace {
 
 constexpr const char* kFrom = "its answer";
 
-tl::unexpected<PluginFault> answer_fault(const std::string& name, const std::string& note) {
-  return tl::unexpected(PluginFault{name, note});
+tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& note) {
+  return tl::unexpected(Fault{name, note});
 }
 
-tl::unexpected<PluginFault> garbage_answer(const std::string& note) {
+tl::unexpected<Fault> garbage_answer(const std::string& note) {
   return answer_fault("garbage", note);
 }
 
@@ -72,7 +72,7 @@ std::string with_quoted_non_finite(const std::string& line) {
   return out;
 }
 
-tl::expected<JsonValue, PluginFault> parse_object(const std::string& line) {
+tl::expected<JsonValue, Fault> parse_object(const std::string& line) {
   Result<JsonValue> parsed = parse_json(line, kFrom);
   if (!parsed) parsed = parse_json(with_quoted_non_finite(line), kFrom);
   if (!parsed) {
@@ -109,8 +109,7 @@ std::uint64_t whole_of(const JsonValue* value) {
 }
 
 /// Reads a claim that may be left out. A claim that cannot be read is none that may be guessed at.
-tl::expected<void, PluginFault> read_flag(const JsonValue& object, std::string_view key,
-                                          bool& out) {
+tl::expected<void, Fault> read_flag(const JsonValue& object, std::string_view key, bool& out) {
   const JsonValue* found = object.find(key);
   if (found == nullptr) return {};
   if (found->kind != JsonKind::kBool) {
@@ -122,8 +121,8 @@ tl::expected<void, PluginFault> read_flag(const JsonValue& object, std::string_v
 }
 
 template <class Enum, size_t kWords>
-tl::expected<void, PluginFault> read_word(const JsonValue& object, std::string_view key,
-                                          const std::array<const char*, kWords>& words, Enum& out) {
+tl::expected<void, Fault> read_word(const JsonValue& object, std::string_view key,
+                                    const std::array<const char*, kWords>& words, Enum& out) {
   const JsonValue* value = object.find(key);
   if (value == nullptr) return {};
   const auto found =
@@ -136,8 +135,7 @@ tl::expected<void, PluginFault> read_word(const JsonValue& object, std::string_v
   return {};
 }
 
-tl::expected<void, PluginFault> read_length(const JsonValue& object, std::string_view key,
-                                            double& out) {
+tl::expected<void, Fault> read_length(const JsonValue& object, std::string_view key, double& out) {
   const JsonValue* value = object.find(key);
   if (value == nullptr) return {};
   out = number_of(value).value_or(std::numeric_limits<double>::quiet_NaN());
@@ -149,7 +147,7 @@ constexpr std::array kToleranceKinds = {"time", "time_relative", "space", "space
 constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
 
 /// What decides how its answers are judged.
-tl::expected<void, PluginFault> read_claims(const JsonValue& object, PluginDescription& out) {
+tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription& out) {
   return read_flag(object, "conservative", out.conservative)
       .and_then([&] { return read_flag(object, "closed_t_max", out.closed_t_max); })
       .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
@@ -175,7 +173,7 @@ std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
   return std::nullopt;
 }
 
-tl::expected<PluginDescription::Pair, PluginFault> read_pair(const JsonValue& value) {
+tl::expected<PluginDescription::Pair, Fault> read_pair(const JsonValue& value) {
   PluginDescription::Pair pair{};
   if (value.kind != JsonKind::kArray || value.items.size() != 2) {
     return garbage_answer("accepts something that is no pair of shapes");
@@ -199,7 +197,7 @@ tl::expected<PluginDescription::Pair, PluginFault> read_pair(const JsonValue& va
 }
 
 /// [lower, upper], or one number.
-tl::expected<void, PluginFault> read_toi(const JsonValue* value, double t_max, PluginAnswer& out) {
+tl::expected<void, Fault> read_toi(const JsonValue* value, double t_max, PluginAnswer& out) {
   const JsonValue* lower = value;
   const JsonValue* upper = nullptr;
   if (value != nullptr && value->kind == JsonKind::kArray && value->items.size() == 2) {
@@ -224,7 +222,7 @@ tl::expected<void, PluginFault> read_toi(const JsonValue* value, double t_max, P
 }
 
 /// [[u, v], [u, v]] with numbers, or with null where it does not know.
-tl::expected<void, PluginFault> read_uv(const JsonValue* value, PluginAnswer& out) {
+tl::expected<void, Fault> read_uv(const JsonValue* value, PluginAnswer& out) {
   if (value == nullptr || value->kind != JsonKind::kArray) return {};
   if (value->items.size() != 2) return garbage_answer("uv is not [[u, v], [u, v]]");
   out.has_uv = true;
@@ -277,9 +275,9 @@ std::string query_request(const Query& query, const SearchOptions& options, doub
   append_patch(out, query.patches[1]);
   return out + fmt::format(
                    "],\"t_max\":{},\"precision\":{},\"max_iterations\":{},"
-                   "\"max_seconds\":{}}}",
+                   "\"max_seconds\":{},\"max_bytes\":{}}}",
                    json_number(query.t_max), json_number(options.precision), options.max_pops,
-                   json_number(max_seconds));
+                   json_number(max_seconds), options.max_bytes);
 }
 
 Described read_description(const std::string& line) {
@@ -289,11 +287,11 @@ Described read_description(const std::string& line) {
     return tl::unexpected(PluginRefusal{text_of(*object, "message")});
   }
   if (const JsonValue* named = object->find("fault"); named != nullptr) {
-    return tl::unexpected(PluginFault{named->text, text_of(*object, "message")});
+    return tl::unexpected(Fault{named->text, text_of(*object, "message")});
   }
   if (const auto version = number_of(object->find("protocol")); version != 1.0) {
-    return tl::unexpected(PluginFault{
-        "garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
+    return tl::unexpected(
+        Fault{"garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
   }
   PluginDescription out;
   out.name = text_of(*object, "name");
@@ -311,8 +309,8 @@ Described read_description(const std::string& line) {
   return out;
 }
 
-tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std::uint64_t id,
-                                                    double t_max) {
+tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,
+                                              double t_max) {
   const auto object = parse_object(line);
   if (!object) return tl::unexpected(object.error());
   const std::string message = text_of(*object, "message");
@@ -326,6 +324,7 @@ tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std
   PluginAnswer out;
   out.answer.note = message;
   out.answer.pops = whole_of(object->find("iterations"));
+  out.answer.bytes = whole_of(object->find("bytes"));
   out.tolerance =
       number_of(object->find("tolerance")).value_or(std::numeric_limits<double>::quiet_NaN());
   if (out.tolerance < 0) {
@@ -348,6 +347,8 @@ tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std
     if (auto read = read_uv(object->find("uv"), out); !read) return tl::unexpected(read.error());
   } else if (verdict != "inconclusive") {
     return garbage_answer(fmt::format("gives no verdict that there is: {}", line.substr(0, 80)));
+  } else if (const auto toi = number_of(object->find("toi")); toi && *toi >= 0 && *toi <= t_max) {
+    out.answer.toi = *toi;
   }
   return out;
 }

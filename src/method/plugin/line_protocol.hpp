@@ -5,9 +5,10 @@
 #include <variant>
 #include <vector>
 
+#include "base/child.hpp"
 #include "case/judge.hpp"
 #include "ccd/search.hpp"
-#include "method/plugin/worker_process.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -53,13 +54,14 @@ struct PluginRefusal {
 
 /// The line protocol: one JSON object a line each way; examples/plugins/README.md has it in words.
 std::string describe_request(const std::string& options);
-/// Coordinates that are not finite become the words "nan", "inf" and "-inf".
+/// max_seconds: in place of that of the options. Coordinates that are not finite become the words
+/// "nan", "inf" and "-inf".
 std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
                           std::uint64_t id);
 
 /// Errors: a refusal (it says so, or claims a tolerance above those limits), or anything that is
 /// not a description (a fault).
-using Described = tl::expected<PluginDescription, std::variant<PluginFault, PluginRefusal>>;
+using Described = tl::expected<PluginDescription, std::variant<Fault, PluginRefusal>>;
 Described read_description(const std::string& line);
 
 /// An answer, as far as it goes beyond Answer.
@@ -77,7 +79,7 @@ struct PluginAnswer {
 /// Reads the answer to a query about [0, t_max]. Errors: whatever is no answer, each by its name:
 /// "garbage", "stale" (of another question), "toi NaN", "toi infinite", "toi outside",
 /// "toi missing", "uv NaN", "error" (it says so), and the names of worker.cpp.
-tl::expected<PluginAnswer, PluginFault> read_answer(const std::string& line, std::uint64_t id,
-                                                    double t_max);
+tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,
+                                              double t_max);
 
 }  // namespace ccdfuzz

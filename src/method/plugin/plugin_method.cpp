@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 #include "method/plugin/plugin_terms.hpp"
@@ -18,6 +19,9 @@ namespace {
 /// not finite, a plug-in is asked no more, so that it cannot take all of the time of a run by
 /// cases.
 constexpr int kMostHangs = 8;
+
+/// Of the CPU time of one of ours, which is told as its max_seconds; kServedLimits says why.
+constexpr double kShareTold = 1.0 / 6;
 
 /// "; tolerance 1e-06 (space), NaN: error", or nothing if it claims nothing out of the ordinary.
 std::string claims_text(const PluginDescription& d) {
@@ -57,12 +61,12 @@ bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
 class PluginMethod : public Method {
  public:
   explicit PluginMethod(std::shared_ptr<const KnownPlugin> plugin)
-      : plugin_(std::move(plugin)), worker_(plugin_->spec) {}
+      : plugin_(std::move(plugin)), worker_(plugin_->program) {}
 
   Answered answer(const Query& query, const SearchOptions& options) override {
     broken_claim_.reset();
     if (!is_taken(query, options)) return {refusal(query, options)};
-    if (hangs_ >= kMostHangs) {
+    if (hangs_ >= kMostHangs && !plugin_->is_ours) {
       Answered none;
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
       return none;
@@ -72,6 +76,10 @@ class PluginMethod : public Method {
     } catch (const MethodFault& fault) {
       hangs_ = fault.name() == "hang" ? hangs_ + 1 : 0;
       throw;
+    } catch (const std::system_error& refused) {
+      Answered none;  // that is no fault of the method
+      none.note = refused.what();
+      return none;
     }
   }
 
@@ -118,31 +126,31 @@ class PluginMethod : public Method {
     return std::nullopt;
   }
 
-  [[noreturn]] void throw_fault(const PluginFault& fault) {
+  [[noreturn]] void throw_fault(const Fault& fault) {
     worker_.kill();
     throw MethodFault(fault.name, fault.note);
   }
 
   std::string exchange(const std::string& line) {
-    auto reply = worker_.exchange(line, plugin_->spec.seconds);
+    auto reply = worker_.ask(line);
     if (!reply) throw_fault(reply.error());
     return *std::move(reply);
   }
 
   void start() {
-    worker_.start();
     const Described described = read_description(exchange(describe_request(plugin_->spec.options)));
     if (described) return;
-    if (const auto* fault = std::get_if<PluginFault>(&described.error())) throw_fault(*fault);
+    if (const auto* fault = std::get_if<Fault>(&described.error())) throw_fault(*fault);
     throw std::runtime_error(std::get<PluginRefusal>(described.error()).what);
   }
 
   /// Whoever kills a worker without our doing (the system, short of memory) does so once.
   PluginAnswer ask_unless_killed(const Query& query, const SearchOptions& options) {
+    const bool is_used = plugin_->is_ours && worker_.has_answered();
     try {
       return ask_and_repeat(query, options);
     } catch (const MethodFault& fault) {
-      if (fault.name() != "crash SIGKILL") throw;
+      if (fault.name() != "crash SIGKILL" && !is_used) throw;
     }
     return ask_and_repeat(query, options);
   }
@@ -178,10 +186,11 @@ class PluginMethod : public Method {
   }
 
   /// An answer, or what is none. Throws what its process does in place of answering.
-  tl::expected<PluginAnswer, PluginFault> ask_for_any(const Query& query,
-                                                      const SearchOptions& options) {
+  tl::expected<PluginAnswer, Fault> ask_for_any(const Query& query, const SearchOptions& options) {
     if (!worker_.runs()) start();
-    const double max_seconds = std::min(options.max_seconds, plugin_->spec.seconds);
+    const ChildLimits& limits = plugin_->program.limits;
+    const double most = limits.cpu_seconds > 0 ? kShareTold * limits.cpu_seconds : limits.seconds;
+    const double max_seconds = std::min(options.max_seconds, most);
     const std::string line = query_request(query, options, max_seconds, ++last_id_);
     return read_answer(exchange(line), last_id_, query.t_max);
   }
@@ -192,7 +201,7 @@ class PluginMethod : public Method {
     const NanPolicy policy = plugin_->description->nan_policy;
     if (policy == NanPolicy::kUndefined) return;
     const PoisonedQuery poisoned = poisoned_query(query);
-    tl::expected<PluginAnswer, PluginFault> given;
+    tl::expected<PluginAnswer, Fault> given;
     try {
       given = ask_for_any(poisoned.query, options);
     } catch (const MethodFault& fault) {
@@ -206,7 +215,7 @@ class PluginMethod : public Method {
                                       name_of(policy), poisoned.where, said));
   }
 
-  static bool keeps(NanPolicy policy, const tl::expected<PluginAnswer, PluginFault>& given) {
+  static bool keeps(NanPolicy policy, const tl::expected<PluginAnswer, Fault>& given) {
     if (!given) return policy == NanPolicy::kError && given.error().name == "error";
     const Answer& answer = given->answer;
     switch (policy) {
@@ -222,7 +231,7 @@ class PluginMethod : public Method {
   }
 
   std::shared_ptr<const KnownPlugin> plugin_;
-  WorkerProcess worker_;
+  Child worker_;
   std::optional<MethodFault> broken_claim_;  ///< of the query that is being asked
   std::uint64_t last_id_ = 0;
   int hangs_ = 0;
@@ -231,22 +240,23 @@ class PluginMethod : public Method {
 Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text) {
   Result<PluginSpec> spec = parse_plugin_spec(text);
   if (!spec) return tl::unexpected(spec.error());
-  if (const auto program = find_worker_program(); !program) {
-    return tl::unexpected(program.error());
+  if (const auto worker = find_worker_program(); !worker) {
+    return input_error("--methods", worker.error().message());
   }
+  const ChildProgram program = {{spec->is_program ? "run" : "load", spec->path},
+                                {.seconds = spec->seconds, .megabytes = spec->megabytes}};
   const auto known = [&](auto description) {
-    return std::make_shared<const KnownPlugin>(KnownPlugin{*spec, std::move(description)});
+    return std::make_shared<const KnownPlugin>(KnownPlugin{*spec, std::move(description), program});
   };
-  WorkerProcess worker(*spec);
-  worker.start();
-  const auto line = worker.exchange(describe_request(spec->options), spec->seconds);
-  if (!line) return known(tl::expected<PluginDescription, PluginFault>(tl::unexpect, line.error()));
+  Child worker(program);
+  const auto line = worker.ask(describe_request(spec->options));
+  if (!line) return known(tl::expected<PluginDescription, Fault>(tl::unexpect, line.error()));
   Described described = read_description(*line);
   if (described) {
-    return known(tl::expected<PluginDescription, PluginFault>(*std::move(described)));
+    return known(tl::expected<PluginDescription, Fault>(*std::move(described)));
   }
-  if (const auto* fault = std::get_if<PluginFault>(&described.error())) {
-    return known(tl::expected<PluginDescription, PluginFault>(tl::unexpect, *fault));
+  if (const auto* fault = std::get_if<Fault>(&described.error())) {
+    return known(tl::expected<PluginDescription, Fault>(tl::unexpect, *fault));
   }
   const std::string& why = std::get<PluginRefusal>(described.error()).what;
   return input_error("--methods", fmt::format("\"{}\": {}", text, why));
@@ -287,7 +297,7 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.spec = plugin.spec.text;
   info.source = plugin.spec.path;
   if (!plugin.description) {
-    const PluginFault& fault = plugin.description.error();
+    const Fault& fault = plugin.description.error();
     info.description = fmt::format("{} when asked what it is: {}", fault.name, fault.note);
     return info;
   }

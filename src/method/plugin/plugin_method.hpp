@@ -11,7 +11,11 @@ namespace ccdfuzz {
 /// A plug-in as the host knows it: what it says of itself, or how it failed to.
 struct KnownPlugin {
   PluginSpec spec;
-  tl::expected<PluginDescription, PluginFault> description;
+  tl::expected<PluginDescription, Fault> description;
+  ChildProgram program;
+  /// A built-in method in a child (served_method): it is asked on however often it hangs, and what
+  /// only a child does that has answered before is not its fault.
+  bool is_ours = false;
 };
 
 /// Starts the plug-in of a spec and asks it what it is, once in the life of this program. A plug-in

@@ -1,6 +1,7 @@
 // ccdfuzz-plugin-worker MEGABYTES SECONDS load LIBRARY: loads a plug-in and answers for it by the
-// line protocol. ccdfuzz-plugin-worker MEGABYTES SECONDS run PROGRAM: becomes the program, which
-// speaks the line protocol itself. Both with limited memory; whoever started this limits the time.
+// line protocol. ccdfuzz-plugin-worker MEGABYTES SECONDS run PROGRAM ARGUMENTS...: becomes the
+// program, which answers lines itself. Both with limited memory, unless MEGABYTES is 0; whoever
+// started this limits the time.
 // It is built without sanitizers: it loads what users built.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -18,9 +19,9 @@
 #include <string>
 #include <vector>
 
+#include "base/process_limits.hpp"
+#include "base/supervise.hpp"
 #include "method/plugin/ccdfuzz_plugin.h"
-#include "method/plugin/supervise.hpp"
-#include "method/process_limits.hpp"
 
 namespace {
 
@@ -318,7 +319,7 @@ class Plugin {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
+  if (argc < 5) {
     std::fputs("ccdfuzz-plugin-worker is started by ccdfuzz\n", stderr);
     return 2;
   }
@@ -326,6 +327,6 @@ int main(int argc, char** argv) {
   ccdfuzz::continue_in_supervised_child();
   const auto seconds = static_cast<unsigned>(std::strtoul(argv[2], nullptr, 10));
   if (std::strcmp(argv[3], "load") == 0) serve(argv[4], seconds);
-  ::execl(argv[4], argv[4], static_cast<char*>(nullptr));
+  ::execv(argv[4], argv + 4);
   end_with("refused", "program", std::string("cannot run ") + argv[4] + ": " + strerror(errno));
 }

@@ -1,4 +1,4 @@
-#include "method/plugin/supervise.hpp"
+#include "base/supervise.hpp"
 
 #include <sys/prctl.h>
 #include <sys/wait.h>

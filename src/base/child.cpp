@@ -1,4 +1,4 @@
-#include "method/plugin/worker_process.hpp"
+#include "base/child.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,28 +10,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-
-#include "method/process_end.hpp"
+#include <system_error>
 
 namespace ccdfuzz {
 
 namespace {
 
-constexpr size_t kMostReplyBytes = 64 << 10;
 constexpr size_t kMostPrintedBytes = 1 << 20;  ///< between two questions
 /// How long a process that closed its output may take to die before it is killed.
 constexpr auto kTimeToDie = std::chrono::milliseconds(500);
 /// How long a process may be dead, its output held open by another, before that is noticed.
 constexpr long kMostBetweenLooks = 50;  // ms
 
+/// So much of the end of what a process printed is kept.
+constexpr size_t kKeptPrintedBytes = 300;
+
 [[noreturn]] void system_refused(const char* what, int error) {
-  throw std::runtime_error(fmt::format("cannot {}: {}", what, std::strerror(error)));
+  throw std::system_error(error, std::generic_category(), fmt::format("cannot {}", what));
 }
 
 /// Two descriptors that no other child inherits.
@@ -57,30 +59,87 @@ void close_descriptor(int& descriptor) {
   descriptor = -1;
 }
 
+std::string signal_name(int number) {
+  const char* const name = ::sigabbrev_np(number);
+  return name == nullptr ? fmt::format("signal {}", number) : std::string("SIG") + name;
+}
+
+/// Has the system tell how children end: where SIGCHLD is ignored, which exec hands on, nobody can
+/// ask. A handler stays.
+void let_ends_be_known() {
+  struct sigaction action {};
+  ::sigaction(SIGCHLD, nullptr, &action);
+  const bool ignored = action.sa_handler == SIG_IGN;
+  if (!ignored && (action.sa_flags & SA_NOCLDWAIT) == 0) return;
+  if (ignored) action.sa_handler = SIG_DFL;
+  action.sa_flags &= ~SA_NOCLDWAIT;
+  ::sigaction(SIGCHLD, &action, nullptr);
+}
+
+std::uint64_t own_peak_kibibytes() {
+  rusage used{};
+  ::getrusage(RUSAGE_SELF, &used);
+  return static_cast<std::uint64_t>(used.ru_maxrss);
+}
+
+/// "; it printed: …", on one line; "" of nothing.
+std::string last_words(std::string printed) {
+  while (!printed.empty() && std::isspace(static_cast<unsigned char>(printed.back())) != 0) {
+    printed.pop_back();
+  }
+  for (char& c : printed) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
+  }
+  return printed.empty() ? "" : "; it printed: " + printed;
+}
+
+/// What a process did that ended in place of answering, by how it ended (waitpid) and the memory it
+/// used: "crash SIGSEGV", "exit 3", or "memory", since running out of it shows as many things. What
+/// it printed ends the note.
+Fault fault_of_end(int status, std::uint64_t kibibytes_used, const ChildLimits& limits,
+                   const std::string& printed) {
+  const std::string words = last_words(printed);
+  if (limits.cpu_seconds > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF) {
+    return {"hang", fmt::format("no answer within {} s of CPU time{}", limits.cpu_seconds, words)};
+  }
+  if (limits.megabytes > 0 && kibibytes_used > limits.megabytes << 9) {
+    return {"memory", fmt::format("ended after it had used {} MiB of its {} MiB{}",
+                                  kibibytes_used >> 10, limits.megabytes, words)};
+  }
+  if (WIFSIGNALED(status)) {
+    const std::string signal = signal_name(WTERMSIG(status));
+    return {"crash " + signal, "ended by " + signal + words};
+  }
+  return {fmt::format("exit {}", WEXITSTATUS(status)),
+          fmt::format("called exit({}){}", WEXITSTATUS(status), words)};
+}
+
 }  // namespace
 
-Result<std::string> find_worker_program() {
+Result<std::string> find_program(const char* name, const char* variable) {
   namespace fs = std::filesystem;
-  constexpr const char* kName = "ccdfuzz-plugin-worker";
   std::vector<std::string> places;
-  if (const char* own = std::getenv("CCDFUZZ_PLUGIN_WORKER")) {
+  if (const char* own = std::getenv(variable)) {
     places.emplace_back(own);
   } else {
     std::error_code error;
     const fs::path self = fs::read_symlink("/proc/self/exe", error);
-    if (!error) places.push_back(self.parent_path() / kName);
-    places.emplace_back(CCDFUZZ_WORKER_BUILT_AT);
-    places.emplace_back(CCDFUZZ_WORKER_INSTALLED_AT);
+    if (!error) places.push_back(self.parent_path() / name);
+    places.push_back(fmt::format("{}/{}", CCDFUZZ_PROGRAMS_BUILT_AT, name));
+    places.push_back(fmt::format("{}/{}", CCDFUZZ_PROGRAMS_INSTALLED_AT, name));
   }
   for (const std::string& place : places) {
     if (::access(place.c_str(), X_OK) == 0) return place;
   }
-  return input_error("--methods", fmt::format("the program that loads plug-ins is not there; "
-                                              "looked for {}",
-                                              fmt::join(places, ", ")));
+  return input_error(
+      name, fmt::format("the program is not there; looked for {}", fmt::join(places, ", ")));
 }
 
-void WorkerProcess::start() {
+Result<std::string> find_worker_program() {
+  return find_program("ccdfuzz-plugin-worker", "CCDFUZZ_PLUGIN_WORKER");
+}
+
+void Child::start() {
   kill();
   const Result<std::string> program = find_worker_program();
   if (!program) throw std::runtime_error(program.error().message());
@@ -93,18 +152,22 @@ void WorkerProcess::start() {
   printed_ = printed.ends[0];
   for (const int ours : {questions_, replies_, printed_}) ::fcntl(ours, F_SETFL, O_NONBLOCK);
 
-  std::array<std::string, 5> words = {
-      *program, std::to_string(spec_.megabytes),
-      std::to_string(static_cast<long>(std::ceil(spec_.seconds)) + 2),
-      spec_.is_program ? "run" : "load", spec_.path};
-  std::array<char*, 6> arguments{};
-  for (size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
+  std::vector<std::string> words = {
+      *program, std::to_string(program_.limits.megabytes),
+      std::to_string(static_cast<long>(std::ceil(program_.limits.seconds)) + 2)};
+  words.insert(words.end(), program_.command.begin(), program_.command.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
 
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, questions.ends[1], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&files, replies.ends[1], STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&files, printed.ends[1], STDERR_FILENO);
+  if (program_.inherited >= 0) {
+    posix_spawn_file_actions_adddup2(&files, program_.inherited, ChildProgram::kInherited);
+  }
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   // A group of its own: Ctrl-C is for us to handle.
@@ -118,11 +181,12 @@ void WorkerProcess::start() {
   if (failed != 0) {
     pid_ = -1;
     kill();
-    system_refused("start a worker", failed);
+    system_refused("start a process", failed);
   }
+  own_kibibytes_ = own_peak_kibibytes();
 }
 
-void WorkerProcess::kill() {
+void Child::kill() {
   if (pid_ > 0) {
     ::kill(pid_, SIGTERM);  // it ends whatever the plug-in has started, and itself
     if (await_end(nullptr, nullptr) != pid_) {
@@ -132,6 +196,7 @@ void WorkerProcess::kill() {
     }
     pid_ = -1;
   }
+  has_answered_ = false;
   close_descriptor(questions_);
   close_descriptor(replies_);
   close_descriptor(printed_);
@@ -140,35 +205,39 @@ void WorkerProcess::kill() {
   printed_bytes_ = 0;
 }
 
-tl::expected<std::string, PluginFault> WorkerProcess::exchange(const std::string& line,
-                                                               double seconds) {
+tl::expected<std::string, Fault> Child::ask(const std::string& line) {
+  if (!runs()) start();
   const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                        std::chrono::duration<double>(seconds));
+                                        std::chrono::duration<double>(program_.limits.seconds));
   read_printed();
   printed_bytes_ = 0;
-  return await_reply(line + "\n", until);
+  auto reply = await_reply(line + "\n", until);
+  has_answered_ = reply.has_value();
+  return reply;
 }
 
-tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to_send,
-                                                                  Clock::time_point until) {
-  while (true) {
-    if (!to_send.empty()) {
-      const ssize_t n = ::send(questions_, to_send.data(), to_send.size(), MSG_NOSIGNAL);
-      if (n > 0) to_send.erase(0, static_cast<size_t>(n));
+tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
+                                                    Clock::time_point until) {
+  for (size_t sent = 0;;) {
+    if (sent < question.size()) {
+      const ssize_t n =
+          ::send(questions_, question.data() + sent, question.size() - sent, MSG_NOSIGNAL);
+      if (n > 0) sent += static_cast<size_t>(n);
       // It listens no more; what it said before it ended is still to be read.
-      if (n < 0 && errno != EAGAIN && errno != EINTR) to_send.clear();
+      if (n < 0 && errno != EAGAIN && errno != EINTR) sent = question.size();
     }
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
     if (left <= 0) {
-      return tl::unexpected(stopped(
-          "hang", fmt::format("no answer within {} s", spec_.seconds) + last_words(printed_text_)));
+      return tl::unexpected(
+          stopped("hang", fmt::format("no answer within {} s", program_.limits.seconds) +
+                              last_words(printed_text_)));
     }
     std::array<pollfd, 3> watched = {{{replies_, POLLIN, 0},
                                       {printed_, POLLIN, 0},
-                                      {to_send.empty() ? -1 : questions_, POLLOUT, 0}}};
+                                      {sent == question.size() ? -1 : questions_, POLLOUT, 0}}};
     const auto wait = static_cast<int>(std::min<long>(left, kMostBetweenLooks));
     const int ready = ::poll(watched.data(), watched.size(), wait);
-    if (ready < 0 && errno != EINTR) system_refused("wait for a worker", errno);
+    if (ready < 0 && errno != EINTR) system_refused("wait for a process", errno);
     const bool dead = ready == 0 && is_dead();  // before the look at what it wrote
     if (!read_printed()) {
       return tl::unexpected(
@@ -181,18 +250,19 @@ tl::expected<std::string, PluginFault> WorkerProcess::await_reply(std::string to
       reply_.erase(0, end + 1);
       return line;
     }
-    if (reply_.size() > kMostReplyBytes) {
+    if (reply_.size() > program_.limits.reply_bytes) {
       return tl::unexpected(stopped(
-          "output", fmt::format("answered with a line of more than {} bytes", kMostReplyBytes)));
+          "output",
+          fmt::format("answered with a line of more than {} bytes", program_.limits.reply_bytes)));
     }
     if (!open || dead) return tl::unexpected(ended());
   }
 }
 
 /// Takes what is there. False: there is an end, and nothing will come any more.
-bool WorkerProcess::read_reply() {
+bool Child::read_reply() {
   std::array<char, 4096> buffer;
-  while (reply_.size() <= kMostReplyBytes) {
+  while (reply_.size() <= program_.limits.reply_bytes) {
     const ssize_t n = ::read(replies_, buffer.data(), buffer.size());
     if (n == 0) return false;
     if (n < 0) return errno == EAGAIN || errno == EINTR;
@@ -202,7 +272,7 @@ bool WorkerProcess::read_reply() {
 }
 
 /// Takes what it printed. False: too much of it.
-bool WorkerProcess::read_printed() {
+bool Child::read_printed() {
   std::array<char, 4096> buffer;
   while (printed_bytes_ <= kMostPrintedBytes) {
     const ssize_t n = printed_ < 0 ? 0 : ::read(printed_, buffer.data(), buffer.size());
@@ -217,19 +287,19 @@ bool WorkerProcess::read_printed() {
   return false;
 }
 
-PluginFault WorkerProcess::stopped(const std::string& name, const std::string& note) {
+Fault Child::stopped(const std::string& name, const std::string& note) {
   kill();
   return {name, note};
 }
 
-bool WorkerProcess::is_dead() const {
+bool Child::is_dead() const {
   siginfo_t info{};
   return ::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
          info.si_pid == pid_;
 }
 
 /// Waits a little. Returns pid_ iff it has ended.
-pid_t WorkerProcess::await_end(int* status, rusage* used) const {
+pid_t Child::await_end(int* status, rusage* used) const {
   const auto until = Clock::now() + kTimeToDie;
   pid_t gone = 0;
   while ((gone = ::wait4(pid_, status, WNOHANG, used)) == 0 && Clock::now() < until) {
@@ -239,7 +309,7 @@ pid_t WorkerProcess::await_end(int* status, rusage* used) const {
 }
 
 /// It closed its output, or is dead: how did it end?
-PluginFault WorkerProcess::ended() {
+Fault Child::ended() {
   int status = 0;
   rusage used{};
   const pid_t gone = await_end(&status, &used);
@@ -250,9 +320,10 @@ PluginFault WorkerProcess::ended() {
   }
   pid_ = -1;
   kill();
-  const auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
-  const MethodFault fault = fault_of_end(status, kibibytes, spec_.megabytes, printed);
-  return {fault.name(), fault.what()};
+  // Linux counts what this process had when it became another by exec: then less is not known.
+  auto kibibytes = static_cast<std::uint64_t>(used.ru_maxrss);
+  if (kibibytes <= own_kibibytes_) kibibytes = 0;
+  return fault_of_end(status, kibibytes, program_.limits, printed);
 }
 
 }  // namespace ccdfuzz

@@ -26,10 +26,10 @@ inline void limit_resource(int resource, rlim_t most) {
   ::setrlimit(resource, &now);
 }
 
-/// For a process that answers in place of another: so much address space, no core file, no file
-/// that would fill the disk.
+/// For a process that answers in place of another: so much address space, if it is not 0, no core
+/// file, no file that would fill the disk.
 inline void limit_answering_process(std::uint64_t bytes) {
-  if (!kReservesMemory) limit_resource(RLIMIT_AS, bytes);
+  if (bytes > 0) limit_resource(RLIMIT_AS, bytes);
   limit_resource(RLIMIT_CORE, 0);
   limit_resource(RLIMIT_FSIZE, rlim_t{16} << 20);
 }

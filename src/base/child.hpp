@@ -1,0 +1,103 @@
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "base/result.hpp"
+
+namespace ccdfuzz {
+
+/// What a process did in place of answering.
+struct Fault {
+  /// One of a few, so that faults can be told apart and counted: "crash SIGSEGV", "exit 3", "hang",
+  /// "memory", "output", "garbage", …
+  std::string name;
+  std::string note;  ///< for people
+
+  /// As a process tells it that can.
+  static void fields(auto& archive, auto& fault) {
+    archive("fault", fault.name);
+    archive("message", fault.note);
+  }
+};
+
+/// What a child may use.
+struct ChildLimits {
+  double seconds = 2;  ///< wall time from a question to its answer
+  /// CPU time of the same, which a served child limits by itself (serve_lines). 0: no limit.
+  double cpu_seconds = 0;
+  std::uint64_t megabytes = 1024;  ///< address space; 0: no limit
+  std::size_t reply_bytes = 64 << 10;
+};
+
+/// What a child is, and what it may use.
+struct ChildProgram {
+  /// {"run", PROGRAM, arguments…}, or {"load", LIBRARY}, which is a plug-in's.
+  std::vector<std::string> command;
+  ChildLimits limits;
+  int inherited = -1;  ///< a descriptor of this process, which it has as kInherited; -1: none
+
+  static constexpr int kInherited = 3;
+};
+
+/// A process that answers lines with lines, started by exec, so that any thread may ask one. It has
+/// a process group of its own, limited memory, and dies with us, with all that it has started,
+/// unless it seeks out and kills both processes that watch over it (supervise.hpp). Whatever it
+/// does, a question ends: with its answer or with what it did instead. For one thread at a time.
+class Child {
+ public:
+  explicit Child(ChildProgram program) : program_(std::move(program)) {}
+  ~Child() { kill(); }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  bool runs() const { return pid_ > 0; }
+  /// It runs and has answered before.
+  bool has_answered() const { return has_answered_; }
+  /// Sends the line (without its end) and waits for one in return. It is started when it is first
+  /// asked, and anew after a fault. A line that it wrote before it was asked is taken as that one:
+  /// what it says will not fit. If this process ignores SIGCHLD, it does so no more. Errors: throws
+  /// std::system_error where the system refuses a process, InputError's text where the program
+  /// that starts children is not there.
+  tl::expected<std::string, Fault> ask(const std::string& line);
+  /// Ends it, at once and for sure.
+  void kill();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void start();
+  tl::expected<std::string, Fault> await_reply(const std::string& question,
+                                               Clock::time_point until);
+  bool is_dead() const;
+  Fault ended();
+  pid_t await_end(int* status, rusage* used) const;
+  Fault stopped(const std::string& name, const std::string& note);
+  bool read_reply();
+  bool read_printed();
+
+  ChildProgram program_;
+  pid_t pid_ = -1;
+  bool has_answered_ = false;
+  int questions_ = -1, replies_ = -1, printed_ = -1;
+  std::string reply_;                ///< received and not yet taken
+  std::string printed_text_;         ///< the end of what it wrote to stderr
+  std::uint64_t own_kibibytes_ = 0;  ///< the most that this process had when it was started
+  std::size_t printed_bytes_ = 0;    ///< since the last question
+};
+
+/// A program that ccdfuzz comes with: $VARIABLE, or `name` beside this program, or where it was
+/// built or installed. Errors: none of them is there.
+Result<std::string> find_program(const char* name, const char* variable);
+
+/// The program that starts every child and loads plug-ins: $CCDFUZZ_PLUGIN_WORKER,
+/// ccdfuzz-plugin-worker.
+Result<std::string> find_worker_program();
+
+}  // namespace ccdfuzz

@@ -1,0 +1,56 @@
+#include "hunt/serve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "base/serve.hpp"
+#include "hunt/served_claim.hpp"
+#include "method/served_method.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& why) {
+  std::fputs(fmt::format("ccdfuzz: serve: {}\n", why).c_str(), stderr);
+  std::exit(2);
+}
+
+[[noreturn]] void serve_claim(const std::string& name, const Served& served, double cpu_seconds) {
+  const auto claim = std::ranges::find(served.claims, name, &Property::name);
+  if (claim == served.claims.end()) refuse(fmt::format("there is no claim \"{}\"", name));
+  serve_lines([&](const std::string& question) { return served_check(*claim, question); },
+              cpu_seconds);
+}
+
+[[noreturn]] void serve_method(const std::string& spec, const Served& served, double cpu_seconds) {
+  const auto method = served.make(spec);
+  if (!method) refuse(method.error().message());
+  serve_lines([&](const std::string& question) { return served_answer(spec, **method, question); },
+              cpu_seconds);
+}
+
+}  // namespace
+
+void serve_if_asked(int argc, char** argv, const Served& served) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words[0] != "serve") return serve_by_this_program();
+  words.erase(words.begin());
+  double cpu_seconds = 0;
+  if (words.size() >= 2 && words[0] == "--cpu-seconds") {
+    cpu_seconds = std::strtod(words[1].c_str(), nullptr);
+    words.erase(words.begin(), words.begin() + 2);
+  }
+  if (words.size() == 2 && words[0] == "--claim") serve_claim(words[1], served, cpu_seconds);
+  if (words.size() == 1 && words[0] == "--triage") {
+    serve_lines([&](const std::string& question) { return served.errands.done(question); },
+                cpu_seconds);
+  }
+  if (words.size() == 1) serve_method(words[0], served, cpu_seconds);
+  refuse("needs METHOD, --claim NAME or --triage");
+}
+
+}  // namespace ccdfuzz

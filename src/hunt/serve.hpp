@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "eval/by_spec.hpp"
+#include "hunt/triage.hpp"
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// What `serve` of a program has.
+struct Served {
+  std::vector<Property> claims = {};
+  MethodSet::Make make = make_method;
+  TriageErrands errands = {};
+};
+
+/// Of `PROGRAM serve [--cpu-seconds S] METHOD | --claim NAME | --triage` serves until stdin ends,
+/// and does not return: a method by the line protocol, the others as served_check and
+/// TriageErrands. Of any other arguments returns, and from then on the children of this process are
+/// its program.
+void serve_if_asked(int argc, char** argv, const Served& served);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,106 @@
+#include "method/served_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/fields.hpp"
+#include "base/serve.hpp"
+#include "case/query_json.hpp"
+#include "method/plugin/plugin_method.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// A question of the line protocol, but for the query, which stands as in a case.
+struct Question {
+  std::string ask;
+  std::uint64_t id = 0;
+  SearchOptions options;
+
+  static void fields(auto& archive, auto& question) {
+    archive("ask", question.ask);
+    archive.optional("id", question.id);
+    archive.optional("precision", question.options.precision);
+    archive.optional("max_iterations", question.options.max_pops);
+    archive.optional("max_bytes", question.options.max_bytes);
+    archive.optional("max_seconds", question.options.max_seconds);
+  }
+};
+
+struct Description {
+  std::string name;
+  bool conservative = false;
+
+  static void fields(auto& archive, auto& description) {
+    const int protocol = 1;
+    archive("protocol", protocol);
+    archive("name", description.name);
+    archive("conservative", description.conservative);
+  }
+};
+
+/// An answer of the line protocol.
+struct Said {
+  std::uint64_t id;
+  Answer answer;
+
+  static void fields(auto& archive, auto& said) {
+    const Answer& answer = said.answer;
+    archive("id", said.id);
+    archive("verdict", answer.verdict == Verdict::kUndecided ? std::string_view("inconclusive")
+                                                             : name_of(answer.verdict));
+    archive("toi", answer.toi);
+    archive("uv", std::array{std::array{answer.uv[0][0], answer.uv[0][1]},
+                             std::array{answer.uv[1][0], answer.uv[1][1]}});
+    archive("iterations", answer.pops);
+    archive("bytes", answer.bytes);
+    archive("seconds", answer.seconds);
+    archive("message", answer.note);
+  }
+};
+
+template <class T>
+T value_or_throw(Result<T> result) {
+  if (!result) throw std::invalid_argument(result.error().message());
+  return *std::move(result);
+}
+
+}  // namespace
+
+std::string served_answer(const std::string& spec, Method& method, const std::string& question) {
+  const auto asked =
+      value_or_throw(from_json<Question>(question, "the question", Unknown::kIgnore));
+  if (asked.ask == "describe") {
+    const Result<MethodInfo> info = method_info(spec);
+    return to_json(Description{spec, info && info->claims_no_false_negative});
+  }
+  const Query query = value_or_throw(parse_query(question, "the question"));
+  const Answer answer = method.answer(query, asked.options);
+  const bool is_finite =
+      std::ranges::all_of(std::array{answer.toi.value_or(0), answer.uv[0][0], answer.uv[0][1],
+                                     answer.uv[1][0], answer.uv[1][1], answer.seconds},
+                          [](double x) { return std::isfinite(x); });
+  if (!is_finite) throw std::range_error("the answer holds a number that is not finite");
+  return to_json(Said{asked.id, answer});
+}
+
+Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits) {
+  return served_child({spec}, limits).map([&](ChildProgram program) {
+    KnownPlugin plugin;
+    plugin.spec.text = spec;
+    plugin.spec.repeats = false;
+    plugin.program = std::move(program);
+    plugin.is_ours = true;
+    return make_plugin_method(std::make_shared<const KnownPlugin>(std::move(plugin)));
+  });
+}
+
+Result<std::unique_ptr<Method>> make_served_method(const std::string& spec) {
+  Result<std::unique_ptr<Method>> made = make_method(spec);
+  if (!made || (*made)->runs_elsewhere()) return made;
+  return served_method(spec, kServedLimits);
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "base/child.hpp"
+#include "method/method.hpp"
+
+namespace ccdfuzz {
+
+/// Of one answer, of which a method is told a sixth of the CPU time as its max_seconds: what looks
+/// at the clock (Deadline) ends long before. What counts and does not look (oracle) takes less than
+/// a second on what fuzzers make. Ten times as long in wall time, since what waits for something
+/// that does not come uses no CPU time.
+inline constexpr ChildLimits kServedLimits = {.seconds = 300, .cpu_seconds = 30};
+
+/// A built-in method that answers in a process of its own, `ccdfuzz serve SPEC`, so that a crash or
+/// a hang of it is a MethodFault like any. A child that has answered before is not accused: a new
+/// one is asked. Undecided, with a note: the system refuses a process. Errors: as served_child.
+Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits);
+
+/// make_method, served. A method that runs elsewhere already stays as it is.
+Result<std::unique_ptr<Method>> make_served_method(const std::string& spec);
+
+/// What the child answers to a line of the line protocol.
+std::string served_answer(const std::string& spec, Method& method, const std::string& question);
+
+}  // namespace ccdfuzz
