@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <concepts>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -135,6 +136,8 @@ class JsonWriter {
   void others(const std::map<std::string, std::string>& members) {
     for (const auto& [name, text] : members) (*this)(name, RawJson{text});
   }
+  /// Members that later versions will have.
+  void reserved(std::initializer_list<std::string_view>) {}
   /// A field that says what the record is.
   void constant(std::string_view name, std::string_view text) { (*this)(name, text); }
   /// What the text is, in its first two fields; returns the version.
@@ -187,6 +190,13 @@ class JsonReader {
       const std::string& text = member.value().text;
       members[key] = kind == JsonKind::kNumber ? text : json_string(text);
       known_.push_back(key);
+    }
+  }
+  /// Refused: a member that only later versions have.
+  void reserved(std::initializer_list<std::string_view> names) const {
+    for (const std::string_view name : names) {
+      if (const auto found = object_.find(name))
+        found->refuse("is not yet supported by this version");
     }
   }
   /// Refused: another text.

@@ -78,12 +78,32 @@ inline std::string_view proof_word(const Clearance& clearance) {
   return kProofWords[kWords[clearance.index()]];
 }
 
+/// What a method must show on a case.
+struct Expected {
+  Outcome outcome = Outcome::kUnknown;
+  /// Of an error its name ("hang"); of a lost contact what lost it ("left root"). May be empty.
+  std::string cause;
+
+  Expected() = default;
+  Expected(Outcome expected, std::string why = "") : outcome(expected), cause(std::move(why)) {}
+  friend bool operator==(const Expected&, const Expected&) = default;
+};
+
+/// How methods are asked about a case; the defaults are those of SearchOptions.
+struct Asked {
+  double precision = 1e-4;             ///< in [2^-50, 1]
+  std::uint64_t max_pops = 1'000'000;  ///< at least 1
+
+  friend bool operator==(const Asked&, const Asked&) = default;
+};
+
 /// A query with its truth.
 struct Case {
   Query query;
   Truth truth;
   Origin origin;
-  std::map<std::string, Outcome> expect;  ///< method spec → outcome that replay must find
+  Asked asked = {};
+  std::map<std::string, Expected> expect = {};  ///< method spec → what replay must find
 
   friend bool operator==(const Case&, const Case&) = default;
 };

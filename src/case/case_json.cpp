@@ -1,6 +1,8 @@
 // The format of cases, field by field; corpus/README.md describes it.
 #include "case/case_json.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -51,6 +53,7 @@ struct JsonForm<Vec3<double>> {
 template <>
 struct JsonForm<MovingPatch<double>> {
   static void fields(auto& archive, auto& patch) {
+    archive.reserved({"ends", "weights", "trim"});
     auto& shape = patch.shape;
     archive("shape", shape.kind);
     const auto degree = within(1, kMaxDegree);
@@ -151,6 +154,11 @@ struct JsonForm<Clearance> {
 
 namespace {
 
+/// Whether methods take it; 2^-50 is where Cell::kMaxDepth ends.
+bool can_be_asked_at(double x) {
+  return compare(x, 0x1p-50) >= 0 && compare(x, 1) <= 0;
+}
+
 /// The certificates of a truth, which stand in an object of their own.
 template <class T>
 struct CertificatesOf {
@@ -211,15 +219,92 @@ struct JsonForm<Origin> {
   }
 };
 
+/// Where there is no cause, its outcome alone.
+template <>
+struct JsonForm<Expected> {
+  struct Record {
+    Outcome outcome = Outcome::kUnknown;
+    std::string cause;
+
+    static void fields(auto& archive, auto& record) {
+      archive("outcome", record.outcome);
+      archive("cause", record.cause);
+    }
+  };
+
+  static void write(std::string& json, const Expected& expected) {
+    if (expected.cause.empty()) return write_json(json, expected.outcome);
+    write_json(json, Record{expected.outcome, expected.cause});
+  }
+  static void read(const JsonCursor& from, Expected& expected) {
+    if (from.value().kind == JsonKind::kObject) {
+      const auto record = read_json<Record>(from);
+      expected = {record.outcome, record.cause};
+    } else {
+      expected = read_json<Outcome>(from);
+    }
+  }
+};
+
+template <>
+struct JsonForm<Asked> {
+  static void fields(auto& archive, auto& asked) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    archive.optional("precision", asked.precision, Asked().precision, [](double precision) {
+      return std::string(can_be_asked_at(precision) ? "" : "is not in [2^-50, 1]");
+    });
+    archive.optional("max_pops", asked.max_pops, Asked().max_pops, within(std::uint64_t{1}, kMost));
+  }
+};
+
+namespace {
+
+/// Takes the text or number of an origin's further key out of it.
+std::optional<JsonValue> take(Origin& origin, const std::string& key) {
+  const auto found = origin.more.find(key);
+  if (found == origin.more.end()) return std::nullopt;
+  const Result<JsonValue> value = parse_json(found->second, "");
+  if (!value) return std::nullopt;
+  origin.more.erase(found);
+  return *value;
+}
+
+/// Version 1 has the precision and the causes among the further keys of the origin, and before what
+/// lost a contact it says the level and the axes: "level 3, axes 1-3, left root".
+void carry_over_version_1(const JsonCursor& from, Case& value) {
+  if (const auto precision = take(value.origin, "precision")) {
+    const JsonCursor at = from.at("origin").at("precision");
+    value.asked.precision = at.real();
+    if (!can_be_asked_at(value.asked.precision)) at.refuse_value("is not in [2^-50, 1]");
+  }
+  for (auto& [method, expected] : value.expect) {
+    const auto error = take(value.origin, "error of " + method);
+    const auto loss = take(value.origin, "loss of " + method);
+    if (expected.outcome == Outcome::kError) {
+      if (error) expected.cause = error->text;
+    } else if (loss) {
+      const size_t comma = loss->text.rfind(", ");
+      expected.cause = comma == std::string::npos ? loss->text : loss->text.substr(comma + 2);
+    }
+  }
+}
+
+}  // namespace
+
 template <>
 struct JsonForm<Case> {
   static void fields(auto& archive, auto& value) {
-    archive.format("ccdfuzz-case", 1, 1);
+    const int version = archive.format("ccdfuzz-case", 1, 2);
+    archive.reserved({"separation", "weights", "bodies"});
     archive("patches", value.query.patches);
     archive("t_max", value.query.t_max, not_negative);
     archive.optional("truth", value.truth);
     archive.optional("origin", value.origin);
+    if (version > 1) archive.optional("asked", value.asked);
     archive.optional("expect", value.expect);
+    if constexpr (archive.kReads) {
+      if (version == 1) carry_over_version_1(archive.object(), value);
+    }
   }
 };
 

@@ -75,15 +75,10 @@ SearchOptions SearchFlags::options() const {
 
 Result<SearchOptions> SearchFlags::options_for(const NamedCase& named) const {
   SearchOptions search = options();
-  const auto& more = named.value.origin.more;
-  const auto own = more.find("precision");
-  if (precision || own == more.end()) return search;
-  const std::string where = named.id + ": origin.precision";
-  if (own->second.starts_with('"')) return input_error(where, own->second + " is not a number");
-  return parse_precision(where, own->second).map([&](double width) {
-    search.precision = width;
-    return search;
-  });
+  const Asked& own = named.value.asked;
+  if (!precision) search.precision = own.precision;
+  if (max_pops == Asked().max_pops) search.max_pops = own.max_pops;
+  return search;
 }
 
 void AllowedPlugins::add_to(Command& command) {

@@ -26,7 +26,7 @@ inline constexpr const char* kDefaultMethods =
 
 /// --precision, --max-pops and --max-seconds, the limits of one query.
 struct SearchFlags {
-  std::optional<double> precision;  ///< absent: 1e-4, or what a case's origin.precision says
+  std::optional<double> precision;  ///< absent: 1e-4, or what the case says (asked)
   std::uint64_t max_pops = SearchOptions().max_pops;
   double max_seconds = SearchOptions::kNoTimeLimit;
 

@@ -81,17 +81,17 @@ Result<HuntOptions> parse(const HuntArguments& options) {
 std::string failures_text(const HuntFind& find) {
   std::map<std::pair<Outcome, std::string>, std::string> by_outcome;
   for (const std::string& method : find.failures) {
-    std::string& methods =
-        by_outcome[{find.value.expect.at(method), error_name(find.value, method)}];
+    const auto& [outcome, cause] = find.value.expect.at(method);
+    std::string& methods = by_outcome[{outcome, cause}];
     if (!methods.empty()) methods += ", ";
     methods += method;
-    if (breaks_claim(method, find.value.expect.at(method))) methods += " (claims none)";
+    if (breaks_claim(method, outcome)) methods += " (claims none)";
   }
   std::string text;
   for (const auto& [failure, methods] : by_outcome) {
-    const auto& [outcome, error] = failure;
+    const auto& [outcome, cause] = failure;
     if (!text.empty()) text += "; ";
-    text += fmt::format("{}{} by {}", name_of(outcome), error.empty() ? "" : " (" + error + ")",
+    text += fmt::format("{}{} by {}", name_of(outcome), cause.empty() ? "" : " (" + cause + ")",
                         methods);
   }
   return text;
@@ -144,9 +144,9 @@ void print_report_json(const HuntReport& report) {
   for (const HuntFind& find : report.finds) {
     nlohmann::ordered_json expect = nlohmann::ordered_json::object();
     nlohmann::ordered_json errors = nlohmann::ordered_json::object();
-    for (const auto& [method, outcome] : find.value.expect) {
-      expect[method] = name_of(outcome);
-      if (outcome == Outcome::kError) errors[method] = error_name(find.value, method);
+    for (const auto& [method, expected] : find.value.expect) {
+      expect[method] = name_of(expected.outcome);
+      if (expected.outcome == Outcome::kError) errors[method] = expected.cause;
     }
     nlohmann::ordered_json row = {{"row", "find"},
                                   {"path", find.path},

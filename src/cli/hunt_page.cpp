@@ -19,8 +19,8 @@ ReportedCase reported_find(const std::string& path, const Case& value, bool is_n
   ReportedCase reported;
   reported.id = path;
   reported.value = value;
-  for (const auto& [method, outcome] : value.expect) {
-    reported.answers.push_back({method, outcome, std::nullopt});
+  for (const auto& [method, expected] : value.expect) {
+    reported.answers.push_back({method, expected.outcome, std::nullopt});
   }
   reported.is_new = is_new;
   reported.reproduce = reproduction(path, value.expect);

@@ -52,7 +52,7 @@ std::string size_text(const Query& query) {
 std::unique_ptr<Method> method_for(const NamedCase& found, const std::string& spec) {
   const auto expected = found.value.expect.find(spec);
   const bool may_crash =
-      expected != found.value.expect.end() && expected->second == Outcome::kError;
+      expected != found.value.expect.end() && expected->second.outcome == Outcome::kError;
   const auto make = may_crash ? make_served_method : make_method;
   auto method = admit_plugin(spec).and_then([&] { return make(spec); });
   if (!method) throw BadInput{{"--method", method.error().what}};

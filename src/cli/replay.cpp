@@ -44,14 +44,14 @@ NotAllowed leave_out_plugins(std::vector<NamedCase>& entries, bool json) {
   NotAllowed left_out;
   for (NamedCase& entry : entries) {
     std::erase_if(entry.value.expect, [&](const auto& expectation) {
-      const auto& [method, outcome] = expectation;
+      const auto& [method, expected] = expectation;
       if (is_admitted(method)) return false;
       ++left_out[method];
       if (json) {
         print_json({{"case", entry.id},
                     {"method", method},
                     {"outcome", "not_asked"},
-                    {"expected", name_of(outcome)}});
+                    {"expected", name_of(expected.outcome)}});
       }
       return true;
     });
@@ -103,11 +103,11 @@ Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries
     const NamedCase& entry = entries[i];
     const Result<SearchOptions> own = flags.options_for(entry);
     if (!own) return tl::unexpected(own.error());
-    for (const auto& [method, outcome] : entry.value.expect) {
+    for (const auto& [method, expected] : entry.value.expect) {
       if (const auto made = make_method(method); !made) {
         return input_error(entry.id + ": expect", made.error().what);
       }
-      questions.push_back({&entry, &known[i], method, outcome, *own});
+      questions.push_back({&entry, &known[i], method, expected.outcome, *own});
     }
   }
   return questions;

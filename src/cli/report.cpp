@@ -45,7 +45,8 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
   const Result<SearchOptions> search = SearchFlags().options_for(entry);
   if (!search) return tl::unexpected(search.error());
   ReportedCase reported;
-  for (const auto& [method, outcome] : entry.value.expect) {
+  for (const auto& [method, expected] : entry.value.expect) {
+    const Outcome outcome = expected.outcome;
     const bool allowed = is_admitted(method);
     if (const auto made = make_method(method); allowed && !made) {
       return input_error(entry.id + ": expect", made.error().what);

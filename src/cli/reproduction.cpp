@@ -8,10 +8,10 @@
 
 namespace ccdfuzz {
 
-std::string reproduction(const std::string& path, const std::map<std::string, Outcome>& expect) {
+std::string reproduction(const std::string& path, const std::map<std::string, Expected>& expect) {
   std::string methods;
-  for (const auto& [method, outcome] : expect) {
-    if (is_failure(outcome)) methods += (methods.empty() ? "" : ",") + method;
+  for (const auto& [method, expected] : expect) {
+    if (is_failure(expected.outcome)) methods += (methods.empty() ? "" : ",") + method;
   }
   const std::string command =
       fmt::format("{} query {}", shell_word(program_name()), shell_word(path));

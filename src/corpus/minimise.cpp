@@ -100,6 +100,7 @@ class Minimiser {
       }
     }
     value.origin = found_.origin;
+    value.asked = found_.asked;
     return value;
   }
 

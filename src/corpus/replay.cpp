@@ -30,7 +30,7 @@ Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AskFunc
         return input_error(fmt::format("{}: expect[\"{}\"]", entry.id, method),
                            judged.error().message());
       }
-      report.rows.push_back({entry.id, method, expected, *std::move(judged)});
+      report.rows.push_back({entry.id, method, expected.outcome, *std::move(judged)});
     }
   }
   return report;

@@ -118,18 +118,16 @@ Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank
   // A failure of which a smaller entry tells stays out, unless this one is kept by its name.
   const Origin& origin = plan.entry.origin;
   bool superfluous = false, smaller = false;
-  for (const auto& [method, outcome] : find.expect) {
+  for (const auto& [method, expected] : find.expect) {
     if (plan.entry.expect.contains(method)) continue;
-    set_error_name(plan.entry, method, error_name(find, method));
-    const FailureKey key = failure_key(plan.entry, method, outcome);
-    const Rank* rival = is_failure(outcome) ? index.smallest(key, rank.second) : nullptr;
+    const FailureKey key = failure_key(plan.entry, method, expected);
+    const Rank* rival = is_failure(expected.outcome) ? index.smallest(key, rank.second) : nullptr;
     if (rival != nullptr && *rival < rank && origin.name.empty()) {
       superfluous = true;
-      set_error_name(plan.entry, method, "");
       continue;
     }
     smaller = smaller || rival != nullptr;
-    plan.entry.expect[method] = outcome;
+    plan.entry.expect[method] = expected;
   }
 
   if (at != nullptr) {
@@ -181,7 +179,7 @@ Result<Store::Added> Store::State::add(const Case& find, const std::string& tree
 Result<void> Store::State::take_away(const std::string& path, const std::set<FailureKey>& keys) {
   Case value = index.entries().at(path).value;
   std::erase_if(value.expect, [&](const auto& e) {
-    return is_failure(e.second) && keys.contains(failure_key(value, e.first, e.second));
+    return is_failure(e.second.outcome) && keys.contains(failure_key(value, e.first, e.second));
   });
   return failures_of(value).empty() ? remove_entry(path) : write_entry(path, value);
 }
@@ -199,8 +197,7 @@ Result<void> Store::State::supersede(const Case& larger, const std::string& meth
   const auto old_outcome = old.expect.find(method), outcome = kept.expect.find(method);
   if (index.entries().at(*old_path).fixed || old_outcome == old.expect.end() ||
       outcome == kept.expect.end() || old_outcome->second != outcome->second ||
-      old.origin.contact != kept.origin.contact ||
-      error_name(old, method) != error_name(kept, method)) {
+      old.origin.contact != kept.origin.contact) {
     return {};
   }
   return take_away(*old_path, {failure_key(old, method, old_outcome->second)}).and_then([&] {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "certify/checker/check_case.hpp"
-#include "corpus/failure.hpp"
 
 namespace ccdfuzz {
 
@@ -16,8 +15,7 @@ void expect_of_others(Case& find, const std::vector<std::string>& methods, Metho
     if (find.expect.contains(method)) continue;
     const Judged judged = ask(asked[method], known, search);
     if (judged.outcome == Outcome::kUndecided || judged.outcome == Outcome::kNotAsked) continue;
-    find.expect.emplace(method, judged.outcome);
-    set_error_name(find, method, judged.error);
+    find.expect[method] = {judged.outcome, judged.error};
     if (decided) decided(method, judged);
   }
 }

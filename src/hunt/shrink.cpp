@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "corpus/failure.hpp"
-
 namespace ccdfuzz {
 
 namespace {
@@ -16,7 +14,7 @@ Minimised shrink(const Case& found, const std::string& spec, Method& method, con
                  const SearchOptions& search, MinimiseOptions options) {
   if (failure.error == "hang") options.max_trials = std::min(options.max_trials, kTrialsOfAHang);
   Case start = found;
-  for (const auto& [expected, outcome] : found.expect) set_error_name(start, expected, "");
+  start.asked = asked_with(search);
   start.expect.clear();
   Minimised minimised = minimise(
       start, failure.outcome,
@@ -25,8 +23,7 @@ Minimised shrink(const Case& found, const std::string& spec, Method& method, con
         return judged.outcome == failure.outcome && judged.error == failure.error;
       },
       options);
-  minimised.value.expect = {{spec, failure.outcome}};
-  set_error_name(minimised.value, spec, failure.error);
+  minimised.value.expect[spec] = {failure.outcome, failure.error};
   return minimised;
 }
 

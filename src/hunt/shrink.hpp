@@ -1,9 +1,17 @@
 #pragma once
 
+#include <algorithm>
+
 #include "corpus/minimise.hpp"
 #include "eval/ask.hpp"
 
 namespace ccdfuzz {
+
+/// What a case that failed in such a search says of how it was asked: what fails within few pops
+/// does so with more.
+inline Asked asked_with(const SearchOptions& search) {
+  return {search.precision, std::max(search.max_pops, Asked().max_pops)};
+}
 
 /// Minimises a case on which a method fails: it fails alike on every simpler one that is taken,
 /// with the same outcome and, of an error, the same name. The result expects this failure alone.

@@ -42,8 +42,7 @@ struct Told {
 std::string loss_by(const std::string& method, const Case& value) {
   TracerSet tracers;
   Tracer* const tracer = tracers.find(method);
-  return tracer == nullptr ? ""
-                           : loss_signature(tracer->trace(value.query, *value.truth.witness, {}));
+  return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *value.truth.witness, {}));
 }
 
 }  // namespace
@@ -82,11 +81,11 @@ Triage::Triage(Store& store, TriageOptions options)
     : store_(store), options_(std::move(options)), methods_(options_.make) {}
 
 void Triage::know(const Case& entry) {
-  for (const auto& [method, outcome] : entry.expect) {
-    if (!is_failure(outcome)) continue;
+  for (const auto& [method, expected] : entry.expect) {
+    if (!is_failure(expected.outcome)) continue;
     Judged judged;
-    judged.outcome = outcome;
-    judged.error = error_name(entry, method);
+    judged.outcome = expected.outcome;
+    if (judged.outcome == Outcome::kError) judged.error = expected.cause;
     had_.insert(signature_of(method, entry, judged));
   }
 }
@@ -132,7 +131,7 @@ Result<void> Triage::add(const Case& candidate,
     }
     TriageFind find{method, failure->judged.outcome, failure->judged.error,
                     std::get<kLossPlace>(shrunk), small};
-    set_loss(find.value, method, find.loss);
+    if (!find.loss.empty()) find.value.expect[method].cause = find.loss;
     complete(find.value);
     if (const auto added = store_.add(find.value); !added) return tl::unexpected(added.error());
     found(find);
@@ -209,7 +208,8 @@ void Triage::complete(Case& value) {
                      if (!is_failure(judged.outcome)) return;
                      const Signature signature = signature_of(method, value, judged);
                      had_.insert(signature);
-                     set_loss(value, method, std::get<kLossPlace>(signature));
+                     const std::string& loss = std::get<kLossPlace>(signature);
+                     if (!loss.empty()) value.expect[method].cause = loss;
                    });
 }
 

@@ -60,15 +60,15 @@ struct TriageFind {
   std::string method;
   Outcome outcome = Outcome::kUnknown;
   std::string error;  ///< its name; empty of other outcomes
-  std::string loss;   ///< loss_signature; empty where nothing is traced
+  std::string loss;   ///< loss_cause; empty where nothing is traced
   Case value;         ///< shrunk, as it was stored
 };
 
 /// What fuzzers found, on its way into a store: confirmed by full runs up to the contact and past
 /// it, classified by the judge, shrunk exactly, and kept if nothing like it was had: no failure of
-/// the same method, contact class, outcome and loss_signature, which is level, axes and what of the
-/// axis' claim is wrong; of errors ("crash SIGSEGV", "hang"), none of the same method and name.
-/// Methods and oracle work in children, so that this process survives whatever they do.
+/// the same method, contact class, outcome and loss_cause; of errors ("crash SIGSEGV", "hang"),
+/// none of the same method and name. Methods and oracle work in children, so that this process
+/// survives whatever they do.
 class Triage {
  public:
   Triage(Store& store, TriageOptions options);

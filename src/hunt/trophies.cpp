@@ -33,9 +33,9 @@ bool breaks_claim(const std::string& method, Outcome outcome) {
 
 void Trophies::offer(const std::string& method, const Case& asked, const Judged& judged) {
   Case find = asked;
-  find.expect = {{method, judged.outcome}};
-  set_error_name(find, method, judged.error);
-  const FailureKey key = failure_key(find, method, judged.outcome);
+  find.asked = asked_with(options_.search);
+  find.expect = {{method, Expected(judged.outcome, judged.error)}};
+  const FailureKey key = failure_key(find, method, find.expect.at(method));
   const std::pair rank(size_of(asked.query), content_address(asked.query));
   const std::lock_guard lock(mutex_);
   const auto [known, is_first] = smallest_.try_emplace(key);
@@ -117,14 +117,14 @@ Result<void> Trophies::shrink(const std::function<bool()>& stop) {
   std::map<std::tuple<std::string, Outcome, std::string>, size_t> alike;
   for (const NamedCase& entry : *entries) {
     if (!added_.contains(address_of(entry))) continue;
-    for (const auto& [method, outcome] : entry.value.expect) {
+    for (const auto& [method, expected] : entry.value.expect) {
       // An entry that was in the store before may expect something of a method that does not run.
       const bool runs = std::ranges::find(options_.methods, method) != options_.methods.end();
-      if (!runs || !is_failure(outcome) || !shrinks(method)) continue;
+      if (!runs || !is_failure(expected.outcome) || !shrinks(method)) continue;
       Judged failure;
-      failure.outcome = outcome;
-      failure.error = error_name(entry.value, method);
-      const std::pair rank(alike[{method, outcome, failure.error}]++, tasks.size());
+      failure.outcome = expected.outcome;
+      if (failure.outcome == Outcome::kError) failure.error = expected.cause;
+      const std::pair rank(alike[{method, failure.outcome, failure.error}]++, tasks.size());
       tasks.push_back({&entry.value, method, std::move(failure), rank});
     }
   }
@@ -183,10 +183,10 @@ std::vector<HuntFind> Trophies::finds() const {
   std::vector<HuntFind> finds;
   const auto add = [&](std::string path, Case value) {
     HuntFind find{std::move(path), std::move(value), {}, false};
-    for (const auto& [method, outcome] : find.value.expect) {
-      if (!is_failure(outcome)) continue;
+    for (const auto& [method, expected] : find.value.expect) {
+      if (!is_failure(expected.outcome)) continue;
       find.failures.push_back(method);
-      find.breaks_claim = find.breaks_claim || breaks_claim(method, outcome);
+      find.breaks_claim = find.breaks_claim || breaks_claim(method, expected.outcome);
     }
     finds.push_back(std::move(find));
   };

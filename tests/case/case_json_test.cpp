@@ -129,14 +129,36 @@ TEST(CaseJson, WritesTheShortestTextInAFixedOrder) {
   c.truth.clear_until = Rational(1, 4);
   c.origin.contact = "VV";
   c.origin.seed = 7;
+  c.asked.precision = 0.25;
   c.expect["tdibm"] = Outcome::kLate;
+  c.expect["trad"] = {Outcome::kMissed, "hull"};
   EXPECT_EQ(to_json(c),
-            R"({"format":"ccdfuzz-case","version":1,"patches":[)"
+            R"({"format":"ccdfuzz-case","version":2,"patches":[)"
             R"({"shape":"point","positions":[[0.1,0,0]],"velocities":[[0,0,0]]},)"
             R"({"shape":"point","positions":[[0,0,0]],"velocities":[[0,0,0]]}],"t_max":1,)"
             R"("truth":{"collides":true,"witness":{"t":"1/3","uv":[["0","0"],["0","0"]]},)"
             R"("clear_until":"1/4"},"origin":{"contact":"VV","seed":7},)"
-            R"("expect":{"tdibm":"late"}})");
+            R"("asked":{"precision":0.25},"expect":{"tdibm":"late",)"
+            R"("trad":{"outcome":"missed","cause":"hull"}}})");
+}
+
+TEST(CaseJson, VersionOneIsReadAndItsFurtherKeysAreCarriedOver) {
+  std::string text = number_case("1");
+  text.insert(text.rfind('}'),
+              R"(,"origin":{"precision":1e-2,"label":7,"error of a":"hang",)"
+              R"("loss of b":"level 3, axes 1-3, left root","loss of c":"level 0, hull"},)"
+              R"("expect":{"a":"error","b":"missed","c":"late","d":"correct"})");
+  const auto old = parse_case(text, "c.json");
+  ASSERT_TRUE(old) << old.error().message();
+  EXPECT_EQ(old->asked, (Asked{.precision = 1e-2}));
+  EXPECT_EQ(old->origin.more, (std::map<std::string, std::string>{{"label", "7"}}));
+  EXPECT_EQ(old->expect, (std::map<std::string, Expected>{{"a", {Outcome::kError, "hang"}},
+                                                          {"b", {Outcome::kMissed, "left root"}},
+                                                          {"c", {Outcome::kLate, "hull"}},
+                                                          {"d", Outcome::kCorrect}}));
+  const auto again = parse_case(to_json(*old), "c.json");
+  ASSERT_TRUE(again) << again.error().message();
+  EXPECT_EQ(*again, *old);
 }
 
 TEST(CaseJson, RefusesToWriteWhatIsNotFinite) {

@@ -11,7 +11,7 @@ namespace {
 
 /// A good case, of which each row of the table spoils one spot.
 constexpr std::string_view kGood = R"({
-  "format": "ccdfuzz-case", "version": 1,
+  "format": "ccdfuzz-case", "version": 2,
   "patches": [
     {"shape": "triangle", "degree": 1, "positions": [[0,0,0],[1,0,0],[0,1,0]],
      "velocities": [[0,0,1],[0,0,1],[0,0,1]]},
@@ -30,7 +30,8 @@ constexpr std::string_view kGood = R"({
               "clear": {"kind": "T", "until": "3/4",
                         "tree": {"offset": 12, "length": 34,
                                  "xxh3": "0123456789abcdef0123456789abcdef"}}}},
-  "origin": {"contact": "VV", "kind": "RP", "generator": "by hand", "seed": 7, "precision": 1e-2},
+  "origin": {"contact": "VV", "kind": "RP", "generator": "by hand", "seed": 7, "label": 1e-2},
+  "asked": {"precision": 1e-2, "max_pops": 5},
   "expect": {"tdibm": "missed", "tdibm-h:1e-12": "correct"}
 })";
 
@@ -55,7 +56,7 @@ const std::vector<Row> kTable = {
     {"Unclosed", "", "{\"format\": \"ccdfuzz-case\"",
      "column 26: syntax error while parsing object - unexpected end of input; expected '}'"},
     {"TrailingGarbage", "\"correct\"}\n}", "\"correct\"}\n} x",
-     "line 23, column 3: syntax error while parsing value - invalid literal; last read: "
+     "line 24, column 3: syntax error while parsing value - invalid literal; last read: "
      "'\"correct\"}<U+000A>} x'; "
      "expected end of input"},
     {"TrailingComma", "\"t_max\": 2.0,", "\"t_max\": 2.0,,",
@@ -89,7 +90,7 @@ const std::vector<Row> kTable = {
     {"DuplicateByEscape", "\"kind\": \"RP\"", "\"\\u0073eed\": 7", "origin.seed: duplicate key"},
     // Keys.
     {"NoFormat", "\"format\": \"ccdfuzz-case\",", "", "format: missing"},
-    {"NoVersion", "\"version\": 1,", "", "version: missing"},
+    {"NoVersion", "\"version\": 2,", "", "version: missing"},
     {"NoPatches", "\"patches\"", "\"patchs\"", "patches: missing"},
     {"NoTMax", "\"t_max\": 2.0,", "", "t_max: missing"},
     {"NoShape", "\"shape\": \"triangle\",", "", "patches[0].shape: missing"},
@@ -107,11 +108,25 @@ const std::vector<Row> kTable = {
     // Format and version.
     {"OtherFormat", "ccdfuzz-case", "ccdfuzz", "format: \"ccdfuzz\" is not \"ccdfuzz-case\""},
     {"FormatOfWrongType", "\"ccdfuzz-case\"", "1", "format: 1 is not a string"},
-    {"LaterVersion", "\"version\": 1", "\"version\": 2",
-     "version: 2 is not a version that this program reads (1)"},
-    {"FractionalVersion", "\"version\": 1", "\"version\": 1.0", "version: 1.0 is not an integer"},
-    {"VersionAsText", "\"version\": 1", "\"version\": \"1\"", "version: \"1\" is not an integer"},
-    {"HugeVersion", "\"version\": 1", "\"version\": 99999999999999999999",
+    {"LaterVersion", "\"version\": 2", "\"version\": 3",
+     "version: 3 is not a version that this program reads (1 to 2)"},
+    {"VersionNought", "\"version\": 2", "\"version\": 0",
+     "version: 0 is not a version that this program reads (1 to 2)"},
+    // What later versions will have.
+    {"Ends", "\"degree\": 1,", "\"degree\": 1, \"ends\": [],",
+     "patches[0].ends: is not yet supported by this version"},
+    {"Trim", "\"degree\": 1,", "\"degree\": 1, \"trim\": [],",
+     "patches[0].trim: is not yet supported by this version"},
+    {"WeightsOfAPatch", "\"degree\": 1,", "\"degree\": 1, \"weights\": [],",
+     "patches[0].weights: is not yet supported by this version"},
+    {"Separation", "\"t_max\"", "\"separation\": 1, \"t_max\"",
+     "separation: is not yet supported by this version"},
+    {"Weights", "\"t_max\"", "\"weights\": 1, \"t_max\"",
+     "weights: is not yet supported by this version"},
+    {"Bodies", "\"patches\"", "\"bodies\"", "bodies: is not yet supported by this version"},
+    {"FractionalVersion", "\"version\": 2", "\"version\": 2.0", "version: 2.0 is not an integer"},
+    {"VersionAsText", "\"version\": 2", "\"version\": \"1\"", "version: \"1\" is not an integer"},
+    {"HugeVersion", "\"version\": 2", "\"version\": 99999999999999999999",
      "version: 99999999999999999999 is outside -2147483648..2147483647"},
     // Patches.
     {"PatchesOfWrongType", "", R"({"format":"ccdfuzz-case","version":1,"patches":{},"t_max":1})",
@@ -210,7 +225,7 @@ const std::vector<Row> kTable = {
     // Certificates.
     {"CertificateOfWrongType", "\"origin\"", "\"certificate\": 1, \"origin\"",
      "certificate: unknown key (known here: format, version, patches, t_max, truth, origin, "
-     "expect)"},
+     "asked, expect)"},
     {"UnknownCertificate", "\"contact\": {", "\"hit\": {",
      "truth.certificate.hit: unknown key (known here: contact, root, clear)"},
     {"FractionInARoot", "\"contact\": {",
@@ -278,7 +293,7 @@ const std::vector<Row> kTable = {
     {"SeedTooLarge", "\"seed\": 7", "\"seed\": 18446744073709551616",
      "origin.seed: 18446744073709551616 is outside 0..18446744073709551615"},
     {"SeedAsText", "\"seed\": 7", "\"seed\": \"7\"", "origin.seed: \"7\" is not an integer"},
-    {"OriginHoldsBool", "1e-2", "true", "origin.precision: true is neither a string nor a number"},
+    {"OriginHoldsBool", "1e-2", "true", "origin.label: true is neither a string nor a number"},
     {"ExpectOfWrongType", "{\"tdibm\": \"missed\", \"tdibm-h:1e-12\": \"correct\"}", "\"missed\"",
      "expect: \"missed\" is not an object"},
     {"UnknownOutcome", "\"missed\"", "\"wrong\"",
@@ -288,6 +303,18 @@ const std::vector<Row> kTable = {
      "expect[\"tdibm-h:1e-12\"]: \"Correct\" is none of correct, missed, late, false_positive, "
      "undecided, unknown, error, not_asked"},
     {"OutcomeOfWrongType", "\"missed\"", "null", "expect.tdibm: null is not a string"},
+    {"NoOutcome", "\"missed\"", "{\"cause\": \"hull\"}", "expect.tdibm.outcome: missing"},
+    {"NoCause", "\"missed\"", "{\"outcome\": \"late\"}", "expect.tdibm.cause: missing"},
+    {"AskedInVersionOne", "\"version\": 2", "\"version\": 1",
+     "asked: unknown key (known here: format, version, patches, t_max, truth, origin, expect)"},
+    {"AskedOfWrongType", "{\"precision\": 1e-2, \"max_pops\": 5}", "5",
+     "asked: 5 is not an object"},
+    {"PrecisionZero", "{\"precision\": 1e-2", "{\"precision\": 0",
+     "asked.precision: 0 is not in [2^-50, 1]"},
+    {"PrecisionTwo", "{\"precision\": 1e-2", "{\"precision\": 2",
+     "asked.precision: 2 is not in [2^-50, 1]"},
+    {"NoPops", "\"max_pops\": 5", "\"max_pops\": 0",
+     "asked.max_pops: 0 is outside 1..18446744073709551615"},
 };
 
 class MalformedCase : public testing::TestWithParam<Row> {};
@@ -311,7 +338,8 @@ TEST_P(MalformedCase, IsRefusedByFilePathAndValue) {
 TEST(MalformedCase, TheTableSpoilsAGoodCase) {
   const auto parsed = parse_case(kGood, "c.json");
   ASSERT_TRUE(parsed) << parsed.error().message();
-  EXPECT_EQ(parsed->origin.more.at("precision"), "1e-2");
+  EXPECT_EQ(parsed->origin.more.at("label"), "1e-2");
+  EXPECT_EQ(parsed->asked, (Asked{1e-2, 5}));
   EXPECT_GE(kTable.size(), 60U);
 }
 

@@ -106,10 +106,12 @@ inline Case any_case() {
   if (maybe()) c.origin.seed = *rc::gen::arbitrary<std::uint64_t>();
   if (maybe()) c.origin.index = *rc::gen::arbitrary<std::uint64_t>();
   if (maybe()) c.origin.more["precision"] = "1e-2";
+  if (maybe()) c.asked.precision = 0.01;
+  if (maybe()) c.asked.max_pops = *rc::gen::inRange<std::uint64_t>(1, 9);
   if (maybe()) c.origin.more["family"] = "\"fl\\u00e4t\"";
   for (int i = *rc::gen::inRange(0, 3); i > 0; --i) {
-    c.expect[any_text()] =
-        *rc::gen::elementOf(std::vector<Outcome>(kAllOutcomes.begin(), kAllOutcomes.end()));
+    const std::vector<Outcome> outcomes(kAllOutcomes.begin(), kAllOutcomes.end());
+    c.expect[any_text()] = {*rc::gen::elementOf(outcomes), maybe() ? any_text() : ""};
   }
   return c;
 }

@@ -9,11 +9,6 @@
 namespace ccdfuzz {
 namespace {
 
-double precision_of(const Case& entry) {
-  const auto found = entry.origin.more.find("precision");
-  return found == entry.origin.more.end() ? TraceOptions().precision : std::stod(found->second);
-}
-
 // A method that answers that there is no contact has lost the witness in all its pairs, and one
 // that is late in those that it would have come to before.
 TEST(Corpus, WhereAMethodMissesItLosesTheWitnessAndTheSoundOnesKeepIt) {
@@ -26,8 +21,9 @@ TEST(Corpus, WhereAMethodMissesItLosesTheWitnessAndTheSoundOnesKeepIt) {
     const Case& entry = cases->front().value;
     if (!entry.truth.witness) continue;
     ++entries;
-    const TraceOptions options{precision_of(entry), true};
-    for (const auto& [spec, outcome] : entry.expect) {
+    const TraceOptions options{entry.asked.precision, true};
+    for (const auto& [spec, expected] : entry.expect) {
+      const Outcome outcome = expected.outcome;
       if (outcome != Outcome::kMissed && outcome != Outcome::kLate) continue;
       const Trace trace = tracer_of(spec)->trace(entry.query, *entry.truth.witness, options);
       EXPECT_TRUE(trace.lost) << spec;
@@ -58,8 +54,9 @@ TEST(Corpus, TheNamedEntriesShowTheirFault) {
     ASSERT_TRUE(cases) << cases.error().message();
     const Case& entry = cases->front().value;
     ASSERT_TRUE(entry.expect.contains(named.method)) << path;
-    const Trace trace = tracer_of(named.method)
-                            ->trace(entry.query, *entry.truth.witness, {precision_of(entry), true});
+    const Trace trace =
+        tracer_of(named.method)
+            ->trace(entry.query, *entry.truth.witness, {entry.asked.precision, true});
     EXPECT_TRUE(trace.lost) << path;
   }
 }

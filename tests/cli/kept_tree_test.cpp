@@ -26,7 +26,7 @@ class KeptTree : public testing::Test {
     for (const char* name : {"plain", "named"}) {
       std::filesystem::create_directories(folder_ / name);
       found->value.origin.name = name[0] == 'n' ? "near-miss" : "";
-      found->value.origin.more["precision"] = "1";
+      found->value.asked.precision = 1;
       found->value.expect = {{"tdibm", Outcome::kFalsePositive}};
       write_text(case_in(name), to_json(found->value));
       std::filesystem::copy_file(trees_path(proven), trees_path(case_in(name)));

@@ -7,7 +7,7 @@ namespace {
 
 /// Two points that meet at t = 1/2, with the witness that proves it.
 std::string head_on(const std::string& t_max) {
-  return R"({"format":"ccdfuzz-case","version":1,"patches":[)"
+  return R"({"format":"ccdfuzz-case","version":2,"patches":[)"
          R"({"shape":"point","positions":[[0,0,0]],"velocities":[[1,0,0]]},)"
          R"({"shape":"point","positions":[[1,0,0]],"velocities":[[-1,0,0]]}],"t_max":)" +
          t_max + R"(,"truth":{"collides":true,"witness":{"t":"1/2","uv":[["0","0"],["0","0"]]}}})";
@@ -59,9 +59,9 @@ TEST(Query, AnUndecidedAnswerSaysWhyAndExits0) {
 TEST(Query, ACaseIsAskedAtThePrecisionThatItWasFoundAt) {
   const ScratchFolder folder;
   const std::string path = folder / "single.json";
-  const auto pops = [&](const std::string& origin, const std::vector<std::string>& flags) {
+  const auto pops = [&](const std::string& asked, const std::vector<std::string>& flags) {
     std::string text = head_on("1");
-    text.insert(text.rfind('}'), origin);
+    text.insert(text.rfind('}'), asked);
     write_text(path, text);
     std::vector<std::string> arguments = {"query", path, "--methods", "tdibm", "--json"};
     arguments.insert(arguments.end(), flags.begin(), flags.end());
@@ -70,9 +70,10 @@ TEST(Query, ACaseIsAskedAtThePrecisionThatItWasFoundAt) {
     const auto rows = json_lines(finished.out);
     return rows.empty() ? 0 : rows[0].at("pops").get<int>();
   };
-  const std::string coarse = R"(,"origin":{"precision":0.25})";
+  const std::string coarse = R"(,"asked":{"precision":0.25})";
   EXPECT_LT(pops(coarse, {}), pops("", {}));
   EXPECT_EQ(pops(coarse, {"--precision", "1e-4"}), pops("", {}));
+  EXPECT_EQ(pops(R"(,"asked":{"max_pops":3})", {}), 3);
 }
 
 TEST(Query, PrintsTheRowsBeforeTheFirstBadInput) {

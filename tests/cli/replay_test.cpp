@@ -10,11 +10,11 @@ namespace ccdfuzz {
 namespace {
 
 /// A corpus of one VV contact with these expectations.
-std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, Outcome>& expect,
-                      const std::string& precision = "") {
+std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, Expected>& expect,
+                      double precision = Asked().precision) {
   Case value = read_cases(generated(folder, "VV", "RP", 1))->at(0).value;
   value.expect = expect;
-  if (!precision.empty()) value.origin.more["precision"] = precision;
+  value.asked.precision = precision;
   const std::string corpus = folder / "corpus";
   std::filesystem::create_directories(corpus);
   write_text(corpus + "/entry.json", to_json(value));
@@ -78,15 +78,15 @@ TEST(Replay, AnExpectationOfAMethodThatThereIsNotIsAnErrorThatNamesTheEntry) {
 
 TEST(Replay, AnEntrysOwnPrecisionCounts) {
   const ScratchFolder folder;
-  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, "1e-2");
+  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, 1e-2);
   const auto coarse = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
   corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}});
   const auto fine = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
   EXPECT_LT(coarse.at(0).at("pops").get<int>(), fine.at(0).at("pops").get<int>());
-  corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, "2");
+  corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, 2);
   const Finished refused = ccdfuzz({"replay", corpus});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("entry.json: origin.precision"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("entry.json: asked.precision"), std::string::npos) << refused.err;
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ void expect_union_of_two(const ScratchFolder& folder) {
   std::set<std::string> addresses;
   for (const Case& c : cases) {
     EXPECT_TRUE(addresses.insert(content_address(c.query)).second);
-    for (const auto& [method, outcome] : c.expect) ++expectations[method];
+    for (const auto& [method, expected] : c.expect) ++expectations[method];
   }
   EXPECT_EQ(expectations.size(), 31U);
   for (const auto& [method, count] : expectations) EXPECT_EQ(count, 1) << method;
@@ -132,7 +132,7 @@ TEST(StoreInTrouble, KilledAtAnyMomentLeavesWholeEntries) {
   const Store store = open_store(folder.path());
   std::set<std::string> methods;
   for (const Case& entry : cases_in(folder.path())) {
-    for (const auto& [method, outcome] : entry.expect) {
+    for (const auto& [method, expected] : entry.expect) {
       EXPECT_TRUE(methods.insert(method).second) << method << " is kept twice";
     }
   }

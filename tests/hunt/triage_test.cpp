@@ -226,8 +226,7 @@ TEST(Triage, KeepsACrashOfEachNameShrunkWithWhatOthersSay) {
     EXPECT_EQ(find.outcome, Outcome::kError);
     EXPECT_EQ(find.error, name);
     EXPECT_EQ(find.loss, "");
-    EXPECT_EQ(find.value.expect.at(method), Outcome::kError);
-    EXPECT_EQ(error_name(find.value, method), name);
+    EXPECT_EQ(find.value.expect.at(method), Expected(Outcome::kError, name));
     EXPECT_LT(size_of(find.value.query), size_of(raw.front().query)) << to_json(find.value);
     EXPECT_TRUE(check_truth(find.value)) << to_json(find.value);
     if (!spins) {
@@ -269,7 +268,7 @@ TEST(Triage, ACrashOfTheOracleIsAFind) {
     ASSERT_EQ(finds.size(), 1U);
     EXPECT_EQ(finds[0].method, "oracle");
     EXPECT_EQ(finds[0].error, "crash SIGABRT");
-    EXPECT_EQ(finds[0].value.expect.at("oracle"), Outcome::kError);
+    EXPECT_EQ(finds[0].value.expect.at("oracle"), Expected(Outcome::kError, "crash SIGABRT"));
     EXPECT_EQ(triage.tally().known, 1U) << "the same again";
     EXPECT_THAT(warnings, testing::IsEmpty());
   }

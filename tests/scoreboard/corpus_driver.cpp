@@ -15,8 +15,7 @@ CorpusDriver::CorpusDriver(const std::string& corpus) {
     return;
   }
   // Those that were found at a precision of their own are not asked here.
-  std::erase_if(*entries,
-                [](const NamedCase& e) { return e.value.origin.more.contains("precision"); });
+  std::erase_if(*entries, [](const NamedCase& e) { return !(e.value.asked == Asked()); });
   entries_ = *std::move(entries);
 }
 
