@@ -77,7 +77,10 @@ Result<SearchOptions> SearchFlags::options_for(const NamedCase& named) const {
   SearchOptions search = options();
   const Asked& own = named.value.asked;
   if (!precision) search.precision = own.precision;
-  if (max_pops == Asked().max_pops) search.max_pops = own.max_pops;
+  // A file may ask for less work than the command's limit, never for more.
+  if (own.max_pops != Asked().max_pops) {
+    search.max_pops = max_pops == 0 ? own.max_pops : std::min(max_pops, own.max_pops);
+  }
   return search;
 }
 

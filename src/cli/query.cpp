@@ -89,7 +89,10 @@ int run_query(const QueryOptions& options, Session& session) {
         if (spent) return Judged();  // is not shown
         const CheckedCase& asked = need(shared.checked());
         SearchOptions search = need(options.search.options_for(shared.named()));
-        if (by_default) search.max_pops = DefaultBudget::pops_of(asked.query());
+        if (by_default) {
+          const std::uint64_t most = DefaultBudget::pops_of(asked.query());
+          search.max_pops = search.max_pops == 0 ? most : std::min(search.max_pops, most);
+        }
         return ask(methods.local()[options.methods[m]], asked, search);
       },
       [&](const SharedCase& shared, size_t m, const Judged& judged) {
