@@ -218,6 +218,7 @@ tl::expected<std::string, Fault> Child::ask(const std::string& line) {
 
 tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
                                                     Clock::time_point until) {
+  const Clock::time_point begin = Clock::now();
   for (size_t sent = 0;;) {
     if (sent < question.size()) {
       const ssize_t n =
@@ -231,6 +232,11 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
       return tl::unexpected(
           stopped("hang", fmt::format("no answer within {} s", program_.limits.seconds) +
                               last_words(printed_text_)));
+    }
+    const std::chrono::duration<double> taken = Clock::now() - begin;
+    if (program_.interrupted != nullptr && *program_.interrupted &&
+        taken.count() >= ChildProgram::kPatience) {
+      return tl::unexpected(stopped("interrupted", "no answer when it was interrupted"));
     }
     std::array<pollfd, 3> watched = {{{replies_, POLLIN, 0},
                                       {printed_, POLLIN, 0},

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -42,8 +43,11 @@ struct ChildProgram {
   std::vector<std::string> command;
   ChildLimits limits;
   int inherited = -1;  ///< a descriptor of this process, which it has as kInherited; -1: none
+  /// Once it is true, what has taken kPatience is ended, as the fault "interrupted".
+  const std::atomic<bool>* interrupted = nullptr;
 
   static constexpr int kInherited = 3;
+  static constexpr double kPatience = 0.5;  // s
 };
 
 /// A process that answers lines with lines, started by exec, so that any thread may ask one. It has

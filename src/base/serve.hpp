@@ -38,7 +38,8 @@ tl::expected<Reply, Fault> ask_served(Child& child, const std::string& line) {
     return tl::unexpected(told ? *told : Fault{"garbage", reply.error().message()});
   };
   auto reply = once();
-  return reply || is_new ? reply : once();
+  const bool is_over = reply || is_new || reply.error().name == "interrupted";
+  return is_over ? reply : once();
 }
 
 }  // namespace ccdfuzz

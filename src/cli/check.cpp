@@ -31,23 +31,16 @@ struct CheckArguments {
 /// was shrunk, so that nothing that happens in between loses it; with --json it is told in the end.
 class PropertyCheck {
  public:
-  PropertyCheck(const CheckArguments& options, const Property& property,
+  PropertyCheck(const CheckArguments& options, const Property& property, ClaimChildren& children,
                 const std::atomic<bool>& stop)
-      : options_(options),
-        stop_(stop),
-        inputs_(draws_watched(property, options.inputs.seed)),
-        watch_(inputs_, options.inputs.threads, stop,
-               [this](const std::string& text) {
-                 progress_.clear();
-                 print_err(text);
-               }),
-        checked_{property, {}, "", std::nullopt, "", ""} {}
+      : options_(options), children_(children), stop_(stop), checked_{property,     {}, "",
+                                                                      std::nullopt, "", ""} {}
 
   const CheckedProperty& checked() const { return checked_; }
 
   /// Errors: of stdout.
   Result<void> run(Table& table) {
-    checked_.tally = check_inputs(checked_.property, options_.inputs, stop_, watch_, progress_,
+    checked_.tally = check_inputs(checked_.property, options_.inputs, children_, stop_, progress_,
                                   [this](const CheckTally& tally) { found(tally); });
     progress_.clear();
     if (!options_.json) print_check_row(table, checked_);
@@ -64,10 +57,11 @@ class PropertyCheck {
 
  private:
   void found(const CheckTally& tally) {
-    checked_.reproduce = fmt::format("{}{}{}", inputs_.before, tally.first_failure, inputs_.after);
+    checked_.reproduce =
+        check_command(checked_.property, options_.inputs.seed, tally.first_failure);
     // Of a claim that is known to be false, only who asks for it wants to see the failure.
     if (checked_.known_false() && options_.names.empty()) return;
-    checked_.find = CheckFind{tally.text, checked_.reproduce, "", std::nullopt, "", ""};
+    checked_.find = CheckFind{tally.text, checked_.reproduce, tally.error, std::nullopt, "", ""};
     save();
     if (options_.json) return;
     progress_.clear();
@@ -77,9 +71,9 @@ class PropertyCheck {
 
   /// For at most as long as the property was checked, where that is by time.
   void shrink() {
-    const InputWatch::At at(watch_, checked_.tally.first_failure);
-    RandomChoices choices = options_.inputs.choices(checked_.tally.first_failure);
-    ccdfuzz::run(checked_.property, choices);
+    const std::unique_ptr<ServedClaim> claim = children_.take(checked_.property);
+    const InputRun found = claim->on_draw(options_.inputs.seed, checked_.tally.first_failure);
+    if (!found.fails_as({Check::fails(""), checked_.find->error, {}, {}})) return;
     const auto start = std::chrono::steady_clock::now();
     std::uint64_t runs = 0;
     const auto is_over = [&] {
@@ -89,8 +83,7 @@ class PropertyCheck {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       return stop_ || (options_.inputs.seconds && spent.count() >= *options_.inputs.seconds);
     };
-    auto least = shrunk_counterexample(runner_of(checked_.property), choices.numbers(),
-                                       {kShrinkTries, is_over});
+    auto least = claim->least({checked_.property, {}, 0}, found, {kShrinkTries, is_over});
     if (!least) return;
     set_least(*checked_.find, checked_.property, *std::move(least));
     save();
@@ -117,10 +110,9 @@ class PropertyCheck {
   }
 
   const CheckArguments& options_;
+  ClaimChildren& children_;
   const std::atomic<bool>& stop_;
-  const WatchedInputs inputs_;
   Progress progress_;
-  InputWatch watch_;
   CheckedProperty checked_;
   Result<void> told_;
 };
@@ -204,9 +196,10 @@ Result<int> run_check(const CheckArguments& arguments) {
   Table table = check_table(*chosen);
   std::uint64_t done = 0, findings = 0, unchecked = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
+  ClaimChildren children(interrupted);
   for (const Property& property : *chosen) {
     if (interrupted) break;
-    PropertyCheck check(options, property, interrupted);
+    PropertyCheck check(options, property, children, interrupted);
     if (const Result<void> told = check.run(table); !told) return tl::unexpected(told.error());
     ++done;
     findings += check.checked().is_finding() ? 1 : 0;

@@ -57,16 +57,9 @@ std::string check_command(const Property& property, std::span<const std::uint8_t
                      to_hex_word(bytes));
 }
 
-std::string check_command(const Property& property, std::uint64_t seed) {
-  const WatchedInputs draws = draws_watched(property, seed);
-  return fmt::format("{}0{}", draws.before, draws.after);
-}
-
-WatchedInputs draws_watched(const Property& property, std::uint64_t seed) {
-  return {std::string(property.name),
-          fmt::format("{} check {} --seed {} --first ", shell_word(program_name()), property.name,
-                      seed),
-          " --count 1"};
+std::string check_command(const Property& property, std::uint64_t seed, std::uint64_t index) {
+  return fmt::format("{} check {} --seed {} --first {} --count 1", shell_word(program_name()),
+                     property.name, seed, index);
 }
 
 void set_least(CheckFind& find, const Property& property, Counterexample least) {

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/input_watch.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
@@ -27,10 +26,8 @@ struct CheckFind {
 
 /// The command that puts these bytes to a property.
 std::string check_command(const Property& property, std::span<const std::uint8_t> bytes);
-/// The same of one draw (draws_of).
-std::string check_command(const Property& property, std::uint64_t seed);
-/// The same of any one draw, whose number goes between.
-WatchedInputs draws_watched(const Property& property, std::uint64_t seed);
+/// The same of one draw.
+std::string check_command(const Property& property, std::uint64_t seed, std::uint64_t index);
 
 /// What a find was shrunk to, with command and test.
 void set_least(CheckFind& find, const Property& property, Counterexample least);

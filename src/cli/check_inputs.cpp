@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 #include "base/in_order.hpp"
 
@@ -11,9 +15,12 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Inputs between two looks at the clock and the signals, at first and at most: some properties
-/// take milliseconds an input, others less than one microsecond.
-constexpr std::uint64_t kFirstBatch = 4, kLargestBatch = 1024;
+/// Inputs of a question, at most: some properties take milliseconds an input, others less than one
+/// microsecond. Twice as many as before while a round takes less than kShortRound seconds.
+constexpr std::uint64_t kLargestRange = 1024;
+constexpr double kShortRound = 0.1;
+/// Questions between two looks at the clock, for each thread.
+constexpr std::uint64_t kRangesEach = 4;
 
 /// So many inputs are all discarded before a property is given up whose time is over.
 constexpr std::uint64_t kDiscardedInVain = 1000;
@@ -26,38 +33,57 @@ double seconds_since(Clock::time_point start) {
 
 }  // namespace
 
+std::unique_ptr<ServedClaim> ClaimChildren::take(const Property& property) {
+  const std::lock_guard lock(mutex_);
+  if (idle_.empty()) return std::make_unique<ServedClaim>(property, &stop_);
+  std::unique_ptr<ServedClaim> claim = std::move(idle_.back());
+  idle_.pop_back();
+  claim->turn_to(property);
+  return claim;
+}
+
+void ClaimChildren::give_back(std::unique_ptr<ServedClaim> claim) {
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(claim));
+}
+
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
-                        const std::atomic<bool>& stop, InputWatch& watch, Progress& progress,
+                        ClaimChildren& children, const std::atomic<bool>& stop, Progress& progress,
                         const std::function<void(const CheckTally&)>& on_failure) {
   CheckTally tally;
+  const auto check = [&](std::uint64_t first, std::uint64_t count) {
+    std::unique_ptr<ServedClaim> claim = children.take(property);
+    CheckTally checked = claim->on_draws(inputs.seed, first, count);
+    children.give_back(std::move(claim));
+    return checked;
+  };
   const Clock::time_point start = Clock::now();
-  std::uint64_t batch = kFirstBatch;
   const std::uint64_t limit = inputs.seconds ? ~std::uint64_t{0} - inputs.first : inputs.count;
   const auto in_time = [&] {
-    return !inputs.seconds || seconds_since(start) < *inputs.seconds ||
+    return !inputs.seconds || tally.seconds < *inputs.seconds ||
            (tally.discarded == tally.checked && tally.checked < kDiscardedInVain);
   };
-  while (tally.checked < limit && !stop && in_time()) {
-    const std::uint64_t from = inputs.first + tally.checked;
-    run_in_order<Check>(
-        std::min(batch, limit - tally.checked), inputs.threads,
-        [&](size_t i) {
-          const InputWatch::At at(watch, from + i);
-          RandomChoices choices = inputs.choices(from + i);
-          return run(property, choices);
-        },
-        [&](const Check& result) {
-          if (result.status == Check::Status::kDiscarded) ++tally.discarded;
-          if (result.status == Check::Status::kFails && tally.failed++ == 0) {
-            tally.first_failure = inputs.first + tally.checked;
-            tally.text = result.text;
-            on_failure(tally);
-          }
-          ++tally.checked;
-        },
-        &stop);
-    batch = std::min(2 * batch, kLargestBatch);
+  const auto ranges = static_cast<std::uint64_t>(inputs.threads) * kRangesEach;
+  for (std::uint64_t range = 1;
+       tally.checked < limit && !tally.is_cut_short && !stop && in_time();) {
+    const double before = tally.seconds;
+    const std::uint64_t from = tally.checked;
+    const std::uint64_t here = std::min(ranges * range, limit - from);
+    run_in_order<CheckTally>((here + range - 1) / range, inputs.threads,
+                             [&](size_t i) {
+                               const std::uint64_t done = i * range;
+                               return check(inputs.first + from + done,
+                                            std::min(range, here - done));
+                             },
+                             [&](const CheckTally& next) {
+                               if (tally.is_cut_short) return;
+                               const bool is_first = tally.failed == 0 && next.failed > 0;
+                               tally.add(next);
+                               if (is_first) on_failure(tally);
+                             },
+                             &stop);
     tally.seconds = seconds_since(start);
+    if (tally.seconds - before < kShortRound) range = std::min(2 * range, kLargestRange);
     progress.show(
         inputs.seconds ? std::min(1.0, tally.seconds / *inputs.seconds)
                        : static_cast<double>(tally.checked) / static_cast<double>(limit),

@@ -3,12 +3,13 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
-#include <string>
+#include <vector>
 
-#include "cli/input_watch.hpp"
 #include "cli/terminal.hpp"
-#include "properties/property.hpp"
+#include "hunt/served_claim.hpp"
 
 namespace ccdfuzz {
 
@@ -20,26 +21,28 @@ struct CheckedInputs {
   /// Instead of count: for so long, and until one input was not discarded or 1000 were.
   std::optional<double> seconds;
   int threads = 1;
-
-  RandomChoices choices(std::uint64_t index) const {
-    return RandomChoices{Random::keyed({seed, index})};
-  }
 };
 
-/// What the inputs showed of one property.
-struct CheckTally {
-  std::uint64_t checked = 0, discarded = 0, failed = 0;
-  std::uint64_t first_failure = 0;  ///< index of the input
-  std::string text;                 ///< of the first failure
-  double seconds = 0;
+/// As many children as are at work at once, for one property after another.
+class ClaimChildren {
+ public:
+  /// stop: what has taken long by then is ended.
+  explicit ClaimChildren(const std::atomic<bool>& stop) : stop_(stop) {}
 
-  bool all_discarded() const { return checked > 0 && discarded == checked; }
+  std::unique_ptr<ServedClaim> take(const Property& property);
+  void give_back(std::unique_ptr<ServedClaim> claim);
+
+ private:
+  const std::atomic<bool>& stop_;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<ServedClaim>> idle_;
 };
 
-/// Depends on the inputs alone, but for the time that it took. stop: no further inputs. on_failure
-/// is called once, as soon as the first failure is known, from any thread.
+/// In children, one for each thread. Depends on the inputs alone, but for the time that it took.
+/// stop: no further inputs. on_failure is called once, as soon as the first failure is known, from
+/// any thread.
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
-                        const std::atomic<bool>& stop, InputWatch& watch, Progress& progress,
+                        ClaimChildren& children, const std::atomic<bool>& stop, Progress& progress,
                         const std::function<void(const CheckTally&)>& on_failure);
 
 }  // namespace ccdfuzz

@@ -93,7 +93,7 @@ class ClaimTriage {
 
   static CheckFind found_on(const ClaimInput& input, const InputRun& run) {
     return {run.check.text,
-            input.seed ? check_command(input.property, *input.seed)
+            input.seed ? check_command(input.property, *input.seed, 0)
                        : check_command(input.property, input.bytes),
             run.error,
             std::nullopt,

@@ -19,13 +19,6 @@ namespace {
   std::exit(2);
 }
 
-[[noreturn]] void serve_claim(const std::string& name, const Served& served, double cpu_seconds) {
-  const auto claim = std::ranges::find(served.claims, name, &Property::name);
-  if (claim == served.claims.end()) refuse(fmt::format("there is no claim \"{}\"", name));
-  serve_lines([&](const std::string& question) { return served_check(*claim, question); },
-              cpu_seconds);
-}
-
 [[noreturn]] void serve_method(const std::string& spec, const Served& served, double cpu_seconds) {
   const auto method = served.make(spec);
   if (!method) refuse(method.error().message());
@@ -44,13 +37,16 @@ void serve_if_asked(int argc, char** argv, const Served& served) {
     cpu_seconds = std::strtod(words[1].c_str(), nullptr);
     words.erase(words.begin(), words.begin() + 2);
   }
-  if (words.size() == 2 && words[0] == "--claim") serve_claim(words[1], served, cpu_seconds);
+  if (words.size() == 1 && words[0] == "--claims") {
+    serve_lines([&](const std::string& question) { return served_check(served.claims, question); },
+                cpu_seconds);
+  }
   if (words.size() == 1 && words[0] == "--triage") {
     serve_lines([&](const std::string& question) { return served.errands.done(question); },
                 cpu_seconds);
   }
   if (words.size() == 1) serve_method(words[0], served, cpu_seconds);
-  refuse("needs METHOD, --claim NAME or --triage");
+  refuse("needs METHOD, --claims or --triage");
 }
 
 }  // namespace ccdfuzz

@@ -17,7 +17,7 @@ struct Served {
   TriageErrands errands = {};
 };
 
-/// Of `PROGRAM serve [--cpu-seconds S] METHOD | --claim NAME | --triage` serves until stdin ends,
+/// Of `PROGRAM serve [--cpu-seconds S] METHOD | --claims | --triage` serves until stdin ends,
 /// and does not return: a method by the line protocol, the others as served_check and
 /// TriageErrands. Of any other arguments returns, and from then on the children of this process are
 /// its program.

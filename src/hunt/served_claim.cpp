@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <new>
@@ -21,12 +22,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kStatuses = {"holds", "fails", "discarded"};
 
-/// Where the choices come from: "numbers" (StoredChoices), "bytes", or the number of "draws".
+/// Where the choices come from: "numbers" (StoredChoices), "bytes", or "draw": a seed and the index
+/// of a draw. Of "draws", a seed, the first index and how many, the answer is a CheckTally.
 struct Question {
-  std::string of;
+  std::string claim, of;
   ChoiceNumbers numbers;
 
   static void fields(auto& archive, auto& question) {
+    archive("claim", question.claim);
     archive("of", question.of);
     archive("numbers", question.numbers);
   }
@@ -41,13 +44,9 @@ struct Said {
   }
 };
 
-struct Made {
-  std::uint64_t choice;
-  std::uint64_t width;
-};
-/// More choices are not kept. The largest inputs of fuzz targets have so many bytes, and a choice
-/// takes one at least; what draws make has thousands. A child's files end at 16 MiB.
-constexpr std::size_t kMostMade = (std::size_t{16} << 20) / sizeof(Made);
+/// What draws make are thousands of choices, each its width and then so many bytes. More are not
+/// kept: a child's files end at 16 MiB.
+constexpr std::size_t kMostMade = std::size_t{15} << 20;
 
 /// The choices of one input as they are made.
 class MadeWriter {
@@ -55,20 +54,21 @@ class MadeWriter {
   MadeWriter() { static_cast<void>(::ftruncate(ChildProgram::kInherited, 0)); }
 
   void add(std::uint64_t choice, int width) {
-    if (count_ == kMostMade) return;
-    const Made made{choice, static_cast<std::uint64_t>(width)};
-    const auto at = static_cast<off_t>(count_ * sizeof made);
-    if (::pwrite(ChildProgram::kInherited, &made, sizeof made, at) == sizeof made) ++count_;
+    if (size_ > kMostMade) return;
+    made_.assign(1, static_cast<std::uint8_t>(width));
+    append_choice(made_, choice, width);
+    const ssize_t n =
+        ::pwrite(ChildProgram::kInherited, made_.data(), made_.size(), static_cast<off_t>(size_));
+    if (n > 0) size_ += static_cast<std::size_t>(n);
   }
 
  private:
-  std::size_t count_ = 0;
+  std::vector<std::uint8_t> made_;
+  std::size_t size_ = 0;
 };
 
 /// As run, but that a want of memory is left to whoever limits it.
 Check run_within_memory(const Property& property, ChoiceSource& choices) {
-  MadeWriter made;
-  choices.watch([&](std::uint64_t choice, int width) { made.add(choice, width); });
   try {
     return property.check(choices);
   } catch (const std::bad_alloc&) {
@@ -78,34 +78,65 @@ Check run_within_memory(const Property& property, ChoiceSource& choices) {
   }
 }
 
+CheckTally tally_of(std::uint64_t index, const Check& check, const std::string& error) {
+  CheckTally tally;
+  tally.checked = 1;
+  tally.discarded = check.status == Check::Status::kDiscarded ? 1 : 0;
+  if (check.status != Check::Status::kFails) return tally;
+  tally.failed = 1;
+  tally.first_failure = index;
+  tally.text = check.text;
+  tally.error = error;
+  return tally;
+}
+
+CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) {
+  CheckTally tally;
+  for (std::uint64_t i = 0; i < numbers.at(2); ++i) {
+    RandomChoices drawn(Random::keyed({numbers[0], numbers[1] + i}));
+    tally.add(tally_of(numbers[1] + i, run_within_memory(property, drawn), ""));
+  }
+  return tally;
+}
+
+Check run_and_record(const Property& property, ChoiceSource& choices) {
+  MadeWriter made;
+  choices.watch([&](std::uint64_t choice, int width) { made.add(choice, width); });
+  return run_within_memory(property, choices);
+}
+
 Check run_on(const Property& property, const Question& question) {
   const ChoiceNumbers& numbers = question.numbers;
-  if (question.of == "draws") {
-    RandomChoices drawn = draws_of(numbers.empty() ? 0 : numbers[0]);
-    return run_within_memory(property, drawn);
+  if (question.of == "draw") {
+    RandomChoices drawn(Random::keyed({numbers.at(0), numbers.at(1)}));
+    return run_and_record(property, drawn);
   }
   if (question.of == "numbers") {
     StoredChoices stored(numbers);
-    return run_within_memory(property, stored);
+    return run_and_record(property, stored);
   }
   const std::vector<std::uint8_t> bytes(numbers.begin(), numbers.end());
   ByteChoices of_bytes(bytes);
-  return run_within_memory(property, of_bytes);
+  return run_and_record(property, of_bytes);
 }
 
-ChildProgram child_of(const Property& property, const MadeChoices& made) {
-  auto program = served_child({"--claim", std::string(property.name)}, kServedLimits);
+ChildProgram child_of(const MadeChoices& made, const std::atomic<bool>* interrupted) {
+  auto program = served_child({"--claims"}, kServedLimits);
   if (!program) throw std::runtime_error(program.error().message());
   program->inherited = made.descriptor();
+  program->interrupted = interrupted;
   return *std::move(program);
 }
 
 }  // namespace
 
-std::string served_check(const Property& property, const std::string& question) {
+std::string served_check(const std::vector<Property>& claims, const std::string& question) {
   const auto asked = from_json<Question>(question, "the question");
   if (!asked) throw std::invalid_argument(asked.error().message());
-  const Check check = run_on(property, *asked);
+  const auto claim = std::ranges::find(claims, asked->claim, &Property::name);
+  if (claim == claims.end()) throw std::invalid_argument("there is no claim " + asked->claim);
+  if (asked->of == "draws") return to_json(run_on_draws(*claim, asked->numbers));
+  const Check check = run_on(*claim, *asked);
   return to_json(
       Said{std::string(kStatuses.at(static_cast<std::size_t>(check.status))), check.text});
 }
@@ -125,18 +156,57 @@ void MadeChoices::clear() {
 }
 
 void MadeChoices::read_into(InputRun& run) const {
-  Made made{};
-  for (off_t at = 0; ::pread(file_, &made, sizeof made, at) == sizeof made; at += sizeof made) {
-    run.numbers.push_back(made.choice);
-    append_choice(run.bytes, made.choice, static_cast<int>(made.width));
+  const off_t size = ::lseek(file_, 0, SEEK_END);
+  std::vector<std::uint8_t> made(static_cast<std::size_t>(size));
+  if (::pread(file_, made.data(), made.size(), 0) != size) return;
+  for (std::size_t at = 0; at < made.size();) {
+    const std::size_t width = made[at++];
+    if (width > made.size() - at) return;  // it ended as it wrote
+    std::uint64_t choice = 0;
+    for (std::size_t i = width; i > 0; --i) choice = choice << 8 | made[at + i - 1];
+    run.numbers.push_back(choice);
+    run.bytes.insert(run.bytes.end(), made.begin() + static_cast<std::ptrdiff_t>(at),
+                     made.begin() + static_cast<std::ptrdiff_t>(at + width));
+    at += width;
   }
 }
 
-ServedClaim::ServedClaim(const Property& property) : child_(child_of(property, made_)) {}
+ServedClaim::ServedClaim(const Property& property, const std::atomic<bool>* interrupted)
+    : name_(property.name), child_(child_of(made_, interrupted)) {}
+
+void CheckTally::add(const CheckTally& next) {
+  if (failed == 0 && next.failed > 0) {
+    first_failure = next.first_failure;
+    text = next.text;
+    error = next.error;
+  }
+  checked += next.checked;
+  discarded += next.discarded;
+  failed += next.failed;
+  is_cut_short = is_cut_short || next.is_cut_short;
+}
+
+InputRun ServedClaim::on_draw(std::uint64_t seed, std::uint64_t index) {
+  return ask("draw", {seed, index});
+}
+
+CheckTally ServedClaim::on_draws(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
+  const auto all =
+      ask_served<CheckTally>(child_, to_json(Question{name_, "draws", {seed, first, count}}));
+  if (all) return *all;
+  CheckTally tally;
+  tally.is_cut_short = all.error().name == "interrupted";
+  for (std::uint64_t i = first; i < first + count && !tally.is_cut_short; ++i) {
+    const InputRun run = on_draw(seed, i);
+    tally.is_cut_short = run.error == "interrupted" || run.error == "hang";
+    if (run.error != "interrupted") tally.add(tally_of(i, run.check, run.error));
+  }
+  return tally;
+}
 
 InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
   made_.clear();  // what a child never comes to read has no choices
-  const auto said = ask_served<Said>(child_, to_json(Question{of, numbers}));
+  const auto said = ask_served<Said>(child_, to_json(Question{name_, of, numbers}));
   InputRun run;
   made_.read_into(run);
   if (!said) {
@@ -150,7 +220,7 @@ InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
 }
 
 InputRun ServedClaim::on(const ClaimInput& input) {
-  if (input.seed) return ask("draws", {*input.seed});
+  if (input.seed) return on_draw(*input.seed, 0);
   return ask("bytes", ChoiceNumbers(input.bytes.begin(), input.bytes.end()));
 }
 

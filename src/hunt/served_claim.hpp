@@ -1,7 +1,9 @@
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/child.hpp"
 #include "properties/fuzz_targets.hpp"
@@ -27,15 +29,46 @@ class MadeChoices {
   int file_;
 };
 
-/// Runs a property in `ccdfuzz serve --claim NAME`, which its crash or hang ends in place of this
+/// What inputs showed of one property.
+struct CheckTally {
+  std::uint64_t checked = 0, discarded = 0, failed = 0;
+  std::uint64_t first_failure = 0;  ///< index of the input
+  std::string text;                 ///< of the first failure
+  std::string error;                ///< the same: what running it ended in; mostly none
+  bool is_cut_short = false;        ///< by an interruption or a hang
+  double seconds = 0;
+
+  bool all_discarded() const { return checked > 0 && discarded == checked; }
+  /// Of the inputs that come next.
+  void add(const CheckTally& next);
+
+  static void fields(auto& archive, auto& tally) {
+    archive("checked", tally.checked);
+    archive("discarded", tally.discarded);
+    archive("failed", tally.failed);
+    archive("first_failure", tally.first_failure);
+    archive("text", tally.text);
+  }
+};
+
+/// Runs a property in `ccdfuzz serve --claims`, which its crash or hang ends in place of this
 /// process.
 class ServedClaim {
  public:
   /// Errors: throws InputError's text where the program is not there.
-  explicit ServedClaim(const Property& property);
+  explicit ServedClaim(const Property& property, const std::atomic<bool>* interrupted = nullptr);
+
+  /// From now on runs another one, in the same child: to start one takes as long as many inputs.
+  void turn_to(const Property& property) { name_ = property.name; }
 
   /// What ends the child is an error, with what is known of it as the text.
   InputRun on(const ClaimInput& input);
+
+  /// The draw of an index, as `ccdfuzz check` numbers them.
+  InputRun on_draw(std::uint64_t seed, std::uint64_t index);
+  /// `count` draws from the index on. Where one of them crashes, they are asked one by one, each
+  /// that does as a failure; after one that hangs, no more.
+  CheckTally on_draws(std::uint64_t seed, std::uint64_t first, std::uint64_t count);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
   /// is, since each try would cost its whole time; of draws, if it hangs on what they were, too.
@@ -46,11 +79,12 @@ class ServedClaim {
  private:
   InputRun ask(const char* of, const ChoiceNumbers& numbers);
 
+  std::string name_;
   MadeChoices made_;
   Child child_;
 };
 
 /// What the child answers to a line.
-std::string served_check(const Property& property, const std::string& question);
+std::string served_check(const std::vector<Property>& claims, const std::string& question);
 
 }  // namespace ccdfuzz

@@ -1,10 +1,13 @@
 // `ccdfuzz check` and `ccdfuzz triage` of made-up properties, each of which misbehaves as its name
 // says.
+#include <unistd.h>
+
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <string>
 #include <thread>
 
 #include "cli/command.hpp"
@@ -75,6 +78,16 @@ Check aborts_when_shrunk(ChoiceSource& choices) {
   return Check::holds();
 }
 
+/// Whoever checks, not the child that this runs in.
+void interrupt_who_checks() {
+  ::kill(std::atoi(std::getenv("MISBEHAVING_PROPERTIES")), SIGINT);
+}
+
+Check interrupts_and_hangs(ChoiceSource&) {
+  interrupt_who_checks();
+  for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
+}
+
 Check hangs(ChoiceSource& choices) {
   if (!one_in_a_hundred(choices)) return Check::holds();
   std::cout << "hanging" << std::endl;  // NOLINT: whoever waits for it must see it
@@ -84,7 +97,7 @@ Check hangs(ChoiceSource& choices) {
 /// Once: whoever asks twice wants the program to end at once.
 Check interrupts(ChoiceSource& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
-  if (!done.test_and_set()) std::raise(SIGINT);
+  if (!done.test_and_set()) interrupt_who_checks();
   return holds(choices);
 }
 
@@ -112,7 +125,7 @@ Check takes_long_to_shrink(ChoiceSource& choices, int runs) {
 
 Check interrupts_when_shrunk(ChoiceSource& choices) {
   static std::atomic<int> done = 0;
-  if (++done == 20) std::raise(SIGINT);
+  if (++done == 20) interrupt_who_checks();
   return takes_long_to_shrink(choices, 100);
 }
 
@@ -137,13 +150,15 @@ std::vector<Property> misbehaving() {
           {"made_up.is_slow", "", "", kHolds, is_slow},
           {"made_up.interrupts", "", "", kHolds, interrupts},
           {"made_up.wants_memory", "", "", kHolds, wants_memory},
-          {"made_up.hangs", "", "", kHolds, hangs}};
+          {"made_up.hangs", "", "", kHolds, hangs},
+          {"made_up.interrupts_and_hangs", "", "", kHolds, interrupts_and_hangs}};
 }
 
 }  // namespace
 }  // namespace ccdfuzz
 
 int main(int argc, char** argv) {
+  ::setenv("MISBEHAVING_PROPERTIES", std::to_string(::getpid()).c_str(), 0);
   ccdfuzz::serve_if_asked(argc, argv, {.claims = ccdfuzz::misbehaving()});
   ccdfuzz::CommandLine line;
   ccdfuzz::add_check(line, ccdfuzz::misbehaving());
