@@ -48,6 +48,10 @@ namespace fields_detail {
 struct AnyArchive {};
 }  // namespace fields_detail
 
+/// True iff the archive, which may be a reference, reads.
+template <class Archive>
+inline constexpr bool kReads = std::remove_reference_t<Archive>::kReads;
+
 template <class T>
 concept HasOwnFields = requires(fields_detail::AnyArchive& archive, T& record) {
   T::fields(archive, record);

@@ -60,7 +60,7 @@ struct JsonForm<MovingPatch<double>> {
     if (shape.kind == ShapeKind::kTensor) {
       std::array degrees{shape.n, shape.m};
       archive("degree", degrees, Each{degree});
-      if constexpr (archive.kReads) shape = Shape::tensor(degrees[0], degrees[1]);
+      if constexpr (kReads<decltype(archive)>) shape = Shape::tensor(degrees[0], degrees[1]);
     } else if (shape.kind != ShapeKind::kPoint) {
       archive("degree", shape.n, degree);
     }
@@ -131,7 +131,7 @@ struct JsonForm<Clearance> {
       const bool known = word == "P" || word == "T" || word == "L";
       return std::string(known ? "" : "is not a certificate of absence (P, T, L)");
     });
-    if constexpr (archive.kReads) {
+    if constexpr (kReads<decltype(archive)>) {
       if (kind == "T") clearance = MissTree{};
       if (kind == "L") clearance = LinearClearance{};
     }
@@ -200,7 +200,7 @@ struct JsonForm<Truth> {
     const bool any = truth.contact_box || truth.contact_root || truth.clearance;
     CertificatesOf<std::remove_reference_t<decltype(truth)>> certificates{truth};
     archive.when(any, "certificate", certificates);
-    if constexpr (archive.kReads) check_supports(archive.object(), truth);
+    if constexpr (kReads<decltype(archive)>) check_supports(archive.object(), truth);
   }
 };
 
@@ -302,7 +302,7 @@ struct JsonForm<Case> {
     archive.optional("origin", value.origin);
     if (version > 1) archive.optional("asked", value.asked);
     archive.optional("expect", value.expect);
-    if constexpr (archive.kReads) {
+    if constexpr (kReads<decltype(archive)>) {
       if (version == 1) carry_over_version_1(archive.object(), value);
     }
   }

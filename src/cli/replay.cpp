@@ -17,6 +17,7 @@
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "corpus/entries.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
