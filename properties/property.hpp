@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <string>
@@ -28,6 +29,18 @@ struct Check {
     return fails(std::string("an exception: ") + error.what());
   }
 };
+
+inline constexpr std::array kCheckStatuses = {Check::Status::kHolds, Check::Status::kFails,
+                                              Check::Status::kDiscarded};
+constexpr const auto& all_of(Check::Status) {
+  return kCheckStatuses;
+}
+/// What a property does on an input: it "holds", "fails" or "is discarded".
+constexpr std::string_view name_of(Check::Status status) {
+  constexpr std::array<std::string_view, kCheckStatuses.size()> kNames = {"holds", "fails",
+                                                                          "is discarded"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 /// What is known of a claim. A claim that is false stays as it was made, and is marked.
 enum class Expectation : std::uint8_t {

@@ -141,8 +141,7 @@ Result<std::string> find_worker_program() {
 
 void Child::start() {
   kill();
-  const Result<std::string> program = find_worker_program();
-  if (!program) throw std::runtime_error(program.error().message());
+  const std::string program = value_or_throw(find_worker_program());
   let_ends_be_known();
   const DescriptorPair questions = DescriptorPair::sockets();
   const DescriptorPair replies = DescriptorPair::pipe();
@@ -153,7 +152,7 @@ void Child::start() {
   for (const int ours : {questions_, replies_, printed_}) ::fcntl(ours, F_SETFL, O_NONBLOCK);
 
   std::vector<std::string> words = {
-      *program, std::to_string(program_.limits.megabytes),
+      program, std::to_string(program_.limits.megabytes),
       std::to_string(static_cast<long>(std::ceil(program_.limits.seconds)) + 2)};
   words.insert(words.end(), program_.command.begin(), program_.command.end());
   std::vector<char*> arguments;
@@ -174,7 +173,7 @@ void Child::start() {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
   const int failed =
-      ::posix_spawn(&pid_, program->c_str(), &files, &attributes, arguments.data(), environ);
+      ::posix_spawn(&pid_, program.c_str(), &files, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   for (const DescriptorPair& pair : {questions, replies, printed}) ::close(pair.ends[1]);

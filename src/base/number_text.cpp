@@ -7,7 +7,9 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+
 #include <utility>
+#include "base/text.hpp"
 
 namespace ccdfuzz {
 
@@ -87,12 +89,10 @@ Result<double> parse_seconds(const std::string& where, const std::string& text) 
 
 Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text) {
   std::vector<double> numbers;
-  for (size_t begin = 0; begin <= text.size();) {
-    const size_t end = std::min(text.find(',', begin), text.size());
-    const Result<double> number = parse_number(where, text.substr(begin, end - begin));
+  for (const std::string& one : texts_between_commas(text)) {
+    const Result<double> number = parse_number(where, one);
     if (!number) return tl::unexpected(number.error());
     numbers.push_back(*number);
-    begin = end + 1;
   }
   return numbers;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -19,6 +20,13 @@ using Result = tl::expected<T, InputError>;
 
 inline tl::unexpected<InputError> input_error(std::string where, std::string what) {
   return tl::unexpected<InputError>({std::move(where), std::move(what)});
+}
+
+/// What the result holds, where there is nobody to refuse to. Throws the error's message.
+template <class T>
+T value_or_throw(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message());
+  return *std::move(result);
 }
 
 }  // namespace ccdfuzz

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ccdfuzz {
 
 namespace {
@@ -33,6 +35,16 @@ std::string shown_line(std::string_view text) {
 
 std::string shown_lines(std::string_view text) {
   return without_controls(text, "\n");
+}
+
+std::vector<std::string> texts_between_commas(const std::string& text) {
+  std::vector<std::string> texts;
+  for (size_t begin = 0; begin <= text.size();) {
+    const size_t end = std::min(text.find(',', begin), text.size());
+    texts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return texts;
 }
 
 std::string shell_word(const std::string& text) {

@@ -94,6 +94,9 @@ struct Asked {
   double precision = 1e-4;             ///< in [2^-50, 1]
   std::uint64_t max_pops = 1'000'000;  ///< at least 1
 
+  /// Whether methods can be asked at this precision: 2^-50 is where Cell::kMaxDepth ends.
+  static bool admits(double precision);
+
   friend bool operator==(const Asked&, const Asked&) = default;
 };
 

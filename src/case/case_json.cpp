@@ -12,6 +12,10 @@
 
 namespace ccdfuzz {
 
+bool Asked::admits(double precision) {
+  return compare(precision, 0x1p-50) >= 0 && compare(precision, 1) <= 0;
+}
+
 template <>
 struct JsonForm<Rational> {
   static void write(std::string& json, const Rational& x) { json += json_string(to_text(x)); }
@@ -154,11 +158,6 @@ struct JsonForm<Clearance> {
 
 namespace {
 
-/// Whether methods take it; 2^-50 is where Cell::kMaxDepth ends.
-bool can_be_asked_at(double x) {
-  return compare(x, 0x1p-50) >= 0 && compare(x, 1) <= 0;
-}
-
 /// The certificates of a truth, which stand in an object of their own.
 template <class T>
 struct CertificatesOf {
@@ -251,7 +250,7 @@ struct JsonForm<Asked> {
   static void fields(auto& archive, auto& asked) {
     constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
     archive.optional("precision", asked.precision, Asked().precision, [](double precision) {
-      return std::string(can_be_asked_at(precision) ? "" : "is not in [2^-50, 1]");
+      return std::string(Asked::admits(precision) ? "" : "is not in [2^-50, 1]");
     });
     archive.optional("max_pops", asked.max_pops, Asked().max_pops, within(std::uint64_t{1}, kMost));
   }
@@ -275,7 +274,7 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
   if (const auto precision = take(value.origin, "precision")) {
     const JsonCursor at = from.at("origin").at("precision");
     value.asked.precision = at.real();
-    if (!can_be_asked_at(value.asked.precision)) at.refuse_value("is not in [2^-50, 1]");
+    if (!Asked::admits(value.asked.precision)) at.refuse_value("is not in [2^-50, 1]");
   }
   for (auto& [method, expected] : value.expect) {
     const auto error = take(value.origin, "error of " + method);

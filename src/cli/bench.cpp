@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
@@ -28,15 +29,13 @@ struct BenchOptions {
 
 Result<std::vector<ContactClass>> parse_classes(const std::string& where, const std::string& list) {
   std::vector<ContactClass> classes;
-  for (size_t begin = 0; begin <= list.size();) {
-    const size_t end = std::min(list.find(',', begin), list.size());
-    const auto one = parse_choice<ContactClass>(where, list.substr(begin, end - begin));
+  for (const std::string& text : texts_between_commas(list)) {
+    const auto one = parse_choice<ContactClass>(where, text);
     if (!one) return tl::unexpected(one.error());
     if (std::ranges::find(classes, *one) != classes.end()) {
       return input_error(where, fmt::format("{} stands there twice", name_of(*one)));
     }
     classes.push_back(*one);
-    begin = end + 1;
   }
   return classes;
 }

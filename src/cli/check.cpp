@@ -141,9 +141,7 @@ Result<int> check_hex(const CheckArguments& options) {
   const Check check = run(*property, choices);
   const bool fails = check.status == Check::Status::kFails;
   const bool expected = property->expected == Expectation::kFails;
-  const char* status = fails                                       ? "fails"
-                       : check.status == Check::Status::kDiscarded ? "is discarded"
-                                                                   : "holds";
+  const std::string_view status = name_of(check.status);
   if (options.json) {
     print_json({{"property", property->name},
                 {"expected_to_fail", expected},
@@ -253,7 +251,7 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
                   kFolder));
   Option hex = command.text("--hex", options->hex,
                             "Instead: one input of one property, as a find prints it");
-  const Option threads = add_threads(command, options->inputs.threads);
+  const Option threads = command.threads(options->inputs.threads);
   for (const Option& other : {count, seconds, seed, first, save, threads}) hex.excludes(other);
   command.flag("--json", options->json, "One JSON object per property");
 }

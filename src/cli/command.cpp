@@ -144,10 +144,13 @@ Option Command::add_text(
                     ->default_str(standard));
 }
 
+Option Command::threads(int& value) {
+  value = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return whole("--threads", value, "Threads to work on; results do not depend on it", 1, 1024);
+}
+
 Option Command::threads() {
-  session_->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return whole("--threads", session_->threads, "Threads to work on; results do not depend on it", 1,
-               1024);
+  return threads(session_->threads);
 }
 
 Option Command::json(const std::string& description) {

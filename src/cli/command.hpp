@@ -101,6 +101,7 @@ class Command {
   }
 
   /// --threads, by default as many as there are cores; --json.
+  Option threads(int& value);
   Option threads();
   Option json(const std::string& description);
 

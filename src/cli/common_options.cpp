@@ -23,11 +23,8 @@ Result<std::vector<std::string>> parse_methods(const std::string&, const std::st
 
 Result<double> parse_precision(const std::string& where, const std::string& text) {
   return parse_number(where, text).and_then([&](double width) -> Result<double> {
-    // 2^-50 is where Cell::kMaxDepth ends.
-    if (width < 0x1p-50 || width > 1) {
-      return input_error(where, fmt::format("{} is not in [2^-50, 1]", text));
-    }
-    return width;
+    if (Asked::admits(width)) return width;
+    return input_error(where, fmt::format("{} is not in [2^-50, 1]", text));
   });
 }
 
@@ -73,9 +70,9 @@ SearchOptions SearchFlags::options() const {
   return options;
 }
 
-Result<SearchOptions> SearchFlags::options_for(const NamedCase& named) const {
+SearchOptions SearchFlags::options_for(const Case& value) const {
   SearchOptions search = options();
-  const Asked& own = named.value.asked;
+  const Asked& own = value.asked;
   if (!precision) search.precision = own.precision;
   // A file may ask for less work than the command's limit, never for more.
   if (own.max_pops != Asked().max_pops) {
@@ -114,12 +111,6 @@ std::string to_text(const NotAllowed& left_out) {
   }
   return fmt::format("{} expectation{} of plug-ins not run: allow them with --allow-plugins {}",
                      count, count == 1 ? "" : "s", shell_word(specs));
-}
-
-Option add_threads(Command& command, int& threads) {
-  threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return command.whole("--threads", threads, "Threads to work on; results do not depend on it", 1,
-                       1024);
 }
 
 Option add_shard(Command& command, std::string& shard) {

@@ -20,9 +20,6 @@ namespace ccdfuzz {
 /// The methods that answer in seconds, whatever the case; `trad` takes minutes where patches are
 /// nearly parallel and runs where it is named or its budget is small.
 std::vector<std::string> default_methods();
-inline constexpr const char* kDefaultMethods =
-    "tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-e-literal,tdibm-rational,"
-    "tdibm-c";
 
 /// --precision, --max-pops and --max-seconds, the limits of one query.
 struct SearchFlags {
@@ -35,9 +32,8 @@ struct SearchFlags {
   /// Without --precision.
   std::vector<Option> add_budget_to(Command& command);
   SearchOptions options() const;
-  /// The same for one case, which may have been found at a precision of its own.
-  /// Errors: naming that case, where the fault is its own.
-  Result<SearchOptions> options_for(const NamedCase& named) const;
+  /// The same for one case, which may say how it is to be asked.
+  SearchOptions options_for(const Case& value) const;
 };
 
 /// Plug-ins that files name are not started unless the user allows them by --allow-plugins.
@@ -58,9 +54,6 @@ std::string to_text(const NotAllowed& left_out);
 /// --methods: of these the command asks, in this order.
 void add_methods(Command& command, std::vector<std::string>& methods,
                  const std::string& description);
-
-/// --threads, by default as many as there are cores.
-Option add_threads(Command& command, int& threads);
 
 /// --shard, by default the whole.
 Option add_shard(Command& command, std::string& shard);

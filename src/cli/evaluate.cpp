@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "base/csv.hpp"
 #include "base/journal.hpp"
 #include "base/number_text.hpp"
 #include "base/text.hpp"
@@ -42,8 +43,8 @@ Result<EvaluateOptions> parse(const EvaluateArguments& options) {
   parsed.threads = options.threads;
   parsed.methods = options.methods;
   parsed.search = options.search.options();
-  parsed.search_for = [flags = options.search](const NamedCase& named) {
-    return flags.options_for(named);
+  parsed.search_for = [flags = options.search](const Case& value) {
+    return flags.options_for(value);
   };
   if (!options.horizons.empty()) {
     Result<std::vector<double>> factors = parse_numbers("--t-max-factors", options.horizons);
@@ -67,8 +68,7 @@ Result<EvaluateOptions> parse(const EvaluateArguments& options) {
 /// "0.0001", and whether a case is asked at a precision of its own instead.
 std::string precision_text(const EvaluateOptions& options, const std::vector<NamedCase>& cases) {
   const bool is_own = std::ranges::any_of(cases, [&](const NamedCase& named) {
-    const Result<SearchOptions> search = options.search_for(named);
-    return search && search->precision != options.search.precision;
+    return options.search_for(named.value).precision != options.search.precision;
   });
   return fmt::format("{}{}", options.search.precision, is_own ? " or the case's own" : "");
 }
@@ -182,7 +182,7 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   const Result<bool> complete = evaluate(
       cases, options,
       [&](const AnswerRecord& record, double share) {
-        if (kept) kept = journal->append(to_csv(record));
+        if (kept) kept = journal->append(csv_row(record));
         if (!kept || interrupted) stop = true;
         progress.show(share, progress_note(record), journal->size() - options.skip, "answers");
       },
@@ -201,11 +201,11 @@ Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOp
   if (!folder) return tl::unexpected(folder.error());
   ReportRows page;
   Result<void> done = journal->for_each([&](std::string_view line) -> Result<void> {
-    const Result<AnswerRecord> record = parse_answer_csv(line, path);
+    const Result<AnswerRecord> record = from_csv_row<AnswerRecord>(line, path);
     if (!record) return tl::unexpected(record.error());
     if (!flags.page.empty()) {
       const NamedCase& named = cases.at(record->index);
-      page.add(*record, named, options.search_for(named)->precision);
+      page.add(*record, named, options.search_for(named.value).precision);
     }
     return folder->add(*record);
   });
@@ -245,7 +245,7 @@ Result<int> run_evaluate(const EvaluateArguments& options) {
         groups.add(record);
         if (!options.page.empty()) {
           const NamedCase& named = cases->at(record.index);
-          page.add(record, named, parsed->search_for(named)->precision);
+          page.add(record, named, parsed->search_for(named.value).precision);
         }
         progress.show(share, progress_note(record), ++answers, "answers");
       },
@@ -287,7 +287,7 @@ void add_evaluate(CommandLine& line) {
       "(tables.md), which `report` shows; killed, the same command goes on where it was"));
   command.text("--report", options->page,
                "Folder for a page (index.html) of tables, figures and watchable failures");
-  add_threads(command, options->threads);
+  command.threads(options->threads);
   command.flag("--json", options->json, "One JSON object per class, kinds and method");
 }
 

@@ -257,7 +257,7 @@ void add_generate(CommandLine& line) {
   const Option output =
       command.text("-o,--output", options->output,
                    "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
-  add_threads(command, options->threads);
+  command.threads(options->threads);
   command
       .flag("--json", options->json,
             "The summary as a JSON object on stdout; the cases go to a file then")

@@ -334,7 +334,7 @@ void add_hunt(CommandLine& line) {
       "FOLDER` makes it again");
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
-  add_threads(command, options->threads);
+  command.threads(options->threads);
   command.flag("--json", options->json, "One JSON object per cell and per find");
 }
 

@@ -7,7 +7,6 @@
 
 #include "base/fields.hpp"
 #include "base/input_bytes.hpp"
-#include "base/json_text.hpp"
 #include "base/line_reader.hpp"
 #include "base/output_file.hpp"
 #include "cli/hunt_table.hpp"

@@ -77,7 +77,7 @@ void write_minimised(const MinimizeOptions& options, Case value, bool json) {
 
 int run_minimize(const MinimizeOptions& options, Session& session) {
   const NamedCase found = need(read_case(options.file));
-  const SearchOptions search = need(options.search.options_for(found));
+  const SearchOptions search = options.search.options_for(found.value);
   const std::unique_ptr<Method> method = method_for(found, options.method);
   const CheckedCase known = need(check_case(found));
   const Judged failure = ask(*method, known, search);

@@ -88,7 +88,7 @@ int run_query(const QueryOptions& options, Session& session) {
       [&](SharedCase& shared, size_t m) {
         if (spent) return Judged();  // is not shown
         const CheckedCase& asked = need(shared.checked());
-        SearchOptions search = need(options.search.options_for(shared.named()));
+        SearchOptions search = options.search.options_for(shared.named().value);
         if (by_default) {
           const std::uint64_t most = DefaultBudget::pops_of(asked.query());
           search.max_pops = search.max_pops == 0 ? most : std::min(search.max_pops, most);

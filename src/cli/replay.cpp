@@ -102,13 +102,12 @@ Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries
   std::vector<Question> questions;
   for (size_t i = 0; i < entries.size(); ++i) {
     const NamedCase& entry = entries[i];
-    const Result<SearchOptions> own = flags.options_for(entry);
-    if (!own) return tl::unexpected(own.error());
+    const SearchOptions own = flags.options_for(entry.value);
     for (const auto& [method, expected] : entry.value.expect) {
       if (const auto made = make_method(method); !made) {
         return input_error(entry.id + ": expect", made.error().what);
       }
-      questions.push_back({&entry, &known[i], method, expected.outcome, *own});
+      questions.push_back({&entry, &known[i], method, expected.outcome, own});
     }
   }
   return questions;
@@ -205,7 +204,7 @@ void add_replay(CommandLine& line) {
   command.text("corpus", options->corpus, "Folder, or a file of cases");
   options->plugins.add_to(command);
   options->search.add_to(command);
-  add_threads(command, options->threads);
+  command.threads(options->threads);
   command.flag("--json", options->json, "One JSON object per expectation");
 }
 

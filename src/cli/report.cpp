@@ -42,8 +42,7 @@ struct ReportArguments {
 /// An entry as its expectations say; where those are of a time that a method reported, it is asked
 /// again for it.
 Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
-  const Result<SearchOptions> search = SearchFlags().options_for(entry);
-  if (!search) return tl::unexpected(search.error());
+  const SearchOptions search = SearchFlags().options_for(entry.value);
   ReportedCase reported;
   for (const auto& [method, expected] : entry.value.expect) {
     const Outcome outcome = expected.outcome;
@@ -55,13 +54,13 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
     if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
       const Result<CheckedCase> known = check_case(entry);
       if (!known) return tl::unexpected(known.error());
-      const Judged judged = ask(methods[method], *known, *search);
+      const Judged judged = ask(methods[method], *known, search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
     }
     reported.answers.push_back(std::move(answer));
   }
   reported.id = entry.id;
-  reported.precision = search->precision;
+  reported.precision = search.precision;
   reported.reproduce = reproduction(entry.id, entry.value.expect);
   reported.value = std::move(entry.value);
   return reported;
@@ -140,9 +139,7 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   while (folder->current()) {
     const Result<const NamedCase*> source = cases.find(folder->current()->id);
     if (!source) return tl::unexpected(source.error());
-    const Result<SearchOptions> search = SearchFlags().options_for(**source);
-    if (!search) return tl::unexpected(search.error());
-    rows.add(*folder->current(), **source, search->precision);
+    rows.add(*folder->current(), **source, SearchFlags().options_for((*source)->value).precision);
     if (auto read = folder->advance(); !read) return tl::unexpected(read.error());
   }
   ReportPage report;
@@ -219,7 +216,7 @@ void add_report(CommandLine& line) {
                "Also show how the tests fare with planted faults: a .json that "
                "`ccdfuzz-scoreboard --tables` wrote");
   command.text("-o,--output", options->folder, "Folder for index.html").required();
-  add_threads(command, options->threads);
+  command.threads(options->threads);
 }
 
 }  // namespace ccdfuzz

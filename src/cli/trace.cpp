@@ -28,7 +28,7 @@ TraceOptions trace_options(const TraceArguments& options, const NamedCase& named
                     fmt::format("{} is past t_max {}: nothing to trace", to_text(witness->t),
                                 named.value.query.t_max)}};
   }
-  return {need(options.search.options_for(named)).precision, options.all};
+  return {options.search.options_for(named.value).precision, options.all};
 }
 
 int run_trace(const TraceArguments& options, Session& session) {

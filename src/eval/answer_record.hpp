@@ -4,7 +4,6 @@
 #include <string>
 #include <string_view>
 
-#include "base/result.hpp"
 #include "case/answer.hpp"
 #include "case/outcome.hpp"
 
@@ -28,15 +27,24 @@ struct AnswerRecord {
   std::uint64_t bytes = 0;
   double seconds = 0;
 
+  static void fields(auto& archive, auto& record) {
+    archive("index", record.index);
+    archive("case", record.id);
+    archive("class", record.contact);
+    archive("kind", record.kind);
+    archive("collides", record.collides);
+    archive("t_max_factor", record.factor);
+    archive("method", record.method);
+    archive("t_max", record.t_max);
+    archive("verdict", record.verdict);
+    archive("toi", record.toi);
+    archive("outcome", record.outcome);
+    archive("pops", record.pops);
+    archive("bytes", record.bytes);
+    archive("seconds", record.seconds);
+  }
+
   friend bool operator==(const AnswerRecord&, const AnswerRecord&) = default;
 };
-
-/// The names of the columns.
-std::string answer_csv_header();
-/// Without an end of line.
-std::string to_csv(const AnswerRecord& record);
-/// Errors: another number of fields, or one that is not what its column holds; naming `where`, the
-/// column and the value.
-Result<AnswerRecord> parse_answer_csv(std::string_view line, const std::string& where);
 
 }  // namespace ccdfuzz

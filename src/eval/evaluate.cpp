@@ -42,12 +42,10 @@ struct Asker {
   CheckedCase known;
   SearchOptions search;
 
-  /// Errors: the case is refuted, or has no limits.
+  /// Errors: the case is refuted.
   Result<void> take(const NamedCase& named, std::uint64_t at, const EvaluateOptions& options) {
     if (index == at) return {};
-    const auto own = options.search_for ? options.search_for(named) : options.search;
-    if (!own) return tl::unexpected(own.error());
-    search = *own;
+    search = options.search_for ? options.search_for(named.value) : options.search;
     return check_case(named).map([&](CheckedCase checked) {
       known = std::move(checked);
       index = at;

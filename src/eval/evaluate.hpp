@@ -20,7 +20,7 @@ struct EvaluateOptions {
   std::vector<double> horizon_factors;
   SearchOptions search;
   /// Limits of one case; empty: `search` for all.
-  std::function<Result<SearchOptions>(const NamedCase&)> search_for = {};
+  std::function<SearchOptions(const Case&)> search_for = {};
   Shard shard;             ///< of the cases
   std::uint64_t skip = 0;  ///< that many answers are known already
   int threads = 1;
@@ -30,7 +30,7 @@ struct EvaluateOptions {
 /// answers in the order of the cases, within a case of the horizons, within those of the methods,
 /// whatever the number of threads; share is how much is done. Everything but times is the same in
 /// every run. stop ends it early. Returns true iff all has been answered. Errors: the first case
-/// that is refuted, or that search_for refuses, naming it.
+/// that is refuted, naming it.
 Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
                       const std::function<void(const AnswerRecord&, double share)>& on_answer,
                       const std::atomic<bool>* stop = nullptr);

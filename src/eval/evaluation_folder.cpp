@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "base/csv.hpp"
 #include "base/input_bytes.hpp"
 #include "base/json_text.hpp"
 #include "eval/paper_tables.hpp"
@@ -73,13 +74,13 @@ Result<EvaluationFolder> EvaluationFolder::open(const std::string& folder, Evalu
   Result<OutputFile> answers = OutputFile::create(answers_path(folder));
   if (!answers) return tl::unexpected(answers.error());
   EvaluationFolder opened(folder, std::move(run), *std::move(answers));
-  opened.pending_ = answer_csv_header() + "\n";
+  opened.pending_ = csv_header<AnswerRecord>() + "\n";
   return opened;
 }
 
 Result<void> EvaluationFolder::add(const AnswerRecord& record) {
   groups_.add(record);
-  pending_ += to_csv(record) + "\n";
+  pending_ += csv_row(record) + "\n";
   if (pending_.size() < kAnswersPiece) return {};
   const Result<void> written = answers_.write(pending_);
   pending_.clear();
@@ -127,7 +128,7 @@ Result<EvaluatedFolder> EvaluatedFolder::open(const std::string& folder) {
   }
   opened.answers_.open(answers);
   std::string header;
-  if (!std::getline(opened.answers_, header) || header != answer_csv_header()) {
+  if (!std::getline(opened.answers_, header) || header != csv_header<AnswerRecord>()) {
     return input_error(answers, "does not begin with the line of an evaluation's answers");
   }
   opened.line_ = 1;
@@ -140,7 +141,7 @@ Result<void> EvaluatedFolder::advance() {
   current_.reset();
   if (!std::getline(answers_, line)) return {};
   const std::string where = fmt::format("{}:{}", EvaluationFolder::answers_path(folder_), ++line_);
-  Result<AnswerRecord> record = parse_answer_csv(line, where);
+  Result<AnswerRecord> record = from_csv_row<AnswerRecord>(line, where);
   if (!record) return tl::unexpected(record.error());
   current_ = *std::move(record);
   return {};

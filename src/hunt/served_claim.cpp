@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <new>
 #include <stdexcept>
@@ -19,8 +18,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-constexpr std::array<std::string_view, 3> kStatuses = {"holds", "fails", "discarded"};
 
 /// Where the choices come from: "numbers" (StoredChoices), "bytes", or "draw": a seed and the index
 /// of a draw. Of "draws", a seed, the first index and how many, the answer is a CheckTally.
@@ -36,7 +33,8 @@ struct Question {
 };
 
 struct Said {
-  std::string status, text;
+  Check::Status status = Check::Status::kHolds;
+  std::string text;
 
   static void fields(auto& archive, auto& said) {
     archive("status", said.status);
@@ -121,24 +119,21 @@ Check run_on(const Property& property, const Question& question) {
 }
 
 ChildProgram child_of(const MadeChoices& made, const std::atomic<bool>* interrupted) {
-  auto program = served_child({"--claims"}, kServedLimits);
-  if (!program) throw std::runtime_error(program.error().message());
-  program->inherited = made.descriptor();
-  program->interrupted = interrupted;
-  return *std::move(program);
+  ChildProgram program = value_or_throw(served_child({"--claims"}, kServedLimits));
+  program.inherited = made.descriptor();
+  program.interrupted = interrupted;
+  return program;
 }
 
 }  // namespace
 
 std::string served_check(const std::vector<Property>& claims, const std::string& question) {
-  const auto asked = from_json<Question>(question, "the question");
-  if (!asked) throw std::invalid_argument(asked.error().message());
-  const auto claim = std::ranges::find(claims, asked->claim, &Property::name);
-  if (claim == claims.end()) throw std::invalid_argument("there is no claim " + asked->claim);
-  if (asked->of == "draws") return to_json(run_on_draws(*claim, asked->numbers));
-  const Check check = run_on(*claim, *asked);
-  return to_json(
-      Said{std::string(kStatuses.at(static_cast<std::size_t>(check.status))), check.text});
+  const auto asked = value_or_throw(from_json<Question>(question, "the question"));
+  const auto claim = std::ranges::find(claims, asked.claim, &Property::name);
+  if (claim == claims.end()) throw std::invalid_argument("there is no claim " + asked.claim);
+  if (asked.of == "draws") return to_json(run_on_draws(*claim, asked.numbers));
+  const Check check = run_on(*claim, asked);
+  return to_json(Said{check.status, check.text});
 }
 
 MadeChoices::MadeChoices() : file_(::memfd_create("choices", MFD_CLOEXEC)) {
@@ -214,8 +209,7 @@ InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
     run.error = said.error().name;
     return run;
   }
-  const auto* const status = std::ranges::find(kStatuses, said->status);
-  run.check = {static_cast<Check::Status>(status - kStatuses.begin()), said->text};
+  run.check = {said->status, said->text};
   return run;
 }
 

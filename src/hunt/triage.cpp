@@ -157,9 +157,7 @@ std::string TriageErrands::done(const std::string& question) const {
 tl::expected<std::string, Fault> Triage::told(const char* errand, const Case& value,
                                               const std::string& method) {
   if (!errands_) {
-    Result<ChildProgram> program = served_child(options_.errands, kServedLimits);
-    if (!program) throw std::runtime_error(program.error().message());
-    errands_.emplace(*std::move(program));
+    errands_.emplace(value_or_throw(served_child(options_.errands, kServedLimits)));
   }
   return ask_served<Told>(*errands_, to_json(Errand{errand, method, to_json(value)}))
       .map([](const Told& told) { return told.text; });

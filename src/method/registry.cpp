@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/text.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/pair_test.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
@@ -280,16 +281,13 @@ Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
 
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {
   std::vector<std::string> specs;
-  for (size_t begin = 0; begin <= list.size();) {
-    const size_t end = std::min(list.find(',', begin), list.size());
-    const std::string spec = list.substr(begin, end - begin);
+  for (const std::string& spec : texts_between_commas(list)) {
     const auto method = admit_plugin(spec).and_then([&] { return make_method(spec); });
     if (!method) return tl::unexpected(method.error());
     if (std::ranges::find(specs, spec) != specs.end()) {
       return input_error("--methods", fmt::format("\"{}\" is named twice", spec));
     }
     specs.push_back(spec);
-    begin = end + 1;
   }
   return specs;
 }

@@ -61,12 +61,6 @@ struct Said {
   }
 };
 
-template <class T>
-T value_or_throw(Result<T> result) {
-  if (!result) throw std::invalid_argument(result.error().message());
-  return *std::move(result);
-}
-
 }  // namespace
 
 std::string served_answer(const std::string& spec, Method& method, const std::string& question) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "base/csv.hpp"
 #include "eval/groups.hpp"
 #include "eval/paper_tables.hpp"
 
@@ -36,7 +37,7 @@ TEST(AnswerRecord, ReadsBackAsItWasWritten) {
     for (const Verdict verdict : {Verdict::kHit, Verdict::kMiss, Verdict::kUndecided}) {
       record.outcome = outcome;
       record.verdict = verdict;
-      const auto back = parse_answer_csv(to_csv(record), "here");
+      const auto back = from_csv_row<AnswerRecord>(csv_row(record), "here");
       ASSERT_TRUE(back) << back.error().message();
       EXPECT_EQ(*back, record);
     }
@@ -44,7 +45,7 @@ TEST(AnswerRecord, ReadsBackAsItWasWritten) {
   record.collides.reset();
   record.factor.reset();
   record.toi.reset();
-  EXPECT_EQ(parse_answer_csv(to_csv(record), "here").value(), record);
+  EXPECT_EQ(from_csv_row<AnswerRecord>(csv_row(record), "here").value(), record);
 }
 
 RC_GTEST_PROP(AnswerRecord, EveryDoubleReadsBackAsItself, (double x, std::uint64_t n)) {
@@ -52,13 +53,13 @@ RC_GTEST_PROP(AnswerRecord, EveryDoubleReadsBackAsItself, (double x, std::uint64
   record.t_max = x;
   record.toi = std::ldexp(x, -900);
   record.pops = n;
-  RC_ASSERT(parse_answer_csv(to_csv(record), "here").value() == record);
+  RC_ASSERT(from_csv_row<AnswerRecord>(csv_row(record), "here").value() == record);
 }
 
 TEST(AnswerRecord, WhatIsNoneIsRefusedByColumn) {
-  const std::string good = to_csv(some_record());
+  const std::string good = csv_row(some_record());
   const auto complaint = [](const std::string& line) {
-    const auto parsed = parse_answer_csv(line, "answers.csv:7");
+    const auto parsed = from_csv_row<AnswerRecord>(line, "answers.csv:7");
     return parsed ? "" : parsed.error().message();
   };
   EXPECT_EQ(complaint(good), "");
