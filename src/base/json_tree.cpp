@@ -65,8 +65,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string& token,
                    const nlohmann::detail::exception& e) override {
     if (e.id == 406) {  // a number past the largest double
-      append(JsonKind::kNumber);
-      return refuse(path(open_.size() + 1), token + " is out of the range of a double");
+      JsonValue& value = append(JsonKind::kNumber);
+      value.text = token;
+      return refuse(path(open_.size() + 1), shown(value) + " is out of the range of a double");
     }
     // "[json.exception.parse_error.101] parse error at line 1, column 2: what"
     const std::string_view full = e.what();

@@ -353,6 +353,14 @@ TEST(MalformedCase, ByteOutsideUtf8IsNamed) {
                              testing::HasSubstr("ill-formed UTF-8")));
 }
 
+TEST(MalformedCase, AnOverlongIntegerIsNotEchoedWhole) {
+  std::string text(kGood);
+  text.replace(text.find("1.5]"), 3, std::string(800'000, '9'));
+  EXPECT_EQ(parse_case(text, "c.json").error().message(),
+            "c.json: patches[1].positions[3][2]: " + std::string(60, '9') +
+                "… is out of the range of a double");
+}
+
 TEST(MalformedCase, NestingAndKeysAreBounded) {
   const std::string deep(1'000'000, '[');
   EXPECT_EQ(parse_case(deep, "c.json").error().message(), "c.json: nested deeper than 64 levels");
