@@ -12,7 +12,7 @@
 
 #include "case/case_files.hpp"
 #include "case/case_json.hpp"
-#include "corpus/content_address.hpp"
+#include "finds/content_address.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -9,10 +9,10 @@
 #include <iostream>
 #include <numeric>
 
-#include "eval/by_spec.hpp"
 #include "fuzz/lost_inputs.hpp"
 #include "fuzz/mutating.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
+#include "method/by_spec.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace {

@@ -13,11 +13,11 @@
 
 #include "case/case_json.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
-#include "eval/by_spec.hpp"
 #include "fuzz/lost_inputs.hpp"
 #include "fuzz/margins.hpp"
 #include "fuzz/mutating.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
+#include "method/by_spec.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "eval/ask.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

@@ -15,9 +15,9 @@
 #include "cli/output.hpp"
 #include "cli/refusals.hpp"
 #include "cli/terminal.hpp"
-#include "corpus/data_set_address.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "eval/paper_tables.hpp"
+#include "finds/data_set_address.hpp"
 #include "method/method.hpp"
 #include "report/rows.hpp"
 

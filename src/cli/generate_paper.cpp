@@ -17,8 +17,8 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "corpus/content_address.hpp"
 #include "eval/generation_record.hpp"
+#include "finds/content_address.hpp"
 #include "generators/paper_set.hpp"
 
 namespace ccdfuzz {

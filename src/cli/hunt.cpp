@@ -21,7 +21,7 @@
 #include "cli/reproduction.hpp"
 #include "cli/shape_text.hpp"
 #include "cli/terminal.hpp"
-#include "corpus/failure.hpp"
+#include "finds/failure.hpp"
 #include "hunt/draw.hpp"
 
 namespace ccdfuzz {

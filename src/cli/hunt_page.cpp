@@ -9,7 +9,7 @@
 #include "cli/hunt_table.hpp"
 #include "cli/output.hpp"
 #include "cli/reproduction.hpp"
-#include "corpus/entries.hpp"
+#include "finds/entries.hpp"
 
 namespace ccdfuzz {
 

@@ -3,8 +3,8 @@
 #include "case/tree_file.hpp"
 #include "cli/merge.hpp"
 #include "cli/output.hpp"
-#include "corpus/entries.hpp"
-#include "corpus/store.hpp"
+#include "finds/entries.hpp"
+#include "finds/store.hpp"
 
 namespace ccdfuzz {
 

@@ -7,8 +7,8 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "corpus/content_address.hpp"
-#include "corpus/failure.hpp"
+#include "finds/content_address.hpp"
+#include "finds/failure.hpp"
 #include "hunt/shrink.hpp"
 #include "method/served_method.hpp"
 

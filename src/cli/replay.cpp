@@ -1,4 +1,4 @@
-#include "corpus/replay.hpp"
+#include "finds/replay.hpp"
 
 #include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -16,7 +16,7 @@
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
-#include "corpus/entries.hpp"
+#include "finds/entries.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 

@@ -21,9 +21,9 @@
 #include "cli/output.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/terminal.hpp"
-#include "corpus/entries.hpp"
-#include "eval/ask.hpp"
 #include "eval/evaluation_folder.hpp"
+#include "finds/entries.hpp"
+#include "method/ask.hpp"
 #include "method/method.hpp"
 #include "report/rows.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
-#include "corpus/store.hpp"
+#include "finds/store.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,7 @@
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
 #include "cli/trace_row.hpp"
-#include "eval/by_spec.hpp"
+#include "method/by_spec.hpp"
 
 namespace ccdfuzz {
 

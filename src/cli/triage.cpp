@@ -15,7 +15,7 @@
 #include "cli/output.hpp"
 #include "cli/triage_claims.hpp"
 #include "cli/triage_files.hpp"
-#include "corpus/entries.hpp"
+#include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 
 namespace ccdfuzz {

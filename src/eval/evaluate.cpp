@@ -4,10 +4,10 @@
 
 #include "base/in_order.hpp"
 #include "base/verify.hpp"
+#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
-#include "eval/ask.hpp"
-#include "eval/by_spec.hpp"
-#include "eval/horizons.hpp"
+#include "method/ask.hpp"
+#include "method/by_spec.hpp"
 
 namespace ccdfuzz {
 

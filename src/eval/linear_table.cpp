@@ -10,8 +10,8 @@
 #include "base/cpu_time.hpp"
 #include "base/in_order.hpp"
 #include "certify/checker/check_case.hpp"
-#include "eval/ask.hpp"
 #include "eval/race.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
-#include "corpus/store.hpp"
-#include "eval/horizons.hpp"
+#include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "hunt/standing.hpp"
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "ccd/witness_trace/trace.hpp"
-#include "corpus/content_address.hpp"
-#include "eval/ask.hpp"
+#include "finds/content_address.hpp"
 #include "hunt/ground.hpp"
 #include "hunt/population.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

@@ -1,8 +1,8 @@
 #include "hunt/draw.hpp"
 
 #include "base/verify.hpp"
+#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
-#include "eval/horizons.hpp"
 #include "hunt/draw_linear_case.hpp"
 
 namespace ccdfuzz {

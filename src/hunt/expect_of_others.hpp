@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/ask.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

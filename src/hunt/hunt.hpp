@@ -8,10 +8,10 @@
 
 #include "base/fields.hpp"
 #include "case/taxonomy.hpp"
-#include "corpus/store.hpp"
-#include "eval/ask.hpp"
 #include "eval/tally.hpp"
+#include "finds/store.hpp"
 #include "hunt/breeder.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

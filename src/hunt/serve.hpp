@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "eval/by_spec.hpp"
 #include "hunt/triage.hpp"
+#include "method/by_spec.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {

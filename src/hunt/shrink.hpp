@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "corpus/minimise.hpp"
-#include "eval/ask.hpp"
+#include "finds/minimise.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

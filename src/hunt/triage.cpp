@@ -6,11 +6,11 @@
 
 #include "base/serve.hpp"
 #include "case/case_json.hpp"
+#include "case/horizons.hpp"
 #include "case/tree_file.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "corpus/failure.hpp"
-#include "eval/horizons.hpp"
+#include "finds/failure.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/expect_of_others.hpp"
 #include "hunt/shrink.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/child.hpp"
-#include "corpus/store.hpp"
-#include "eval/ask.hpp"
+#include "finds/store.hpp"
+#include "method/ask.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {

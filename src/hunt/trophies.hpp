@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "corpus/store.hpp"
+#include "finds/store.hpp"
 #include "hunt/hunt.hpp"
 
 namespace ccdfuzz {

@@ -7,7 +7,7 @@
 #include "base/json_text.hpp"
 #include "case/case_json.hpp"
 #include "case/test_snippet.hpp"
-#include "corpus/store.hpp"
+#include "finds/store.hpp"
 #include "report/loss.hpp"
 
 namespace ccdfuzz {

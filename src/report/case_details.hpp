@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/by_spec.hpp"
+#include "method/by_spec.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {

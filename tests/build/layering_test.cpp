@@ -31,12 +31,12 @@ const std::map<std::string, std::vector<std::string>> kBelow = {
     {"generators", {"ccd", "certify/checker", "certify/oracle"}},
     {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
     {"generators/rc", {"properties"}},
-    {"corpus", {"method", "certify/checker", "properties", "fuzz/mutator"}},
+    {"finds", {"method", "certify/checker", "properties", "fuzz/mutator"}},
     {"fuzz/mutator", {"generators"}},
-    {"hunt", {"generators", "corpus", "eval", "fuzz/mutator"}},
-    {"report", {"corpus", "eval"}},
+    {"hunt", {"generators", "finds", "eval", "fuzz/mutator"}},
+    {"report", {"finds", "eval"}},
     {"cli", {"hunt", "properties", "report"}},
-    {"fuzz", {"properties", "corpus", "eval", "fuzz/mutator"}},
+    {"fuzz", {"properties", "finds", "eval", "fuzz/mutator"}},
 };
 
 /// Headers that only some rooms may use: those that run properties, not those that state them.

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "case/case_json.hpp"
+#include "case/horizons.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "eval/ask.hpp"
-#include "eval/horizons.hpp"
 #include "generators/generate.hpp"
+#include "method/ask.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

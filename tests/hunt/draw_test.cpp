@@ -4,8 +4,8 @@
 
 #include <set>
 
+#include "case/horizons.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "eval/horizons.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

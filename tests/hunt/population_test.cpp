@@ -5,9 +5,9 @@
 #include <cmath>
 #include <set>
 
-#include "eval/by_spec.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/scale.hpp"
+#include "method/by_spec.hpp"
 
 namespace ccdfuzz {
 namespace {

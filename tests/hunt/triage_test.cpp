@@ -8,8 +8,8 @@
 
 #include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "corpus/content_address.hpp"
-#include "corpus/failure.hpp"
+#include "finds/content_address.hpp"
+#include "finds/failure.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/serve.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "admitted.hpp"
-#include "eval/ask.hpp"
+#include "method/ask.hpp"
 #include "method/plugin/line_protocol.hpp"
 #include "method/plugin/probes.hpp"
 

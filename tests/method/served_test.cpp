@@ -18,7 +18,7 @@
 #include <thread>
 
 #include "base/process_limits.hpp"
-#include "eval/ask.hpp"
+#include "method/ask.hpp"
 #include "method/served_method.hpp"
 #include "served_by_test.hpp"
 

@@ -1,9 +1,9 @@
 #include "corpus_driver.hpp"
 
 #include "certify/checker/check_case.hpp"
-#include "corpus/entries.hpp"
-#include "corpus/replay.hpp"
-#include "eval/ask.hpp"
+#include "finds/entries.hpp"
+#include "finds/replay.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "eval/horizons.hpp"
+#include "case/horizons.hpp"
 #include "generators/generate.hpp"
 
 namespace ccdfuzz {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "case/case.hpp"
-#include "eval/by_spec.hpp"
+#include "method/by_spec.hpp"
 
 namespace ccdfuzz {
 

@@ -1,10 +1,10 @@
-#include "corpus/replay.hpp"
+#include "finds/replay.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "corpus/entries.hpp"
+#include "finds/entries.hpp"
 
 namespace ccdfuzz {
 

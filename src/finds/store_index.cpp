@@ -1,12 +1,12 @@
-#include "corpus/store_index.hpp"
+#include "finds/store_index.hpp"
 
 #include <sys/stat.h>
 
 #include <filesystem>
 
 #include "certify/checker/check_case.hpp"
-#include "corpus/entries.hpp"
-#include "corpus/store.hpp"
+#include "finds/entries.hpp"
+#include "finds/store.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "case/case_files.hpp"
-#include "corpus/content_address.hpp"
-#include "corpus/entries.hpp"
-#include "corpus/failure.hpp"
+#include "finds/content_address.hpp"
+#include "finds/entries.hpp"
+#include "finds/failure.hpp"
 
 namespace ccdfuzz {
 

@@ -1,4 +1,4 @@
-#include "corpus/simplify.hpp"
+#include "finds/simplify.hpp"
 
 #include <array>
 #include <cmath>

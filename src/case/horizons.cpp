@@ -1,4 +1,4 @@
-#include "eval/horizons.hpp"
+#include "case/horizons.hpp"
 
 #include <cmath>
 

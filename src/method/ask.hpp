@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/judge.hpp"
-#include "eval/by_spec.hpp"
+#include "method/by_spec.hpp"
 
 namespace ccdfuzz {
 

@@ -1,4 +1,4 @@
-#include "corpus/minimise.hpp"
+#include "finds/minimise.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
-#include "corpus/failure.hpp"
-#include "corpus/simplify.hpp"
+#include "finds/failure.hpp"
+#include "finds/simplify.hpp"
 
 namespace ccdfuzz {
 

@@ -1,4 +1,4 @@
-#include "corpus/store.hpp"
+#include "finds/store.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "case/case_json.hpp"
 #include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "corpus/store_index.hpp"
+#include "finds/store_index.hpp"
 
 namespace ccdfuzz {
 

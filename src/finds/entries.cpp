@@ -1,4 +1,4 @@
-#include "corpus/entries.hpp"
+#include "finds/entries.hpp"
 
 #include <algorithm>
 #include <filesystem>

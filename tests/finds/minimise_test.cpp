@@ -1,4 +1,4 @@
-#include "corpus/minimise.hpp"
+#include "finds/minimise.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
-#include "corpus/content_address.hpp"
+#include "finds/content_address.hpp"
 #include "generators/generate.hpp"
 #include "generators/random.hpp"
 #include "numeric/rational.hpp"

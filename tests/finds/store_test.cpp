@@ -1,4 +1,4 @@
-#include "corpus/store.hpp"
+#include "finds/store.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 #include "base/output_file.hpp"
 #include "case/case_json.hpp"
-#include "corpus/finds.hpp"
+#include "finds/finds.hpp"
 #include "rapidcheck.hpp"
 #include "scratch_folder.hpp"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "corpus/content_address.hpp"
-#include "corpus/failure.hpp"
+#include "finds/content_address.hpp"
+#include "finds/failure.hpp"
 
 namespace ccdfuzz {
 

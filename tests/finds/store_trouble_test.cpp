@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "base/output_file.hpp"
-#include "corpus/finds.hpp"
+#include "finds/finds.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

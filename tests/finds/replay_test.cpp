@@ -1,10 +1,10 @@
-#include "corpus/replay.hpp"
+#include "finds/replay.hpp"
 
 #include <gtest/gtest.h>
 
 #include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
-#include "corpus/finds.hpp"
+#include "finds/finds.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <tuple>
 
-#include "corpus/content_address.hpp"
+#include "finds/content_address.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
 
 namespace ccdfuzz {

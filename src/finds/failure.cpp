@@ -1,4 +1,4 @@
-#include "corpus/failure.hpp"
+#include "finds/failure.hpp"
 
 #include <fmt/format.h>
 

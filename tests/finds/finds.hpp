@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "case/case_json.hpp"
-#include "corpus/store.hpp"
+#include "finds/store.hpp"
 
 namespace ccdfuzz {
 

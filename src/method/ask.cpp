@@ -1,4 +1,4 @@
-#include "eval/ask.hpp"
+#include "method/ask.hpp"
 
 #include <exception>
 

@@ -1,7 +1,7 @@
-#include "corpus/data_set_address.hpp"
+#include "finds/data_set_address.hpp"
 
 #include "base/hash_name.hpp"
-#include "corpus/content_address.hpp"
+#include "finds/content_address.hpp"
 
 namespace ccdfuzz {
 

@@ -1,4 +1,4 @@
-#include "corpus/content_address.hpp"
+#include "finds/content_address.hpp"
 
 #include "case/random_case.hpp"
 
