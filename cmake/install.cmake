@@ -13,7 +13,7 @@ set(ccdfuzz_public_headers
   ccd/search_options.hpp
   certify/checker/check_box.hpp certify/checker/check_case.hpp certify/checker/check_linear.hpp
   certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp
-  certify/checker/check_witness.hpp certify/checker/work.hpp
+  certify/checker/check_witness.hpp certify/checker/run_work.hpp certify/checker/work.hpp
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
   method/method.hpp
   numeric/dyadic.hpp numeric/eigen_traits.hpp numeric/rational.hpp base/result.hpp base/verify.hpp

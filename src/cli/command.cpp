@@ -16,6 +16,7 @@
 #include "base/number_text.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
+#include "certify/checker/run_work.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/session.hpp"
@@ -151,6 +152,15 @@ Option Command::threads(int& value) {
 
 Option Command::threads() {
   return threads(session_->threads);
+}
+
+Option Command::max_work() {
+  return add_text("--max-work",
+                  "Work of checking all cases together, in operations on 64-bit words, after which "
+                  "the command ends; by default 2^32, and 2^28 for each case",
+                  "", [](const std::string& where, const std::string& text) {
+                    return parse_whole(where, text).map(&RunWork::allow);
+                  });
 }
 
 Option Command::json(const std::string& description) {

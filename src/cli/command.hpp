@@ -104,6 +104,8 @@ class Command {
   Option threads(int& value);
   Option threads();
   Option json(const std::string& description);
+  /// --max-work, the limit of RunWork: of each command that checks cases of files.
+  Option max_work();
 
  private:
   friend class CommandLine;

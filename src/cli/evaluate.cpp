@@ -289,6 +289,7 @@ void add_evaluate(CommandLine& line) {
                "Folder for a page (index.html) of tables, figures and watchable failures");
   command.threads(options->threads);
   command.flag("--json", options->json, "One JSON object per class, kinds and method");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

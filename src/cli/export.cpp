@@ -109,6 +109,7 @@ void add_export(CommandLine& line) {
                  "test a case, which needs ccdfuzz_plugin.h and the plug-in to link with");
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

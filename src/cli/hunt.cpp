@@ -336,6 +336,7 @@ void add_hunt(CommandLine& line) {
   options->search.add_budget_to(command);
   command.threads(options->threads);
   command.flag("--json", options->json, "One JSON object per cell and per find");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

@@ -43,6 +43,7 @@ void add_merge(CommandLine& line) {
       .text("-o,--output", options->output,
             "What to write: .jsonl or .jsonl.zst, or a folder; a corpus may be there already")
       .required();
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

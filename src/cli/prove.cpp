@@ -132,6 +132,7 @@ void add_prove(CommandLine& line) {
                 "Nodes that the tree of a miss may have", 1);
   command.threads();
   command.json("One JSON object per case");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

@@ -138,6 +138,7 @@ void add_query(CommandLine& line) {
   options->search.add_budget_to(command).front().without_default();
   command.threads();
   command.json("One JSON object per answer and line");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

@@ -11,6 +11,7 @@
 #include "base/table.hpp"
 #include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/checker/run_work.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -66,22 +67,39 @@ struct Checked {
   std::vector<InputError> refuted;
 };
 
-Checked check_entries(std::vector<NamedCase>& entries, int threads) {
+/// Errors: as RunWork::add.
+Result<Checked> check_entries(std::vector<NamedCase>& entries, int threads) {
+  struct Entry {
+    Result<CheckedCase> checked;
+    std::uint64_t work;
+  };
   Checked out;
+  Result<void> within;
+  std::atomic<bool> ended = false;
   std::vector<NamedCase> holding;
   size_t done = 0;
-  run_in_order<Result<CheckedCase>>(
+  run_in_order<Entry>(
       entries.size(), threads,
-      [&](size_t i) { return check_case(entries[i].value, trees_path(entries[i].file)); },
-      [&](Result<CheckedCase> checked) {
+      [&](size_t i) -> Entry {
+        const std::uint64_t before = work_done_here();
+        auto checked = check_case(entries[i].value, trees_path(entries[i].file));
+        return {std::move(checked), work_done_here() - before};
+      },
+      [&](Entry checked_entry) {
+        auto& [checked, work] = checked_entry;
         NamedCase& entry = entries[done++];
-        if (!checked) {
+        if (within) within = RunWork::add(entry, work);
+        if (!within) {
+          ended = true;
+        } else if (!checked) {
           out.refuted.push_back({entry.id, checked.error().message()});
-          return;
+        } else {
+          out.known.push_back(*std::move(checked));
+          holding.push_back(std::move(entry));
         }
-        out.known.push_back(*std::move(checked));
-        holding.push_back(std::move(entry));
-      });
+      },
+      &ended);
+  if (!within) return tl::unexpected(within.error());
   entries = std::move(holding);
   return out;
 }
@@ -156,11 +174,12 @@ Result<int> run_replay(const ReplayArguments& options) {
   }
   Result<std::vector<NamedCase>> entries = load_unchecked_corpus(options.corpus);
   if (!entries) return tl::unexpected(entries.error());
-  const Checked checked = check_entries(*entries, options.threads);
-  print_refuted(checked.refuted, options.json);
+  const Result<Checked> checked = check_entries(*entries, options.threads);
+  if (!checked) return tl::unexpected(checked.error());
+  print_refuted(checked->refuted, options.json);
   if (entries->empty()) return kCheckFailed;
   const NotAllowed left_out = leave_out_plugins(*entries, options.json);
-  Result<std::vector<Question>> questions = questions_of(*entries, checked.known, options.search);
+  Result<std::vector<Question>> questions = questions_of(*entries, checked->known, options.search);
   if (!questions) return tl::unexpected(questions.error());
 
   std::map<std::pair<const Case*, std::string>, Judged> answers;
@@ -193,7 +212,7 @@ Result<int> run_replay(const ReplayArguments& options) {
   }
   if (!left_out.empty()) print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(left_out)));
   note_words(*entries, "replay");
-  return report->changed() == 0 && checked.refuted.empty() ? kDone : kCheckFailed;
+  return report->changed() == 0 && checked->refuted.empty() ? kDone : kCheckFailed;
 }
 
 }  // namespace
@@ -206,6 +225,7 @@ void add_replay(CommandLine& line) {
   options->search.add_to(command);
   command.threads(options->threads);
   command.flag("--json", options->json, "One JSON object per expectation");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

@@ -217,6 +217,7 @@ void add_report(CommandLine& line) {
                "`ccdfuzz-scoreboard --tables` wrote");
   command.text("-o,--output", options->folder, "Folder for index.html").required();
   command.threads(options->threads);
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

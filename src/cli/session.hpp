@@ -78,7 +78,7 @@ class Session {
         },
         [&](const Asked& asked, size_t part, Row row, double share) {
           sink(asked, part, std::move(row));
-          progress_.show(share, id_of(asked), ++done, unit);
+          progress_.show(share, named_of(asked).id, ++done, unit);
         },
         [&] { return signalled || (stop != nullptr && *stop); });
     progress_.clear();
@@ -93,12 +93,6 @@ class Session {
   Progress& progress() { return progress_; }
 
  private:
-  static const std::string& id_of(const NamedCase& named) { return named.id; }
-  template <class Asked>
-  static const std::string& id_of(const Asked& asked) {
-    return asked.named().id;
-  }
-
   Progress progress_;
   std::optional<Table> table_;
 };

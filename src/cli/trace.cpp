@@ -63,6 +63,7 @@ void add_trace(CommandLine& line) {
                "Follow all pairs of boxes that contain the witness, not the lowest alone");
   command.threads();
   command.json("One JSON object per trace and line, with all details");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

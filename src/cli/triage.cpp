@@ -194,6 +194,7 @@ void add_triage(CommandLine& line, const FindTarget& find_target) {
   for (const Option& budget : options->search.add_budget_to(command)) target.excludes(budget);
   command.flag("--remove", options->remove, "Removes each input file that is done");
   command.flag("--json", options->json, "One JSON object a find, and a summary");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

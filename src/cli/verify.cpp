@@ -4,6 +4,7 @@
 #include "ccd/rational/proves_clear.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/shown.hpp"
+#include "certify/checker/work.hpp"
 #include "cli/command.hpp"
 #include "cli/session.hpp"
 
@@ -46,6 +47,20 @@ struct Verified {
   }
 };
 
+/// proves_clear within half the work of a certificate, as which it counts: measured, a pair of
+/// cells of two patches with n control points together takes as long as 8·n·(n + 100) operations
+/// there.
+bool method_proves(const Query& query, const Rational& until) {
+  const std::uint64_t points =
+      query.patches[0].positions.size() + query.patches[1].positions.size();
+  const std::uint64_t of_a_pop = 8 * points * (points + 100);
+  std::uint64_t pops = 0;
+  const bool proven =
+      proves_clear(query, until, std::min<std::uint64_t>(100'000, kMostWork / 2 / of_a_pop), &pops);
+  do_work_here(pops * of_a_pop);
+  return proven;
+}
+
 /// Everything the case claims: all that has a certificate by the checker, whatever else it says of
 /// absence by the exact method, a run of which is no certificate.
 Verified verify(const NamedCase& named) {
@@ -63,7 +78,7 @@ Verified verify(const NamedCase& named) {
   // A later claim includes an earlier one, also at the very end: [0, c) lies in [0, c].
   if (truth.clear_until && *truth.clear_until > clear_until) clear_until = *truth.clear_until;
   if (truth.collides != false && clear_until == 0) return {named.id};
-  if (!proves_clear(value.query, clear_until)) {
+  if (!method_proves(value.query, clear_until)) {
     return {named.id, Standing::kUnproven,
             fmt::format("no proof found that nothing touches up to t = {}", shown(clear_until))};
   }
@@ -109,6 +124,7 @@ void add_verify(CommandLine& line) {
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.threads();
   command.json("One JSON object per case");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

@@ -6,6 +6,7 @@
 #include "base/verify.hpp"
 #include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/checker/run_work.hpp"
 #include "method/ask.hpp"
 #include "method/by_spec.hpp"
 
@@ -92,20 +93,32 @@ Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions
   tbb::enumerable_thread_specific<Asker> askers;
   Result<void> checked;
   std::atomic<bool> ended = false;
-  run_in_order<Result<AnswerRecord>>(
+  struct Row {
+    Result<AnswerRecord> record;
+    std::uint64_t checking;
+  };
+  run_in_order<Row>(
       total - options.skip, options.threads,
-      [&](size_t i) -> Result<AnswerRecord> {
+      [&](size_t i) -> Row {
         const std::uint64_t index = options.skip + i;
         const Item& item = items[index / methods_each];
         const std::string& spec = options.methods[index % methods_each];
         Asker& asker = askers.local();
-        return asker.take(cases[item.index], item.index, options).map([&] {
-          return answer_item(cases[item.index].id, asker.known, item, spec, asker.methods[spec],
-                             asker.search);
-        });
+        const std::uint64_t before = work_done_here();
+        const auto known = asker.take(cases[item.index], item.index, options);
+        const std::uint64_t checking = work_done_here() - before;
+        return {known.map([&] {
+                  return answer_item(cases[item.index].id, asker.known, item, spec,
+                                     asker.methods[spec], asker.search);
+                }),
+                checking};
       },
-      [&](const Result<AnswerRecord>& record) {
-        if (checked && !record) checked = tl::unexpected(record.error());
+      [&](const Row& row) {
+        const auto& [record, checking] = row;
+        if (checked) {
+          checked = record ? RunWork::add(cases[record->index], checking)
+                           : Result<void>(tl::unexpected(record.error()));
+        }
         if (checked) on_answer(*record, static_cast<double>(++done) / static_cast<double>(total));
         if (!checked || (stop && stop->load(std::memory_order_relaxed))) ended = true;
       },

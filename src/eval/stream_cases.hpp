@@ -9,14 +9,24 @@
 
 #include "base/in_order.hpp"
 #include "case/case_files.hpp"
+#include "certify/checker/run_work.hpp"
 
 namespace ccdfuzz {
+
+inline const NamedCase& named_of(const NamedCase& named) {
+  return named;
+}
+template <class Asked>
+const NamedCase& named_of(const Asked& asked) {
+  return asked.named();
+}
 
 /// Reads the files one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
 /// case on `threads` threads, where asked is one Asked(NamedCase) per case. work returns a
 /// Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is how much of the
 /// files has been read. Once stop() is true no more is read, and what was begun still
-/// reaches sink. Errors: the first of reading or of work, after all rows before it.
+/// reaches sink. What work checks counts (RunWork). Errors: the first of reading, of work or of
+/// RunWork::add, after all rows before it.
 template <class Asked, class Row, class Work, class Sink, class Stop>
 Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, int threads,
                           const Work& work, const Sink& sink, const Stop& stop) {
@@ -29,6 +39,7 @@ Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, i
   struct Done {
     Item item;
     Result<Row> row;
+    std::uint64_t checking = 0;  ///< what work() checked
   };
   CaseStream cases(files);
   Item current;
@@ -51,16 +62,20 @@ Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, i
         return current;
       },
       [&](Item item) {
+        const std::uint64_t before = work_done_here();
         Result<Row> row = item.unreadable ? Result<Row>(tl::unexpected(*item.unreadable))
                                           : work(*item.asked, item.part);
-        return Done{std::move(item), std::move(row)};
+        return Done{std::move(item), std::move(row), work_done_here() - before};
       },
       [&](Done done) {
-        if (result && !done.row) {
-          result = tl::unexpected(done.row.error());
+        if (!result) return;
+        result = !done.row ? Result<void>(tl::unexpected(done.row.error()))
+                           : RunWork::add(named_of(*done.item.asked), done.checking);
+        if (!result) {
           ended = true;
+        } else {
+          sink(*done.item.asked, done.item.part, *std::move(done.row), done.item.share);
         }
-        if (result) sink(*done.item.asked, done.item.part, *std::move(done.row), done.item.share);
       });
   return result;
 }

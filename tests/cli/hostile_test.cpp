@@ -176,6 +176,48 @@ TEST_F(Hostile, AFileOfManyCasesThatNobodyDecidesIsLeftUndecidedAfterAWhile) {
   EXPECT_EQ(json_lines(all.out).size(), kCases);
 }
 
+/// So many cases with this truth, of which each takes seconds alone.
+std::string costly_cases(size_t count, const Truth& truth) {
+  Case value;
+  value.query = near_tensors();
+  value.truth = truth;
+  std::string cases;
+  for (size_t i = 0; i < count; ++i) cases += to_json(value) + "\n";
+  return cases;
+}
+
+TEST_F(Hostile, AFileOfManyCostlyCertificatesEndsAtTheFirstCasePastTheLimitOfARun) {
+  const Rational x = fraction(kMaxRationalDigits);
+  Truth truth;
+  truth.witness = Witness{x, {Uv<Rational>{x, x}, Uv<Rational>{x, x}}};
+  const std::string path = folder_ / "cases.jsonl";
+  write_text(path, costly_cases(200, truth));
+  const std::string past =
+      fmt::format("{}:2: checking the cases up to this one takes more than ", path);
+  for (const char* threads : {"1", "2"}) {
+    const Finished verified = limited(fmt::format("verify {} --threads {}", path, threads));
+    EXPECT_EQ(verified.code, 2) << verified.out;
+    EXPECT_THAT(verified.err, HasSubstr(past));
+  }
+  const Finished replayed = limited("replay " + path);
+  EXPECT_EQ(replayed.code, 2) << replayed.out;
+  EXPECT_THAT(replayed.err, HasSubstr(past));
+  const Finished one = limited(fmt::format("verify {} --max-work 1000", path));
+  EXPECT_EQ(one.code, 2) << one.out;
+  EXPECT_THAT(one.err, HasSubstr(":1: checking the cases up to this one takes more than 1000 "));
+}
+
+TEST_F(Hostile, AFileOfManyAbsencesByWordEndsAtTheLimitOfARun) {
+  Truth truth;
+  truth.collides = false;
+  truth.proof = "rational-tdibm";
+  const std::string path = folder_ / "cases.jsonl";
+  write_text(path, costly_cases(200, truth));
+  const Finished verified = limited("verify --max-work 1000000000 --threads 1 " + path);
+  EXPECT_EQ(verified.code, 2) << verified.out;
+  EXPECT_THAT(verified.err, HasSubstr(":1: checking the cases up to this one takes more than "));
+}
+
 TEST_F(Hostile, ATreeOfNestedSplitsIsRefused) {
   TreeBits bits;
   for (int i = 0; i < 995; ++i) bits.split(i % 2);

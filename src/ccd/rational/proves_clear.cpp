@@ -7,7 +7,8 @@
 
 namespace ccdfuzz {
 
-bool proves_clear(const Query& query, const Rational& until, std::uint64_t max_pops) {
+bool proves_clear(const Query& query, const Rational& until, std::uint64_t max_pops,
+                  std::uint64_t* pops) {
   const FpGuard guard;
   CCDFUZZ_VERIFY(sgn(until) >= 0);
   Query horizon = query;
@@ -17,7 +18,9 @@ bool proves_clear(const Query& query, const Rational& until, std::uint64_t max_p
   options.precision = 0x1p-30;
   options.max_pops = max_pops;
   thread_local TdibmRational method;
-  return method.answer(horizon, options).verdict == Verdict::kMiss;
+  const Answer answer = method.answer(horizon, options);
+  if (pops != nullptr) *pops = answer.pops;
+  return answer.verdict == Verdict::kMiss;
 }
 
 }  // namespace ccdfuzz

@@ -4,6 +4,7 @@
 
 #include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/checker/run_work.hpp"
 
 namespace ccdfuzz {
 
@@ -51,6 +52,14 @@ CheckedCase checked_contact(Case value) {
   return checked_or_unknown(value);
 }
 
+Result<void> check_in_run(const NamedCase& named) {
+  const std::uint64_t before = work_done_here();
+  const auto checked = check_case(named);
+  const Result<void> within = RunWork::add(named, work_done_here() - before);
+  if (!within || checked) return within;
+  return tl::unexpected(checked.error());
+}
+
 Result<void> for_each_checked_case(const std::vector<std::string>& paths,
                                    const std::function<Result<void>(const NamedCase&)>& visit) {
   CaseStream cases(paths);
@@ -58,7 +67,7 @@ Result<void> for_each_checked_case(const std::vector<std::string>& paths,
     const auto next = cases.next();
     if (!next) return tl::unexpected(next.error());
     if (!*next) return {};
-    if (auto checked = check_case(**next); !checked) return tl::unexpected(checked.error());
+    if (auto checked = check_in_run(**next); !checked) return checked;
     if (auto visited = visit(**next); !visited) return visited;
   }
 }
@@ -67,7 +76,7 @@ Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
   auto cases = read_cases(path);
   if (!cases) return cases;
   for (const NamedCase& named : *cases) {
-    if (auto checked = check_case(named); !checked) return tl::unexpected(checked.error());
+    if (auto checked = check_in_run(named); !checked) return tl::unexpected(checked.error());
   }
   return cases;
 }

@@ -24,13 +24,16 @@ CheckedCase checked_or_unknown(const Case& value, const std::string& trees = "")
 /// The same of what proves a contact alone; nothing is known of absence.
 CheckedCase checked_contact(Case value);
 
+/// The same of the next case of a run, one at a time. Errors: those, and of RunWork::add.
+Result<void> check_in_run(const NamedCase& named);
+
 /// Calls visit on every case of the files, one at a time, until it gives an error. Errors: as
-/// CaseStream and check_case.
+/// CaseStream and check_in_run.
 Result<void> for_each_checked_case(const std::vector<std::string>& paths,
                                    const std::function<Result<void>(const NamedCase&)>& visit);
 
-/// Reads all cases of a file and refuses the first that check_case refuses. Errors: as read_cases
-/// and check_case, naming path and line.
+/// Reads all cases of a file and refuses the first that check_in_run refuses. Errors: as
+/// read_cases and check_in_run, naming path and line.
 Result<std::vector<NamedCase>> read_checked_cases(const std::string& path);
 
 }  // namespace ccdfuzz

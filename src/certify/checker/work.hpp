@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/result.hpp"
+#include "certify/checker/run_work.hpp"
 #include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
@@ -45,7 +46,8 @@ inline std::uint64_t product_work(const Rational& a, const Rational& b) {
 }
 
 /// Counts the work of one check, so that a small file cannot occupy the checker for long. It is
-/// counted from the sizes of numbers: the same file is refused on every machine.
+/// counted from the sizes of numbers: the same file is refused on every machine. Its end adds it to
+/// work_done_here().
 class Work {
  public:
   /// Thrown by charge, and caught by within_work.
@@ -54,9 +56,15 @@ class Work {
   };
 
   explicit Work(std::uint64_t most) : most_(most), left_(most) {}
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+  ~Work() { do_work_here(most_ - left_); }
 
   void charge(std::uint64_t words) {
-    if (words > left_) throw Exceeded{most_};
+    if (words > left_) {
+      left_ = 0;
+      throw Exceeded{most_};
+    }
     left_ -= words;
   }
 

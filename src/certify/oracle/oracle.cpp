@@ -11,6 +11,7 @@
 #include "ccd/search.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "certify/checker/run_work.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/decide_linear.hpp"
@@ -165,6 +166,7 @@ class Deciding {
 
 Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
+  const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) {
     Decision undecided;
     undecided.note = valid.error().message();

@@ -1,0 +1,57 @@
+#include "certify/checker/run_work.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+namespace ccdfuzz {
+
+namespace {
+
+thread_local std::uint64_t done_here = 0;
+
+struct Spent {
+  std::optional<std::uint64_t> most;
+  std::uint64_t all = 0, cases = 0, of_last = 0;
+  std::string last;
+} spent;
+
+}  // namespace
+
+std::uint64_t work_done_here() {
+  return done_here;
+}
+
+void do_work_here(std::uint64_t work) {
+  done_here += work;
+}
+
+UncountedWork::~UncountedWork() {
+  done_here = before_;
+}
+
+void RunWork::allow(std::uint64_t most) {
+  spent.most = most;
+}
+
+Result<void> RunWork::add(const NamedCase& named, std::uint64_t work) {
+  if (named.id != spent.last) {
+    spent.last = named.id;
+    spent.of_last = 0;
+    ++spent.cases;
+  }
+  if (work > spent.of_last) {
+    spent.all += work - spent.of_last;
+    spent.of_last = work;
+  }
+  const std::uint64_t most = spent.most.value_or(kStart + spent.cases * kEachCase);
+  if (spent.all <= most) return {};
+  return input_error(
+      named.id,
+      fmt::format("checking the cases up to this one takes more than {} operations on 64-bit "
+                  "words, the limit of a run; --max-work N sets another",
+                  most));
+}
+
+}  // namespace ccdfuzz
