@@ -21,8 +21,6 @@ class CheckedCase {
   bool is_clear() const;
   /// Whether the patches touch in [0, t_max], as far as it is proven.
   std::optional<bool> collides() const;
-  /// True iff the case says that nothing touches in [0, t_max] and no certificate proves it.
-  bool is_clear_by_word() const;
   /// The same two patches asked up to another t_max ≥ 0, as with_t_max; what was proven stays so.
   CheckedCase with_t_max(double t_max) const;
 

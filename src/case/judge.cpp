@@ -143,13 +143,6 @@ std::optional<bool> CheckedCase::collides() const {
   return is_clear() ? std::optional(false) : std::nullopt;
 }
 
-bool CheckedCase::is_clear_by_word() const {
-  const Truth& truth = value_.truth;
-  const bool says_so = truth.collides == false ||
-                       (truth.clear_until && *truth.clear_until > exact(value_.query.t_max));
-  return says_so && !is_clear();
-}
-
 CheckedCase CheckedCase::with_t_max(double t_max) const {
   return {ccdfuzz::with_t_max(value_, t_max), clearance_holds_};
 }

@@ -139,7 +139,9 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
 
 void WordCount::add(const Case& value) {
   ++cases;
-  if (value.truth.collides == false && !value.truth.clearance) ++by_word;
+  const Truth& truth = value.truth;
+  const bool says_so = truth.collides ? !*truth.collides : truth.clear_until.has_value();
+  if (says_so && !truth.clearance) ++by_word;
 }
 
 void WordCount::note(const char* command) const {

@@ -60,7 +60,8 @@ Option add_shard(Command& command, std::string& shard);
 /// "i/n", of at most `total` shards, so that none is empty. Errors: it is none.
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
 
-/// Counts cases, and how many of them rest on the word of a method, by which nothing is judged.
+/// Counts cases, and how many of them rest on the word of a method, by which nothing is judged:
+/// that nothing touches up to t_max or, where that is left open, up to clear_until.
 struct WordCount {
   std::uint64_t cases = 0, by_word = 0;
 

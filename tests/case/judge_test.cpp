@@ -136,7 +136,6 @@ TEST(Judge, WithoutProofNothingIsKnown) {
   claimed.truth.clear_until = 2;
   const auto by_word = check_case(claimed, "");
   ASSERT_TRUE(by_word);
-  EXPECT_TRUE(by_word->is_clear_by_word());
   EXPECT_EQ(by_word->collides(), std::nullopt);
   EXPECT_EQ(judge(*by_word, hit(0.5)), Outcome::kUnknown);
   EXPECT_EQ(judge(*by_word, says(Verdict::kMiss)), Outcome::kUnknown);

@@ -28,6 +28,7 @@ constexpr const char* kFalsePlane =
     R"("normal":["0","0","-1"],"offset":"0"}}})";
 constexpr const char* kFalseRoot =
     R"({"collides":true,"certificate":{"root":{"polynomial":["-1","2"],"from":"0","by":"1"}}})";
+constexpr const char* kWordUntil = R"({"clear_until":"5/4"})";
 constexpr const char* kWord = R"({"collides":false,"proof":"rational-tdibm"})";
 
 TEST(UnprovenTruth, AFalseProofIsBadInputWhereverAnswersAreJudged) {
@@ -105,6 +106,23 @@ TEST(UnprovenTruth, TheWordOfAMethodJudgesNothingAndIsCounted) {
   const std::string demand = "EXPECT_TRUE(answer.verdict != CCDFUZZ_HIT)";
   EXPECT_NE(tests.find(demand), std::string::npos);
   EXPECT_EQ(tests.find(demand), tests.rfind(demand)) << "only of the proven one";
+}
+
+TEST(UnprovenTruth, AClearUntilWithoutCertificateIsAWordToo) {
+  const ScratchFolder folder;
+  write_text(folder / "words.jsonl",
+             case_saying(kWordUntil, "0.5") + case_saying(kFalseAbsence, "0.5"));
+  std::filesystem::create_directories(folder / "store");
+  write_text(folder / "store/case.json", case_saying(kWordUntil, "0.5"));
+  for (const auto& [command, count] :
+       {std::pair{std::vector<std::string>{"query", folder / "words.jsonl"}, "1 of 2 cases"},
+        {{"evaluate", folder / "words.jsonl"}, "1 of 2 cases"},
+        {{"replay", folder / "store"}, "1 of 1 cases"}}) {
+    const Finished done = ccdfuzz(command);
+    EXPECT_THAT(done.err,
+                HasSubstr(fmt::format("{} have no contact by the word of a method", count)))
+        << testing::PrintToString(command);
+  }
 }
 
 TEST(UnprovenTruth, VerifyTellsApartWhatHoldsByMethod) {
