@@ -167,6 +167,41 @@ TEST(Plugins, ThatRefuseAreInARowOfTheirOwn) {
   EXPECT_EQ(json_lines(replayed.out).front().at("expected"), "not_asked");
 }
 
+TEST(Plugins, InBubblewrapAsThePageSaysWriteNothingAndHaveNoNetwork) {
+  if (shell("bwrap --ro-bind / / --unshare-all true").code != 0) {
+    GTEST_SKIP() << "bwrap is not installed, or not permitted here";
+  }
+  const std::string spy = std::string(CCDFUZZ_EXECUTABLE) + "-spy.sh";
+  if (spy.starts_with("/tmp/")) GTEST_SKIP() << "the build stands in /tmp, which is hidden there";
+  write_text(
+      spy,
+      "#!/bin/sh\n"
+      "wrote=no; (: >\"$0.written\") 2>/dev/null && wrote=yes\n"
+      "while read -r line; do case $line in *describe*)\n"
+      "  echo \"{\\\"protocol\\\":1,\\\"name\\\":\\\"wrote $wrote, /tmp has $(ls /tmp | wc -l), \""
+      "\"links $(grep -c : /proc/net/dev)\\\"}\" ;;\n"
+      "esac; done\n");
+  const ScratchFolder folder;
+  const std::string page = read_text(std::string(CCDFUZZ_SOURCE_DIR) + "/SECURITY.md");
+  const size_t line = page.find("#!/bin/sh\nexec bwrap "),
+               end = page.find(" /home/me/mine.py", line);
+  ASSERT_NE(end, std::string::npos);
+  const auto confined = [&](const std::string& program) {
+    write_text(folder / "confined.sh", page.substr(line, end - line) + " " + program + "\n");
+    return shell(fmt::format("chmod +x '{0}/confined.sh' '{1}'; \"$ccdfuzz\" methods "
+                             "plugin-exec:{0}/confined.sh",
+                             folder.path(), program))
+        .out;
+  };
+  EXPECT_THAT(confined(spy), testing::HasSubstr("wrote no, /tmp has 0, links 1"));
+  EXPECT_THAT(shell("\"$ccdfuzz\" methods plugin-exec:" + spy).out,
+              testing::HasSubstr("wrote yes"));
+  std::filesystem::remove(spy);
+  std::filesystem::remove(spy + ".written");
+  EXPECT_THAT(confined(std::string(CCDFUZZ_SOURCE_DIR) + "/examples/plugins/boxes.py"),
+              testing::HasSubstr("boxes, in Python"));
+}
+
 TEST(Plugins, CountAsClaimsWhereTheyClaim) {
   const ScratchFolder folder;
   // It claims to be conservative, and says "hit" at t_max for ever.
