@@ -100,6 +100,7 @@ struct BenchRow {
     archive("not_asked", runner.not_asked);
     archive("total_ratio", ratio(runner, row.base, total));
     archive("median_ratio", ratio(runner, row.base, median));
+    archive("overrun_seconds", runner.overrun);
   }
 };
 
@@ -119,7 +120,8 @@ std::vector<TableCell> bench_cells(const BenchRow& row) {
           {count_or_nothing(runner.undecided)},
           {count_or_nothing(runner.not_asked)},
           {ratio_text(runner, ratio(runner, row.base, total))},
-          {ratio_text(runner, ratio(runner, row.base, median))}};
+          {ratio_text(runner, ratio(runner, row.base, median))},
+          {runner.overrun ? duration_text(*runner.overrun) : ""}};
 }
 
 int run_bench(const BenchOptions& options, Session& session) {
@@ -133,7 +135,8 @@ int run_bench(const BenchOptions& options, Session& session) {
                        {"undecided"},
                        {"not asked"},
                        {"total / " + base},
-                       {"median / " + base}});
+                       {"median / " + base},
+                       {"overrun"}});
   const std::atomic<bool>& interrupted = catch_interrupts();
   const double queries =
       static_cast<double>(options.classes.size()) * 2 * static_cast<double>(options.count);

@@ -31,6 +31,10 @@ void Race::ask(const Query& query) {
       const double start = thread_cpu_seconds();
       answer = runner.method->answer(query, options_);
       least = std::min(least, thread_cpu_seconds() - start);
+      if (options_.max_seconds < SearchOptions::kNoTimeLimit) {
+        const double over = answer.seconds - options_.max_seconds;
+        runner.overrun = std::max(runner.overrun.value_or(0), over);
+      }
     }
     if (answer.verdict == Verdict::kRefused) {
       ++runner.not_asked;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class Race {
     Timings timings;
     std::uint64_t pops = 0;
     std::uint64_t undecided = 0;  ///< cut short by the budget: the time is a lower bound
+    /// By how much an answer exceeded the time limit at most, in seconds of wall time; with a
+    /// limit.
+    std::optional<double> overrun;
   };
 
   /// Requires specs that parse_method_list accepts.

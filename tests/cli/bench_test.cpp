@@ -38,6 +38,22 @@ TEST(Bench, AQueryStopsAtTheBudgetAndTheTableSaysSo) {
   EXPECT_THAT(finished.out, testing::HasSubstr("≥ "));
 }
 
+TEST(Bench, ATimeLimitIsReportedWithItsLargestOverrun) {
+  const std::vector<std::string> arguments = {"bench", "--classes", "VV",   "--count",
+                                              "1",     "--methods", "trad", "--json"};
+  for (const auto& row : json_lines(ccdfuzz(arguments).out)) {
+    EXPECT_TRUE(row.at("overrun_seconds").is_null()) << "no limit";
+  }
+  std::vector<std::string> limited = arguments;
+  limited.insert(limited.end(), {"--max-seconds", "1e-6"});
+  const auto rows = json_lines(ccdfuzz(limited).out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_GE(rows[0].at("undecided"), 1);
+  EXPECT_GT(rows[0].at("overrun_seconds"), 0) << "no pair of boxes takes less than a microsecond";
+  limited.back() = "1000";
+  EXPECT_EQ(json_lines(ccdfuzz(limited).out).at(0).at("overrun_seconds"), 0);
+}
+
 TEST(Bench, BadListsAreRefusedByName) {
   for (const auto& [option, value, complaint] :
        {std::array{"--classes", "FF,XX", "\"XX\""}, std::array{"--classes", "FF,FF", "twice"},
