@@ -56,14 +56,28 @@ include(cmake/fp_rules.cmake)
 # sanitizers in a third.
 set(ccdfuzz_quick_to_compile $<IF:$<CONFIG:Release>,-O1,-O0>)
 
-# ccdfuzz_library(NAME [QUICK | COLD] SOURCES ... DEPENDS ...): one library a folder, so that the layers of
-# the design are also the links of the build. QUICK: to compile, no fuzz target runs it, and it
+# ccdfuzz_room(NAME LINES N DEPENDS ...): this folder is a room, ccdfuzz::NAME. Its files include its own
+# headers, those of the rooms that DEPENDS names, and what these may include. LINES is its budget: it holds no
+# more lines of C++. Of each room a line, "FOLDER NAME N DEPENDS ...", goes into rooms.txt of the build, from
+# which tests/build checks both.
+function(ccdfuzz_room name)
+  cmake_parse_arguments(ARG "" "LINES" "DEPENDS" ${ARGN})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  list(FILTER ARG_DEPENDS INCLUDE REGEX "^ccdfuzz::")
+  list(JOIN ARG_DEPENDS " " below)
+  file(APPEND ${PROJECT_BINARY_DIR}/rooms.txt "${folder} ccdfuzz::${name} ${ARG_LINES} ${below}\n")
+endfunction()
+file(WRITE ${PROJECT_BINARY_DIR}/rooms.txt "")
+
+# ccdfuzz_library(NAME [QUICK | COLD] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
+# of the design are also the links of the build. QUICK: to compile, no fuzz target runs it, and it
 # instantiates nothing of the methods' templates (the linker takes an inline function from whoever came
 # first, and that is who stands above).
 # COLD: what takes its time is in the libraries below it; optimising it would take long and make nothing
 # quicker.
 function(ccdfuzz_library name)
-  cmake_parse_arguments(ARG "QUICK;COLD" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK;COLD" "LINES" "SOURCES;DEPENDS" ${ARGN})
+  ccdfuzz_room(${name} LINES ${ARG_LINES} DEPENDS ${ARG_DEPENDS})
   if(ARG_SOURCES)
     add_library(ccdfuzz_${name} STATIC ${ARG_SOURCES})
     set(scope PUBLIC)

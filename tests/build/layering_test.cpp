@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,36 +18,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Room → the rooms directly below it; what those may include, it may too.
-const std::map<std::string, std::vector<std::string>> kBelow = {
-    {"base", {}},
-    {"numeric", {"base"}},
-    {"bezier", {"numeric"}},
-    {"case", {"bezier"}},
-    {"ccd", {"case"}},
-    {"certify/checker", {"case"}},
-    {"certify/linear", {"case"}},
-    {"certify/oracle", {"ccd", "certify/checker", "certify/linear"}},
-    {"method", {"ccd", "certify/oracle", "case"}},
-    {"eval", {"method", "certify/checker"}},
-    {"generators", {"ccd", "certify/checker", "certify/oracle"}},
-    {"properties", {"method", "certify/checker", "certify/oracle", "generators"}},
-    {"generators/rc", {"properties"}},
-    {"finds", {"method", "certify/checker", "properties", "fuzz/mutator"}},
-    {"fuzz/mutator", {"generators"}},
-    {"hunt", {"generators", "finds", "eval", "fuzz/mutator"}},
-    {"report", {"finds", "eval"}},
-    {"cli", {"hunt", "properties", "report"}},
-    {"fuzz", {"properties", "finds", "eval", "fuzz/mutator"}},
+/// Of a room, what its folder's CMakeLists.txt says.
+struct Room {
+  int most_lines = 0;
+  std::vector<std::string> below;  ///< directly; what those may include, it may too
 };
+
+/// Folders, without src in front. Written by the build (ccdfuzz_room).
+std::map<std::string, Room> read_rooms() {
+  std::map<std::string, Room> rooms;
+  std::map<std::string, std::string> folder_of;  // of a library
+  std::ifstream file(CCDFUZZ_ROOMS);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string folder, library;
+    Room room;
+    words >> folder >> library >> room.most_lines;
+    if (folder.starts_with("src/")) folder.erase(0, 4);
+    for (std::string below; words >> below;) room.below.push_back(below);
+    folder_of[library] = folder;
+    rooms[folder] = room;
+  }
+  for (auto& [folder, room] : rooms) {
+    for (std::string& below : room.below) below = folder_of.at(below);
+  }
+  return rooms;
+}
+
+const std::map<std::string, Room>& rooms() {
+  static const std::map<std::string, Room> kRooms = read_rooms();
+  return kRooms;
+}
 
 /// Headers that only some rooms may use: those that run properties, not those that state them.
 const std::map<std::string, std::set<std::string>> kDriversOnly = {
     {"gtest/", {}}, {"gmock/", {}}, {"rapidcheck", {"generators/rc"}}, {"benchmark/", {}}};
 
+/// The room and all below it.
 std::set<std::string> allowed(const std::string& room) {
-  std::set<std::string> all = {room};
-  for (const std::string& below : kBelow.at(room)) all.merge(allowed(below));
+  std::set<std::string> all;
+  const auto add = [&](const auto& self, const std::string& one) -> void {
+    if (!all.insert(one).second) return;
+    for (const std::string& below : rooms().at(one).below) self(self, below);
+  };
+  add(add, room);
   return all;
 }
 
@@ -53,7 +69,7 @@ std::set<std::string> allowed(const std::string& room) {
 std::string room_of(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
   std::string found;
-  for (const auto& [room, below] : kBelow) {
+  for (const auto& [room, said] : rooms()) {
     if (path.starts_with(room + "/") && room.size() > found.size()) found = room;
   }
   return found;
@@ -160,6 +176,27 @@ TEST(Layering, NoConstantOfAFileHidesOneOfAHeader) {
         EXPECT_FALSE(visible.contains(header_room)) << path << ": " << constant;
       }
     }
+  }
+}
+
+TEST(Layering, NoArrowPointsUp) {
+  EXPECT_GT(rooms().size(), 20U);
+  for (const auto& [room, said] : rooms()) {
+    for (const std::string& below : said.below) {
+      EXPECT_FALSE(allowed(below).contains(room)) << room << " and " << below;
+    }
+  }
+}
+
+TEST(Layering, NoRoomHoldsMoreLinesThanItsBudget) {
+  std::map<std::string, int> lines;
+  for (const std::string& path : source_files(CCDFUZZ_SOURCE_DIR)) {
+    std::ifstream in(fs::path(CCDFUZZ_SOURCE_DIR) / path);
+    for (std::string line; std::getline(in, line);) ++lines[room_of(path)];
+  }
+  for (const auto& [room, said] : rooms()) {
+    std::printf("%-20s %5d of %5d lines\n", room.c_str(), lines[room], said.most_lines);
+    EXPECT_LE(lines[room], said.most_lines) << room;
   }
 }
 
