@@ -31,6 +31,7 @@ Result<std::optional<std::string_view>> LineReader::next(bool whole) {
       const size_t end = std::min(newline, buffer_.size());
       const std::string_view text = std::string_view(buffer_).substr(at_, end - at_);
       at_ = std::min(end + 1, buffer_.size());
+      is_line_ended_ = newline != std::string::npos;
       ++line_;
       return text;
     }

@@ -20,6 +20,8 @@ class LineReader {
   /// is left. Valid until the next call. Errors: as InputBytes; a line that is too long.
   Result<std::optional<std::string_view>> next(bool whole = false);
 
+  /// True iff a newline followed the text that next gave last.
+  bool is_ended() const { return is_line_ended_; }
   /// The number of the line that next gave last, from 1 on; 0 before.
   size_t line() const { return line_; }
   const std::string& path() const { return path_; }
@@ -33,6 +35,7 @@ class LineReader {
   std::string buffer_;  ///< read, and from `at_` on not yet given out
   size_t at_ = 0;
   size_t line_ = 0;
+  bool is_line_ended_ = false;
   bool ended_ = false;  ///< no more bytes beyond the buffer
 };
 

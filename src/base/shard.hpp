@@ -18,6 +18,11 @@ struct Shard {
   /// Its k-th item.
   std::uint64_t item(std::uint64_t k) const { return index + k * of; }
 
+  static void fields(auto& archive, auto& shard) {
+    archive("index", shard.index);
+    archive("of", shard.of);
+  }
+
   friend bool operator==(const Shard&, const Shard&) = default;
 };
 

@@ -163,28 +163,6 @@ std::string csv_field(const std::string& text) {
   return quoted + '"';
 }
 
-std::vector<std::string> csv_texts(std::string_view line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"') {
-      // A quote within quotes is written twice.
-      if (quoted && i + 1 < line.size() && line[i + 1] == '"') {
-        fields.back() += '"';
-        ++i;
-      } else {
-        quoted = !quoted;
-      }
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
 std::string duration_text(double seconds) {
   struct Unit {
     double size;

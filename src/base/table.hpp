@@ -72,9 +72,6 @@ class Table {
 /// RFC 4180: a text with a comma, a quote or a line break is quoted.
 std::string csv_field(const std::string& text);
 
-/// The fields of a line of such text; no field holds a line break.
-std::vector<std::string> csv_texts(std::string_view line);
-
 /// A time with three digits in the unit that fits it: "1.23 ms".
 std::string duration_text(double seconds);
 

@@ -26,6 +26,7 @@ namespace ccdfuzz {
 namespace {
 
 std::string called_as = "ccdfuzz";
+std::string typed;
 
 void print_shown_lines(const std::string& text, const char* first_margin, const char* margin) {
   std::istringstream lines(text);
@@ -63,6 +64,10 @@ CLI::Validator whole_number_in(std::uint64_t least, std::uint64_t most) {
 
 const std::string& program_name() {
   return called_as;
+}
+
+const std::string& command_line() {
+  return typed;
 }
 
 Option& Option::required() {
@@ -190,6 +195,7 @@ Command CommandLine::add_command(const std::string& name, const std::string& des
 
 int CommandLine::parse_and_run(int argc, char** argv) {
   called_as = argv[0];
+  for (int i = 0; i < argc; ++i) typed += (i > 0 ? " " : "") + shell_word(argv[i]);
   occupy_standard_descriptors();
   end_on_signals();
   try {

@@ -36,6 +36,8 @@ enum ExitCode : int {
 
 /// How the user called this program, so that the commands we print work when pasted.
 const std::string& program_name();
+/// The command line as the user typed it, quoted for a shell.
+const std::string& command_line();
 
 /// The value whose name the text is. Errors: none is; all are listed.
 template <NamedEnum E>

@@ -2,23 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
+#include <filesystem>
 
-#include "base/csv.hpp"
-#include "base/journal.hpp"
+#include "base/hash_name.hpp"
+#include "base/input_bytes.hpp"
 #include "base/number_text.hpp"
-#include "base/text.hpp"
+#include "base/run_file.hpp"
+#include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/evaluate_linear.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
 #include "cli/refusals.hpp"
-#include "cli/terminal.hpp"
+#include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "eval/paper_tables.hpp"
-#include "finds/data_set_address.hpp"
-#include "method/method.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {
@@ -28,102 +26,73 @@ namespace {
 struct EvaluateArguments {
   std::vector<std::string> files;
   std::vector<std::string> methods = default_methods();
-  std::string horizons;
+  std::vector<double> horizons;
   std::string linear;
   SearchFlags search;
   std::string shard;
   std::string folder;
   std::string page;  ///< folder
-  int threads = 1;
-  bool json = false;
 };
 
-Result<EvaluateOptions> parse(const EvaluateArguments& options) {
-  EvaluateOptions parsed;
-  parsed.threads = options.threads;
-  parsed.methods = options.methods;
-  parsed.search = options.search.options();
-  parsed.search_for = [flags = options.search](const Case& value) {
+Result<std::vector<double>> parse_horizons(const std::string& where, const std::string& text) {
+  Result<std::vector<double>> factors = parse_numbers(where, text);
+  if (!factors) return factors;
+  for (const double factor : *factors) {
+    if (factor < 1) {
+      return input_error(where,
+                         fmt::format("{} is below 1: the contact would be out of reach", factor));
+    }
+  }
+  std::vector<double> sorted = *factors;
+  std::ranges::sort(sorted);
+  if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
+    return input_error(where, fmt::format("{} stands there twice", *twice));
+  }
+  return factors;
+}
+
+EvaluateOptions options_of(const EvaluateArguments& arguments, int threads) {
+  EvaluateOptions options;
+  options.threads = threads;
+  options.methods = arguments.methods;
+  options.horizon_factors = arguments.horizons;
+  options.search = arguments.search.options();
+  options.search_for = [flags = arguments.search](const Case& value) {
     return flags.options_for(value);
   };
-  if (!options.horizons.empty()) {
-    Result<std::vector<double>> factors = parse_numbers("--t-max-factors", options.horizons);
-    if (!factors) return tl::unexpected(factors.error());
-    for (const double factor : *factors) {
-      if (factor < 1) {
-        return input_error("--t-max-factors",
-                           fmt::format("{} is below 1: the contact would be out of reach", factor));
-      }
-    }
-    std::vector<double> sorted = *factors;
-    std::ranges::sort(sorted);
-    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
-      return input_error("--t-max-factors", fmt::format("{} stands there twice", *twice));
-    }
-    parsed.horizon_factors = std::move(*factors);
+  return options;
+}
+
+/// Reads the files once, to know which cases they hold. Errors: of reading; a file that cannot be
+/// read twice.
+Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOptions& options) {
+  RunHeader header;
+  header.run = "evaluate";
+  header.version = CCDFUZZ_VERSION;
+  header.inputs = arguments.files;
+  for (const std::string& file : arguments.files) {
+    if (auto regular = refuse_irregular(file); !regular) return tl::unexpected(regular.error());
   }
-  return parsed;
-}
-
-/// "0.0001", and whether a case is asked at a precision of its own instead.
-std::string precision_text(const EvaluateOptions& options, const std::vector<NamedCase>& cases) {
-  const bool is_own = std::ranges::any_of(cases, [&](const NamedCase& named) {
-    return options.search_for(named.value).precision != options.search.precision;
-  });
-  return fmt::format("{}{}", options.search.precision, is_own ? " or the case's own" : "");
-}
-
-/// What must be the same for answers to belong together; the share comes last.
-Journal::Header evaluation_header(const EvaluateOptions& options,
-                                  const std::vector<NamedCase>& cases) {
+  std::string address;
+  CaseStream cases(arguments.files);
+  for (;;) {
+    const Result<std::optional<NamedCase>> next = cases.next();
+    if (!next) return tl::unexpected(next.error());
+    if (!*next) break;
+    ++header.items;
+    address = hash_name(address + to_json((*next)->value));
+  }
   const SearchOptions& search = options.search;
-  return {{"run", "evaluate"},
-          {"ccdfuzz", CCDFUZZ_VERSION},
-          {"cases", fmt::format("{} of address {}", cases.size(), data_set_address(cases))},
-          {"--methods", fmt::format("{}", fmt::join(options.methods, ","))},
-          {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
-          {"--precision", precision_text(options, cases)},
-          {"--max-pops", fmt::format("{}", search.max_pops)},
-          {"--max-seconds", search.max_seconds < SearchOptions::kNoTimeLimit
-                                ? fmt::format("{}", search.max_seconds)
-                                : "none"},
-          {"--shard", fmt::format("{}/{}", options.shard.index, options.shard.of)}};
-}
-
-EvaluationRun evaluation_run(const EvaluateOptions& options, const std::vector<NamedCase>& cases) {
-  std::string asked;
-  Journal::Header header = evaluation_header(options, cases);
-  header.pop_back();
-  for (const auto& [name, value] : header) {
-    asked += fmt::format("{}{} {}", asked.empty() ? "" : "; ", name, value);
-  }
-  return {asked, options.methods, options.shard};
-}
-
-/// How the data sets were made, as far as it is on record. A record whose counts are not those of
-/// the cases belongs to something else that had the name.
-Result<std::vector<GenerationCost>> costs_of_sets(const std::vector<std::string>& files,
-                                                  const std::vector<NamedCase>& cases) {
-  std::map<std::pair<std::string, std::string>, std::uint64_t> counts;
-  for (const NamedCase& named : cases) {
-    ++counts[{named.value.origin.contact, named.value.origin.kind}];
-  }
-  std::vector<GenerationCost> costs;
-  for (const std::string& file : files) {
-    const auto record = read_generation(generation_path(file));
-    if (!record) return tl::unexpected(record.error());
-    if (*record) merge_costs(costs, (*record)->costs);
-  }
-  for (const GenerationCost& cost : costs) {
-    std::uint64_t count = 0;
-    for (const std::string kind : {"RP", "RN", "NHP", "NMN"}) {
-      if (("+" + cost.kind + "+").find("+" + kind + "+") != std::string::npos) {
-        count += counts[{cost.contact, kind}];
-      }
-    }
-    if (count != cost.cases) return std::vector<GenerationCost>();
-  }
-  return costs;
+  header.asked = {{"cases", address},
+                  {"--methods", fmt::format("{}", fmt::join(options.methods, ","))},
+                  {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},
+                  {"--precision", arguments.search.precision ? fmt::format("{}", search.precision)
+                                                             : std::string(kOwnPrecision)},
+                  {"--max-pops", fmt::format("{}", search.max_pops)},
+                  {"--max-seconds", search.max_seconds < SearchOptions::kNoTimeLimit
+                                        ? fmt::format("{}", search.max_seconds)
+                                        : "none"}};
+  return header;
 }
 
 void print_evaluation(const std::vector<EvaluatedGroup>& groups,
@@ -141,125 +110,99 @@ void print_evaluation(const std::vector<EvaluatedGroup>& groups,
   print_refusals(groups);
 }
 
-std::string progress_note(const AnswerRecord& record) {
-  return fmt::format("{} {}", record.contact, record.method);
-}
-
-Result<void> write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
-                                   const std::vector<std::string>& methods,
-                                   const EvaluateArguments& options) {
+void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
+                           const EvaluateArguments& arguments, int threads) {
   ReportPage page;
-  page.title = options.files.size() == 1
-                   ? fmt::format("Evaluation of {}", options.files.front())
-                   : fmt::format("Evaluation of {} files", options.files.size());
-  page.command = fmt::format("{} evaluate … --methods {} --report {}", shell_word(program_name()),
-                             fmt::join(methods, ","), shell_word(options.page));
+  page.title = arguments.files.size() == 1
+                   ? fmt::format("Evaluation of {}", arguments.files.front())
+                   : fmt::format("Evaluation of {} files", arguments.files.size());
+  page.command = command_line();
   rows.finish(page, costs);
-  page.plugins = plugins_among(methods);
-  return write_report(page, options.page, options.threads);
+  page.plugins = plugins_among(arguments.methods);
+  need(write_report(page, arguments.page, threads));
 }
 
-/// Into a folder, by a journal of the answers in it, so that a killed run goes on.
-Result<int> evaluate_into_folder(const std::vector<NamedCase>& cases, EvaluateOptions options,
-                                 const EvaluateArguments& flags,
-                                 const std::vector<GenerationCost>& costs) {
-  const EvaluationRun asked = evaluation_run(options, cases);
+/// The run file of an evaluation that goes into a folder, and the lines that stand in it already.
+struct Kept {
+  std::string path;  ///< where the file ends
+  RunFile file;
+  RunLines earlier;
+  std::uint64_t left = 0;  ///< earlier lines that were not given yet
+
+  Result<std::optional<std::string>> next_line() {
+    if (left == 0) return std::nullopt;
+    --left;
+    return earlier.next().map(
+        [](const auto& line) { return line ? std::optional<std::string>(*line) : std::nullopt; });
+  }
+};
+
+Kept open_kept(const std::string& folder, const RunHeader& header) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw BadInput{{folder, "cannot make the folder: " + error.message()}};
+  const std::string path = answers_path(folder), partial = RunFile::path_for(path);
   // Whether the result can be written is to be known before the work is done.
-  if (auto trial = EvaluationFolder::open(flags.folder, asked); !trial) {
-    return tl::unexpected(trial.error());
+  need(OutputFile::create(path));
+  RunFile file = need(RunFile::open(partial, header));
+  const std::uint64_t before = file.size();
+  if (before > 0) {
+    print_err(fmt::format("ccdfuzz: going on after {} of {} cases in {}\n", before,
+                          header.shard.size(header.items), partial));
   }
-  const std::string path = Journal::path_for(EvaluationFolder::answers_path(flags.folder));
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  Result<Journal> journal = Journal::open(path, evaluation_header(options, cases));
-  if (!journal) return tl::unexpected(journal.error());
-  options.skip = journal->size();
-  if (options.skip > 0) {
-    print_err(fmt::format("ccdfuzz: going on behind {} answers in {}\n", options.skip, path));
-  }
-  Progress progress;
-  Result<void> kept;
-  std::atomic<bool> stop = false;
-  const Result<bool> complete = evaluate(
-      cases, options,
-      [&](const AnswerRecord& record, double share) {
-        if (kept) kept = journal->append(csv_row(record));
-        if (!kept || interrupted) stop = true;
-        progress.show(share, progress_note(record), journal->size() - options.skip, "answers");
-      },
-      &stop);
-  progress.clear();
-  if (!kept) return tl::unexpected(kept.error());
-  if (!complete) return tl::unexpected(complete.error());
-  if (!*complete) {
-    print_err(
-        fmt::format("ccdfuzz: interrupted after {} answers; the same command goes on from there\n",
-                    journal->size()));
-    return interrupted_exit_code();
-  }
-  note_words(cases, "evaluate");
-  Result<EvaluationFolder> folder = EvaluationFolder::open(flags.folder, asked);
-  if (!folder) return tl::unexpected(folder.error());
-  ReportRows page;
-  Result<void> done = journal->for_each([&](std::string_view line) -> Result<void> {
-    const Result<AnswerRecord> record = from_csv_row<AnswerRecord>(line, path);
-    if (!record) return tl::unexpected(record.error());
-    if (!flags.page.empty()) {
-      const NamedCase& named = cases.at(record->index);
-      page.add(*record, named, options.search_for(named.value).precision);
-    }
-    return folder->add(*record);
-  });
-  if (done) done = folder->finish(costs);
-  if (done && !flags.page.empty())
-    done = write_evaluation_page(page, costs, options.methods, flags);
-  if (done) done = journal->remove();
-  if (!done) return tl::unexpected(done.error());
-  print_evaluation(folder->groups(), costs, flags.json);
-  return kDone;
+  return {path, std::move(file), need(RunLines::open(partial)), before};
 }
 
-Result<int> run_evaluate(const EvaluateArguments& options) {
-  Result<EvaluateOptions> parsed = parse(options);
-  if (!parsed) return tl::unexpected(parsed.error());
-  if (!options.linear.empty()) {
-    return run_evaluate_linear(options.linear, *parsed, options.json, options.page);
+int run_evaluate(const EvaluateArguments& arguments, Session& session) {
+  EvaluateOptions options = options_of(arguments, session.threads);
+  if (!arguments.linear.empty()) {
+    return need(run_evaluate_linear(arguments.linear, options, session.json, arguments.page));
   }
-  if (options.files.empty()) return input_error("dataset", "is required");
-  const Result<std::vector<NamedCase>> cases = read_cases(options.files);
-  if (!cases) return tl::unexpected(cases.error());
-  const Result<Shard> shard = parse_shard(options.shard, cases->size(), "cases");
-  if (!shard) return tl::unexpected(shard.error());
-  parsed->shard = *shard;
-  const auto costs = costs_of_sets(options.files, *cases);
-  if (!costs) return tl::unexpected(costs.error());
-  if (!options.folder.empty()) return evaluate_into_folder(*cases, *parsed, options, *costs);
-
-  Progress progress;
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  Groups groups(parsed->methods);
+  if (arguments.files.empty()) throw BadInput{{"dataset", "is required"}};
+  std::optional<Kept> kept;
+  if (!arguments.folder.empty() || !arguments.shard.empty()) {
+    RunHeader header = need(header_of(arguments, options));
+    options.shard = need(parse_shard(arguments.shard, header.items, "cases"));
+    header.shard = options.shard;
+    if (!arguments.folder.empty()) kept.emplace(open_kept(arguments.folder, header));
+  }
+  std::vector<GenerationCost> costs;
+  for (const std::string& file : arguments.files) {
+    for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
+  }
+  Groups groups;
   ReportRows page;
-  std::uint64_t answers = 0;
-  const Result<bool> complete = evaluate(
-      *cases, *parsed,
-      [&](const AnswerRecord& record, double share) {
-        groups.add(record);
-        if (!options.page.empty()) {
-          const NamedCase& named = cases->at(record.index);
-          page.add(record, named, parsed->search_for(named.value).precision);
-        }
-        progress.show(share, progress_note(record), ++answers, "answers");
+  WordCount words;
+  std::uint64_t done = 0, asked = 0;
+  need(evaluate(
+      arguments.files, options, kept ? EarlierLines([&] { return kept->next_line(); }) : nullptr,
+      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new,
+          double share) -> Result<void> {
+        words.add(named.value);
+        groups.add(evaluated);
+        const double precision = options.search_for(named.value).precision;
+        if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
+        ++done;
+        session.progress().show(share, evaluated.contact, asked += is_new ? 1 : 0, "cases");
+        return kept && is_new ? kept->file.append(to_json(evaluated)) : Result<void>();
       },
-      &interrupted);
-  progress.clear();
-  if (!complete) return tl::unexpected(complete.error());
-  note_words(*cases, "evaluate");
-  print_evaluation(groups.in_order(), *costs, options.json);
-  if (!options.page.empty()) {
-    if (auto done = write_evaluation_page(page, *costs, parsed->methods, options); !done) {
-      return tl::unexpected(done.error());
-    }
+      [&] { return session.interrupted(); }));
+  session.progress().clear();
+  if (session.interrupted()) {
+    print_err(fmt::format(
+        "ccdfuzz: interrupted after {} cases; {}\n", done,
+        kept ? "the same command goes on from there" : "the tables are of these alone"));
+    if (kept) return session.exit_code(kDone);
   }
-  return interrupted ? interrupted_exit_code() : kDone;
+  words.note("evaluate");
+  const std::vector<EvaluatedGroup> rows = groups.in_order();
+  if (kept) {
+    need(write_tables(arguments.folder, rows, costs));
+    need(kept->file.rename(kept->path));
+  }
+  if (!arguments.page.empty()) write_evaluation_page(page, costs, arguments, session.threads);
+  print_evaluation(rows, costs, session.json);
+  return session.exit_code(kDone);
 }
 
 }  // namespace
@@ -276,19 +219,20 @@ void add_evaluate(CommandLine& line) {
       "judged by their exact truth");
   linear.excludes(dataset);
   add_methods(command, options->methods, "Methods to ask, separated by commas");
-  command.text("--t-max-factors", options->horizons,
-               "Ask positive cases up to these multiples of the contact's time instead of their "
-               "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show");
+  command.parsed("--t-max-factors", options->horizons,
+                 "Ask positive cases up to these multiples of the contact's time instead of their "
+                 "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show",
+                 &parse_horizons);
   options->search.add_to(command);
   linear.excludes(add_shard(command, options->shard));
   linear.excludes(command.text(
       "-o,--output", options->folder,
-      "Folder for all answers (answers.csv), their counts (rows.jsonl) and the tables "
+      "Folder for all answers (answers.jsonl), their counts (rows.jsonl) and the tables "
       "(tables.md), which `report` shows; killed, the same command goes on where it was"));
   command.text("--report", options->page,
                "Folder for a page (index.html) of tables, figures and watchable failures");
-  command.threads(options->threads);
-  command.flag("--json", options->json, "One JSON object per class, kinds and method");
+  command.threads();
+  command.json("One JSON object per class, kinds and method");
   command.max_work();
 }
 

@@ -54,8 +54,7 @@ Result<void> write_linear_page(const std::string& folder, const LinearReport& re
                                const EvaluateOptions& options, const std::string& page_folder) {
   ReportPage page;
   page.title = fmt::format("Linear queries of {}", folder);
-  page.command = fmt::format("{} evaluate --linear {} --report {}", shell_word(program_name()),
-                             shell_word(folder), shell_word(page_folder));
+  page.command = command_line();
   for (const LinearGroup& group : report.groups) {
     page.groups.push_back({std::string(name_of(group.layout)), "", std::nullopt, group.method,
                            group.tally, group.timings});

@@ -2,28 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <ctime>
+#include <functional>
 
-#include "base/in_order.hpp"
+#include "base/cpu_time.hpp"
+#include "base/input_bytes.hpp"
 #include "base/number_text.hpp"
-#include "base/table.hpp"
-#include "case/case_json.hpp"
+#include "base/run_file.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/generate_paper.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
+#include "cli/made_cases.hpp"
+#include "cli/session.hpp"
 #include "cli/shape_text.hpp"
-#include "cli/terminal.hpp"
-#include "eval/generation_record.hpp"
 #include "generators/paper_set.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct GenerateArguments {
+struct GenerateOptions {
   std::optional<ContactClass> contact;
   std::optional<CaseKind> kind;
   /// Absent: paper, or one-sided for shapes that paper has not.
@@ -38,85 +34,50 @@ struct GenerateArguments {
   std::uint64_t one_in = 1;
   std::string shard;
   std::string output;
-  int threads = 1;
-  bool json = false;
+
+  bool is_to_stdout() const { return output.empty() || output == "-"; }
 };
 
-/// Where the cases go: a file that appears whole or not at all, or stdout.
-class Destination {
- public:
-  static Result<Destination> open(const std::string& path) {
-    Destination destination;
-    if (!path.empty() && path != "-") {
-      Result<CaseWriter> writer = CaseWriter::open(path);
-      if (!writer) return tl::unexpected(writer.error());
-      destination.writer_ = std::move(*writer);
-    }
-    return destination;
-  }
-
-  Result<void> write(const Case& value) {
-    if (writer_) return writer_->write(value);
-    print_out(to_json(value) + "\n");
-    return check_stdout();
-  }
-
-  Result<void> finish() { return writer_ ? writer_->finish() : flush_stdout(); }
-
- private:
-  std::optional<CaseWriter> writer_;
+/// What is to be made, construction by construction.
+struct Plan {
+  RunHeader header;
+  std::function<MadeCases(std::uint64_t)> make;
+  const char* unit;  ///< what a construction gives
 };
 
-/// CPU time that all threads of this program have used.
-double process_cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-std::string summary(const GeneratorOptions& options, const DiscardCounts& counts, double seconds) {
-  const auto made = static_cast<double>(counts.accepted());
-  std::string text =
-      fmt::format("{} {} {} cases in {}, {} of CPU time each; {} begun", counts.accepted(),
-                  name_of(options.contact), name_of(options.kind), duration_text(seconds),
-                  duration_text(process_cpu_seconds() / made), counts.attempts);
-  const char* separator = ", discarded: ";
+GenerationCost cost_of(ContactClass contact, std::string_view kind, std::uint64_t cases,
+                       const DiscardCounts& counts, double cpu_seconds) {
+  GenerationCost cost{
+      std::string(name_of(contact)), std::string(kind), cases, counts.attempts, {}, cpu_seconds};
   for (const Discard reason : kDiscards) {
-    text += fmt::format("{}{} {}", separator, name_of(reason),
-                        count_text(counts[reason], counts.attempts));
-    separator = ", ";
-  }
-  return text + "\n";
-}
-
-GenerationCost cost_of_run(const GeneratorOptions& options, const DiscardCounts& counts) {
-  GenerationCost cost{std::string(name_of(options.contact)),
-                      std::string(name_of(options.kind)),
-                      counts.accepted(),
-                      counts.attempts,
-                      {},
-                      process_cpu_seconds()};
-  for (const Discard reason : kDiscards) {
-    cost.discarded.emplace_back(name_of(reason), counts[reason]);
+    cost.discarded.steps.emplace_back(name_of(reason), counts[reason]);
   }
   return cost;
 }
 
-nlohmann::ordered_json summary_json(const GenerationCost& cost, double seconds) {
-  auto row = nlohmann::ordered_json::parse(to_json(cost));
-  row["seconds"] = seconds;
-  return row;
+Plan paper_plan(const GenerateOptions& options) {
+  auto items = std::make_shared<std::vector<PaperItem>>(paper_items(options.one_in));
+  RunHeader header{"generate", CCDFUZZ_VERSION, {}, {}, items->size(), {}};
+  header.asked = {{"--paper", "yes"},
+                  {"--seed", fmt::format("{}", options.seed)},
+                  {"--one-in", fmt::format("{}", options.one_in)}};
+  return {header,
+          [items, seed = options.seed](std::uint64_t i) {
+            const PaperItem& item = (*items)[i];
+            const double begin = thread_cpu_seconds();
+            PaperCases paper = make_paper_cases(item, seed);
+            const std::string_view kind = item.kind == CaseKind::kRP ? "RP+RN" : name_of(item.kind);
+            MadeCases made{{},
+                           {std::move(paper.tree)},
+                           cost_of(item.contact, kind, paper.cases.size(), paper.discards,
+                                   thread_cpu_seconds() - begin)};
+            for (Case& value : paper.cases) made.cases.push_back({std::move(value)});
+            return made;
+          },
+          "constructions"};
 }
 
-/// What was asked for but the share, in words.
-std::string text_of_run(const GeneratorOptions& g, const GenerateArguments& o) {
-  const auto shape = [&](size_t side) { return g.shapes ? to_text((*g.shapes)[side]) : "any"; };
-  return fmt::format("{} {}, {}, {},{} {}, eps-t {}, seed {}, {} cases from {}", name_of(g.contact),
-                     name_of(g.kind), name_of(g.construction), shape(0), shape(1),
-                     name_of(g.family),
-                     g.eps_t_exponent ? fmt::format("2^{}", *g.eps_t_exponent) : "as by default",
-                     g.seed, o.count, o.first);
-}
-
-Result<GeneratorOptions> generator_options(const GenerateArguments& options) {
+GeneratorOptions generator_of(const GenerateOptions& options) {
   GeneratorOptions generator;
   generator.contact = *options.contact;
   generator.kind = *options.kind;
@@ -129,81 +90,166 @@ Result<GeneratorOptions> generator_options(const GenerateArguments& options) {
   }
   if (options.construction) generator.construction = *options.construction;
   generator.eps_t_exponent = options.eps_t_exponent;
-  return validate(generator).map([&] { return generator; });
+  need(validate(generator));
+  return generator;
 }
 
-Result<int> run_generate_paper(const GenerateArguments& options) {
-  if (options.output.empty() || options.output == "-") {
-    return input_error("--output", "the paper's set goes to a file, which --paper needs");
-  }
-  GeneratePaperOptions paper{options.seed,   options.one_in,  {},
-                             options.output, options.threads, options.json};
-  const Result<Shard> shard =
-      parse_shard(options.shard, paper_items(options.one_in).size(), "constructions");
-  if (!shard) return tl::unexpected(shard.error());
-  paper.shard = *shard;
-  return generate_paper(paper);
-}
-
-Result<int> run_generate(const GenerateArguments& options) {
-  if (options.paper) return run_generate_paper(options);
+Plan plain_plan(const GenerateOptions& options) {
   for (const auto& [name, given] :
        {std::pair("--contact", options.contact.has_value()),
         std::pair("--kind", options.kind.has_value()), std::pair("--count", options.count > 0)}) {
-    if (!given) return input_error(name, "is required without --paper");
+    if (!given) throw BadInput{{name, "is required without --paper"}};
   }
-  const Result<GeneratorOptions> generator = generator_options(options);
-  if (!generator) return tl::unexpected(generator.error());
-  if (const auto room = check_room(options.first, options.count, "cases"); !room) {
-    return tl::unexpected(room.error());
-  }
-  const Result<Shard> shard = parse_shard(options.shard, options.count, "cases");
-  if (!shard) return tl::unexpected(shard.error());
-  const std::uint64_t count = shard->size(options.count);
-  const std::atomic<bool>& interrupted = catch_interrupts();  // from here on a file may be left
-  if (options.json && (options.output.empty() || options.output == "-")) {
-    return input_error("--json", "stdout takes the cases already; name a file with --output");
-  }
-  Result<Destination> destination = Destination::open(options.output);
-  if (!destination) return tl::unexpected(destination.error());
+  const GeneratorOptions g = generator_of(options);
+  need(check_room(options.first, options.count, "cases"));
+  RunHeader header{"generate", CCDFUZZ_VERSION, {}, {}, options.count, {}};
+  const auto shape = [&](size_t side) { return g.shapes ? to_text((*g.shapes)[side]) : "any"; };
+  header.asked = {
+      {"--contact", std::string(name_of(g.contact))},
+      {"--kind", std::string(name_of(g.kind))},
+      {"--construction", std::string(name_of(g.construction))},
+      {"--shape", shape(0) + "," + shape(1)},
+      {"--family", std::string(name_of(g.family))},
+      {"--eps-t", g.eps_t_exponent ? fmt::format("2^{}", *g.eps_t_exponent) : "as by default"},
+      {"--seed", fmt::format("{}", g.seed)},
+      {"--first", fmt::format("{}", options.first)}};
+  return {header,
+          [g, first = options.first](std::uint64_t i) {
+            const double begin = thread_cpu_seconds();
+            Generated made = generate(g, first + i);
+            return MadeCases{{{std::move(made.value)}},
+                             {},
+                             cost_of(g.contact, name_of(g.kind), 1, made.discards,
+                                     thread_cpu_seconds() - begin)};
+          },
+          "cases"};
+}
 
+/// The same for people who see the cases on stdout, or just a few numbers of one kind.
+std::string summary(const GenerationCost& cost) {
+  std::string text = fmt::format(
+      "{} {} {} cases, {} of CPU time each; {} begun", cost.cases, cost.contact, cost.kind,
+      duration_text(cost.cpu_seconds / static_cast<double>(cost.cases)), cost.begun);
+  const char* separator = ", discarded: ";
+  for (const auto& [step, count] : cost.discarded.steps) {
+    text += fmt::format("{}{} {}", separator, step, count_text(count, cost.begun));
+    separator = ", ";
+  }
+  return text + "\n";
+}
+
+void print_costs(const std::vector<GenerationCost>& costs, bool is_paper, bool json) {
+  if (json) {
+    for (const GenerationCost& cost : costs) print_out(to_json(cost) + "\n");
+  } else if (is_paper) {
+    print_table(generation_table(costs));
+  } else {
+    for (const GenerationCost& cost : costs) print_err(summary(cost));
+  }
+}
+
+/// Where the constructions go: those of a share into its run file, others into a data set; those of
+/// the paper's whole set go on from a run file.
+struct Target {
+  std::optional<RunFile> file;
+  std::optional<RunLines> earlier;
+  std::optional<MadeSet> set;
+  std::uint64_t before = 0;  ///< constructions of earlier runs
+};
+
+Target open_target(const GenerateOptions& options, const RunHeader& header) {
+  Target target;
+  if (header.shard.is_whole()) target.set = need(MadeSet::open(options.output));
+  if (header.shard.is_whole() && !options.paper) return target;
+  // Whether the result can be written is to be known before the work is done.
+  need(OutputFile::create(options.output));
+  const std::string path = RunFile::path_for(options.output);
+  target.file.emplace(need(RunFile::open(path, header)));
+  target.before = target.file->size();
+  if (target.set) target.earlier = need(RunLines::open(path));
+  if (target.before > 0) {
+    print_err(fmt::format("ccdfuzz: going on after {} of {} constructions in {}\n", target.before,
+                          header.shard.size(header.items), path));
+  }
+  return target;
+}
+
+Result<void> add_earlier(Target& target) {
+  for (std::uint64_t i = 0; target.set && i < target.before; ++i) {
+    const auto line = target.earlier->next();
+    if (!line) return tl::unexpected(line.error());
+    Result<MadeCases> made = from_json<MadeCases>(line->value_or(""), target.earlier->where());
+    if (!made) return tl::unexpected(made.error());
+    if (auto added = target.set->add(*std::move(made)); !added) return added;
+  }
+  return {};
+}
+
+/// Makes the constructions that are left. Returns how many were made.
+std::uint64_t make_all(const Plan& plan, Target& target, Session& session) {
+  const Shard& shard = plan.header.shard;
+  const std::uint64_t total = shard.size(plan.header.items);
   std::atomic<bool> stop = false;
-  Result<void> written;
-  DiscardCounts counts;
-  Progress progress;
-  const auto start = std::chrono::steady_clock::now();
-  run_in_order<Generated>(
-      count, options.threads,
-      [&](size_t i) { return generate(*generator, options.first + shard->item(i)); },
-      [&](const Generated& generated) {
-        if (interrupted) stop = true;
-        if (!written || stop) return;
-        counts += generated.discards;
-        written = destination->write(generated.value);
-        if (!written) stop = true;
-        progress.show(static_cast<double>(counts.accepted()) / static_cast<double>(count),
-                      fmt::format("{} cases", counts.accepted()), counts.accepted(), "cases");
+  Result<void> kept;
+  std::uint64_t made_count = 0;
+  run_in_order<MadeCases>(
+      total - target.before, session.threads,
+      [&](size_t i) { return plan.make(shard.item(target.before + i)); },
+      [&](MadeCases made) {
+        if (session.interrupted() || !kept) stop = true;
+        if (!kept || (stop && !target.file)) return;
+        const std::string note = made.cost.contact + " " + made.cost.kind;
+        if (target.file) kept = target.file->append(to_json(made));
+        if (kept && target.set) kept = target.set->add(std::move(made));
+        const auto done = static_cast<double>(target.before + ++made_count);
+        session.progress().show(done / static_cast<double>(total), note, made_count, plan.unit);
       },
       &stop);
-  progress.clear();
-  if (interrupted) {
-    print_err(
-        fmt::format("ccdfuzz: interrupted after {} cases{}\n", counts.accepted(),
-                    options.output.empty() ? "" : "; " + options.output + " was not written"));
-    return interrupted_exit_code();
+  session.progress().clear();
+  need(kept);
+  return made_count;
+}
+
+int run_generate(const GenerateOptions& options, Session& session) {
+  if (options.is_to_stdout()) {
+    if (options.paper) {
+      throw BadInput{{"--output", "the paper's set goes to a file, which --paper needs"}};
+    }
+    if (!options.shard.empty()) throw BadInput{{"--output", "a share goes to a file"}};
+    if (session.json) {
+      throw BadInput{{"--json", "stdout takes the cases already; name a file with --output"}};
+    }
   }
-  const GenerationCost cost = cost_of_run(*generator, counts);
-  if (written && !shard->is_whole() && !options.output.empty() && options.output != "-") {
-    written = write_generation(generation_path(options.output),
-                               {text_of_run(*generator, options), *shard, {cost}});
+  Plan plan = options.paper ? paper_plan(options) : plain_plan(options);
+  plan.header.shard = need(parse_shard(options.shard, plan.header.items, plan.unit));
+  const Shard& shard = plan.header.shard;
+  if (shard.is_whole() && options.paper &&
+      need(case_file_kind(options.output)) == CaseFileKind::kJson) {
+    throw BadInput{{options.output, "a .json file holds one case; .jsonl holds many"}};
   }
-  if (written) written = destination->finish();
-  if (!written) return tl::unexpected(written.error());
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  if (options.json) {
-    print_json(summary_json(cost, elapsed.count()));
-  } else {
-    print_err(summary(*generator, counts, elapsed.count()));
+  catch_interrupts();  // from here on a file may be left
+  Target target = open_target(options, plan.header);
+  need(add_earlier(target));
+  const std::uint64_t made = target.before + make_all(plan, target, session);
+  if (session.interrupted()) {
+    print_err(fmt::format("ccdfuzz: interrupted after {} {}{}\n", made, plan.unit,
+                          target.file              ? "; the same command goes on from there"
+                          : options.is_to_stdout() ? ""
+                                                   : "; " + options.output + " was not written"));
+    return session.exit_code(kDone);
+  }
+  if (!target.set) {
+    need(target.file->rename(options.output));
+    session.summary(fmt::format("share {}/{} in {}: `merge` puts the shares together", shard.index,
+                                shard.of, options.output));
+    return kDone;
+  }
+  need(target.set->finish());
+  if (target.file) need(target.file->remove());
+  print_costs(target.set->costs(), options.paper, session.json);
+  if (options.paper) {
+    session.summary(fmt::format("\n{} cases in {}, {} miss trees", target.set->cases(),
+                                options.output, target.set->trees()));
   }
   return kDone;
 }
@@ -211,7 +257,7 @@ Result<int> run_generate(const GenerateArguments& options) {
 }  // namespace
 
 void add_generate(CommandLine& line) {
-  auto [command, options] = line.add<GenerateArguments>(
+  auto [command, options] = line.add<GenerateOptions>(
       "generate", "Make cases whose truth is proven, as a data set", run_generate);
   Option paper =
       command.flag("--paper", options->paper,
@@ -254,14 +300,12 @@ void add_generate(CommandLine& line) {
     paper.excludes(other);
   }
   add_shard(command, options->shard);
-  const Option output =
-      command.text("-o,--output", options->output,
-                   "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout");
-  command.threads(options->threads);
-  command
-      .flag("--json", options->json,
-            "The summary as a JSON object on stdout; the cases go to a file then")
-      .needs(output);
+  const Option output = command.text(
+      "-o,--output", options->output,
+      "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout. A share is a "
+      "file for `merge`");
+  command.threads();
+  command.json("The summary as a JSON object on stdout; the cases go to a file then").needs(output);
 }
 
 }  // namespace ccdfuzz

@@ -6,7 +6,7 @@ namespace ccdfuzz {
 
 /// How SIGINT (Ctrl-C), SIGTERM and SIGHUP end this program: at once, with exit code 128 + the
 /// signal and without leaving a temporary file. What is on the disk is whole whenever that is, as
-/// files appear whole and journals are read up to their last whole record. SIGXFSZ is ignored, so
+/// files appear whole and run files are read up to their last whole record. SIGXFSZ is ignored, so
 /// that a file that grows too large is an error of whoever writes it. Called once, by main.
 void end_on_signals();
 

@@ -1,48 +1,116 @@
 #include "cli/merge.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
+#include "base/run_file.hpp"
 #include "cli/command.hpp"
+#include "cli/made_cases.hpp"
+#include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
+#include "eval/paper_tables.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct MergeArguments {
+struct MergeOptions {
   std::vector<std::string> inputs;
   std::string output;
 };
 
-Result<int> run_merge(const MergeArguments& options) {
+/// Calls visit on the record of each line. Returns how many there are.
+template <class Record, class Visit>
+std::uint64_t for_each_record(MergedRun& run, const Visit& visit) {
+  for (std::uint64_t count = 0;; ++count) {
+    const auto line = need(run.next());
+    if (!line) return count;
+    visit(*line, need(from_json<Record>(*line, run.where())));
+  }
+}
+
+/// The data set of the shares of a `generate`.
+int merge_made(const MergeOptions& options, Session& session) {
+  MergedRun run = need(MergedRun::open(options.inputs));
+  if (run.header().run != "generate") {
+    throw BadInput{{options.inputs[0], "is no share of a data set"}};
+  }
+  MadeSet set = need(MadeSet::open(options.output));
+  for_each_record<MadeCases>(
+      run, [&](std::string_view, MadeCases made) { need(set.add(std::move(made))); });
+  need(set.finish());
+  if (session.json) {
+    for (const GenerationCost& cost : set.costs()) print_out(to_json(cost) + "\n");
+  } else {
+    print_table(generation_table(set.costs()));
+  }
+  session.summary(fmt::format("\n{} cases of {} files in {}", set.cases(), options.inputs.size(),
+                              options.output));
+  return kDone;
+}
+
+/// The folder of the shares of an `evaluate`.
+int merge_evaluated(const MergeOptions& options, Session& session) {
+  std::vector<std::string> paths;
+  for (const std::string& folder : options.inputs) paths.push_back(answers_path(folder));
+  MergedRun run = need(MergedRun::open(paths));
+  std::error_code error;
+  std::filesystem::create_directories(options.output, error);
+  if (error) throw BadInput{{options.output, "cannot make the folder: " + error.message()}};
+  OutputFile answers = need(OutputFile::create(answers_path(options.output)));
+  need(answers.write(to_json(run.header()) + "\n"));
+  Groups groups;
+  const std::uint64_t cases =
+      for_each_record<EvaluatedCase>(run, [&](std::string_view line, const EvaluatedCase& one) {
+        groups.add(one);
+        need(answers.write(std::string(line) + "\n"));
+      });
+  std::vector<GenerationCost> costs;
+  for (const std::string& file : run.header().inputs) {
+    for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
+  }
+  const std::vector<EvaluatedGroup> rows = groups.in_order();
+  need(write_tables(options.output, rows, costs));
+  need(answers.commit());
+  if (session.json) {
+    for (const EvaluatedGroup& row : rows) print_out(to_json(row) + "\n");
+  }
+  session.summary(fmt::format("the answers to {} cases of {} folders in {}", cases,
+                              options.inputs.size(), options.output));
+  return kDone;
+}
+
+int run_merge(const MergeOptions& options, Session& session) {
   const auto is_folder = [](const std::string& path) {
     return std::filesystem::is_directory(path);
   };
   const auto folders = std::ranges::count_if(options.inputs, is_folder);
-  if (folders == 0) return merge_data_sets(options.inputs, options.output);
+  if (folders == 0) return merge_made(options, session);
   if (static_cast<size_t>(folders) < options.inputs.size()) {
     const auto file = std::ranges::find_if_not(options.inputs, is_folder);
-    return input_error(*file, "is no folder, and others of the inputs are");
+    throw BadInput{{*file, "is no folder, and others of the inputs are"}};
   }
-  const bool evaluated = std::filesystem::exists(EvaluationFolder::answers_path(options.inputs[0]));
-  return evaluated ? merge_evaluations(options.inputs, options.output)
-                   : merge_corpora(options.inputs, options.output);
+  return std::filesystem::exists(answers_path(options.inputs[0]))
+             ? merge_evaluated(options, session)
+             : merge_corpora(options.inputs, options.output, session);
 }
 
 }  // namespace
 
 void add_merge(CommandLine& line) {
-  auto [command, options] = line.add<MergeArguments>(
+  auto [command, options] = line.add<MergeOptions>(
       "merge", "Put the shares of a run together, as one run would have made it", run_merge);
   command
       .texts("input", options->inputs,
-             "Data sets (generate), or folders of answers (evaluate), or corpora (hunt)")
+             "Shares of a data set (generate), or folders of answers (evaluate), or corpora (hunt)")
       .required();
   command
       .text("-o,--output", options->output,
             "What to write: .jsonl or .jsonl.zst, or a folder; a corpus may be there already")
       .required();
+  command.json("What the merged shares cost or answered, one JSON object a row");
   command.max_work();
 }
 

@@ -2,34 +2,45 @@
 
 #include "case/tree_file.hpp"
 #include "cli/merge.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "finds/entries.hpp"
 #include "finds/store.hpp"
 
 namespace ccdfuzz {
 
-Result<int> merge_corpora(const std::vector<std::string>& inputs, const std::string& output) {
+namespace {
+
+/// What a merge of corpora did.
+struct MergedCorpora {
+  std::uint64_t entries = 0, taken = 0, now = 0;
+
+  static void fields(auto& archive, auto& merged) {
+    archive("entries", merged.entries);
+    archive("taken_over", merged.taken);
+    archive("now", merged.now);
+  }
+};
+
+}  // namespace
+
+int merge_corpora(const std::vector<std::string>& inputs, const std::string& output,
+                  Session& session) {
   std::vector<NamedCase> finds;
   for (const std::string& input : inputs) {
-    const Result<std::vector<std::string>> paths = list_entries(input);
-    if (!paths) return tl::unexpected(paths.error());
-    if (paths->empty()) continue;  // a share that found nothing
-    Result<std::vector<NamedCase>> entries = load_corpus(input);
-    if (!entries) return tl::unexpected(entries.error());
-    std::ranges::move(*entries, std::back_inserter(finds));
+    if (need(list_entries(input)).empty()) continue;  // a hunt that found nothing
+    std::ranges::move(need(load_corpus(input)), std::back_inserter(finds));
   }
-  Result<Store> store = Store::open(output);
-  if (!store) return tl::unexpected(store.error());
-  std::uint64_t added = 0;
+  Store store = need(Store::open(output));
+  MergedCorpora merged;
+  merged.entries = finds.size();
   for (const NamedCase& find : finds) {
-    const Result<Store::Added> done = store->add(find.value, trees_path(find.file));
-    if (!done) return tl::unexpected(done.error());
-    if (*done != Store::Added::kKnown) ++added;
+    const Store::Added done = need(store.add(find.value, trees_path(find.file)));
+    if (done != Store::Added::kKnown) ++merged.taken;
   }
-  const Result<std::vector<NamedCase>> all = store->load();
-  if (!all) return tl::unexpected(all.error());
-  print_out(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}\n", finds.size(),
-                        inputs.size(), added, all->size(), output));
+  merged.now = need(store.load()).size();
+  if (session.json) print_out(to_json(merged) + "\n");
+  session.summary(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}",
+                              merged.entries, inputs.size(), merged.taken, merged.now, output));
   return 0;
 }
 

@@ -4,15 +4,14 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <filesystem>
-#include <list>
-#include <map>
 #include <set>
 
 #include "base/fields.hpp"
 #include "base/in_order.hpp"
 #include "base/input_bytes.hpp"
 #include "base/line_reader.hpp"
-#include "base/text.hpp"
+#include "base/number_text.hpp"
+#include "base/run_file.hpp"
 #include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -106,45 +105,49 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
   return report;
 }
 
-/// The cases that answers name, by id; each file is read once.
-class CasesById {
- public:
-  Result<const NamedCase*> find(const std::string& id) {
-    if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;
-    const size_t colon = id.find_last_of(':');
-    const bool of_line = colon != std::string::npos && id.find('/', colon) == std::string::npos &&
-                         !id.ends_with(".json");
-    const std::string file = of_line ? id.substr(0, colon) : id;
-    Result<std::vector<NamedCase>> read =
-        refuse_irregular(file).and_then([&] { return read_checked_cases(file); });
-    if (!read) return tl::unexpected(read.error());
-    files_.push_back(std::move(*read));
-    for (const NamedCase& named : files_.back()) by_id_.emplace(named.id, &named);
-    const auto found = by_id_.find(id);
-    if (found == by_id_.end()) return input_error(id, "is not there any more");
-    return found->second;
-  }
-
- private:
-  std::list<std::vector<NamedCase>> files_;
-  std::map<std::string, const NamedCase*> by_id_;
-};
-
-/// What `evaluate -o` left.
+/// What `evaluate -o` left: its cases and the answers to them, side by side.
 Result<ReportPage> report_run(const ReportArguments& options) {
-  Result<EvaluatedFolder> folder = EvaluatedFolder::open(options.source);
-  if (!folder) return tl::unexpected(folder.error());
-  CasesById cases;
+  Result<RunLines> answers = RunLines::open(answers_path(options.source));
+  if (!answers) return tl::unexpected(answers.error());
+  const RunHeader& header = answers->header();
+  SearchFlags search;
+  const auto precision = header.asked.find("--precision");
+  if (precision != header.asked.end() && precision->second != kOwnPrecision) {
+    const Result<double> own = parse_number(answers->where(), precision->second);
+    if (!own) return tl::unexpected(own.error());
+    search.precision = *own;
+  }
+  for (const std::string& file : header.inputs) {
+    if (auto regular = refuse_irregular(file); !regular) return tl::unexpected(regular.error());
+  }
+  CaseStream cases(header.inputs);
   ReportRows rows;
-  while (folder->current()) {
-    const Result<const NamedCase*> source = cases.find(folder->current()->id);
-    if (!source) return tl::unexpected(source.error());
-    rows.add(*folder->current(), **source, SearchFlags().options_for((*source)->value).precision);
-    if (auto read = folder->advance(); !read) return tl::unexpected(read.error());
+  for (std::uint64_t index = 0;; ++index) {
+    const Result<std::optional<NamedCase>> named = cases.next();
+    if (!named) return tl::unexpected(named.error());
+    if (!*named) break;
+    if (index % header.shard.of != header.shard.index) continue;
+    const auto line = answers->next();
+    if (!line) return tl::unexpected(line.error());
+    const Result<EvaluatedCase> evaluated =
+        from_json<EvaluatedCase>(line->value_or(""), answers->where());
+    if (!evaluated) return tl::unexpected(evaluated.error());
+    if (evaluated->index != index || evaluated->id != (*named)->id) {
+      return input_error(answers->where(), "is not of " + (*named)->id);
+    }
+    if (auto checked = check_in_run(**named); !checked) return tl::unexpected(checked.error());
+    const Case& known = (*named)->value;
+    rows.add(*evaluated, known, search.options_for(known).precision);
+  }
+  std::vector<GenerationCost> costs;
+  for (const std::string& file : header.inputs) {
+    const auto of_file = read_costs(file);
+    if (!of_file) return tl::unexpected(of_file.error());
+    for (const GenerationCost& cost : *of_file) add_cost(costs, cost);
   }
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
-  rows.finish(report, folder->costs());
+  rows.finish(report, costs);
   return report;
 }
 
@@ -155,7 +158,7 @@ Result<ReportPage> report_source(const ReportArguments& options,
     return input_error(options.source,
                        "is no folder; `evaluate FILE --report DIR` shows a file of cases");
   }
-  if (std::filesystem::exists(EvaluationFolder::answers_path(options.source), error)) {
+  if (std::filesystem::exists(answers_path(options.source), error)) {
     return report_run(options);
   }
   if (std::filesystem::exists(hunt_record_path(options.source), error)) {
@@ -191,9 +194,7 @@ Result<int> run_report(const ReportArguments& options) {
   Result<ReportPage> report = report_source(options, interrupted);
   if (!report) return tl::unexpected(report.error());
   report->scoreboard = *std::move(scoreboard);
-  if (report->command.empty())
-    report->command = fmt::format("{} report {} -o {}", shell_word(program_name()),
-                                  shell_word(options.source), shell_word(options.folder));
+  if (report->command.empty()) report->command = command_line();
   if (auto done = write_report(*report, options.folder, options.threads); !done) {
     return tl::unexpected(done.error());
   }

@@ -67,8 +67,11 @@ class Session {
                  const Work& work, const Sink& sink, const std::atomic<bool>* stop = nullptr) {
     const std::atomic<bool>& signalled = catch_interrupts();
     std::uint64_t done = 0;
-    const Result<void> read = stream_cases<Asked, Row>(
+    const Result<void> read = stream_cases<Row>(
         files, parts, threads,
+        [](NamedCase named) -> Result<std::shared_ptr<Asked>> {
+          return std::make_shared<Asked>(std::move(named));
+        },
         [&](Asked& asked, size_t part) -> Result<Row> {
           try {
             return work(asked, part);

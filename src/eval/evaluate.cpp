@@ -2,11 +2,10 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "base/in_order.hpp"
-#include "base/verify.hpp"
+#include "base/fields.hpp"
 #include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/run_work.hpp"
+#include "eval/stream_cases.hpp"
 #include "method/ask.hpp"
 #include "method/by_spec.hpp"
 
@@ -14,117 +13,101 @@ namespace ccdfuzz {
 
 namespace {
 
-/// One query of the evaluation: a case, and how far past its contact to ask.
-struct Item {
-  std::uint64_t index;
-  std::optional<double> factor;
+/// A case of the share, with the line of its answers if an earlier run gave them.
+struct ToEvaluate {
+  NamedCase of;
+  std::uint64_t index = 0;
+  std::optional<std::string> line;
+
+  const NamedCase& named() const { return of; }
 };
 
-std::vector<Item> items_of(const std::vector<NamedCase>& cases, const EvaluateOptions& options) {
-  std::vector<Item> items;
-  for (std::uint64_t k = 0; k < options.shard.size(cases.size()); ++k) {
-    const std::uint64_t index = options.shard.item(k);
-    const Case& value = cases[index].value;
-    if (options.horizon_factors.empty() || !value.truth.witness) {
-      items.push_back({index, std::nullopt});
-      continue;
-    }
-    for (const double factor : options.horizon_factors) {
-      if (at_horizon(value, factor)) items.push_back({index, factor});
-    }
-  }
-  return items;
-}
-
-/// What one thread keeps: its methods, and the case that it checked last.
-struct Asker {
-  MethodSet methods;
-  std::optional<std::uint64_t> index;
-  CheckedCase known;
-  SearchOptions search;
-
-  /// Errors: the case is refuted.
-  Result<void> take(const NamedCase& named, std::uint64_t at, const EvaluateOptions& options) {
-    if (index == at) return {};
-    search = options.search_for ? options.search_for(named.value) : options.search;
-    return check_case(named).map([&](CheckedCase checked) {
-      known = std::move(checked);
-      index = at;
-    });
-  }
-};
-
-AnswerRecord answer_item(const std::string& id, const CheckedCase& known, const Item& item,
-                         const std::string& spec, Method& method, const SearchOptions& search) {
-  const std::optional<CheckedCase> moved =
-      item.factor ? at_horizon(known, *item.factor) : std::nullopt;
-  const CheckedCase& asked = moved ? *moved : known;
-  const Origin& origin = asked.value().origin;
+GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
+                      const std::string& spec, Method& method, const SearchOptions& search) {
   const Judged judged = ask(method, asked, search);
   const Answer& answer = judged.answer;
-  AnswerRecord record;
-  record.index = item.index;
-  record.id = id;
-  record.contact = origin.contact.empty() ? "-" : origin.contact;
-  record.kind = origin.kind;
-  record.collides = asked.collides();
-  record.factor = item.factor;
-  record.method = spec;
-  record.t_max = asked.query().t_max;
-  record.verdict = answer.verdict;
-  if (answer.has_toi()) record.toi = answer.toi;
-  record.outcome = judged.outcome;
-  record.pops = answer.pops;
-  record.bytes = answer.bytes;
-  record.seconds = answer.seconds;
-  return record;
+  GivenAnswer given;
+  given.factor = factor;
+  given.method = spec;
+  given.t_max = asked.query().t_max;
+  given.verdict = answer.verdict;
+  if (answer.has_toi()) given.toi = answer.toi;
+  given.outcome = judged.outcome;
+  given.pops = answer.pops;
+  given.bytes = answer.bytes;
+  given.seconds = answer.seconds;
+  return given;
+}
+
+EvaluatedCase without_answers(const NamedCase& named, std::uint64_t index) {
+  const Origin& origin = named.value.origin;
+  return {index, named.id, origin.contact.empty() ? "-" : origin.contact, origin.kind, {}, {}};
+}
+
+Result<EvaluatedCase> ask_all(const ToEvaluate& item, const EvaluateOptions& options,
+                              MethodSet& methods) {
+  const Result<CheckedCase> known = check_case(item.of);
+  if (!known) return tl::unexpected(known.error());
+  const SearchOptions search =
+      options.search_for ? options.search_for(item.of.value) : options.search;
+  EvaluatedCase evaluated = without_answers(item.of, item.index);
+  evaluated.collides = known->collides();
+  const auto ask_up_to = [&](const CheckedCase& asked, std::optional<double> factor) {
+    for (const std::string& spec : options.methods) {
+      evaluated.answers.push_back(answer_of(asked, factor, spec, methods[spec], search));
+    }
+  };
+  if (options.horizon_factors.empty() || !item.of.value.truth.witness) {
+    ask_up_to(*known, std::nullopt);
+    return evaluated;
+  }
+  for (const double factor : options.horizon_factors) {
+    if (const auto moved = at_horizon(*known, factor)) ask_up_to(*moved, factor);
+  }
+  return evaluated;
+}
+
+/// The answers that an earlier run gave.
+Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
+  const std::string where = "the earlier answers to " + item.of.id;
+  Result<EvaluatedCase> read = from_json<EvaluatedCase>(*item.line, where);
+  if (read && read->index != item.index) {
+    return input_error(where,
+                       fmt::format("are to case {} of the run, not {}", read->index, item.index));
+  }
+  return read;
 }
 
 }  // namespace
 
-Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
-                      const std::function<void(const AnswerRecord&, double share)>& on_answer,
-                      const std::atomic<bool>* stop) {
-  const std::vector<Item> items = items_of(cases, options);
-  const std::uint64_t methods_each = options.methods.size();
-  const std::uint64_t total = items.size() * methods_each;
-  CCDFUZZ_VERIFY(options.skip <= total);
-  std::uint64_t done = options.skip;
-  tbb::enumerable_thread_specific<Asker> askers;
-  Result<void> checked;
-  std::atomic<bool> ended = false;
-  struct Row {
-    Result<AnswerRecord> record;
-    std::uint64_t checking;
-  };
-  run_in_order<Row>(
-      total - options.skip, options.threads,
-      [&](size_t i) -> Row {
-        const std::uint64_t index = options.skip + i;
-        const Item& item = items[index / methods_each];
-        const std::string& spec = options.methods[index % methods_each];
-        Asker& asker = askers.local();
-        const std::uint64_t before = work_done_here();
-        const auto known = asker.take(cases[item.index], item.index, options);
-        const std::uint64_t checking = work_done_here() - before;
-        return {known.map([&] {
-                  return answer_item(cases[item.index].id, asker.known, item, spec,
-                                     asker.methods[spec], asker.search);
-                }),
-                checking};
+Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
+                      const EarlierLines& earlier, const OnEvaluated& on_case,
+                      const std::function<bool()>& stop) {
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  std::uint64_t next = 0;
+  bool is_earlier = earlier != nullptr;
+  Result<void> done;
+  const Result<void> read = stream_cases<EvaluatedCase>(
+      files, 1, options.threads,
+      [&](NamedCase named) -> Result<std::shared_ptr<ToEvaluate>> {
+        const std::uint64_t index = next++;
+        if (index % options.shard.of != options.shard.index) return nullptr;
+        auto item = std::make_shared<ToEvaluate>(ToEvaluate{std::move(named), index, {}});
+        if (!is_earlier) return item;
+        Result<std::optional<std::string>> line = earlier();
+        if (!line) return tl::unexpected(line.error());
+        item->line = *std::move(line);
+        is_earlier = item->line.has_value();
+        return item;
       },
-      [&](const Row& row) {
-        const auto& [record, checking] = row;
-        if (checked) {
-          checked = record ? RunWork::add(cases[record->index], checking)
-                           : Result<void>(tl::unexpected(record.error()));
-        }
-        if (checked) on_answer(*record, static_cast<double>(++done) / static_cast<double>(total));
-        if (!checked || (stop && stop->load(std::memory_order_relaxed))) ended = true;
+      [&](const ToEvaluate& item, size_t) {
+        return item.line ? read_answers(item) : ask_all(item, options, methods.local());
       },
-      &ended);
-  if (!checked) return tl::unexpected(checked.error());
-  return done == total;
+      [&](const ToEvaluate& item, size_t, const EvaluatedCase& evaluated, double share) {
+        if (done) done = on_case(item.of, evaluated, !item.line, share);
+      },
+      [&] { return !done || stop(); });
+  return read ? done : read;
 }
 
 }  // namespace ccdfuzz

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,7 +8,7 @@
 #include "base/shard.hpp"
 #include "case/case_files.hpp"
 #include "ccd/search.hpp"
-#include "eval/answer_record.hpp"
+#include "eval/evaluated_case.hpp"
 
 namespace ccdfuzz {
 
@@ -21,18 +20,25 @@ struct EvaluateOptions {
   SearchOptions search;
   /// Limits of one case; empty: `search` for all.
   std::function<SearchOptions(const Case&)> search_for = {};
-  Shard shard;             ///< of the cases
-  std::uint64_t skip = 0;  ///< that many answers are known already
+  Shard shard;  ///< of the cases
   int threads = 1;
 };
 
-/// Checks every case of the share (check_case) and puts it to every method. on_answer sees the
-/// answers in the order of the cases, within a case of the horizons, within those of the methods,
-/// whatever the number of threads; share is how much is done. Everything but times is the same in
-/// every run. stop ends it early. Returns true iff all has been answered. Errors: the first case
-/// that is refuted, naming it.
-Result<bool> evaluate(const std::vector<NamedCase>& cases, const EvaluateOptions& options,
-                      const std::function<void(const AnswerRecord&, double share)>& on_answer,
-                      const std::atomic<bool>* stop = nullptr);
+/// The next case that an earlier run has answered, by its line; nothing once there is no more.
+using EarlierLines = std::function<Result<std::optional<std::string>>()>;
+
+/// Sees a case and its answers. is_new: no earlier run gave them. share: how much of the files has
+/// been read.
+using OnEvaluated = std::function<Result<void>(
+    const NamedCase& named, const EvaluatedCase& evaluated, bool is_new, double share)>;
+
+/// Checks every case of the share (check_case) and puts it to every method. on_case sees the cases
+/// in their order, the answers by horizon and then by method, whatever the number of threads.
+/// Everything but times is the same in every run. Holds a few cases at a time. Once stop() is true
+/// no more is read, and what was begun still reaches on_case. Errors: of reading; the first case
+/// that is refuted, naming it; a line that is not of the next case; of on_case.
+Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
+                      const EarlierLines& earlier, const OnEvaluated& on_case,
+                      const std::function<bool()>& stop);
 
 }  // namespace ccdfuzz

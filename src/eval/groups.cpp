@@ -27,14 +27,14 @@ std::string kinds_of(const std::string& kind) {
   return *known == CaseKind::kRP || *known == CaseKind::kRN ? "RP+RN" : "NHP+NMN";
 }
 
-void EvaluatedGroup::add(const AnswerRecord& record) {
+void EvaluatedGroup::add(const GivenAnswer& given, std::optional<bool> collides) {
   Answer answer;
-  answer.pops = record.pops;
-  answer.seconds = record.seconds;
-  tally.add(answer, record.outcome, record.collides);
-  if (record.outcome == Outcome::kNotAsked) return;
-  seconds.add(record.seconds);
-  bytes.add(static_cast<double>(record.bytes));
+  answer.pops = given.pops;
+  answer.seconds = given.seconds;
+  tally.add(answer, given.outcome, collides);
+  if (given.outcome == Outcome::kNotAsked) return;
+  seconds.add(given.seconds);
+  bytes.add(static_cast<double>(given.bytes));
 }
 
 void EvaluatedGroup::merge(const EvaluatedGroup& other) {
@@ -43,17 +43,20 @@ void EvaluatedGroup::merge(const EvaluatedGroup& other) {
   bytes.append(other.bytes);
 }
 
-void Groups::add(const AnswerRecord& record) {
-  const std::string kinds = kinds_of(record.kind);
-  const auto method =
-      static_cast<size_t>(std::ranges::find(methods_, record.method) - methods_.begin());
-  EvaluatedGroup& group = groups_[{rank_of_class(record.contact), record.contact,
-                                   rank_of_kinds(kinds), kinds, record.factor, method}];
-  group.contact = record.contact;
-  group.kinds = kinds;
-  group.factor = record.factor;
-  group.method = record.method;
-  group.add(record);
+void Groups::add(const EvaluatedCase& evaluated) {
+  const std::string kinds = kinds_of(evaluated.kind);
+  for (const GivenAnswer& answer : evaluated.answers) {
+    const auto known = std::ranges::find(methods_, answer.method);
+    const auto method = static_cast<size_t>(known - methods_.begin());
+    if (known == methods_.end()) methods_.push_back(answer.method);
+    EvaluatedGroup& group = groups_[{rank_of_class(evaluated.contact), evaluated.contact,
+                                     rank_of_kinds(kinds), kinds, answer.factor, method}];
+    group.contact = evaluated.contact;
+    group.kinds = kinds;
+    group.factor = answer.factor;
+    group.method = answer.method;
+    group.add(answer, evaluated.collides);
+  }
 }
 
 std::vector<EvaluatedGroup> Groups::in_order() const {

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "eval/answer_record.hpp"
+#include "eval/evaluated_case.hpp"
 #include "eval/tally.hpp"
 
 namespace ccdfuzz {
@@ -26,17 +26,16 @@ struct EvaluatedGroup {
   Samples seconds;
   Samples bytes;
 
-  void add(const AnswerRecord& record);
+  void add(const GivenAnswer& given, std::optional<bool> collides);
   void merge(const EvaluatedGroup& other);
 };
 
 /// The groups of an evaluation, in the order: contact classes of the paper, then others by name;
-/// kinds, the regular ones first; horizons; methods as given.
+/// kinds, the regular ones first; horizons; methods as they first
+/// came.
 class Groups {
  public:
-  explicit Groups(std::vector<std::string> methods) : methods_(std::move(methods)) {}
-
-  void add(const AnswerRecord& record);
+  void add(const EvaluatedCase& evaluated);
   std::vector<EvaluatedGroup> in_order() const;
 
  private:

@@ -22,16 +22,18 @@ const NamedCase& named_of(const Asked& asked) {
 }
 
 /// Reads the files one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
-/// case on `threads` threads, where asked is one Asked(NamedCase) per case. work returns a
-/// Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is how much of the
-/// files has been read. Once stop() is true no more is read, and what was begun still
-/// reaches sink. What work checks counts (RunWork). Errors: the first of reading, of work or of
-/// RunWork::add, after all rows before it.
-template <class Asked, class Row, class Work, class Sink, class Stop>
+/// case on `threads` threads. make(NamedCase) is called for each case in order, by one thread at a
+/// time; it returns a Result of the shared pointer to what is asked, null to pass over the case.
+/// work returns a Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is
+/// how much of the files has been read. Once stop() is true no more is read, and what was begun
+/// still reaches sink. What work checks counts (RunWork). Errors: the first of reading, of make, of
+/// work or of RunWork::add, after all rows before it.
+template <class Row, class Make, class Work, class Sink, class Stop>
 Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, int threads,
-                          const Work& work, const Sink& sink, const Stop& stop) {
+                          const Make& make, const Work& work, const Sink& sink, const Stop& stop) {
+  using Subject = typename decltype(make(std::declval<NamedCase>()))::value_type::element_type;
   struct Item {
-    std::shared_ptr<Asked> asked;
+    std::shared_ptr<Subject> asked;
     size_t part = 0;
     double share = 0;
     std::optional<InputError> unreadable;
@@ -47,21 +49,22 @@ Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, i
   std::atomic<bool> ended = false;
   stream_in_order<Done>(
       threads,
-      [&]() -> std::optional<Item> {
-        if (ended || current.unreadable || stop()) return std::nullopt;
-        if (current.asked == nullptr || ++current.part == parts) {
-          Result<std::optional<NamedCase>> next = cases.next();
-          if (next && !*next) return std::nullopt;
-          current = {nullptr, 0, cases.share(), std::nullopt};
-          if (next) {
-            current.asked = std::make_shared<Asked>(**std::move(next));
-          } else {
-            current.unreadable = next.error();
-          }
+      [&]() -> std::shared_ptr<Item> {
+        if (ended || current.unreadable || stop()) return nullptr;
+        if (current.asked != nullptr && ++current.part < parts) {
+          return std::make_shared<Item>(current);
         }
-        return current;
+        for (current = {}; current.asked == nullptr && !current.unreadable;) {
+          Result<std::optional<NamedCase>> next = cases.next();
+          if (next && !*next) return nullptr;
+          auto made = next ? make(**std::move(next)) : tl::unexpected(next.error());
+          if (!made) current.unreadable = made.error();
+          if (made) current.asked = *std::move(made);
+          current.share = cases.share();
+        }
+        return std::make_shared<Item>(current);
       },
-      [&](Item item) {
+      [&](Item& item) {
         const std::uint64_t before = work_done_here();
         Result<Row> row = item.unreadable ? Result<Row>(tl::unexpected(*item.unreadable))
                                           : work(*item.asked, item.part);

@@ -30,26 +30,32 @@ std::size_t ReportRows::place_of(const std::string& method) {
   return place;
 }
 
-void ReportRows::add(const AnswerRecord& record, const NamedCase& source, double precision) {
-  ReportGroup& group = groups_[{rank_of_class(record.contact), record.contact, record.kind,
-                                record.factor, place_of(record.method)}];
-  group.contact = record.contact;
-  group.kind = record.kind;
-  group.factor = record.factor;
-  group.method = record.method;
-  Answer answer;
-  answer.pops = record.pops;
-  answer.seconds = record.seconds;
-  group.tally.add(answer, record.outcome, record.collides);
-  if (record.outcome != Outcome::kNotAsked) group.timings.add(record.seconds);
+void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double precision) {
+  add_curvatures(known);
+  std::optional<ReportedCase> open;
+  for (const GivenAnswer& given : evaluated.answers) {
+    ReportGroup& group = groups_[{rank_of_class(evaluated.contact), evaluated.contact,
+                                  evaluated.kind, given.factor, place_of(given.method)}];
+    group.contact = evaluated.contact;
+    group.kind = evaluated.kind;
+    group.factor = given.factor;
+    group.method = given.method;
+    Answer answer;
+    answer.pops = given.pops;
+    answer.seconds = given.seconds;
+    group.tally.add(answer, given.outcome, evaluated.collides);
+    if (given.outcome != Outcome::kNotAsked) group.timings.add(given.seconds);
 
-  if (!open_ || open_->source != &source) add_curvatures(source.value);
-  if (!open_ || open_->source != &source || open_->factor != record.factor) {
-    if (open_) keep(std::move(*open_));
-    open_ = Asked{{}, &source, record.factor};
-    open_->reported.precision = precision;
+    if (!open) {
+      open.emplace();
+      open->id = evaluated.id;
+      open->precision = precision;
+    }
+    open->answers.push_back({given.method, given.outcome, given.toi});
+    if (&given != &evaluated.answers.back() && (&given)[1].factor == given.factor) continue;
+    keep(*std::move(open), known, given.factor);
+    open.reset();
   }
-  open_->reported.answers.push_back({record.method, record.outcome, record.toi});
 }
 
 void ReportRows::add_curvatures(const Case& known) {
@@ -61,22 +67,17 @@ void ReportRows::add_curvatures(const Case& known) {
   }
 }
 
-void ReportRows::keep(Asked asked) {
-  const Case& known = asked.source->value;
-  ReportedCase& reported = asked.reported;
+void ReportRows::keep(ReportedCase reported, const Case& known,
+                      const std::optional<double>& factor) {
   const bool failed = has_failure(reported);
   if (!failed && ++sampled_[known.origin.contact + known.origin.kind] > kSamplesOfEach) return;
-  const bool moved = asked.factor && *asked.factor != 1;
-  reported.id = asked.source->id;
-  if (moved) reported.id += fmt::format(" ×{}", *asked.factor);
-  const std::optional<Case> at = asked.factor ? at_horizon(known, *asked.factor) : std::nullopt;
+  if (factor && *factor != 1) reported.id += fmt::format(" ×{}", *factor);
+  const std::optional<Case> at = factor ? at_horizon(known, *factor) : std::nullopt;
   reported.value = at ? *at : known;
   (failed ? failed_ : samples_).push_back(std::move(reported));
 }
 
 void ReportRows::finish(ReportPage& report, const std::vector<GenerationCost>& costs) {
-  if (open_) keep(std::move(*open_));
-  open_.reset();
   for (auto& [key, group] : groups_) report.groups.push_back(std::move(group));
   if (!costs.empty()) {
     report.tables.push_back(

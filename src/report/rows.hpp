@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "case/case_files.hpp"
-#include "eval/answer_record.hpp"
-#include "eval/generation_record.hpp"
+#include "eval/evaluated_case.hpp"
+#include "eval/generation_cost.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {
@@ -16,9 +16,8 @@ namespace ccdfuzz {
 /// Makes a page's content of the answers of an evaluation.
 class ReportRows {
  public:
-  /// All answers to one case at one horizon must come together. precision: that it was asked at.
-  /// source: the record's case; must stay where it is until finish.
-  void add(const AnswerRecord& record, const NamedCase& source, double precision);
+  /// precision: that the case was asked at.
+  void add(const EvaluatedCase& evaluated, const Case& known, double precision);
 
   /// Groups by class, kind, horizon and method; all cases with a failure, as far as there is room,
   /// or where there is none, some of each class and kind. costs: of making the cases, if known.
@@ -27,19 +26,12 @@ class ReportRows {
  private:
   using GroupKey = std::tuple<std::size_t, std::string, std::string, std::optional<double>,
                               std::size_t>;  // class rank, class, kind, factor, method
-  struct Asked {
-    ReportedCase reported;
-    const NamedCase* source = nullptr;
-    std::optional<double> factor;
-  };
-
   std::size_t place_of(const std::string& method);
-  void keep(Asked asked);
+  void keep(ReportedCase reported, const Case& known, const std::optional<double>& factor);
   void add_curvatures(const Case& known);
 
   std::vector<std::string> methods_;
   std::map<GroupKey, ReportGroup> groups_;
-  std::optional<Asked> open_;
   std::vector<ReportedCase> failed_, samples_;
   std::map<std::string, int> sampled_;
   std::vector<double> curvatures_;

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "base/run_file.hpp"
 #include "killed_run.hpp"
 
 namespace ccdfuzz {
@@ -59,30 +60,25 @@ TEST(Evaluate, TheReportFolderHoldsEveryAnswerInOrder) {
   const Finished finished =
       ccdfuzz({"evaluate", set, "--methods", "tdibm,tdibm-e", "-o", report, "--threads", "2"});
   EXPECT_EQ(finished.code, 0) << finished.err;
-  std::istringstream answers(read_text(report + "/answers.csv"));
-  std::string line;
-  std::getline(answers, line);
-  EXPECT_EQ(
-      line,
-      "index,case,class,kind,collides,t_max_factor,method,t_max,verdict,toi,outcome,pops,bytes,"
-      "seconds");
-  for (int i = 0; i < 12; ++i) {
-    ASSERT_TRUE(std::getline(answers, line)) << i;
-    const std::string begin = fmt::format("{},{}:{},VV,RP,true,,{},1,", i / 2, set, i / 2 + 1,
-                                          i % 2 == 0 ? "tdibm" : "tdibm-e");
-    EXPECT_EQ(line.substr(0, begin.size()), begin);
+  const auto answers = json_lines(read_text(report + "/answers.jsonl"));
+  ASSERT_EQ(answers.size(), 1U + 6);
+  EXPECT_EQ(answers[0].at("run"), "evaluate");
+  EXPECT_EQ(answers[0].at("asked").at("--methods"), "tdibm,tdibm-e");
+  for (size_t i = 1; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i].at("index"), i - 1);
+    EXPECT_EQ(answers[i].at("case"), fmt::format("{}:{}", set, i));
+    EXPECT_EQ(answers[i].at("answers").at(0).at("method"), "tdibm");
+    EXPECT_EQ(answers[i].at("answers").at(1).at("method"), "tdibm-e");
   }
-  EXPECT_FALSE(std::getline(answers, line));
   EXPECT_NE(read_text(report + "/tables.md").find("| VV | tdibm |"), std::string::npos);
   const auto rows = json_lines(read_text(report + "/rows.jsonl"));
   ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0]["methods"], (std::vector<std::string>{"tdibm", "tdibm-e"}));
   EXPECT_EQ(rows[2]["method"], "tdibm-e");
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(report)) {
     names.insert(entry.path().filename());
   }
-  EXPECT_EQ(names, (std::set<std::string>{"answers.csv", "rows.jsonl", "tables.md"}));
+  EXPECT_EQ(names, (std::set<std::string>{"answers.jsonl", "rows.jsonl", "tables.md"}));
 }
 
 TEST(Evaluate, TheTableStandsBesideThePapersRates) {
@@ -93,7 +89,7 @@ TEST(Evaluate, TheTableStandsBesideThePapersRates) {
   EXPECT_NE(finished.out.find("452/1000 = 45.2 %"), std::string::npos) << finished.out;
 }
 
-/// A small set of all kinds, with its generation record.
+/// A small set of all kinds, with what it cost.
 std::string paper_part(const ScratchFolder& folder) {
   const std::string path = folder / "paper.jsonl.zst";
   const Finished made =
@@ -105,9 +101,11 @@ std::string paper_part(const ScratchFolder& folder) {
 /// What stands in a report folder, but for times.
 std::vector<std::string> without_times(const std::string& report) {
   std::vector<std::string> all;
-  std::istringstream answers(read_text(report + "/answers.csv"));
-  for (std::string line; std::getline(answers, line);) {
-    all.push_back(line.substr(0, line.rfind(',')));
+  for (nlohmann::ordered_json one : json_lines(read_text(report + "/answers.jsonl"))) {
+    if (one.contains("answers")) {
+      for (auto& answer : one["answers"]) answer.erase("seconds");
+    }
+    all.push_back(one.dump());
   }
   for (nlohmann::ordered_json row : json_lines(read_text(report + "/rows.jsonl"))) {
     for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) row.erase(time);
@@ -134,12 +132,11 @@ TEST(Evaluate, WritesTheTablesAndTheirRows) {
     const std::string text = read_text(report + "/" + name);
     return std::count(text.begin(), text.end(), '\n');
   };
-  EXPECT_EQ(lines("answers.csv"), 1 + 24 * 2);
+  EXPECT_EQ(lines("answers.jsonl"), 1 + 24);
   const auto rows = json_lines(read_text(report + "/rows.jsonl"));
-  ASSERT_EQ(rows.size(), 1U + 18 + 24);
-  EXPECT_EQ(rows[0].at("costs"), 18);
-  for (size_t i = 1; i <= 18; ++i) EXPECT_TRUE(rows[i].contains("cpu_seconds")) << rows[i];
-  for (size_t i = 19; i < rows.size(); ++i) EXPECT_GT(rows[i].at("max_bytes"), 0) << rows[i];
+  ASSERT_EQ(rows.size(), 18U + 24);
+  for (size_t i = 0; i < 18; ++i) EXPECT_TRUE(rows[i].contains("cpu_seconds")) << rows[i];
+  for (size_t i = 18; i < rows.size(); ++i) EXPECT_GT(rows[i].at("max_bytes"), 0) << rows[i];
 }
 
 TEST(Evaluate, SharesMergeIntoTheWhole) {
@@ -178,39 +175,49 @@ TEST(Evaluate, SharesMergeIntoTheWhole) {
   EXPECT_NE(other.err.find("--max-pops 7"), std::string::npos) << other.err;
 }
 
-TEST(Evaluate, AFolderWithoutRowsIsRefusedWithWhatToDo) {
+TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "VV", "RP", 2), run = folder / "run";
+  const std::string answers = run + "/answers.jsonl";
   ASSERT_EQ(ccdfuzz({"evaluate", set, "--methods", "tdibm", "-o", run}).code, 0);
-  const auto refusal = [&] {
-    const Finished merged = ccdfuzz({"merge", run, "-o", folder / "merged"});
-    const Finished shown = ccdfuzz({"report", run, "-o", folder / "page"});
-    EXPECT_EQ(merged.code, 2);
-    EXPECT_EQ(shown.code, 2);
-    return merged.err + shown.err;
-  };
-  const std::string rows = read_text(run + "/rows.jsonl");
-  const std::map<std::string, std::string> changes = {
-      {"\"version\":2", "rows.jsonl: is not of the format ccdfuzz-evaluation, version 2"},
-      {"\"costs\":0", "rows.jsonl:2: "},
-      {"\"shard\":[0,1]", "shard: there is no such share"}};
-  for (const auto& [text, complaint] : changes) {
-    std::string changed = rows;
+  const std::string whole = read_text(answers);
+  const auto refused = [&](const std::string& text, const std::string& by,
+                           const std::string& complaint) {
+    std::string changed = whole;
     const size_t at = changed.find(text);
-    ASSERT_NE(at, std::string::npos) << text << rows;
-    changed.replace(at, text.size(),
-                    text.substr(0, text.find(':')) + (text.back() == ']' ? ":[1,1]" : ":3"));
-    write_text(run + "/rows.jsonl", changed);
-    EXPECT_NE(refusal().find(complaint), std::string::npos) << text << refusal();
-  }
-  std::filesystem::remove(run + "/rows.jsonl");
-  EXPECT_NE(refusal().find("evaluate -o` again"), std::string::npos);
+    ASSERT_NE(at, std::string::npos) << text << whole;
+    write_text(answers, changed.replace(at, text.size(), by));
+    for (const Finished& done : {ccdfuzz({"merge", run, "-o", folder / "merged"}),
+                                 ccdfuzz({"report", run, "-o", folder / "page"})}) {
+      EXPECT_EQ(done.code, 2);
+      EXPECT_NE(done.err.find(complaint), std::string::npos) << text << done.err;
+    }
+  };
+  refused("\"version\":1", "\"version\":3", "answers.jsonl: version");
+  refused("{\"index\":0,\"of\":1}", "{\"index\":1,\"of\":1}", "there is no such share");
+  refused("{\"index\":0,\"case\"", "{\"inde\":0,\"case\"", "answers.jsonl:2");
+}
+
+TEST(Evaluate, AnInterruptedOneSaysSo) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "FF", "RP", 40);
+  const std::string folder_of_answers = folder / "answers";
+  Process process(
+      {"evaluate", set, "--methods", "tdibm-rational", "-o", folder_of_answers, "--threads", "1"});
+  const std::string partial = RunFile::path_for(folder_of_answers + "/answers.jsonl");
+  while (size_or_zero(partial) < 1000 && !process.is_over()) std::this_thread::yield();
+  process.signal(SIGINT);
+  const Finished stopped = process.wait();
+  EXPECT_EQ(stopped.code, 128 + SIGINT);
+  EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos)
+      << stopped.err;
+  EXPECT_EQ(stopped.out, "");
 }
 
 TEST(Evaluate, GoesOnAfterKillsAndRefusesAnotherRunsJournal) {
   const ScratchFolder folder;
   const std::string set = paper_part(folder), whole = folder / "whole", report = folder / "report";
-  const std::string journal = report + "/answers.csv.partial";
+  const std::string journal = report + "/answers.jsonl.partial";
   const auto arguments = [&](const std::string& to, const char* methods) {
     return std::vector<std::string>{"evaluate", set, "--methods", methods, "-o", to};
   };

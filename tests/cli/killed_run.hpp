@@ -19,7 +19,7 @@ inline std::uintmax_t size_or_zero(const std::string& path) {
   return none ? 0 : size;
 }
 
-/// Runs ccdfuzz until its journal has grown, kills it up to 20 ms later, and that `kills` times,
+/// Runs ccdfuzz until its run file has grown, kills it up to 20 ms later, and that `kills` times,
 /// each run going on where the last was killed. If a run was over before that, as where the machine
 /// gave this process no time, calls `forget`, which removes what was written, and begins anew.
 /// False if that was so `kAttempts` times.

@@ -158,22 +158,20 @@ TEST(ReportPage, KeepsAsManyOfEverySort) {
 }
 
 TEST(ReportRows, AreSummedUpAndFailuresAreKept) {
-  const std::vector<NamedCase> cases = {{"a", meeting("VV")}, {"b", meeting("VV")}};
   ReportRows rows;
-  const auto add = [&](size_t index, const char* method, Outcome outcome) {
-    AnswerRecord record;
-    record.index = index;
-    record.contact = "VV";
-    record.collides = true;
-    record.method = method;
-    record.outcome = outcome;
-    record.seconds = .5;
-    rows.add(record, cases[index], 1e-4);
+  const auto add = [&](const char* id, Outcome of_tdibm) {
+    EvaluatedCase one{0, id, "VV", "", true, {}};
+    for (const auto& [method, outcome] :
+         {std::pair("tdibm", of_tdibm), std::pair("tdibm-c", Outcome::kCorrect)}) {
+      GivenAnswer& given = one.answers.emplace_back();
+      given.method = method;
+      given.outcome = outcome;
+      given.seconds = .5;
+    }
+    rows.add(one, meeting("VV"), 1e-4);
   };
-  add(0, "tdibm", Outcome::kCorrect);
-  add(0, "tdibm-c", Outcome::kCorrect);
-  add(1, "tdibm", Outcome::kMissed);
-  add(1, "tdibm-c", Outcome::kCorrect);
+  add("a", Outcome::kCorrect);
+  add("b", Outcome::kMissed);
   ReportPage report;
   rows.finish(report, {});
   ASSERT_EQ(report.groups.size(), 2U);

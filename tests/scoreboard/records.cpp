@@ -16,7 +16,21 @@ namespace ccdfuzz {
 
 namespace {
 
-const Journal::Header kHeader = {{"format", "ccdfuzz-scoreboard-records"}};
+const RunHeader kHeader = {"scoreboard", "", {}, {}, 0, {}};
+
+/// The lines of the run file that stands there, which a campaign may be writing.
+Result<std::vector<std::string>> lines_of_run(const std::string& path) {
+  Result<RunLines> run = RunLines::open(path);
+  if (!run) return tl::unexpected(run.error());
+  if (const auto other = kHeader.difference(run->header())) return input_error(path, *other);
+  std::vector<std::string> lines;
+  for (;;) {
+    const auto line = run->next();
+    if (!line) return tl::unexpected(line.error());
+    if (!*line) return lines;
+    lines.emplace_back(**line);
+  }
+}
 
 /// All that a file of records holds, each line ended, but for one that was being written when its
 /// writer ended.
@@ -44,13 +58,13 @@ Result<Records> Records::open(const std::string& path, const std::vector<Fault>&
   if (path.empty()) return records;
   records.path_ = path;
   // The journal first: a campaign that ends meanwhile takes it away once the file has it all.
-  const std::string journal_path = Journal::path_for(path);
+  const std::string journal_path = RunFile::path_for(path);
   const bool has_journal = std::filesystem::exists(journal_path);
   Result<std::vector<std::string>> journal;
   if (use == Use::kExtend) {
     journal = records.begin_journal();
   } else if (has_journal) {
-    journal = Journal::read(journal_path, kHeader);
+    journal = lines_of_run(journal_path);
     if (!journal && !std::filesystem::exists(journal_path)) journal.emplace();
   }
   if (!journal) return tl::unexpected(journal.error());
@@ -85,21 +99,15 @@ Result<std::vector<std::string>> Records::begin_journal() {
   if (const auto probed = OutputFile::create(path_); !probed) {
     return tl::unexpected(probed.error());
   }
-  auto journal = Journal::open(Journal::path_for(path_), kHeader);
+  auto journal = RunFile::open(RunFile::path_for(path_), kHeader);
   if (!journal) return tl::unexpected(journal.error());
   journal_.emplace(*std::move(journal));
-  std::vector<std::string> lines;
-  return journal_
-      ->for_each([&](std::string_view line) -> Result<void> {
-        lines.emplace_back(line);
-        return {};
-      })
-      .map([&] { return lines; });
+  return lines_of_run(RunFile::path_for(path_));
 }
 
 Result<void> Records::take_lines(const std::vector<std::string>& journal) {
   for (const std::string& line : journal) {
-    const auto record = parse_record(line, Journal::path_for(path_), *faults_);
+    const auto record = parse_record(line, RunFile::path_for(path_), *faults_);
     if (!record) return tl::unexpected(record.error());
     take(*record);
     // Both have it where a campaign was interrupted between write_file and remove.

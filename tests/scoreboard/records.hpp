@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
-#include "base/journal.hpp"
+#include "base/run_file.hpp"
 #include "fault_list.hpp"
 
 namespace ccdfuzz {
@@ -92,7 +92,7 @@ class Records {
   std::map<Key, Record> records_;
   std::set<Key> outdated_;
   std::set<std::string, std::less<>> lines_;  ///< of the file
-  std::optional<Journal> journal_;
+  std::optional<RunFile> journal_;
   std::string added_;  ///< the lines that are in the journal only
 };
 

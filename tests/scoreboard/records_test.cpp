@@ -68,8 +68,8 @@ TEST(Records, AreThereAgainWhereTheCampaignWasKilled) {
     ASSERT_TRUE(records) << records.error().message();
     ASSERT_TRUE(records->add(record_of(seed)));
   }
-  std::filesystem::resize_file(Journal::path_for(path),
-                               std::filesystem::file_size(Journal::path_for(path)) - 1);
+  std::filesystem::resize_file(RunFile::path_for(path),
+                               std::filesystem::file_size(RunFile::path_for(path)) - 1);
   auto records = Records::open(path, kFaults, Use::kRead);
   ASSERT_TRUE(records) << records.error().message();
   EXPECT_NE(records->find("hunt", kFault.name, 1, 10), nullptr);
@@ -84,7 +84,7 @@ TEST(Records, AreThereAgainWhereTheCampaignWasKilled) {
 
 TEST(Records, OfACampaignThatGoesOnAreReadAndLeftWhereTheyAre) {
   const ScratchFolder folder;
-  const std::string path = folder / "r", journal = Journal::path_for(path);
+  const std::string path = folder / "r", journal = RunFile::path_for(path);
   auto running = Records::open(path, kFaults, Use::kExtend);
   ASSERT_TRUE(running && running->add(record_of(1)));
   const std::string text = read_text(journal);
@@ -100,7 +100,7 @@ TEST(Records, OfACampaignThatGoesOnAreReadAndLeftWhereTheyAre) {
 
 TEST(Records, AreNotThereTwiceWhereItWasKilledAtItsEnd) {
   const ScratchFolder folder;
-  const std::string path = folder / "r", journal = Journal::path_for(path);
+  const std::string path = folder / "r", journal = RunFile::path_for(path);
   auto first = Records::open(path, kFaults, Use::kExtend);
   ASSERT_TRUE(first && first->add(record_of(1)));
   std::filesystem::copy_file(journal, folder / "copy");

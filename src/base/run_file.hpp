@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/line_reader.hpp"
+#include "base/result.hpp"
+#include "base/shard.hpp"
+
+namespace ccdfuzz {
+
+/// What a long run was asked for. All but the share must agree for a run to go on, and for shares
+/// to be merged.
+struct RunHeader {
+  std::string run;                           ///< the command
+  std::string version;                       ///< of the program
+  std::vector<std::string> inputs;           ///< the files that it reads
+  std::map<std::string, std::string> asked;  ///< all else that decides the result, by name
+  std::uint64_t items = 0;                   ///< of all shares together
+  Shard shard;
+
+  static void fields(auto& archive, auto& header) {
+    archive.format("ccdfuzz-run", 1, 1);
+    archive("run", header.run);
+    archive("ccdfuzz", header.version);
+    archive("inputs", header.inputs);
+    archive("asked", header.asked);
+    archive("items", header.items);
+    archive("shard", header.shard);
+  }
+
+  /// Where the other header differs from this one, but for the share: "--seed 7 in place of 8".
+  /// Nothing if it does not.
+  std::optional<std::string> difference(const RunHeader& other) const;
+};
+
+/// The lines of a run file: the header, then one for each item of the share that is done. A last
+/// line without its end was being written when the run ended, and does not count.
+class RunLines {
+ public:
+  /// Errors: the file cannot be read, or its first line is no header; naming the path.
+  static Result<RunLines> open(const std::string& path);
+
+  const RunHeader& header() const { return header_; }
+  /// The line of the next item; nothing at the end. Valid until the next call. Errors: reading.
+  Result<std::optional<std::string_view>> next();
+  /// Bytes of the lines given so far, the header included.
+  std::uint64_t bytes() const { return bytes_; }
+  /// "path:number" of the line given last.
+  std::string where() const;
+
+ private:
+  explicit RunLines(LineReader lines) : lines_(std::move(lines)) {}
+
+  LineReader lines_;
+  RunHeader header_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// What a long run has finished so far: a line an item, in a file that is only appended to. A run
+/// that was killed at any moment finds all whole lines when it begins again, and goes on after
+/// them. A finished share is such a file, too: all its items, under the name of the output.
+class RunFile {
+ public:
+  /// Where the file stands while the run whose result goes to `output` is under way.
+  static std::string path_for(const std::string& output) { return output + ".partial"; }
+
+  /// Goes on with the file at `path`, or begins it where there is none. Errors: it belongs to a run
+  /// that was asked for something else, naming what; another process is at this run (where the file
+  /// system has locks); it is no run file; what the system says. What stands there then stays.
+  static Result<RunFile> open(const std::string& path, const RunHeader& header);
+  RunFile(RunFile&& other) noexcept;
+  RunFile& operator=(RunFile&&) = delete;
+  ~RunFile();
+
+  /// How many items are done.
+  std::uint64_t size() const { return size_; }
+
+  /// Appends the line of the next item. Requires a line without line breaks. Errors: what the
+  /// system says, naming the path. No appending after an error.
+  Result<void> append(std::string_view line);
+
+  /// The run is over: its file is flushed to the disk and becomes `output`.
+  Result<void> rename(const std::string& output);
+  /// The run is over and its result stands elsewhere: removes the file.
+  Result<void> remove();
+
+ private:
+  RunFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  Result<void> resume(const RunHeader& header);
+  Result<void> begin(const RunHeader& header);
+  Result<void> write(std::string_view bytes);
+
+  std::string path_;
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// The items of all shares of one run, in the order in which one run has them: one line of each
+/// share in turn. Holds one line at a time.
+class MergedRun {
+ public:
+  /// Errors: a file is no run file, they were not asked for the same, a share is there twice, is
+  /// missing or is not complete; naming the file.
+  static Result<MergedRun> open(const std::vector<std::string>& paths);
+
+  /// The header of the whole run.
+  const RunHeader& header() const { return header_; }
+  /// As RunLines.
+  Result<std::optional<std::string_view>> next();
+  std::string where() const { return shares_[at_].where(); }
+
+ private:
+  RunHeader header_;
+  std::vector<RunLines> shares_;  ///< by their index
+  std::uint64_t given_ = 0;
+  std::uint64_t at_ = 0;  ///< the share of the line given last
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fields.hpp"
+#include "case/case_json.hpp"
+#include "cli/data_set.hpp"
+#include "eval/generation_cost.hpp"
+
+namespace ccdfuzz {
+
+/// A case as a text within a line of JSON.
+struct CaseText {
+  Case value;
+};
+template <>
+struct JsonForm<CaseText> {
+  static void write(std::string& json, const CaseText& text) {
+    json += json_string(to_json(text.value));
+  }
+  static void read(const JsonCursor& from, CaseText& text) {
+    Result<Case> read = parse_case(from.string(), "case");
+    if (!read) from.refuse(read.error().message());
+    text.value = *std::move(read);
+  }
+};
+
+/// Bytes as hexadecimal digits.
+struct HexBytes {
+  std::string bytes;
+};
+template <>
+struct JsonForm<HexBytes> {
+  static void write(std::string& json, const HexBytes& hex);
+  static void read(const JsonCursor& from, HexBytes& hex);
+};
+
+/// The cases of one construction and what they cost: a line of the run file of `generate`.
+struct MadeCases {
+  std::vector<CaseText> cases;
+  HexBytes tree;  ///< the miss tree of them all; empty: they have none
+  GenerationCost cost;
+
+  static void fields(auto& archive, auto& made) {
+    archive("cases", made.cases);
+    archive("tree", made.tree);
+    archive("cost", made.cost);
+  }
+};
+
+/// Made cases on their way to where they belong: a data set and beside it what it cost; or stdout,
+/// which takes the cases alone.
+class MadeSet {
+ public:
+  /// path: "" or "-" is stdout. Errors: as CaseWriter::open.
+  static Result<MadeSet> open(const std::string& path);
+
+  Result<void> add(MadeCases made);
+  /// Must come last; until then none of the files is there.
+  Result<void> finish();
+
+  const std::vector<GenerationCost>& costs() const { return costs_; }
+  std::uint64_t cases() const { return cases_; }
+  std::uint64_t trees() const { return trees_; }
+
+ private:
+  std::string path_;
+  std::optional<DataSetWriter> writer_;  ///< none: stdout
+  std::vector<GenerationCost> costs_;
+  std::uint64_t cases_ = 0, trees_ = 0;
+};
+
+}  // namespace ccdfuzz

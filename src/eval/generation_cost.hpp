@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/fields.hpp"
+#include "base/result.hpp"
+#include "base/table.hpp"
+
+namespace ccdfuzz {
+
+/// Counts by the name of a step, in the order of the steps.
+struct StepCounts {
+  std::vector<std::pair<std::string, std::uint64_t>> steps;
+
+  /// 0 if there is no such step.
+  std::uint64_t of(std::string_view step) const;
+
+  friend bool operator==(const StepCounts&, const StepCounts&) = default;
+};
+template <>
+struct JsonForm<StepCounts> {
+  static void write(std::string& json, const StepCounts& counts);
+  static void read(const JsonCursor& from, StepCounts& counts);
+};
+
+/// What the cases of one class and kind cost.
+struct GenerationCost {
+  std::string contact;
+  std::string kind;         ///< "RP+RN" where both are made of one construction
+  std::uint64_t cases = 0;  ///< accepted
+  std::uint64_t begun = 0;  ///< constructions
+  StepCounts discarded;     ///< why constructions were thrown away
+  double cpu_seconds = 0;   ///< of all constructions, the discarded ones included
+
+  static void fields(auto& archive, auto& cost) {
+    archive("contact", cost.contact);
+    archive("kind", cost.kind);
+    archive("cases", cost.cases);
+    archive("begun", cost.begun);
+    archive("discarded", cost.discarded);
+    archive("cpu_seconds", cost.cpu_seconds);
+  }
+
+  /// Steps that only the other one has are added.
+  GenerationCost& operator+=(const GenerationCost& o);
+};
+
+/// Where the costs of a case file stand: beside it, since times differ from run to run and the
+/// cases do not. X.jsonl.zst → X.generation.jsonl, and so for .jsonl.
+std::string costs_path(const std::string& case_path);
+
+/// The costs of a case file, a line each; empty where no file of them stands there. Errors: it
+/// holds something else, naming file and line.
+Result<std::vector<GenerationCost>> read_costs(const std::string& case_path);
+Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs);
+
+/// Adds a cost to that of the same class and kind, or after all others.
+void add_cost(std::vector<GenerationCost>& to, const GenerationCost& cost);
+
+/// Table 4: counts, CPU time of each accepted case with its share of what was discarded, beside the
+/// paper's, and the discards of each step.
+Table generation_table(const std::vector<GenerationCost>& costs);
+
+}  // namespace ccdfuzz
