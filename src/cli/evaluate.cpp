@@ -8,6 +8,7 @@
 #include "base/hash_name.hpp"
 #include "base/input_bytes.hpp"
 #include "base/number_text.hpp"
+#include "base/output_file.hpp"
 #include "base/run_file.hpp"
 #include "case/case_json.hpp"
 #include "cli/command.hpp"
@@ -16,7 +17,6 @@
 #include "cli/refusals.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
-#include "eval/paper_tables.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {
@@ -95,19 +95,19 @@ Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOp
   return header;
 }
 
-void print_evaluation(const std::vector<EvaluatedGroup>& groups,
-                      const std::vector<GenerationCost>& costs, bool json) {
+void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs, bool json) {
+  const std::vector<Row> shown = by_kinds(rows);
   if (json) {
-    for (const EvaluatedGroup& group : groups) print_out(to_json(group) + "\n");
+    for (const Row& row : shown) print_out(to_json(row) + "\n");
     return;
   }
   bool first = true;
-  for (const auto& [title, table] : evaluation_tables(groups, costs)) {
+  for (const auto& [title, table] : evaluation_tables(rows, costs)) {
     if (!first) print_out("\n" + title + ":\n");
     first = false;
     print_table(table);
   }
-  print_refusals(groups);
+  print_refusals(shown);
 }
 
 void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
@@ -170,7 +170,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   for (const std::string& file : arguments.files) {
     for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
   }
-  Groups groups;
+  Rows rows;
   ReportRows page;
   WordCount words;
   std::uint64_t done = 0, asked = 0;
@@ -179,7 +179,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
       [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new,
           double share) -> Result<void> {
         words.add(named.value);
-        groups.add(evaluated);
+        rows.add(evaluated);
         const double precision = options.search_for(named.value).precision;
         if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
         ++done;
@@ -195,7 +195,6 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     if (kept) return session.exit_code(kDone);
   }
   words.note("evaluate");
-  const std::vector<EvaluatedGroup> rows = groups.in_order();
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->file.rename(kept->path));

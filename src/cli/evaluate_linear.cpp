@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/text.hpp"
+#include "base/fields.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
@@ -15,30 +15,33 @@ namespace ccdfuzz {
 
 namespace {
 
-nlohmann::ordered_json linear_group_json(const LinearGroup& group) {
-  const Tally& tally = group.tally;
-  nlohmann::ordered_json row = {{"queries", name_of(group.layout)},
-                                {"method", group.method},
-                                {"n", tally.n},
-                                {"positives", tally.positives},
-                                {"negatives", tally.negatives}};
-  for (const Outcome outcome : kAllOutcomes) {
-    row[std::string(name_of(outcome))] = tally.count(outcome);
-  }
-  row.update({{"mean_seconds", tally.mean_seconds()},
-              {"median_seconds", group.timings.median()},
-              {"p99_seconds", group.timings.p99()}});
-  return row;
-}
+/// A row of the linear queries.
+struct LinearRow {
+  const Row& row;
 
-nlohmann::ordered_json notable_json(const Imported& query) {
-  nlohmann::ordered_json row = {{"query", query.id}, {"label", nullptr}};
-  if (query.label) row["label"] = *query.label;
-  row["in_file"] = *query.collides;
-  row["as_rounded"] = *query.value.truth.collides;
-  row["rounded"] = query.rounded;
-  return row;
-}
+  static void fields(auto& archive, auto& linear) {
+    const Row& row = linear.row;
+    archive("queries", row.key.contact);
+    archive("method", row.key.method);
+    Tally::fields(archive, row.tally);
+    archive("mean_seconds", row.tally.seconds.mean());
+    archive("median_seconds", row.tally.seconds.median());
+    archive("p99_seconds", row.tally.seconds.p99());
+  }
+};
+
+/// A query of a CSV with a wrong label, or with a truth that rounding changed.
+struct NotableRow {
+  const Imported& query;
+
+  static void fields(auto& archive, auto& row) {
+    archive("query", row.query.id);
+    archive("label", row.query.label);
+    archive("in_file", row.query.collides);
+    archive("as_rounded", row.query.value.truth.collides);
+    archive("rounded", row.query.rounded);
+  }
+};
 
 std::string notable_text(const Imported& query) {
   const auto text = [](bool collides) { return collides ? "a contact" : "no contact"; };
@@ -55,12 +58,9 @@ Result<void> write_linear_page(const std::string& folder, const LinearReport& re
   ReportPage page;
   page.title = fmt::format("Linear queries of {}", folder);
   page.command = command_line();
-  for (const LinearGroup& group : report.groups) {
-    page.groups.push_back({std::string(name_of(group.layout)), "", std::nullopt, group.method,
-                           group.tally, group.timings});
-  }
+  page.rows = report.rows;
   page.tables.push_back(
-      report_table("table-3", "Table 3. Linear queries", linear_table(report.groups)));
+      report_table("table-3", "Table 3. Linear queries", linear_table(report.rows)));
   page.plugins = plugins_among(options.methods);
   return write_report(page, page_folder, options.threads);
 }
@@ -82,11 +82,11 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
   progress.clear();
   if (!report) return tl::unexpected(report.error());
   if (json) {
-    for (const LinearGroup& group : report->groups) print_json(linear_group_json(group));
-    for (const Imported& query : report->notable) print_json(notable_json(query));
+    for (const Row& row : report->rows) print_out(to_json(LinearRow{row}) + "\n");
+    for (const Imported& query : report->notable) print_out(to_json(NotableRow{query}) + "\n");
   } else {
-    print_table(linear_table(report->groups));
-    print_refusals(report->groups);
+    print_table(linear_table(report->rows));
+    print_refusals(report->rows);
     print_out("\n");
     std::uint64_t wrong = 0;
     for (const Imported& query : report->notable) {

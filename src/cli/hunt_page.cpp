@@ -46,10 +46,8 @@ Result<ReportPage> hunt_page(const HuntRecord& record) {
   report.course = record.course;
   report.plugins = record.plugins;
   for (const HuntCell& cell : record.cells) {
-    ReportGroup group{
-        std::string(name_of(cell.contact)), "", std::nullopt, cell.method, cell.tally, {}};
-    group.tally.seconds = cell.cpu_seconds;
-    report.groups.push_back(std::move(group));
+    report.rows.push_back(
+        {{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally});
   }
   report.tables.push_back(
       report_table("hunt", "What the hunt asked, bred and lost", hunt_table(record.cells)));

@@ -2,49 +2,34 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "eval/row_columns.hpp"
 
 namespace ccdfuzz {
 
 Table hunt_table(const std::vector<HuntCell>& cells) {
-  const bool refusals =
-      std::ranges::any_of(cells, [](const HuntCell& cell) { return cell.tally.not_asked() > 0; });
-  std::vector<Table::Column> columns = {{"class", Align::kLeft}, {"method", Align::kLeft}};
-  for (const char* title : {"n", "mean", "FN missed", "FN late", "FP", "undecided", "error"}) {
-    columns.push_back({title});
-  }
-  if (refusals) columns.push_back({"not asked"});
-  for (const char* title : {"mutants", "lost"}) columns.push_back({title});
-  Table table(columns);
-  const HuntCell* previous = nullptr;
-  for (const HuntCell& cell : cells) {
-    if (previous && previous->contact != cell.contact) table.start_group();
-    previous = &cell;
-    const Tally& tally = cell.tally;
-    const auto count = [&](Outcome outcome, std::uint64_t of) -> TableCell {
-      const bool bad = is_false_negative(outcome) || outcome == Outcome::kError;
-      const std::uint64_t n = tally.count(outcome);
-      return {count_text(n, of), n == 0 ? Emphasis::kFaint
-                                 : bad  ? Emphasis::kBad
-                                        : Emphasis::kPlain};
-    };
-    std::vector<TableCell> row = {
-        {std::string(name_of(cell.contact))},
-        {cell.method},
-        {fmt::format("{}", tally.n)},
-        {tally.n == 0 ? "-" : duration_text(cell.cpu_seconds / static_cast<double>(tally.n))},
-        count(Outcome::kMissed, tally.positives),
-        count(Outcome::kLate, tally.positives),
-        count(Outcome::kFalsePositive, tally.negatives),
-        count(Outcome::kUndecided, tally.n),
-        count(Outcome::kError, tally.n)};
-    if (refusals) row.push_back({fmt::format("{}", tally.not_asked())});
-    row.insert(row.end(), {{fmt::format("{}", cell.bred.mutants)},
-                           {count_text(cell.bred.lost, cell.bred.mutants),
-                            cell.bred.lost == 0 ? Emphasis::kFaint : Emphasis::kBad}});
-    table.add_row(std::move(row));
-  }
-  return table;
+  std::vector<Column<HuntCell>> columns = {
+      text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }),
+      text_column<HuntCell>("method", [](const HuntCell& cell) { return cell.method; }),
+      asked_column<HuntCell>(),
+      measured_column<HuntCell>("mean",
+                                [](const HuntCell& cell) {
+                                  return duration_text(cell.cpu_seconds /
+                                                       static_cast<double>(cell.tally.n));
+                                }),
+      outcome_column<HuntCell>("FN missed", Outcome::kMissed, &Tally::positives),
+      outcome_column<HuntCell>("FN late", Outcome::kLate, &Tally::positives),
+      outcome_column<HuntCell>("FP", Outcome::kFalsePositive, &Tally::negatives),
+      outcome_column<HuntCell>("undecided", Outcome::kUndecided, &Tally::n),
+      outcome_column<HuntCell>("error", Outcome::kError, &Tally::n)};
+  add_refused_column(columns, cells);
+  columns.push_back({"mutants", [](const HuntCell& cell) {
+                       return TableCell{fmt::format("{}", cell.bred.mutants)};
+                     }});
+  columns.push_back({"lost", [](const HuntCell& cell) {
+                       return count_cell(cell.bred.lost, cell.bred.mutants, true);
+                     }});
+  return table_of(cells, columns,
+                  [](const HuntCell& a, const HuntCell& b) { return a.contact == b.contact; });
 }
 
 }  // namespace ccdfuzz

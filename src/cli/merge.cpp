@@ -10,7 +10,6 @@
 #include "cli/made_cases.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
-#include "eval/paper_tables.hpp"
 
 namespace ccdfuzz {
 
@@ -61,21 +60,20 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   if (error) throw BadInput{{options.output, "cannot make the folder: " + error.message()}};
   OutputFile answers = need(OutputFile::create(answers_path(options.output)));
   need(answers.write(to_json(run.header()) + "\n"));
-  Groups groups;
+  Rows rows;
   const std::uint64_t cases =
       for_each_record<EvaluatedCase>(run, [&](std::string_view line, const EvaluatedCase& one) {
-        groups.add(one);
+        rows.add(one);
         need(answers.write(std::string(line) + "\n"));
       });
   std::vector<GenerationCost> costs;
   for (const std::string& file : run.header().inputs) {
     for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
   }
-  const std::vector<EvaluatedGroup> rows = groups.in_order();
   need(write_tables(options.output, rows, costs));
   need(answers.commit());
   if (session.json) {
-    for (const EvaluatedGroup& row : rows) print_out(to_json(row) + "\n");
+    for (const Row& row : by_kinds(rows)) print_out(to_json(row) + "\n");
   }
   session.summary(fmt::format("the answers to {} cases of {} folders in {}", cases,
                               options.inputs.size(), options.output));

@@ -7,11 +7,20 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "eval/rows.hpp"
 
 namespace ccdfuzz {
 
+inline const std::string& method_of(const Row& row) {
+  return row.key.method;
+}
+template <class Group>
+const std::string& method_of(const Group& group) {
+  return group.method;
+}
+
 /// Says below a table which methods refused queries, and how many. Groups: a range of what has a
-/// `method` and a `tally`.
+/// method and a `tally`.
 template <class Groups>
 void print_refusals(const Groups& groups) {
   struct Sum {
@@ -20,8 +29,8 @@ void print_refusals(const Groups& groups) {
   };
   std::vector<Sum> sums;
   for (const auto& group : groups) {
-    auto sum = std::ranges::find(sums, group.method, &Sum::method);
-    if (sum == sums.end()) sum = sums.insert(sum, {group.method});
+    auto sum = std::ranges::find(sums, method_of(group), &Sum::method);
+    if (sum == sums.end()) sum = sums.insert(sum, {method_of(group)});
     sum->asked += group.tally.n;
     sum->refused += group.tally.not_asked();
   }

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "eval/generation_cost.hpp"
-#include "eval/groups.hpp"
+#include "eval/rows.hpp"
 
 namespace ccdfuzz {
 
 // An evaluation leaves three files in its folder. answers.jsonl is its run file: what was asked,
 // and a line for each case with all answers to it. rows.jsonl has what the cases cost to make, and
-// a line for each group of answers. tables.md has the tables as they are printed. answers.jsonl
-// appears last: once it is there the others are, too.
+// a line for each row of the table of performance. tables.md has the tables as they are printed.
+// answers.jsonl appears last: once it is there the others are, too.
 
 /// What the run file's --precision is where none was given.
 inline constexpr std::string_view kOwnPrecision = "the case's own";
@@ -24,11 +24,11 @@ struct NamedTable {
   std::string title;
   Table table;
 };
-std::vector<NamedTable> evaluation_tables(const std::vector<EvaluatedGroup>& groups,
+std::vector<NamedTable> evaluation_tables(const Rows& rows,
                                           const std::vector<GenerationCost>& costs);
 
 /// Writes rows.jsonl and tables.md. Errors: what the system says, naming the path.
-Result<void> write_tables(const std::string& folder, const std::vector<EvaluatedGroup>& groups,
+Result<void> write_tables(const std::string& folder, const Rows& rows,
                           const std::vector<GenerationCost>& costs);
 
 }  // namespace ccdfuzz

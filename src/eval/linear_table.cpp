@@ -10,7 +10,9 @@
 #include "base/cpu_time.hpp"
 #include "base/in_order.hpp"
 #include "certify/checker/check_case.hpp"
+#include "eval/columns.hpp"
 #include "eval/race.hpp"
+#include "eval/row_columns.hpp"
 #include "method/ask.hpp"
 
 namespace ccdfuzz {
@@ -65,11 +67,26 @@ bool is_notable(const Imported& query) {
   return query.label_is_wrong() || query.rounding_changed_the_truth();
 }
 
-std::string paper_cell(const LinearGroup& group, const auto& text) {
-  const auto row = std::ranges::find_if(kTable3, [&](const LinearPaperRow& r) {
-    return r.layout == group.layout && r.method == group.method;
-  });
-  return row == kTable3.end() ? "" : text(*row);
+Column<Row> paper_column(const char* title, std::string (*text)(const LinearPaperRow&)) {
+  return {title, [text](const Row& row) {
+            const auto paper = std::ranges::find_if(kTable3, [&](const LinearPaperRow& r) {
+              return name_of(r.layout) == row.key.contact && r.method == row.key.method;
+            });
+            return TableCell{paper == kTable3.end() ? "" : text(*paper)};
+          }};
+}
+
+std::string of_total(const LinearPaperRow& row, int n) {
+  const int total = row.layout == CsvLayout::kEdgeEdge ? kTable3EdgeEdge : kTable3VertexFace;
+  return fmt::format("{}/{}", n, total);
+}
+
+Column<Row> count_column(const char* title, std::uint64_t (*count)(const Tally&), bool is_bad) {
+  return {title, [=](const Row& row) {
+            const std::uint64_t n = count(row.tally);
+            const bool shown_bad = is_bad && n > 0;
+            return TableCell{fmt::format("{}", n), shown_bad ? Emphasis::kBad : Emphasis::kPlain};
+          }};
 }
 
 }  // namespace
@@ -102,16 +119,13 @@ Result<LinearReport> evaluate_linear(
     const std::function<void(double share, std::uint64_t queries)>& progress,
     const std::atomic<bool>* stop) {
   LinearReport report;
-  for (const CsvLayout layout : {CsvLayout::kEdgeEdge, CsvLayout::kVertexFace}) {
-    for (const std::string& method : methods) report.groups.push_back({layout, method, {}, {}});
-  }
+  Rows rows;
   tbb::enumerable_thread_specific<MethodSet> method_sets;
   size_t done_files = 0;
   for (const LinearFile& file : files) {
     const Result<std::vector<CsvQuery>> queries = read_csv(file.path, file.layout);
     if (!queries) return tl::unexpected(queries.error());
     Result<void> failed;
-    const size_t first_group = file.layout == CsvLayout::kEdgeEdge ? 0 : methods.size();
     run_in_order<Result<AnsweredQuery>>(
         queries->size(), threads,
         [&](size_t i) -> Result<AnsweredQuery> {
@@ -132,11 +146,10 @@ Result<LinearReport> evaluate_linear(
           }
           Imported& query = result->query;
           for (size_t m = 0; m < methods.size(); ++m) {
-            LinearGroup& group = report.groups[first_group + m];
             TimedAnswer& timed = result->answers[m];
             timed.judged.answer.seconds = timed.seconds;
-            group.tally.add(timed.judged.answer, timed.judged.outcome, query.value.truth.collides);
-            if (timed.judged.outcome != Outcome::kNotAsked) group.timings.add(timed.seconds);
+            const RowKey key{std::string(name_of(file.layout)), "", std::nullopt, methods[m]};
+            rows.add(key, timed.judged.answer, timed.judged.outcome, query.value.truth.collides);
           }
           ++report.queries;
           if (query.label) ++report.labels;
@@ -149,62 +162,42 @@ Result<LinearReport> evaluate_linear(
     if (stop && *stop) break;
     progress(static_cast<double>(++done_files) / static_cast<double>(files.size()), report.queries);
   }
-  std::erase_if(report.groups, [](const LinearGroup& group) {
-    return group.tally.n + group.tally.not_asked() == 0;
-  });
+  report.rows = rows.in_order();
   return report;
 }
 
-Table linear_table(const std::vector<LinearGroup>& groups) {
-  const bool refusals = std::ranges::any_of(
-      groups, [](const LinearGroup& group) { return group.tally.not_asked() > 0; });
-  std::vector<Table::Column> columns = {{"queries", Align::kLeft},
-                                        {"method", Align::kLeft},
-                                        {"n"},
-                                        {"contacts"},
-                                        {"mean"},
-                                        {"median"},
-                                        {"p99"},
-                                        {"FP"},
-                                        {"FN missed"},
-                                        {"FN late"},
-                                        {"undecided"}};
-  if (refusals) columns.push_back({"not asked"});
-  for (const char* title : {"paper: mean", "FP", "FN"}) columns.push_back({title});
-  Table table(columns);
-  const LinearGroup* last = nullptr;
-  for (const LinearGroup& group : groups) {
-    if (last && last->layout != group.layout) table.start_group();
-    last = &group;
-    const Tally& tally = group.tally;
-    const int total = group.layout == CsvLayout::kEdgeEdge ? kTable3EdgeEdge : kTable3VertexFace;
-    const auto count = [&](Outcome outcome) { return fmt::format("{}", tally.count(outcome)); };
-    const auto bad = [&](Outcome outcome) {
-      return tally.count(outcome) > 0 ? Emphasis::kBad : Emphasis::kPlain;
-    };
-    const auto of_total = [total](int n) { return fmt::format("{}/{}", n, total); };
-    const auto if_asked = [&](std::string text) { return tally.n > 0 ? std::move(text) : "-"; };
-    std::vector<TableCell> cells = {
-        {name_of(group.layout)},
-        {group.method},
-        {fmt::format("{}", tally.n)},
-        {fmt::format("{}", tally.positives)},
-        {if_asked(duration_text(tally.mean_seconds()))},
-        {if_asked(duration_text(group.timings.median()))},
-        {if_asked(duration_text(group.timings.p99()))},
-        {count(Outcome::kFalsePositive)},
-        {count(Outcome::kMissed), bad(Outcome::kMissed)},
-        {count(Outcome::kLate), bad(Outcome::kLate)},
-        {fmt::format("{}", tally.count(Outcome::kUndecided) + tally.count(Outcome::kError))}};
-    if (refusals) cells.push_back({fmt::format("{}", tally.not_asked())});
-    cells.insert(
-        cells.end(),
-        {{paper_cell(group, [](const auto& r) { return duration_text(r.milliseconds * 1e-3); })},
-         {paper_cell(group, [&](const auto& r) { return of_total(r.false_positives); })},
-         {paper_cell(group, [&](const auto& r) { return of_total(r.false_negatives); })}});
-    table.add_row(std::move(cells));
-  }
-  return table;
+Table linear_table(const std::vector<Row>& rows) {
+  const auto time = [](const char* title, double (LogHistogram::*of)() const) {
+    return measured_column<Row>(
+        title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
+  };
+  std::vector<Column<Row>> columns = {
+      text_column<Row>("queries", [](const Row& row) { return row.key.contact; }),
+      text_column<Row>("method", [](const Row& row) { return row.key.method; }),
+      asked_column<Row>(),
+      count_column(
+          "contacts", [](const Tally& t) { return t.positives; }, false),
+      time("mean", &LogHistogram::mean),
+      time("median", &LogHistogram::median),
+      time("p99", &LogHistogram::p99),
+      count_column(
+          "FP", [](const Tally& t) { return t.count(Outcome::kFalsePositive); }, false),
+      count_column(
+          "FN missed", [](const Tally& t) { return t.count(Outcome::kMissed); }, true),
+      count_column(
+          "FN late", [](const Tally& t) { return t.count(Outcome::kLate); }, true),
+      count_column(
+          "undecided",
+          [](const Tally& t) { return t.count(Outcome::kUndecided) + t.count(Outcome::kError); },
+          false)};
+  add_refused_column(columns, rows);
+  columns.insert(
+      columns.end(),
+      {paper_column("paper: mean",
+                    [](const LinearPaperRow& r) { return duration_text(r.milliseconds * 1e-3); }),
+       paper_column("FP", [](const auto& r) { return of_total(r, r.false_positives); }),
+       paper_column("FN", [](const auto& r) { return of_total(r, r.false_negatives); })});
+  return table_of(rows, columns, &are_beside);
 }
 
 }  // namespace ccdfuzz

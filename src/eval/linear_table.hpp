@@ -7,7 +7,7 @@
 
 #include "base/table.hpp"
 #include "eval/imported.hpp"
-#include "eval/tally.hpp"
+#include "eval/rows.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -22,18 +22,10 @@ struct LinearFile {
 /// Errors: there is none, or no such folder.
 Result<std::vector<LinearFile>> linear_files(const std::string& folder);
 
-/// What one method did on all queries of one layout.
-struct LinearGroup {
-  CsvLayout layout = CsvLayout::kEdgeEdge;
-  std::string method;
-  Tally tally;
-  Timings timings;
-};
-
 /// What was found out besides.
 struct LinearReport {
-  std::vector<LinearGroup> groups;  ///< edge-edge first; then in the order of the methods
-  std::vector<Imported> notable;    ///< wrong labels, and truths that rounding changed
+  std::vector<Row> rows;          ///< the class is that of the queries: "edge-edge" first
+  std::vector<Imported> notable;  ///< wrong labels, and truths that rounding changed
   std::uint64_t queries = 0, labels = 0, rounded_values = 0, rounded_queries = 0;
 };
 
@@ -48,6 +40,6 @@ Result<LinearReport> evaluate_linear(
     const std::atomic<bool>* stop = nullptr);
 
 /// The shape of the paper's Table 3, with its numbers beside where it has them.
-Table linear_table(const std::vector<LinearGroup>& groups);
+Table linear_table(const std::vector<Row>& rows);
 
 }  // namespace ccdfuzz

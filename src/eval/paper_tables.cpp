@@ -4,9 +4,19 @@
 
 #include <algorithm>
 
+#include "eval/columns.hpp"
+#include "eval/paper_rates.hpp"
+#include "eval/row_columns.hpp"
+
 namespace ccdfuzz {
 
 namespace {
+
+std::string horizon_text(const std::optional<double>& factor) {
+  if (!factor) return "as given";
+  if (*factor == 1 + 0x1p-30) return "t*(1+2^-30)";
+  return *factor == 1 ? "t*" : fmt::format("{} t*", *factor);
+}
 
 std::string rate_text(const PaperRate& rate) {
   if (rate.total == 0) return "-";
@@ -14,78 +24,118 @@ std::string rate_text(const PaperRate& rate) {
                      100.0 * static_cast<double>(rate.count) / static_cast<double>(rate.total));
 }
 
-PaperRate missed_of(const Tally& tally) {
-  return {tally.count(Outcome::kMissed), tally.positives};
+TableCell if_known(const std::optional<std::string>& text) {
+  return text ? TableCell{*text} : TableCell{"-", Emphasis::kFaint};
 }
 
-PaperRate false_positives_of(const Tally& tally) {
-  return {tally.count(Outcome::kFalsePositive), tally.negatives};
+using PaperText = std::optional<std::string> (*)(const PaperResult& paper);
+
+Column<Row> paper_column(const char* title, PaperText text) {
+  return {title, [text](const Row& row) {
+            const auto paper = paper_result(row.key.contact, row.key.kind, row.key.method);
+            return if_known(paper ? text(*paper) : std::nullopt);
+          }};
 }
 
-std::vector<PaperComparison> compare(const std::vector<EvaluatedGroup>& groups,
-                                     const std::string& kinds) {
-  std::vector<PaperComparison> rows;
-  for (EvaluatedGroup& group :
-       at_contact(groups, kinds == "all" ? std::optional<std::string>() : kinds)) {
-    if (group.tally.n == 0) continue;  // all refused
-    const auto paper = paper_result(group.contact, kinds, group.method);
-    rows.push_back({kinds, std::move(group), paper});
+/// At the contact itself, or as given.
+std::vector<Row> at_contact(const Rows& rows, bool by_halves) {
+  return rows.in_order([&](RowKey key) -> std::optional<RowKey> {
+    if (key.factor && *key.factor != 1) return std::nullopt;
+    key.factor.reset();
+    key.kind = by_halves ? kinds_of(key.kind) : "all";
+    if (by_halves && key.kind != kRegularKinds && key.kind != kGrazingKinds) return std::nullopt;
+    return key;
+  });
+}
+
+std::vector<Column<Row>> key_columns(bool kinds, bool horizons) {
+  std::vector<Column<Row>> columns = {
+      text_column<Row>("class", [](const Row& row) { return row.key.contact; })};
+  if (kinds) {
+    columns.push_back(text_column<Row>("kinds", [](const Row& row) { return row.key.kind; }));
   }
-  return rows;
+  if (horizons) {
+    columns.push_back(
+        text_column<Row>("t_max", [](const Row& row) { return horizon_text(row.key.factor); }));
+  }
+  columns.push_back(text_column<Row>("method", [](const Row& row) { return row.key.method; }));
+  return columns;
 }
 
-bool has_kinds(const std::vector<EvaluatedGroup>& groups, const std::string& kinds) {
-  return std::ranges::any_of(groups, [&](const EvaluatedGroup& g) { return g.kinds == kinds; });
+Table paper_table(std::vector<Row> rows) {
+  std::erase_if(rows, [](const Row& row) { return row.tally.n == 0; });  // all refused
+  std::vector<Column<Row>> columns = key_columns(true, false);
+  columns.insert(
+      columns.end(),
+      {{"mean", [](const Row& row) { return TableCell{duration_text(row.tally.seconds.mean())}; }},
+       paper_column("paper's",
+                    [](const PaperResult& p) { return std::optional(duration_text(p.seconds)); }),
+       {"FN missed",
+        [](const Row& row) {
+          const std::uint64_t missed = row.tally.count(Outcome::kMissed);
+          return TableCell{rate_text({missed, row.tally.positives}),
+                           missed > 0 ? Emphasis::kBad : Emphasis::kPlain};
+        }},
+       paper_column("paper's FN",
+                    [](const PaperResult& p) {
+                      const auto& misses = p.false_negatives;
+                      return misses ? std::optional(rate_text(*misses)) : std::nullopt;
+                    }),
+       {"FP",
+        [](const Row& row) {
+          const std::uint64_t wrong = row.tally.count(Outcome::kFalsePositive);
+          return TableCell{rate_text({wrong, row.tally.negatives})};
+        }},
+       paper_column("paper's FP", [](const PaperResult& p) {
+         return std::optional(rate_text(p.false_positives));
+       })});
+  return table_of(rows, columns, &are_beside);
 }
 
 }  // namespace
 
-std::vector<PaperComparison> compare_with_table_1(const std::vector<EvaluatedGroup>& groups) {
-  const bool whole = has_kinds(groups, "RP+RN") && has_kinds(groups, "NHP+NMN");
-  return whole ? compare(groups, "all") : std::vector<PaperComparison>();
+Table performance_table(const std::vector<Row>& rows) {
+  const bool kinds = std::ranges::any_of(
+      rows, [&](const Row& row) { return row.key.kind != rows.front().key.kind; });
+  const bool horizons =
+      std::ranges::any_of(rows, [](const Row& row) { return row.key.factor.has_value(); });
+  const auto time = [](const char* title, double (LogHistogram::*of)() const) {
+    return measured_column<Row>(
+        title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
+  };
+  const auto memory = [](const char* title, double (LogHistogram::*of)() const) {
+    return measured_column<Row>(
+        title, [of](const Row& row) { return size_text((row.tally.bytes.*of)()); });
+  };
+  std::vector<Column<Row>> columns = key_columns(kinds, horizons);
+  columns.insert(columns.end(),
+                 {asked_column<Row>(), time("mean", &LogHistogram::mean),
+                  time("median", &LogHistogram::median), time("p99", &LogHistogram::p99),
+                  memory("memory", &LogHistogram::mean), memory("p99 mem", &LogHistogram::p99),
+                  outcome_column<Row>("FN missed", Outcome::kMissed, &Tally::positives),
+                  outcome_column<Row>("FN late", Outcome::kLate, &Tally::positives),
+                  outcome_column<Row>("FP", Outcome::kFalsePositive, &Tally::negatives),
+                  outcome_column<Row>("undecided", Outcome::kUndecided, &Tally::n),
+                  outcome_column<Row>("unknown", Outcome::kUnknown, &Tally::n),
+                  outcome_column<Row>("error", Outcome::kError, &Tally::n)});
+  add_refused_column(columns, rows);
+  return table_of(rows, columns, &are_beside);
 }
 
-std::vector<PaperComparison> compare_with_table_2(const std::vector<EvaluatedGroup>& groups) {
-  std::vector<PaperComparison> rows = compare(groups, "RP+RN");
-  std::ranges::move(compare(groups, "NHP+NMN"), std::back_inserter(rows));
-  return rows;
+Table paper_table_1(const Rows& rows) {
+  const std::vector<Row> halves = by_kinds(rows);
+  const auto has = [&](std::string_view kinds) {
+    return std::ranges::any_of(halves, [&](const Row& row) { return row.key.kind == kinds; });
+  };
+  return paper_table(has(kRegularKinds) && has(kGrazingKinds) ? at_contact(rows, false)
+                                                              : std::vector<Row>());
 }
 
-Table paper_table(const std::vector<PaperComparison>& rows) {
-  Table table({{"class", Align::kLeft},
-               {"kinds", Align::kLeft},
-               {"method", Align::kLeft},
-               {"mean"},
-               {"paper's"},
-               {"FN missed"},
-               {"paper's FN"},
-               {"FP"},
-               {"paper's FP"}});
-  const PaperComparison* previous = nullptr;
-  for (const PaperComparison& row : rows) {
-    const EvaluatedGroup& group = row.group;
-    if (previous && (previous->group.contact != group.contact || previous->kinds != row.kinds)) {
-      table.start_group();
-    }
-    previous = &row;
-    const auto of_paper = [&](const std::optional<std::string>& text) -> TableCell {
-      return text ? TableCell{*text} : TableCell{"-", Emphasis::kFaint};
-    };
-    const std::optional<PaperResult>& paper = row.paper;
-    const bool has_fn = paper && paper->false_negatives;
-    const PaperRate missed = missed_of(group.tally);
-    table.add_row(
-        {{group.contact},
-         {row.kinds},
-         {group.method},
-         {duration_text(group.tally.mean_seconds())},
-         of_paper(paper ? std::optional(duration_text(paper->seconds)) : std::nullopt),
-         {rate_text(missed), missed.count > 0 ? Emphasis::kBad : Emphasis::kPlain},
-         of_paper(has_fn ? std::optional(rate_text(*paper->false_negatives)) : std::nullopt),
-         {rate_text(false_positives_of(group.tally))},
-         of_paper(paper ? std::optional(rate_text(paper->false_positives)) : std::nullopt)});
-  }
-  return table;
+Table paper_table_2(const Rows& rows) {
+  std::vector<Row> halves = at_contact(rows, true);
+  std::ranges::stable_partition(halves,
+                                [](const Row& row) { return row.key.kind == kRegularKinds; });
+  return paper_table(std::move(halves));
 }
 
 }  // namespace ccdfuzz

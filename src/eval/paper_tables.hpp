@@ -1,34 +1,20 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "base/table.hpp"
-#include "eval/groups.hpp"
-#include "eval/paper_rates.hpp"
+#include "eval/rows.hpp"
 
 namespace ccdfuzz {
 
-/// What was measured of a method on a class, beside what the paper reports.
-struct PaperComparison {
-  std::string kinds;  ///< "RP+RN", "NHP+NMN" or "all"
-  EvaluatedGroup group;
-  std::optional<PaperResult> paper;
-};
+/// Everything that is known of each row of by_kinds.
+Table performance_table(const std::vector<Row>& rows);
 
-/// The rows of Table 1: all kinds as one, where the answers are to both regular and grazing cases.
-/// Of positives asked beyond the contact none counts.
-std::vector<PaperComparison> compare_with_table_1(const std::vector<EvaluatedGroup>& groups);
-/// The rows of Table 2: regular, then grazing cases.
-std::vector<PaperComparison> compare_with_table_2(const std::vector<EvaluatedGroup>& groups);
-
-/// Mean times, false positives and false negatives (missed: the paper's only sort) side by side.
-Table paper_table(const std::vector<PaperComparison>& rows);
-
-/// Everything that is known of each group, a row for each.
-Table performance_table(const std::vector<EvaluatedGroup>& groups);
-/// The same as a JSON object on one line.
-std::string to_json(const EvaluatedGroup& group);
+/// Mean times, false positives and false negatives (missed: the paper's only sort) beside the
+/// paper's. Of positives asked beyond the contact none counts. Table 1: all kinds as one, where the
+/// answers are to both regular and grazing cases; empty otherwise. Table 2: regular, then grazing
+/// cases.
+Table paper_table_1(const Rows& rows);
+Table paper_table_2(const Rows& rows);
 
 }  // namespace ccdfuzz

@@ -25,7 +25,7 @@ class Race {
     std::uint64_t asked = 0;      ///< queries that it did not refuse
     std::uint64_t not_asked = 0;  ///< that it refused: in no other number
     double seconds = 0;           ///< of all queries so far
-    Timings timings;
+    LogHistogram timings;
     std::uint64_t pops = 0;
     std::uint64_t undecided = 0;  ///< cut short by the budget: the time is a lower bound
     /// By how much an answer exceeded the time limit at most, in seconds of wall time; with a

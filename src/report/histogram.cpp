@@ -7,41 +7,42 @@ namespace ccdfuzz {
 
 namespace {
 
-constexpr double kPerDecade = 10;
+constexpr int kFineInCoarse = 8;
+constexpr int kCoarsePerOctave = LogHistogram::kBinsPerOctave / kFineInCoarse;
 constexpr size_t kLinearBins = 200;
+
+int coarse_bin(int fine) {
+  return static_cast<int>(std::floor(static_cast<double>(fine) / kFineInCoarse));
+}
 
 }  // namespace
 
-Histogram log_histogram(const std::vector<double>& samples) {
-  const auto bin_of = [](double x) {
-    return static_cast<long>(std::floor(std::log10(x) * kPerDecade));
-  };
-  std::vector<long> bins;
-  bins.reserve(samples.size());
-  for (const double x : samples) {
-    if (x > 0 && std::isfinite(x)) bins.push_back(bin_of(x));
-  }
+Histogram log_bins(const LogHistogram& samples) {
+  const auto& bins = samples.bins();
   if (bins.empty()) return {};
-  const auto [least, greatest] = std::ranges::minmax_element(bins);
-  Histogram histogram{true, static_cast<double>(*least) / kPerDecade, 1 / kPerDecade, {}};
-  histogram.counts.resize(static_cast<size_t>(*greatest - *least) + 1);
-  for (const long bin : bins) ++histogram.counts[static_cast<size_t>(bin - *least)];
+  const int first = coarse_bin(bins.begin()->first), last = coarse_bin(bins.rbegin()->first);
+  const double width = std::log10(2) / kCoarsePerOctave;
+  Histogram histogram{first * width, width, {}};
+  histogram.counts.resize(static_cast<size_t>(last - first) + 1);
+  for (const auto& [bin, count] : bins) {
+    histogram.counts[static_cast<size_t>(coarse_bin(bin) - first)] += count;
+  }
   return histogram;
 }
 
-Histogram linear_histogram(const std::vector<double>& samples, double share) {
-  if (samples.empty()) return {};
-  std::vector<double> sorted = samples;
-  std::ranges::sort(sorted);
-  const auto rank = static_cast<size_t>(std::ceil(share * static_cast<double>(sorted.size())));
-  const double most = sorted[std::clamp<size_t>(rank, 1, sorted.size()) - 1];
-  if (!(most > 0) || !std::isfinite(most)) return {};
-  Histogram histogram{false, 0, most / static_cast<double>(kLinearBins), {}};
+Histogram linear_bins(const LogHistogram& samples, double share) {
+  const double most = samples.quantile(share);
+  if (!(most > 0)) return {};
+  Histogram histogram{0, most / static_cast<double>(kLinearBins), {}};
   histogram.counts.resize(kLinearBins);
-  for (const double x : sorted) {
-    const double bin = std::clamp(x / histogram.width, 0.0, static_cast<double>(kLinearBins - 1));
-    ++histogram.counts[static_cast<size_t>(bin)];
+  std::uint64_t zeros = samples.count();
+  for (const auto& [bin, count] : samples.bins()) {
+    const double at = std::exp2((bin + 0.5) / LogHistogram::kBinsPerOctave) / histogram.width;
+    const auto place = static_cast<size_t>(std::min(at, static_cast<double>(kLinearBins - 1)));
+    histogram.counts[place] += count;
+    zeros -= count;
   }
+  histogram.counts[0] += zeros;
   return histogram;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/fields.hpp"
 #include "base/in_order.hpp"
 #include "base/json_text.hpp"
 #include "base/verify.hpp"
@@ -44,7 +45,7 @@ std::vector<std::string> methods_of(const ReportPage& report) {
   const auto add = [&](const std::string& method) {
     if (std::ranges::find(methods, method) == methods.end()) methods.push_back(method);
   };
-  for (const ReportGroup& group : report.groups) add(group.method);
+  for (const Row& row : report.rows) add(row.key.method);
   for (const ReportedCase& reported : report.cases) {
     for (const ReportedAnswer& answer : reported.answers) add(answer.method);
   }
@@ -81,25 +82,19 @@ Json histogram_json(const Histogram& histogram) {
   return {{"lo", histogram.lo}, {"width", histogram.width}, {"counts", histogram.counts}};
 }
 
-Json group_json(const ReportGroup& group) {
-  const Tally& tally = group.tally;
-  Json row = {{"class", group.contact}, {"kind", group.kind}, {"factor", nullptr}};
-  if (group.factor) row["factor"] = *group.factor;
-  row.update({{"method", group.method},
-              {"n", tally.n},
-              {"positives", tally.positives},
-              {"negatives", tally.negatives}});
-  for (const Outcome outcome : kAllOutcomes) {
-    row[std::string(name_of(outcome))] = tally.count(outcome);
-  }
-  if (!group.timings.all().empty()) {
+Json row_json(const Row& of) {
+  const auto& [key, tally] = of;
+  Json row = {{"class", key.contact}, {"kind", key.kind}, {"factor", nullptr}};
+  if (key.factor) row["factor"] = *key.factor;
+  row["method"] = key.method;
+  row.update(Json::parse(to_json(tally)));
+  if (tally.seconds.sum() > 0) {
     constexpr double kAllButOutliers = 0.995;
-    row.update(
-        {{"seconds", tally.seconds},
-         {"median", group.timings.median()},
-         {"p99", group.timings.p99()},
-         {"log", histogram_json(log_histogram(group.timings.all()))},
-         {"linear", histogram_json(linear_histogram(group.timings.all(), kAllButOutliers))}});
+    row.update({{"seconds", tally.seconds.sum()},
+                {"median", tally.seconds.median()},
+                {"p99", tally.seconds.p99()},
+                {"log", histogram_json(log_bins(tally.seconds))},
+                {"linear", histogram_json(linear_bins(tally.seconds, kAllButOutliers))}});
   }
   return row;
 }
@@ -165,14 +160,14 @@ std::string report_page(const ReportPage& report, int threads) {
   close_chunk();
 
   Json groups = Json::array(), tables = Json::array();
-  for (const ReportGroup& group : report.groups) groups.push_back(group_json(group));
+  for (const Row& row : report.rows) groups.push_back(row_json(row));
   for (const ReportTable& table : report.tables) {
     tables.push_back({{"id", table.id},
                       {"title", table.title},
                       {"columns", table.columns},
                       {"rows", table.rows}});
   }
-  const Histogram curvature = log_histogram(report.curvatures);
+  const Histogram curvature = log_bins(report.curvatures);
   const Json data = {{"format", "ccdfuzz-report"},
                      {"version", 1},
                      {"title", report.title},

@@ -7,7 +7,7 @@
 
 #include "base/table.hpp"
 #include "case/case.hpp"
-#include "eval/tally.hpp"
+#include "eval/rows.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -24,16 +24,6 @@ struct ReportTable {
 std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods);
 
 ReportTable report_table(const std::string& id, const std::string& title, const Table& table);
-
-/// All answers of one method to the cases of one contact class and kind: what figures are made of.
-struct ReportGroup {
-  std::string contact;
-  std::string kind;  ///< empty if unknown
-  std::optional<double> factor;
-  std::string method;
-  Tally tally;
-  Timings timings;  ///< empty where nothing was timed
-};
 
 /// How one method stands to a case.
 struct ReportedAnswer {
@@ -83,13 +73,13 @@ struct ReportPage {
   std::string title;
   std::string command;  ///< that made it
   std::vector<ReportTable> tables;
-  std::vector<ReportGroup> groups;
+  std::vector<Row> rows;  ///< what figures are made of; untimed where nothing was timed
   /// What is known of the plug-ins among the methods: to make a page starts none of them.
   std::vector<MethodInfo> plugins;
   HuntCourse course;       ///< of a hunt
   std::string scoreboard;  ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
   /// Of both patches of the positive cases at their contacts, as rms_curvature.
-  std::vector<double> curvatures;
+  LogHistogram curvatures;
   std::vector<ReportedCase> cases;
   std::uint64_t cases_left_out = 0;  ///< failures that the page has no room for
 };

@@ -16,36 +16,13 @@ namespace {
 /// Cases of each class and kind to show where no method fails.
 constexpr int kSamplesOfEach = 4;
 
-std::size_t rank_of_class(const std::string& contact) {
-  const auto known = enum_named<ContactClass>(contact);
-  return known ? static_cast<std::size_t>(*known) : kContactClasses.size();
-}
-
 }  // namespace
 
-std::size_t ReportRows::place_of(const std::string& method) {
-  const auto at = std::ranges::find(methods_, method);
-  const auto place = static_cast<std::size_t>(at - methods_.begin());
-  if (at == methods_.end()) methods_.push_back(method);
-  return place;
-}
-
 void ReportRows::add(const EvaluatedCase& evaluated, const Case& known, double precision) {
+  rows_.add(evaluated);
   add_curvatures(known);
   std::optional<ReportedCase> open;
   for (const GivenAnswer& given : evaluated.answers) {
-    ReportGroup& group = groups_[{rank_of_class(evaluated.contact), evaluated.contact,
-                                  evaluated.kind, given.factor, place_of(given.method)}];
-    group.contact = evaluated.contact;
-    group.kind = evaluated.kind;
-    group.factor = given.factor;
-    group.method = given.method;
-    Answer answer;
-    answer.pops = given.pops;
-    answer.seconds = given.seconds;
-    group.tally.add(answer, given.outcome, evaluated.collides);
-    if (given.outcome != Outcome::kNotAsked) group.timings.add(given.seconds);
-
     if (!open) {
       open.emplace();
       open->id = evaluated.id;
@@ -63,7 +40,7 @@ void ReportRows::add_curvatures(const Case& known) {
   const auto curvatures = curvature_at_contact(known);
   if (!curvatures) return;
   for (const std::optional<Curvature>& one : *curvatures) {
-    if (one) curvatures_.push_back(one->rms());
+    if (one) curvatures_.add(one->rms());
   }
 }
 
@@ -78,7 +55,7 @@ void ReportRows::keep(ReportedCase reported, const Case& known,
 }
 
 void ReportRows::finish(ReportPage& report, const std::vector<GenerationCost>& costs) {
-  for (auto& [key, group] : groups_) report.groups.push_back(std::move(group));
+  report.rows = rows_.in_order();
   if (!costs.empty()) {
     report.tables.push_back(
         report_table("table-4", "Table 4. How the cases were made", generation_table(costs)));

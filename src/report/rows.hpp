@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "case/case_files.hpp"
@@ -19,22 +18,18 @@ class ReportRows {
   /// precision: that the case was asked at.
   void add(const EvaluatedCase& evaluated, const Case& known, double precision);
 
-  /// Groups by class, kind, horizon and method; all cases with a failure, as far as there is room,
+  /// Rows by class, kind, horizon and method; all cases with a failure, as far as there is room,
   /// or where there is none, some of each class and kind. costs: of making the cases, if known.
   void finish(ReportPage& report, const std::vector<GenerationCost>& costs);
 
  private:
-  using GroupKey = std::tuple<std::size_t, std::string, std::string, std::optional<double>,
-                              std::size_t>;  // class rank, class, kind, factor, method
-  std::size_t place_of(const std::string& method);
   void keep(ReportedCase reported, const Case& known, const std::optional<double>& factor);
   void add_curvatures(const Case& known);
 
-  std::vector<std::string> methods_;
-  std::map<GroupKey, ReportGroup> groups_;
+  Rows rows_;
   std::vector<ReportedCase> failed_, samples_;
   std::map<std::string, int> sampled_;
-  std::vector<double> curvatures_;
+  LogHistogram curvatures_;
 };
 
 }  // namespace ccdfuzz

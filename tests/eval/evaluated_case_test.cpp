@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "base/fields.hpp"
-#include "eval/groups.hpp"
+#include "eval/paper_rates.hpp"
 #include "eval/paper_tables.hpp"
+#include "eval/rows.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -65,30 +66,33 @@ EvaluatedCase answer_to(const std::string& contact, const std::string& kind,
   return one;
 }
 
-TEST(Groups, RegularAndGrazingAreApartAndTable1PutsThemTogether) {
-  Groups groups;
-  groups.add(answer_to("FF", "RP", "tdibm", Outcome::kCorrect));
-  groups.add(answer_to("VV", "NHP", "tdibm-e", Outcome::kCorrect));
-  groups.add(answer_to("VV", "NMN", "tdibm-e", Outcome::kFalsePositive));
+TEST(Rows, RegularAndGrazingAreApartAndTable1PutsThemTogether) {
+  Rows rows;
+  rows.add(answer_to("FF", "RP", "tdibm", Outcome::kCorrect));
+  rows.add(answer_to("VV", "NHP", "tdibm-e", Outcome::kCorrect));
+  rows.add(answer_to("VV", "NMN", "tdibm-e", Outcome::kFalsePositive));
   for (const char* method : {"tdibm-e", "tdibm"}) {
-    groups.add(answer_to("VV", "RP", method, Outcome::kMissed));
-    groups.add(answer_to("VV", "RN", method, Outcome::kCorrect));
-    groups.add(answer_to("FF", "RN", method, Outcome::kCorrect));
+    rows.add(answer_to("VV", "RP", method, Outcome::kMissed));
+    rows.add(answer_to("VV", "RN", method, Outcome::kCorrect));
+    rows.add(answer_to("FF", "RN", method, Outcome::kCorrect));
   }
-  const std::vector<EvaluatedGroup> all = groups.in_order();
+  EXPECT_EQ(rows.in_order().size(), 9U);
+  const std::vector<Row> all = by_kinds(rows);
   ASSERT_EQ(all.size(), 5U);
-  EXPECT_EQ(all[0].contact, "FF");
-  EXPECT_EQ(all[2].method, "tdibm");
-  EXPECT_EQ(all[2].kinds, "RP+RN");
-  EXPECT_EQ(all[4].kinds, "NHP+NMN");
-  const std::vector<PaperComparison> table_1 = compare_with_table_1(all);
+  EXPECT_EQ(all[0].key.contact, "FF");
+  EXPECT_EQ(all[2].key.method, "tdibm");
+  EXPECT_EQ(all[2].key.kind, "RP+RN");
+  EXPECT_EQ(all[4].key.kind, "NHP+NMN");
+  const auto table_1 = paper_table_1(rows).texts(), table_2 = paper_table_2(rows).texts();
   ASSERT_EQ(table_1.size(), 4U);
-  EXPECT_EQ(table_1[3].group.tally.n, 4U);
-  EXPECT_EQ(table_1[3].group.tally.negatives, 2U);
-  EXPECT_EQ(table_1[3].paper->false_positives.total, 1100U);
-  const std::vector<PaperComparison> table_2 = compare_with_table_2(all);
+  EXPECT_EQ(table_1[3][1], "all");
+  EXPECT_EQ(table_1[3][7], "1/2 = 50.0 %");  // tdibm-e: of RN and NMN
+  EXPECT_NE(table_1[3][8].find("/1100"), std::string::npos);
   ASSERT_EQ(table_2.size(), 5U);
-  EXPECT_EQ(table_2[4].paper->false_positives.total, 100U);
+  EXPECT_NE(table_2[4][8].find("/100 "), std::string::npos);
+  Rows half;
+  half.add(answer_to("FF", "RP", "tdibm", Outcome::kCorrect));
+  EXPECT_EQ(paper_table_1(half).row_count(), 0U);
 }
 
 // Table 1's counts are the sums of Table 2's: what the paper prints of both.

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace ccdfuzz {
 namespace {
@@ -31,7 +33,7 @@ TEST(Tally, CountsEachOutcomeOnceAndBothKindsOfFalseNegative) {
   }
   EXPECT_EQ(tally.count(Outcome::kCorrect), 0U);
   EXPECT_EQ(tally.pops, 20U);
-  EXPECT_EQ(tally.mean_seconds(), 0.5);
+  EXPECT_EQ(tally.seconds.mean(), 0.5);
 }
 
 TEST(Tally, UndecidedIsNeitherFalseNegativeNorFalsePositive) {
@@ -54,7 +56,7 @@ TEST(Tally, WhatIsNotAskedIsInNoOtherNumber) {
   EXPECT_EQ(tally.positives, asked.positives);
   EXPECT_EQ(tally.negatives, asked.negatives);
   EXPECT_EQ(tally.pops, asked.pops);
-  EXPECT_EQ(tally.mean_seconds(), asked.mean_seconds());
+  EXPECT_EQ(tally.seconds, asked.seconds);
 }
 
 TEST(Tally, MergingPartsEqualsAddingAll) {
@@ -75,34 +77,65 @@ TEST(Tally, MergingPartsEqualsAddingAll) {
 }
 
 TEST(Tally, AnEmptyOneHasMeanZero) {
-  EXPECT_EQ(Tally().mean_seconds(), 0);
-  EXPECT_EQ(Timings().median(), 0);
-  EXPECT_EQ(Timings().p99(), 0);
+  EXPECT_EQ(Tally().seconds.mean(), 0);
+  EXPECT_EQ(LogHistogram().median(), 0);
+  EXPECT_EQ(LogHistogram().p99(), 0);
 }
 
-TEST(Timings, QuantilesAreNearestRanks) {
-  Timings timings;
-  // 1..100 in an order that is neither rising nor falling.
-  for (int i = 0; i < 100; ++i) timings.add((i * 37) % 100 + 1);
-  EXPECT_EQ(timings.median(), 50);
-  EXPECT_EQ(timings.p99(), 99);
-  EXPECT_EQ(timings.quantile(1), 100);
-  EXPECT_EQ(timings.quantile(0.001), 1);
+/// A bin is 2^(1/32) wide, and its middle, to four digits, is half of that from its samples.
+constexpr double kHalfBin = 0.0116;
+
+TEST(LogHistogram, QuantilesAreNearestRanksToHalfABin) {
+  LogHistogram samples;
+  std::vector<double> all;
+  // Eleven decades, in an order that is neither rising nor falling.
+  for (int i = 0; i < 1000; ++i) {
+    all.push_back(std::pow(10.0, 0.011 * ((i * 371) % 1000) - 7));
+    samples.add(all.back());
+  }
+  std::ranges::sort(all);
+  for (const double q : {0.001, 0.25, 0.5, 0.9, 0.99, 1.0}) {
+    const double exact = all[static_cast<size_t>(std::ceil(q * 1000)) - 1];
+    EXPECT_NEAR(samples.quantile(q) / exact, 1, kHalfBin) << q;
+  }
+  EXPECT_EQ(samples.largest(), all.back());
+  EXPECT_LT(samples.bins().size(), 11 * 3.33 * 32 + 2);
 }
 
-TEST(Timings, AQuantileOfOneSampleIsThatSample) {
-  Timings timings;
-  timings.add(7);
-  EXPECT_EQ(timings.median(), 7);
-  EXPECT_EQ(timings.p99(), 7);
+TEST(LogHistogram, AQuantileOfOneSampleIsThatSample) {
+  LogHistogram samples;
+  samples.add(7);
+  EXPECT_EQ(samples.median(), 7);
+  EXPECT_EQ(samples.p99(), 7);
 }
 
-TEST(Timings, AMedianOfTwoIsTheLower) {
-  Timings timings;
-  timings.add(2);
-  timings.add(1);
-  EXPECT_EQ(timings.median(), 1);
-  EXPECT_EQ(timings.p99(), 2);
+TEST(LogHistogram, AMedianOfTwoIsTheLower) {
+  LogHistogram samples;
+  samples.add(2);
+  samples.add(1);
+  EXPECT_NEAR(samples.median(), 1, kHalfBin);
+  EXPECT_EQ(samples.p99(), 2);
+}
+
+TEST(LogHistogram, WhatIsNotPositiveCountsAsZero) {
+  LogHistogram samples;
+  for (const double x : {0.0, -1.0, std::nan(""), 3.0}) samples.add(x);
+  EXPECT_EQ(samples.count(), 4U);
+  EXPECT_EQ(samples.median(), 0);
+  EXPECT_EQ(samples.p99(), 3);
+  EXPECT_EQ(samples.sum(), 3);
+}
+
+TEST(LogHistogram, MergingPartsEqualsAddingAll) {
+  LogHistogram all, left, right;
+  for (int i = 0; i < 50; ++i) {
+    all.add(i);
+    (i % 3 == 0 ? left : right).add(i);
+  }
+  left.merge(right);
+  EXPECT_EQ(left, all);
+  left.merge(LogHistogram());
+  EXPECT_EQ(left, all);
 }
 
 }  // namespace

@@ -174,10 +174,10 @@ TEST(ReportRows, AreSummedUpAndFailuresAreKept) {
   add("b", Outcome::kMissed);
   ReportPage report;
   rows.finish(report, {});
-  ASSERT_EQ(report.groups.size(), 2U);
-  EXPECT_EQ(report.groups[0].method, "tdibm");
-  EXPECT_EQ(report.groups[0].tally.count(Outcome::kMissed), 1U);
-  EXPECT_EQ(report.groups[1].tally.seconds, 1);
+  ASSERT_EQ(report.rows.size(), 2U);
+  EXPECT_EQ(report.rows[0].key.method, "tdibm");
+  EXPECT_EQ(report.rows[0].tally.count(Outcome::kMissed), 1U);
+  EXPECT_EQ(report.rows[1].tally.seconds.sum(), 1);
   ASSERT_EQ(report.cases.size(), 1U) << "the case without a failure has no place beside one";
   EXPECT_EQ(report.cases[0].id, "b");
   EXPECT_EQ(report.cases[0].answers.size(), 2U);

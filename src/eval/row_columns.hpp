@@ -1,0 +1,61 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "eval/columns.hpp"
+#include "eval/tally.hpp"
+
+namespace ccdfuzz {
+
+// Columns that several tables have. A row is any type with a `tally`.
+
+/// A text to the left.
+template <class Row, class Text>
+Column<Row> text_column(const char* title, const Text& text) {
+  return {title, [text](const Row& row) { return TableCell{std::string(text(row))}; },
+          Align::kLeft};
+}
+
+/// A measurement of the answers: "-" where there was none.
+template <class Row, class Text>
+Column<Row> measured_column(const char* title, const Text& text) {
+  return {title, [text](const Row& row) {
+            return row.tally.n > 0 ? TableCell{text(row)} : TableCell{"-", Emphasis::kFaint};
+          }};
+}
+
+/// A count with its share of `of`: faint if it is 0, and red where it is bad.
+inline TableCell count_cell(std::uint64_t count, std::uint64_t of, bool is_bad) {
+  return {count_text(count, of), count == 0 ? Emphasis::kFaint
+                                 : is_bad   ? Emphasis::kBad
+                                            : Emphasis::kPlain};
+}
+
+/// How many answers had an outcome, of those where it may be.
+template <class Row>
+Column<Row> outcome_column(const char* title, Outcome outcome, std::uint64_t Tally::*of) {
+  const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
+  return {title, [=](const Row& row) {
+            return count_cell(row.tally.count(outcome), row.tally.*of, is_bad);
+          }};
+}
+
+template <class Row>
+Column<Row> asked_column() {
+  return {"n", [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
+}
+
+/// Appends a column of what was refused, if anything was.
+template <class Row>
+void add_refused_column(std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
+  if (std::ranges::all_of(rows, [](const Row& row) { return row.tally.not_asked() == 0; })) return;
+  columns.push_back({"not asked", [](const Row& row) {
+                       return TableCell{fmt::format("{}", row.tally.not_asked())};
+                     }});
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,77 @@
+#include "eval/rows.hpp"
+
+#include <algorithm>
+
+#include "base/enum_names.hpp"
+#include "case/taxonomy.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The paper's classes and kinds in its order, then the rest.
+template <class E, class All>
+size_t rank_of(const std::string& name, const All& all) {
+  const std::optional<E> known = enum_named<E>(name.substr(0, name.find('+')));
+  return known ? static_cast<size_t>(*known) : all.size();
+}
+
+}  // namespace
+
+std::string kinds_of(const std::string& kind) {
+  const std::optional<CaseKind> known = enum_named<CaseKind>(kind);
+  if (!known) return kind.empty() ? "-" : kind;
+  return *known == CaseKind::kRP || *known == CaseKind::kRN ? "RP+RN" : "NHP+NMN";
+}
+
+Rows::Order Rows::order_of(const RowKey& key) const {
+  const auto method = std::ranges::find(methods_, key.method) - methods_.begin();
+  return {rank_of<ContactClass>(key.contact, kContactClasses),
+          key.contact,
+          rank_of<CaseKind>(key.kind, kCaseKinds),
+          key.kind,
+          key.factor,
+          static_cast<size_t>(method)};
+}
+
+void Rows::add(const RowKey& key, const Answer& answer, Outcome outcome,
+               std::optional<bool> collides) {
+  if (std::ranges::find(methods_, key.method) == methods_.end()) methods_.push_back(key.method);
+  rows_.try_emplace(order_of(key), Row{key, {}}).first->second.tally.add(answer, outcome, collides);
+}
+
+void Rows::add(const EvaluatedCase& evaluated) {
+  for (const GivenAnswer& given : evaluated.answers) {
+    Answer answer;
+    answer.pops = given.pops;
+    answer.bytes = given.bytes;
+    answer.seconds = given.seconds;
+    add({evaluated.contact, evaluated.kind, given.factor, given.method}, answer, given.outcome,
+        evaluated.collides);
+  }
+}
+
+std::vector<Row> Rows::in_order() const {
+  return in_order([](const RowKey& key) { return key; });
+}
+
+std::vector<Row> Rows::in_order(
+    const std::function<std::optional<RowKey>(const RowKey&)>& coarser) const {
+  std::map<Order, Row> merged;
+  for (const auto& [order, row] : rows_) {
+    const std::optional<RowKey> key = coarser(row.key);
+    if (key) merged.try_emplace(order_of(*key), Row{*key, {}}).first->second.tally.merge(row.tally);
+  }
+  std::vector<Row> rows;
+  for (auto& [order, row] : merged) rows.push_back(std::move(row));
+  return rows;
+}
+
+std::vector<Row> by_kinds(const Rows& rows) {
+  return rows.in_order([](RowKey key) {
+    key.kind = kinds_of(key.kind);
+    return key;
+  });
+}
+
+}  // namespace ccdfuzz
