@@ -17,7 +17,7 @@
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "hunt/breeder.hpp"
 #include "hunt/draw.hpp"
-#include "hunt/scheduler.hpp"
+#include "hunt/schedule.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -125,12 +125,12 @@ class Run {
 
   double seconds_used(double most) {
     const double start = thread_cpu_seconds();
-    Scheduler scheduler(cells_.size());
+    Schedule schedule(cells_.size());
     while (!found_ && thread_cpu_seconds() - start < most) {
-      const std::size_t turn = scheduler.begin();
+      const Turn turn = *schedule.next();
       const double begin = thread_cpu_seconds();
-      take_turn(cells_[cells_.size() - 1 - turn]);
-      scheduler.end(turn, thread_cpu_seconds() - begin);
+      take_turn(cells_[turn.cell]);
+      schedule.done(turn, thread_cpu_seconds() - begin);
     }
     return found_ ? thread_cpu_seconds() - start : kNever;
   }

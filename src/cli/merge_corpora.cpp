@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "case/tree_file.hpp"
 #include "cli/merge.hpp"
 #include "cli/session.hpp"
-#include "finds/entries.hpp"
 #include "finds/store.hpp"
 
 namespace ccdfuzz {
@@ -21,23 +22,28 @@ struct MergedCorpora {
   }
 };
 
+/// Puts an entry of another corpus: by the failure that it is called by, or under its own name.
+Result<Store::Put> put_entry(Store& store, const NamedCase& entry) {
+  const std::string trees = trees_path(entry.file);
+  if (const auto failure = named_by_failure(entry)) {
+    return store.put(*failure, entry.value, trees);
+  }
+  return store.put_named(std::filesystem::path(entry.id).stem(), entry.value, trees);
+}
+
 }  // namespace
 
 int merge_corpora(const std::vector<std::string>& inputs, const std::string& output,
                   Session& session) {
-  std::vector<NamedCase> finds;
-  for (const std::string& input : inputs) {
-    if (need(list_entries(input)).empty()) continue;  // a hunt that found nothing
-    std::ranges::move(need(load_corpus(input)), std::back_inserter(finds));
-  }
   Store store = need(Store::open(output));
   MergedCorpora merged;
-  merged.entries = finds.size();
-  for (const NamedCase& find : finds) {
-    const Store::Added done = need(store.add(find.value, trees_path(find.file)));
-    if (done != Store::Added::kKnown) ++merged.taken;
+  for (const std::string& input : inputs) {
+    need(for_each_entry(input, [&](const NamedCase& entry) {
+      ++merged.entries;
+      if (need(put_entry(store, entry)) != Store::Put::kKnown) ++merged.taken;
+    }));
   }
-  merged.now = need(store.load()).size();
+  merged.now = need(list_entries(output)).size();
   if (session.json) print_out(to_json(merged) + "\n");
   session.summary(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}",
                               merged.entries, inputs.size(), merged.taken, merged.now, output));

@@ -8,8 +8,7 @@
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "finds/content_address.hpp"
-#include "finds/failure.hpp"
-#include "hunt/shrink.hpp"
+#include "finds/shrink.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
@@ -26,16 +25,15 @@ struct MinimizeOptions {
 
 /// What was reached, as a row of the JSON output.
 struct MinimisedRow {
-  std::string id, method;
-  Outcome outcome;
+  std::string id;
+  Failure failure;
   std::uint64_t trials;
   std::uint64_t bits_before, bits;
   std::string minimised;
 
   static void fields(auto& archive, auto& row) {
     archive("case", row.id);
-    archive("method", row.method);
-    archive("outcome", row.outcome);
+    Failure::fields(archive, row.failure);
     archive("trials", row.trials);
     archive("bits_before", row.bits_before);
     archive("bits", row.bits);
@@ -48,15 +46,16 @@ std::string size_text(const Query& query) {
                      to_text(query.patches[1].shape), size_of(query).significant_bits);
 }
 
-/// The method, in a process of its own where it is said to crash on the case.
-std::unique_ptr<Method> method_for(const NamedCase& found, const std::string& spec) {
+/// What asks the method: in a process of its own where it is said to crash on the case.
+Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
+  const std::string& spec = options.method;
   const auto expected = found.value.expect.find(spec);
   const bool may_crash =
       expected != found.value.expect.end() && expected->second.outcome == Outcome::kError;
-  const auto make = may_crash ? make_served_method : make_method;
-  auto method = admit_plugin(spec).and_then([&] { return make(spec); });
-  if (!method) throw BadInput{{"--method", method.error().what}};
-  return *std::move(method);
+  MethodSet methods(may_crash ? make_served_method : make_method);
+  const auto admitted = admit_plugin(spec).and_then([&] { return method_info(spec); });
+  if (!admitted) throw BadInput{{"--method", admitted.error().what}};
+  return Asker(options.search.options_for(found.value), std::move(methods));
 }
 
 /// Writes the case and beside it the tree that it may have; only one that is as it was has a tree.
@@ -77,26 +76,27 @@ void write_minimised(const MinimizeOptions& options, Case value, bool json) {
 
 int run_minimize(const MinimizeOptions& options, Session& session) {
   const NamedCase found = need(read_case(options.file));
-  const SearchOptions search = options.search.options_for(found.value);
-  const std::unique_ptr<Method> method = method_for(found, options.method);
+  Asker asker = asker_for(found, options);
   const CheckedCase known = need(check_case(found));
-  const Judged failure = ask(*method, known, search);
-  if (!is_failure(failure.outcome)) {
+  const Judged judged = asker.ask(options.method, known);
+  if (!is_failure(judged.outcome)) {
     throw BadInput{{found.id, fmt::format("the answer of {} is {}: no failure to shrink",
-                                          options.method, name_of(failure.outcome))}};
+                                          options.method, name_of(judged.outcome))}};
   }
+  const Failure failure =
+      failure_of(found.value, options.method, asker.expected(options.method, found.value, judged));
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Minimised minimised = shrink(found.value, options.method, *method, failure, search,
-                                     {options.max_trials, [&] { return interrupted.load(); }});
+  const Minimised minimised =
+      shrink(found.value, failure, asker, {options.max_trials, [&] { return interrupted.load(); }});
   write_minimised(options, minimised.value, session.json);
   const auto bits = [](const Case& value) { return size_of(value.query).significant_bits; };
   if (session.json) {
-    print_row(MinimisedRow{found.id, options.method, failure.outcome, minimised.trials,
-                           bits(found.value), bits(minimised.value), to_json(minimised.value)});
+    print_row(MinimisedRow{found.id, failure, minimised.trials, bits(found.value),
+                           bits(minimised.value), to_json(minimised.value)});
   } else {
-    print_err(fmt::format("{} by {}: from {} to {} in {} trials\n", name_of(failure.outcome),
-                          options.method, size_text(found.value.query),
-                          size_text(minimised.value.query), minimised.trials));
+    print_err(fmt::format("{}: from {} to {} in {} trials\n", to_text(failure),
+                          size_text(found.value.query), size_text(minimised.value.query),
+                          minimised.trials));
   }
   return session.exit_code(kDone);
 }

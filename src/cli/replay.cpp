@@ -1,230 +1,252 @@
 #include "finds/replay.hpp"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <mutex>
 
-#include "base/in_order.hpp"
-#include "base/number_text.hpp"
-#include "base/table.hpp"
-#include "case/tree_file.hpp"
-#include "certify/checker/check_case.hpp"
-#include "certify/checker/run_work.hpp"
+#include "base/output_file.hpp"
+#include "case/case_json.hpp"
+#include "case/expected_json.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/output.hpp"
-#include "cli/terminal.hpp"
+#include "cli/session.hpp"
+#include "cli/shared_case.hpp"
 #include "finds/entries.hpp"
-#include "method/plugin/plugin_spec.hpp"
-#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-struct ReplayArguments {
+struct ReplayOptions {
   std::string corpus = "corpus";
+  std::vector<std::string> methods;  ///< empty: those that an entry names
+  std::optional<Outcome> expect;     ///< of every method, in place of what an entry says
+  bool update = false;
   AllowedPlugins plugins;
   SearchFlags search;
-  int threads = 1;
-  bool json = false;
 };
 
-struct Question {
-  const NamedCase* entry;
-  const CheckedCase* known;
-  std::string method;
-  Outcome expected;
-  SearchOptions search;
-};
-
-/// Takes the expectations of plug-ins that are not allowed out of the entries.
-NotAllowed leave_out_plugins(std::vector<NamedCase>& entries, bool json) {
-  NotAllowed left_out;
-  for (NamedCase& entry : entries) {
-    std::erase_if(entry.value.expect, [&](const auto& expectation) {
-      const auto& [method, expected] = expectation;
-      if (is_admitted(method)) return false;
-      ++left_out[method];
-      if (json) {
-        print_json({{"case", entry.id},
-                    {"method", method},
-                    {"outcome", "not_asked"},
-                    {"expected", name_of(expected.outcome)}});
-      }
-      return true;
-    });
-  }
-  return left_out;
-}
-
-/// What the checker refutes; of the entries that stay, their checked cases, in their order.
-struct Checked {
-  std::vector<CheckedCase> known;
-  std::vector<InputError> refuted;
-};
-
-/// Errors: as RunWork::add.
-Result<Checked> check_entries(std::vector<NamedCase>& entries, int threads) {
-  struct Entry {
-    Result<CheckedCase> checked;
-    std::uint64_t work;
-  };
-  Checked out;
-  Result<void> within;
-  std::atomic<bool> ended = false;
-  std::vector<NamedCase> holding;
-  size_t done = 0;
-  run_in_order<Entry>(
-      entries.size(), threads,
-      [&](size_t i) -> Entry {
-        const std::uint64_t before = work_done_here();
-        auto checked = check_case(entries[i].value, trees_path(entries[i].file));
-        return {std::move(checked), work_done_here() - before};
-      },
-      [&](Entry checked_entry) {
-        auto& [checked, work] = checked_entry;
-        NamedCase& entry = entries[done++];
-        if (within) within = RunWork::add(entry, work);
-        if (!within) {
-          ended = true;
-        } else if (!checked) {
-          out.refuted.push_back({entry.id, checked.error().message()});
-        } else {
-          out.known.push_back(*std::move(checked));
-          holding.push_back(std::move(entry));
-        }
-      },
-      &ended);
-  if (!within) return tl::unexpected(within.error());
-  entries = std::move(holding);
-  return out;
-}
-
-void print_refuted(const std::vector<InputError>& refuted, bool json) {
-  for (const InputError& error : refuted) {
-    if (json) {
-      print_json({{"case", error.where}, {"truth", "refuted"}, {"note", error.what}});
-    } else {
-      print_out(fmt::format("refuted: {}\n", error.message()));
-    }
-  }
-}
-
-Result<std::vector<Question>> questions_of(const std::vector<NamedCase>& entries,
-                                           const std::vector<CheckedCase>& known,
-                                           const SearchFlags& flags) {
-  std::vector<Question> questions;
-  for (size_t i = 0; i < entries.size(); ++i) {
-    const NamedCase& entry = entries[i];
-    const SearchOptions own = flags.options_for(entry.value);
-    for (const auto& [method, expected] : entry.value.expect) {
-      if (const auto made = make_method(method); !made) {
-        return input_error(entry.id + ": expect", made.error().what);
-      }
-      questions.push_back({&entry, &known[i], method, expected.outcome, own});
-    }
-  }
-  return questions;
-}
-
-/// An entry may be there for a crash or a hang of a method that runs in this process.
-bool may_end_its_process(const Question& question) {
-  return question.expected == Outcome::kError && !names_plugin(question.method);
-}
-
-/// An answer and what was expected, as a row of the JSON output.
+/// An expectation and what was got, as a row of the JSON output.
 struct ReplayJson {
   const ReplayRow& row;
 
   static void fields(auto& archive, auto& json) {
-    const AnswerRow answer(json.row.id, json.row.method, json.row.got);
+    const AnswerRow answer(json.row.id, json.row.method, json.row.judged);
     AnswerRow::fields(archive, answer);
+    archive("got", json.row.got);
     archive("expected", json.row.expected);
+    archive("change", json.row.change());
   }
 };
 
-void print_report(const ReplayReport& report) {
-  Table table({{"entry", Align::kLeft},
-               {"method", Align::kLeft},
-               {"expected", Align::kLeft},
-               {"got", Align::kLeft}});
-  for (const ReplayRow& row : report.rows) {
-    if (!row.changed()) continue;
-    table.add_row({{row.id},
-                   {row.method},
-                   {std::string(name_of(row.expected))},
-                   {std::string(name_of(row.got.outcome)), Emphasis::kBad}});
+/// An expectation of a plug-in that may not be asked.
+struct NotAskedJson {
+  const std::string& id;
+  const std::string& method;
+  const Expected& expected;
+
+  static void fields(auto& archive, auto& json) {
+    archive("case", json.id);
+    archive("method", json.method);
+    archive("outcome", Outcome::kNotAsked);
+    archive("expected", json.expected);
   }
-  if (table.row_count() > 0) {
-    print_table(table);
-    print_out("\n");
+};
+
+struct RefutedJson {
+  const std::string& id;
+  const std::string& note;
+
+  static void fields(auto& archive, auto& json) {
+    archive("case", json.id);
+    archive.constant("truth", "refuted");
+    archive("note", json.note);
   }
-  print_out(fmt::format("{} entries, {} expectations: {} as expected, {} changed\n", report.entries,
-                        report.rows.size(), report.rows.size() - report.changed(),
-                        report.changed()));
+};
+
+/// What became of one entry.
+struct Replayed {
+  std::vector<ReplayRow> rows;
+  std::map<std::string, Expected> not_allowed;
+  std::string refuted;  ///< why; empty if its truth holds
+};
+
+/// What to ask about an entry, and what is expected.
+std::map<std::string, Expected> expectations(const Case& entry, const ReplayOptions& options) {
+  if (options.methods.empty() && !options.expect) return entry.expect;
+  std::map<std::string, Expected> wanted;
+  std::vector<std::string> methods = options.methods;
+  if (methods.empty()) {
+    for (const auto& [method, expected] : entry.expect) methods.push_back(method);
+  }
+  for (const std::string& method : methods) {
+    const auto stated = entry.expect.find(method);
+    if (options.expect) {
+      wanted[method] = *options.expect;
+    } else if (stated != entry.expect.end()) {
+      wanted.insert(*stated);
+    }
+  }
+  return wanted;
 }
 
-Result<int> run_replay(const ReplayArguments& options) {
-  if (const auto admitted = options.plugins.admit(); !admitted) {
-    return tl::unexpected(admitted.error());
+/// Errors: throws BadInput for an entry that names no method.
+Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& options) {
+  Replayed result;
+  const NamedCase& entry = shared.named();
+  const Result<CheckedCase>& known = shared.checked();
+  if (!known) {
+    result.refuted = known.error().message();
+    return result;
   }
-  Result<std::vector<NamedCase>> entries = load_unchecked_corpus(options.corpus);
-  if (!entries) return tl::unexpected(entries.error());
-  const Result<Checked> checked = check_entries(*entries, options.threads);
-  if (!checked) return tl::unexpected(checked.error());
-  print_refuted(checked->refuted, options.json);
-  if (entries->empty()) return kCheckFailed;
-  const NotAllowed left_out = leave_out_plugins(*entries, options.json);
-  Result<std::vector<Question>> questions = questions_of(*entries, checked->known, options.search);
-  if (!questions) return tl::unexpected(questions.error());
+  std::map<std::string, Expected> wanted = expectations(entry.value, options);
+  for (auto it = wanted.begin(); it != wanted.end();) {
+    if (!is_admitted(it->first)) {
+      result.not_allowed.insert(wanted.extract(it++));
+      continue;
+    }
+    if (const auto made = make_method(it->first); !made) {
+      throw BadInput{{entry.id + ": expect", made.error().what}};
+    }
+    ++it;
+  }
+  result.rows = replayer.replay(entry.id, *known, wanted, options.search.options_for(entry.value));
+  // What a method does not take, it need not answer.
+  if (options.expect) {
+    std::erase_if(result.rows,
+                  [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
+  }
+  return result;
+}
 
-  std::map<std::pair<const Case*, std::string>, Judged> answers;
-  Progress progress;
-  const auto note = [&](const Question& q, Judged judged) {
-    progress.show(static_cast<double>(answers.size()) / static_cast<double>(questions->size()),
-                  q.entry->id, answers.size(), "answers");
-    answers.emplace(std::pair(&q.entry->value, q.method), std::move(judged));
-  };
-  tbb::enumerable_thread_specific<MethodSet> methods,
-      served([] { return MethodSet(make_served_method); });
-  run_in_order<Judged>(
-      questions->size(), options.threads,
-      [&](size_t i) {
-        const Question& q = (*questions)[i];
-        MethodSet& asked = may_end_its_process(q) ? served.local() : methods.local();
-        return ask(asked[q.method], *q.known, q.search);
-      },
-      [&](Judged judged) { note((*questions)[answers.size()], std::move(judged)); });
-  progress.clear();
-  const Result<ReplayReport> report =
-      replay(*entries, [&](const std::string& method, const NamedCase& entry) -> Result<Judged> {
-        return answers.at({&entry.value, method});
-      });
-  if (!report) return tl::unexpected(report.error());
-  if (options.json) {
-    for (const ReplayRow& row : report->rows) print_row(ReplayJson{row});
-  } else {
-    print_report(*report);
+/// The files of a corpus, or the one file.
+std::vector<std::string> files_of(const std::string& corpus) {
+  std::error_code error;
+  if (std::filesystem::exists(corpus, error) && !std::filesystem::is_directory(corpus, error)) {
+    return {corpus};
   }
-  if (!left_out.empty()) print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(left_out)));
-  note_words(*entries, "replay");
-  return report->changed() == 0 && checked->refuted.empty() ? kDone : kCheckFailed;
+  std::vector<std::string> files = need(list_entries(corpus));
+  if (files.empty()) throw BadInput{{corpus, "the corpus is empty: no .json entry in it"}};
+  return files;
+}
+
+class Replay {
+ public:
+  Replay(const ReplayOptions& options, Session& session) : options_(options), session_(session) {}
+
+  int run() {
+    session_.begin_table({{"entry", Align::kLeft},
+                          {"method", Align::kLeft},
+                          {"expected", Align::kLeft},
+                          {"got", Align::kLeft},
+                          {"", Align::kLeft}});
+    tbb::enumerable_thread_specific<Replayer> replayers;
+    session_.each_case<SharedCase, Replayed>(
+        files_of(options_.corpus), 1, "entries",
+        [&](SharedCase& shared, size_t) { return replayed(shared, replayers.local(), options_); },
+        [&](const SharedCase& shared, size_t, const Replayed& done) { add(shared, done); });
+    session_.end_table(true);
+    summarise();
+    const bool holds = options_.update || counts_[0] == expectations_;
+    return session_.exit_code(refuted_ == 0 && holds ? kDone : kCheckFailed);
+  }
+
+ private:
+  void add(const SharedCase& shared, const Replayed& done) {
+    const NamedCase& entry = shared.named();
+    ++entries_;
+    words_.add(entry.value);
+    if (!done.refuted.empty()) {
+      ++refuted_;
+      session_.json ? print_row(RefutedJson{entry.id, done.refuted})
+                    : print_out(fmt::format("refuted: {}\n", done.refuted));
+      return;
+    }
+    for (const auto& [method, expected] : done.not_allowed) {
+      ++not_allowed_[method];
+      if (session_.json) print_row(NotAskedJson{entry.id, method, expected});
+    }
+    bool changed = false;
+    for (const ReplayRow& row : done.rows) {
+      ++expectations_;
+      ++counts_[static_cast<size_t>(row.change())];
+      const bool is_other = row.change() != Change::kNone;
+      changed = changed || is_other;
+      if (session_.json || is_other) session_.show(ReplayJson{row}, false, cells);
+    }
+    if (changed && options_.update) update(entry, done.rows);
+  }
+
+  static std::vector<TableCell> cells(const ReplayJson& json) {
+    const ReplayRow& row = json.row;
+    const bool is_good = row.change() == Change::kImprovement;
+    return {{row.id},
+            {row.method},
+            {to_text(row.expected)},
+            {to_text(row.got), is_good ? Emphasis::kPlain : Emphasis::kBad},
+            {std::string(name_of(row.change()))}};
+  }
+
+  void update(const NamedCase& entry, const std::vector<ReplayRow>& rows) {
+    if (!entry.id.ends_with(".json")) {
+      throw BadInput{
+          {entry.id, "is a case of a data set: --update writes files of one case, .json"}};
+    }
+    Case now = entry.value;
+    for (const ReplayRow& row : rows) now.expect[row.method] = row.got;
+    need(write_file(entry.id, to_json(now, JsonLayout::kReadable) + "\n"));
+    ++updated_;
+  }
+
+  void summarise() const {
+    std::string text = fmt::format("{} entries, {} expectations: {} as expected", entries_,
+                                   expectations_, counts_[0]);
+    constexpr std::array<const char*, 4> kPlurals = {"", "regressions", "improvements",
+                                                     "other changes"};
+    for (size_t c = 1; c < counts_.size(); ++c) {
+      if (counts_[c] > 0) text += fmt::format("; {}: {}", kPlurals[c], counts_[c]);
+    }
+    if (updated_ > 0) text += fmt::format("; {} entries written", updated_);
+    session_.summary(text);
+    if (!not_allowed_.empty()) {
+      print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(not_allowed_)));
+    }
+    words_.note("replay");
+  }
+
+  const ReplayOptions& options_;
+  Session& session_;
+  std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
+  std::array<std::uint64_t, kAllChanges.size()> counts_{};
+  NotAllowed not_allowed_;
+  WordCount words_;
+};
+
+int run_replay(const ReplayOptions& options, Session& session) {
+  need(options.plugins.admit());
+  return Replay(options, session).run();
 }
 
 }  // namespace
 
 void add_replay(CommandLine& line) {
-  auto [command, options] = line.add<ReplayArguments>(
+  auto [command, options] = line.add<ReplayOptions>(
       "replay", "Judge every entry of a corpus again, against its expectations", run_replay);
   command.text("corpus", options->corpus, "Folder, or a file of cases");
+  add_methods(command, options->methods, "Methods to ask, by default those that an entry names");
+  command.choice("--expect", options->expect,
+                 "What is expected of each method about every entry that it takes, such as "
+                 "correct; by default what the entry says");
+  command.flag("--update", options->update,
+               "Writes what methods show now into the entries, and exits with 0");
   options->plugins.add_to(command);
   options->search.add_to(command);
-  command.threads(options->threads);
-  command.flag("--json", options->json, "One JSON object per expectation");
+  command.threads();
+  command.json("One JSON object per expectation");
   command.max_work();
 }
 

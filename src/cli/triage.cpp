@@ -54,28 +54,19 @@ Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
   return cases;
 }
 
-void tell(const TriageFind& find, const std::string& id, bool json) {
-  if (json) {
-    print_json({{"row", "find"},
-                {"input", id},
-                {"class", find.value.origin.contact},
-                {"method", find.method},
-                {"outcome", name_of(find.outcome)},
-                {"error", find.error},
-                {"loss", find.loss},
-                {"address", content_address(find.value.query)}});
-  } else {
-    const std::string& how = find.error.empty() ? find.loss : find.error;
-    print_out(fmt::format("{} {} by {}: {}\n", find.value.origin.contact, name_of(find.outcome),
-                          find.method, how.empty() ? "nothing to trace" : how));
-  }
-}
+/// A find, as a row of the JSON output.
+struct TriagedRow {
+  const std::string& input;
+  const Failure& failure;
+  std::string path;
 
-Result<void> know_all(Triage& triage, const Result<std::vector<NamedCase>>& entries) {
-  if (!entries) return tl::unexpected(entries.error());
-  for (const NamedCase& entry : *entries) triage.know(entry.value);
-  return {};
-}
+  static void fields(auto& archive, auto& row) {
+    archive.constant("row", "find");
+    archive("input", row.input);
+    Failure::fields(archive, row.failure);
+    archive("path", row.path);
+  }
+};
 
 Result<void> triage_cases(const TriageArguments& arguments, const std::function<bool()>& stop,
                           const std::vector<std::string>& files, TriageWalk& walk) {
@@ -92,18 +83,24 @@ Result<void> triage_cases(const TriageArguments& arguments, const std::function<
     walk.note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
   };
   Triage triage(*store, options);
-  if (auto known = know_all(triage, store->load()); !known) return known;
   if (!arguments.known.empty()) {
-    if (auto known = know_all(triage, load_corpus(arguments.known)); !known) return known;
+    const auto entries = load_corpus(arguments.known);
+    if (!entries) return tl::unexpected(entries.error());
+    for (const NamedCase& entry : *entries) triage.know(entry);
   }
   const auto work = [&](const std::vector<NamedCase>& cases) -> Result<bool> {
     const std::uint64_t refuting = triage.tally().refuting;
     for (const NamedCase& input : cases) {
       if (stop()) break;
       at = input.id;
-      const Result<void> added = triage.add(input.value, [&](const TriageFind& find) {
+      const Result<void> added = triage.add(input.value, [&](const Failure& failure, const Case&) {
         walk.note_find();
-        tell(find, input.id, arguments.json);
+        const std::string path = store->path_of(failure);
+        if (arguments.json) {
+          print_row(TriagedRow{input.id, failure, path});
+        } else {
+          print_out(fmt::format("{}: {}\n", to_text(failure), path));
+        }
       });
       if (!added) return tl::unexpected(added.error());
     }

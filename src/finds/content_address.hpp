@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "case/query.hpp"
 
@@ -30,5 +31,11 @@ struct CaseSize {
 };
 
 CaseSize size_of(const Query& query);
+
+/// The order of "smaller"; total, since different queries have different addresses.
+using Rank = std::pair<CaseSize, std::string>;
+inline Rank rank_of(const Query& query) {
+  return {size_of(query), content_address(query)};
+}
 
 }  // namespace ccdfuzz

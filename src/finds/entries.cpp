@@ -30,25 +30,40 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
 
 namespace {
 
-Result<std::vector<NamedCase>> load_by(
-    Result<std::vector<NamedCase>> (*read)(const std::string& path), const std::string& path) {
+using Read = Result<std::vector<NamedCase>> (*)(const std::string& path);
+
+Result<void> for_each_entry(const std::string& folder, Read read,
+                            const std::function<void(const NamedCase&)>& visit) {
+  const auto paths = list_entries(folder);
+  if (!paths) return tl::unexpected(paths.error());
+  for (const std::string& path : *paths) {
+    const auto cases = read(path);
+    // Taken away since it was listed; a link to nowhere is still there, and an error.
+    std::error_code ignored;
+    if (!cases && fs::symlink_status(path, ignored).type() == fs::file_type::not_found) continue;
+    if (!cases) return tl::unexpected(cases.error());
+    visit(cases->front());
+  }
+  return {};
+}
+
+Result<std::vector<NamedCase>> load_by(Read read, const std::string& path) {
   std::error_code ignored;
   if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return read(path);
-  const auto paths = list_entries(path);
-  if (!paths) return tl::unexpected(paths.error());
   std::vector<NamedCase> entries;
-  for (const std::string& entry : *paths) {
-    auto cases = read(entry);
-    // Taken away since it was listed; a link to nowhere is still there, and an error.
-    if (!cases && fs::symlink_status(entry, ignored).type() == fs::file_type::not_found) continue;
-    if (!cases) return cases;
-    entries.push_back(std::move(cases->front()));
-  }
+  const auto all =
+      for_each_entry(path, read, [&](const NamedCase& entry) { entries.push_back(entry); });
+  if (!all) return tl::unexpected(all.error());
   if (entries.empty()) return input_error(path, "the corpus is empty: no .json entry in it");
   return entries;
 }
 
 }  // namespace
+
+Result<void> for_each_entry(const std::string& folder,
+                            const std::function<void(const NamedCase&)>& visit) {
+  return for_each_entry(folder, read_checked_cases, visit);
+}
 
 Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
   return load_by(read_checked_cases, path);

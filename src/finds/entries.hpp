@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@ namespace ccdfuzz {
 /// sub-folders, in order. Errors: the folder or a sub-folder cannot be read, or an entry is not a
 /// regular file, as a pipe, naming it.
 Result<std::vector<std::string>> list_entries(const std::string& folder);
+
+/// Calls visit on each entry of a folder in their order, one at a time; its id is its path. Entries
+/// that somebody removes meanwhile are left out. Errors: as list_entries; an entry that cannot be
+/// read or whose truth is refuted, naming it.
+Result<void> for_each_entry(const std::string& folder,
+                            const std::function<void(const NamedCase&)>& visit);
 
 /// All entries of a folder, each with its path as id, ordered by path; or the cases of one file.
 /// Entries that a running hunt removes meanwhile are left out.

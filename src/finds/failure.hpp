@@ -1,8 +1,11 @@
 #pragma once
 
-#include <set>
+#include <array>
+#include <compare>
+#include <cstdint>
 #include <string>
-#include <tuple>
+#include <string_view>
+#include <vector>
 
 #include "case/case.hpp"
 
@@ -11,13 +14,55 @@ namespace ccdfuzz {
 /// True iff an expectation of this outcome is of a failure: missed, late, false_positive, error.
 bool is_failure(Outcome outcome);
 
-/// What tells failures apart, and what a store keeps one entry for: method, contact class, and a
-/// signature: the outcome, kind and generator of the case, and the cause where the case says one.
-/// Errors are told apart by method and name alone, since a crash is a crash in whatever class.
-using FailureKey = std::tuple<std::string, std::string, std::string>;
-FailureKey failure_key(const Case& value, const std::string& method, const Expected& expected);
+/// How convincing a query is that shows a failure: the last of these that applies. It is part of
+/// the failure, so that shrinking cannot slide from an ordinary query into a trivial one.
+enum class Setting : std::uint8_t {
+  kOrdinary,
+  kAtAnEnd,     ///< the contact is at 0 or, but for rounding, at t_max
+  kDegenerate,  ///< a patch that is no point has no extent, or nothing moves against the rest
+  kExtreme,     ///< a number that is not 0 lies outside 2^±40
+};
+inline constexpr std::array kAllSettings = {Setting::kOrdinary, Setting::kAtAnEnd,
+                                            Setting::kDegenerate, Setting::kExtreme};
+/// "ordinary", "at an end", "degenerate", "extreme".
+std::string_view name_of(Setting setting);
+constexpr const auto& all_of(Setting) {
+  return kAllSettings;
+}
 
-/// The failures that a case expects.
-std::set<FailureKey> failures_of(const Case& value);
+Setting setting_of(const Case& value);
+
+/// How a method fails; what a store keeps one find for.
+struct Failure {
+  std::string who;  ///< the method's spec
+  Outcome outcome = Outcome::kUnknown;
+  std::string contact;  ///< the class of the contact; empty for an error
+  /// Of an error its name ("hang"); of a lost contact what lost it ("left root"). May be empty.
+  std::string cause;
+  Setting setting = Setting::kOrdinary;  ///< ordinary for an error: a crash is a crash
+
+  auto operator<=>(const Failure&) const = default;
+
+  static void fields(auto& archive, auto& failure) {
+    archive("method", failure.who);
+    archive("outcome", failure.outcome);
+    archive("class", failure.contact);
+    archive("cause", failure.cause);
+    archive("setting", failure.setting);
+  }
+};
+
+/// The failure that an expectation of a case states. Requires is_failure(expected.outcome).
+Failure failure_of(const Case& value, const std::string& method, const Expected& expected);
+
+/// The failures that a case expects, method by method.
+std::vector<Failure> failures_of(const Case& value);
+
+/// "missed by tdibm-e (VE, left root, extreme)".
+std::string to_text(const Failure& failure);
+
+/// A file name without its ending, of letters, digits and "._-" alone: the same for equal failures,
+/// another for others ("tdibm-e-missed-VE-left-root-extreme").
+std::string file_stem(const Failure& failure);
 
 }  // namespace ccdfuzz

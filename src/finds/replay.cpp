@@ -2,43 +2,57 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "finds/entries.hpp"
+#include "method/plugin/plugin_spec.hpp"
+#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
-size_t ReplayReport::changed() const {
-  return static_cast<size_t>(
-      std::count_if(rows.begin(), rows.end(), [](const ReplayRow& row) { return row.changed(); }));
+namespace {
+
+/// 0: correct; 1: nothing is claimed; 2: a failure.
+int badness(Outcome outcome) {
+  if (is_failure(outcome)) return 2;
+  return outcome == Outcome::kCorrect ? 0 : 1;
 }
 
-std::string to_text(const ReplayRow& row) {
-  return fmt::format("{}: {}: expected {}, got {}", row.id, row.method, name_of(row.expected),
-                     name_of(row.got.outcome));
+}  // namespace
+
+std::string_view name_of(Change change) {
+  constexpr std::array<std::string_view, 4> kNames = {"as expected", "regression", "improvement",
+                                                      "changed"};
+  return kNames[static_cast<size_t>(change)];
 }
 
-Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AskFunction& ask_method) {
-  if (entries.empty()) return input_error("", "the corpus is empty");
-  ReplayReport report;
-  for (const NamedCase& entry : entries) {
-    ++report.entries;
-    if (entry.value.expect.empty()) ++report.without_expectation;
-    for (const auto& [method, expected] : entry.value.expect) {
-      auto judged = ask_method(method, entry);
-      if (!judged) {
-        return input_error(fmt::format("{}: expect[\"{}\"]", entry.id, method),
-                           judged.error().message());
-      }
-      report.rows.push_back({entry.id, method, expected.outcome, *std::move(judged)});
-    }
+Change change_of(const Expected& expected, const Expected& got) {
+  if (expected.outcome == got.outcome) {
+    const bool is_alike = expected.cause.empty() || expected.cause == got.cause;
+    return is_alike ? Change::kNone : Change::kOther;
   }
-  return report;
+  const int before = badness(expected.outcome), now = badness(got.outcome);
+  if (before == now) return Change::kOther;
+  return before < now ? Change::kRegression : Change::kImprovement;
 }
 
-Result<ReplayReport> replay(const std::string& corpus, const AskFunction& ask_method) {
-  return load_corpus(corpus).and_then(
-      [&](const std::vector<NamedCase>& entries) { return replay(entries, ask_method); });
+std::string to_text(const Expected& expected) {
+  return expected.cause.empty() ? std::string(name_of(expected.outcome))
+                                : fmt::format("{} ({})", name_of(expected.outcome), expected.cause);
+}
+
+Replayer::Replayer() : here_(SearchOptions()), served_({}, MethodSet(make_served_method)) {}
+
+std::vector<ReplayRow> Replayer::replay(const std::string& id, const CheckedCase& known,
+                                        const std::map<std::string, Expected>& expected,
+                                        const SearchOptions& search) {
+  std::vector<ReplayRow> rows;
+  for (const auto& [method, expectation] : expected) {
+    const bool may_end_its_process =
+        expectation.outcome == Outcome::kError && !names_plugin(method);
+    Asker& asker = may_end_its_process ? served_ : here_;
+    Judged judged = asker.ask(method, known, search);
+    Expected got = asker.expected(method, known.value(), judged);
+    rows.push_back({id, method, expectation, std::move(got), std::move(judged)});
+  }
+  return rows;
 }
 
 }  // namespace ccdfuzz

@@ -1,45 +1,60 @@
 #pragma once
 
-#include <functional>
+#include <array>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/case_files.hpp"
-#include "case/judge.hpp"
+#include "finds/asker.hpp"
 
 namespace ccdfuzz {
 
-/// Puts the query of an entry to a method and judges. Errors: a method that there is not.
-using AskFunction =
-    std::function<Result<Judged>(const std::string& method, const NamedCase& entry)>;
+/// What became of an expectation.
+enum class Change : std::uint8_t {
+  kNone,
+  kRegression,   ///< it is worse: what was correct is undecided or fails, what was undecided fails
+  kImprovement,  ///< the other way
+  kOther,        ///< it fails in another way
+};
+inline constexpr std::array kAllChanges = {Change::kNone, Change::kRegression, Change::kImprovement,
+                                           Change::kOther};
+/// "as expected", "regression", "improvement", "changed".
+std::string_view name_of(Change change);
+constexpr const auto& all_of(Change) {
+  return kAllChanges;
+}
 
-/// One expectation of one entry, judged again.
+/// By the outcome, and by the cause where the expectation says one.
+Change change_of(const Expected& expected, const Expected& got);
+
+/// One expectation of an entry, asked again.
 struct ReplayRow {
   std::string id;  ///< of the entry
   std::string method;
-  Outcome expected = Outcome::kUnknown;
-  Judged got;
+  Expected expected, got;
+  Judged judged;
 
-  bool changed() const { return got.outcome != expected; }
+  Change change() const { return change_of(expected, got); }
 };
 
-struct ReplayReport {
-  std::vector<ReplayRow> rows;  ///< in the order of the entries, then of the methods' names
-  size_t entries = 0;
-  size_t without_expectation = 0;  ///< entries among them that say nothing to replay
+/// "missed (left root)".
+std::string to_text(const Expected& expected);
 
-  size_t changed() const;
+/// Asks methods about entries. For one thread.
+class Replayer {
+ public:
+  Replayer();
+
+  /// Asks each method that something is expected of. One that is expected to end in an error is
+  /// asked in another process, since it may end this one. Requires methods that make_method makes.
+  std::vector<ReplayRow> replay(const std::string& id, const CheckedCase& known,
+                                const std::map<std::string, Expected>& expected,
+                                const SearchOptions& search);
+
+ private:
+  Asker here_, served_;
 };
-
-/// "id: method: expected missed, got correct".
-std::string to_text(const ReplayRow& row);
-
-/// Judges every entry by every method that it has an expectation of. Every change counts, one for
-/// the better too: an expectation is to be corrected in the open.
-/// Errors: no entries; an error of `ask_method`, naming the entry and the method.
-Result<ReplayReport> replay(const std::vector<NamedCase>& entries, const AskFunction& ask_method);
-
-/// The same, on the entries of a corpus. Errors: as load_corpus, too.
-Result<ReplayReport> replay(const std::string& corpus, const AskFunction& ask_method);
 
 }  // namespace ccdfuzz

@@ -3,16 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <mutex>
 
 #include "base/folder_lock.hpp"
 #include "base/output_file.hpp"
+#include "base/verify.hpp"
 #include "case/case_json.hpp"
 #include "case/tree_file.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "finds/store_index.hpp"
 
 namespace ccdfuzz {
 
@@ -22,15 +22,23 @@ namespace {
 
 /// Letters, digits and ._- so that the name is a file name everywhere and never hidden.
 Result<void> check_name(const std::string& name) {
-  constexpr size_t kLongest = 100;
+  constexpr size_t kLongest = 150;
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return c < 128 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
   });
-  if (plain && !name.starts_with('.') && name.size() <= kLongest) return {};
-  return input_error("origin.name",
-                     fmt::format("\"{}\" is not a file name of at most {} letters, digits, '.', "
-                                 "'_' and '-'",
-                                 name, kLongest));
+  if (plain && !name.empty() && !name.starts_with('.') && name.size() <= kLongest) return {};
+  return input_error("", fmt::format("\"{}\" is not a file name of at most {} letters, digits, "
+                                     "'.', '_' and '-'",
+                                     name, kLongest));
+}
+
+bool has_tree(const Case& value) {
+  return value.truth.clearance && std::holds_alternative<MissTree>(*value.truth.clearance);
+}
+
+bool shows(const Case& value, const Failure& failure) {
+  const std::vector<Failure> shown = failures_of(value);
+  return std::ranges::find(shown, failure) != shown.end();
 }
 
 /// Removes an entry and then its tree, so that no entry names one that is not there.
@@ -42,37 +50,70 @@ Result<void> remove_entry(const std::string& path) {
   return {};
 }
 
-Result<void> write_entry(const std::string& path, const Case& value) {
-  return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
+/// Writes the tree and then the entry. trees: where the tree stands now.
+Result<void> write_entry(const std::string& path, Case value, const std::string& trees) {
+  return carry_tree(value.truth, trees, path).and_then([&] {
+    return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
+  });
+}
+
+/// Makes an entry expect what the find does of further methods.
+Result<Store::Put> add_expectations(const std::string& path, const Case& old, const Case& find) {
+  Case merged = old;
+  merged.expect.insert(find.expect.begin(), find.expect.end());
+  if (merged == old) return Store::Put::kKnown;
+  return write_file(path, to_json(merged, JsonLayout::kReadable) + "\n").map([] {
+    return Store::Put::kMerged;
+  });
 }
 
 }  // namespace
 
+std::optional<Failure> named_by_failure(const NamedCase& entry) {
+  const std::string stem = fs::path(entry.id).stem();
+  for (const Failure& failure : failures_of(entry.value)) {
+    if (file_stem(failure) == stem) return failure;
+  }
+  return std::nullopt;
+}
+
 struct Store::State {
+  /// The smallest entry of a name of its own that shows a failure.
+  struct Named {
+    Rank rank;
+    std::string path;
+  };
+
   std::string folder;
   std::string home;  ///< where entries are written; locked while that is done
   std::mutex mutex;
-  StoreIndex index;
   OpenFolder home_folder;
   std::uint64_t times_replaced = 0;
-
-  struct Plan {
-    Added added = Added::kKnown;
-    Case entry;            ///< what to write
-    std::string path;      ///< where to
-    std::string old_path;  ///< where its query stands already; may be empty
-  };
+  std::map<Failure, Named> named;
 
   Result<FolderLock> enter();
-  Result<Added> add(const Case& find, const std::string& trees);
-  bool surely_known(const Case& find, const Rank& rank) const;
-  Result<Plan> plan(const Case& find, const Rank& rank) const;
-  Result<void> supersede(const Case& larger, const std::string& method, const Case& simpler);
-  Result<void> take_away(const std::string& path, const std::set<FailureKey>& keys);
-  Result<void> tidy();
+  Result<void> read_named();
+  void note_named(const NamedCase& entry);
+  std::string path_of(const Failure& failure) const {
+    return fmt::format("{}/{}.json", home, file_stem(failure));
+  }
+  Result<std::string> move_aside(const NamedCase& entry) const;
+  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees);
 };
 
-/// Locks the folder, which is made again if it was removed, and brings the index up to date.
+namespace {
+
+/// The entry of a file; nothing where there is no file. Errors: as read_checked_cases.
+Result<std::optional<NamedCase>> entry_at(const std::string& path) {
+  std::error_code error;
+  if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return std::nullopt;
+  return read_checked_cases(path).map(
+      [](std::vector<NamedCase> cases) { return std::optional(std::move(cases.front())); });
+}
+
+}  // namespace
+
+/// Locks the folder, which is made again if it was removed.
 Result<FolderLock> Store::State::enter() {
   std::error_code error;
   fs::create_directories(home, error);
@@ -82,143 +123,61 @@ Result<FolderLock> Store::State::enter() {
   if (OpenFolder now = lock->folder(); !(now == home_folder)) {
     home_folder = std::move(now);
     ++times_replaced;
+    if (const auto read = read_named(); !read) return tl::unexpected(read.error());
   }
-  if (auto read = index.refresh(folder, home); !read) return tl::unexpected(read.error());
   return lock;
 }
 
-/// True if what is known already tells that nothing would be written: entries of other processes
-/// only ever make more finds superfluous.
-bool Store::State::surely_known(const Case& find, const Rank& rank) const {
-  if (const std::string* path = index.find(rank.second)) {
-    const Case& known = index.entries().at(*path).value;
-    return (find.origin.name.empty() || find.origin.name == known.origin.name) &&
-           std::all_of(find.expect.begin(), find.expect.end(),
-                       [&](const auto& e) { return known.expect.contains(e.first); });
-  }
-  const auto failures = failures_of(find);
-  return !failures.empty() && find.origin.name.empty() &&
-         std::all_of(failures.begin(), failures.end(), [&](const FailureKey& key) {
-           const Rank* smallest = index.smallest(key, rank.second);
-           return smallest != nullptr && *smallest < rank;
-         });
-}
-
-/// What becomes of a find. Requires a fresh index.
-Result<Store::State::Plan> Store::State::plan(const Case& find, const Rank& rank) const {
-  Plan plan;
-  const std::string* at = index.find(rank.second);
-  if (at != nullptr) plan.old_path = *at;
-  const Case before = at != nullptr ? index.entries().at(*at).value : Case();
-  plan.entry = at != nullptr ? before : find;
-  if (at == nullptr) plan.entry.expect.clear();
-  const bool gets_a_name = before.origin.name.empty() && !find.origin.name.empty();
-  if (gets_a_name) plan.entry.origin = find.origin;
-
-  // A failure of which a smaller entry tells stays out, unless this one is kept by its name.
-  const Origin& origin = plan.entry.origin;
-  bool superfluous = false, smaller = false;
-  for (const auto& [method, expected] : find.expect) {
-    if (plan.entry.expect.contains(method)) continue;
-    const FailureKey key = failure_key(plan.entry, method, expected);
-    const Rank* rival = is_failure(expected.outcome) ? index.smallest(key, rank.second) : nullptr;
-    if (rival != nullptr && *rival < rank && origin.name.empty()) {
-      superfluous = true;
-      continue;
-    }
-    smaller = smaller || rival != nullptr;
-    plan.entry.expect[method] = expected;
-  }
-
-  if (at != nullptr) {
-    plan.added = plan.entry == before ? Added::kKnown : Added::kMerged;
-  } else if (superfluous && failures_of(plan.entry).empty()) {
-    plan.added = Added::kKnown;
-  } else {
-    plan.added = smaller ? Added::kSmaller : Added::kNew;
-  }
-  plan.path =
-      at != nullptr && !gets_a_name
-          ? plan.old_path
-          : fmt::format("{}/{}.json", home, origin.name.empty() ? rank.second : origin.name);
-  if (plan.path != plan.old_path && fs::exists(plan.path)) {
-    return input_error(plan.path, "holds another case of this name");
-  }
-  return plan;
-}
-
-Result<Store::Added> Store::State::add(const Case& find, const std::string& trees) {
-  if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
-  if (auto named = check_name(find.origin.name); !named) return tl::unexpected(named.error());
-  const Rank rank = {size_of(find.query), content_address(find.query)};
-  const std::lock_guard one_at_a_time(mutex);
-  if (surely_known(find, rank)) return Added::kKnown;
-  const auto lock = enter();
-  if (!lock) return tl::unexpected(lock.error());
-
-  auto todo = plan(find, rank);
-  if (!todo) return tl::unexpected(todo.error());
-  if (todo->added == Added::kKnown) return Added::kKnown;
-  const bool known = !todo->old_path.empty(), at_new_path = todo->old_path != todo->path;
-  Result<void> carried;
-  if (at_new_path) {
-    carried = carry_tree(todo->entry.truth, known ? trees_path(todo->old_path) : trees, todo->path);
-  }
-  const auto done =
-      carried.and_then([&] { return write_entry(todo->path, todo->entry); })
-          .and_then(
-              [&] { return known && at_new_path ? remove_entry(todo->old_path) : Result<void>(); })
-          .and_then([&] { return index.refresh(folder, home); })
-          .and_then([&] { return tidy(); });
-  if (!done) return tl::unexpected(done.error());
-  return todo->added;
-}
-
-/// Makes the entry at `path` stand for these failures no more, and removes it if it then stands for
-/// none.
-Result<void> Store::State::take_away(const std::string& path, const std::set<FailureKey>& keys) {
-  Case value = index.entries().at(path).value;
-  std::erase_if(value.expect, [&](const auto& e) {
-    return is_failure(e.second.outcome) && keys.contains(failure_key(value, e.first, e.second));
-  });
-  return failures_of(value).empty() ? remove_entry(path) : write_entry(path, value);
-}
-
-Result<void> Store::State::supersede(const Case& larger, const std::string& method,
-                                     const Case& simpler) {
-  const std::lock_guard one_at_a_time(mutex);
-  const auto lock = enter();
-  if (!lock) return tl::unexpected(lock.error());
-  const std::string* old_path = index.find(content_address(larger.query));
-  const std::string* path = index.find(content_address(simpler.query));
-  if (old_path == nullptr || path == nullptr || *old_path == *path) return {};
-  const Case& old = index.entries().at(*old_path).value;
-  const Case& kept = index.entries().at(*path).value;
-  const auto old_outcome = old.expect.find(method), outcome = kept.expect.find(method);
-  if (index.entries().at(*old_path).fixed || old_outcome == old.expect.end() ||
-      outcome == kept.expect.end() || old_outcome->second != outcome->second ||
-      old.origin.contact != kept.origin.contact) {
-    return {};
-  }
-  return take_away(*old_path, {failure_key(old, method, old_outcome->second)}).and_then([&] {
-    return index.refresh(folder, home);
+Result<void> Store::State::read_named() {
+  named.clear();
+  return for_each_entry(folder, [&](const NamedCase& entry) {
+    if (fs::path(entry.id).parent_path() != home || !named_by_failure(entry)) note_named(entry);
   });
 }
 
-/// Establishes law 3. Requires the lock and a fresh index; leaves the index fresh.
-Result<void> Store::State::tidy() {
-  std::map<std::string, std::set<FailureKey>> superfluous;
-  for (const FailureKey& key : index.held_twice()) {
-    const std::vector<std::string> holders = index.holders(key);
-    for (size_t i = 1; i < holders.size(); ++i) {
-      if (!index.entries().at(holders[i]).fixed) superfluous[holders[i]].insert(key);
-    }
+void Store::State::note_named(const NamedCase& entry) {
+  Named now{rank_of(entry.value.query), entry.id};
+  for (const Failure& failure : failures_of(entry.value)) {
+    const auto [known, is_first] = named.try_emplace(failure, now);
+    if (!is_first && now.rank < known->second.rank) known->second = now;
   }
-  if (superfluous.empty()) return {};
-  for (const auto& [path, keys] : superfluous) {
-    if (auto taken = take_away(path, keys); !taken) return taken;
+}
+
+/// Gives an entry its address as its name. Returns its new path.
+Result<std::string> Store::State::move_aside(const NamedCase& entry) const {
+  std::string aside = fmt::format("{}/{}.json", home, content_address(entry.value.query));
+  return write_entry(aside, entry.value, trees_path(entry.id))
+      .and_then([&] { return remove_entry(entry.id); })
+      .map([&] { return std::move(aside); });
+}
+
+Result<Store::Put> Store::State::put(const Failure& failure, const Case& find,
+                                     const std::string& trees) {
+  const std::string path = path_of(failure);
+  const Rank rank = rank_of(find.query);
+  if (const auto known = named.find(failure);
+      known != named.end() && !(rank < known->second.rank)) {
+    return Put::kKnown;
   }
-  return index.refresh(folder, home);
+  const auto standing = entry_at(path);
+  if (!standing) return tl::unexpected(standing.error());
+  if (!*standing) return write_entry(path, find, trees).map([] { return Put::kNew; });
+
+  const Case& old = (*standing)->value;
+  const bool is_of_failure = shows(old, failure);
+  const Rank old_rank = rank_of(old.query);
+  if (is_of_failure && old_rank < rank) return Put::kKnown;
+  if (is_of_failure && old_rank == rank) return add_expectations(path, old, find);
+  if (is_of_failure && !has_tree(old) && !has_tree(find)) {
+    return write_entry(path, find, trees).map([] { return Put::kSmaller; });
+  }
+  // The name of a tree follows from that of its entry: both cannot be replaced at one moment.
+  const auto aside = move_aside(**standing);
+  if (!aside) return tl::unexpected(aside.error());
+  return write_entry(path, find, trees).and_then([&]() -> Result<Put> {
+    if (!is_of_failure) return Put::kNew;
+    return remove_entry(*aside).map([] { return Put::kSmaller; });
+  });
 }
 
 Result<Store> Store::open(const std::string& folder) {
@@ -226,7 +185,7 @@ Result<Store> Store::open(const std::string& folder) {
   // One spelling of each path, so that paths can be compared.
   state->folder = fs::path(folder).lexically_normal().string();
   if (state->folder.size() > 1 && state->folder.ends_with('/')) state->folder.pop_back();
-  if (state->folder.empty()) return input_error("", "the name of the corpus folder is empty");
+  if (state->folder.empty()) return input_error("", "the name of the folder of finds is empty");
   std::error_code error;
   fs::create_directories(state->folder, error);
   if (error) return system_error(folder, "make the folder", error.value());
@@ -241,10 +200,7 @@ Result<Store> Store::open(const std::string& folder) {
   if (auto probe = OutputFile::create(state->home + "/.probe"); !probe) {
     return input_error(state->home, probe.error().what);
   }
-  if (auto read = state->index.refresh(state->folder, state->home); !read) {
-    return tl::unexpected(read.error());
-  }
-  if (auto tidied = state->tidy(); !tidied) return tl::unexpected(tidied.error());
+  if (auto read = state->read_named(); !read) return tl::unexpected(read.error());
   return Store(std::move(state));
 }
 
@@ -253,12 +209,58 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Result<Store::Added> Store::add(const Case& find, const std::string& trees) {
-  return state_->add(find, trees);
+Result<Store::Put> Store::put(const Failure& failure, const Case& find, const std::string& trees) {
+  CCDFUZZ_VERIFY(shows(find, failure));
+  if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
+  const std::lock_guard one_at_a_time(state_->mutex);
+  const auto lock = state_->enter();
+  if (!lock) return tl::unexpected(lock.error());
+  return state_->put(failure, find, trees);
 }
 
-Result<void> Store::supersede(const Case& larger, const std::string& method, const Case& simpler) {
-  return state_->supersede(larger, method, simpler);
+Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
+                                    const std::string& trees) {
+  if (auto checked = check_truth(entry); !checked) return tl::unexpected(checked.error());
+  if (auto named = check_name(name); !named) return tl::unexpected(named.error());
+  const std::lock_guard one_at_a_time(state_->mutex);
+  const auto lock = state_->enter();
+  if (!lock) return tl::unexpected(lock.error());
+  const std::string path = fmt::format("{}/{}.json", state_->home, name);
+  const auto standing = entry_at(path);
+  if (!standing) return tl::unexpected(standing.error());
+  if (*standing && content_address((*standing)->value.query) != content_address(entry.query)) {
+    return input_error(path, "holds another case of this name");
+  }
+  if (*standing) return add_expectations(path, (*standing)->value, entry);
+  return write_entry(path, entry, trees).map([&] {
+    state_->note_named({path, entry});
+    return Put::kNew;
+  });
+}
+
+Result<std::optional<NamedCase>> Store::standing(const Failure& failure) {
+  const std::lock_guard one_at_a_time(state_->mutex);
+  const auto lock = state_->enter();
+  if (!lock) return tl::unexpected(lock.error());
+  Result<std::optional<NamedCase>> own = entry_at(state_->path_of(failure));
+  if (!own) return own;
+  if (*own && !shows((*own)->value, failure)) own->reset();
+  const auto named = state_->named.find(failure);
+  if (named == state_->named.end()) return own;
+  if (*own && rank_of((*own)->value.query) < named->second.rank) return own;
+  return entry_at(named->second.path);
+}
+
+Result<void> Store::disown(const Failure& failure, const std::string& path) {
+  const std::lock_guard one_at_a_time(state_->mutex);
+  const auto lock = state_->enter();
+  if (!lock) return tl::unexpected(lock.error());
+  const auto named = state_->named.find(failure);
+  if (named != state_->named.end() && named->second.path == path) state_->named.erase(named);
+  if (path != state_->path_of(failure)) return {};
+  const auto standing = entry_at(path);
+  if (!standing || !*standing) return standing.map([](const auto&) {});
+  return state_->move_aside(**standing).map([](const std::string&) {});
 }
 
 Result<std::vector<NamedCase>> Store::load() const {
@@ -266,8 +268,12 @@ Result<std::vector<NamedCase>> Store::load() const {
   const auto lock = state_->enter();
   if (!lock) return tl::unexpected(lock.error());
   std::vector<NamedCase> entries;
-  for (const auto& [path, entry] : state_->index.entries()) entries.push_back({path, entry.value});
-  return entries;
+  return for_each_entry(state_->folder, [&](const NamedCase& entry) { entries.push_back(entry); })
+      .map([&] { return std::move(entries); });
+}
+
+std::string Store::path_of(const Failure& failure) const {
+  return state_->path_of(failure);
 }
 
 const std::string& Store::folder() const {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,52 +13,57 @@
 
 namespace ccdfuzz {
 
-/// A folder of counterexamples, one readable .json file each, named by content_address, or by
-/// origin.name where it has one.
+/// A folder of finds, one readable .json file for each failure, called by it (file_stem). Entries
+/// of any other name, those of sub-folders among them, are kept for themselves: a store neither
+/// changes nor removes them, but need not hold another find for what they show.
 ///
-/// Laws, with any number of threads and processes adding to one folder, and after SIGKILL at any
+/// Laws, with any number of threads and processes writing to one folder, and after SIGKILL at any
 /// moment:
 ///  1. Every entry is whole.
-///  2. For each failure_key (method, contact class, failure signature) the folder holds the
-///  smallest case that
-///     was added, by CaseSize and then by address; so what is kept does not depend on the order.
-///  3. It holds no other for the same three, but for named entries, which are never taken away. (A
-///     killed writer may leave the larger one beside the smaller; the next open takes it away.)
-///  4. No entry's expectation is ever changed by another find.
+///  2. The entry of a failure is the smallest of all finds that were put for it, by Rank; so what
+///     is kept does not depend on the order. (A killed writer may leave the larger one beside it,
+///     under its address.)
+///  3. No entry's expectation is ever changed by another find.
 class Store {
  public:
-  enum class Added {
-    kNew,      ///< first of at least one (method, class, signature)
-    kSmaller,  ///< took the place of a larger entry for at least one
-    kMerged,   ///< the query was there, and now holds further expectations
+  enum class Put {
+    kNew,      ///< the first of its failure
+    kSmaller,  ///< took the place of a larger one
+    kMerged,   ///< the query was there, and now has further expectations
     kKnown,    ///< nothing new, nothing written
   };
 
-  /// Opens a folder, making it if need be. If it has a sub-folder `regressions`, entries are
-  /// written there, and those of all its sub-folders count as known.
-  /// Errors: the folder cannot be made, read, written or locked; an entry in it cannot be read.
+  /// Opens a folder, making it if need be. If it has a sub-folder `regressions`, finds are written
+  /// there. Errors: the folder cannot be made, read, written or locked; an entry in it cannot be
+  /// read.
   static Result<Store> open(const std::string& folder);
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
   ~Store();
 
-  /// Adds a case with its expectations, and makes the folder again if it was removed. A failure
-  /// that a smaller entry stands for is dropped from it; a case without failures is known by its
-  /// address alone. Safe from several threads. Errors: a refuted truth; a full disk or any other
-  /// refusal of the system, after which the entries so far stand; an origin.name that is no file
-  /// name or names another case. trees: the file of trees beside the case, of which its own comes
-  /// along; without it (empty) what a tree proves is left out.
-  Result<Added> add(const Case& find, const std::string& trees = "");
+  /// Puts a find that shows a failure, and makes the folder again if it was removed. Safe from
+  /// several threads. Requires that the find expects the failure. trees: the file of trees beside
+  /// the case, of which its own comes along; without it (empty) what a tree proves is left out.
+  /// Errors: a refuted truth; a full disk or any other refusal of the system, after which the
+  /// entries so far stand.
+  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "");
 
-  /// Takes the failure of a method away from the entry of `larger`, and the entry if it then stands
-  /// for none, where the entry of `simpler` stands for the same one of another kind or generator,
-  /// which laws 2 and 3 tell apart: what two finds come down to is one entry, and has one origin.
-  /// Nothing happens to named entries, or where either is not there. Errors: as add.
-  Result<void> supersede(const Case& larger, const std::string& method, const Case& simpler);
+  /// Puts an entry under a name of its own, without ".json". Errors: as put; no file name; another
+  /// case has the name.
+  Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "");
+
+  /// The smallest entry that says that it shows the failure. Errors: as put.
+  Result<std::optional<NamedCase>> standing(const Failure& failure);
+
+  /// An entry has turned out not to show the failure that it says: it stands for it no more. If it
+  /// is called by the failure, it is renamed to the address of its query. Errors: as put.
+  Result<void> disown(const Failure& failure, const std::string& path);
 
   /// All entries, ordered by path; none is no error. Makes the folder again if it was removed.
   Result<std::vector<NamedCase>> load() const;
 
+  /// The file of a failure's entry.
+  std::string path_of(const Failure& failure) const;
   /// As Store::open was given it, in its normal spelling.
   const std::string& folder() const;
 
@@ -69,5 +76,8 @@ class Store {
   explicit Store(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// Whether an entry at this path is called by a failure that it shows; if so, by which.
+std::optional<Failure> named_by_failure(const NamedCase& entry);
 
 }  // namespace ccdfuzz

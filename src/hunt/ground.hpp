@@ -5,8 +5,8 @@
 
 #include "bezier/shape.hpp"
 #include "case/query.hpp"
+#include "case/scale.hpp"
 #include "hunt/linear_class.hpp"
-#include "hunt/scale.hpp"
 
 namespace ccdfuzz {
 

@@ -1,20 +1,20 @@
 #include "hunt/hunt.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <limits>
+#include <map>
 #include <mutex>
 #include <thread>
-#include <tuple>
+#include <utility>
 
 #include "base/cpu_time.hpp"
-#include "base/in_order.hpp"
 #include "base/verify.hpp"
 #include "hunt/draw.hpp"
-#include "hunt/scheduler.hpp"
-#include "hunt/trophies.hpp"
+#include "hunt/schedule.hpp"
+#include "method/plugin/plugin_spec.hpp"
+#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
@@ -24,31 +24,35 @@ namespace {
 constexpr std::uint64_t kMutantsPerDraw = 16;
 /// Draws that such a population begins with.
 constexpr std::uint64_t kFounders = 64;
+/// CPU time of a breeding turn of a hunt by time.
+constexpr double kSlice = 0.02;
+/// Trials of one find that is shrunk; most need fewer to come to an end.
+constexpr std::uint64_t kShrinkTrials = 1000;
 
-/// Of a hunt by cases; the rest of it goes by the populations bred.
-constexpr double kDrawingShare = 0.5;
+/// What one thread asks and traces with.
+struct Tools {
+  explicit Tools(const SearchOptions& search) : asker(search) {}
 
-/// What one method said of one draw.
-struct Turn {
-  size_t cell = 0;
-  std::vector<Judged> judged;  ///< one for each of the draw's queries, fewer if stopped
-  double cpu_seconds = 0;
-  double answer_seconds = 0;  ///< of those, for what it did not refuse
+  Asker asker;
+  MethodSet methods;
+  TracerSet tracers;
 };
 
-/// A counterexample on its way to the store.
-struct Found {
-  Case asked;
-  Judged judged;
+/// What came of a turn.
+struct Done {
+  Tally tally;                ///< of a draw
+  double cpu_seconds = 0;     ///< in all
+  double draw_seconds = 0;    ///< of those, for making the draw
+  double answer_seconds = 0;  ///< of those, for answers that were no refusals
+  bool bred = true;           ///< false: there was nothing to make mutants of
+  BreedTally population;      ///< of a breeding turn
+  std::vector<std::pair<Failure, Case>> failures;
 };
 
-/// The population of one cell. Its time is no more than what the cell's draws took.
+/// The contacts of one cell that are bred, and how many of its draws have joined them.
 struct Nursery {
   Breeder breeder;
-  bool taken = false;  ///< by a thread; another goes without
-  double drawn_seconds = 0, bred_seconds = 0;
-
-  bool is_behind() const { return !taken && !breeder.empty() && bred_seconds < drawn_seconds; }
+  std::uint64_t founded = 0;
 };
 
 /// A hunt by time depends on the clock anyway: no query may hold up its end, or Ctrl-C, for longer
@@ -71,45 +75,37 @@ class Hunt {
       : options_(within_its_time(options)),
         on_progress_(on_progress),
         stop_(stop),
-        trophies_(store, options_),
-        draws_(options.seed, options.ground) {
+        intake_(
+            store, [this] { return Asker(options_.search); },
+            [this] { return Asker(confirming(), MethodSet(make_served_method)); }),
+        draws_(options.seed, options.ground),
+        schedule_(draws_.classes().size() * options.methods.size(), options.cases) {
     for (const ContactClass contact : draws_.classes()) {
       for (const std::string& method : options.methods) {
         const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
-        nurseries_.push_back(Nursery{Breeder(method, seed, options.ground)});
+        nurseries_.push_back({Breeder(method, seed, options.ground)});
         report_.cells.push_back({method, contact, {}, 0, {}});
       }
     }
   }
 
   HuntReport run() {
-    if (options_.cases) {
-      hunt_cases(*options_.cases);
-    } else {
-      hunt_by_time();
+    {
+      std::vector<std::jthread> workers;
+      for (int t = 1; t < options_.threads; ++t) workers.emplace_back([this] { work(); });
+      work();
     }
     if (failure_) std::rethrow_exception(failure_);
-    for (size_t c = 0; c < nurseries_.size(); ++c) count_bred(c);
-    if (!stop_) shrink();
-    Result<void> stored;
-    if (!stop_) stored = trophies_.complete(stop_);
-    if (const auto all = trophies_.store_all(); !all) stored = all;
+    count_cases();
+    const Result<void> stored = stop_ ? intake_.store_all() : finish();
     if (!stored) report_.error = stored.error();
-    report_.finds = trophies_.finds();
+    report_.finds = intake_.finds();
     report_.seconds = elapsed();
     show(1);
     return std::move(report_);
   }
 
  private:
-  /// By time, at most as long again as the hunt, but long enough for a short one's finds.
-  void shrink() {
-    const double until = options_.cases ? std::numeric_limits<double>::infinity()
-                                        : elapsed() + std::max(options_.seconds, 20.0);
-    // What cannot be stored now may be stored later, as it is.
-    std::ignore = trophies_.shrink([this, until] { return stop_ || elapsed() > until; });
-  }
-
   size_t method_count() const { return options_.methods.size(); }
 
   double elapsed() const {
@@ -121,40 +117,127 @@ class Hunt {
     return method.runs_elsewhere() ? elapsed() : thread_cpu_seconds();
   }
 
-  Turn take_turn(size_t cell, const Draw& drawn, MethodSet& methods) const {
-    Turn turn{cell, {}, 0, 0};
-    Method& method = methods[report_.cells[cell].method];
-    for (const CheckedCase& asked : drawn.asked) {
-      if (stop_) break;
-      const double start = clock_of(method);
-      turn.judged.push_back(ask(method, asked, options_.search));
-      const double used = clock_of(method) - start;
-      turn.cpu_seconds += used;
-      if (turn.judged.back().outcome != Outcome::kNotAsked) turn.answer_seconds += used;
-    }
-    return turn;
+  /// Stored entries may have been met with any number of pops.
+  SearchOptions confirming() const {
+    SearchOptions search = options_.search;
+    search.max_seconds = std::min(search.max_seconds, kLongestQuerySeconds);
+    return search;
   }
 
-  /// Counts a turn and stores what it found. The caller sees to it that turns come one at a time.
-  void record(const Turn& turn, const Draw& drawn) {
-    HuntCell& cell = report_.cells[turn.cell];
-    cell.cpu_seconds += turn.answer_seconds;
-    for (size_t q = 0; q < turn.judged.size(); ++q) {
-      const Judged& judged = turn.judged[q];
-      cell.tally.add(judged.answer, judged.outcome, drawn.asked[q].collides());
-      if (judged.outcome != Outcome::kNotAsked) ++queries_;
-      if (is_failure(judged.outcome)) {
-        trophies_.offer(cell.method, drawn.asked[q].value(), judged);
+  /// One thread.
+  void work() {
+    try {
+      Tools tools(options_.search);
+      std::unique_lock lock(mutex_);
+      while (!is_over()) {
+        const std::optional<Turn> turn = schedule_.next();
+        if (!turn) return;
+        lock.unlock();
+        Done done = turn->what == Turn::What::kDraw ? draw(*turn, tools) : breed(*turn, tools);
+        lock.lock();
+        if (options_.cases) {
+          record_in_turn(*turn, std::move(done));
+        } else {
+          record(*turn, done);
+        }
       }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      failed_ = true;
     }
   }
 
-  void offer(const std::string& method, const Found& found) {
-    trophies_.offer(method, found.asked, found.judged);
+  bool is_over() const {
+    return stop_ || failed_ || (!options_.cases && elapsed() >= options_.seconds);
+  }
+
+  /// Puts one draw to the method of the cell.
+  Done draw(const Turn& turn, Tools& tools) {
+    Done done;
+    const HuntCell& cell = report_.cells[turn.cell];
+    const double start = thread_cpu_seconds();
+    const std::shared_ptr<const Draw> drawn = latest_.get(cell.contact, turn.draw);
+    done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
+    const Method& method = tools.methods[cell.method];
+    for (const CheckedCase& asked : drawn->asked) {
+      if (stop_) break;
+      const double begin = clock_of(method);
+      const Judged judged = ask(tools.methods[cell.method], asked, options_.search);
+      const double used = clock_of(method) - begin;
+      done.cpu_seconds += used;
+      if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
+      done.tally.add(judged.answer, judged.outcome, asked.collides());
+      note_failure(cell.method, asked.value(), judged, tools, done);
+    }
+    return done;
+  }
+
+  void note_failure(const std::string& method, const Case& asked, const Judged& judged,
+                    Tools& tools, Done& done) const {
+    if (!is_failure(judged.outcome)) return;
+    const double begin = thread_cpu_seconds();
+    Case find = asked;
+    find.asked = asked_with(options_.search);
+    find.expect = {{method, tools.asker.expected(method, asked, judged)}};
+    done.failures.emplace_back(failures_of(find).front(), std::move(find));
+    done.cpu_seconds += thread_cpu_seconds() - begin;
+  }
+
+  /// Lets the draws that the cell has begun join its population, and makes mutants: by time for a
+  /// slice of it.
+  Done breed(const Turn& turn, Tools& tools) {
+    Done done;
+    const HuntCell& cell = report_.cells[turn.cell];
+    auto& [breeder, founded] = nurseries_[turn.cell];
+    const Method& method = tools.methods[cell.method];
+    const double start = clock_of(method);
+    const std::uint64_t founders = options_.cases ? std::min(turn.draw, kFounders) : turn.draw;
+    for (; founded < founders && !stop_; ++founded) {
+      const std::shared_ptr<const Draw> drawn = latest_.get(cell.contact, founded);
+      for (const CheckedCase& asked : drawn->asked) breeder.add(asked.value(), tools.tracers);
+    }
+    std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
+    const auto goes_on = [&] {
+      return left-- > 0 && !stop_ && !failed_ &&
+             (options_.cases || clock_of(method) - start < kSlice);
+    };
+    done.bred = !breeder.empty();
+    while (done.bred && goes_on()) {
+      breeder.step(tools.methods, tools.tracers, options_.search,
+                   [&](const Case& asked, const Judged& judged) {
+                     note_failure(cell.method, asked, judged, tools, done);
+                   });
+    }
+    done.cpu_seconds = clock_of(method) - start;
+    done.population = breeder.tally();
+    return done;
+  }
+
+  /// So that the course of a hunt by cases repeats, too.
+  void record_in_turn(const Turn& turn, Done done) {
+    waiting_.emplace(turn.number, std::pair(turn, std::move(done)));
+    for (auto next = waiting_.begin(); next != waiting_.end() && next->first == recorded_;
+         next = waiting_.erase(next)) {
+      record(next->second.first, next->second.second);
+      ++recorded_;
+    }
+  }
+
+  void record(const Turn& turn, const Done& done) {
+    HuntCell& cell = report_.cells[turn.cell];
+    schedule_.done(turn, done.cpu_seconds, done.bred);
+    report_.draw_cpu_seconds += done.draw_seconds;
+    cell.tally.merge(done.tally);
+    cell.cpu_seconds += done.answer_seconds;
+    queries_ += done.tally.n;
+    if (turn.what == Turn::What::kBreed) cell.bred = done.population;
+    for (const auto& [failure, find] : done.failures) intake_.offer(failure, find);
+    show(options_.cases ? schedule_.share_done() : elapsed() / options_.seconds);
   }
 
   void show(double share) const {
-    HuntProgress now{std::min(share, 1.0), queries_, 0, trophies_.count(), {}, trophies_.trouble()};
+    HuntProgress now{std::min(share, 1.0), queries_, 0, intake_.count(), {}, intake_.trouble()};
     now.margins.resize(method_count());
     for (size_t c = 0; c < report_.cells.size(); ++c) {
       const BreedTally& bred = report_.cells[c].bred;
@@ -165,205 +248,57 @@ class Hunt {
     on_progress_(now);
   }
 
-  /// What the population of a cell has come to, for others to see; its thread says so.
-  void count_bred(size_t cell) { report_.cells[cell].bred = nurseries_[cell].breeder.tally(); }
-
-  /// Steps of the cell's population while more() says so; what they found.
-  template <class More>
-  std::vector<Found> breed(size_t cell, MethodSet& methods, TracerSet& tracers, const More& more) {
-    std::vector<Found> found;
-    const auto keep = [&](const Case& asked, const Judged& judged) {
-      found.push_back({asked, judged});
-    };
-    while (!stop_ && more()) {
-      nurseries_[cell].breeder.step(methods, tracers, options_.search, keep);
-    }
-    return found;
-  }
-
-  void hunt_cases(std::uint64_t count) {
-    ask_draws(count);
-    if (!stop_ && !ended_) breed_draws(count);
-  }
-
-  /// Every cell's population on its own, founded by the first draws.
-  void breed_draws(std::uint64_t count) {
-    struct Workshop {
-      MethodSet methods;
-      TracerSet tracers;
-    };
-    tbb::enumerable_thread_specific<Workshop> workshops;
-    const size_t populations = report_.cells.size();
-    size_t recorded = 0;
-    run_in_order<std::vector<Found>>(
-        populations, options_.threads,
-        [&](size_t cell) {
-          Workshop& workshop = workshops.local();
-          Breeder& breeder = nurseries_[cell].breeder;
-          for (std::uint64_t i = 0; i < std::min(count, kFounders); ++i) {
-            const auto drawn = latest_.get(report_.cells[cell].contact, i);
-            for (const CheckedCase& asked : drawn->asked) {
-              breeder.add(asked.value(), workshop.tracers);
-            }
-          }
-          std::uint64_t left = count * kMutantsPerDraw;
-          return breed(cell, workshop.methods, workshop.tracers, [&] { return left-- > 0; });
-        },
-        [&](const std::vector<Found>& all) {
-          const size_t cell = recorded++;
-          for (const Found& found : all) offer(report_.cells[cell].method, found);
-          count_bred(cell);
-          show(kDrawingShare + (1 - kDrawingShare) * static_cast<double>(recorded) /
-                                   static_cast<double>(populations));
-          if (stop_) ended_ = true;
-        },
-        &ended_);
-  }
-
-  /// Draw by draw and class by class, every draw to every method; recorded in that order.
-  void ask_draws(std::uint64_t count) {
-    struct Answered {
-      Draw drawn;
-      std::vector<Turn> turns;
-      double draw_cpu_seconds = 0;
-    };
-    const size_t classes = draws_.classes().size();
-    const std::uint64_t total = count * classes;
-    tbb::enumerable_thread_specific<MethodSet> methods;
-    run_in_order<Answered>(
-        total, options_.threads,
-        [&](size_t i) {
-          const size_t contact = i % classes;
-          const double start = thread_cpu_seconds();
-          Answered answered{draws_.at(draws_.classes()[contact], i / classes), {}, 0};
-          answered.draw_cpu_seconds = thread_cpu_seconds() - start;
-          for (size_t m = 0; m < method_count() && !stop_; ++m) {
-            answered.turns.push_back(
-                take_turn(contact * method_count() + m, answered.drawn, methods.local()));
-          }
-          return answered;
-        },
-        [&](const Answered& answered) {
-          for (const Turn& turn : answered.turns) record(turn, answered.drawn);
-          ++report_.cases;
-          report_.draw_cpu_seconds += answered.draw_cpu_seconds;
-          show(kDrawingShare * static_cast<double>(report_.cases) / static_cast<double>(total));
-          if (stop_) ended_ = true;
-        },
-        &ended_);
-  }
-
-  void hunt_by_time() {
-    scheduler_ = Scheduler(report_.cells.size());
-    next_draw_.assign(report_.cells.size(), 0);
-    std::vector<std::jthread> workers;
-    for (int t = 1; t < options_.threads; ++t) workers.emplace_back([this] { work(); });
-    work();
-  }
-
-  /// One thread of a hunt by time.
-  void work() {
-    try {
-      MethodSet methods;
-      TracerSet tracers;
-      std::unique_lock lock(mutex_);
-      while (!stop_ && !ended_ && elapsed() < options_.seconds) {
-        // The scheduler starts with its first cell: let that be of the class with the cheapest
-        // queries, so that a short hunt sees most classes before it comes to the slow ones.
-        const size_t turn_of = scheduler_.begin();
-        const size_t cell = report_.cells.size() - 1 - turn_of;
-        const double used = nurseries_[cell].is_behind()
-                                ? take_breeding_turn(cell, methods, tracers, lock)
-                                : take_drawing_turn(cell, methods, tracers, lock);
-        scheduler_.end(turn_of, used);
-        show(elapsed() / options_.seconds);
-      }
-      count_cases();
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      ended_ = true;
-    }
-  }
-
-  /// One draw, put to the cell's method. Returns the CPU time of that, what it took to make the
-  /// draw included: a cell that goes ahead of the others of its class makes them for all.
-  double take_drawing_turn(size_t cell, MethodSet& methods, TracerSet& tracers,
-                           std::unique_lock<std::mutex>& lock) {
-    Nursery& nursery = nurseries_[cell];
-    const bool founds = !std::exchange(nursery.taken, true);
-    const std::uint64_t index = next_draw_[cell]++;
-    lock.unlock();
-    const double start = thread_cpu_seconds();
-    const std::shared_ptr<const Draw> drawn = latest_.get(report_.cells[cell].contact, index);
-    const double draw_cpu = thread_cpu_seconds() - start;
-    const Turn turn = take_turn(cell, *drawn, methods);
-    const double founding = thread_cpu_seconds();
-    for (const CheckedCase& asked : drawn->asked) {
-      if (founds) nursery.breeder.add(asked.value(), tracers);
-    }
-    const double used = draw_cpu + turn.cpu_seconds + (thread_cpu_seconds() - founding);
-    lock.lock();
-    if (founds) {
-      nursery.taken = false;
-      count_bred(cell);
-    }
-    nursery.drawn_seconds += used;
-    report_.draw_cpu_seconds += draw_cpu;
-    record(turn, *drawn);
-    return used;
-  }
-
-  /// A slice of time for the cell's population. Returns the CPU time of that.
-  double take_breeding_turn(size_t cell, MethodSet& methods, TracerSet& tracers,
-                            std::unique_lock<std::mutex>& lock) {
-    constexpr double kSlice = 0.02;
-    Nursery& nursery = nurseries_[cell];
-    nursery.taken = true;
-    lock.unlock();
-    const Method& method = methods[report_.cells[cell].method];
-    const double start = clock_of(method);
-    const auto used = [&] { return clock_of(method) - start; };
-    const std::vector<Found> all =
-        breed(cell, methods, tracers, [&] { return !ended_ && used() < kSlice; });
-    const double seconds = used();
-    lock.lock();
-    nursery.taken = false;
-    nursery.bred_seconds += seconds;
-    count_bred(cell);
-    for (const Found& found : all) offer(report_.cells[cell].method, found);
-    return seconds;
-  }
-
   /// The draws of a class that were put to any method: as far as the fastest got.
   void count_cases() {
-    report_.cases = 0;
-    for (size_t c = 0; c < next_draw_.size(); c += method_count()) {
-      const auto first = next_draw_.begin() + static_cast<std::ptrdiff_t>(c);
-      report_.cases +=
-          *std::max_element(first, first + static_cast<std::ptrdiff_t>(method_count()));
+    for (size_t c = 0; c < report_.cells.size(); c += method_count()) {
+      std::uint64_t most = 0;
+      for (size_t m = 0; m < method_count(); ++m) {
+        most = std::max(most, schedule_.draws_begun(c + m));
+      }
+      report_.cases += most;
     }
+  }
+
+  /// Shrinks, by time for at most as long again as the hunt, but long enough for a short one's
+  /// finds; and asks all methods about all new finds.
+  Result<void> finish() {
+    const double until = options_.cases ? std::numeric_limits<double>::infinity()
+                                        : elapsed() + std::max(options_.seconds, 20.0);
+    const auto is_late = [this, until] { return stop_ || elapsed() > until; };
+    const auto shrinks = [&](const Failure& failure) {
+      return !is_late() && (options_.shrink == Shrink::kAll ||
+                            (options_.shrink == Shrink::kPlugins && names_plugin(failure.who)));
+    };
+    return intake_.finish(
+        {options_.threads, shrinks, kShrinkTrials, is_late, options_.methods, stop_});
   }
 
   const HuntOptions options_;
   const std::function<void(const HuntProgress&)>& on_progress_;
   const std::atomic<bool>& stop_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  Trophies trophies_;
+  Intake intake_;
   const Draws draws_;
   DrawCache latest_{draws_};
-  std::vector<Nursery> nurseries_;  ///< one a cell
+  std::vector<Nursery> nurseries_;  ///< one a cell; each is used by one thread at a time
 
   std::mutex mutex_;  ///< of all below, while workers run
-  Scheduler scheduler_{0};
-  std::vector<std::uint64_t> next_draw_;
+  Schedule schedule_;
+  std::map<std::uint64_t, std::pair<Turn, Done>> waiting_;  ///< by number, for those before them
+  std::uint64_t recorded_ = 0;                              ///< turns before which none waits
   HuntReport report_;
   std::uint64_t queries_ = 0;
   std::exception_ptr failure_;
-  std::atomic<bool> ended_ = false;  ///< a worker failed, or stop was seen
+  std::atomic<bool> failed_ = false;
 };
 
 }  // namespace
+
+bool breaks_claim(const Failure& failure) {
+  if (!is_false_negative(failure.outcome)) return false;
+  const Result<MethodInfo> info = method_info(failure.who);
+  return info && info->claims_no_false_negative;
+}
 
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,

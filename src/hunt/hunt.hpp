@@ -1,22 +1,31 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/fields.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/tally.hpp"
-#include "finds/store.hpp"
+#include "finds/intake.hpp"
 #include "hunt/breeder.hpp"
-#include "method/ask.hpp"
 
 namespace ccdfuzz {
 
 /// Whose counterexamples a hunt minimises before it ends.
 enum class Shrink : std::uint8_t { kNone, kPlugins, kAll };
+inline constexpr std::array kAllShrink = {Shrink::kNone, Shrink::kPlugins, Shrink::kAll};
+constexpr const auto& all_of(Shrink) {
+  return kAllShrink;
+}
+constexpr std::string_view name_of(Shrink shrink) {
+  constexpr std::array<std::string_view, 3> kNames = {"none", "plugins", "all"};
+  return kNames[static_cast<std::size_t>(shrink)];
+}
 
 struct HuntOptions {
   std::vector<std::string> methods;  ///< parsed specs
@@ -53,20 +62,12 @@ struct HuntCell {
   }
 };
 
-/// True iff the outcome is a false negative and the method claims to have none.
-bool breaks_claim(const std::string& method, Outcome outcome);
-
-/// A counterexample of this hunt.
-struct HuntFind {
-  std::string path;                   ///< empty if it could not be stored
-  Case value;                         ///< as it stands in the store, with its expectations
-  std::vector<std::string> failures;  ///< methods that are expected to fail on it
-  bool breaks_claim = false;          ///< of one of them
-};
+/// True iff it is a false negative of a method that claims to have none.
+bool breaks_claim(const Failure& failure);
 
 struct HuntReport {
   std::vector<HuntCell> cells;  ///< class by class, within it method by method
-  std::vector<HuntFind> finds;  ///< ordered by class, then by path
+  std::vector<Find> finds;      ///< of every failure that was met, known ones among them
   std::uint64_t cases = 0;      ///< different draws
   double seconds = 0;
   double draw_cpu_seconds = 0;  ///< spent on making cases
@@ -89,12 +90,12 @@ struct HuntProgress {
 };
 
 /// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds
-/// mutants of them that each method nearly loses (Breeder), and stores the smallest counterexample
-/// that it met of each (method, class, failure signature). (A mutant is asked about only where it
-/// is smaller than what failed before, in whatever way.)
-/// By time, each (method, class) cell gets an equal share of CPU time, half of it for mutants, and
-/// all methods of a class walk the same sequence of draws. stop ends the hunt early, with what it
-/// has.
+/// mutants of them that each method nearly loses (Breeder), and stores the smallest find of each
+/// Failure that it met. (A mutant is asked about only where it is smaller than what failed before,
+/// in whatever way.)
+/// By time, each cell of a class and a method gets an equal share of CPU time, half of it for
+/// mutants, and all methods of a class walk the same sequence of draws (Schedule). stop ends the
+/// hunt early, with what it has.
 /// Requires at least one method.
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,

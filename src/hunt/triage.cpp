@@ -10,10 +10,8 @@
 #include "case/tree_file.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "finds/failure.hpp"
+#include "finds/shrink.hpp"
 #include "fuzz/mutator/witnessed_query.hpp"
-#include "hunt/expect_of_others.hpp"
-#include "hunt/shrink.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace ccdfuzz {
@@ -38,12 +36,6 @@ struct Told {
 
   static void fields(auto& archive, auto& told) { archive("text", told.text); }
 };
-
-std::string loss_by(const std::string& method, const Case& value) {
-  TracerSet tracers;
-  Tracer* const tracer = tracers.find(method);
-  return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *value.truth.witness, {}));
-}
 
 }  // namespace
 
@@ -78,20 +70,19 @@ std::string refutation_by_sound_methods(const Case& known) {
 }
 
 Triage::Triage(Store& store, TriageOptions options)
-    : store_(store), options_(std::move(options)), methods_(options_.make) {}
+    : options_(std::move(options)),
+      asker_(make_asker()),
+      intake_(
+          store, [this] { return make_asker(); }, [this] { return make_asker(); }) {}
 
-void Triage::know(const Case& entry) {
-  for (const auto& [method, expected] : entry.expect) {
-    if (!is_failure(expected.outcome)) continue;
-    Judged judged;
-    judged.outcome = expected.outcome;
-    if (judged.outcome == Outcome::kError) judged.error = expected.cause;
-    had_.insert(signature_of(method, entry, judged));
-  }
+Asker Triage::make_asker() {
+  return Asker(options_.search, MethodSet(options_.make),
+               [this](const std::string& method, const Case& value) {
+                 return told("loss", value, method).value_or("");
+               });
 }
 
-Result<void> Triage::add(const Case& candidate,
-                         const std::function<void(const TriageFind&)>& found) {
+Result<void> Triage::add(const Case& candidate, const Found& found) {
   ++tally_.inputs;
   const auto decided = with_truth(candidate);
   const Case& known = decided.value_or(candidate);
@@ -100,41 +91,25 @@ Result<void> Triage::add(const Case& candidate,
   bool fails = false, sound_fails = false;
   for (const std::string& method : methods) {
     if (options_.stop()) return {};
-    const std::optional<Failure> failure = confirm(method, known);
-    if (!failure && !decided && method == kOracle) {
+    const std::optional<Confirmed> confirmed = confirm(method, known);
+    if (!confirmed && !decided && method == kOracle) {
       options_.warn(fmt::format("nobody knows the truth, since the oracle came to grief: {}: {}",
                                 decided.error().name, decided.error().note));
     }
-    if (!failure) continue;
+    if (!confirmed) continue;
     fails = true;
     sound_fails = sound_fails || method == kOracle ||
                   std::ranges::find(kMissNothing, method) != kMissNothing.end();
     ++tally_.failures;
-    const Signature signature = signature_of(method, failure->asked, failure->judged);
-    if (had_.contains(signature)) {
+    const Result<bool> is_known = intake_.has(confirmed->failure);
+    if (!is_known) return tl::unexpected(is_known.error());
+    if (*is_known) {
       ++tally_.known;
       continue;
     }
-    Case small = shrink(failure->asked, method, methods_[method], failure->judged, options_.search,
-                        {options_.shrink_trials, options_.stop})
-                     .value;
-    if (method != kOracle) small = with_truth(small).value_or(small);
-    // What is not shrunk to the end is left to another time, which would find it anew; but not a
-    // hang, which would take as long again.
-    if (options_.stop() && failure->judged.error != "hang") continue;
-    // Shrinking may make one loss into another. Only what is stored is had: the next failure that
-    // looks like this one did may come down to a third.
-    const Signature shrunk = signature_of(method, small, failure->judged);
-    if (!had_.insert(shrunk).second) {
-      ++tally_.known;
-      continue;
-    }
-    TriageFind find{method, failure->judged.outcome, failure->judged.error,
-                    std::get<kLossPlace>(shrunk), small};
-    if (!find.loss.empty()) find.value.expect[method].cause = find.loss;
-    complete(find.value);
-    if (const auto added = store_.add(find.value); !added) return tl::unexpected(added.error());
-    found(find);
+    const Result<std::optional<Case>> find = take_in(*confirmed);
+    if (!find) return tl::unexpected(find.error());
+    if (*find) found(confirmed->failure, **find);
   }
   if (!fails) ++tally_.saved;
   if (sound_fails) return {};
@@ -146,12 +121,25 @@ Result<void> Triage::add(const Case& candidate,
   return {};
 }
 
+Result<std::optional<Case>> Triage::take_in(const Confirmed& confirmed) {
+  const auto& [asked, failure] = confirmed;
+  Case find = shrink(asked, failure, asker_, {options_.shrink_trials, options_.stop}).value;
+  if (failure.who != kOracle) find = with_truth(find).value_or(find);
+  // What is not shrunk to the end is left to another time, which would find it anew; but not a
+  // hang, which would take as long again.
+  if (options_.stop() && failure.cause != "hang") return std::nullopt;
+  asker_.ask_others(find, options_.methods);
+  intake_.offer(failure, find);
+  return intake_.store_all().map([&] { return std::optional(std::move(find)); });
+}
+
 std::string TriageErrands::done(const std::string& question) const {
   const Errand errand = from_json<Errand>(question, "the question").value();
   const Case value = parse_case(errand.value, "the question").value();
   if (errand.name == "decide") return to_json(Told{to_json(decide(value))});
   if (errand.name == "refute") return to_json(Told{refute(value)});
-  return to_json(Told{loss_by(errand.method, value)});
+  TracerSet tracers;
+  return to_json(Told{cause_of_loss(errand.method, value, tracers)});
 }
 
 tl::expected<std::string, Fault> Triage::told(const char* errand, const Case& value,
@@ -170,11 +158,10 @@ tl::expected<Case, Fault> Triage::with_truth(const Case& candidate) {
   });
 }
 
-std::optional<Triage::Failure> Triage::confirm(const std::string& method, const Case& known) {
-  const auto asked_alike = [&](const Case& asked) -> std::optional<Failure> {
-    Judged judged = ask(methods_[method], asked, options_.search);
-    if (!is_failure(judged.outcome)) return std::nullopt;
-    return Failure{asked, std::move(judged)};
+std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, const Case& known) {
+  const auto asked_alike = [&](const Case& asked) -> std::optional<Confirmed> {
+    auto failure = asker_.failure(method, asked);
+    return failure ? std::optional(Confirmed{asked, *std::move(failure)}) : std::nullopt;
   };
   bool as_it_stands = false;  // was asked: a fuzzer may have left any t_max
   for (const double factor : kHorizonFactors) {
@@ -185,30 +172,6 @@ std::optional<Triage::Failure> Triage::confirm(const std::string& method, const 
   }
   if (as_it_stands) return std::nullopt;
   return asked_alike(with_t_max(known, known.query.t_max));
-}
-
-Triage::Signature Triage::signature_of(const std::string& method, const Case& value,
-                                       const Judged& judged) {
-  if (judged.outcome == Outcome::kError) return {method, "", judged.outcome, judged.error, ""};
-  return {method, value.origin.contact, judged.outcome, judged.error, loss_of(method, value)};
-}
-
-std::string Triage::loss_of(const std::string& method, const Case& value) {
-  const std::optional<Witness>& witness = value.truth.witness;
-  if (!witness || witness->t > exact(value.query.t_max)) return "";
-  // It answers the query, but the trace may look further than the search did.
-  return told("loss", value, method).value_or("");
-}
-
-void Triage::complete(Case& value) {
-  expect_of_others(value, options_.methods, methods_, options_.search, "",
-                   [&](const std::string& method, const Judged& judged) {
-                     if (!is_failure(judged.outcome)) return;
-                     const Signature signature = signature_of(method, value, judged);
-                     had_.insert(signature);
-                     const std::string& loss = std::get<kLossPlace>(signature);
-                     if (!loss.empty()) value.expect[method].cause = loss;
-                   });
 }
 
 }  // namespace ccdfuzz

@@ -2,13 +2,11 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "base/child.hpp"
-#include "finds/store.hpp"
+#include "finds/intake.hpp"
 #include "method/ask.hpp"
 #include "method/served_method.hpp"
 
@@ -55,59 +53,45 @@ struct TriageTally {
   std::uint64_t refuting = 0;  ///< inputs that refute a claim, but by no full run of a sound method
 };
 
-/// A failure that is new.
-struct TriageFind {
-  std::string method;
-  Outcome outcome = Outcome::kUnknown;
-  std::string error;  ///< its name; empty of other outcomes
-  std::string loss;   ///< loss_cause; empty where nothing is traced
-  Case value;         ///< shrunk, as it was stored
-};
-
 /// What fuzzers found, on its way into a store: confirmed by full runs up to the contact and past
-/// it, classified by the judge, shrunk exactly, and kept if nothing like it was had: no failure of
-/// the same method, contact class, outcome and loss_cause; of errors ("crash SIGSEGV", "hang"),
-/// none of the same method and name. Methods and oracle work in children, so that this process
-/// survives whatever they do.
+/// it, shrunk exactly, and kept if its failure was not known. Methods and oracle work in children,
+/// so that this process survives whatever they do.
 class Triage {
  public:
   Triage(Store& store, TriageOptions options);
 
-  /// The failures that a case expects are had.
-  void know(const Case& entry);
+  /// The failures that an entry of another folder expects are known.
+  void know(const NamedCase& entry) { intake_.know(entry); }
 
   /// A case with its truth, or without: then the oracle decides it, whose crash or hang is a find
-  /// of the method "oracle". Calls found for each new failure. What refutes a claim of sound
-  /// methods, but by none of their full runs, is told by options.warn. Errors: of the store.
-  Result<void> add(const Case& candidate, const std::function<void(const TriageFind&)>& found);
+  /// of the method "oracle". Calls found for each new failure, with the find as it was stored. What
+  /// refutes a claim of sound methods, but by none of their full runs, is told by options.warn.
+  /// Errors: of the store.
+  using Found = std::function<void(const Failure& failure, const Case& find)>;
+  Result<void> add(const Case& candidate, const Found& found);
 
   const TriageTally& tally() const { return tally_; }
 
  private:
-  struct Failure {
+  struct Confirmed {
     Case asked;
-    Judged judged;
+    Failure failure;
   };
-  /// Method, contact class, outcome, name of an error, loss; of an error, its method and name.
-  using Signature = std::tuple<std::string, std::string, Outcome, std::string, std::string>;
-  static constexpr std::size_t kLossPlace = 4;
 
+  Asker make_asker();
   /// What a child says of a case, or what it did instead. method: of a loss.
   tl::expected<std::string, Fault> told(const char* errand, const Case& value,
                                         const std::string& method = "");
   /// TriageErrands::decide of a case without truth, or what it did instead.
   tl::expected<Case, Fault> with_truth(const Case& candidate);
-  std::optional<Failure> confirm(const std::string& method, const Case& known);
-  Signature signature_of(const std::string& method, const Case& value, const Judged& judged);
-  std::string loss_of(const std::string& method, const Case& value);
-  /// What every other method does with a find, of those that decide it soon.
-  void complete(Case& value);
+  std::optional<Confirmed> confirm(const std::string& method, const Case& known);
+  /// Shrinks and stores what shows a new failure. Nothing if there was no time for that.
+  Result<std::optional<Case>> take_in(const Confirmed& confirmed);
 
-  Store& store_;
   TriageOptions options_;
   TriageTally tally_;
-  std::set<Signature> had_;
-  MethodSet methods_;
+  Asker asker_;
+  Intake intake_;
   std::optional<Child> errands_;
 };
 

@@ -36,10 +36,14 @@ inline Store open_store(const std::string& folder) {
   return *std::move(store);
 }
 
-inline Store::Added add(Store& store, const Case& find) {
-  const auto added = store.add(find);
-  if (!added) throw std::runtime_error(added.error().message());
-  return *added;
+/// Puts a find for the first failure that it expects.
+inline Result<Store::Put> try_put(Store& store, const Case& find) {
+  return store.put(failures_of(find).front(), find);
+}
+inline Store::Put put(Store& store, const Case& find) {
+  const auto done = try_put(store, find);
+  if (!done) throw std::runtime_error(done.error().message());
+  return *done;
 }
 
 inline std::vector<Case> cases_in(const std::string& folder) {

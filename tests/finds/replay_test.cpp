@@ -2,68 +2,42 @@
 
 #include <gtest/gtest.h>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/finds.hpp"
-#include "scratch_folder.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-/// "miss" always misses, "hit" always hits at 0; there is no other method.
-Result<Judged> answer(const std::string& method, const NamedCase& entry) {
-  Answer a;
-  a.verdict = Verdict::kMiss;
-  if (method == "hit") {
-    a.verdict = Verdict::kHit;
-    a.toi = 0;
-  } else if (method != "miss") {
-    return input_error("", "unknown method \"" + method + "\"");
-  }
-  return Judged{a, judge(checked_or_unknown(entry.value), a), ""};
+TEST(Change, IsARegressionIffItIsWorse) {
+  const Expected correct = Outcome::kCorrect, undecided = Outcome::kUndecided,
+                 missed = {Outcome::kMissed, "left root"};
+  EXPECT_EQ(change_of(correct, correct), Change::kNone);
+  EXPECT_EQ(change_of(correct, missed), Change::kRegression);
+  EXPECT_EQ(change_of(correct, undecided), Change::kRegression);
+  EXPECT_EQ(change_of(undecided, missed), Change::kRegression);
+  EXPECT_EQ(change_of(missed, correct), Change::kImprovement);
+  EXPECT_EQ(change_of(missed, undecided), Change::kImprovement);
+  EXPECT_EQ(change_of(missed, Outcome::kLate), Change::kOther);
+  EXPECT_EQ(change_of(undecided, Outcome::kUnknown), Change::kOther);
 }
 
-TEST(Replay, ReportsWhatChangedAndWhatDidNot) {
-  Case c = find_of(1, "miss", Outcome::kMissed);
-  c.expect["hit"] = Outcome::kLate;
-  Case silent = find_of(1);
-  silent.expect.clear();
-  const auto report = replay({{"a.json", c}, {"b.json", silent}}, answer);
-  ASSERT_TRUE(report) << report.error().message();
-  EXPECT_EQ(report->entries, 2U);
-  EXPECT_EQ(report->without_expectation, 1U);
-  ASSERT_EQ(report->rows.size(), 2U);
-  EXPECT_EQ(to_text(report->rows[0]), "a.json: hit: expected late, got correct");
-  EXPECT_TRUE(report->rows[0].changed());
-  EXPECT_EQ(report->rows[1].got.outcome, Outcome::kMissed);
-  EXPECT_FALSE(report->rows[1].changed());
-  EXPECT_EQ(report->changed(), 1U);
+TEST(Change, TellsCausesApartWhereTheEntrySaysOne) {
+  EXPECT_EQ(change_of({Outcome::kMissed, "left root"}, {Outcome::kMissed, "hull"}), Change::kOther);
+  EXPECT_EQ(change_of({Outcome::kError, "hang"}, {Outcome::kError, "crash SIGSEGV"}),
+            Change::kOther);
+  EXPECT_EQ(change_of(Outcome::kMissed, {Outcome::kMissed, "hull"}), Change::kNone);
 }
 
-TEST(Replay, AMethodThatThereIsNotIsAnErrorNamingTheEntry) {
-  const auto report = replay({{"a.json", find_of(1, "gone")}}, answer);
-  ASSERT_FALSE(report);
-  EXPECT_EQ(report.error().message(), "a.json: expect[\"gone\"]: unknown method \"gone\"");
-}
-
-TEST(Replay, AnEmptyCorpusIsAnError) {
-  EXPECT_FALSE(replay(std::vector<NamedCase>{}, answer));
-  const ScratchFolder folder;
-  const auto report = replay(folder.path(), answer);
-  ASSERT_FALSE(report);
-  EXPECT_EQ(report.error().message(),
-            folder.path() + ": the corpus is empty: no .json entry in it");
-}
-
-TEST(Replay, ReadsACorpusWithItsSubfolders) {
-  const ScratchFolder folder;
-  std::filesystem::create_directories(folder / "regressions/deep");
-  write_text(folder / "regressions/deep/a.json", to_json(find_of(1, "miss")));
-  write_text(folder / "b.json", to_json(find_of(2, "miss")));
-  const auto report = replay(folder.path(), answer);
-  ASSERT_TRUE(report) << report.error().message();
-  EXPECT_EQ(report->rows.size(), 2U);
-  EXPECT_EQ(report->changed(), 0U);
+TEST(Replayer, AsksEachMethodAndSaysWhatItSaysNow) {
+  const CheckedCase known = checked_or_unknown(find_of(1));
+  Replayer replayer;
+  const auto rows = replayer.replay(
+      "a.json", known, {{"tdibm", Outcome::kMissed}, {"tdibm-c", Outcome::kCorrect}}, {});
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].method, "tdibm");
+  EXPECT_EQ(rows[0].got, Outcome::kCorrect);
+  EXPECT_EQ(rows[0].change(), Change::kImprovement);
+  EXPECT_EQ(rows[1].change(), Change::kNone);
 }
 
 }  // namespace

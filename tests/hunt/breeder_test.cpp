@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "case/case_json.hpp"
+#include "case/scale.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "hunt/draw.hpp"
-#include "hunt/scale.hpp"
 #include "method/method.hpp"
 #include "share.hpp"
 

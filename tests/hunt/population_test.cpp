@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "case/scale.hpp"
 #include "hunt/draw.hpp"
-#include "hunt/scale.hpp"
 #include "method/by_spec.hpp"
 
 namespace ccdfuzz {

@@ -40,10 +40,17 @@ std::vector<Case> raw_finds() {
   return finds;
 }
 
+struct TriageFind {
+  Failure failure;
+  Case value;
+};
+
 std::vector<TriageFind> triaged(Triage& triage, const std::vector<Case>& raw) {
   std::vector<TriageFind> finds;
   for (const Case& candidate : raw) {
-    EXPECT_TRUE(triage.add(candidate, [&](const TriageFind& find) { finds.push_back(find); }));
+    EXPECT_TRUE(triage.add(candidate, [&](const Failure& failure, const Case& find) {
+      finds.push_back({failure, find});
+    }));
   }
   return finds;
 }
@@ -55,22 +62,20 @@ TEST(Triage, StoresWhatFailsShrunkWithItsTruthAndFindsNothingTwice) {
   Triage first(store, quick_options());
   const std::vector<TriageFind> finds = triaged(first, raw);
   ASSERT_GE(finds.size(), 1U);
-  std::set<std::string> losses;
+  std::set<Failure> failures;
   for (const TriageFind& find : finds) {
-    EXPECT_EQ(find.method, kFails);
-    EXPECT_TRUE(is_false_negative(find.outcome));
+    EXPECT_EQ(find.failure.who, kFails);
+    EXPECT_TRUE(is_false_negative(find.failure.outcome));
     EXPECT_EQ(find.value.expect.at("tdibm-c"), Outcome::kCorrect);
     EXPECT_TRUE(check_truth(find.value)) << to_json(find.value);
-    EXPECT_TRUE(losses.insert(std::string(name_of(find.outcome)) + find.loss).second)
-        << find.loss << " twice";
+    EXPECT_TRUE(failures.insert(find.failure).second) << to_text(find.failure) << " twice";
+    EXPECT_EQ(failure_of(find.value, kFails, find.value.expect.at(kFails)), find.failure);
   }
   EXPECT_EQ(first.tally().inputs, raw.size());
   EXPECT_EQ(first.tally().failures, first.tally().known + finds.size());
   EXPECT_EQ(store.load().value().size(), finds.size());
 
   Triage again(store, quick_options());
-  const std::vector<NamedCase> entries = store.load().value();
-  for (const NamedCase& entry : entries) again.know(entry.value);
   std::vector<Case> backwards(raw.rbegin(), raw.rend());
   EXPECT_THAT(triaged(again, backwards), testing::IsEmpty()) << "in whatever order";
   EXPECT_EQ(again.tally().failures, again.tally().known);
@@ -149,7 +154,7 @@ TEST(Triage, AsksAnInputAsItStandsToo) {
   Triage triage(store, options);
   const std::vector<TriageFind> finds = triaged(triage, {far});
   ASSERT_EQ(finds.size(), 1U);
-  EXPECT_EQ(finds[0].outcome, Outcome::kMissed);
+  EXPECT_EQ(finds[0].failure.outcome, Outcome::kMissed);
   EXPECT_GE(finds[0].value.query.t_max, limit);
 }
 
@@ -168,7 +173,9 @@ TEST(Triage, WhatIsNotShrunkToTheEndIsFoundAnew) {
   is_over = true;
   for (const Case& candidate : raw) {
     asked = 0;
-    EXPECT_TRUE(triage.add(candidate, [&](const TriageFind& find) { finds.push_back(find); }));
+    EXPECT_TRUE(triage.add(candidate, [&](const Failure& failure, const Case& find) {
+      finds.push_back({failure, find});
+    }));
   }
   EXPECT_THAT(finds, testing::IsEmpty());
   EXPECT_GT(triage.tally().failures, 0U);
@@ -223,9 +230,8 @@ TEST(Triage, KeepsACrashOfEachNameShrunkWithWhatOthersSay) {
     const std::vector<TriageFind> finds = triaged(triage, {raw.begin(), raw.begin() + 1});
     ASSERT_EQ(finds.size(), 1U) << method;
     const TriageFind& find = finds.front();
-    EXPECT_EQ(find.outcome, Outcome::kError);
-    EXPECT_EQ(find.error, name);
-    EXPECT_EQ(find.loss, "");
+    EXPECT_EQ(find.failure.outcome, Outcome::kError);
+    EXPECT_EQ(find.failure.cause, name);
     EXPECT_EQ(find.value.expect.at(method), Expected(Outcome::kError, name));
     EXPECT_LT(size_of(find.value.query), size_of(raw.front().query)) << to_json(find.value);
     EXPECT_TRUE(check_truth(find.value)) << to_json(find.value);
@@ -235,8 +241,6 @@ TEST(Triage, KeepsACrashOfEachNameShrunkWithWhatOthersSay) {
     }
 
     Triage again(store, failing_options({method}));
-    const std::vector<NamedCase> entries = store.load().value();
-    for (const NamedCase& entry : entries) again.know(entry.value);
     const auto few = raw.begin() + (method == "spins" ? 1 : 3);
     EXPECT_THAT(triaged(again, {raw.begin(), few}), testing::IsEmpty());
     EXPECT_EQ(again.tally().known, few - raw.begin());
@@ -266,8 +270,8 @@ TEST(Triage, ACrashOfTheOracleIsAFind) {
       continue;
     }
     ASSERT_EQ(finds.size(), 1U);
-    EXPECT_EQ(finds[0].method, "oracle");
-    EXPECT_EQ(finds[0].error, "crash SIGABRT");
+    EXPECT_EQ(finds[0].failure.who, "oracle");
+    EXPECT_EQ(finds[0].failure.cause, "crash SIGABRT");
     EXPECT_EQ(finds[0].value.expect.at("oracle"), Expected(Outcome::kError, "crash SIGABRT"));
     EXPECT_EQ(triage.tally().known, 1U) << "the same again";
     EXPECT_THAT(warnings, testing::IsEmpty());
@@ -282,14 +286,14 @@ TEST(Triage, TellsWhatRefutesAClaimThoughNoFullRunFails) {
   std::vector<std::string> warnings;
   options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
   const Case raw = raw_finds().front();
-  EXPECT_TRUE(Triage(store, options).add(raw, [](const TriageFind&) { FAIL(); }));
+  EXPECT_TRUE(Triage(store, options).add(raw, [](const Failure&, const Case&) { FAIL(); }));
   EXPECT_THAT(warnings, testing::IsEmpty());
   options.errands = {"--triage", "refute all"};
   Triage refuted(store, options);
-  EXPECT_TRUE(refuted.add(raw, [](const TriageFind&) { FAIL(); }));
+  EXPECT_TRUE(refuted.add(raw, [](const Failure&, const Case&) { FAIL(); }));
   options.errands = {"--triage", "refute aborts"};
   Triage crashed(store, options);
-  EXPECT_TRUE(crashed.add(raw, [](const TriageFind&) { FAIL(); }));
+  EXPECT_TRUE(crashed.add(raw, [](const Failure&, const Case&) { FAIL(); }));
   EXPECT_THAT(warnings,
               testing::ElementsAre("no full run of a sound method fails, but: it is lost",
                                    "no full run of a sound method fails, but: crash SIGABRT"));
@@ -311,8 +315,8 @@ TEST(Triage, KeepsWhatCannotBeTraced) {
   Triage triage(store, failing_options({"misses"}));
   const std::vector<TriageFind> finds = triaged(triage, raw_finds());
   ASSERT_EQ(finds.size(), 1U) << "one class";
-  EXPECT_EQ(finds[0].outcome, Outcome::kMissed);
-  EXPECT_EQ(finds[0].loss, "");
+  EXPECT_EQ(finds[0].failure.outcome, Outcome::kMissed);
+  EXPECT_EQ(finds[0].failure.cause, "");
   EXPECT_EQ(store.load().value().size(), 1U);
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "case/judge.hpp"
+#include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "hunt/scale.hpp"
 #include "scoreboard/planted.hpp"
 
 namespace ccdfuzz {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "finds/failure.hpp"
+#include "method/ask.hpp"
+
+namespace ccdfuzz {
+
+/// Pops of one search, when methods are asked about a find of another: TDIBM needs fewer on most.
+inline constexpr std::uint64_t kEnoughPops = 2000;
+
+/// What a case that failed in such a search says of how it was asked: what fails within few pops
+/// does so with more.
+Asked asked_with(const SearchOptions& search);
+
+/// What lost the contact of a case in the search of a method: loss_cause of its trace. Empty where
+/// no contact by t_max is known, or the method cannot be traced.
+std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
+
+/// Asks methods about cases and says how they fail. For one thread.
+class Asker {
+ public:
+  using CauseOfLoss = std::function<std::string(const std::string& method, const Case& value)>;
+
+  /// cause: in place of cause_of_loss.
+  explicit Asker(const SearchOptions& search, MethodSet methods = {}, CauseOfLoss cause = nullptr)
+      : search_(search), methods_(std::move(methods)), cause_(std::move(cause)) {}
+
+  Judged ask(const std::string& method, const CheckedCase& known) {
+    return ask(method, known, search_);
+  }
+  Judged ask(const std::string& method, const CheckedCase& known, const SearchOptions& search) {
+    return ccdfuzz::ask(methods_[method], known, search);
+  }
+
+  /// What an entry expects of a method that answered so about its case: the outcome, and the name
+  /// of an error or the cause of a loss.
+  Expected expected(const std::string& method, const Case& value, const Judged& judged);
+
+  /// How the method fails; nothing where it does not.
+  std::optional<Failure> failure(const std::string& method, const CheckedCase& known);
+  std::optional<Failure> failure(const std::string& method, const Case& value);
+  /// The same, at the precision and with the pops that the case says.
+  std::optional<Failure> failure_as_asked(const std::string& method, const CheckedCase& known);
+
+  /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes
+  /// the find expect what they do. What is undecided so is left out: a larger budget may decide it.
+  void ask_others(Case& find, const std::vector<std::string>& methods);
+
+  const SearchOptions& search() const { return search_; }
+
+ private:
+  std::optional<Failure> failure(const std::string& method, const CheckedCase& known,
+                                 const SearchOptions& search);
+
+  SearchOptions search_;
+  MethodSet methods_;
+  CauseOfLoss cause_;  ///< empty: cause_of_loss
+  TracerSet tracers_;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,177 @@
+#include "finds/intake.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <tuple>
+#include <utility>
+
+#include "base/in_order.hpp"
+#include "certify/checker/check_case.hpp"
+#include "finds/shrink.hpp"
+
+namespace ccdfuzz {
+
+void Intake::offer(const Failure& failure, Case find) {
+  find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
+  Rank rank = rank_of(find.query);
+  const std::lock_guard lock(mutex_);
+  const auto [known, is_first] = kept_.try_emplace(failure);
+  Kept& kept = known->second;
+  if (!is_first && !(rank < kept.rank)) return;
+  kept = {std::move(rank), std::move(find), false, kept.is_new};
+  std::ignore = store_kept();
+}
+
+void Intake::know(const NamedCase& entry) {
+  const std::lock_guard lock(mutex_);
+  for (const Failure& failure : failures_of(entry.value)) told_.try_emplace(failure, entry);
+}
+
+Result<bool> Intake::has(const Failure& failure) {
+  const std::lock_guard lock(mutex_);
+  if (kept_.contains(failure) || confirmed_.contains(failure)) return true;
+  if (const auto told = told_.find(failure); told != told_.end()) {
+    if (shows(told->second, failure)) return true;
+    told_.erase(told);
+  }
+  return is_shown_in_store(failure);
+}
+
+/// Whether the method of the failure fails so on an entry, when it is asked as the entry says.
+bool Intake::shows(const NamedCase& entry, const Failure& failure) {
+  const auto known = check_case(entry);
+  const bool is_shown = known && confirm_.failure_as_asked(failure.who, *known) == failure;
+  if (is_shown) confirmed_.insert(failure);
+  return is_shown;
+}
+
+/// Whether an entry of the store shows the failure when its method is asked again. Those that say
+/// so and do not are disowned.
+Result<bool> Intake::is_shown_in_store(const Failure& failure) {
+  if (confirmed_.contains(failure)) return true;
+  for (;;) {
+    const Result<std::optional<NamedCase>> entry = store_.standing(failure);
+    if (!entry) return tl::unexpected(entry.error());
+    if (!*entry) return false;
+    if (shows(**entry, failure)) return true;
+    if (auto done = store_.disown(failure, (*entry)->id); !done)
+      return tl::unexpected(done.error());
+  }
+}
+
+Result<Store::Put> Intake::put(const Failure& failure, const Case& find) {
+  const auto try_once = [&] {
+    Result<Store::Put> done = store_.put(failure, find);
+    if (done && *done != Store::Put::kKnown) confirmed_.insert(failure);
+    return done;
+  };
+  const Result<Store::Put> done = try_once();
+  if (!done || *done != Store::Put::kKnown) return done;
+  return is_shown_in_store(failure).and_then([&](bool shown) { return shown ? done : try_once(); });
+}
+
+Result<void> Intake::store_all() {
+  const std::lock_guard lock(mutex_);
+  // Notices a folder that was replaced.
+  if (const auto loaded = store_.load(); !loaded) return noted(tl::unexpected(loaded.error()));
+  return store_kept();
+}
+
+Result<void> Intake::store_kept() {
+  Result<void> stored;
+  constexpr int kPasses = 2;  // in the first the folder may turn out to have been replaced
+  for (int pass = 0; stored && pass < kPasses; ++pass) {
+    notice_replacement();
+    for (auto& [failure, kept] : kept_) {
+      if (kept.stored) continue;
+      const Result<Store::Put> done = put(failure, kept.find);
+      if (!done) {
+        stored = tl::unexpected(done.error());
+        break;
+      }
+      kept.stored = true;
+      kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;
+    }
+  }
+  notice_replacement();
+  return noted(stored);
+}
+
+/// What was stored in a folder that is gone is kept only here.
+void Intake::notice_replacement() {
+  const std::uint64_t times = store_.times_replaced();
+  if (std::exchange(times_replaced_, times) == times) return;
+  for (auto& [failure, kept] : kept_) kept.stored = false;
+  confirmed_.clear();
+  std::ignore = noted(input_error(store_.folder(), "was removed"));
+}
+
+Result<void> Intake::noted(Result<void> result) {
+  if (!result && !trouble_) trouble_ = result.error();
+  return result;
+}
+
+std::optional<InputError> Intake::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return trouble_;
+}
+
+size_t Intake::count() const {
+  const std::lock_guard lock(mutex_);
+  return static_cast<size_t>(std::ranges::count_if(
+      kept_, [](const auto& kept) { return kept.second.is_new || !kept.second.stored; }));
+}
+
+Result<void> Intake::finish(const Finish& how) {
+  struct Task {
+    Failure failure;
+    Case find;
+  };
+  std::vector<Task> tasks;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [failure, kept] : kept_) {
+      if (kept.is_new || !kept.stored) tasks.push_back({failure, kept.find});
+    }
+  }
+  tbb::enumerable_thread_specific<Asker> askers(make_);
+  size_t done = 0;
+  run_in_order<Case>(
+      tasks.size(), how.threads,
+      [&](size_t i) {
+        auto& [failure, find] = tasks[i];
+        Asker& asker = askers.local();
+        if (how.shrinks(failure))
+          find = shrink(find, failure, asker, {how.max_trials, how.is_late}).value;
+        asker.ask_others(find, how.methods);
+        return std::move(find);
+      },
+      [&](Case find) {
+        const Failure& failure = tasks[done++].failure;
+        const std::lock_guard lock(mutex_);
+        Kept& kept = kept_.at(failure);
+        kept = {rank_of(find.query), std::move(find), false, kept.is_new};
+        std::ignore = store_kept();
+      },
+      &how.stop);
+  return store_all();
+}
+
+std::vector<Find> Intake::finds() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Find> finds;
+  for (const auto& [failure, kept] : kept_) {
+    Find find{failure, kept.stored ? store_.path_of(failure) : "", kept.find,
+              kept.is_new || !kept.stored};
+    if (!find.is_new) {
+      if (const auto entry = store_.standing(failure); entry && *entry) {
+        find.path = (*entry)->id;
+        find.value = (*entry)->value;
+      }
+    }
+    finds.push_back(std::move(find));
+  }
+  return finds;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "finds/asker.hpp"
+#include "finds/minimise.hpp"
+#include "finds/store.hpp"
+
+namespace ccdfuzz {
+
+/// What a run has kept for one failure.
+struct Find {
+  Failure failure;
+  std::string path;     ///< where it stands; empty if it could not be stored
+  Case value;           ///< with its expectations
+  bool is_new = false;  ///< put by this run; else it stood there before, or a smaller one did
+};
+
+/// The finds of one run on their way into a store: the smallest of each failure is kept in memory,
+/// so that none is lost while the store cannot be written, or with its folder. Whenever one is to
+/// be stored, all that are not in the store are. What a stored entry says of itself hides no find:
+/// where it would, its method is asked again, and it is disowned if it does not fail so.
+/// Safe from several threads.
+class Intake {
+ public:
+  /// What asks a method about a stored entry; and what shrinks and asks others, one a thread.
+  using MakeAsker = std::function<Asker()>;
+
+  /// confirm: asks methods about stored entries, in children, since an entry may be anything.
+  Intake(Store& store, MakeAsker make, MakeAsker confirm)
+      : store_(store), make_(std::move(make)), confirm_(confirm()) {}
+
+  /// A case shows a failure. Keeps and stores it if it is the smallest so far. What goes wrong with
+  /// the store is trouble.
+  void offer(const Failure& failure, Case find);
+
+  /// An entry of another folder, whose failures are known as if it stood in the store.
+  void know(const NamedCase& entry);
+
+  /// True iff the failure was offered, or an entry says that it shows it, and does when its method
+  /// is asked again. Errors: of the store.
+  Result<bool> has(const Failure& failure);
+
+  /// Stores all that is kept and not in the store. Errors: of the store; nothing is forgotten then.
+  Result<void> store_all();
+
+  struct Finish {
+    int threads = 1;
+    /// Whether to minimise the find of a failure, in at most so many trials.
+    std::function<bool(const Failure&)> shrinks;
+    std::uint64_t max_trials = 1000;
+    /// True ends minimising.
+    std::function<bool()> is_late;
+    /// The methods that each find is to say what it expects of.
+    std::vector<std::string> methods;
+    /// True ends it.
+    const std::atomic<bool>& stop;
+  };
+  /// Minimises the new finds and asks all methods about them. Errors: of the store.
+  Result<void> finish(const Finish& how);
+
+  /// The first thing that went wrong with the store, if anything did.
+  std::optional<InputError> trouble() const;
+  /// How many new finds there are.
+  size_t count() const;
+  /// All that was offered, ordered by failure.
+  std::vector<Find> finds() const;
+
+ private:
+  struct Kept {
+    Rank rank;
+    Case find;
+    bool stored = false, is_new = false;
+  };
+
+  Result<void> store_kept();
+  Result<Store::Put> put(const Failure& failure, const Case& find);
+  bool shows(const NamedCase& entry, const Failure& failure);
+  Result<bool> is_shown_in_store(const Failure& failure);
+  void notice_replacement();
+  Result<void> noted(Result<void> result);
+
+  Store& store_;
+  MakeAsker make_;
+  mutable std::mutex mutex_;
+  Asker confirm_;
+  std::map<Failure, Kept> kept_;
+  std::map<Failure, NamedCase> told_;  ///< by know
+  std::set<Failure> confirmed_;        ///< an entry of the store shows it
+  std::uint64_t times_replaced_ = 0;
+  std::optional<InputError> trouble_;
+};
+
+}  // namespace ccdfuzz

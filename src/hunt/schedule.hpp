@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ccdfuzz {
+
+/// A step of a hunt.
+struct Turn {
+  enum class What : std::uint8_t {
+    kDraw,   ///< put a draw to the cell's method
+    kBreed,  ///< go on with the cell's population; no two threads do so for one cell
+  };
+  std::size_t cell = 0;
+  What what = What::kDraw;
+  std::uint64_t draw = 0;    ///< its index; of a breeding turn, how many the cell has begun
+  std::uint64_t number = 0;  ///< how many turns were given before it
+};
+
+/// Whose turn it is, and for what. Not synchronised: the caller locks.
+///
+/// By time it shares CPU time equally among cells, whatever one turn of each costs: the next turn
+/// goes to the cell that has used least, so that a slow cell gets few turns and starves nobody; of
+/// equals to the one with the fewest turns, and then to the last. A cell breeds while that has
+/// taken less time than its draws. Turns may overlap: a cell whose turn still runs is charged with
+/// what its last turn cost, so that several threads do not all pick the same one.
+/// By draws it gives every draw of each cell, and then one breeding turn of each.
+class Schedule {
+ public:
+  /// By time, without end; or by so many draws of each cell. Requires a cell.
+  explicit Schedule(std::size_t cells, std::optional<std::uint64_t> draws = std::nullopt);
+
+  /// Every turn is followed by one done. Nothing once all draws and breeding turns were given.
+  std::optional<Turn> next();
+  /// The turn is over and cost so much CPU time. bred: false of a breeding turn that had nothing to
+  /// make mutants of.
+  void done(const Turn& turn, double seconds, bool bred = true);
+
+  double used(std::size_t cell) const { return cells_[cell].drawn + cells_[cell].bred; }
+  std::uint64_t draws_begun(std::size_t cell) const { return cells_[cell].draws; }
+  /// By draws: how much of all is done, in [0, 1]; half of it is breeding.
+  double share_done() const;
+
+ private:
+  struct Cell {
+    double drawn = 0, bred = 0;  ///< seconds of turns that are over
+    double last = 0;             ///< what its last turn cost
+    std::uint64_t running = 0, turns = 0, draws = 0;
+    bool breeds = false;  ///< now
+  };
+
+  Turn next_by_time();
+
+  std::vector<Cell> cells_;
+  std::optional<std::uint64_t> draws_;
+  std::uint64_t given_ = 0, draws_done_ = 0, breeding_done_ = 0;
+};
+
+}  // namespace ccdfuzz

@@ -1,0 +1,90 @@
+#include "finds/failure.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <set>
+
+#include "finds/finds.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// An edge that falls by 1 onto a point at (x, 0, 0), at t = 1/2, in [0, 1].
+Case falling_edge() {
+  Case c;
+  c.query.patches[0] = {Shape::curve(1), {{-1, 1, 0}, {1, 1, 0}}, {{0, -2, 0}, {0, -2, 0}}};
+  c.query.patches[1] = {Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
+  c.query.t_max = 1;
+  c.truth.collides = true;
+  c.truth.witness = Witness{Rational(1, 2), {}};
+  c.truth.witness->uv[0] = {Rational(1, 2), Rational(0)};
+  c.origin.contact = "VE";
+  c.expect["tdibm"] = {Outcome::kMissed, "left root"};
+  return c;
+}
+
+TEST(Setting, TellsTrivialQueriesFromOrdinaryOnes) {
+  Case c = falling_edge();
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary);
+  c.query.t_max = 0.5;
+  EXPECT_EQ(setting_of(c), Setting::kAtAnEnd);
+  c.query.t_max = std::nextafter(0.5, 1);
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary);
+  c = falling_edge();
+  c.truth.witness->t = 0;
+  EXPECT_EQ(setting_of(c), Setting::kAtAnEnd);
+  c = falling_edge();
+  c.query.patches[1].velocities[0] = c.query.patches[0].velocities[0];
+  EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "nothing moves against the rest";
+  c = falling_edge();
+  c.query.patches[0].positions[1] = c.query.patches[0].positions[0];
+  EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "no extent";
+  c.query.patches[0].velocities[1] = {1, 0, 0};
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary) << "it grows";
+  c = falling_edge();
+  c.query.patches[0].positions[1][2] = 0x1p40;
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary);
+  for (const double x : {0x1.8p40, 0x1p-41}) {
+    c.query.patches[0].positions[1][2] = x;
+    EXPECT_EQ(setting_of(c), Setting::kExtreme) << x;
+  }
+}
+
+TEST(Failure, IsWhatACaseExpectsInItsSetting) {
+  Case c = falling_edge();
+  c.expect["tdibm-c"] = Outcome::kCorrect;
+  c.expect["trad"] = {Outcome::kError, "crash SIGSEGV"};
+  const std::vector<Failure> failures = failures_of(c);
+  ASSERT_EQ(failures.size(), 2U);
+  EXPECT_EQ(to_text(failures[0]), "missed by tdibm (VE, left root)");
+  EXPECT_EQ(file_stem(failures[0]), "tdibm-missed-VE-left-root");
+  EXPECT_EQ(to_text(failures[1]), "error by trad (crash SIGSEGV)");
+  EXPECT_EQ(file_stem(failures[1]), "trad-error-crash-SIGSEGV");
+  c.query.t_max = 0.5;
+  EXPECT_EQ(to_text(failures_of(c)[0]), "missed by tdibm (VE, left root, at an end)");
+  EXPECT_EQ(failures_of(c)[1], failures[1]) << "a crash is a crash in whatever setting";
+}
+
+TEST(FileStem, TellsFailuresApartInCharactersThatEveryFolderTakes) {
+  std::set<std::string> stems;
+  size_t count = 0;
+  for (const std::string who :
+       {"tdibm", "tdibm-h:1e-16", "tdibm-h_1e-16", "plugin:./a.so", "plugin:./a-so", ".hidden",
+        "plugin-exec:/some/where/very/far/away/from/here/in/the/depths/of/a/disk/solver one",
+        "plugin-exec:/some/where/very/far/away/from/here/in/the/depths/of/the/disk/solver one"}) {
+    for (const Outcome outcome : {Outcome::kMissed, Outcome::kError}) {
+      for (const Setting setting : kAllSettings) {
+        const std::string stem = file_stem({who, outcome, "VE", "left root", setting});
+        ++count;
+        EXPECT_TRUE(stems.insert(stem).second) << stem;
+        EXPECT_LE(stem.size(), 120U) << stem;
+        EXPECT_THAT(stem, testing::MatchesRegex("[A-Za-z0-9-][A-Za-z0-9._-]*"));
+      }
+    }
+  }
+  EXPECT_EQ(stems.size(), count);
+}
+
+}  // namespace
+}  // namespace ccdfuzz

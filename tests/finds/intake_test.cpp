@@ -1,0 +1,124 @@
+#include "finds/intake.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "finds/finds.hpp"
+#include "scratch_folder.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+
+/// Misses every contact of a first patch whose coordinate is at least `least`.
+struct Misses : Method {
+  explicit Misses(double from) : least(from) {}
+  Answered answer(const Query& query, const SearchOptions&) override {
+    Answered answer;
+    answer.verdict = query.patches[0].positions[0][0] >= least ? Verdict::kMiss : Verdict::kHit;
+    if (answer.verdict == Verdict::kHit) answer.toi = 0;
+    return answer;
+  }
+  double least;
+};
+
+Asker asker_of(double least) {
+  return Asker({}, MethodSet([least](const std::string&) -> Result<std::unique_ptr<Method>> {
+                 return std::make_unique<Misses>(least);
+               }));
+}
+
+/// An intake whose methods miss from `least` on.
+struct Taken {
+  Taken(const std::string& folder, double least)
+      : store(open_store(folder)),
+        intake(
+            store, [least] { return asker_of(least); }, [least] { return asker_of(least); }) {}
+
+  void offer(const Case& find) {
+    Case bare = find;
+    bare.expect.clear();
+    intake.offer(failures_of(find).front(), bare);
+  }
+
+  Store store;
+  Intake intake;
+};
+
+TEST(Intake, KeepsAndStoresTheSmallestOfEachFailure) {
+  const ScratchFolder folder;
+  Taken taken(folder.path(), 1);
+  for (const double x : {7, 15, 3, 31}) taken.offer(find_of(x));
+  taken.offer(find_of(5, "trad"));
+  EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3), find_of(5, "trad")));
+  EXPECT_EQ(taken.intake.count(), 2U);
+  const std::vector<Find> finds = taken.intake.finds();
+  ASSERT_EQ(finds.size(), 2U);
+  EXPECT_TRUE(finds[0].is_new);
+  EXPECT_EQ(finds[0].path, folder / "tdibm-missed-VV-at-an-end.json");
+}
+
+TEST(Intake, WhatStoodThereAndStillFailsIsKnown) {
+  const ScratchFolder folder;
+  Taken(folder.path(), 1).offer(find_of(3));
+  Taken again(folder.path(), 1);
+  again.offer(find_of(7));
+  EXPECT_TRUE(again.intake.has(failures_of(find_of(7)).front()).value());
+  EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3)));
+  EXPECT_EQ(again.intake.count(), 0U);
+  ASSERT_EQ(again.intake.finds().size(), 1U);
+  EXPECT_FALSE(again.intake.finds()[0].is_new);
+  EXPECT_EQ(again.intake.finds()[0].value, find_of(3)) << "the one that stands there";
+}
+
+// A forged or outdated entry, by its failure's name or by another, silences nothing.
+TEST(Intake, AnEntryThatDoesNotFailAsItSaysHidesNoFind) {
+  for (const std::string name : {"tdibm-missed-VV-at-an-end", "forged"}) {
+    const ScratchFolder folder;
+    ASSERT_TRUE(open_store(folder.path()).put_named(name, find_of(1)));
+    Taken taken(folder.path(), 2);
+    const Failure failure = failures_of(find_of(3)).front();
+    EXPECT_FALSE(taken.intake.has(failure).value());
+    taken.offer(find_of(3));
+    EXPECT_EQ(taken.intake.count(), 1U) << name;
+    EXPECT_THAT(cases_in(folder.path()), testing::UnorderedElementsAre(find_of(1), find_of(3)))
+        << name;
+    EXPECT_TRUE(fs::exists(taken.store.path_of(failure)));
+  }
+}
+
+TEST(Intake, EntriesOfOtherFoldersAreKnownIfTheyFailAsTheySay) {
+  const ScratchFolder folder;
+  Taken taken(folder.path(), 2);
+  const Failure failure = failures_of(find_of(3)).front();
+  taken.intake.know({"elsewhere.json", find_of(1)});
+  EXPECT_FALSE(taken.intake.has(failure).value());
+  taken.intake.know({"elsewhere.json", find_of(7)});
+  EXPECT_TRUE(taken.intake.has(failure).value());
+}
+
+TEST(Intake, FinishShrinksToTheSameFailureAndAsksTheOthers) {
+  const ScratchFolder folder;
+  Taken taken(folder.path(), 2);
+  taken.offer(find_of(31));
+  const std::atomic<bool> stop = false;
+  ASSERT_TRUE(taken.intake.finish({1,
+                                   [](const Failure&) { return true; },
+                                   1000,
+                                   [] { return false; },
+                                   {"tdibm", "other"},
+                                   stop}));
+  const std::vector<Case> cases = cases_in(folder.path());
+  ASSERT_EQ(cases.size(), 1U);
+  EXPECT_LT(rank_of(cases[0].query), rank_of(find_of(31).query));
+  EXPECT_GE(cases[0].query.patches[0].positions[0][0], 2) << "it fails still";
+  EXPECT_EQ(failures_of(cases[0]).back(), failures_of(find_of(31)).front());
+  EXPECT_EQ(cases[0].expect.at("other"), Outcome::kMissed);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
