@@ -117,6 +117,10 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
   return Outcome::kFalsePositive;
 }
 
+double delay_of(const CheckedCase& known, const Answer& answer) {
+  return round_up(exact(*answer.toi) - *known.contact_by());
+}
+
 Case with_t_max(const Case& value, double t_max) {
   CCDFUZZ_VERIFY(is_finite(t_max) && compare(t_max, 0) >= 0);
   Case out = value;

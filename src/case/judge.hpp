@@ -48,7 +48,12 @@ struct Judged {
   /// Of an error: by what like ones are told from others. "exception" or "nonsense" of methods that
   /// give it no name.
   std::string error;
+  /// Of a late hit: how long after the proven contact it comes, rounded up.
+  double late_by = 0;
 };
+
+/// How long after the proven contact a hit comes, rounded up. Requires that both are there.
+double delay_of(const CheckedCase& known, const Answer& answer);
 
 /// The same two patches asked up to another t_max ≥ 0, with what its truth then still says: absence
 /// of contact holds for a shorter time but says nothing of a longer one, and a contact is

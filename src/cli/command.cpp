@@ -20,6 +20,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/session.hpp"
+#include "method/method.hpp"
 
 namespace ccdfuzz {
 
@@ -157,6 +158,24 @@ Option Command::threads(int& value) {
 
 Option Command::threads() {
   return threads(session_->threads);
+}
+
+Option Command::plugin_names() {
+  return add_text(
+      "--plugin",
+      "NAME=SPEC, several with commas between: plugin:NAME stands for this plug-in in "
+      "all that is read and written",
+      "", [](const std::string& where, const std::string& text) -> Result<void> {
+        for (const std::string& item : texts_between_commas(text)) {
+          const size_t equals = item.find('=');
+          if (equals == std::string::npos) {
+            return input_error(where, fmt::format("\"{}\" is not of the form NAME=SPEC", item));
+          }
+          const auto named = name_plugin(item.substr(0, equals), item.substr(equals + 1));
+          if (!named) return input_error(where, named.error().what);
+        }
+        return {};
+      });
 }
 
 Option Command::max_work() {

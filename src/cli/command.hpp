@@ -106,6 +106,8 @@ class Command {
   Option threads(int& value);
   Option threads();
   Option json(const std::string& description);
+  /// --plugin NAME=SPEC, which name_plugin takes. Added before any option that may name a method.
+  Option plugin_names();
   /// --max-work, the limit of RunWork: of each command that checks cases of files.
   Option max_work();
 

@@ -37,6 +37,7 @@ std::vector<std::string> default_methods() {
 
 void add_methods(Command& command, std::vector<std::string>& methods,
                  const std::string& description) {
+  command.plugin_names();
   command.parsed("--methods", methods, description, &parse_methods,
                  fmt::format("{}", fmt::join(methods, ",")));
 }

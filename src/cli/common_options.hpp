@@ -51,7 +51,7 @@ using NotAllowed = std::map<std::string, std::uint64_t>;
 /// "3 expectations of plug-ins not run: allow them with --allow-plugins A,B". Requires not empty.
 std::string to_text(const NotAllowed& left_out);
 
-/// --methods: of these the command asks, in this order.
+/// --methods, and --plugin: of these the command asks, in this order.
 void add_methods(Command& command, std::vector<std::string>& methods,
                  const std::string& description);
 

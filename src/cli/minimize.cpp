@@ -107,6 +107,7 @@ void add_minimize(CommandLine& line) {
   auto [command, options] = line.add<MinimizeOptions>(
       "minimize", "Shrink a counterexample exactly: the method still fails alike", run_minimize);
   command.text("case", options->file, "File with one case").required();
+  command.plugin_names();
   command.text("--method", options->method, "The method that fails on it").required();
   command.text("-o,--output", options->output,
                "File to write, .json, and beside it the tree of the case if it has one; default "

@@ -61,7 +61,7 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
           {row.method},
           {std::string(name_of(row.verdict))},
           {row.toi ? fmt::format("{}", *row.toi) : ""},
-          {std::string(name_of(row.outcome)), bad ? Emphasis::kBad : Emphasis::kPlain},
+          {row.outcome_text(), bad ? Emphasis::kBad : Emphasis::kPlain},
           {fmt::format("{}", row.pops)},
           {duration_text(row.seconds)},
           {row.error.empty() ? row.note : row.error + ": " + row.note}};

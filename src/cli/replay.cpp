@@ -187,7 +187,7 @@ class Replay {
     return {{row.id},
             {row.method},
             {to_text(row.expected)},
-            {to_text(row.got), is_good ? Emphasis::kPlain : Emphasis::kBad},
+            {to_text(row.got, row.judged.late_by), is_good ? Emphasis::kPlain : Emphasis::kBad},
             {std::string(name_of(row.change()))}};
   }
 

@@ -212,6 +212,7 @@ void add_report(CommandLine& line) {
       "source", options->source,
       "A corpus (its entries and what they expect), or the folder of an `evaluate -o` or of a "
       "`hunt --report`, whose numbers are taken as they are");
+  command.plugin_names();
   options->plugins.add_to(command);
   command.text("--scoreboard", options->scoreboard,
                "Also show how the tests fare with planted faults: a .json that "

@@ -184,6 +184,7 @@ void add_triage(CommandLine& line, const FindTarget& find_target) {
   command.text(
       "--known", options->known,
       "A corpus, whose failures are not stored again; with --target, those in its `properties`");
+  command.plugin_names();
   target.excludes(
       command.text("--methods", options->methods, "Methods to ask, separated by commas"));
   command.text("--seconds", options->seconds, "What is not done by then is left undone");

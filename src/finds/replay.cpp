@@ -33,9 +33,11 @@ Change change_of(const Expected& expected, const Expected& got) {
   return before < now ? Change::kRegression : Change::kImprovement;
 }
 
-std::string to_text(const Expected& expected) {
-  return expected.cause.empty() ? std::string(name_of(expected.outcome))
-                                : fmt::format("{} ({})", name_of(expected.outcome), expected.cause);
+std::string to_text(const Expected& expected, double late_by) {
+  std::string text(name_of(expected.outcome));
+  if (late_by > 0) text += fmt::format(" by {:.3g}", late_by);
+  if (!expected.cause.empty()) text += fmt::format(" ({})", expected.cause);
+  return text;
 }
 
 Replayer::Replayer() : here_(SearchOptions()), served_({}, MethodSet(make_served_method)) {}

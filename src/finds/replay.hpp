@@ -39,8 +39,8 @@ struct ReplayRow {
   Change change() const { return change_of(expected, got); }
 };
 
-/// "missed (left root)".
-std::string to_text(const Expected& expected);
+/// "missed (left root)", "late by 0.25 (right root)".
+std::string to_text(const Expected& expected, double late_by = 0);
 
 /// Asks methods about entries. For one thread.
 class Replayer {

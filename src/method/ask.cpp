@@ -32,7 +32,8 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
   if (answer.broken_claim && !wrong) {
     return failed(*answer.broken_claim, answer.broken_claim->name());
   }
-  return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : ""};
+  const double late_by = outcome == Outcome::kLate ? delay_of(known, answer) : 0;
+  return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : "", late_by};
 }
 
 Judged ask(Method& method, const Case& known, const SearchOptions& options) {

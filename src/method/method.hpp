@@ -106,6 +106,11 @@ const std::vector<MethodInfo>& registered_methods();
 /// never to be admitted, only what the command line gives. Errors: as meet_plugin.
 Result<void> admit_plugin(const std::string& spec);
 
+/// Lets "plugin:NAME" stand for the plug-in of a spec, which is admitted by that, so that files and
+/// tables hold a name and no path. Errors: as admit_plugin; a name that is not of letters, digits
+/// and '-', or that stands for another plug-in already.
+Result<void> name_plugin(const std::string& name, const std::string& spec);
+
 /// True iff make_method may make it: a built-in method, or a plug-in that was admitted.
 bool is_admitted(const std::string& spec);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
 
 #include "base/text.hpp"
@@ -250,6 +251,19 @@ const std::vector<MethodInfo>& registered_methods() {
 Result<void> admit_plugin(const std::string& spec) {
   if (!names_plugin(spec)) return {};
   return meet_plugin(spec).map([](const auto&) {});
+}
+
+Result<void> name_plugin(const std::string& name, const std::string& spec) {
+  if (!names_plugin(spec)) {
+    return input_error("", fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
+  }
+  const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return c < 128 && (std::isalnum(c) != 0 || c == '-');
+  });
+  if (!is_name) {
+    return input_error("", fmt::format("\"{}\" is not a name of letters, digits and '-'", name));
+  }
+  return meet_plugin(spec, kPluginPrefix + name);
 }
 
 bool is_admitted(const std::string& spec) {

@@ -77,6 +77,43 @@ TEST(Plugins, ThatAreNaiveAreBrokenAndTheFindsShrunk) {
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
 }
 
+TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
+  const ScratchFolder folder;
+  const std::string named = "naive=" + kNaive;
+  const Finished hunted = ccdfuzz({"hunt", "--cases", "1", "--plugin", named, "--methods",
+                                   "plugin:naive", "--corpus", folder / "finds", "--json"});
+  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  const auto finds = rows_of(hunted.out, "find");
+  ASSERT_FALSE(finds.empty());
+  for (const auto& find : finds) {
+    EXPECT_EQ(find.at("method"), "plugin:naive");
+    const std::string entry = read_text(find.at("path").get<std::string>());
+    EXPECT_EQ(entry.find(CCDFUZZ_TEST_NAIVE_PLUGIN), std::string::npos) << entry;
+  }
+  const Finished unnamed = ccdfuzz({"replay", folder / "finds"});
+  EXPECT_EQ(unnamed.code, 0) << unnamed.out << unnamed.err;
+  EXPECT_NE(unnamed.err.find("--allow-plugins plugin:naive"), std::string::npos) << unnamed.err;
+  const Finished replayed = ccdfuzz({"replay", folder / "finds", "--plugin", named});
+  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  EXPECT_EQ(replayed.err, "");
+  EXPECT_EQ(replayed.out,
+            fmt::format("{0} entries, {0} expectations: {0} as expected\n", finds.size()));
+}
+
+TEST(Plugins, WhoseNameIsNoneAreRefusedNamingIt) {
+  for (const std::string& bad :
+       {std::string("naive"), "a b=" + kNaive, "=" + kNaive, std::string("naive=tdibm"),
+        "naive=" + kNaive + ",naive=" + kNaive, std::string("naive=plugin:/nowhere")}) {
+    const Finished asked =
+        ccdfuzz({"query", "nothing.json", "--plugin", bad, "--methods", "tdibm"});
+    EXPECT_EQ(asked.code, 2) << bad;
+    EXPECT_NE(asked.err.find("--plugin"), std::string::npos) << asked.err;
+  }
+  const Finished unknown = ccdfuzz({"query", "nothing.json", "--methods", "plugin:naive"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("\"plugin:naive\""), std::string::npos) << unknown.err;
+}
+
 TEST(Plugins, OfLinearMeshesAreHuntedWithLinearQueries) {
   const ScratchFolder folder;
   const std::string linear = std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN;

@@ -91,6 +91,19 @@ TEST(Replay, ACrashThatIsNoneAnyMoreIsAChange) {
   for (const auto& row : rows) EXPECT_EQ(row.at("outcome"), "correct") << row;
 }
 
+TEST(Replay, SaysByHowMuchAHitIsLate) {
+  const std::string late =
+      CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-late-past-the-contact.json";
+  const Finished finished = ccdfuzz({"replay", late, "--methods", "tdibm", "--expect", "correct"});
+  EXPECT_EQ(finished.code, 1);
+  EXPECT_NE(finished.out.find("late by 1.29e-14 (right root)"), std::string::npos) << finished.out;
+  const auto rows =
+      json_lines(ccdfuzz({"query", late, "--methods", "tdibm,tdibm-c", "--json"}).out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_GT(rows[0].at("late_by").get<double>(), 0);
+  EXPECT_FALSE(rows[1].contains("late_by"));
+}
+
 TEST(Replay, AnEmptyCorpusIsAnError) {
   const ScratchFolder folder;
   const Finished finished = ccdfuzz({"replay", folder.path()});

@@ -283,6 +283,19 @@ Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& spec) 
   return started;
 }
 
+Result<void> meet_plugin(const std::string& spec, const std::string& name) {
+  MetPlugins& met = met_plugins();
+  const std::lock_guard lock(met.mutex);
+  if (met.by_spec.contains(name)) {
+    return input_error("", fmt::format("\"{}\" stands for a plug-in already", name));
+  }
+  return start_and_ask(spec).map([&](const std::shared_ptr<const KnownPlugin>& started) {
+    KnownPlugin named = *started;
+    named.spec.text = name;
+    met.by_spec.emplace(name, std::make_shared<const KnownPlugin>(std::move(named)));
+  });
+}
+
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {
   MetPlugins& met = met_plugins();
   const std::lock_guard lock(met.mutex);

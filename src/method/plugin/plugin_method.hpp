@@ -24,6 +24,9 @@ struct KnownPlugin {
 /// Errors: as parse_plugin_spec; no plug-in: not to be loaded or run, or of another version.
 Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& spec);
 
+/// The same, from now on known by this name in place of its spec. Errors: the name is known.
+Result<void> meet_plugin(const std::string& spec, const std::string& name);
+
 /// The plug-in of a spec that meet_plugin has met. Starts nothing, so that any text may be looked
 /// up. Errors: it has not been met.
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec);
