@@ -90,6 +90,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
       return hit(std::max(rough.time, advanced.time), 0);
     }
 
+    ++decided_in_integers_;
     using Kind = certified::LinearContact::Kind;
     const certified::LinearContact contact =
         certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));

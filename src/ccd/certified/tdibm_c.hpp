@@ -29,6 +29,9 @@ class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);
 
+  /// How many linear queries doubles left to integers, over the life of the object.
+  std::uint64_t decided_in_integers() const { return decided_in_integers_; }
+
  private:
   struct Entry {
     Window window;
@@ -49,6 +52,7 @@ class TdibmC {
   certified::PairSplit split_;
   SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;
+  std::uint64_t decided_in_integers_ = 0;
 };
 
 }  // namespace ccdfuzz

@@ -1,0 +1,78 @@
+// What tdibm-c takes for linear queries, and how many it leaves to integers.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "bench/ratio.hpp"
+#include "ccd/certified/tdibm_c.hpp"
+#include "eval/tally.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr int kQueries = 20'000;
+constexpr int kRepeats = 15;
+
+/// Positions and velocities of all bits in [−1, 1], and t_max = 1.
+std::vector<Query> random_queries(const Shape& a, const Shape& b) {
+  std::mt19937_64 bits(1);
+  const auto point = [&] {
+    Vec3<double> p;
+    for (double& x : p) x = std::uniform_real_distribution<double>(-1, 1)(bits);
+    return p;
+  };
+  std::vector<Query> queries(kQueries);
+  for (Query& query : queries) {
+    query.patches[0].shape = a;
+    query.patches[1].shape = b;
+    for (MovingPatch<double>& patch : query.patches) {
+      for (int i = 0; i < patch.shape.control_count(); ++i) {
+        patch.positions.push_back(point());
+        patch.velocities.push_back(point());
+      }
+    }
+  }
+  return queries;
+}
+
+/// Of each query the least time of kRepeats.
+void linear(benchmark::State& state, const Shape& a, const Shape& b) {
+  const std::vector<Query> queries = random_queries(a, b);
+  TdibmC method;
+  Samples micros;
+  for ([[maybe_unused]] const auto _ : state) {
+    for (const Query& query : queries) {
+      double least = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < kRepeats; ++i) {
+        const double begin = thread_cpu_seconds();
+        benchmark::DoNotOptimize(method.answer(query, {}));
+        least = std::min(least, thread_cpu_seconds() - begin);
+      }
+      micros.add(1e6 * least);
+    }
+  }
+  const auto asked = static_cast<double>(micros.all().size()) * kRepeats;
+  state.counters["integers_percent"] =
+      100 * static_cast<double>(method.decided_in_integers()) / asked;
+  state.counters["mean_us"] = micros.mean();
+  state.counters["p99_us"] = micros.p99();
+  state.counters["p99.9_us"] = micros.quantile(0.999);
+}
+
+const bool kRegistered = [] {
+  const Shape point = Shape::point(), edge = Shape::curve(1), face = Shape::triangle(1);
+  for (const auto& [name, a, b] : {std::tuple{"edge-edge", edge, edge},
+                                   {"vertex-face", point, face},
+                                   {"point-edge", point, edge},
+                                   {"point-point", point, point}}) {
+    benchmark::RegisterBenchmark(fmt::format("linear/{}", name).c_str(), linear, a, b)
+        ->Iterations(1);
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace ccdfuzz
