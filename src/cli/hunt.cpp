@@ -59,7 +59,7 @@ std::string command_of(const Find& find) {
 }
 
 /// A find, as a row of the JSON output.
-struct FindRow {
+struct HuntFindRow {
   const Find& find;
 
   static void fields(auto& archive, auto& row) {
@@ -142,7 +142,7 @@ void print_report(const HuntReport& report, const std::string& folder) {
 
 void print_report_json(const HuntReport& report) {
   for (const HuntCell& cell : report.cells) print_row(cell);
-  for (const Find& find : report.finds) print_row(FindRow{find});
+  for (const Find& find : report.finds) print_row(HuntFindRow{find});
   print_row(SummaryRow{query_count(report), report.cases, count_of(report, true),
                        count_of(report, false), report.seconds});
 }
