@@ -8,7 +8,7 @@
 
 #include "bench/ratio.hpp"
 #include "ccd/certified/tdibm_c.hpp"
-#include "eval/tally.hpp"
+#include "eval/log_histogram.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -42,7 +42,7 @@ std::vector<Query> random_queries(const Shape& a, const Shape& b) {
 void linear(benchmark::State& state, const Shape& a, const Shape& b) {
   const std::vector<Query> queries = random_queries(a, b);
   TdibmC method;
-  Samples micros;
+  LogHistogram micros;
   for ([[maybe_unused]] const auto _ : state) {
     for (const Query& query : queries) {
       double least = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ void linear(benchmark::State& state, const Shape& a, const Shape& b) {
       micros.add(1e6 * least);
     }
   }
-  const auto asked = static_cast<double>(micros.all().size()) * kRepeats;
+  const auto asked = static_cast<double>(micros.count()) * kRepeats;
   state.counters["integers_percent"] =
       100 * static_cast<double>(method.decided_in_integers()) / asked;
   state.counters["mean_us"] = micros.mean();

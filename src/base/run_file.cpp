@@ -71,7 +71,11 @@ Result<RunLines> RunLines::open(const std::string& path) {
   if (!first) return tl::unexpected(first.error());
   if (!*first) return input_error(path, "is not the file of a run");
   Result<RunHeader> header = from_json<RunHeader>(**first, path);
-  if (!header) return tl::unexpected(header.error());
+  if (!header) {
+    return input_error(path,
+                       "is neither the file of a run nor a share of one, as --shard makes it: " +
+                           header.error().what);
+  }
   run.header_ = *std::move(header);
   const Shard& shard = run.header_.shard;
   if (shard.index >= shard.of) return input_error(path, "shard: there is no such share");

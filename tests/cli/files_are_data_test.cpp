@@ -54,7 +54,7 @@ TEST(FilesAreData, WhatReadsCasesStartsNothing) {
   expect_data(trap, {"verify", cases});
   expect_data(trap, {"prove", cases, "-o", trap / "proven.jsonl"});
   expect_data(trap, {"export", cases, "--as", "gtest", "-o", trap / "found_test.cpp"});
-  expect_data(trap, {"merge", cases, "-o", trap / "merged.jsonl"});
+  expect_data(trap, {"merge", cases, "-o", trap / "merged.jsonl"}, 2);
   expect_data(trap, {"trace", cases, "--methods", "tdibm-c"});
   expect_data(trap, {"minimize", entry, "--method", "tdibm-e", "-o", trap / "small.json"});
   expect_data(trap, {"triage", entry, "--methods", "tdibm-e", "--known", trap.corpus(), "-o",
