@@ -72,9 +72,9 @@ Result<RunLines> RunLines::open(const std::string& path) {
   if (!*first) return input_error(path, "is not the file of a run");
   Result<RunHeader> header = from_json<RunHeader>(**first, path);
   if (!header) {
-    return input_error(path,
-                       "is neither the file of a run nor a share of one, as --shard makes it: " +
-                           header.error().what);
+    return input_error(header.error().where,
+                       header.error().what +
+                           ": this is neither the file of a run nor a share, as --shard makes it");
   }
   run.header_ = *std::move(header);
   const Shard& shard = run.header_.shard;

@@ -81,6 +81,10 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
       &interrupted);
   progress.clear();
   if (!report) return tl::unexpected(report.error());
+  if (interrupted) {
+    print_err(fmt::format("ccdfuzz: interrupted after {} queries; the table is of these alone\n",
+                          report->queries));
+  }
   if (json) {
     for (const Row& row : report->rows) print_out(to_json(LinearRow{row}) + "\n");
     for (const Imported& query : report->notable) print_out(to_json(NotableRow{query}) + "\n");

@@ -46,8 +46,9 @@ Result<ReportPage> hunt_page(const HuntRecord& record) {
   report.course = record.course;
   report.plugins = record.plugins;
   for (const HuntCell& cell : record.cells) {
-    report.rows.push_back(
-        {{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally});
+    Row row{{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally};
+    row.tally.seconds = {};  // which the record of a hunt does not keep
+    report.rows.push_back(std::move(row));
   }
   report.tables.push_back(
       report_table("hunt", "What the hunt asked, bred and lost", hunt_table(record.cells)));

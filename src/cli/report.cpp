@@ -198,6 +198,8 @@ Result<int> run_report(const ReportArguments& options) {
   if (auto done = write_report(*report, options.folder, options.threads); !done) {
     return tl::unexpected(done.error());
   }
+  if (interrupted)
+    print_err("ccdfuzz: interrupted; the page shows only what was read until then\n");
   print_out(fmt::format("{}/index.html: {} cases\n", options.folder, report->cases.size()));
   return interrupted ? interrupted_exit_code() : kDone;
 }

@@ -134,6 +134,7 @@ class Hunt {
         if (!turn) return;
         lock.unlock();
         Done done = turn->what == Turn::What::kDraw ? draw(*turn, tools) : breed(*turn, tools);
+        if (!options_.cases) offer(done);
         lock.lock();
         if (options_.cases) {
           record_in_turn(*turn, std::move(done));
@@ -214,11 +215,17 @@ class Hunt {
     return done;
   }
 
+  /// Outside of the lock if it may: the intake may ask a method about what stands in the store.
+  void offer(const Done& done) {
+    for (const auto& [failure, find] : done.failures) intake_.offer(failure, find);
+  }
+
   /// So that the course of a hunt by cases repeats, too.
   void record_in_turn(const Turn& turn, Done done) {
     waiting_.emplace(turn.number, std::pair(turn, std::move(done)));
     for (auto next = waiting_.begin(); next != waiting_.end() && next->first == recorded_;
          next = waiting_.erase(next)) {
+      offer(next->second.second);
       record(next->second.first, next->second.second);
       ++recorded_;
     }
@@ -232,7 +239,6 @@ class Hunt {
     cell.cpu_seconds += done.answer_seconds;
     queries_ += done.tally.n;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
-    for (const auto& [failure, find] : done.failures) intake_.offer(failure, find);
     show(options_.cases ? schedule_.share_done() : elapsed() / options_.seconds);
   }
 

@@ -1,6 +1,9 @@
 // import, export and evaluate --linear: query CSVs in and out of the real program.
 #include <gmock/gmock.h>
 
+#include <chrono>
+#include <thread>
+
 #include "case/case_files.hpp"
 #include "process.hpp"
 
@@ -127,6 +130,22 @@ TEST(EvaluateLinear, PrintsTable3OfAFolder) {
   EXPECT_THAT(table["rows"].dump(), HasSubstr("tdibm-c"));
   EXPECT_EQ(ccdfuzz({"evaluate", "--linear", folder / "scene/vertex-face/0.csv"}).code, 2);
   EXPECT_EQ(ccdfuzz({"evaluate"}).code, 2);
+}
+
+TEST(EvaluateLinear, AnInterruptedOneSaysSo) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder / "vertex-face");
+  std::string queries;
+  for (int i = 0; i < 2'000; ++i) queries += falling_vertex("-1,2", 1);
+  for (int i = 0; i < 200; ++i) {
+    write_text(folder / fmt::format("vertex-face/{}.csv", i), queries);
+  }
+  Process process({"evaluate", "--linear", folder.path(), "--methods", "tdibm-c"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  process.signal(SIGINT);
+  const Finished stopped = process.wait();
+  EXPECT_EQ(stopped.code, 128 + SIGINT);
+  EXPECT_NE(stopped.err.find("interrupted after"), std::string::npos) << stopped.err;
 }
 
 }  // namespace
