@@ -89,18 +89,15 @@ class PropertyCheck {
     save();
   }
 
-  /// In place of what was saved before of the same find.
+  /// Unless a better find of the same failure stands there.
   void save() {
     if (checked_.known_false()) return;
     const Result<std::string> saved =
-        save_find(options_.save.value_or(kFolder), checked_.property, *checked_.find);
+        save_find(options_.save.value_or(kFolder), {checked_.property, *checked_.find});
     if (!saved) {
       checked_.not_saved = saved.error().message();
       return;
     }
-    std::error_code none;
-    if (!checked_.saved.empty() && checked_.saved != *saved)
-      std::filesystem::remove(checked_.saved, none);
     checked_.saved = *saved;
     checked_.not_saved.clear();
   }

@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
-#include <regex>
+#include <sstream>
 #include <utility>
 
+#include "base/folder_lock.hpp"
+#include "base/input_bytes.hpp"
+#include "base/json_write.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
-#include "generators/random.hpp"
 
 namespace ccdfuzz {
 
@@ -30,24 +31,21 @@ std::string test_name(std::string_view property) {
   return name;
 }
 
-/// What stands in a file before the failure as it was found, by which finds are known that need no
-/// more work.
-constexpr const char* kComplete = "shrunk from:";
-constexpr const char* kCutShort = "shrunk, not to the end, from:";
+/// The inputs of fuzz targets end at 1 MiB; in hex they are twice as long, and stand there thrice.
+constexpr std::size_t kMostFindBytes = 16 << 20;
 
-/// What the text of a find says.
-FindQuality quality_of_text(std::istream& in) {
-  constexpr std::string_view kInput = " --hex ";
-  FindQuality quality;
-  for (std::string line; std::getline(in, line);) {
-    if (line == kComplete) quality.state = FindQuality::State::kComplete;
-    if (line == kCutShort) quality.state = FindQuality::State::kCutShort;
-    const std::size_t input = line.rfind(kInput);
-    if (!line.starts_with("reproduce: ") || input == std::string::npos) continue;
-    const std::string_view hex = std::string_view(line).substr(input + kInput.size());
-    quality.bytes = hex == "''" ? 0 : hex.size() / 2;
-  }
-  return quality;
+std::string path_of(const std::string& folder, const std::string& property,
+                    const std::string& error) {
+  std::string name = error.empty() ? property : property + "-" + error;
+  std::ranges::replace(name, ' ', '-');
+  return fmt::format("{}/{}.json", folder, name);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace
@@ -84,59 +82,52 @@ Result<void> make_find_folder(const std::string& folder) {
   return OutputFile::create(folder + "/a file").map([](const OutputFile&) {});
 }
 
-Result<std::string> save_find(const std::string& folder, const Property& property,
-                              const CheckFind& find) {
-  if (const Result<void> made = make_find_folder(folder); !made) {
-    return tl::unexpected(made.error());
-  }
-  std::uint64_t key = 0;
-  const auto add = [&](std::uint8_t byte) { key = Random::keyed({key, byte}).next(); };
-  std::string text = fmt::format("{}: {}\n\n", property.name, property.claim);
-  if (find.least) {
-    std::ranges::for_each(find.least->bytes, add);
-    text += fmt::format("{}\n\nreproduce: {}\n\n{}\n{}\n\n", find.least->check.text, find.reproduce,
-                        find.test, quality_of(find).is_complete() ? kComplete : kCutShort);
-  } else {
-    for (const char c : find.as_found) add(static_cast<std::uint8_t>(c));
-  }
-  text += fmt::format("{}\n\nas found: {}\n", find.text, find.as_found);
-  std::string path = fmt::format("{}/{}-{:016x}.txt", folder, kind_of_find(property, find), key);
-  return write_file(path, text).map([&] { return std::move(path); });
+std::string_view name_of(Shrunk shrunk) {
+  constexpr std::array<std::string_view, 3> kNames = {"not", "cut short", "to the end"};
+  return kNames[static_cast<size_t>(shrunk)];
 }
 
-std::string kind_of_find(const Property& property, const CheckFind& find) {
-  std::string kind =
-      fmt::format("{}{}{}", property.name, find.error.empty() ? "" : "-", find.error);
-  std::ranges::replace(kind, ' ', '-');
-  return kind;
+SavedFind::SavedFind(const Property& of, const CheckFind& find)
+    : property(of.name),
+      claim(of.claim),
+      error(find.error),
+      found(find.text),
+      as_found(find.as_found) {
+  if (!find.least) return;
+  // A hang is never shrunk further.
+  shrunk = find.least->is_cut_short && error != "hang" ? Shrunk::kCutShort : Shrunk::kToTheEnd;
+  input = to_hex_bytes(find.least->bytes);
+  text = find.least->check.text;
+  reproduce = find.reproduce;
+  test = lines_of(find.test);
 }
 
-bool FindQuality::replaces(const FindQuality& other) const {
-  if (state != other.state) return state > other.state;
-  return state == State::kAsFound || bytes < other.bytes;
+bool SavedFind::replaces(const SavedFind& other) const {
+  if (shrunk != other.shrunk) return shrunk > other.shrunk;
+  return shrunk == Shrunk::kNot || input.size() < other.input.size();
 }
 
-FindQuality quality_of(const CheckFind& find) {
-  if (!find.least) return {};
-  // Of a hang nobody tries more.
-  const bool is_cut_short = find.least->is_cut_short && find.error != "hang";
-  return {is_cut_short ? FindQuality::State::kCutShort : FindQuality::State::kComplete,
-          find.least->bytes.size()};
+Result<std::optional<SavedFind>> saved_find(const std::string& folder, const std::string& property,
+                                            const std::string& error) {
+  const std::string path = path_of(folder, property, error);
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) return std::nullopt;
+  return refuse_irregular(path)
+      .and_then([&] { return open_input(path, false); })
+      .and_then([](const auto& in) { return in->read(kMostFindBytes); })
+      .and_then([&](const std::string& json) { return from_json<SavedFind>(json, path); })
+      .map([](SavedFind find) { return std::optional(std::move(find)); });
 }
 
-std::vector<SavedFind> saved_finds(const std::string& folder) {
-  static const std::regex kForm("(.+)-[0-9a-f]{16}\\.txt");
-  std::vector<SavedFind> finds;
-  std::error_code error;
-  std::filesystem::directory_iterator at(folder, error), end;
-  for (; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename();
-    std::smatch parts;
-    if (!std::regex_match(name, parts, kForm)) continue;
-    std::ifstream in(at->path());
-    finds.push_back({at->path(), parts[1], quality_of_text(in)});
-  }
-  return finds;
+Result<std::string> save_find(const std::string& folder, const SavedFind& find) {
+  if (const auto made = make_find_folder(folder); !made) return tl::unexpected(made.error());
+  const auto lock = FolderLock::take(folder);
+  if (!lock) return tl::unexpected(lock.error());
+  std::string path = path_of(folder, find.property, find.error);
+  const auto standing = saved_find(folder, find.property, find.error);
+  if (!standing) return tl::unexpected(standing.error());
+  if (*standing && !find.replaces(**standing)) return path;
+  return write_file(path, readable_json(to_json(find)) + "\n").map([&] { return std::move(path); });
 }
 
 }  // namespace ccdfuzz

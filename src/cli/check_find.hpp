@@ -1,11 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/fields.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
@@ -32,40 +35,61 @@ std::string check_command(const Property& property, std::uint64_t seed, std::uin
 /// What a find was shrunk to, with command and test.
 void set_least(CheckFind& find, const Property& property, Counterexample least);
 
+/// What has been done of a find.
+enum class Shrunk : std::uint8_t {
+  kNot,       ///< it has not failed again
+  kCutShort,  ///< not to the end
+  kToTheEnd,  ///< nothing is left to do
+};
+inline constexpr std::array kAllShrunk = {Shrunk::kNot, Shrunk::kCutShort, Shrunk::kToTheEnd};
+/// "not", "cut short", "to the end".
+std::string_view name_of(Shrunk shrunk);
+constexpr const auto& all_of(Shrunk) {
+  return kAllShrunk;
+}
+
+/// A find as it stands in its file.
+struct SavedFind {
+  std::string property, claim;
+  std::string error;  ///< as CheckFind
+  Shrunk shrunk = Shrunk::kNot;
+  std::string input;              ///< the shrunk one, in hex; empty before
+  std::string text, reproduce;    ///< of the shrunk input; empty before
+  std::vector<std::string> test;  ///< the lines of CheckFind::test
+  std::string found, as_found;    ///< of the input that failed first
+
+  static void fields(auto& archive, auto& find) {
+    archive.format("ccdfuzz-claim-find", 1, 1);
+    archive("property", find.property);
+    archive("claim", find.claim);
+    archive("error", find.error);
+    archive("shrunk", find.shrunk);
+    archive("text", find.text);
+    archive("input", find.input);
+    archive("reproduce", find.reproduce);
+    archive("test", find.test);
+    archive("found", find.found);
+    archive("as_found", find.as_found);
+  }
+
+  SavedFind() = default;
+  SavedFind(const Property& property, const CheckFind& find);
+
+  bool is_complete() const { return shrunk == Shrunk::kToTheEnd; }
+  /// Whether it takes the place of another find of its claim and error: it is shrunk further, or to
+  /// less. Of two that have not failed again, the later is as good as the former.
+  bool replaces(const SavedFind& other) const;
+};
+
 /// Makes the folder unless it is there. Errors: it cannot be made, or no file in it.
 Result<void> make_find_folder(const std::string& folder);
 
-/// Writes a find into a folder, as text to read; returns the path, which is of the property and of
-/// the simplest input that is known. Errors: of the folder or file.
-Result<std::string> save_find(const std::string& folder, const Property& property,
-                              const CheckFind& find);
+/// The find of a property and an error that stands in a folder. Errors: a file that is none.
+Result<std::optional<SavedFind>> saved_find(const std::string& folder, const std::string& property,
+                                            const std::string& error);
 
-/// What saved finds are told apart by: the property, and an error's name.
-std::string kind_of_find(const Property& property, const CheckFind& find);
-
-/// What has been done of a find, and how large the input is that shows it.
-struct FindQuality {
-  enum class State : std::uint8_t {
-    kAsFound,   ///< it has not failed again
-    kCutShort,  ///< not shrunk to the end
-    kComplete,  ///< nothing is left to do
-  };
-  State state = State::kAsFound;
-  std::size_t bytes = 0;  ///< of the shrunk input
-
-  bool is_complete() const { return state == State::kComplete; }
-  /// Whether it takes the place of another find of its kind: it is better known, or shrunk to less;
-  /// of two that have not failed again, the later is as good as the former.
-  bool replaces(const FindQuality& other) const;
-};
-FindQuality quality_of(const CheckFind& find);
-
-/// A file that save_find wrote.
-struct SavedFind {
-  std::string path, kind;
-  FindQuality quality;
-};
-/// All of a folder; none where there is none.
-std::vector<SavedFind> saved_finds(const std::string& folder);
+/// Puts a find into the file that is called by its property and error, unless it does not replace
+/// what stands there. Returns the path. Errors: of the folder or file.
+Result<std::string> save_find(const std::string& folder, const SavedFind& find);
 
 }  // namespace ccdfuzz

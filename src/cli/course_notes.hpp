@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hunt/hunt.hpp"
@@ -8,21 +9,22 @@
 
 namespace ccdfuzz {
 
-/// Notes how a hunt goes, at most so often that a page has room for it, and how it ended: by time
-/// every so many seconds, by cases every so large a share of it, so that all but the seconds
+/// Samples how a hunt goes, at every 1/200 of it and at its end. By cases all but the seconds
 /// repeats exactly.
 class CourseNotes {
  public:
-  CourseNotes(std::vector<std::string> methods, bool by_cases);
+  explicit CourseNotes(std::vector<std::string> methods) : course_{std::move(methods), {}} {}
 
-  /// Of a share of 1 every note is kept: the hunt is over.
-  void note(double seconds, const HuntProgress& progress);
+  void note(double seconds, const HuntProgress& progress) {
+    if (progress.share < next_ && progress.share < 1) return;
+    course_.samples.push_back(
+        {seconds, progress.queries, progress.mutants, progress.finds, progress.margins});
+    next_ = progress.share + 1.0 / 200;
+  }
   const HuntCourse& course() const { return course_; }
 
  private:
   HuntCourse course_;
-  bool by_cases_;
-  double step_;  ///< seconds, or share of the hunt
   double next_ = 0;
 };
 

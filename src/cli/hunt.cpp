@@ -198,7 +198,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   Store store = need(Store::open(options.corpus));
 
   const std::atomic<bool>& interrupted = catch_interrupts();
-  CourseNotes notes(options.hunt.methods, options.cases > 0);
+  CourseNotes notes(options.hunt.methods);
   const auto start = std::chrono::steady_clock::now();
   bool told = false;
   const HuntReport report = hunt(

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <map>
-#include <set>
+#include <optional>
 
 #include "cli/check_find.hpp"
 #include "cli/output.hpp"
@@ -14,28 +12,10 @@ namespace ccdfuzz {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// The best find of a kind, and the files of the folder that a better one takes the place of.
-struct Had {
-  FindQuality quality;
-  std::set<std::string> replaceable;
-};
-
 class ClaimTriage {
  public:
   ClaimTriage(const ClaimTriageOptions& options, TriageWalk& walk)
-      : options_(options), walk_(walk) {
-    for (const SavedFind& find : saved_finds(options.folder)) {
-      note(find.kind, find.quality);
-      if (!find.quality.is_complete()) had_[find.kind].replaceable.insert(find.path);
-    }
-    if (options.known.empty()) return;
-    // What is not complete elsewhere does not hide what is found here.
-    for (const SavedFind& find : saved_finds(options.known)) {
-      if (find.quality.is_complete()) note(find.kind, find.quality);
-    }
-  }
+      : options_(options), walk_(walk) {}
 
   /// Whether there is nothing left to do with it.
   Result<bool> add(const std::string& file, std::span<const std::uint8_t> bytes) {
@@ -54,41 +34,35 @@ class ClaimTriage {
     }
     ++counts.failures;
     CheckFind find = found_on(*input, run);
-    const std::string kind = kind_of_find(input->property, find);
-    const auto had = had_.find(kind);
-    if (had != had_.end() && had->second.quality.is_complete()) {
+    const auto known = known_find(std::string(input->property.name), find.error);
+    if (!known) return tl::unexpected(known.error());
+    if (*known && (*known)->is_complete()) {
       ++counts.known;
       return true;
     }
     if (auto least = served.least(*input, run, {kShrinkTries, options_.stop})) {
       set_least(find, input->property, *std::move(least));
     }
-    if (had != had_.end() && !quality_of(find).replaces(had->second.quality)) {
+    const SavedFind made(input->property, find);
+    if (*known && !made.replaces(**known)) {
       ++counts.known;
       return !options_.stop();
     }
-    const Result<std::string> saved = save_find(options_.folder, input->property, find);
+    const Result<std::string> saved = save_find(options_.folder, made);
     if (!saved) return tl::unexpected(saved.error());
-    replace(kind, *saved, quality_of(find));
     walk_.note_find();
-    tell(file, input->property, find, *saved);
-    return quality_of(find).is_complete() || !options_.stop();
+    tell(file, input->property, find, made, *saved);
+    return made.is_complete() || !options_.stop();
   }
 
  private:
-  void note(const std::string& kind, const FindQuality& quality) {
-    const auto [had, is_first] = had_.try_emplace(kind, Had{quality, {}});
-    if (quality.replaces(had->second.quality)) had->second.quality = quality;
-  }
-
-  void replace(const std::string& kind, const std::string& saved, const FindQuality& quality) {
-    Had& had = had_[kind];
-    std::error_code none;
-    for (const std::string& path : had.replaceable) {
-      if (path != saved) fs::remove(path, none);
-    }
-    had = {quality, {}};
-    if (!quality.is_complete()) had.replaceable.insert(saved);
+  /// What stands in the folder, or what is complete elsewhere: what is not hides nothing here.
+  Result<std::optional<SavedFind>> known_find(const std::string& property,
+                                              const std::string& error) const {
+    auto here = saved_find(options_.folder, property, error);
+    if (!here || (*here && (*here)->is_complete()) || options_.known.empty()) return here;
+    auto elsewhere = saved_find(options_.known, property, error);
+    return !elsewhere || (*elsewhere && (*elsewhere)->is_complete()) ? elsewhere : here;
   }
 
   static CheckFind found_on(const ClaimInput& input, const InputRun& run) {
@@ -102,7 +76,7 @@ class ClaimTriage {
   }
 
   void tell(const std::string& file, const Property& property, const CheckFind& find,
-            const std::string& saved) const {
+            const SavedFind& made, const std::string& saved) const {
     const std::string what = find.error.empty() ? std::string(options_.target.find) : find.error;
     if (options_.json) {
       print_json({{"row", "find"},
@@ -116,15 +90,14 @@ class ClaimTriage {
                   {"saved", saved}});
       return;
     }
-    const char* state = quality_of(find).is_complete() ? ""
-                        : find.least                   ? ", not shrunk to the end"
-                                                       : ", not shrunk";
+    const char* state = made.is_complete() ? ""
+                        : find.least       ? ", not shrunk to the end"
+                                           : ", not shrunk";
     print_out(fmt::format("{}: {}{}: {}\n", what, property.name, state, saved));
   }
 
   const ClaimTriageOptions& options_;
   TriageWalk& walk_;
-  std::map<std::string, Had> had_;  ///< by kind
 };
 
 }  // namespace

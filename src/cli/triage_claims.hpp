@@ -12,7 +12,7 @@ namespace ccdfuzz {
 /// How what a target of claims stopped on is confirmed and stored.
 struct ClaimTriageOptions {
   FuzzTarget target;
-  std::string folder;          ///< finds of properties, as text (save_find)
+  std::string folder;          ///< finds of properties, (save_find)
   std::string known;           ///< one more such folder; may be empty, or not there
   std::function<bool()> stop;  ///< true ends shrinking
   bool json = false;

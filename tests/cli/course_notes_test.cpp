@@ -23,9 +23,9 @@ void expect_course(const HuntCourse& course) {
   }
 }
 
-TEST(CourseNotes, OfALongHuntByTimeAreThinnedOutAndStayWhole) {
+TEST(CourseNotes, OfALongHuntByTimeAreAFewHundredAndWhole) {
   constexpr int kSeconds = 1000;
-  CourseNotes notes({"a", "b"}, false);
+  CourseNotes notes({"a", "b"});
   for (int i = 0; i <= 10 * kSeconds; ++i) {
     const auto at = static_cast<std::uint64_t>(i);
     notes.note(i / 10.0, progress(i / (10.0 * kSeconds), at, at));
@@ -39,7 +39,7 @@ TEST(CourseNotes, OfALongHuntByTimeAreThinnedOutAndStayWhole) {
 
 TEST(CourseNotes, OfAHuntByCasesShowTheBreedingAndTheEnd) {
   constexpr std::uint64_t kDraws = 5000, kPopulations = 12;
-  CourseNotes notes({"a", "b"}, true);
+  CourseNotes notes({"a", "b"});
   double seconds = 0;
   for (std::uint64_t i = 1; i <= kDraws; ++i) {
     notes.note(seconds += 0.01, progress(0.5 * static_cast<double>(i) / kDraws, i, 0));

@@ -106,13 +106,15 @@ TEST(Check, AFindIsSavedAsItIsPrinted) {
   const Finished run = misbehaving({"made_up.fails_on_all", "--save", folder / "new/finds"});
   EXPECT_EQ(run.code, 1) << run.err;
   const std::string saved = line_after(run.out, "saved: ");
-  const std::string text = read_text(saved);
-  EXPECT_THAT(text, HasSubstr("\n\ndrew 0\n"));
-  EXPECT_EQ(line_after(text, "as found: "), line_after(run.out, "as found: "));
+  EXPECT_EQ(saved, folder / "new/finds/made_up.fails_on_all.json");
+  const auto find = nlohmann::json::parse(read_text(saved));
+  EXPECT_EQ(find.at("text"), "drew 0");
+  EXPECT_EQ(find.at("shrunk"), "to the end");
+  EXPECT_EQ(find.at("as_found"), line_after(run.out, "as found: "));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "new/finds"), {}), 1)
       << "what was saved before it was shrunk is gone";
-  EXPECT_THAT(text, HasSubstr("TEST(Found, MadeUpFailsOnAll)"));
-  EXPECT_EQ(line_after(text, "reproduce: "), line_after(run.out, "reproduce: "));
+  EXPECT_THAT(find.at("test").dump(), HasSubstr("TEST(Found, MadeUpFailsOnAll)"));
+  EXPECT_EQ(find.at("reproduce"), line_after(run.out, "reproduce: "));
 }
 
 TEST(Check, AFindThatIsTooLargeToSaveShrunkStaysAsItWasFound) {

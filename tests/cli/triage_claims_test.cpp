@@ -71,10 +71,11 @@ TEST_F(TriageOfClaims, KeepsOneOfEachClaimAndError) {
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_EQ(rows[i]["property"], wanted[i].first);
     EXPECT_EQ(rows[i]["outcome"], wanted[i].second);
-    const std::string saved = read_text(rows[i]["saved"]);
-    EXPECT_THAT(saved, HasSubstr("\nreproduce: " + rows[i]["reproduce"].get<std::string>() + "\n"));
-    EXPECT_THAT(saved, HasSubstr("\nTEST(Found, "));
-    EXPECT_THAT(saved, HasSubstr("\nas found: "));
+    const auto saved = nlohmann::json::parse(read_text(rows[i]["saved"]));
+    EXPECT_EQ(saved["property"], wanted[i].first);
+    EXPECT_EQ(saved["reproduce"], rows[i]["reproduce"]);
+    EXPECT_THAT(saved["test"].dump(), HasSubstr("TEST(Found, "));
+    EXPECT_NE(saved["as_found"], "");
   }
   EXPECT_EQ(rows[0]["text"], "drew 0");
   EXPECT_THAT(rows[1]["text"], testing::StartsWith("crash SIGABRT: "));
@@ -128,8 +129,8 @@ TEST_F(TriageOfClaims, KeepsWhatCouldNotBeShrunkUntilThereIsBetter) {
   const auto second = json_lines(triage({"--json"}).out);
   ASSERT_EQ(second.size(), 2U) << "the first was not complete";
   EXPECT_EQ(second[0]["cut_short"], false);
-  EXPECT_FALSE(std::filesystem::exists(first[0]["saved"].get<std::string>()));
-  EXPECT_TRUE(std::filesystem::exists(second[0]["saved"].get<std::string>()));
+  EXPECT_EQ(first[0]["saved"], second[0]["saved"]);
+  EXPECT_EQ(nlohmann::json::parse(read_text(second[0]["saved"]))["shrunk"], "to the end");
   EXPECT_THAT(triage({}).out, HasSubstr("; 0 new in "));
 }
 
@@ -142,6 +143,16 @@ TEST_F(TriageOfClaims, AWorseFindTakesNobodysPlace) {
   ASSERT_EQ(second.size(), 1U);
   EXPECT_EQ(second[0]["finds"], 0);
   EXPECT_TRUE(std::filesystem::exists(first[0]["saved"].get<std::string>()));
+}
+
+TEST_F(TriageOfClaims, AFileThatIsNoFindInItsPlaceIsAnErrorAndStays) {
+  std::filesystem::create_directories(finds_ + "/properties");
+  const std::string path = finds_ + "/properties/made_up.fails_on_all.json";
+  write_text(path, "{}");
+  const Finished run = triage({});
+  EXPECT_EQ(run.code, 2) << run.out;
+  EXPECT_THAT(run.err, HasSubstr(path + ": "));
+  EXPECT_EQ(read_text(path), "{}");
 }
 
 TEST_F(TriageOfClaims, WhatDoesNotFailAgainHidesNothing) {
@@ -184,9 +195,8 @@ TEST_F(TriageOfClaims, TakesDrawsToo) {
   const std::string command = rows[0]["reproduce"];
   EXPECT_THAT(command, HasSubstr(" --hex ")) << "what it drew is known";
   EXPECT_EQ(shell(command).code, 128 + SIGABRT) << command;
-  const std::string text = read_text(rows[0]["saved"]);
-  EXPECT_THAT(text, HasSubstr(" --first 0 --count 1\n"));
-  const std::string as_found = text.substr(text.find("as found: ") + 10);
+  const std::string as_found = nlohmann::json::parse(read_text(rows[0]["saved"])).at("as_found");
+  EXPECT_THAT(as_found, testing::EndsWith(" --first 0 --count 1"));
   EXPECT_EQ(shell("cd '" + folder_.path() + "' && " + as_found).code, 1) << as_found;
   EXPECT_THAT(rows[1]["reproduce"].get<std::string>(), testing::EndsWith(" --hex ''"));
   EXPECT_EQ(rows[2]["harmless"], 1);
