@@ -67,7 +67,7 @@ Result<RunLines> RunLines::open(const std::string& path) {
       refuse_irregular(path).and_then([&] { return LineReader::open(path, false, kLongestLine); });
   if (!lines) return tl::unexpected(lines.error());
   RunLines run(*std::move(lines));
-  const auto first = run.next();
+  const auto first = run.next_whole();
   if (!first) return tl::unexpected(first.error());
   if (!*first) return input_error(path, "is not the file of a run");
   Result<RunHeader> header = from_json<RunHeader>(**first, path);
@@ -83,6 +83,20 @@ Result<RunLines> RunLines::open(const std::string& path) {
 }
 
 Result<std::optional<std::string_view>> RunLines::next() {
+  auto line = next_whole();
+  if (!line || !*line || header_.items == 0) return line;
+  const Shard& shard = header_.shard;
+  if (given_ == shard.size(header_.items)) {
+    return input_error(where(), "the share has more than its items");
+  }
+  const std::uint64_t item = shard.item(given_++);
+  if (!(*line)->starts_with(fmt::format("{{\"index\":{},", item))) {
+    return input_error(where(), fmt::format("is not the line of item {}", item));
+  }
+  return line;
+}
+
+Result<std::optional<std::string_view>> RunLines::next_whole() {
   auto line = lines_.next();
   if (!line || !*line || !lines_.is_ended()) {
     return line ? std::optional<std::string_view>() : line;
@@ -220,10 +234,13 @@ Result<std::optional<std::string_view>> MergedRun::next() {
   if (given_ < header_.items && !*line) {
     return input_error(shares_[at_].where(), "the share is not complete: its run is to go on");
   }
-  if (given_ == header_.items && *line) {
-    return input_error(shares_[at_].where(), "the share has more than its items");
+  if (given_ < header_.items) {
+    ++given_;
+    return line;
   }
-  ++given_;
+  for (RunLines& share : shares_) {
+    if (const auto more = share.next(); !more) return more;
+  }
   return line;
 }
 

@@ -20,7 +20,7 @@ struct RunHeader {
   std::string version;                       ///< of the program
   std::vector<std::string> inputs;           ///< the files that it reads
   std::map<std::string, std::string> asked;  ///< all else that decides the result, by name
-  std::uint64_t items = 0;                   ///< of all shares together
+  std::uint64_t items = 0;                   ///< of all shares together; 0: nobody knows
   Shard shard;
 
   static void fields(auto& archive, auto& header) {
@@ -38,15 +38,17 @@ struct RunHeader {
   std::optional<std::string> difference(const RunHeader& other) const;
 };
 
-/// The lines of a run file: the header, then one for each item of the share that is done. A last
-/// line without its end was being written when the run ended, and does not count.
+/// The lines of a run file: the header, then one for each item of the share that is done, a JSON
+/// object that begins with its "index" in the whole run, unless nobody knows how many there are. A
+/// last line without its end was being written when the run ended, and does not count.
 class RunLines {
  public:
   /// Errors: the file cannot be read, or its first line is no header; naming the path.
   static Result<RunLines> open(const std::string& path);
 
   const RunHeader& header() const { return header_; }
-  /// The line of the next item; nothing at the end. Valid until the next call. Errors: reading.
+  /// The line of the next item; nothing at the end. Valid until the next call. Errors: reading; it
+  /// is the line of another item, or one too many.
   Result<std::optional<std::string_view>> next();
   /// Bytes of the lines given so far, the header included.
   std::uint64_t bytes() const { return bytes_; }
@@ -56,8 +58,11 @@ class RunLines {
  private:
   explicit RunLines(LineReader lines) : lines_(std::move(lines)) {}
 
+  Result<std::optional<std::string_view>> next_whole();
+
   LineReader lines_;
   RunHeader header_;
+  std::uint64_t given_ = 0;
   std::uint64_t bytes_ = 0;
 };
 
@@ -80,8 +85,8 @@ class RunFile {
   /// How many items are done.
   std::uint64_t size() const { return size_; }
 
-  /// Appends the line of the next item. Requires a line without line breaks. Errors: what the
-  /// system says, naming the path. No appending after an error.
+  /// Appends the line of the next item, as RunLines has it. Requires no line breaks. Errors: what
+  /// the system says, naming the path. No appending after an error.
   Result<void> append(std::string_view line);
 
   /// The run is over: its file is flushed to the disk and becomes `output`.

@@ -104,14 +104,21 @@ Result<void> AllowedPlugins::admit() const {
 }
 
 std::string to_text(const NotAllowed& left_out) {
-  std::string specs;
+  std::string specs, names;
   std::uint64_t count = 0;
   for (const auto& [spec, expectations] : left_out) {
-    specs += (specs.empty() ? "" : ",") + spec;
+    std::string& list = is_plugin_name(spec) ? names : specs;
+    list += (list.empty() ? "" : ",") + spec;
     count += expectations;
   }
-  return fmt::format("{} expectation{} of plug-ins not run: allow them with --allow-plugins {}",
-                     count, count == 1 ? "" : "s", shell_word(specs));
+  std::string text =
+      fmt::format("{} expectation{} of plug-ins not run:", count, count == 1 ? "" : "s");
+  if (!specs.empty()) text += " allow them with --allow-plugins " + shell_word(specs);
+  if (!names.empty()) {
+    text += fmt::format("{} say with --plugin NAME=SPEC what stands behind {}",
+                        specs.empty() ? "" : ";", names);
+  }
+  return text;
 }
 
 Option add_shard(Command& command, std::string& shard) {

@@ -67,7 +67,8 @@ Plan paper_plan(const GenerateOptions& options) {
             const double begin = thread_cpu_seconds();
             PaperCases paper = make_paper_cases(item, seed);
             const std::string_view kind = item.kind == CaseKind::kRP ? "RP+RN" : name_of(item.kind);
-            MadeCases made{{},
+            MadeCases made{0,
+                           {},
                            {std::move(paper.tree)},
                            cost_of(item.contact, kind, paper.cases.size(), paper.discards,
                                    thread_cpu_seconds() - begin)};
@@ -117,7 +118,8 @@ Plan plain_plan(const GenerateOptions& options) {
           [g, first = options.first](std::uint64_t i) {
             const double begin = thread_cpu_seconds();
             Generated made = generate(g, first + i);
-            return MadeCases{{{std::move(made.value)}},
+            return MadeCases{i,
+                             {{std::move(made.value)}},
                              {},
                              cost_of(g.contact, name_of(g.kind), 1, made.discards,
                                      thread_cpu_seconds() - begin)};
@@ -194,7 +196,12 @@ std::uint64_t make_all(const Plan& plan, Target& target, Session& session) {
   std::uint64_t made_count = 0;
   run_in_order<MadeCases>(
       total - target.before, session.threads,
-      [&](size_t i) { return plan.make(shard.item(target.before + i)); },
+      [&](size_t i) {
+        const std::uint64_t index = shard.item(target.before + i);
+        MadeCases made = plan.make(index);
+        made.index = index;
+        return made;
+      },
       [&](MadeCases made) {
         if (session.interrupted() || !kept) stop = true;
         if (!kept || (stop && !target.file)) return;

@@ -12,15 +12,15 @@
 namespace ccdfuzz {
 
 /// A case as a text within a line of JSON.
-struct CaseText {
+struct StoredCase {
   Case value;
 };
 template <>
-struct JsonForm<CaseText> {
-  static void write(std::string& json, const CaseText& text) {
+struct JsonForm<StoredCase> {
+  static void write(std::string& json, const StoredCase& text) {
     json += json_string(to_json(text.value));
   }
-  static void read(const JsonCursor& from, CaseText& text) {
+  static void read(const JsonCursor& from, StoredCase& text) {
     Result<Case> read = parse_case(from.string(), "case");
     if (!read) from.refuse(read.error().message());
     text.value = *std::move(read);
@@ -39,11 +39,13 @@ struct JsonForm<HexBytes> {
 
 /// The cases of one construction and what they cost: a line of the run file of `generate`.
 struct MadeCases {
-  std::vector<CaseText> cases;
+  std::uint64_t index = 0;  ///< of the construction, in the whole run
+  std::vector<StoredCase> cases;
   HexBytes tree;  ///< the miss tree of them all; empty: they have none
   GenerationCost cost;
 
   static void fields(auto& archive, auto& made) {
+    archive("index", made.index);
     archive("cases", made.cases);
     archive("tree", made.tree);
     archive("cost", made.cost);

@@ -6,7 +6,9 @@
 #include <array>
 #include <map>
 #include <mutex>
+#include <set>
 
+#include "base/folder_lock.hpp"
 #include "base/output_file.hpp"
 #include "case/case_json.hpp"
 #include "case/expected_json.hpp"
@@ -152,7 +154,7 @@ class Replay {
     session_.end_table(true);
     summarise();
     const bool holds = options_.update || counts_[0] == expectations_;
-    return session_.exit_code(refuted_ == 0 && holds ? kDone : kCheckFailed);
+    return session_.exit_code(refuted_ == 0 && holds && was_asked() ? kDone : kCheckFailed);
   }
 
  private:
@@ -173,6 +175,7 @@ class Replay {
     bool changed = false;
     for (const ReplayRow& row : done.rows) {
       ++expectations_;
+      asked_.insert(row.method);
       ++counts_[static_cast<size_t>(row.change())];
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
@@ -198,8 +201,33 @@ class Replay {
     }
     Case now = entry.value;
     for (const ReplayRow& row : rows) now.expect[row.method] = row.got;
+    const std::filesystem::path parent = std::filesystem::path(entry.id).parent_path();
+    const FolderLock lock = need(FolderLock::take(parent.empty() ? "." : parent.string()));
+    if (!(need(read_case(entry.id)).value == entry.value)) {
+      print_err(fmt::format("ccdfuzz: {}: changed meanwhile; it is left as it is\n", entry.id));
+      return;
+    }
     need(write_file(entry.id, to_json(now, JsonLayout::kReadable) + "\n"));
     ++updated_;
+  }
+
+  /// Says so where nothing was judged, or nothing by a method that --methods names: then all was as
+  /// expected for no good reason.
+  bool was_asked() const {
+    if (expectations_ == 0 && not_allowed_.empty() && options_.methods.empty()) {
+      print_err("ccdfuzz: replay: nothing was judged: no entry expects anything\n");
+      return false;
+    }
+    bool all = true;
+    for (const std::string& method : options_.methods) {
+      if (asked_.contains(method)) continue;
+      print_err(
+          fmt::format("ccdfuzz: replay: {} was asked nothing: no entry expects anything of it"
+                      "{}\n",
+                      method, options_.expect ? " or it takes none" : "; see --expect"));
+      all = false;
+    }
+    return all;
   }
 
   void summarise() const {
@@ -222,11 +250,19 @@ class Replay {
   Session& session_;
   std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
+  std::set<std::string> asked_;
   NotAllowed not_allowed_;
   WordCount words_;
 };
 
 int run_replay(const ReplayOptions& options, Session& session) {
+  const SearchFlags& search = options.search;
+  if (options.update && (search.precision || search.max_pops != SearchFlags().max_pops ||
+                         search.max_seconds != SearchFlags().max_seconds)) {
+    throw BadInput{{"--update",
+                    "excludes --precision, --max-pops and --max-seconds: an entry "
+                    "says itself how it is asked (asked)"}};
+  }
   need(options.plugins.admit());
   return Replay(options, session).run();
 }

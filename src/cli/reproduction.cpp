@@ -4,17 +4,23 @@
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
-#include "finds/store.hpp"
+#include "finds/failure.hpp"
+#include "method/method.hpp"
 
 namespace ccdfuzz {
 
 std::string reproduction(const std::string& path, const std::map<std::string, Expected>& expect) {
-  std::string methods;
+  std::string methods, plugins;
   for (const auto& [method, expected] : expect) {
-    if (is_failure(expected.outcome)) methods += (methods.empty() ? "" : ",") + method;
+    if (!is_failure(expected.outcome)) continue;
+    methods += (methods.empty() ? "" : ",") + method;
+    if (const std::string spec = spec_behind(method); !spec.empty()) {
+      plugins += fmt::format("{}{}={}", plugins.empty() ? "" : ",",
+                             method.substr(method.find(':') + 1), spec);
+    }
   }
-  const std::string command =
-      fmt::format("{} query {}", shell_word(program_name()), shell_word(path));
+  std::string command = fmt::format("{} query {}", shell_word(program_name()), shell_word(path));
+  if (!plugins.empty()) command += " --plugin " + shell_word(plugins);
   return methods.empty() ? command : fmt::format("{} --methods {}", command, shell_word(methods));
 }
 

@@ -43,7 +43,7 @@ std::optional<Failure> Asker::failure_as_asked(const std::string& method,
                                                const CheckedCase& known) {
   SearchOptions own = search_;
   own.precision = known.value().asked.precision;
-  own.max_pops = known.value().asked.max_pops;
+  own.max_pops = std::min(own.max_pops, known.value().asked.max_pops);
   return failure(method, known, own);
 }
 

@@ -44,7 +44,7 @@ class Asker {
   /// How the method fails; nothing where it does not.
   std::optional<Failure> failure(const std::string& method, const CheckedCase& known);
   std::optional<Failure> failure(const std::string& method, const Case& value);
-  /// The same, at the precision and with the pops that the case says.
+  /// The same, at the precision that the case says, and with no more pops than it says.
   std::optional<Failure> failure_as_asked(const std::string& method, const CheckedCase& known);
 
   /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes

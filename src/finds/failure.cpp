@@ -55,7 +55,9 @@ std::string plain(const std::string& text) {
   return fmt::format("{}-{}", hash_name(text).substr(0, kHashDigits), out.substr(begin));
 }
 
+/// With dashes for spaces; what had dashes is told from that.
 std::string dashed(std::string text) {
+  std::ranges::replace(text, '-', '/');
   std::ranges::replace(text, ' ', '-');
   return text;
 }

@@ -65,9 +65,15 @@ Result<Store::Put> Intake::put(const Failure& failure, const Case& find) {
     if (done && *done != Store::Put::kKnown) confirmed_.insert(failure);
     return done;
   };
-  const Result<Store::Put> done = try_once();
-  if (!done || *done != Store::Put::kKnown) return done;
-  return is_shown_in_store(failure).and_then([&](bool shown) { return shown ? done : try_once(); });
+  for (;;) {
+    const Result<Store::Put> done = try_once();
+    if (!done || *done != Store::Put::kKnown || confirmed_.contains(failure)) return done;
+    const Result<std::optional<NamedCase>> entry = store_.standing(failure);
+    if (!entry) return tl::unexpected(entry.error());
+    if (!*entry || shows(**entry, failure)) return done;
+    if (auto gone = store_.disown(failure, (*entry)->id); !gone)
+      return tl::unexpected(gone.error());
+  }
 }
 
 Result<void> Intake::store_all() {
@@ -86,8 +92,9 @@ Result<void> Intake::store_kept() {
       if (kept.stored) continue;
       const Result<Store::Put> done = put(failure, kept.find);
       if (!done) {
-        stored = tl::unexpected(done.error());
-        break;
+        // Of one that cannot be stored the others are no worse off.
+        if (stored) stored = tl::unexpected(done.error());
+        continue;
       }
       kept.stored = true;
       kept.is_new = kept.is_new || *done == Store::Put::kNew || *done == Store::Put::kSmaller;

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "base/folder_lock.hpp"
+#include "base/input_bytes.hpp"
 #include "base/output_file.hpp"
 #include "base/verify.hpp"
 #include "case/case_json.hpp"
@@ -97,7 +98,7 @@ struct Store::State {
   std::string path_of(const Failure& failure) const {
     return fmt::format("{}/{}.json", home, file_stem(failure));
   }
-  Result<std::string> move_aside(const NamedCase& entry) const;
+  Result<std::optional<std::string>> move_aside(const NamedCase& entry) const;
   Result<Put> put(const Failure& failure, const Case& find, const std::string& trees);
 };
 
@@ -107,8 +108,9 @@ namespace {
 Result<std::optional<NamedCase>> entry_at(const std::string& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return std::nullopt;
-  return read_checked_cases(path).map(
-      [](std::vector<NamedCase> cases) { return std::optional(std::move(cases.front())); });
+  return refuse_irregular(path)
+      .and_then([&] { return read_checked_cases(path); })
+      .map([](std::vector<NamedCase> cases) { return std::optional(std::move(cases.front())); });
 }
 
 }  // namespace
@@ -143,12 +145,18 @@ void Store::State::note_named(const NamedCase& entry) {
   }
 }
 
-/// Gives an entry its address as its name. Returns its new path.
-Result<std::string> Store::State::move_aside(const NamedCase& entry) const {
-  std::string aside = fmt::format("{}/{}.json", home, content_address(entry.value.query));
-  return write_entry(aside, entry.value, trees_path(entry.id))
-      .and_then([&] { return remove_entry(entry.id); })
-      .map([&] { return std::move(aside); });
+/// Gives an entry its address as its name. Where its query stands there already, that entry stays
+/// and gets its further expectations. Returns its new path, or nothing if it stood there.
+Result<std::optional<std::string>> Store::State::move_aside(const NamedCase& entry) const {
+  const std::string aside = fmt::format("{}/{}.json", home, content_address(entry.value.query));
+  const auto standing = entry_at(aside);
+  if (!standing) return tl::unexpected(standing.error());
+  const Result<void> kept =
+      *standing ? add_expectations(aside, (*standing)->value, entry.value).map([](Put) {})
+                : write_entry(aside, entry.value, trees_path(entry.id));
+  return kept.and_then([&] { return remove_entry(entry.id); }).map([&] {
+    return *standing ? std::nullopt : std::optional(aside);
+  });
 }
 
 Result<Store::Put> Store::State::put(const Failure& failure, const Case& find,
@@ -176,7 +184,8 @@ Result<Store::Put> Store::State::put(const Failure& failure, const Case& find,
   if (!aside) return tl::unexpected(aside.error());
   return write_entry(path, find, trees).and_then([&]() -> Result<Put> {
     if (!is_of_failure) return Put::kNew;
-    return remove_entry(*aside).map([] { return Put::kSmaller; });
+    const Result<void> removed = *aside ? remove_entry(**aside) : Result<void>();
+    return removed.map([] { return Put::kSmaller; });
   });
 }
 
@@ -225,12 +234,14 @@ Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
   const std::lock_guard one_at_a_time(state_->mutex);
   const auto lock = state_->enter();
   if (!lock) return tl::unexpected(lock.error());
-  const std::string path = fmt::format("{}/{}.json", state_->home, name);
-  const auto standing = entry_at(path);
-  if (!standing) return tl::unexpected(standing.error());
-  if (*standing && content_address((*standing)->value.query) != content_address(entry.query)) {
-    return input_error(path, "holds another case of this name");
+  const std::string address = content_address(entry.query);
+  std::string path = fmt::format("{}/{}.json", state_->home, name);
+  auto standing = entry_at(path);
+  if (standing && *standing && content_address((*standing)->value.query) != address) {
+    path = fmt::format("{}/{}.json", state_->home, address);
+    standing = entry_at(path);
   }
+  if (!standing) return tl::unexpected(standing.error());
   if (*standing) return add_expectations(path, (*standing)->value, entry);
   return write_entry(path, entry, trees).map([&] {
     state_->note_named({path, entry});
@@ -260,7 +271,7 @@ Result<void> Store::disown(const Failure& failure, const std::string& path) {
   if (path != state_->path_of(failure)) return {};
   const auto standing = entry_at(path);
   if (!standing || !*standing) return standing.map([](const auto&) {});
-  return state_->move_aside(**standing).map([](const std::string&) {});
+  return state_->move_aside(**standing).map([](const auto&) {});
 }
 
 Result<std::vector<NamedCase>> Store::load() const {

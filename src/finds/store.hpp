@@ -48,8 +48,8 @@ class Store {
   /// entries so far stand.
   Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "");
 
-  /// Puts an entry under a name of its own, without ".json". Errors: as put; no file name; another
-  /// case has the name.
+  /// Puts an entry under a name of its own, without ".json"; under its address where another case
+  /// has that name. Errors: as put; no file name.
   Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "");
 
   /// The smallest entry that says that it shows the failure. Errors: as put.

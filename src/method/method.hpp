@@ -111,6 +111,9 @@ Result<void> admit_plugin(const std::string& spec);
 /// and '-', or that stands for another plug-in already.
 Result<void> name_plugin(const std::string& name, const std::string& spec);
 
+/// What name_plugin was told that a method stands for; empty of any other method.
+std::string spec_behind(const std::string& method);
+
 /// True iff make_method may make it: a built-in method, or a plug-in that was admitted.
 bool is_admitted(const std::string& spec);
 

@@ -266,6 +266,12 @@ Result<void> name_plugin(const std::string& name, const std::string& spec) {
   return meet_plugin(spec, kPluginPrefix + name);
 }
 
+std::string spec_behind(const std::string& method) {
+  if (!names_plugin(method)) return "";
+  const auto known = know_plugin(method);
+  return known ? (*known)->behind : "";
+}
+
 bool is_admitted(const std::string& spec) {
   return !names_plugin(spec) || know_plugin(spec).has_value();
 }

@@ -1,5 +1,6 @@
 #include "base/run_file.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,6 +12,10 @@ namespace {
 
 RunHeader header_of(std::uint64_t items = 4, Shard shard = {}, const char* seed = "7") {
   return {"test", "1.0", {"a.jsonl"}, {{"--seed", seed}}, items, shard};
+}
+
+std::string line_of(std::uint64_t item) {
+  return fmt::format("{{\"index\":{},\"square\":{}}}", item, item * item);
 }
 
 std::vector<std::string> lines_of(const std::string& path) {
@@ -44,16 +49,29 @@ class RunFileTest : public testing::Test {
 
   ScratchFolder folder_;
   std::string path_ = folder_ / "x.partial";
-  const std::vector<std::string> lines_ = {"{\"first\":1}", "", "third", "last"};
+  const std::vector<std::string> lines_ = {line_of(0), line_of(1), line_of(2), line_of(3)};
 };
 
 TEST_F(RunFileTest, KeepsLinesOverRuns) {
-  fill(lines_);
-  EXPECT_EQ(open().size(), lines_.size());
-  fill({"more"});
-  const std::vector<std::string> all = lines_of(path_);
-  ASSERT_EQ(all.size(), 5U);
-  EXPECT_EQ(std::vector(all.begin(), all.begin() + 4), lines_);
+  fill({line_of(0), line_of(1)});
+  EXPECT_EQ(open().size(), 2U);
+  fill({line_of(2), line_of(3)});
+  EXPECT_EQ(lines_of(path_), lines_);
+}
+
+TEST_F(RunFileTest, GoesOnAfterNoLineThatIsNotThatOfItsItem) {
+  for (const std::vector<std::string>& wrong :
+       {std::vector{line_of(0), line_of(0)},
+        {line_of(1)},
+        {line_of(0), "garbage"},
+        {""},
+        {line_of(0), line_of(1), line_of(2), line_of(3), line_of(4)}}) {
+    std::filesystem::remove(path_);
+    fill(wrong);
+    const std::string before = read_text(path_);
+    EXPECT_NE(refusal(header_of()), "") << before;
+    EXPECT_EQ(read_text(path_), before);
+  }
 }
 
 // What a kill leaves is a beginning of the file, of any length.
@@ -120,7 +138,7 @@ TEST_F(RunFileTest, AtItsEndItIsRemovedOrTakesTheNameOfTheOutput) {
   EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
-/// The paths of `of` shares of a run of 7 items, whose lines are their numbers.
+/// The paths of `of` shares of a run of 7 items, whose lines are those of line_of.
 std::vector<std::string> shares(const ScratchFolder& folder, std::uint64_t of,
                                 const char* seed = "7") {
   std::vector<std::string> paths;
@@ -128,7 +146,7 @@ std::vector<std::string> shares(const ScratchFolder& folder, std::uint64_t of,
     paths.push_back(folder / ("share-" + std::to_string(i) + seed));
     auto file = RunFile::open(paths.back(), header_of(7, {i, of}, seed));
     EXPECT_TRUE(file);
-    for (std::uint64_t k = i; k < 7; k += of) EXPECT_TRUE(file->append(std::to_string(k)));
+    for (std::uint64_t k = i; k < 7; k += of) EXPECT_TRUE(file->append(line_of(k)));
   }
   return paths;
 }
@@ -152,7 +170,7 @@ TEST(MergedRun, GivesTheItemsAsOneRunHasThem) {
     ASSERT_TRUE(run) << run.error().message();
     EXPECT_FALSE(header_of(7).difference(run->header()));
     EXPECT_EQ(run->header().shard, Shard());
-    for (int k = 0; k < 7; ++k) EXPECT_EQ(run->next().value(), std::to_string(k));
+    for (int k = 0; k < 7; ++k) EXPECT_EQ(run->next().value(), line_of(k));
     EXPECT_FALSE(run->next().value());
   }
 }
@@ -168,9 +186,11 @@ TEST(MergedRun, WhatAreNotTheSharesOfOneRunIsRefused) {
             std::string::npos);
   std::filesystem::resize_file(paths[1], std::filesystem::file_size(paths[1]) - 1);
   EXPECT_NE(merged_refusal(paths).find("is not complete"), std::string::npos);
-  write_text(
-      paths[1],
-      read_text(others[1]).replace(read_text(others[1]).find("\"8\""), 3, "\"7\"") + "4\n7\n");
+  const std::string whole =
+      read_text(others[1]).replace(read_text(others[1]).find("\"8\""), 3, "\"7\"");
+  write_text(paths[1], whole);
+  EXPECT_EQ(merged_refusal(paths), "");
+  write_text(paths[1], whole + line_of(7) + "\n");
   EXPECT_NE(merged_refusal(paths).find("has more than its items"), std::string::npos);
 }
 

@@ -92,7 +92,12 @@ TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
   }
   const Finished unnamed = ccdfuzz({"replay", folder / "finds"});
   EXPECT_EQ(unnamed.code, 0) << unnamed.out << unnamed.err;
-  EXPECT_NE(unnamed.err.find("--allow-plugins plugin:naive"), std::string::npos) << unnamed.err;
+  EXPECT_NE(unnamed.err.find("--plugin NAME=SPEC what stands behind plugin:naive"),
+            std::string::npos)
+      << unnamed.err;
+  const Finished shown = shell(finds.front().at("reproduce").get<std::string>() + " --json");
+  EXPECT_EQ(shown.code, 0) << shown.err;
+  EXPECT_EQ(json_lines(shown.out).front().at("outcome"), finds.front().at("outcome"));
   const Finished replayed = ccdfuzz({"replay", folder / "finds", "--plugin", named});
   EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
   EXPECT_EQ(replayed.err, "");

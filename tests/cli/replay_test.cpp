@@ -60,7 +60,9 @@ TEST(Replay, OfNamedMethodsExpectsWhatIsAskedForOfEveryEntryThatTheyTake) {
   EXPECT_NE(red.out.find("tdibm   correct   missed (left root)  regression"), std::string::npos)
       << red.out;
   const Finished stated = ccdfuzz({"replay", corpus, "--methods", "tdibm-c"});
+  EXPECT_EQ(stated.code, 1) << "nothing was judged";
   EXPECT_EQ(stated.out, "1 entries, 0 expectations: 0 as expected\n");
+  EXPECT_NE(stated.err.find("tdibm-c was asked nothing"), std::string::npos) << stated.err;
   EXPECT_EQ(ccdfuzz({"replay", corpus, "--expect", "wrong"}).code, 2);
 }
 
@@ -89,6 +91,23 @@ TEST(Replay, ACrashThatIsNoneAnyMoreIsAChange) {
   EXPECT_EQ(rows[1].at("method"), "tdibm-e");
   EXPECT_EQ(rows[1].at("expected"), "error");
   for (const auto& row : rows) EXPECT_EQ(row.at("outcome"), "correct") << row;
+}
+
+TEST(Replay, OfACorpusWithoutExpectationsIsNoSuccess) {
+  const ScratchFolder folder;
+  const Finished finished = ccdfuzz({"replay", corpus_of(folder, {})});
+  EXPECT_EQ(finished.code, 1);
+  EXPECT_NE(finished.err.find("nothing was judged"), std::string::npos) << finished.err;
+}
+
+TEST(Replay, UpdateTakesNoBudgetOfTheCommandLine) {
+  const ScratchFolder folder;
+  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kMissed}});
+  for (const char* option : {"--precision", "--max-pops", "--max-seconds"}) {
+    const Finished refused = ccdfuzz({"replay", corpus, "--update", option, "1"});
+    EXPECT_EQ(refused.code, 2) << option;
+    EXPECT_NE(refused.err.find("--update: excludes"), std::string::npos) << refused.err;
+  }
 }
 
 TEST(Replay, SaysByHowMuchAHitIsLate) {

@@ -1,6 +1,7 @@
 #include "finds/store.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <random>
@@ -106,7 +107,7 @@ TEST(Store, EntriesOfOtherNamesAreKnownAndNeverTakenAway) {
   EXPECT_EQ(store.standing(kMissed).value()->value, find_of(3));
 }
 
-TEST(Store, NamesThatAreNoFileNamesOrTakenAreErrors) {
+TEST(Store, NamesThatAreNoFileNamesAreErrors) {
   const ScratchFolder folder;
   Store store = open_store(folder.path());
   const auto refused = [&](const std::string& name, double x) {
@@ -114,11 +115,43 @@ TEST(Store, NamesThatAreNoFileNamesOrTakenAreErrors) {
     return done ? "accepted" : done.error().message();
   };
   EXPECT_EQ(refused("good", 3), "accepted");
-  EXPECT_EQ(refused("good", 5), folder / "good.json: holds another case of this name");
   for (const std::string bad : {"../up", ".hidden", "a b", "\xc3\xa4", ""}) {
     EXPECT_THAT(refused(bad, 5), testing::StartsWith("\"" + bad + "\" is not a file name")) << bad;
   }
   EXPECT_EQ(cases_in(folder.path()).size(), 1U);
+}
+
+TEST(Store, WhereAnotherCaseHasTheNameAnEntryIsCalledByItsAddress) {
+  const ScratchFolder folder;
+  Store store = open_store(folder.path());
+  EXPECT_EQ(store.put_named("good", find_of(3)).value(), Put::kNew);
+  EXPECT_EQ(store.put_named("good", find_of(5)).value(), Put::kNew);
+  EXPECT_EQ(store.put_named("good", find_of(5)).value(), Put::kKnown);
+  EXPECT_TRUE(fs::exists(folder / (content_address(find_of(5).query) + ".json")));
+  EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(find_of(3), find_of(5)));
+}
+
+TEST(Store, WhatIsMovedAsideChangesAndRemovesNoEntryOfItsAddress) {
+  const ScratchFolder folder;
+  Case by_hand = find_of(7);
+  by_hand.origin.note = "keep me";
+  by_hand.expect = {{"trad", Outcome::kCorrect}};
+  const std::string address = content_address(by_hand.query);
+  Store store = open_store(folder.path());
+  ASSERT_TRUE(store.put_named(address, by_hand));
+  put(store, find_of(7));
+  ASSERT_TRUE(store.disown(kMissed, store.path_of(kMissed)));
+  by_hand.expect["tdibm"] = Outcome::kMissed;
+  EXPECT_THAT(cases_in(folder.path()), ElementsAre(by_hand));
+}
+
+TEST(Store, APipeInThePlaceOfAFindIsAnError) {
+  const ScratchFolder folder;
+  Store store = open_store(folder.path());
+  ASSERT_EQ(::mkfifo(store.path_of(kMissed).c_str(), 0600), 0);
+  const auto done = try_put(store, find_of(3));
+  ASSERT_FALSE(done);
+  EXPECT_THAT(done.error().message(), testing::HasSubstr("is not a regular file"));
 }
 
 TEST(Store, AnEntryThatIsDisownedKeepsItsAddressAsItsName) {

@@ -292,6 +292,7 @@ Result<void> meet_plugin(const std::string& spec, const std::string& name) {
   return start_and_ask(spec).map([&](const std::shared_ptr<const KnownPlugin>& started) {
     KnownPlugin named = *started;
     named.spec.text = name;
+    named.behind = spec;
     met.by_spec.emplace(name, std::make_shared<const KnownPlugin>(std::move(named)));
   });
 }

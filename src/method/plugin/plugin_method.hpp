@@ -16,6 +16,7 @@ struct KnownPlugin {
   /// A built-in method in a child (served_method): it is asked on however often it hangs, and what
   /// only a child does that has answered before is not its fault.
   bool is_ours = false;
+  std::string behind = {};  ///< the spec that its name stands for; empty where it has no name
 };
 
 /// Starts the plug-in of a spec and asks it what it is, once in the life of this program. A plug-in

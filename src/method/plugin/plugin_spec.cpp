@@ -62,6 +62,11 @@ bool names_plugin(const std::string& spec) {
   return spec.starts_with(kPluginPrefix) || spec.starts_with(kPluginProgramPrefix);
 }
 
+bool is_plugin_name(const std::string& spec) {
+  return spec.starts_with(kPluginPrefix) &&
+         spec.find_first_of("/.:", std::string(kPluginPrefix).size()) == std::string::npos;
+}
+
 Result<PluginSpec> parse_plugin_spec(const std::string& spec) {
   PluginSpec parsed;
   parsed.text = spec;
@@ -70,6 +75,9 @@ Result<PluginSpec> parse_plugin_spec(const std::string& spec) {
   const size_t path_end = std::min(spec.find(':', path_at), spec.size());
   parsed.path = spec.substr(path_at, path_end - path_at);
   if (parsed.path.empty()) return bad_spec(spec, "names no file");
+  if (is_plugin_name(spec)) {
+    return bad_spec(spec, "is a name: --plugin NAME=SPEC says what stands behind it");
+  }
   std::error_code error;
   if (!std::filesystem::exists(parsed.path, error)) return bad_spec(spec, "no such file");
   if (!std::filesystem::is_regular_file(parsed.path, error)) return bad_spec(spec, "is no file");

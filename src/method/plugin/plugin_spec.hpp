@@ -27,6 +27,10 @@ inline constexpr const char* kPluginProgramPrefix = "plugin-exec:";
 
 bool names_plugin(const std::string& spec);
 
+/// True iff the spec can only be a name, as name_plugin gives one: no path without a '/' or '.' is
+/// that of a library.
+bool is_plugin_name(const std::string& spec);
+
 /// Requires names_plugin(spec). Errors: no path, a path that is no file, a bad value of seconds, mb
 /// or repeat; naming spec and value.
 Result<PluginSpec> parse_plugin_spec(const std::string& spec);
