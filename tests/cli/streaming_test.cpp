@@ -59,8 +59,9 @@ TEST_F(Streaming, CommandsThatLookAtOneCaseHoldFewOfThem) {
        {"verify set.jsonl.zst", "query set.jsonl.zst --methods tdibm-c",
         "query set.jsonl.zst --methods tdibm-c,tdibm --json",
         "trace set.jsonl.zst --methods tdibm-c", "prove set.jsonl.zst -o proven.jsonl.zst",
-        "replay set.jsonl.zst", "evaluate set.jsonl.zst --methods tdibm-c -o answers",
-        "export set.jsonl.zst -o out.csv", "export set.jsonl.zst --as catch2 -o out.cpp"}) {
+        "replay set.jsonl.zst --methods tdibm-c --expect correct",
+        "evaluate set.jsonl.zst --methods tdibm-c -o answers", "export set.jsonl.zst -o out.csv",
+        "export set.jsonl.zst --as catch2 -o out.cpp"}) {
     const Finished finished = run(command);
     EXPECT_EQ(finished.code, 0) << command << finished.err;
     EXPECT_LT(finished.peak_bytes, kSmall) << command;
