@@ -91,6 +91,31 @@ TEST(Intake, AnEntryThatDoesNotFailAsItSaysHidesNoFind) {
   }
 }
 
+TEST(Intake, BehindAForgedEntryTheSmallestFindStillTakesItsPlace) {
+  const ScratchFolder folder;
+  {
+    Store store = open_store(folder.path());
+    put(store, find_of(31));
+    ASSERT_TRUE(store.put_named("forged", find_of(1)));
+  }
+  Taken taken(folder.path(), 2);
+  taken.offer(find_of(7));
+  EXPECT_THAT(cases_in(folder.path()), testing::UnorderedElementsAre(find_of(1), find_of(7)));
+}
+
+TEST(Intake, OneFindThatCannotBeStoredHoldsUpNoOther) {
+  const ScratchFolder folder;
+  Taken taken(folder.path(), 1);
+  const std::string path = taken.store.path_of(failures_of(find_of(3)).front());
+  write_text(path, "garbage");
+  taken.offer(find_of(3));
+  taken.offer(find_of(5, "trad"));
+  EXPECT_EQ(read_text(path), "garbage");
+  EXPECT_TRUE(fs::exists(taken.store.path_of(failures_of(find_of(5, "trad")).front())));
+  ASSERT_TRUE(taken.intake.trouble());
+  EXPECT_EQ(taken.intake.trouble()->where.substr(0, path.size()), path);
+}
+
 TEST(Intake, EntriesOfOtherFoldersAreKnownIfTheyFailAsTheySay) {
   const ScratchFolder folder;
   Taken taken(folder.path(), 2);
