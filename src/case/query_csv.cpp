@@ -65,7 +65,7 @@ Result<Integer> parse_integer(std::string_view text) {
     return input_error("", fmt::format("{} has {} digits; at most {} are read", shown_text(text),
                                        digits.size(), kMaxRationalDigits));
   }
-  return Integer(std::string(text));
+  return Integer(std::string(text), 10);  // without the base, a leading 0 is octal
 }
 
 Result<std::vector<bool>> read_truths(const std::string& path) {

@@ -71,6 +71,17 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
+TEST(QueryCsv, ALeadingZeroIsNoOctalNumber) {
+  std::string rows;
+  for (int i = 0; i < 8; ++i) rows += "010,01,-08,010,00,09,1\n";
+  const auto queries = read(rows, CsvLayout::kEdgeEdge);
+  ASSERT_TRUE(queries) << queries.error().message();
+  std::uint64_t rounded = 0;
+  const auto query = to_query(queries->front(), true, rounded);
+  ASSERT_TRUE(query) << query.error().message();
+  EXPECT_EQ(query->patches[0].positions[0], Vec3<double>(10, -0.8, 0));
+}
+
 TEST(QueryCsv, ReadsWhateverEndsAndBeginsALine) {
   const std::string rows = kVertexFaceRows;
   for (const std::string& text :
