@@ -30,19 +30,6 @@ struct LinearRow {
   }
 };
 
-/// A query of a CSV with a wrong label, or with a truth that rounding changed.
-struct NotableRow {
-  const Imported& query;
-
-  static void fields(auto& archive, auto& row) {
-    archive("query", row.query.id);
-    archive("label", row.query.label);
-    archive("in_file", row.query.collides);
-    archive("as_rounded", row.query.value.truth.collides);
-    archive("rounded", row.query.rounded);
-  }
-};
-
 std::string notable_text(const Imported& query) {
   const auto text = [](bool collides) { return collides ? "a contact" : "no contact"; };
   if (query.label_is_wrong()) {
@@ -87,7 +74,7 @@ Result<int> run_evaluate_linear(const std::string& folder, const EvaluateOptions
   }
   if (json) {
     for (const Row& row : report->rows) print_out(to_json(LinearRow{row}) + "\n");
-    for (const Imported& query : report->notable) print_out(to_json(NotableRow{query}) + "\n");
+    for (const Imported& query : report->notable) print_out(to_json(query) + "\n");
   } else {
     print_table(linear_table(report->rows));
     print_refusals(report->rows);

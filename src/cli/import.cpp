@@ -17,19 +17,6 @@ struct ImportOptions {
   bool round = false;
 };
 
-/// An imported query, as a row of the JSON output.
-struct ImportRow {
-  const Imported& query;
-
-  static void fields(auto& archive, auto& row) {
-    archive("query", row.query.id);
-    archive("label", row.query.label);
-    archive("in_file", row.query.collides);
-    archive("as_rounded", row.query.value.truth.collides);
-    archive("rounded", row.query.rounded);
-  }
-};
-
 const char* contact_text(const std::optional<bool>& collides) {
   return !collides ? "" : *collides ? "contact" : "none";
 }
@@ -96,11 +83,11 @@ int run_import(const ImportOptions& options, Session& session) {
       if (!next) break;
       const Imported query = need(import_case(*next, options.round, index));
       if (counts.add(query) || session.json) {
-        session.show(ImportRow{query}, false, [](const ImportRow& row) -> std::vector<TableCell> {
-          return {{row.query.id},
-                  {contact_text(row.query.label)},
-                  {contact_text(row.query.collides), Emphasis::kBad},
-                  {contact_text(row.query.value.truth.collides)}};
+        session.show(query, false, [](const Imported& row) -> std::vector<TableCell> {
+          return {{row.id},
+                  {contact_text(row.label)},
+                  {contact_text(row.collides), Emphasis::kBad},
+                  {contact_text(row.value.truth.collides)}};
         });
       }
       need(writer.write(query.value));

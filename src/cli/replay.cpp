@@ -125,17 +125,6 @@ Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& o
   return result;
 }
 
-/// The files of a corpus, or the one file.
-std::vector<std::string> files_of(const std::string& corpus) {
-  std::error_code error;
-  if (std::filesystem::exists(corpus, error) && !std::filesystem::is_directory(corpus, error)) {
-    return {corpus};
-  }
-  std::vector<std::string> files = need(list_entries(corpus));
-  if (files.empty()) throw BadInput{{corpus, "the corpus is empty: no .json entry in it"}};
-  return files;
-}
-
 class Replay {
  public:
   Replay(const ReplayOptions& options, Session& session) : options_(options), session_(session) {}
@@ -148,7 +137,7 @@ class Replay {
                           {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Replayer> replayers;
     session_.each_case<SharedCase, Replayed>(
-        files_of(options_.corpus), 1, "entries",
+        need(corpus_files(options_.corpus)), 1, "entries",
         [&](SharedCase& shared, size_t) { return replayed(shared, replayers.local(), options_); },
         [&](const SharedCase& shared, size_t, const Replayed& done) { add(shared, done); });
     session_.end_table(true);

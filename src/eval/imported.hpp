@@ -16,6 +16,15 @@ struct Imported {
   std::optional<bool> label;     ///< what the file says
   std::optional<bool> collides;  ///< what is so of the very numbers of the file, if it is linear
 
+  /// Without its case.
+  static void fields(auto& archive, auto& query) {
+    archive("query", query.id);
+    archive("label", query.label);
+    archive("in_file", query.collides);
+    archive("as_rounded", query.value.truth.collides);
+    archive("rounded", query.rounded);
+  }
+
   bool label_is_wrong() const { return label && collides && *label != *collides; }
   bool rounding_changed_the_truth() const { return collides && value.truth.collides != collides; }
 };

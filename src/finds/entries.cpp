@@ -30,47 +30,44 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
 
 namespace {
 
-using Read = Result<std::vector<NamedCase>> (*)(const std::string& path);
-
-Result<void> for_each_entry(const std::string& folder, Read read,
-                            const std::function<void(const NamedCase&)>& visit) {
-  const auto paths = list_entries(folder);
-  if (!paths) return tl::unexpected(paths.error());
-  for (const std::string& path : *paths) {
-    const auto cases = read(path);
+Result<void> for_each_case(const std::vector<std::string>& paths,
+                           const std::function<void(const NamedCase&)>& visit) {
+  for (const std::string& path : paths) {
+    const auto cases = read_checked_cases(path);
     // Taken away since it was listed; a link to nowhere is still there, and an error.
     std::error_code ignored;
     if (!cases && fs::symlink_status(path, ignored).type() == fs::file_type::not_found) continue;
     if (!cases) return tl::unexpected(cases.error());
-    visit(cases->front());
+    std::ranges::for_each(*cases, visit);
   }
   return {};
 }
 
-Result<std::vector<NamedCase>> load_by(Read read, const std::string& path) {
-  std::error_code ignored;
-  if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return read(path);
-  std::vector<NamedCase> entries;
-  const auto all =
-      for_each_entry(path, read, [&](const NamedCase& entry) { entries.push_back(entry); });
-  if (!all) return tl::unexpected(all.error());
-  if (entries.empty()) return input_error(path, "the corpus is empty: no .json entry in it");
-  return entries;
-}
-
 }  // namespace
+
+Result<std::vector<std::string>> corpus_files(const std::string& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored) && !fs::is_directory(path, ignored)) return std::vector{path};
+  Result<std::vector<std::string>> files = list_entries(path);
+  if (files && files->empty()) {
+    return input_error(path, "the corpus is empty: no .json entry in it");
+  }
+  return files;
+}
 
 Result<void> for_each_entry(const std::string& folder,
                             const std::function<void(const NamedCase&)>& visit) {
-  return for_each_entry(folder, read_checked_cases, visit);
+  return list_entries(folder).and_then(
+      [&](const std::vector<std::string>& paths) { return for_each_case(paths, visit); });
 }
 
 Result<std::vector<NamedCase>> load_corpus(const std::string& path) {
-  return load_by(read_checked_cases, path);
-}
-
-Result<std::vector<NamedCase>> load_unchecked_corpus(const std::string& path) {
-  return load_by(read_cases, path);
+  std::vector<NamedCase> entries;
+  return corpus_files(path)
+      .and_then([&](const std::vector<std::string>& files) {
+        return for_each_case(files, [&](const NamedCase& entry) { entries.push_back(entry); });
+      })
+      .map([&] { return std::move(entries); });
 }
 
 }  // namespace ccdfuzz

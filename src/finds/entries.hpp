@@ -19,13 +19,14 @@ Result<std::vector<std::string>> list_entries(const std::string& folder);
 Result<void> for_each_entry(const std::string& folder,
                             const std::function<void(const NamedCase&)>& visit);
 
+/// The files of a corpus: the entries of a folder, or the one file. Errors: as list_entries; a
+/// folder without any entry.
+Result<std::vector<std::string>> corpus_files(const std::string& path);
+
 /// All entries of a folder, each with its path as id, ordered by path; or the cases of one file.
 /// Entries that a running hunt removes meanwhile are left out.
 /// Errors: an entry that cannot be read or whose truth is refuted, naming it; a corpus without any
 /// entry.
 Result<std::vector<NamedCase>> load_corpus(const std::string& path);
-
-/// The same, of which no truth is checked. Errors: as load_corpus but for refuted truths.
-Result<std::vector<NamedCase>> load_unchecked_corpus(const std::string& path);
 
 }  // namespace ccdfuzz

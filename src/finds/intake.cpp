@@ -45,34 +45,33 @@ bool Intake::shows(const NamedCase& entry, const Failure& failure) {
   return is_shown;
 }
 
-/// Whether an entry of the store shows the failure when its method is asked again. Those that say
-/// so and do not are disowned.
+/// Whether the smallest entry that says that it shows the failure does when its method is asked
+/// again; one that does not is disowned. Nothing where there is no such entry.
+Result<std::optional<bool>> Intake::confirm_standing(const Failure& failure) {
+  const Result<std::optional<NamedCase>> entry = store_.standing(failure);
+  if (!entry) return tl::unexpected(entry.error());
+  if (!*entry) return std::nullopt;
+  if (shows(**entry, failure)) return true;
+  return store_.disown(failure, (*entry)->id).map([] { return std::optional(false); });
+}
+
 Result<bool> Intake::is_shown_in_store(const Failure& failure) {
-  if (confirmed_.contains(failure)) return true;
   for (;;) {
-    const Result<std::optional<NamedCase>> entry = store_.standing(failure);
-    if (!entry) return tl::unexpected(entry.error());
-    if (!*entry) return false;
-    if (shows(**entry, failure)) return true;
-    if (auto done = store_.disown(failure, (*entry)->id); !done)
-      return tl::unexpected(done.error());
+    const auto shown = confirm_standing(failure);
+    if (!shown) return tl::unexpected(shown.error());
+    if (!*shown || **shown) return shown->has_value();
   }
 }
 
 Result<Store::Put> Intake::put(const Failure& failure, const Case& find) {
-  const auto try_once = [&] {
-    Result<Store::Put> done = store_.put(failure, find);
-    if (done && *done != Store::Put::kKnown) confirmed_.insert(failure);
-    return done;
-  };
   for (;;) {
-    const Result<Store::Put> done = try_once();
-    if (!done || *done != Store::Put::kKnown || confirmed_.contains(failure)) return done;
-    const Result<std::optional<NamedCase>> entry = store_.standing(failure);
-    if (!entry) return tl::unexpected(entry.error());
-    if (!*entry || shows(**entry, failure)) return done;
-    if (auto gone = store_.disown(failure, (*entry)->id); !gone)
-      return tl::unexpected(gone.error());
+    const Result<Store::Put> done = store_.put(failure, find);
+    if (!done) return done;
+    if (*done != Store::Put::kKnown) confirmed_.insert(failure);
+    if (confirmed_.contains(failure)) return done;
+    const auto shown = confirm_standing(failure);
+    if (!shown) return tl::unexpected(shown.error());
+    if (!*shown || **shown) return done;
   }
 }
 

@@ -82,6 +82,7 @@ class Intake {
   Result<void> store_kept();
   Result<Store::Put> put(const Failure& failure, const Case& find);
   bool shows(const NamedCase& entry, const Failure& failure);
+  Result<std::optional<bool>> confirm_standing(const Failure& failure);
   Result<bool> is_shown_in_store(const Failure& failure);
   void notice_replacement();
   Result<void> noted(Result<void> result);

@@ -160,11 +160,11 @@ class Hunt {
     const double start = thread_cpu_seconds();
     const std::shared_ptr<const Draw> drawn = latest_.get(cell.contact, turn.draw);
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
-    const Method& method = tools.methods[cell.method];
+    Method& method = tools.methods[cell.method];
     for (const CheckedCase& asked : drawn->asked) {
       if (stop_) break;
       const double begin = clock_of(method);
-      const Judged judged = ask(tools.methods[cell.method], asked, options_.search);
+      const Judged judged = ask(method, asked, options_.search);
       const double used = clock_of(method) - begin;
       done.cpu_seconds += used;
       if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
