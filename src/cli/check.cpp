@@ -5,11 +5,11 @@
 #include <filesystem>
 
 #include "base/number_text.hpp"
-#include "cli/check_row.hpp"
+#include "cli/check_find.hpp"
+#include "cli/check_inputs.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "numeric/effort.hpp"
 #include "properties/registry.hpp"
 
@@ -23,57 +23,148 @@ struct CheckArguments {
   std::vector<Property> known;
   std::vector<std::string> names;
   CheckedInputs inputs;
-  std::optional<std::string> seconds, hex, save;
-  bool json = false;
+  std::optional<std::string> hex, save;
 };
+
+/// What is told of one property: a row of the table and of the JSON output.
+struct CheckedProperty {
+  const Property& property;
+  const CheckedInputs& inputs;
+  CheckTally tally = {};
+  std::string reproduce = {};          ///< the first failure
+  std::optional<ClaimFind> find = {};  ///< made of it where somebody wants to see it
+  std::string saved = {};              ///< where it stands; empty where it need not or could not
+  std::string not_saved = {};          ///< why not, as it was found or as it was shrunk
+
+  bool known_false() const { return property.expected == Expectation::kFails; }
+  bool is_finding() const { return tally.failed > 0 && !known_false(); }
+  /// A claim that is known to be false, and these inputs do not show it.
+  bool not_refuted() const { return known_false() && tally.failed == 0 && !tally.all_discarded(); }
+
+  static void fields(auto& archive, auto& checked) {
+    const CheckTally& tally = checked.tally;
+    archive("property", std::string_view(checked.property.name));
+    archive("expected_to_fail", checked.known_false());
+    archive("seed", checked.inputs.seed);
+    archive("first", checked.inputs.first);
+    archive("checked", tally.checked);
+    archive("discarded", tally.discarded);
+    archive("failed", tally.failed);
+    archive("seconds", tally.seconds);
+    archive.optional("nothing_checked", tally.all_discarded());
+    archive.when(tally.failed > 0, "failure", tally.text);
+    archive.when(tally.failed > 0, "reproduce", checked.reproduce);
+    if (checked.find) {
+      const ClaimFind& find = *checked.find;
+      const bool fails_again = find.shrunk != Shrunk::kNot;
+      archive("fails_again", fails_again);
+      archive.when(fails_again, "shrunk", find.text);
+      archive.when(fails_again, "cut_short", find.shrunk == Shrunk::kCutShort);
+      archive.when(fails_again, "reproduce_shrunk", find.reproduce);
+      archive.when(fails_again, "test", find.test_text());
+    }
+    archive.optional("saved", checked.saved);
+    archive.optional("not_saved", checked.not_saved);
+  }
+};
+
+/// For the rows of these.
+Table check_table(const std::vector<Property>& properties) {
+  size_t name = 0;
+  for (const Property& property : properties) name = std::max(name, property.name.size());
+  return Table({{"property", Align::kLeft, name},
+                {"checked", Align::kRight, 9},
+                {"discarded"},
+                {"failed", Align::kRight, 9},
+                {"time", Align::kRight, 7},
+                {"", Align::kLeft}});
+}
+
+std::vector<TableCell> cells_of(const CheckedProperty& checked) {
+  const CheckTally& tally = checked.tally;
+  const TableCell note = tally.all_discarded() ? TableCell{"nothing was checked", Emphasis::kBad}
+                         : checked.not_refuted()
+                             ? TableCell{"known to be false, not refuted here"}
+                             : TableCell{checked.known_false() ? "known to be false" : ""};
+  return {
+      {std::string(checked.property.name)},
+      {fmt::format("{}", tally.checked)},
+      {fmt::format("{}", tally.discarded)},
+      {fmt::format("{}", tally.failed), checked.is_finding() ? Emphasis::kBad : Emphasis::kPlain},
+      {duration_text(tally.seconds)},
+      note};
+}
+
+/// Prints a find as it was found, and where that is saved.
+void print_found(const CheckedProperty& checked) {
+  print_out(fmt::format("\n{} fails: {}\nas found: {}\n", checked.property.name,
+                        checked.find->found, checked.find->as_found));
+  if (!checked.not_saved.empty()) print_out(fmt::format("not saved: {}\n", checked.not_saved));
+  if (!checked.saved.empty()) print_out(fmt::format("saved as found: {}\n", checked.saved));
+  print_out("\n");
+}
+
+/// Prints what shrinking made of the find, and where that is saved.
+void print_shrunk(const CheckedProperty& checked) {
+  const ClaimFind& find = *checked.find;
+  std::string text = "\nnot shrunk: the same input does not fail each time that it is run\n";
+  if (find.shrunk != Shrunk::kNot) {
+    text = fmt::format("\nshrunk{}: {}\nreproduce: {}\n",
+                       find.is_complete() ? "" : " (not to the end)", find.text, find.reproduce);
+  }
+  if (!checked.not_saved.empty()) text += fmt::format("not saved: {}\n", checked.not_saved);
+  if (!checked.saved.empty()) text += fmt::format("saved: {}\n", checked.saved);
+  print_out(text + find.test_text() + "\n");
+}
 
 /// One property put to its inputs. A failure is told and saved as it was found at once, then as it
 /// was shrunk, so that nothing that happens in between loses it; with --json it is told in the end.
 class PropertyCheck {
  public:
-  PropertyCheck(const CheckArguments& options, const Property& property, ClaimChildren& children,
-                const std::atomic<bool>& stop)
-      : options_(options), children_(children), stop_(stop), checked_{property,     {}, "",
-                                                                      std::nullopt, "", ""} {}
+  PropertyCheck(const CheckArguments& options, const CheckedInputs& inputs,
+                const Property& property, ClaimChildren& children, Session& session)
+      : options_(options), children_(children), session_(session), checked_{property, inputs} {}
 
   const CheckedProperty& checked() const { return checked_; }
 
-  /// Errors: of stdout.
-  Result<void> run(Table& table) {
-    checked_.tally = check_inputs(checked_.property, options_.inputs, children_, stop_, progress_,
-                                  [this](const CheckTally& tally) { found(tally); });
+  void run(Table& table) {
+    checked_.tally = check_inputs(checked_.property, checked_.inputs, children_, catch_interrupts(),
+                                  progress_, [this](const CheckTally& tally) { found(tally); });
     progress_.clear();
-    if (!options_.json) print_check_row(table, checked_);
+    if (!session_.json) {
+      table.add_row(cells_of(checked_));
+      print_next_rows(table);
+    }
     if (checked_.find) {
-      flush();
+      need(flush_stdout());
       shrink();
       progress_.clear();
-      if (!options_.json) print_shrunk(checked_);
+      if (!session_.json) print_shrunk(checked_);
     }
-    if (options_.json) print_check_json(options_.inputs, checked_);
-    flush();
-    return told_;
+    if (session_.json) print_row(checked_);
+    need(flush_stdout());
   }
 
  private:
   void found(const CheckTally& tally) {
-    checked_.reproduce =
-        check_command(checked_.property, options_.inputs.seed, tally.first_failure);
+    const std::string_view name = checked_.property.name;
+    checked_.reproduce = check_command(name, checked_.inputs.seed, tally.first_failure);
     // Of a claim that is known to be false, only who asks for it wants to see the failure.
     if (checked_.known_false() && options_.names.empty()) return;
-    checked_.find = CheckFind{tally.text, checked_.reproduce, tally.error, std::nullopt, "", ""};
+    checked_.find = ClaimFind(checked_.property, tally.error, tally.text, checked_.reproduce);
     save();
-    if (options_.json) return;
+    if (session_.json) return;
     progress_.clear();
     print_found(checked_);
-    flush();
+    need(flush_stdout());
   }
 
   /// For at most as long as the property was checked, where that is by time.
   void shrink() {
+    const CheckedInputs& inputs = checked_.inputs;
     const std::unique_ptr<ServedClaim> claim = children_.take(checked_.property);
-    const InputRun found = claim->on_draw(options_.inputs.seed, checked_.tally.first_failure);
-    if (!found.fails_as({Check::fails(""), checked_.find->error, {}, {}})) return;
+    const InputRun failed = claim->on_draw(inputs.seed, checked_.tally.first_failure);
+    if (!failed.fails_as({Check::fails(""), checked_.find->error, {}, {}})) return;
     const auto start = std::chrono::steady_clock::now();
     std::uint64_t runs = 0;
     const auto is_over = [&] {
@@ -81,145 +172,131 @@ class PropertyCheck {
                      fmt::format("{}: shrinking", checked_.property.name), runs, "runs");
       ++runs;
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      return stop_ || (options_.inputs.seconds && spent.count() >= *options_.inputs.seconds);
+      return session_.interrupted() || (inputs.seconds && spent.count() >= *inputs.seconds);
     };
-    auto least = claim->least({checked_.property, {}, 0}, found, {kShrinkTries, is_over});
+    const auto least = claim->least({checked_.property, {}, 0}, failed, {kShrinkTries, is_over});
     if (!least) return;
-    set_least(*checked_.find, checked_.property, *std::move(least));
+    checked_.find->set_least(*least);
     save();
   }
 
   /// Unless a better find of the same failure stands there.
   void save() {
     if (checked_.known_false()) return;
-    const Result<std::string> saved =
-        save_find(options_.save.value_or(kFolder), {checked_.property, *checked_.find});
-    if (!saved) {
-      checked_.not_saved = saved.error().message();
-      return;
-    }
-    checked_.saved = *saved;
-    checked_.not_saved.clear();
-  }
-
-  void flush() {
-    if (told_) told_ = flush_stdout();
+    const Result<std::string> saved = save_find(options_.save.value_or(kFolder), *checked_.find);
+    if (saved) checked_.saved = *saved;
+    checked_.not_saved = saved ? "" : saved.error().message();
   }
 
   const CheckArguments& options_;
   ClaimChildren& children_;
-  const std::atomic<bool>& stop_;
+  Session& session_;
   Progress progress_;
   CheckedProperty checked_;
-  Result<void> told_;
 };
 
 /// Each once, in the order in which they are named.
-Result<std::vector<Property>> chosen_properties(const CheckArguments& options) {
+std::vector<Property> chosen_properties(const CheckArguments& options) {
   if (options.names.empty()) return options.known;
   std::vector<Property> chosen;
   for (const std::string& name : options.names) {
-    const Result<Property> found = property_named(name, options.known);
-    if (!found) return tl::unexpected(found.error());
-    const auto is_it = [&](const Property& property) { return property.name == found->name; };
-    if (std::ranges::none_of(chosen, is_it)) chosen.push_back(*found);
+    const Property found = need(property_named(name, options.known));
+    const auto is_it = [&](const Property& property) { return property.name == found.name; };
+    if (std::ranges::none_of(chosen, is_it)) chosen.push_back(found);
   }
   return chosen;
 }
 
+/// One input of one property, as a row of the JSON output.
+struct HexRow {
+  const Property& property;
+  const Check& check;
+
+  bool is_known_false() const { return property.expected == Expectation::kFails; }
+
+  static void fields(auto& archive, auto& row) {
+    archive("property", std::string_view(row.property.name));
+    archive("expected_to_fail", row.is_known_false());
+    archive("status", name_of(row.check.status));
+    archive("text", row.check.text);
+  }
+};
+
 /// One input of one property, as a find prints it.
-Result<int> check_hex(const CheckArguments& options) {
-  if (options.names.size() != 1) return input_error("--hex", "needs the name of one property");
-  const Result<Property> property = property_named(options.names[0], options.known);
-  if (!property) return tl::unexpected(property.error());
+int check_hex(const CheckArguments& options, Session& session) {
+  if (options.names.size() != 1) throw BadInput{{"--hex", "needs the name of one property"}};
+  const Property property = need(property_named(options.names[0], options.known));
   const auto bytes = parse_hex_bytes(*options.hex);
-  if (!bytes) return input_error("--hex", bytes.error().message());
+  if (!bytes) throw BadInput{{"--hex", bytes.error().message()}};
   ByteChoices choices(*bytes);
-  const Check check = run(*property, choices);
+  const Check check = run(property, choices);
+  const HexRow row{property, check};
   const bool fails = check.status == Check::Status::kFails;
-  const bool expected = property->expected == Expectation::kFails;
-  const std::string_view status = name_of(check.status);
-  if (options.json) {
-    print_json({{"property", property->name},
-                {"expected_to_fail", expected},
-                {"status", status},
-                {"text", check.text}});
+  if (session.json) {
+    print_row(row);
   } else {
-    print_out(fmt::format("{} {}{}{}{}\n", property->name, status,
-                          fails && expected ? ", as is known" : "", check.text.empty() ? "" : ": ",
-                          check.text));
+    print_out(fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
+                          fails && row.is_known_false() ? ", as is known" : "",
+                          check.text.empty() ? "" : ": ", check.text));
   }
   if (check.status == Check::Status::kDiscarded) {
     print_err("ccdfuzz: nothing was checked: the input was discarded\n");
     return kCheckFailed;
   }
-  return fails && !expected ? kCheckFailed : kDone;
+  return fails && !row.is_known_false() ? kCheckFailed : kDone;
 }
 
 /// The inputs of each of `properties` properties, with what the environment and the clock say.
-Result<CheckedInputs> chosen_inputs(const CheckArguments& options, size_t properties) {
-  CheckedInputs inputs = options.inputs;
-  const Result<std::uint64_t> factor = effort();
-  if (!factor) return tl::unexpected(factor.error());
-  if (inputs.count > ~std::uint64_t{0} / *factor) {
-    return input_error("CCDFUZZ_EFFORT", fmt::format("{} times --count is too large", *factor));
+CheckedInputs chosen_inputs(CheckedInputs inputs, size_t properties, int threads) {
+  inputs.threads = threads;
+  const std::uint64_t factor = need(effort());
+  if (inputs.count > ~std::uint64_t{0} / factor) {
+    throw BadInput{{"CCDFUZZ_EFFORT", fmt::format("{} times --count is too large", factor)}};
   }
-  inputs.count *= *factor;
-  if (options.seconds) {
-    const Result<double> seconds = parse_seconds("--seconds", *options.seconds);
-    if (!seconds) return tl::unexpected(seconds.error());
-    inputs.seconds = *seconds / static_cast<double>(properties);
-  }
-  return check_room(inputs.first, inputs.seconds ? 1 : inputs.count, "inputs").map([&] {
-    return inputs;
-  });
+  inputs.count *= factor;
+  if (inputs.seconds) *inputs.seconds /= static_cast<double>(properties);
+  need(check_room(inputs.first, inputs.seconds ? 1 : inputs.count, "inputs"));
+  return inputs;
 }
 
-Result<int> run_check(const CheckArguments& arguments) {
-  if (arguments.hex) return check_hex(arguments);
-  CheckArguments options = arguments;
-  const Result<std::vector<Property>> chosen = chosen_properties(options);
-  if (!chosen) return tl::unexpected(chosen.error());
-  const Result<CheckedInputs> inputs = chosen_inputs(options, chosen->size());
-  if (!inputs) return tl::unexpected(inputs.error());
-  options.inputs = *inputs;
+int run_check(const CheckArguments& options, Session& session) {
+  if (options.hex) return check_hex(options, session);
+  const std::vector<Property> chosen = chosen_properties(options);
+  const CheckedInputs inputs = chosen_inputs(options.inputs, chosen.size(), session.threads);
   if (options.save) {
-    if (options.save->empty()) return input_error("--save", "\"\" is not a folder");
+    if (options.save->empty()) throw BadInput{{"--save", "\"\" is not a folder"}};
     const Result<void> made = make_find_folder(*options.save);
-    if (!made) return input_error("--save", made.error().message());
+    if (!made) throw BadInput{{"--save", made.error().message()}};
   }
-  Table table = check_table(*chosen);
+  Table table = check_table(chosen);
   std::uint64_t done = 0, findings = 0, unchecked = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
   ClaimChildren children(interrupted);
-  for (const Property& property : *chosen) {
+  for (const Property& property : chosen) {
     if (interrupted) break;
-    PropertyCheck check(options, property, children, interrupted);
-    if (const Result<void> told = check.run(table); !told) return tl::unexpected(told.error());
+    PropertyCheck check(options, inputs, property, children, session);
+    check.run(table);
     ++done;
     findings += check.checked().is_finding() ? 1 : 0;
     unchecked += check.checked().tally.all_discarded() ? 1 : 0;
     not_refuted += check.checked().not_refuted() && !interrupted ? 1 : 0;
   }
-  if (!options.json) {
-    print_next_rows(table);
-    std::string summary =
-        fmt::format("\n{} {}, inputs from {} of seed {}: {} failed that should hold", done,
-                    done == 1 ? "property" : "properties", inputs->first, inputs->seed, findings);
-    if (not_refuted > 0) {
-      summary += fmt::format(", {} known to be false did not fail", not_refuted);
-    }
-    if (unchecked > 0) {
-      summary += fmt::format(", of {} nothing was checked: all inputs were discarded", unchecked);
-    }
-    print_out(summary + "\n");
+  if (!session.json) print_next_rows(table);
+  std::string summary =
+      fmt::format("\n{} {}, inputs from {} of seed {}: {} failed that should hold", done,
+                  done == 1 ? "property" : "properties", inputs.first, inputs.seed, findings);
+  if (not_refuted > 0) {
+    summary += fmt::format(", {} known to be false did not fail", not_refuted);
   }
+  if (unchecked > 0) {
+    summary += fmt::format(", of {} nothing was checked: all inputs were discarded", unchecked);
+  }
+  session.summary(summary);
   if (interrupted) {
     print_err(
-        fmt::format("ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen->size()));
-    return interrupted_exit_code();
+        fmt::format("ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen.size()));
   }
-  return findings + unchecked > 0 ? kCheckFailed : kDone;
+  return session.exit_code(findings + unchecked > 0 ? kCheckFailed : kDone);
 }
 
 }  // namespace
@@ -235,10 +312,11 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
                     "whole number, by default 1)",
                     1);
   Option seconds =
-      command.text("--seconds", options->seconds,
-                   "Instead, whatever CCDFUZZ_EFFORT is: how long, in equal shares for "
-                   "the properties; none is left out, and what fails is shrunk for up to its "
-                   "share more");
+      command.parsed("--seconds", options->inputs.seconds,
+                     "Instead, whatever CCDFUZZ_EFFORT is: how long, in equal shares for "
+                     "the properties; none is left out, and what fails is shrunk for up to its "
+                     "share more",
+                     &parse_seconds);
   seconds.excludes(count);
   const Option seed = command.whole("--seed", options->inputs.seed, "Seed of the inputs");
   const Option first = command.whole("--first", options->inputs.first, "Index of the first input");
@@ -248,9 +326,9 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
                   kFolder));
   Option hex = command.text("--hex", options->hex,
                             "Instead: one input of one property, as a find prints it");
-  const Option threads = command.threads(options->inputs.threads);
+  const Option threads = command.threads();
   for (const Option& other : {count, seconds, seed, first, save, threads}) hex.excludes(other);
-  command.flag("--json", options->json, "One JSON object per property");
+  command.json("One JSON object per property");
 }
 
 }  // namespace ccdfuzz

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <sstream>
 #include <utility>
 
 #include "base/folder_lock.hpp"
@@ -41,38 +40,16 @@ std::string path_of(const std::string& folder, const std::string& property,
   return fmt::format("{}/{}.json", folder, name);
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 }  // namespace
 
-std::string check_command(const Property& property, std::span<const std::uint8_t> bytes) {
-  return fmt::format("{} check {} --hex {}", shell_word(program_name()), property.name,
+std::string check_command(std::string_view property, std::span<const std::uint8_t> bytes) {
+  return fmt::format("{} check {} --hex {}", shell_word(program_name()), property,
                      to_hex_word(bytes));
 }
 
-std::string check_command(const Property& property, std::uint64_t seed, std::uint64_t index) {
+std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index) {
   return fmt::format("{} check {} --seed {} --first {} --count 1", shell_word(program_name()),
-                     property.name, seed, index);
-}
-
-void set_least(CheckFind& find, const Property& property, Counterexample least) {
-  find.least = std::move(least);
-  find.reproduce = check_command(property, find.least->bytes);
-  find.test = fmt::format(
-      "#include <gtest/gtest.h>\n\n"
-      "#include \"properties/registry.hpp\"\n\n"
-      "TEST(Found, {}) {{\n"
-      "  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");\n"
-      "  ccdfuzz::ByteChoices choices(*bytes);\n"
-      "  const auto check = ccdfuzz::run(*ccdfuzz::property_named(\"{}\"), choices);\n"
-      "  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;\n"
-      "}}\n",
-      test_name(property.name), to_hex_bytes(find.least->bytes), property.name);
+                     property, seed, index);
 }
 
 Result<void> make_find_folder(const std::string& folder) {
@@ -87,27 +64,46 @@ std::string_view name_of(Shrunk shrunk) {
   return kNames[static_cast<size_t>(shrunk)];
 }
 
-SavedFind::SavedFind(const Property& of, const CheckFind& find)
+ClaimFind::ClaimFind(const Property& of, std::string ended_in, std::string first_text,
+                     std::string command)
     : property(of.name),
       claim(of.claim),
-      error(find.error),
-      found(find.text),
-      as_found(find.as_found) {
-  if (!find.least) return;
+      error(std::move(ended_in)),
+      found(std::move(first_text)),
+      as_found(std::move(command)) {}
+
+void ClaimFind::set_least(const Counterexample& least) {
   // A hang is never shrunk further.
-  shrunk = find.least->is_cut_short && error != "hang" ? Shrunk::kCutShort : Shrunk::kToTheEnd;
-  input = to_hex_bytes(find.least->bytes);
-  text = find.least->check.text;
-  reproduce = find.reproduce;
-  test = lines_of(find.test);
+  shrunk = least.is_cut_short && error != "hang" ? Shrunk::kCutShort : Shrunk::kToTheEnd;
+  input = to_hex_bytes(least.bytes);
+  text = least.check.text;
+  reproduce = check_command(property, least.bytes);
+  test = {
+      "#include <gtest/gtest.h>",
+      "",
+      "#include \"properties/registry.hpp\"",
+      "",
+      fmt::format("TEST(Found, {}) {{", test_name(property)),
+      fmt::format("  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");", input),
+      "  ccdfuzz::ByteChoices choices(*bytes);",
+      fmt::format("  const auto check = ccdfuzz::run(*ccdfuzz::property_named(\"{}\"), choices);",
+                  property),
+      "  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;",
+      "}"};
 }
 
-bool SavedFind::replaces(const SavedFind& other) const {
+std::string ClaimFind::test_text() const {
+  std::string lines;
+  for (const std::string& line : test) lines += line + "\n";
+  return lines;
+}
+
+bool ClaimFind::replaces(const ClaimFind& other) const {
   if (shrunk != other.shrunk) return shrunk > other.shrunk;
   return shrunk == Shrunk::kNot || input.size() < other.input.size();
 }
 
-Result<std::optional<SavedFind>> saved_find(const std::string& folder, const std::string& property,
+Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
                                             const std::string& error) {
   const std::string path = path_of(folder, property, error);
   std::error_code none;
@@ -115,11 +111,11 @@ Result<std::optional<SavedFind>> saved_find(const std::string& folder, const std
   return refuse_irregular(path)
       .and_then([&] { return open_input(path, false); })
       .and_then([](const auto& in) { return in->read(kMostFindBytes); })
-      .and_then([&](const std::string& json) { return from_json<SavedFind>(json, path); })
-      .map([](SavedFind find) { return std::optional(std::move(find)); });
+      .and_then([&](const std::string& json) { return from_json<ClaimFind>(json, path); })
+      .map([](ClaimFind find) { return std::optional(std::move(find)); });
 }
 
-Result<std::string> save_find(const std::string& folder, const SavedFind& find) {
+Result<std::string> save_find(const std::string& folder, const ClaimFind& find) {
   if (const auto made = make_find_folder(folder); !made) return tl::unexpected(made.error());
   const auto lock = FolderLock::take(folder);
   if (!lock) return tl::unexpected(lock.error());

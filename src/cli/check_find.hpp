@@ -18,22 +18,10 @@ inline constexpr const char* kPropertyFinds = "properties";
 /// Runs of a property to shrink a failure of it.
 inline constexpr std::uint64_t kShrinkTries = 4000;
 
-/// What a user needs to see a failing property again.
-struct CheckFind {
-  std::string text, as_found;  ///< of the input that failed: what it showed; one command
-  std::string error;           ///< the name of what it ended in ("crash SIGSEGV"); mostly none
-  std::optional<Counterexample> least;  ///< shrunk; none before that, or where it does not repeat
-  std::string reproduce;                ///< one command, for the shrunk input
-  std::string test;  ///< a GoogleTest test that fails as long as the property does
-};
-
 /// The command that puts these bytes to a property.
-std::string check_command(const Property& property, std::span<const std::uint8_t> bytes);
+std::string check_command(std::string_view property, std::span<const std::uint8_t> bytes);
 /// The same of one draw.
-std::string check_command(const Property& property, std::uint64_t seed, std::uint64_t index);
-
-/// What a find was shrunk to, with command and test.
-void set_least(CheckFind& find, const Property& property, Counterexample least);
+std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index);
 
 /// What has been done of a find.
 enum class Shrunk : std::uint8_t {
@@ -48,15 +36,15 @@ constexpr const auto& all_of(Shrunk) {
   return kAllShrunk;
 }
 
-/// A find as it stands in its file.
-struct SavedFind {
+/// What a user needs to see a failing property again: a find as it stands in its file.
+struct ClaimFind {
   std::string property, claim;
-  std::string error;  ///< as CheckFind
+  std::string error;  ///< the name of what the input ended in ("crash SIGSEGV"); mostly none
   Shrunk shrunk = Shrunk::kNot;
   std::string input;              ///< the shrunk one, in hex; empty before
-  std::string text, reproduce;    ///< of the shrunk input; empty before
-  std::vector<std::string> test;  ///< the lines of CheckFind::test
-  std::string found, as_found;    ///< of the input that failed first
+  std::string text, reproduce;    ///< what it showed, and one command; empty before
+  std::vector<std::string> test;  ///< lines of a GoogleTest test that fails as the property does
+  std::string found, as_found;    ///< text and command of the input that failed first
 
   static void fields(auto& archive, auto& find) {
     archive.format("ccdfuzz-claim-find", 1, 1);
@@ -72,24 +60,30 @@ struct SavedFind {
     archive("as_found", find.as_found);
   }
 
-  SavedFind() = default;
-  SavedFind(const Property& property, const CheckFind& find);
+  ClaimFind() = default;
+  ClaimFind(const Property& property, std::string error, std::string text, std::string command);
+
+  /// The test as one text; empty before.
+  std::string test_text() const;
+
+  /// Sets what it was shrunk to, with command and test.
+  void set_least(const Counterexample& least);
 
   bool is_complete() const { return shrunk == Shrunk::kToTheEnd; }
   /// Whether it takes the place of another find of its claim and error: it is shrunk further, or to
   /// less. Of two that have not failed again, the later is as good as the former.
-  bool replaces(const SavedFind& other) const;
+  bool replaces(const ClaimFind& other) const;
 };
 
 /// Makes the folder unless it is there. Errors: it cannot be made, or no file in it.
 Result<void> make_find_folder(const std::string& folder);
 
 /// The find of a property and an error that stands in a folder. Errors: a file that is none.
-Result<std::optional<SavedFind>> saved_find(const std::string& folder, const std::string& property,
+Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
                                             const std::string& error);
 
 /// Puts a find into the file that is called by its property and error, unless it does not replace
 /// what stands there. Returns the path. Errors: of the folder or file.
-Result<std::string> save_find(const std::string& folder, const SavedFind& find);
+Result<std::string> save_find(const std::string& folder, const ClaimFind& find);
 
 }  // namespace ccdfuzz

@@ -151,13 +151,10 @@ Option Command::add_text(
                     ->default_str(standard));
 }
 
-Option Command::threads(int& value) {
-  value = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return whole("--threads", value, "Threads to work on; results do not depend on it", 1, 1024);
-}
-
 Option Command::threads() {
-  return threads(session_->threads);
+  session_->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return whole("--threads", session_->threads, "Threads to work on; results do not depend on it", 1,
+               1024);
 }
 
 Option Command::plugin_names() {
@@ -206,7 +203,7 @@ CommandLine::CommandLine()
 CommandLine::~CommandLine() = default;
 
 Command CommandLine::add_command(const std::string& name, const std::string& description,
-                                 std::function<Result<int>()> run) {
+                                 std::function<int()> run) {
   CLI::App* const command = app_->add_subcommand(name, description);
   command->callback([this, run = std::move(run)] { chosen_ = run; });
   return Command(command, *session_);
@@ -249,19 +246,19 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     print_err(app_->help());
     return complain("no command given", kBadInput);
   }
-  Result<int> result = 0;
+  int code = kDone;
+  std::optional<InputError> error;
   try {
-    result = chosen_();
+    code = chosen_();
   } catch (const BadInput& bad) {
     session_->end_table();
-    result = tl::unexpected(bad.error);
+    error = bad.error;
   }
   // What was printed before an error must be out before the complaint, and an unwritable stdout is
   // an error of its own unless there is one already.
   const Result<void> flushed = flush_stdout();
-  if (!result) return complain(result.error().message(), kBadInput);
-  if (!flushed) return complain(flushed.error().message(), kBadInput);
-  return *result;
+  if (!flushed && !error) error = flushed.error();
+  return error ? complain(error->message(), kBadInput) : code;
 }
 
 }  // namespace ccdfuzz

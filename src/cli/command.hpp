@@ -103,7 +103,6 @@ class Command {
   }
 
   /// --threads, by default as many as there are cores; --json.
-  Option threads(int& value);
   Option threads();
   Option json(const std::string& description);
   /// --plugin NAME=SPEC, which name_plugin takes. Added before any option that may name a method.
@@ -130,8 +129,8 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Adds a command that runs as run(options) and returns its exit code; an input error of it ends
-  /// the program with kBadInput. Returns the command and its options, for the caller to bind.
+  /// Adds a command that runs as run(options) and returns its exit code; BadInput that it throws
+  /// ends the program with kBadInput. Returns the command and its options, for the caller to bind.
   template <class Options>
   std::pair<Command, Options*> add(const std::string& name, const std::string& description,
                                    int (*run)(const Options&, Session&)) {
@@ -139,13 +138,6 @@ class CommandLine {
     return {
         add_command(name, description, [this, options, run] { return run(*options, *session_); }),
         options.get()};
-  }
-  template <class Options>
-  std::pair<Command, Options*> add(const std::string& name, const std::string& description,
-                                   Result<int> (*run)(const Options&)) {
-    const auto options = std::make_shared<Options>();
-    return {add_command(name, description, [options, run] { return run(*options); }),
-            options.get()};
   }
 
   /// Parses, runs the chosen command, and reports what went wrong. Returns the exit code. First
@@ -156,11 +148,11 @@ class CommandLine {
  private:
   int parse_and_run_chosen(int argc, char** argv);
   Command add_command(const std::string& name, const std::string& description,
-                      std::function<Result<int>()> run);
+                      std::function<int()> run);
 
   std::unique_ptr<CLI::App> app_;
   std::unique_ptr<Session> session_;
-  std::function<Result<int>()> chosen_;
+  std::function<int()> chosen_;
 };
 
 void add_bench(CommandLine& line);

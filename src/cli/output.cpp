@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstring>
 
-#include "base/json_text.hpp"
 #include "base/text.hpp"
 #include "cli/terminal.hpp"
 
@@ -48,10 +47,6 @@ void print_last_rows(Table& table) {
 void print_err(const std::string& text) {
   const std::string shown = shown_lines(text);
   std::fwrite(shown.data(), 1, shown.size(), stderr);
-}
-
-void print_json(const nlohmann::ordered_json& object) {
-  print_out(json_text(object) + "\n");
 }
 
 Result<void> flush_stdout() {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 
 #include "base/fields.hpp"
@@ -28,7 +26,6 @@ void print_last_rows(Table& table);
 void print_err(const std::string& text);
 
 /// One JSON object on a line of its own.
-void print_json(const nlohmann::ordered_json& object);
 template <HasFields Row>
 void print_row(const Row& row) {
   print_out(to_json(row) + "\n");

@@ -16,10 +16,8 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
 #include "cli/reproduction.hpp"
-#include "cli/terminal.hpp"
+#include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/entries.hpp"
 #include "method/ask.hpp"
@@ -35,7 +33,6 @@ struct ReportArguments {
   AllowedPlugins plugins;
   std::string scoreboard;
   std::string folder;
-  int threads = 1;
 };
 
 /// An entry as its expectations say; where those are of a time that a method reported, it is asked
@@ -65,7 +62,7 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
   return reported;
 }
 
-Result<ReportPage> report_corpus(const ReportArguments& options,
+Result<ReportPage> report_corpus(const ReportArguments& options, int threads,
                                  const std::atomic<bool>& interrupted) {
   Result<std::vector<NamedCase>> entries = load_corpus(options.source);
   if (!entries) return tl::unexpected(entries.error());
@@ -82,7 +79,7 @@ Result<ReportPage> report_corpus(const ReportArguments& options,
   const size_t total = entries->size();
   tbb::enumerable_thread_specific<MethodSet> methods;
   run_in_order<Result<ReportedCase>>(
-      total, options.threads,
+      total, threads,
       [&](size_t i) { return reported_entry(std::move((*entries)[i]), methods.local()); },
       [&](Result<ReportedCase> reported) {
         if (!reported) {
@@ -151,7 +148,7 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   return report;
 }
 
-Result<ReportPage> report_source(const ReportArguments& options,
+Result<ReportPage> report_source(const ReportArguments& options, int threads,
                                  const std::atomic<bool>& interrupted) {
   std::error_code error;
   if (!std::filesystem::is_directory(options.source, error)) {
@@ -164,7 +161,7 @@ Result<ReportPage> report_source(const ReportArguments& options,
   if (std::filesystem::exists(hunt_record_path(options.source), error)) {
     return read_hunt_record(options.source).and_then(hunt_page);
   }
-  return report_corpus(options, interrupted);
+  return report_corpus(options, threads, interrupted);
 }
 
 /// The text of a PREFIX.json of ccdfuzz-scoreboard. Errors: naming the file and the field.
@@ -183,25 +180,19 @@ Result<std::string> read_scoreboard(const std::string& path) {
       .map([&] { return std::move(json); });
 }
 
-Result<int> run_report(const ReportArguments& options) {
-  if (const auto admitted = options.plugins.admit(); !admitted) {
-    return tl::unexpected(admitted.error());
-  }
-  Result<std::string> scoreboard;
-  if (!options.scoreboard.empty()) scoreboard = read_scoreboard(options.scoreboard);
-  if (!scoreboard) return tl::unexpected(scoreboard.error());
+int run_report(const ReportArguments& options, Session& session) {
+  need(options.plugins.admit());
+  std::string scoreboard;
+  if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
   const std::atomic<bool>& interrupted = catch_interrupts();
-  Result<ReportPage> report = report_source(options, interrupted);
-  if (!report) return tl::unexpected(report.error());
-  report->scoreboard = *std::move(scoreboard);
-  if (report->command.empty()) report->command = command_line();
-  if (auto done = write_report(*report, options.folder, options.threads); !done) {
-    return tl::unexpected(done.error());
-  }
+  ReportPage report = need(report_source(options, session.threads, interrupted));
+  report.scoreboard = std::move(scoreboard);
+  if (report.command.empty()) report.command = command_line();
+  need(write_report(report, options.folder, session.threads));
   if (interrupted)
     print_err("ccdfuzz: interrupted; the page shows only what was read until then\n");
-  print_out(fmt::format("{}/index.html: {} cases\n", options.folder, report->cases.size()));
-  return interrupted ? interrupted_exit_code() : kDone;
+  print_out(fmt::format("{}/index.html: {} cases\n", options.folder, report.cases.size()));
+  return session.exit_code(kDone);
 }
 
 }  // namespace
@@ -220,7 +211,7 @@ void add_report(CommandLine& line) {
                "Also show how the tests fare with planted faults: a .json that "
                "`ccdfuzz-scoreboard --tables` wrote");
   command.text("-o,--output", options->folder, "Folder for index.html").required();
-  command.threads(options->threads);
+  command.threads();
   command.max_work();
 }
 

@@ -11,8 +11,7 @@
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/interrupt.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "cli/triage_claims.hpp"
 #include "cli/triage_files.hpp"
 #include "finds/entries.hpp"
@@ -29,9 +28,9 @@ struct TriageArguments {
   std::optional<std::string> target;
   std::string known;
   std::string methods = fmt::format("{},trad", fmt::join(default_methods(), ","));
-  std::string seconds = "60";
+  double seconds = 60;
   SearchFlags search;
-  bool json = false;
+  bool json = false;  ///< of the session
   bool remove = false;
 };
 
@@ -58,7 +57,7 @@ Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
 struct TriagedRow {
   const std::string& input;
   const Failure& failure;
-  std::string path;
+  const std::string& path;
 
   static void fields(auto& archive, auto& row) {
     archive.constant("row", "find");
@@ -68,57 +67,42 @@ struct TriagedRow {
   }
 };
 
-Result<void> triage_cases(const TriageArguments& arguments, const std::function<bool()>& stop,
-                          const std::vector<std::string>& files, TriageWalk& walk) {
-  Result<std::vector<std::string>> methods = parse_method_list(arguments.methods);
-  if (!methods) return tl::unexpected(methods.error());
-  Result<Store> store = Store::open(arguments.output);
-  if (!store) return tl::unexpected(store.error());
+void triage_cases(const TriageArguments& arguments, const std::function<bool()>& stop,
+                  const std::vector<std::string>& files, TriageWalk& walk) {
   TriageOptions options;
-  options.methods = *std::move(methods);
+  options.methods = need(parse_method_list(arguments.methods));
+  Store store = need(Store::open(arguments.output));
   options.search = arguments.search.options();
   options.stop = stop;
   std::string at;  // what is worked on
   options.warn = [&](const std::string& warning) {
     walk.note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
   };
-  Triage triage(*store, options);
+  Triage triage(store, options);
   if (!arguments.known.empty()) {
-    const auto entries = load_corpus(arguments.known);
-    if (!entries) return tl::unexpected(entries.error());
-    for (const NamedCase& entry : *entries) triage.know(entry);
+    for (const NamedCase& entry : need(load_corpus(arguments.known))) triage.know(entry);
   }
-  const auto work = [&](const std::vector<NamedCase>& cases) -> Result<bool> {
+  const auto tell = [&](const Failure& failure, const Case&) {
+    walk.note_find();
+    const std::string path = store.path_of(failure);
+    arguments.json ? print_row(TriagedRow{at, failure, path})
+                   : print_out(fmt::format("{}: {}\n", to_text(failure), path));
+  };
+  const auto work = [&](const std::vector<NamedCase>& cases) {
     const std::uint64_t refuting = triage.tally().refuting;
     for (const NamedCase& input : cases) {
       if (stop()) break;
       at = input.id;
-      const Result<void> added = triage.add(input.value, [&](const Failure& failure, const Case&) {
-        walk.note_find();
-        const std::string path = store->path_of(failure);
-        if (arguments.json) {
-          print_row(TriagedRow{input.id, failure, path});
-        } else {
-          print_out(fmt::format("{}: {}\n", to_text(failure), path));
-        }
-      });
-      if (!added) return tl::unexpected(added.error());
+      need(triage.add(input.value, tell));
     }
     return !stop() && triage.tally().refuting == refuting;
   };
-  Result<void> gone = walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
-    Result<std::vector<NamedCase>> cases = cases_of_file(file);
-    if (!cases) return tl::unexpected(cases.error());
-    return [&work, cases = *std::move(cases)] { return work(cases); };
+  walk.go(files, [&](const std::string& file) {
+    return cases_of_file(file).map([&](std::vector<NamedCase> cases) -> TriageWalk::Work {
+      return [&work, cases = std::move(cases)] { return work(cases); };
+    });
   });
-  const TriageTally& tally = triage.tally();
-  TriageCounts& counts = walk.counts();
-  counts.inputs = tally.inputs;
-  counts.failures = tally.failures;
-  counts.known = tally.known;
-  counts.harmless = tally.saved;
-  counts.refuting = tally.refuting;
-  return gone;
+  walk.counts().tally = triage.tally();
 }
 
 /// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
@@ -126,45 +110,42 @@ std::string folder_of_properties(const std::string& folder) {
   return fmt::format("{}/{}", folder, kPropertyFinds);
 }
 
-Result<void> triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,
-                           const std::vector<std::string>& files, TriageWalk& walk) {
+void triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,
+                   const std::vector<std::string>& files, TriageWalk& walk) {
   if (*arguments.target == "query" || *arguments.target == "witnessed") {
-    return input_error("--target", "inputs of " + *arguments.target + " are read without it");
+    throw BadInput{{"--target", "inputs of " + *arguments.target + " are read without it"}};
   }
   const Result<FuzzTarget> target = arguments.find_target(*arguments.target);
-  if (!target) return input_error("--target", target.error().message());
+  if (!target) throw BadInput{{"--target", target.error().message()}};
   const std::string& known = arguments.known;
   std::error_code error;
   if (!known.empty() && !std::filesystem::is_directory(known, error)) {
-    return input_error("--known", fmt::format("\"{}\" is no folder", known));
+    throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
   }
-  return triage_claims({*target, folder_of_properties(arguments.output),
-                        known.empty() ? "" : folder_of_properties(known), stop, arguments.json},
-                       files, walk);
+  triage_claims({*target, folder_of_properties(arguments.output),
+                 known.empty() ? "" : folder_of_properties(known), stop, arguments.json},
+                files, walk);
 }
 
-Result<int> run_triage(const TriageArguments& arguments) {
-  const Result<double> seconds = parse_seconds("--seconds", arguments.seconds);
-  if (!seconds) return tl::unexpected(seconds.error());
-  const Result<std::vector<std::string>> files = triage_files(arguments.inputs);
-  if (!files) return tl::unexpected(files.error());
-
+int run_triage(const TriageArguments& arguments, Session& session) {
+  TriageArguments options = arguments;
+  options.json = session.json;
+  const std::vector<std::string> files = need(triage_files(options.inputs));
   const std::atomic<bool>& interrupted = catch_interrupts();
   const auto start = std::chrono::steady_clock::now();
   const auto is_over = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return interrupted || passed.count() > *seconds;
+    return interrupted || passed.count() > options.seconds;
   };
-  TriageWalk walk(is_over, arguments.remove);
-  const Result<void> done =
-      (arguments.target ? triage_target : triage_cases)(arguments, is_over, *files, walk);
-  if (!done) return tl::unexpected(done.error());
-  print_triage(walk.counts(),
-               arguments.target ? folder_of_properties(arguments.output) : arguments.output,
-               arguments.json);
-  if (interrupted) return interrupted_exit_code();
-  if (walk.counts().files_unread > 0) return kBadInput;
-  return walk.counts().refuting > 0 ? kCheckFailed : kDone;
+  TriageWalk walk(is_over, options.remove);
+  (options.target ? triage_target : triage_cases)(options, is_over, files, walk);
+  const TriageCounts& counts = walk.counts();
+  session.json
+      ? print_row(counts)
+      : session.summary(to_text(
+            counts, options.target ? folder_of_properties(options.output) : options.output));
+  if (counts.files_unread > 0) return session.exit_code(kBadInput);
+  return session.exit_code(counts.tally.refuting > 0 ? kCheckFailed : kDone);
 }
 
 }  // namespace
@@ -187,11 +168,12 @@ void add_triage(CommandLine& line, const FindTarget& find_target) {
   command.plugin_names();
   target.excludes(
       command.text("--methods", options->methods, "Methods to ask, separated by commas"));
-  command.text("--seconds", options->seconds, "What is not done by then is left undone");
+  command.parsed("--seconds", options->seconds, "What is not done by then is left undone",
+                 &parse_seconds, "60");
   options->search.max_pops = 10'000;
   for (const Option& budget : options->search.add_budget_to(command)) target.excludes(budget);
   command.flag("--remove", options->remove, "Removes each input file that is done");
-  command.flag("--json", options->json, "One JSON object a find, and a summary");
+  command.json("One JSON object a find, and a summary");
   command.max_work();
 }
 

@@ -5,12 +5,36 @@
 #include <optional>
 
 #include "cli/check_find.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 #include "hunt/served_claim.hpp"
 
 namespace ccdfuzz {
 
 namespace {
+
+/// A find, as a row of the JSON output.
+struct ClaimFindRow {
+  const std::string& input;
+  const FuzzTarget& target;
+  const ClaimFind& find;
+  const std::string& path;
+
+  std::string outcome() const { return find.error.empty() ? std::string(target.find) : find.error; }
+
+  static void fields(auto& archive, auto& row) {
+    const ClaimFind& find = row.find;
+    const bool fails_again = find.shrunk != Shrunk::kNot;
+    archive.constant("row", "find");
+    archive("input", row.input);
+    archive("property", find.property);
+    archive("outcome", row.outcome());
+    archive("text", fails_again ? find.text : find.found);
+    archive("reproduce", fails_again ? find.reproduce : find.as_found);
+    archive("fails_again", fails_again);
+    archive("cut_short", find.shrunk == Shrunk::kCutShort);
+    archive("saved", row.path);
+  }
+};
 
 class ClaimTriage {
  public:
@@ -18,82 +42,62 @@ class ClaimTriage {
       : options_(options), walk_(walk) {}
 
   /// Whether there is nothing left to do with it.
-  Result<bool> add(const std::string& file, std::span<const std::uint8_t> bytes) {
-    TriageCounts& counts = walk_.counts();
-    ++counts.inputs;
+  bool add(const std::string& file, std::span<const std::uint8_t> bytes) {
+    TriageTally& tally = walk_.counts().tally;
+    ++tally.inputs;
     const auto input = claim_input(options_.target, bytes);
     if (!input) {
-      ++counts.harmless;
+      ++tally.harmless;
       return true;
     }
-    ServedClaim served(input->property);
+    const Property& property = input->property;
+    ServedClaim served(property);
     const InputRun run = served.on(*input);
     if (!run.fails()) {
-      ++counts.harmless;
+      ++tally.harmless;
       return true;
     }
-    ++counts.failures;
-    CheckFind find = found_on(*input, run);
-    const auto known = known_find(std::string(input->property.name), find.error);
-    if (!known) return tl::unexpected(known.error());
-    if (*known && (*known)->is_complete()) {
-      ++counts.known;
+    ++tally.failures;
+    ClaimFind find(property, run.error, run.check.text,
+                   input->seed ? check_command(property.name, *input->seed, 0)
+                               : check_command(property.name, input->bytes));
+    const std::optional<ClaimFind> known = known_find(find);
+    if (known && known->is_complete()) {
+      ++tally.known;
       return true;
     }
-    if (auto least = served.least(*input, run, {kShrinkTries, options_.stop})) {
-      set_least(find, input->property, *std::move(least));
+    if (const auto least = served.least(*input, run, {kShrinkTries, options_.stop})) {
+      find.set_least(*least);
     }
-    const SavedFind made(input->property, find);
-    if (*known && !made.replaces(**known)) {
-      ++counts.known;
+    if (known && !find.replaces(*known)) {
+      ++tally.known;
       return !options_.stop();
     }
-    const Result<std::string> saved = save_find(options_.folder, made);
-    if (!saved) return tl::unexpected(saved.error());
+    const std::string path = need(save_find(options_.folder, find));
     walk_.note_find();
-    tell(file, input->property, find, made, *saved);
-    return made.is_complete() || !options_.stop();
+    tell({file, options_.target, find, path});
+    return find.is_complete() || !options_.stop();
   }
 
  private:
   /// What stands in the folder, or what is complete elsewhere: what is not hides nothing here.
-  Result<std::optional<SavedFind>> known_find(const std::string& property,
-                                              const std::string& error) const {
-    auto here = saved_find(options_.folder, property, error);
-    if (!here || (*here && (*here)->is_complete()) || options_.known.empty()) return here;
-    auto elsewhere = saved_find(options_.known, property, error);
-    return !elsewhere || (*elsewhere && (*elsewhere)->is_complete()) ? elsewhere : here;
+  std::optional<ClaimFind> known_find(const ClaimFind& find) const {
+    const auto in = [&](const std::string& folder) {
+      return need(saved_find(folder, find.property, find.error));
+    };
+    std::optional<ClaimFind> here = in(options_.folder);
+    if ((here && here->is_complete()) || options_.known.empty()) return here;
+    std::optional<ClaimFind> elsewhere = in(options_.known);
+    return elsewhere && elsewhere->is_complete() ? elsewhere : here;
   }
 
-  static CheckFind found_on(const ClaimInput& input, const InputRun& run) {
-    return {run.check.text,
-            input.seed ? check_command(input.property, *input.seed, 0)
-                       : check_command(input.property, input.bytes),
-            run.error,
-            std::nullopt,
-            "",
-            ""};
-  }
-
-  void tell(const std::string& file, const Property& property, const CheckFind& find,
-            const SavedFind& made, const std::string& saved) const {
-    const std::string what = find.error.empty() ? std::string(options_.target.find) : find.error;
-    if (options_.json) {
-      print_json({{"row", "find"},
-                  {"input", file},
-                  {"property", property.name},
-                  {"outcome", what},
-                  {"text", find.least ? find.least->check.text : find.text},
-                  {"reproduce", find.least ? find.reproduce : find.as_found},
-                  {"fails_again", find.least.has_value()},
-                  {"cut_short", find.least && find.least->is_cut_short},
-                  {"saved", saved}});
-      return;
-    }
-    const char* state = made.is_complete() ? ""
-                        : find.least       ? ", not shrunk to the end"
-                                           : ", not shrunk";
-    print_out(fmt::format("{}: {}{}: {}\n", what, property.name, state, saved));
+  void tell(const ClaimFindRow& row) const {
+    if (options_.json) return print_row(row);
+    const Shrunk shrunk = row.find.shrunk;
+    const char* state = shrunk == Shrunk::kToTheEnd   ? ""
+                        : shrunk == Shrunk::kCutShort ? ", not shrunk to the end"
+                                                      : ", not shrunk";
+    print_out(fmt::format("{}: {}{}: {}\n", row.outcome(), row.find.property, state, row.path));
   }
 
   const ClaimTriageOptions& options_;
@@ -102,14 +106,14 @@ class ClaimTriage {
 
 }  // namespace
 
-Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
-                           TriageWalk& walk) {
-  if (Result<void> made = make_find_folder(options.folder); !made) return made;
+void triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
+                   TriageWalk& walk) {
+  need(make_find_folder(options.folder));
   ClaimTriage triage(options, walk);
-  return walk.go(files, [&](const std::string& file) -> Result<TriageWalk::Work> {
-    Result<std::vector<std::uint8_t>> bytes = read_bytes(file);
-    if (!bytes) return tl::unexpected(bytes.error());
-    return [&triage, file, bytes = *std::move(bytes)] { return triage.add(file, bytes); };
+  walk.go(files, [&](const std::string& file) {
+    return read_bytes(file).map([&](std::vector<std::uint8_t> bytes) -> TriageWalk::Work {
+      return [&triage, file, bytes = std::move(bytes)] { return triage.add(file, bytes); };
+    });
   });
 }
 

@@ -20,9 +20,9 @@ struct ClaimTriageOptions {
 
 /// Confirms the inputs of one target, each in a process apart, shrinks and stores what is new: of
 /// each claim one counterexample, and one of each error that putting an input to it ends in. One
-/// that could not be shrunk to the end is stored until there is a better. Prints each. Errors: of
-/// the folder or a file.
-Result<void> triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
-                           TriageWalk& walk);
+/// that could not be shrunk to the end is stored until there is a better. Prints each. Throws
+/// BadInput: of the folder or a file.
+void triage_claims(const ClaimTriageOptions& options, const std::vector<std::string>& files,
+                   TriageWalk& walk);
 
 }  // namespace ccdfuzz

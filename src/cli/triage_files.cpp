@@ -9,7 +9,7 @@
 #include <iterator>
 
 #include "base/output_file.hpp"
-#include "cli/output.hpp"
+#include "cli/session.hpp"
 
 namespace ccdfuzz {
 
@@ -62,7 +62,7 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
   return bytes;
 }
 
-Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& read) {
+void TriageWalk::go(const std::vector<std::string>& files, const Read& read) {
   counts_.files = files.size();
   for (const std::string& file : files) {
     const Result<Work> work = read(file);
@@ -74,21 +74,19 @@ Result<void> TriageWalk::go(const std::vector<std::string>& files, const Read& r
       continue;
     }
     if (is_over_()) break;
-    const Result<bool> worked = (*work)();
-    if (!worked) return tl::unexpected(worked.error());
+    const bool is_done = (*work)();
     // What was done in spite of that is done.
-    if (!*worked && is_over_()) break;
+    if (!is_done && is_over_()) break;
     ++counts_.files_done;
-    if (*worked && remove_) {
+    if (is_done && remove_) {
       std::error_code error;
       fs::remove(file, error);
-      if (error) return input_error(file, "cannot be removed: " + error.message());
+      if (error) throw BadInput{{file, "cannot be removed: " + error.message()}};
     }
     progress_.show(static_cast<double>(counts_.files_done) / static_cast<double>(counts_.files),
                    fmt::format("{} new", counts_.finds), counts_.files_done, "inputs");
   }
   progress_.clear();
-  return {};
 }
 
 void TriageWalk::note(const std::string& line) {
@@ -101,29 +99,16 @@ void TriageWalk::note_find() {
   ++counts_.finds;
 }
 
-void print_triage(const TriageCounts& counts, const std::string& folder, bool json) {
-  if (json) {
-    print_json({{"row", "summary"},
-                {"files", counts.files},
-                {"files_done", counts.files_done},
-                {"files_unread", counts.files_unread},
-                {"inputs", counts.inputs},
-                {"failures", counts.failures},
-                {"known", counts.known},
-                {"harmless", counts.harmless},
-                {"refuting", counts.refuting},
-                {"finds", counts.finds}});
-  } else {
-    print_out(fmt::format(
-        "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
-        "no full run fails; {} new in {}\n",
-        counts.files_done, counts.files, counts.failures, counts.known, counts.harmless,
-        counts.finds, folder));
-    if (counts.refuting > 0) {
-      print_out(
-          fmt::format("{} refute a claim by no full run (see above), and stay\n", counts.refuting));
-    }
-  }
+std::string to_text(const TriageCounts& counts, const std::string& folder) {
+  const TriageTally& tally = counts.tally;
+  std::string text = fmt::format(
+      "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
+      "no full run fails; {} new in {}",
+      counts.files_done, counts.files, tally.failures, tally.known, tally.harmless, counts.finds,
+      folder);
+  if (tally.refuting == 0) return text;
+  return fmt::format("{}\n{} refute a claim by no full run (see above), and stay", text,
+                     tally.refuting);
 }
 
 }  // namespace ccdfuzz

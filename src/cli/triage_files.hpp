@@ -7,18 +7,24 @@
 
 #include "base/result.hpp"
 #include "cli/terminal.hpp"
+#include "hunt/triage.hpp"
 
 namespace ccdfuzz {
 
 /// What became of the files that fuzzers left, and of the inputs in them.
 struct TriageCounts {
   std::uint64_t files = 0, files_done = 0, files_unread = 0;
-  std::uint64_t inputs = 0;
-  std::uint64_t failures = 0;  ///< of all inputs and methods
-  std::uint64_t known = 0;     ///< of those, how many are like one that is stored
-  std::uint64_t harmless = 0;  ///< inputs on which nothing fails
-  std::uint64_t refuting = 0;  ///< inputs of cases that refute a claim, but by no full run
+  TriageTally tally;
   std::uint64_t finds = 0;
+
+  static void fields(auto& archive, auto& counts) {
+    archive.constant("row", "summary");
+    archive("files", counts.files);
+    archive("files_done", counts.files_done);
+    archive("files_unread", counts.files_unread);
+    TriageTally::fields(archive, counts.tally);
+    archive("finds", counts.finds);
+  }
 };
 
 /// The files that the arguments name, in order; folders stand for what is in them, but for what is
@@ -33,8 +39,8 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path);
 class TriageWalk {
  public:
   /// What is left to do with a file that was read; false: it is not done, or to stay.
-  /// Errors: of the store.
-  using Work = std::function<Result<bool>()>;
+  /// Throws BadInput: of the store.
+  using Work = std::function<bool()>;
   /// Errors: it is no input; it is told, and left as it is.
   using Read = std::function<Result<Work>(const std::string& file)>;
 
@@ -42,8 +48,9 @@ class TriageWalk {
   TriageWalk(std::function<bool()> is_over, bool remove)
       : is_over_(std::move(is_over)), remove_(remove) {}
 
-  /// A file that is no more is passed over. Errors: of the work; a file that cannot be removed.
-  Result<void> go(const std::vector<std::string>& files, const Read& read);
+  /// A file that is no more is passed over. Throws BadInput: of the work; a file that cannot be
+  /// removed.
+  void go(const std::vector<std::string>& files, const Read& read);
 
   /// On stderr.
   void note(const std::string& line);
@@ -58,7 +65,7 @@ class TriageWalk {
   TriageCounts counts_;
 };
 
-/// The last line, or the last JSON object. folder: where finds are.
-void print_triage(const TriageCounts& counts, const std::string& folder, bool json);
+/// "3 of 3 files: …". folder: where finds are.
+std::string to_text(const TriageCounts& counts, const std::string& folder);
 
 }  // namespace ccdfuzz

@@ -111,7 +111,7 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
     if (!find) return tl::unexpected(find.error());
     if (*find) found(confirmed->failure, **find);
   }
-  if (!fails) ++tally_.saved;
+  if (!fails) ++tally_.harmless;
   if (sound_fails) return {};
   const auto refutation = told("refute", known);
   if (refutation && refutation->empty()) return {};

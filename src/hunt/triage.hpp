@@ -49,8 +49,16 @@ struct TriageTally {
   std::uint64_t inputs = 0;
   std::uint64_t failures = 0;  ///< full runs that fail, of all inputs and methods
   std::uint64_t known = 0;     ///< of those, how many are like one that was had
-  std::uint64_t saved = 0;     ///< inputs that no method fails on, in a full run
+  std::uint64_t harmless = 0;  ///< inputs that no method fails on, in a full run
   std::uint64_t refuting = 0;  ///< inputs that refute a claim, but by no full run of a sound method
+
+  static void fields(auto& archive, auto& tally) {
+    archive("inputs", tally.inputs);
+    archive("failures", tally.failures);
+    archive("known", tally.known);
+    archive("harmless", tally.harmless);
+    archive("refuting", tally.refuting);
+  }
 };
 
 /// What fuzzers found, on its way into a store: confirmed by full runs up to the contact and past

@@ -197,7 +197,7 @@ TEST(Triage, AsksNoMethodOnceItIsToStop) {
   Triage triage(store, options);
   EXPECT_TRUE(triaged(triage, {raw_finds().front()}).empty());
   EXPECT_EQ(asked, 1);
-  EXPECT_EQ(triage.tally().saved, 0U) << "not all methods were asked";
+  EXPECT_EQ(triage.tally().harmless, 0U) << "not all methods were asked";
 }
 
 TEST(Triage, DecidesWhatComesWithoutTruth) {
