@@ -9,33 +9,24 @@ namespace ccdfuzz {
 
 /// What a method says of a case and how that is judged, as a row of the JSON output.
 struct AnswerRow {
-  std::string id, method;
-  Verdict verdict = Verdict::kUndecided;
-  std::optional<double> toi;
-  std::optional<std::array<Uv<double>, 2>> uv;  ///< of a hit
-  Outcome outcome = Outcome::kUnknown;
-  double late_by = 0;
-  std::uint64_t pops = 0;
-  double seconds = 0;
-  std::string error, note;
-
-  AnswerRow(std::string case_id, std::string method_spec, const Judged& judged);
-
-  /// "late by 0.25".
-  std::string outcome_text() const;
+  const std::string& id;
+  const std::string& method;
+  const Judged& judged;
 
   static void fields(auto& archive, auto& row) {
+    const Answer& answer = row.judged.answer;
+    const bool is_hit = answer.verdict == Verdict::kHit;
     archive("case", row.id);
     archive("method", row.method);
-    archive("verdict", row.verdict);
-    archive("toi", row.toi);
-    archive("uv", row.uv);
-    archive("outcome", row.outcome);
-    archive.optional("late_by", row.late_by);
-    archive("pops", row.pops);
-    archive("seconds", row.seconds);
-    archive.optional("error", row.error);
-    archive.optional("note", row.note);
+    archive("verdict", answer.verdict);
+    archive("toi", answer.has_toi() ? answer.toi : std::nullopt);
+    archive("uv", is_hit ? std::optional(answer.uv) : std::nullopt);
+    archive("outcome", row.judged.outcome);
+    archive.optional("late_by", row.judged.late_by);
+    archive("pops", answer.pops);
+    archive("seconds", answer.seconds);
+    archive.optional("error", row.judged.error);
+    archive.optional("note", answer.note);
   }
 };
 

@@ -21,6 +21,7 @@
 #include "cli/output.hpp"
 #include "cli/session.hpp"
 #include "method/method.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -170,6 +171,23 @@ Option Command::plugin_names() {
           }
           const auto named = name_plugin(item.substr(0, equals), item.substr(equals + 1));
           if (!named) return input_error(where, named.error().what);
+        }
+        return {};
+      });
+}
+
+Option Command::allow_plugins() {
+  return add_text(
+      "--allow-plugins",
+      "Plug-ins of expectations to start, separated by commas, each spelled as there; no other is "
+      "started",
+      "", [](const std::string& where, const std::string& text) -> Result<void> {
+        const Result<std::vector<std::string>> specs = parse_method_list(text);
+        if (!specs) return input_error(where, specs.error().what);
+        for (const std::string& spec : *specs) {
+          if (names_plugin(spec)) continue;
+          return input_error(where,
+                             fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
         }
         return {};
       });

@@ -107,6 +107,8 @@ class Command {
   Option json(const std::string& description);
   /// --plugin NAME=SPEC, which name_plugin takes. Added before any option that may name a method.
   Option plugin_names();
+  /// --allow-plugins: of the plug-ins that files name, the command starts no others.
+  Option allow_plugins();
   /// --max-work, the limit of RunWork: of each command that checks cases of files.
   Option max_work();
 

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <thread>
+#include <regex>
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
@@ -28,7 +27,33 @@ Result<double> parse_precision(const std::string& where, const std::string& text
   });
 }
 
+Result<Shape> parse_shape(const std::string& where, const std::string& text) {
+  static const std::regex kForm("point|(curve|triangle):(\\d{1,4})|tensor:(\\d{1,4})x(\\d{1,4})");
+  std::smatch part;
+  if (!std::regex_match(text, part, kForm)) {
+    return input_error(where,
+                       fmt::format("\"{}\" is not point, curve:N, triangle:N or tensor:NxM", text));
+  }
+  const auto degree = [&](size_t i) { return std::stoi(part[i]); };
+  const Shape shape = part[3].matched      ? Shape::tensor(degree(3), degree(4))
+                      : !part[1].matched   ? Shape::point()
+                      : part[1] == "curve" ? Shape::curve(degree(2))
+                                           : Shape::triangle(degree(2));
+  if (shape.valid()) return shape;
+  return input_error(where, fmt::format("{} has a degree outside 1..{}", text, kMaxDegree));
+}
+
 }  // namespace
+
+Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text) {
+  const size_t comma = text.find(',');
+  const Result<Shape> first = parse_shape(where, text.substr(0, comma));
+  if (!first) return tl::unexpected(first.error());
+  if (comma == std::string::npos) return std::array{*first, *first};
+  return parse_shape(where, text.substr(comma + 1)).map([&](const Shape& second) {
+    return std::array{*first, second};
+  });
+}
 
 std::vector<std::string> default_methods() {
   return {"tdibm",           "tdibm-h:1e-16",  "tdibm-h:1e-12", "tdibm-e",
@@ -80,27 +105,6 @@ SearchOptions SearchFlags::options_for(const Case& value) const {
     search.max_pops = max_pops == 0 ? own.max_pops : std::min(max_pops, own.max_pops);
   }
   return search;
-}
-
-void AllowedPlugins::add_to(Command& command) {
-  command.text("--allow-plugins", list,
-               "Plug-ins of expectations to start, separated by commas, each spelled as there; no "
-               "other is started");
-}
-
-Result<void> AllowedPlugins::admit() const {
-  if (!list) return {};
-  const Result<std::vector<std::string>> specs = parse_method_list(*list);
-  if (!specs) {
-    return input_error("--allow-plugins", specs.error().what);
-  }
-  for (const std::string& spec : *specs) {
-    if (!names_plugin(spec)) {
-      return input_error("--allow-plugins",
-                         fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
-    }
-  }
-  return {};
 }
 
 std::string to_text(const NotAllowed& left_out) {
@@ -158,12 +162,6 @@ void WordCount::note(const char* command) const {
       "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their outcome is "
       "unknown (`ccdfuzz prove` gives proofs)\n",
       command, by_word, cases));
-}
-
-void note_words(const std::vector<NamedCase>& cases, const char* command) {
-  WordCount count;
-  for (const NamedCase& named : cases) count.add(named.value);
-  count.note(command);
 }
 
 }  // namespace ccdfuzz

@@ -11,6 +11,7 @@
 
 #include "base/result.hpp"
 #include "base/shard.hpp"
+#include "bezier/shape.hpp"
 #include "case/case_files.hpp"
 #include "ccd/search.hpp"
 #include "cli/command.hpp"
@@ -36,15 +37,6 @@ struct SearchFlags {
   SearchOptions options_for(const Case& value) const;
 };
 
-/// Plug-ins that files name are not started unless the user allows them by --allow-plugins.
-struct AllowedPlugins {
-  std::optional<std::string> list;
-
-  void add_to(Command& command);
-  /// Errors: not a list of plug-ins, or one of them is bad (admit_plugin).
-  Result<void> admit() const;
-};
-
 /// What plug-ins of expectations were not allowed: how many expectations each has.
 using NotAllowed = std::map<std::string, std::uint64_t>;
 
@@ -60,6 +52,10 @@ Option add_shard(Command& command, std::string& shard);
 /// "i/n", of at most `total` shards, so that none is empty. Errors: it is none.
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
 
+/// Reads one shape for both patches, or one for each with a comma between: "point", "curve:N",
+/// "triangle:N", "tensor:NxM", degrees 1 to kMaxDegree. Errors: anything else, naming `where`.
+Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text);
+
 /// Counts cases, and how many of them rest on the word of a method, by which nothing is judged:
 /// that nothing touches up to t_max or, where that is left open, up to clear_until.
 struct WordCount {
@@ -69,6 +65,5 @@ struct WordCount {
   /// Says so on stderr, if any does.
   void note(const char* command) const;
 };
-void note_words(const std::vector<NamedCase>& cases, const char* command);
 
 }  // namespace ccdfuzz

@@ -12,7 +12,6 @@
 #include "cli/common_options.hpp"
 #include "cli/made_cases.hpp"
 #include "cli/session.hpp"
-#include "cli/shape_text.hpp"
 #include "generators/paper_set.hpp"
 
 namespace ccdfuzz {

@@ -19,7 +19,6 @@
 #include "cli/refusals.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
-#include "cli/shape_text.hpp"
 
 namespace ccdfuzz {
 

@@ -3,35 +3,19 @@
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
+#include "properties/choices.hpp"
 
 namespace ccdfuzz {
 
-namespace {
-
-constexpr std::string_view kHexDigits = "0123456789abcdef";
-
-}  // namespace
-
 void JsonForm<HexBytes>::write(std::string& json, const HexBytes& hex) {
-  json += '"';
-  for (const char byte : hex.bytes) {
-    const auto value = static_cast<unsigned char>(byte);
-    json += kHexDigits[value / 16];
-    json += kHexDigits[value % 16];
-  }
-  json += '"';
+  const std::vector<std::uint8_t> bytes(hex.bytes.begin(), hex.bytes.end());
+  json += json_string(to_hex_bytes(bytes));
 }
 
 void JsonForm<HexBytes>::read(const JsonCursor& from, HexBytes& hex) {
-  const std::string& digits = from.string();
-  if (digits.size() % 2 != 0 || digits.find_first_not_of(kHexDigits) != std::string::npos) {
-    from.refuse("is not bytes in hexadecimal digits");
-  }
-  hex.bytes.clear();
-  for (size_t i = 0; i < digits.size(); i += 2) {
-    hex.bytes +=
-        static_cast<char>(kHexDigits.find(digits[i]) * 16 + kHexDigits.find(digits[i + 1]));
-  }
+  const auto bytes = parse_hex_bytes(from.string());
+  if (!bytes) from.refuse("is not bytes in hexadecimal digits");
+  hex.bytes.assign(bytes->begin(), bytes->end());
 }
 
 Result<MadeSet> MadeSet::open(const std::string& path) {

@@ -1,15 +1,15 @@
-#include "cli/merge.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "base/run_file.hpp"
+#include "case/tree_file.hpp"
 #include "cli/command.hpp"
 #include "cli/made_cases.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
+#include "finds/store.hpp"
 
 namespace ccdfuzz {
 
@@ -80,6 +80,45 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   return kDone;
 }
 
+/// What a merge of corpora did.
+struct MergedCorpora {
+  std::uint64_t entries = 0, taken = 0, now = 0;
+
+  static void fields(auto& archive, auto& merged) {
+    archive("entries", merged.entries);
+    archive("taken_over", merged.taken);
+    archive("now", merged.now);
+  }
+};
+
+/// Puts an entry of another corpus: by the failure that it is called by, or under its own name.
+Result<Store::Put> put_entry(Store& store, const NamedCase& entry) {
+  const std::string trees = trees_path(entry.file);
+  if (const auto failure = named_by_failure(entry)) {
+    return store.put(*failure, entry.value, trees);
+  }
+  return store.put_named(std::filesystem::path(entry.id).stem(), entry.value, trees);
+}
+
+/// Adds the entries of corpora to the corpus `output`: of each failure the smallest stays, as if
+/// one hunt had found them all.
+int merge_corpora(const MergeOptions& options, Session& session) {
+  const auto& [inputs, output] = options;
+  Store store = need(Store::open(output));
+  MergedCorpora merged;
+  for (const std::string& input : inputs) {
+    need(for_each_entry(input, [&](const NamedCase& entry) {
+      ++merged.entries;
+      if (need(put_entry(store, entry)) != Store::Put::kKnown) ++merged.taken;
+    }));
+  }
+  merged.now = need(list_entries(output)).size();
+  if (session.json) print_row(merged);
+  session.summary(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}",
+                              merged.entries, inputs.size(), merged.taken, merged.now, output));
+  return kDone;
+}
+
 int run_merge(const MergeOptions& options, Session& session) {
   const auto is_folder = [](const std::string& path) {
     return std::filesystem::is_directory(path);
@@ -92,7 +131,7 @@ int run_merge(const MergeOptions& options, Session& session) {
   }
   return std::filesystem::exists(answers_path(options.inputs[0]))
              ? merge_evaluated(options, session)
-             : merge_corpora(options.inputs, options.output, session);
+             : merge_corpora(options, session);
 }
 
 }  // namespace

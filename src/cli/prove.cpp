@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <map>
+
 #include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/complete_truth.hpp"
@@ -34,47 +36,23 @@ std::string certificates_of(const Truth& truth) {
 
 /// A case that was decided, as a row of the JSON output.
 struct ProvedRow {
-  std::string id;
-  std::string_view verdict;
-  std::string certificates;
-  std::optional<std::string> contact_by, clear_until;
-  std::uint64_t tree_bytes = 0;
-  bool refuted = false;
-  std::string note;
-
-  ProvedRow(std::string case_id, const Completed& completed)
-      : id(std::move(case_id)),
-        verdict(verdict_of(completed)),
-        certificates(certificates_of(completed.value.truth)),
-        tree_bytes(completed.tree.size()),
-        refuted(completed.refuted),
-        note(completed.note) {
-    const Truth& truth = completed.value.truth;
-    if (const auto by = truth.contact_by()) contact_by = to_text(*by);
-    if (truth.clear_until) clear_until = to_text(*truth.clear_until);
-  }
+  const std::string& id;
+  const Completed& completed;
 
   static void fields(auto& archive, auto& row) {
+    const Completed& completed = row.completed;
+    const Truth& truth = completed.value.truth;
+    const auto text_of = [](const std::optional<Rational>& time) {
+      return time ? std::optional(to_text(*time)) : std::nullopt;
+    };
     archive("case", row.id);
-    archive("verdict", row.verdict);
-    archive("certificates", row.certificates);
-    archive("contact_by", row.contact_by);
-    archive("clear_until", row.clear_until);
-    archive("tree_bytes", row.tree_bytes);
-    archive("refuted", row.refuted);
-    archive.optional("note", row.note);
-  }
-};
-
-struct Counts {
-  std::uint64_t hit = 0, miss = 0, undecided = 0, refuted = 0;
-
-  std::uint64_t all() const { return hit + miss + undecided; }
-
-  void add(const Completed& completed) {
-    const auto& collides = completed.value.truth.collides;
-    ++(!collides ? undecided : *collides ? hit : miss);
-    if (completed.refuted) ++refuted;
+    archive("verdict", verdict_of(completed));
+    archive("certificates", certificates_of(truth));
+    archive("contact_by", text_of(truth.contact_by()));
+    archive("clear_until", text_of(truth.clear_until));
+    archive("tree_bytes", completed.tree.size());
+    archive("refuted", completed.refuted);
+    archive.optional("note", completed.note);
   }
 };
 
@@ -90,18 +68,21 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
 int run_prove(const ProveOptions& options, Session& session) {
   DataSetWriter destination = need(DataSetWriter::open(options.output));
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
-  Counts counts;
+  std::map<std::string_view, std::uint64_t> counts;  // by verdict
+  std::uint64_t cases = 0, refuted = 0;
   session.each_case<NamedCase, Completed>(
       options.files, 1, "cases",
       [&](const NamedCase& named, size_t) { return prove(named, options.oracle); },
       [&](const NamedCase& named, size_t, Completed completed) {
-        counts.add(completed);
+        ++cases;
+        ++counts[verdict_of(completed)];
+        if (completed.refuted) ++refuted;
         if (session.json || completed.refuted || !completed.value.truth.collides) {
-          session.show(ProvedRow(named.id, completed), false,
+          session.show(ProvedRow{named.id, completed}, false,
                        [](const ProvedRow& row) -> std::vector<TableCell> {
                          return {{row.id},
-                                 {row.refuted ? "refuted" : "undecided", Emphasis::kBad},
-                                 {row.note}};
+                                 {row.completed.refuted ? "refuted" : "undecided", Emphasis::kBad},
+                                 {row.completed.note}};
                        });
         }
         need(destination.write(std::move(completed.value), completed.tree));
@@ -109,11 +90,11 @@ int run_prove(const ProveOptions& options, Session& session) {
   session.end_table(true);
   if (session.interrupted()) return interrupted_exit_code();
   need(destination.finish());
-  std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", counts.all(),
-                                    counts.hit, counts.miss, counts.undecided);
-  if (counts.refuted > 0) summary += fmt::format("; {} had claimed otherwise", counts.refuted);
+  std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", cases,
+                                    counts["hit"], counts["miss"], counts["undecided"]);
+  if (refuted > 0) summary += fmt::format("; {} had claimed otherwise", refuted);
   session.summary(summary);
-  return counts.refuted == 0 ? kDone : kCheckFailed;
+  return refuted == 0 ? kDone : kCheckFailed;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
+#include "finds/replay.hpp"
 
 namespace ccdfuzz {
 
@@ -56,15 +57,17 @@ class DefaultBudget {
 };
 
 std::vector<TableCell> query_cells(const AnswerRow& row) {
-  const bool bad = is_false_negative(row.outcome) || row.outcome == Outcome::kError;
+  const Judged& judged = row.judged;
+  const Answer& answer = judged.answer;
+  const bool bad = is_false_negative(judged.outcome) || judged.outcome == Outcome::kError;
   return {{row.id},
           {row.method},
-          {std::string(name_of(row.verdict))},
-          {row.toi ? fmt::format("{}", *row.toi) : ""},
-          {row.outcome_text(), bad ? Emphasis::kBad : Emphasis::kPlain},
-          {fmt::format("{}", row.pops)},
-          {duration_text(row.seconds)},
-          {row.error.empty() ? row.note : row.error + ": " + row.note}};
+          {std::string(name_of(answer.verdict))},
+          {answer.has_toi() ? fmt::format("{}", *answer.toi) : ""},
+          {to_text({judged.outcome, ""}, judged.late_by), bad ? Emphasis::kBad : Emphasis::kPlain},
+          {fmt::format("{}", answer.pops)},
+          {duration_text(answer.seconds)},
+          {judged.error.empty() ? answer.note : judged.error + ": " + answer.note}};
 }
 
 int run_query(const QueryOptions& options, Session& session) {
@@ -106,7 +109,7 @@ int run_query(const QueryOptions& options, Session& session) {
         ++done;
         if (m == 0) words.add(named.value);
         if (judged.answer.verdict == Verdict::kUndecided && judged.error.empty()) ++undecided;
-        session.show(AnswerRow(named.id, options.methods[m], judged), m == 0, query_cells);
+        session.show(AnswerRow{named.id, options.methods[m], judged}, m == 0, query_cells);
       },
       &spent);
   words.note("query");

@@ -28,7 +28,6 @@ struct ReplayOptions {
   std::vector<std::string> methods;  ///< empty: those that an entry names
   std::optional<Outcome> expect;     ///< of every method, in place of what an entry says
   bool update = false;
-  AllowedPlugins plugins;
   SearchFlags search;
 };
 
@@ -37,7 +36,7 @@ struct ReplayJson {
   const ReplayRow& row;
 
   static void fields(auto& archive, auto& json) {
-    const AnswerRow answer(json.row.id, json.row.method, json.row.judged);
+    const AnswerRow answer{json.row.id, json.row.method, json.row.judged};
     AnswerRow::fields(archive, answer);
     archive("got", json.row.got);
     archive("expected", json.row.expected);
@@ -252,7 +251,6 @@ int run_replay(const ReplayOptions& options, Session& session) {
                     "excludes --precision, --max-pops and --max-seconds: an entry "
                     "says itself how it is asked (asked)"}};
   }
-  need(options.plugins.admit());
   return Replay(options, session).run();
 }
 
@@ -268,7 +266,7 @@ void add_replay(CommandLine& line) {
                  "correct; by default what the entry says");
   command.flag("--update", options->update,
                "Writes what methods show now into the entries, and exits with 0");
-  options->plugins.add_to(command);
+  command.allow_plugins();
   options->search.add_to(command);
   command.threads();
   command.json("One JSON object per expectation");

@@ -30,7 +30,6 @@ namespace {
 
 struct ReportArguments {
   std::string source = "corpus";
-  AllowedPlugins plugins;
   std::string scoreboard;
   std::string folder;
 };
@@ -181,7 +180,6 @@ Result<std::string> read_scoreboard(const std::string& path) {
 }
 
 int run_report(const ReportArguments& options, Session& session) {
-  need(options.plugins.admit());
   std::string scoreboard;
   if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
   const std::atomic<bool>& interrupted = catch_interrupts();
@@ -206,7 +204,7 @@ void add_report(CommandLine& line) {
       "A corpus (its entries and what they expect), or the folder of an `evaluate -o` or of a "
       "`hunt --report`, whose numbers are taken as they are");
   command.plugin_names();
-  options->plugins.add_to(command);
+  command.allow_plugins();
   command.text("--scoreboard", options->scoreboard,
                "Also show how the tests fare with planted faults: a .json that "
                "`ccdfuzz-scoreboard --tables` wrote");
