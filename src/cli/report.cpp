@@ -144,6 +144,11 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
   rows.finish(report, costs);
+  std::set<std::string> allowed;
+  for (const Row& row : report.rows) {
+    if (is_admitted(row.key.method)) allowed.insert(row.key.method);
+  }
+  report.plugins = plugins_among({allowed.begin(), allowed.end()});
   return report;
 }
 

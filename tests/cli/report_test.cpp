@@ -100,10 +100,19 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
 
 TEST(ReportCommand, ShowsAPluginsAnswers) {
   const ScratchFolder folder;
-  const Finished evaluated =
-      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c," + kPlugin, "--report", folder / "page"});
+  const Finished evaluated = ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c," + kPlugin, "-o",
+                                      folder / "run", "--report", folder / "page"});
   EXPECT_EQ(evaluated.code, 0) << evaluated.err;
   EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"" + kPlugin + "\""));
+  // A kept evaluation shows what the plug-in says of itself only where that is allowed.
+  const nlohmann::json own = page_data(folder / "page")["methods"];
+  for (const bool allow : {true, false}) {
+    std::vector<std::string> report = {"report", folder / "run", "-o", folder / "again"};
+    if (allow) report.insert(report.end(), {"--allow-plugins", kPlugin});
+    const Finished again = ccdfuzz(report);
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_EQ(page_data(folder / "again")["methods"] == own, allow);
+  }
   std::filesystem::create_directories(folder / "corpus");
   nlohmann::ordered_json entry = nlohmann::ordered_json::parse(read_text(kEntry));
   entry["expect"] = {{"tdibm-c", "correct"}, {kPlugin, "missed"}};
