@@ -68,6 +68,10 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
       });
   std::vector<GenerationCost> costs;
   for (const std::string& file : run.header().inputs) {
+    if (!std::filesystem::exists(file) && !std::filesystem::exists(costs_path(file))) {
+      print_err(
+          fmt::format("ccdfuzz: merge: {} is not there: Table 4 is without its costs\n", file));
+    }
     for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
   }
   need(write_tables(options.output, rows, costs));
@@ -120,6 +124,8 @@ int merge_corpora(const MergeOptions& options, Session& session) {
 }
 
 int run_merge(const MergeOptions& options, Session& session) {
+  // Standard output takes the table.
+  if (options.output == "-") throw BadInput{{"--output", "- is neither a file nor a folder"}};
   const auto is_folder = [](const std::string& path) {
     return std::filesystem::is_directory(path);
   };

@@ -175,6 +175,33 @@ TEST(Evaluate, SharesMergeIntoTheWhole) {
   EXPECT_NE(other.err.find("--max-pops 7"), std::string::npos) << other.err;
 }
 
+TEST(Merge, SaysThatTable4IsWithoutTheCostsOfASetThatIsNotThere) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "VV", "RP", 2);
+  std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
+  for (const char* shard : {"0/2", "1/2"}) {
+    merge.push_back(folder / fmt::format("share-{}", shard[0]));
+    const Finished share =
+        ccdfuzz({"evaluate", set, "--methods", "tdibm-c", "--shard", shard, "-o", merge.back()});
+    ASSERT_EQ(share.code, 0) << share.err;
+  }
+  EXPECT_EQ(ccdfuzz(merge).err, "");
+  std::filesystem::remove(set);
+  EXPECT_EQ(ccdfuzz(merge).err, "") << "the costs are there still";
+  EXPECT_EQ(std::filesystem::remove(folder / "VVRP.generation.jsonl"), true);
+  const Finished merged = ccdfuzz(merge);
+  EXPECT_EQ(merged.code, 0);
+  EXPECT_EQ(merged.err, "ccdfuzz: merge: " + set + " is not there: Table 4 is without its costs\n");
+}
+
+TEST(Merge, WritesNoDataSetToTheStreamOfItsTable) {
+  const ScratchFolder folder;
+  const Finished made = ccdfuzz({"merge", folder / "share.jsonl", "-o", "-"});
+  EXPECT_EQ(made.code, 2);
+  EXPECT_EQ(made.out, "");
+  EXPECT_NE(made.err.find("--output: - is neither"), std::string::npos) << made.err;
+}
+
 TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "VV", "RP", 2), run = folder / "run";
