@@ -166,10 +166,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     header.shard = options.shard;
     if (!arguments.folder.empty()) kept.emplace(open_kept(arguments.folder, header));
   }
-  std::vector<GenerationCost> costs;
-  for (const std::string& file : arguments.files) {
-    for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
-  }
+  const std::vector<GenerationCost> costs = need(read_costs(arguments.files));
   Rows rows;
   ReportRows page;
   WordCount words;

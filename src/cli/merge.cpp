@@ -66,15 +66,13 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
         rows.add(one);
         need(answers.write(std::string(line) + "\n"));
       });
-  std::vector<GenerationCost> costs;
   for (const std::string& file : run.header().inputs) {
     if (!std::filesystem::exists(file) && !std::filesystem::exists(costs_path(file))) {
       print_err(
           fmt::format("ccdfuzz: merge: {} is not there: Table 4 is without its costs\n", file));
     }
-    for (const GenerationCost& cost : need(read_costs(file))) add_cost(costs, cost);
   }
-  need(write_tables(options.output, rows, costs));
+  need(write_tables(options.output, rows, need(read_costs(run.header().inputs))));
   need(answers.commit());
   if (session.json) {
     for (const Row& row : by_kinds(rows)) print_out(to_json(row) + "\n");

@@ -119,36 +119,25 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   CaseStream cases(header.inputs);
   ReportRows rows;
   for (std::uint64_t index = 0;; ++index) {
-    const Result<std::optional<NamedCase>> named = cases.next();
-    if (!named) return tl::unexpected(named.error());
-    if (!*named) break;
+    const std::optional<NamedCase> named = need(cases.next());
+    if (!named) break;
     if (index % header.shard.of != header.shard.index) continue;
-    const auto line = answers->next();
-    if (!line) return tl::unexpected(line.error());
-    const Result<EvaluatedCase> evaluated =
-        from_json<EvaluatedCase>(line->value_or(""), answers->where());
-    if (!evaluated) return tl::unexpected(evaluated.error());
-    if (evaluated->index != index || evaluated->id != (*named)->id) {
-      return input_error(answers->where(), "is not of " + (*named)->id);
+    const auto line = need(answers->next());
+    const auto evaluated = need(from_json<EvaluatedCase>(line.value_or(""), answers->where()));
+    if (evaluated.index != index || evaluated.id != named->id) {
+      return input_error(answers->where(), "is not of " + named->id);
     }
-    if (auto checked = check_in_run(**named); !checked) return tl::unexpected(checked.error());
-    const Case& known = (*named)->value;
-    rows.add(*evaluated, known, search.options_for(known).precision);
+    need(check_in_run(*named));
+    const Case& known = named->value;
+    rows.add(evaluated, known, search.options_for(known).precision);
   }
-  std::vector<GenerationCost> costs;
-  for (const std::string& file : header.inputs) {
-    const auto of_file = read_costs(file);
-    if (!of_file) return tl::unexpected(of_file.error());
-    for (const GenerationCost& cost : *of_file) add_cost(costs, cost);
-  }
+  const std::vector<GenerationCost> costs = need(read_costs(header.inputs));
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
   rows.finish(report, costs);
-  std::set<std::string> allowed;
-  for (const Row& row : report.rows) {
-    if (is_admitted(row.key.method)) allowed.insert(row.key.method);
-  }
-  report.plugins = plugins_among({allowed.begin(), allowed.end()});
+  std::set<std::string> asked;
+  for (const Row& row : report.rows) asked.insert(row.key.method);
+  report.plugins = plugins_among({asked.begin(), asked.end()});
   return report;
 }
 

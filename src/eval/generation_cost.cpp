@@ -69,6 +69,16 @@ Result<std::vector<GenerationCost>> read_costs(const std::string& case_path) {
   }
 }
 
+Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths) {
+  std::vector<GenerationCost> costs;
+  for (const std::string& path : case_paths) {
+    const auto of_file = read_costs(path);
+    if (!of_file) return tl::unexpected(of_file.error());
+    for (const GenerationCost& cost : *of_file) add_cost(costs, cost);
+  }
+  return costs;
+}
+
 Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs) {
   std::string lines;
   for (const GenerationCost& cost : costs) lines += to_json(cost) + "\n";

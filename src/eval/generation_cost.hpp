@@ -55,6 +55,8 @@ std::string costs_path(const std::string& case_path);
 /// The costs of a case file, a line each; empty where no file of them stands there. Errors: it
 /// holds something else, naming file and line.
 Result<std::vector<GenerationCost>> read_costs(const std::string& case_path);
+/// The same of several, together (add_cost).
+Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths);
 Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs);
 
 /// Adds a cost to that of the same class and kind, or after all others.
