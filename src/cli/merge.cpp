@@ -4,12 +4,12 @@
 #include <filesystem>
 
 #include "base/run_file.hpp"
-#include "case/tree_file.hpp"
 #include "cli/command.hpp"
 #include "cli/made_cases.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
-#include "finds/store.hpp"
+#include "finds/intake.hpp"
+#include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
@@ -93,25 +93,17 @@ struct MergedCorpora {
   }
 };
 
-/// Puts an entry of another corpus: by the failure that it is called by, or under its own name.
-Result<Store::Put> put_entry(Store& store, const NamedCase& entry) {
-  const std::string trees = trees_path(entry.file);
-  if (const auto failure = named_by_failure(entry)) {
-    return store.put(*failure, entry.value, trees);
-  }
-  return store.put_named(std::filesystem::path(entry.id).stem(), entry.value, trees);
-}
-
-/// Adds the entries of corpora to the corpus `output`: of each failure the smallest stays, as if
-/// one hunt had found them all.
 int merge_corpora(const MergeOptions& options, Session& session) {
   const auto& [inputs, output] = options;
   Store store = need(Store::open(output));
+  Intake intake(
+      store, [] { return Asker({}); },
+      [] { return Asker({.max_seconds = kLongestQuerySeconds}, MethodSet(make_served_method)); });
   MergedCorpora merged;
   for (const std::string& input : inputs) {
     need(for_each_entry(input, [&](const NamedCase& entry) {
       ++merged.entries;
-      if (need(put_entry(store, entry)) != Store::Put::kKnown) ++merged.taken;
+      if (need(intake.take(entry)) != Store::Put::kKnown) ++merged.taken;
     }));
   }
   merged.now = need(list_entries(output)).size();
@@ -151,6 +143,7 @@ void add_merge(CommandLine& line) {
       .text("-o,--output", options->output,
             "What to write: .jsonl or .jsonl.zst, or a folder; a corpus may be there already")
       .required();
+  command.plugin_names();
   command.json("What the merged shares cost or answered, one JSON object a row");
   command.max_work();
 }

@@ -13,6 +13,10 @@ namespace ccdfuzz {
 /// Pops of one search, when methods are asked about a find of another: TDIBM needs fewer on most.
 inline constexpr std::uint64_t kEnoughPops = 2000;
 
+/// Seconds of one query, so that none holds up the end of a command, or Ctrl-C, for longer. Pops
+/// alone do not bound that: one of exact arithmetic on high degrees takes 50 ms.
+inline constexpr double kLongestQuerySeconds = 5;
+
 /// What a case that failed in such a search says of how it was asked: what fails within few pops
 /// does so with more.
 Asked asked_with(const SearchOptions& search);

@@ -2,14 +2,18 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include <filesystem>
 #include <tuple>
 #include <utility>
 
 #include "base/in_order.hpp"
+#include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/shrink.hpp"
 
 namespace ccdfuzz {
+
+namespace fs = std::filesystem;
 
 void Intake::offer(const Failure& failure, Case find) {
   find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
@@ -27,6 +31,22 @@ void Intake::know(const NamedCase& entry) {
   for (const Failure& failure : failures_of(entry.value)) told_.try_emplace(failure, entry);
 }
 
+Result<Store::Put> Intake::take(const NamedCase& entry) {
+  const std::lock_guard lock(mutex_);
+  const std::string trees = trees_path(entry.file);
+  const std::optional<Failure> failure = named_by_failure(entry);
+  if (!failure) return store_.put_named(fs::path(entry.id).stem(), entry.value, trees);
+  const Result<std::optional<NamedCase>> standing = store_.standing(*failure);
+  if (!standing) return tl::unexpected(standing.error());
+  const std::string address = content_address(entry.value.query);
+  const bool is_alone = !*standing || content_address((*standing)->value.query) == address;
+  if (is_alone) return store_.put(*failure, entry.value, trees);
+  if (is_admitted(failure->who) && fails_so(entry, *failure)) {
+    return put(*failure, entry.value, trees);
+  }
+  return store_.put_named(address, entry.value, trees);
+}
+
 Result<bool> Intake::has(const Failure& failure) {
   const std::lock_guard lock(mutex_);
   if (kept_.contains(failure) || confirmed_.contains(failure)) return true;
@@ -38,9 +58,14 @@ Result<bool> Intake::has(const Failure& failure) {
 }
 
 /// Whether the method of the failure fails so on an entry, when it is asked as the entry says.
-bool Intake::shows(const NamedCase& entry, const Failure& failure) {
+bool Intake::fails_so(const NamedCase& entry, const Failure& failure) {
   const auto known = check_case(entry);
-  const bool is_shown = known && confirm_.failure_as_asked(failure.who, *known) == failure;
+  return known && confirm_.failure_as_asked(failure.who, *known) == failure;
+}
+
+/// The same of an entry that hides finds from then on.
+bool Intake::shows(const NamedCase& entry, const Failure& failure) {
+  const bool is_shown = fails_so(entry, failure);
   if (is_shown) confirmed_.insert(failure);
   return is_shown;
 }
@@ -63,9 +88,9 @@ Result<bool> Intake::is_shown_in_store(const Failure& failure) {
   }
 }
 
-Result<Store::Put> Intake::put(const Failure& failure, const Case& find) {
+Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const std::string& trees) {
   for (;;) {
-    const Result<Store::Put> done = store_.put(failure, find);
+    const Result<Store::Put> done = store_.put(failure, find, trees);
     if (!done) return done;
     if (*done != Store::Put::kKnown) confirmed_.insert(failure);
     if (confirmed_.contains(failure)) return done;

@@ -43,6 +43,12 @@ class Intake {
   /// An entry of another folder, whose failures are known as if it stood in the store.
   void know(const NamedCase& entry);
 
+  /// Puts an entry of another folder: for the failure that it is called by, or under its own name.
+  /// Where another find stands for that failure, the smaller stays if it still fails so when its
+  /// method is asked; an entry whose method fails otherwise, or was not admitted, keeps beside it
+  /// the address of its query as its name. Errors: of the store.
+  Result<Store::Put> take(const NamedCase& entry);
+
   /// True iff the failure was offered, or an entry says that it shows it, and does when its method
   /// is asked again. Errors: of the store.
   Result<bool> has(const Failure& failure);
@@ -80,7 +86,8 @@ class Intake {
   };
 
   Result<void> store_kept();
-  Result<Store::Put> put(const Failure& failure, const Case& find);
+  Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "");
+  bool fails_so(const NamedCase& entry, const Failure& failure);
   bool shows(const NamedCase& entry, const Failure& failure);
   Result<std::optional<bool>> confirm_standing(const Failure& failure);
   Result<bool> is_shown_in_store(const Failure& failure);

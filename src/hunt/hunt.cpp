@@ -55,12 +55,9 @@ struct Nursery {
   std::uint64_t founded = 0;
 };
 
-/// A hunt by time depends on the clock anyway: no query may hold up its end, or Ctrl-C, for longer
-/// than this. Pops alone do not bound that: one of exact arithmetic on high degrees takes 50 ms. A
-/// plug-in is told so, and begins nothing new with a query after it; but what it was asked it has
-/// its own time for (seconds=S), so that it may hold up the end for so long besides.
-constexpr double kLongestQuerySeconds = 5;
-
+/// A hunt by time depends on the clock anyway. A plug-in is told of kLongestQuerySeconds, and
+/// begins nothing new with a query after it; but what it was asked it has its own time for
+/// (seconds=S), so that it may hold up the end for so long besides.
 HuntOptions within_its_time(HuntOptions options) {
   if (!options.cases) {
     options.search.max_seconds = std::min(options.search.max_seconds, kLongestQuerySeconds);

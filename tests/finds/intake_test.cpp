@@ -126,6 +126,47 @@ TEST(Intake, EntriesOfOtherFoldersAreKnownIfTheyFailAsTheySay) {
   EXPECT_TRUE(taken.intake.has(failure).value());
 }
 
+/// Puts a find into a folder by its failure, and gives the entry that stands for it there.
+NamedCase entry_in(const std::string& folder, const Case& find) {
+  Store store = open_store(folder);
+  put(store, find);
+  return *store.standing(failures_of(find).front()).value();
+}
+
+TEST(Intake, OfTwoEntriesThatFailAlikeTheSmallerIsTaken) {
+  for (const bool smaller_first : {false, true}) {
+    const ScratchFolder folder, other;
+    Taken taken(folder.path(), 1);
+    ASSERT_TRUE(taken.intake.take(entry_in(other / "a", find_of(smaller_first ? 3 : 31))));
+    ASSERT_TRUE(taken.intake.take(entry_in(other / "b", find_of(smaller_first ? 31 : 3))));
+    EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3)));
+  }
+}
+
+// Forged: find_of(1) does not fail; it says so and is the smaller.
+TEST(Intake, AnEntryThatDoesNotFailAsItSaysTakesNoOthersPlace) {
+  for (const bool forged_first : {false, true}) {
+    const ScratchFolder folder, other;
+    Taken taken(folder.path(), 2);
+    ASSERT_TRUE(taken.intake.take(entry_in(other / "a", find_of(forged_first ? 1 : 31))));
+    ASSERT_TRUE(taken.intake.take(entry_in(other / "b", find_of(forged_first ? 31 : 1))));
+    EXPECT_THAT(cases_in(folder.path()), testing::UnorderedElementsAre(find_of(1), find_of(31)));
+    const std::string path = taken.store.path_of(failures_of(find_of(31)).front());
+    EXPECT_EQ(read_cases(path).value().front().value, find_of(31));
+  }
+}
+
+// Nothing that a file names is started, so nobody knows whether such an entry is true.
+TEST(Intake, EntriesOfMethodsThatNobodyAdmittedAreAllKept) {
+  const ScratchFolder folder, other;
+  Taken taken(folder.path(), 1);
+  const std::string who = "plugin-exec:./nobody";
+  for (const double x : {31, 3, 7}) {
+    ASSERT_TRUE(taken.intake.take(entry_in(other / std::to_string(x), find_of(x, who))));
+  }
+  EXPECT_EQ(cases_in(folder.path()).size(), 3U);
+}
+
 TEST(Intake, FinishShrinksToTheSameFailureAndAsksTheOthers) {
   const ScratchFolder folder;
   Taken taken(folder.path(), 2);
