@@ -139,6 +139,7 @@ constexpr auto kTdibmC = std::to_array<std::string_view>({
     "tdibm-c.no_false_negative_fine",
     "tdibm-c.no_false_negative_linear",
     "tdibm-c.linear_decided_exactly",
+    "tdibm-c.doubles_decide_exactly",
     "tdibm-c.trace",
     "tdibm-c.normalised",
     "tdibm-c.sub_patches",

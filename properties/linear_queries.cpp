@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/double_parts.hpp"
 #include "case/case_json.hpp"
+#include "ccd/certified/rough_contact.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
@@ -131,6 +133,82 @@ Check check_linear_exact(ChoiceSource& choices) {
   return linear_answer_is_exact(*drawn, options);
 }
 
+/// All bits of a number in [-1, 1].
+double full_bits(ChoiceSource& choices) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 53;
+  return std::ldexp(static_cast<double>(choices.integer(-kMost, kMost)), -53);
+}
+
+/// Two edges, or a point and a face, that touch about t = ½ or nearly do, often with a corner or a
+/// point of an edge.
+Query draw_about_touching(ChoiceSource& choices) {
+  const auto vector = [&] {
+    const double x = full_bits(choices), y = full_bits(choices);
+    return Vec3<double>{x, y, full_bits(choices)};
+  };
+  const bool edges = choices.coin();
+  Query query;
+  std::array<Vec3<double>, 2> at;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = query.patches[s];
+    patch.shape = edges ? Shape::curve(1) : s == 0 ? Shape::point() : Shape::triangle(1);
+    at[s] = {0, 0, 0};
+    double left = 1;
+    for (int i = patch.shape.control_count() - 1; i >= 0; --i) {
+      const Vec3<double> p = vector(), v = vector();
+      const double share =
+          i == 0 ? left : choices.pick(std::array{0.0, 1.0, 0.5, 0.25, 0.375, 0.6875}) * left;
+      left -= share;
+      at[s] += share * (p + 0.5 * v);
+      patch.positions.insert(patch.positions.begin(), p);
+      patch.velocities.insert(patch.velocities.begin(), v);
+    }
+  }
+  const double apart = choices.pick(std::array{0.0, 0.0, 0x1p-40, 0x1p-10});
+  const Vec3<double> gap = apart * vector();
+  for (Vec3<double>& p : query.patches[0].positions) p += at[1] - at[0] + gap;
+  return query;
+}
+
+/// Also where the window ends or begins at the contact, as near as doubles are, and where corners
+/// pass each other, which are as often inside as outside.
+Check check_doubles_decide(ChoiceSource& choices) {
+  using certified::RoughContact;
+  Query query = draw_about_touching(choices);
+  const double length = choices.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
+  const double from = choices.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});
+  query.t_max = from + length * choices.pick(std::array{1.0, 2.0});
+  const double width = choices.pick(std::array{0x1p-44, 0x1p-40, 0x1p-20, 1.0});
+  const double first = choices.pick(std::array{0.0, from + width});
+  certified::NormalisedQuery normalised;
+  certified::normalise(query, normalised);
+  const auto normal = [&](double t) { return std::ldexp(t, -normalised.time); };
+  const RoughContact rough =
+      certified::rough_contact(normalised, normal(from), normal(first), normal(width));
+  if (rough.kind == RoughContact::Kind::kOpen) return Check::discarded("doubles do not decide");
+
+  // What begins at `from`, exactly.
+  auto patches = linear::exact_patches(query);
+  for (MovingPatch<Rational>& patch : patches) patch.positions = patch.at(exact(from));
+  auto contact = linear::first_contact(patches, exact(query.t_max) - exact(from));
+  const auto is_at_least = [&](const Rational& t) {
+    return contact->time.sign_of(linear::Polynomial({-t.get_num(), t.get_den()})) >= 0;
+  };
+  std::string wrong;
+  if (contact.has_value() != (rough.kind == RoughContact::Kind::kProven)) {
+    wrong = contact ? "see no contact where there is one" : "see a contact where there is none";
+  } else if (contact) {
+    // What brings the width to normalised time and back is off by 2^-50 of it.
+    const Rational lo = exact(std::ldexp(rough.time, normalised.time)) - exact(from);
+    const Rational hi = lo + exact(width) * (1 + power_of_two(-50));
+    if (!is_at_least(lo)) wrong = "are late";
+    if (is_at_least(hi)) wrong = "are early";
+  }
+  if (wrong.empty()) return Check::holds();
+  return Check::fails(fmt::format("doubles {}: from {}, width {}, time {}\n{}", wrong, to_hex(from),
+                                  to_hex(width), to_hex(rough.time), to_json({query, {}, {}, {}})));
+}
+
 Check check_linear_decision(ChoiceSource& choices) {
   const Result<Query> drawn = draw_linear(choices);
   return drawn ? linear_decision_is_proven(*drawn) : Check::discarded(drawn.error().message());
@@ -167,6 +245,9 @@ std::vector<Property> linear_properties() {
        "Degenerate linear queries, near ones and ones that graze are decided exactly, at a time "
        "within the precision",
        "src/ccd/certified/DERIVATION.md", kHolds, check_linear_exact},
+      {"tdibm-c.doubles_decide_exactly",
+       "Where doubles decide a linear query, exact arithmetic finds the same, at such a time",
+       "src/ccd/certified/DERIVATION.md", kHolds, check_doubles_decide},
   };
 }
 

@@ -27,7 +27,8 @@ int most_places(const Query& query);
 /// first_linear_contact promises.
 Check linear_answer_is_exact(const Query& query, const SearchOptions& options);
 
-/// These on queries that are degenerate in every way (draw_linear).
+/// These on queries that are degenerate in every way (draw_linear), and what doubles decide of
+/// ordinary ones.
 std::vector<Property> linear_properties();
 
 }  // namespace ccdfuzz
