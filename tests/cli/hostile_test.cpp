@@ -207,6 +207,18 @@ TEST_F(Hostile, AFileOfManyCostlyCertificatesEndsAtTheFirstCasePastTheLimitOfARu
   EXPECT_THAT(one.err, HasSubstr(":1: checking the cases up to this one takes more than 1000 "));
 }
 
+TEST_F(Hostile, EachCommandThatChecksCasesHasALimitOfARun) {
+  const std::string path = generated(folder_, "FF", "RP", 2);
+  for (const std::string& command : std::vector<std::string>{
+           "verify", "replay", "query", "evaluate", "trace",
+           "prove -o " + (folder_ / "proven.jsonl"), "triage -o " + (folder_ / "finds")}) {
+    const Finished ended = limited(fmt::format("{} --max-work 10 {}", command, path));
+    EXPECT_EQ(ended.code, 2) << command << "\n" << ended.out;
+    EXPECT_THAT(ended.err, HasSubstr(":1: checking the cases up to this one takes more than 10 "))
+        << command;
+  }
+}
+
 TEST_F(Hostile, AFileOfManyAbsencesByWordEndsAtTheLimitOfARun) {
   Truth truth;
   truth.collides = false;
