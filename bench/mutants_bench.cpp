@@ -29,7 +29,7 @@ std::vector<WitnessedQuery> mutant_bases(ContactClass contact) {
 void make_mutants(benchmark::State& state, ContactClass contact, const std::string& spec) {
   const std::vector<WitnessedQuery> bases = mutant_bases(contact);
   const auto tracer = make_tracer(spec.empty() ? "tdibm-c" : spec);
-  Random random(1);
+  Draw random{Random(1)};
   std::int64_t lost = 0;
   for ([[maybe_unused]] const auto _ : state) {
     const WitnessedQuery& mother = bases[random.below(bases.size())];

@@ -2,13 +2,13 @@
 #include "bench/ratio.hpp"
 #include "bezier/cell.hpp"
 #include "bezier/restrict.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 namespace {
 
 void sub_patch(benchmark::State& state, const Shape& shape) {
-  Random random(1);
+  Draw random{Random(1)};
   MovingPatch<double> patch{shape, {}, {}};
   for (int i = 0; i < shape.control_count(); ++i) {
     const Vec3<Dyadic> p = random.vector(20, -16);

@@ -37,7 +37,7 @@ class Checker {
   Checker(const Property& property, std::string program)
       : property_(property), program_(std::move(program)) {}
 
-  void check(ChoiceSource& choices, const std::string& input) {
+  void check(Draw& choices, const std::string& input) {
     const Check result = run(property_, choices);
     ++checked_;
     if (result.status == Check::Status::kDiscarded) ++discarded_;
@@ -80,7 +80,7 @@ int check_all(const Options& options) {
   for (const std::string& hex : options.hex) {
     const auto bytes = parse_hex_bytes(hex);
     if (!bytes) return refuse("--hex: " + bytes.error().message());
-    ByteChoices choices(*bytes);
+    Draw choices = Draw::from_bytes(*bytes);
     checker.check(choices, "--hex");
   }
   for (const std::string& path : options.paths) {
@@ -89,12 +89,12 @@ int check_all(const Options& options) {
       if (!in) return refuse(file + ": cannot be read");
       const std::vector<char> content{std::istreambuf_iterator<char>(in), {}};
       const std::vector<std::uint8_t> bytes(content.begin(), content.end());
-      ByteChoices choices(bytes);
+      Draw choices = Draw::from_bytes(bytes);
       checker.check(choices, file);
     }
   }
   for (std::uint64_t i = 0; i < options.random; ++i) {
-    RandomChoices choices{Random::keyed({options.seed, i})};
+    Draw choices = Draw::mostly_small(Random::keyed({options.seed, i}));
     checker.check(choices, fmt::format("--seed {}, case {}", options.seed, i));
   }
   return checker.finish();

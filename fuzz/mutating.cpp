@@ -22,12 +22,12 @@ std::size_t put(const WitnessedQuery& q, std::span<std::uint8_t> out) {
 
 std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
                         std::uint64_t every) {
-  Random random(seed);
-  if (random.below(every) == 0 && LLVMFuzzerMutate != nullptr) {
+  Draw draw{Random(seed)};
+  if (draw.below(every) == 0 && LLVMFuzzerMutate != nullptr) {
     return LLVMFuzzerMutate(data, size, max_size);
   }
   const WitnessedQuery q = witnessed_query_of(std::span(data, size)).value_or(falling_point());
-  return put(mutate(q, q, random), {data, max_size});
+  return put(mutate(q, q, draw), {data, max_size});
 }
 
 }  // namespace ccdfuzz
@@ -37,11 +37,11 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std:
                                                  std::uint8_t* out, std::size_t max_size,
                                                  unsigned int seed) {
   using namespace ccdfuzz;  // NOLINT: of this function alone
-  Random random(seed);
+  Draw draw{Random(seed)};
   const auto mother = witnessed_query_of(std::span(data1, size1));
   const auto father = witnessed_query_of(std::span(data2, size2));
   if (!mother || !father) return 0;
   WitnessedQuery child = *mother;
-  if (!splice(child, *father, random)) return 0;
-  return put(mutate(child, *father, random), {out, max_size});
+  if (!splice(child, *father, draw)) return 0;
+  return put(mutate(child, *father, draw), {out, max_size});
 }

@@ -39,7 +39,7 @@ std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, 
   // on from what they reach: an equal share for either.
   constexpr std::uint64_t kOneDrawnIn = 2;
   const FuzzTarget& target = this_target();
-  Random random(seed);
+  Draw random{Random(seed)};
   if (!target.reads_texts) {
     const auto take = [&](const std::vector<std::uint8_t>& input) {
       size = std::min(input.size(), max_size);
@@ -62,14 +62,14 @@ int check_input(std::span<const std::uint8_t> bytes) {
   const FuzzTarget& target = this_target();
   const auto input = claim_input(target, bytes);
   if (!input) return -1;  // not for the corpus
-  const std::unique_ptr<ChoiceSource> choices = input->choices();
-  const Check check = run(input->property, *choices);
+  Draw choices = input->choices();
+  const Check check = run(input->property, choices);
   any_ended = true;
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
     std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
                              input->property.name, check.text, check_command(),
-                             input->property.name, to_hex_word(choices->bytes()));
+                             input->property.name, to_hex_word(choices.bytes()));
     std::abort();
   }
   return 0;

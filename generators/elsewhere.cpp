@@ -25,8 +25,9 @@ int size_exponent(const Query& query) {
 
 /// The case with a vector of short numbers as `part`: of up to 2^40 times its size, or of as much
 /// as its bits allow.
-Case moved(const Case& base, int size, Vec3<double> Similarity::*part, const Between& between) {
+Case moved(const Case& base, int size, Vec3<double> Similarity::*part, Draw& draw) {
   constexpr int kFarthest = 40, kStep = 5, kBits = 4, kMost = (1 << kBits) - 1;
+  const auto between = [&](int lo, int hi) { return static_cast<int>(draw.integer(lo, hi)); };
   if (between(0, 1) == 0) return base;
   const int farthest = between(0, kFarthest);
   Vec3<double> numbers;
@@ -40,8 +41,9 @@ Case moved(const Case& base, int size, Vec3<double> Similarity::*part, const Bet
 }
 
 /// The case in other units of length, three times of four, and of time, one time of four.
-Case rescaled(const Case& base, const Between& between) {
+Case rescaled(const Case& base, Draw& draw) {
   Similarity change;
+  const auto between = [&](int lo, int hi) { return static_cast<int>(draw.integer(lo, hi)); };
   if (between(0, 3) != 0) change.space = between(-1000, 900);
   if (between(0, 3) == 3) change.time = between(-100, 100);
   auto out = similar(base, change);
@@ -50,10 +52,10 @@ Case rescaled(const Case& base, const Between& between) {
 
 }  // namespace
 
-Case elsewhere(const Case& base, const Between& between) {
+Case elsewhere(const Case& base, Draw& draw) {
   const int size = size_exponent(base.query);
-  const Case shifted = moved(base, size, &Similarity::shift, between);
-  return rescaled(moved(shifted, size, &Similarity::drift, between), between);
+  const Case shifted = moved(base, size, &Similarity::shift, draw);
+  return rescaled(moved(shifted, size, &Similarity::drift, draw), draw);
 }
 
 }  // namespace ccdfuzz

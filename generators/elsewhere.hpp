@@ -1,18 +1,14 @@
 #pragma once
 
-#include <functional>
-
 #include "case/case.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
-
-/// A whole number from the first to the second, both included.
-using Between = std::function<int(int, int)>;
 
 /// The case in other coordinates, with the truth that similar() leaves it. By chance it is moved
 /// and given a common velocity, each of up to 2^40 times the patches' size; its numbers are
 /// multiplied by 2^-1000 to 2^900, and time by 2^-100 to 2^100. All is exact: what doubles have no
-/// room for is left out. Where `between` gives 0 always, nothing changes.
-Case elsewhere(const Case& base, const Between& between);
+/// room for is left out. Of choices that are 0 nothing changes.
+Case elsewhere(const Case& base, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -24,8 +24,8 @@ bool inside(const Barycentric& x) {
 }
 
 /// The largest offset of a corner, in grid units.
-std::int64_t random_reach(Random& random) {
-  return std::int64_t{1} << random.between(kGridBits - 6, kGridBits - 3);
+std::int64_t random_reach(Draw& draw) {
+  return std::int64_t{1} << draw.integer(kGridBits - 6, kGridBits - 3);
 }
 
 /// True iff the triangle of these corners is not degenerate.
@@ -38,16 +38,16 @@ using Grid2 = std::array<std::int64_t, 2>;
 
 /// Corners x + d_a with Σ λ_a d_a = 0. λ_0 is 1/2 or 1/4, λ_1 and λ_2 are eighths; as d_1 and d_2
 /// are multiples of 4, d_0 = −(λ_1 d_1 + λ_2 d_2)/λ_0 is on the grid.
-LocalPatch around_interior_point(const Barycentric& x, Random& random) {
-  LocalPatch part;
-  do {
-    const int first = random.coin() ? 4 : 2;  // λ in eighths
-    const int second = static_cast<int>(random.between(1, 8 - first - 1));
+LocalPatch around_interior_point(const Barycentric& x, Draw& draw) {
+  const auto make = [&] {
+    LocalPatch part;
+    const int first = draw.coin() ? 4 : 2;  // λ in eighths
+    const int second = static_cast<int>(draw.integer(1, 8 - first - 1));
     const std::array<int, 3> lambda = {first, second, 8 - first - second};
-    const std::int64_t reach = random_reach(random) / 4;
+    const std::int64_t reach = random_reach(draw) / 4;
     std::array<Grid2, 3> d{};
     for (size_t a = 1; a < 3; ++a) {
-      for (std::int64_t& component : d[a]) component = 4 * random.between(-reach, reach);
+      for (std::int64_t& component : d[a]) component = 4 * draw.integer(-reach, reach);
     }
     for (size_t k = 0; k < 2; ++k) {
       d[0][k] = -(lambda[1] * d[1][k] + lambda[2] * d[2][k]) / lambda[0];
@@ -56,20 +56,23 @@ LocalPatch around_interior_point(const Barycentric& x, Random& random) {
       part.corners[a] = offset(x, {d[a][0], d[a][1], -d[a][0] - d[a][1]});
       part.x[a] = Dyadic(lambda[a], -3);
     }
-  } while (!std::all_of(part.corners.begin(), part.corners.end(), inside) || !spans(part.corners));
-  return part;
+    return part;
+  };
+  return draw.until(make, [](const LocalPatch& part) {
+    return std::all_of(part.corners.begin(), part.corners.end(), inside) && spans(part.corners);
+  });
 }
 
 /// x is the midpoint of an edge; it divides the part's edge as j : 2^b − j.
-LocalPatch around_edge_point(const Barycentric& x, Random& random) {
+LocalPatch around_edge_point(const Barycentric& x, Draw& draw) {
   const int k = corner_opposite(x), a = (k + 1) % 3, b = (k + 2) % 3;
-  const std::int64_t reach = random_reach(random);
-  const int bits = static_cast<int>(random.between(1, std::bit_width(std::uint64_t(reach)) - 1));
+  const std::int64_t reach = random_reach(draw);
+  const int bits = static_cast<int>(draw.integer(1, std::bit_width(std::uint64_t(reach)) - 1));
   const std::int64_t steps = std::int64_t{1} << bits;
-  const std::int64_t step = random.between(1, reach / steps);
-  const std::int64_t j = random.between(1, steps - 1);
-  const std::int64_t inward = random.between(1, reach);
-  const std::int64_t along = random.between(-reach, reach);
+  const std::int64_t step = draw.integer(1, reach / steps);
+  const std::int64_t j = draw.integer(1, steps - 1);
+  const std::int64_t inward = draw.integer(1, reach);
+  const std::int64_t along = draw.integer(-reach, reach);
   LocalPatch part;
   const auto on_edge = [&](std::int64_t to_a) {
     std::array<std::int64_t, 3> d{};
@@ -88,43 +91,47 @@ LocalPatch around_edge_point(const Barycentric& x, Random& random) {
   return part;
 }
 
-LocalPatch around_corner(const Barycentric& x, Random& random) {
+LocalPatch around_corner(const Barycentric& x, Draw& draw) {
   const int k = corner_of(x);
-  const std::int64_t reach = random_reach(random);
+  const std::int64_t reach = random_reach(draw);
   LocalPatch part;
-  part.corners[0] = x;
   part.x = corner_point(0);
-  do {
-    for (size_t c = 1; c < 3; ++c) {
-      std::array<std::int64_t, 3> d{};
-      d[(k + 1) % 3] = random.between(0, reach);
-      d[(k + 2) % 3] = random.between(0, reach);
-      d[k] = -d[(k + 1) % 3] - d[(k + 2) % 3];
-      part.corners[c] = offset(x, d);
-    }
-  } while (!spans(part.corners));
+  part.corners = draw.until(
+      [&] {
+        std::array<Barycentric, 3> corners;
+        corners[0] = x;
+        for (size_t c = 1; c < 3; ++c) {
+          std::array<std::int64_t, 3> d{};
+          d[(k + 1) % 3] = draw.integer(0, reach);
+          d[(k + 2) % 3] = draw.integer(0, reach);
+          d[k] = -d[(k + 1) % 3] - d[(k + 2) % 3];
+          corners[c] = offset(x, d);
+        }
+        return corners;
+      },
+      spans);
   return part;
 }
 
 }  // namespace
 
-LocalPatch choose_local_patch(const Barycentric& x, Random& random) {
+LocalPatch choose_local_patch(const Barycentric& x, Draw& draw) {
   LocalPatch part;
   switch (feature_at(x)) {
     case Feature::kFace:
-      part = around_interior_point(x, random);
+      part = around_interior_point(x, draw);
       break;
     case Feature::kEdge:
-      part = around_edge_point(x, random);
+      part = around_edge_point(x, draw);
       break;
     case Feature::kCorner:
-      part = around_corner(x, random);
+      part = around_corner(x, draw);
       break;
   }
   // Which corner of the part is u, v and w is drawn last, so that contacts lie on all three edges
   // and at all three corners.
   for (size_t a = 2; a > 0; --a) {
-    const size_t b = random.below(a + 1);
+    const size_t b = draw.below(a + 1);
     std::swap(part.corners[a], part.corners[b]);
     std::swap(part.x[a], part.x[b]);
   }

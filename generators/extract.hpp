@@ -1,6 +1,6 @@
 #pragma once
 
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -16,7 +16,7 @@ struct LocalPatch {
 /// lies on the part as it does on the parent: inside, on an edge that is part of the parent's edge,
 /// or at a corner that is the parent's corner. The corners are chosen so that the coordinates of x
 /// on the part are dyadic too: multiples of 1/8 inside, of 2^-10 or coarser on an edge.
-LocalPatch choose_local_patch(const Barycentric& x, Random& random);
+LocalPatch choose_local_patch(const Barycentric& x, Draw& draw);
 inline constexpr int kGridBits = 13;
 
 /// Step III, the control points of the part: the parent's blossom at pairs of corners, exactly.

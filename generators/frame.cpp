@@ -5,10 +5,10 @@ namespace ccdfuzz {
 
 namespace {
 
-Vec3<Dyadic> integer_vector(Random& random) {
+Vec3<Dyadic> integer_vector(Draw& draw) {
   Vec3<Dyadic> v;
   for (int k = 0; k < 3; ++k) {
-    v[k] = Dyadic(static_cast<int>(random.between(-kFrameBound, kFrameBound)));
+    v[k] = Dyadic(static_cast<int>(draw.integer(-kFrameBound, kFrameBound)));
   }
   return v;
 }
@@ -24,37 +24,44 @@ Planar difference(const Planar& a, const Planar& b) {
 
 }  // namespace
 
-PlaneFrame random_frame(Random& random) {
+PlaneFrame random_frame(Draw& draw) {
   PlaneFrame frame;
   const Vec3<Dyadic> zero = {Dyadic(), Dyadic(), Dyadic()};
-  do {
-    for (Vec3<Dyadic>& t : frame.tangent) t = integer_vector(random);
-    frame.normal = cross(frame.tangent[0], frame.tangent[1]);
-  } while (frame.normal == zero);
-  int side = 0;
-  while (side == 0) {
-    frame.out = integer_vector(random);
-    side = dot(frame.normal, frame.out).sign();
-  }
-  if (side < 0) frame.out = -frame.out;
+  const auto normal = [](const auto& tangent) { return cross(tangent[0], tangent[1]); };
+  frame.tangent = draw.until(
+      [&] {
+        std::array<Vec3<Dyadic>, 2> tangent;
+        for (Vec3<Dyadic>& t : tangent) t = integer_vector(draw);
+        return tangent;
+      },
+      [&](const auto& tangent) { return normal(tangent) != zero; });
+  frame.normal = normal(frame.tangent);
+  const auto side = [&](const Vec3<Dyadic>& out) { return dot(frame.normal, out).sign(); };
+  frame.out = draw.until([&] { return integer_vector(draw); },
+                         [&](const Vec3<Dyadic>& out) { return side(out) != 0; });
+  if (side(frame.out) < 0) frame.out = -frame.out;
   return frame;
 }
 
-std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit,
-                                      Random& random) {
-  std::array<Planar, 3> corner;
-  do {
-    for (Planar& p : corner) {
-      for (Dyadic& x : p) x = random.dyadic(kTangentBits, unit);
-    }
-  } while (area(difference(corner[1], corner[0]), difference(corner[2], corner[0])).sign() == 0);
+std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit, Draw& draw) {
+  const auto corner = draw.until(
+      [&] {
+        std::array<Planar, 3> c;
+        for (Planar& p : c) {
+          for (Dyadic& x : p) x = draw.lattice(kTangentBits, unit);
+        }
+        return c;
+      },
+      [](const auto& c) {
+        return area(difference(c[1], c[0]), difference(c[2], c[0])).sign() != 0;
+      });
   std::array<Planar, 6> tau;
   Planar mean;
   for (size_t i = 0; i < 6; ++i) {
     const auto [a, b] = kCornerPairs[i];
     for (size_t k = 0; k < 2; ++k) {
       tau[i][k] = (corner[a][k] + corner[b][k]).scaled(-1);
-      if (a != b) tau[i][k] += random.dyadic(kTangentBits - 3, unit);
+      if (a != b) tau[i][k] += draw.lattice(kTangentBits - 3, unit);
       mean[k] += weights[i] * tau[i][k];
     }
   }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "generators/draw/draw.hpp"
 #include "generators/quadratic.hpp"
-#include "generators/random.hpp"
 
 namespace ccdfuzz {
 
@@ -13,7 +13,7 @@ struct PlaneFrame {
 };
 inline constexpr int kFrameBound = 31;
 
-PlaneFrame random_frame(Random& random);
+PlaneFrame random_frame(Draw& draw);
 
 /// Coordinates on the frame's plane.
 using Planar = std::array<Dyadic, 2>;
@@ -21,8 +21,7 @@ using Planar = std::array<Dyadic, 2>;
 /// The tangential coordinates τ of six control points, multiples of 2^unit up to 2^(unit + 12): a
 /// triangle that is not degenerate, mid controls off its edge midpoints by up to an eighth, shifted
 /// so that the mean under the weights, Σ β τ, is zero.
-std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit,
-                                      Random& random);
+std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit, Draw& draw);
 inline constexpr int kTangentBits = 11;
 
 /// τ[0]·T1 + τ[1]·T2 + height·m

@@ -129,27 +129,27 @@ Random stream_of(const GeneratorOptions& options, std::uint64_t index) {
 }
 
 /// Steps I to IV; nullopt if the static check refused the result.
-std::optional<Scene> construct(const GeneratorOptions& options, Random& random) {
+std::optional<Scene> construct(const GeneratorOptions& options, Draw& draw) {
   if (options.family != Family::kRegular) {
-    return stress_scene(options.family, options.contact, random);
+    return stress_scene(options.family, options.contact, draw);
   }
   const bool grazing = is_grazing(options.kind);
   if (options.construction == Construction::kPaper) {
-    return paper_scene(options.contact, grazing, random);
+    return paper_scene(options.contact, grazing, draw);
   }
   OneSidedStyle style;
   style.grazing = grazing;
   style.flat_edges = !grazing;
-  return one_sided_scene(options.contact, style, random);
+  return one_sided_scene(options.contact, style, draw);
 }
 
 /// One attempt at a case of two quadratic triangles, or why it was thrown away.
 tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                           Random& random) {
-  std::optional<Scene> scene = construct(options, random);
+                                           Draw& draw) {
+  std::optional<Scene> scene = construct(options, draw);
   if (!scene) return tl::unexpected(Discard::kStaticCheck);
   const bool near_miss = options.kind == CaseKind::kNMN;
-  if (near_miss) part(*scene, static_cast<int>(random.between(kLeastGap, kLargestGap)));
+  if (near_miss) part(*scene, static_cast<int>(draw.integer(kLeastGap, kLargestGap)));
   const std::optional<Query> query = to_query(*scene);
   if (!query) return tl::unexpected(Discard::kRoundTrip);
   std::optional<Absence> clear;
@@ -167,49 +167,54 @@ tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, cons
 
 /// One attempt at a case of the family kAnywhere.
 tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const Dyadic& eps_t,
-                                          Random& random) {
-  const auto between = [&](int lo, int hi) { return static_cast<int>(random.between(lo, hi)); };
-  if (!options.shapes && random.coin()) {
-    return elsewhere(planted_case(options.contact, random), between);
+                                          Draw& draw) {
+  if (!options.shapes && draw.coin()) {
+    const Case base = planted_case(options.contact, draw);
+    return elsewhere(base, draw);
   }
   GeneratorOptions base = options;
   base.construction = Construction::kOneSided;
-  do {
-    base.family = random.pick(kFamilies);
-  } while (base.family == Family::kAnywhere || !validate(base));
+  base.family = draw.until([&] { return draw.pick(kFamilies); },
+                           [&](Family family) {
+                             base.family = family;
+                             return family != Family::kAnywhere && validate(base).has_value();
+                           });
   const auto attempt = is_shaped(base) ? shaped_case : quadratic_case;
-  return attempt(base, eps_t, random).map([&](const Case& made) {
-    return elsewhere(made, between);
-  });
+  return attempt(base, eps_t, draw).map([&](const Case& made) { return elsewhere(made, draw); });
 }
 
 }  // namespace
 
-Generated generate(const GeneratorOptions& options, std::uint64_t index) {
+Generated generate(const GeneratorOptions& options, Draw& draw) {
   CCDFUZZ_VERIFY(validate(options));
-  Random random = stream_of(options, index);
   const Dyadic eps_t(1, eps_t_exponent(options));
   const auto attempt = options.family == Family::kAnywhere ? case_anywhere
                        : is_shaped(options)                ? shaped_case
                                                            : quadratic_case;
   Generated out;
-  for (;;) {
-    CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);
-    ++out.discards.attempts;
-    if (tl::expected<Case, Discard> made = attempt(options, eps_t, random)) {
-      out.value = *std::move(made);
-      break;
-    } else {
-      ++out.discards.discarded[static_cast<size_t>(made.error())];
-    }
-  }
+  const auto made = draw.until(
+      [&] {
+        CCDFUZZ_VERIFY(out.discards.attempts < kMaxAttempts);
+        ++out.discards.attempts;
+        tl::expected<Case, Discard> tried = attempt(options, eps_t, draw);
+        if (!tried) ++out.discards.discarded[static_cast<size_t>(tried.error())];
+        return tried;
+      },
+      [](const auto& tried) { return tried.has_value(); });
+  out.value = *made;
   Origin& origin = out.value.origin;
   origin.contact = name_of(options.contact);
   origin.kind = name_of(options.kind);
   origin.generator = generator_name(options);
-  origin.seed = options.seed;
-  origin.index = index;
   origin.ccdfuzz = CCDFUZZ_VERSION;
+  return out;
+}
+
+Generated generate(const GeneratorOptions& options, std::uint64_t index) {
+  Draw draw(stream_of(options, index));
+  Generated out = generate(options, draw);
+  out.value.origin.seed = options.seed;
+  out.value.origin.index = index;
   return out;
 }
 

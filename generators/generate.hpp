@@ -8,6 +8,7 @@
 
 #include "case/case.hpp"
 #include "case/taxonomy.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -156,5 +157,9 @@ Result<void> validate(const GeneratorOptions& options);
 /// The result depends on (options, index) alone: not on the compiler, on threads or on other calls.
 /// Requires valid options. Begins anew until a construction is accepted.
 Generated generate(const GeneratorOptions& options, std::uint64_t index);
+
+/// A case of those options, whose seed is not used, of any choices: its origin has neither seed nor
+/// index. Throws Discarded where bytes or stored numbers make none.
+Generated generate(const GeneratorOptions& options, Draw& draw);
 
 }  // namespace ccdfuzz

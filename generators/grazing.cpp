@@ -60,9 +60,9 @@ std::optional<std::array<Vec3<Dyadic>, 2>> tangents_across(const Vec3<Dyadic>& n
   return tangents;
 }
 
-Vec3<Dyadic> small_vector(Random& random) {
+Vec3<Dyadic> small_vector(Draw& draw) {
   Vec3<Dyadic> v;
-  for (int k = 0; k < 3; ++k) v[k] = Dyadic(static_cast<int>(random.between(-kSmall, kSmall)));
+  for (int k = 0; k < 3; ++k) v[k] = Dyadic(static_cast<int>(draw.integer(-kSmall, kSmall)));
   return v;
 }
 
@@ -83,9 +83,9 @@ std::optional<Vec3<Dyadic>> separating_sign(const std::array<TangentCone, 2>& co
   return std::nullopt;
 }
 
-Vec3<Dyadic> within(const GrazingPlane& plane, Random& random) {
+Vec3<Dyadic> within(const GrazingPlane& plane, Draw& draw) {
   Vec3<Dyadic> v = {Dyadic(), Dyadic(), Dyadic()};
-  for (const Vec3<Dyadic>& t : plane.tangent) v += t * random.dyadic(kFactorBits, kFactorUnit);
+  for (const Vec3<Dyadic>& t : plane.tangent) v += t * draw.lattice(kFactorBits, kFactorUnit);
   return v;
 }
 
@@ -93,7 +93,7 @@ Vec3<Dyadic> within(const GrazingPlane& plane, Random& random) {
 
 std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& points,
                                           const std::array<Barycentric, 2>& x,
-                                          const Vec3<Dyadic>& normal, Random& random) {
+                                          const Vec3<Dyadic>& normal, Draw& draw) {
   if (const auto tangents = tangents_across(normal)) return GrazingPlane{*tangents, normal};
   std::array<TangentCone, 2> cones;
   for (size_t s = 0; s < 2; ++s) cones[s] = tangent_cone(points[s], x[s]);
@@ -112,7 +112,7 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
   for (int attempt = 0; attempt < (given ? 1 : kTries); ++attempt) {
     for (Vec3<Dyadic>* line : {&lines[0], &lines[1]}) {
       const bool free = !given && (line == &lines[1] || cones[1].lines.empty());
-      if (free) *line = small_vector(random);
+      if (free) *line = small_vector(draw);
     }
     const Vec3<Dyadic> candidate = cross(lines[0], lines[1]);
     if (is_zero(candidate)) continue;
@@ -131,16 +131,16 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
 
 std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 2>& points,
                                                const Contact& contact, const GrazingPlane& plane,
-                                               Random& random) {
-  const Vec3<Dyadic> common = random.vector(kSpeedBits, kSpeedUnit);
-  Vec3<Dyadic> slide = within(plane, random);
-  while (is_zero(slide)) slide = within(plane, random);
+                                               Draw& draw) {
+  const Vec3<Dyadic> common = draw.vector(kSpeedBits, kSpeedUnit);
+  const Vec3<Dyadic> slide = draw.until([&] { return within(plane, draw); },
+                                        [](const Vec3<Dyadic>& v) { return !is_zero(v); });
   const int up = largest_component(plane.normal);
   std::array<MovingPatch<Dyadic>, 2> patches;
   for (size_t s = 0; s < 2; ++s) {
     const std::array<Dyadic, 6> weights = bernstein_weights(contact.x[s]);
     Points<Dyadic> rates;
-    for (size_t i = 0; i < 6; ++i) rates.push_back(within(plane, random));
+    for (size_t i = 0; i < 6; ++i) rates.push_back(within(plane, draw));
     const Vec3<Dyadic> mean = weighted_sum(weights, rates);
     const int towards = (s == 0 ? -1 : 1) * plane.normal[up].sign();
     MovingPatch<Dyadic>& patch = patches[s];
@@ -150,7 +150,7 @@ std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 
       v += common - mean;
       if (s == 1) v += slide;
       if (weights[i].sign() == 0) {
-        const Dyadic speed = abs(random.dyadic(kSpeedBits, kSpeedUnit));
+        const Dyadic speed = abs(draw.lattice(kSpeedBits, kSpeedUnit));
         v[up] += towards > 0 ? speed : -speed;
       }
       patch.positions[i] -= v * contact.t;

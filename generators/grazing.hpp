@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -19,7 +19,7 @@ struct GrazingPlane {
 /// `normal`. nullopt if none was found in a few tries, or only one of many bits.
 std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& points,
                                           const std::array<Barycentric, 2>& x,
-                                          const Vec3<Dyadic>& normal, Random& random);
+                                          const Vec3<Dyadic>& normal, Draw& draw);
 
 /// Step IV of a near-hit (Section 5.2, kinematic degeneracies): velocities under which the patches
 /// are at `points` at t*, and by which the contact points move relative to each other within the
@@ -27,7 +27,7 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
 /// plane, the others also towards the other patch.
 std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 2>& points,
                                                const Contact& contact, const GrazingPlane& plane,
-                                               Random& random);
+                                               Draw& draw);
 
 /// Near-misses stay 2^-20 to 2^-8 apart.
 inline constexpr int kLeastGap = -20, kLargestGap = -8;

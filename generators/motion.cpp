@@ -9,10 +9,10 @@ namespace {
 // 2^-35.
 constexpr int kMaxStiffness = 5;
 
-Points<Dyadic> deformation(const Barycentric& x, Random& random) {
-  const int stiffness = static_cast<int>(random.between(0, kMaxStiffness));
+Points<Dyadic> deformation(const Barycentric& x, Draw& draw) {
+  const int stiffness = static_cast<int>(draw.integer(0, kMaxStiffness));
   Points<Dyadic> rates;
-  for (size_t i = 0; i < 6; ++i) rates.push_back(random.vector(kSpeedBits - stiffness, kSpeedUnit));
+  for (size_t i = 0; i < 6; ++i) rates.push_back(draw.vector(kSpeedBits - stiffness, kSpeedUnit));
   const Vec3<Dyadic> mean = weighted_sum(bernstein_weights(x), rates);
   for (Vec3<Dyadic>& r : rates) r -= mean;
   return rates;
@@ -22,15 +22,15 @@ Points<Dyadic> deformation(const Barycentric& x, Random& random) {
 
 std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
                                                  const Contact& contact, const Vec3<Dyadic>& normal,
-                                                 ContactClass kind, Random& random) {
+                                                 ContactClass kind, Draw& draw) {
   const bool restricted = kind != ContactClass::kVE && kind != ContactClass::kVV;
   std::array<MovingPatch<Dyadic>, 2> patches;
   for (size_t s = 0; s < 2; ++s) {
-    Vec3<Dyadic> speed = random.vector(kSpeedBits, kSpeedUnit);
+    Vec3<Dyadic> speed = draw.vector(kSpeedBits, kSpeedUnit);
     const int wanted = s == 0 ? -1 : 1;
     if (restricted && dot(normal, speed).sign() * wanted < 0) speed = -speed;
     MovingPatch<Dyadic>& patch = patches[s];
-    patch = {kQuadratic, points[s], deformation(contact.x[s], random)};
+    patch = {kQuadratic, points[s], deformation(contact.x[s], draw)};
     for (size_t i = 0; i < 6; ++i) {
       patch.velocities[i] += speed;
       patch.positions[i] -= patch.velocities[i] * contact.t;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -19,6 +19,6 @@ inline constexpr long kSpeedUnit = -15;
 /// weighted mean at the contact is zero, so Σ β v is the velocity drawn.
 std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
                                                  const Contact& contact, const Vec3<Dyadic>& normal,
-                                                 ContactClass kind, Random& random);
+                                                 ContactClass kind, Draw& draw);
 
 }  // namespace ccdfuzz

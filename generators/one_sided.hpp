@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -40,6 +40,6 @@ struct OneSidedStyle {
 /// patches touch nowhere but in the plane. All velocities of patch 1 have a smaller normal part
 /// than all of patch 2: moving_plane_separates holds by construction. Sizes: patches and velocities
 /// are up to about 2^3.
-Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Random& random);
+Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -9,12 +9,12 @@
 
 namespace ccdfuzz {
 
-std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Random& random) {
+std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   std::array<Barycentric, 2> x;
-  for (size_t s = 0; s < 2; ++s) x[s] = prescribe_in_parent(features[s], random);
+  for (size_t s = 0; s < 2; ++s) x[s] = prescribe_in_parent(features[s], draw);
 
-  const std::array<Points<Dyadic>, 2> parents = static_contact(x, random);
+  const std::array<Points<Dyadic>, 2> parents = static_contact(x, draw);
   const std::optional<Vec3<Dyadic>> normal = static_check(parents, x);
   if (!normal) return std::nullopt;
 
@@ -23,18 +23,18 @@ std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Random& ran
   scene.normal = *normal;
   std::optional<GrazingPlane> plane;
   if (grazing) {
-    plane = grazing_plane(parents, x, *normal, random);
+    plane = grazing_plane(parents, x, *normal, draw);
     if (!plane) return std::nullopt;
     scene.normal = plane->normal;
   }
   std::array<Points<Dyadic>, 2> points;
   for (size_t s = 0; s < 2; ++s) {
-    const LocalPatch part = choose_local_patch(x[s], random);
+    const LocalPatch part = choose_local_patch(x[s], draw);
     scene.contact.x[s] = part.x;
     points[s] = extract(parents[s], part);
   }
-  scene.patches = plane ? set_grazing(points, scene.contact, *plane, random)
-                        : set_in_motion(points, scene.contact, scene.normal, contact, random);
+  scene.patches = plane ? set_grazing(points, scene.contact, *plane, draw)
+                        : set_in_motion(points, scene.contact, scene.normal, contact, draw);
   return scene;
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -13,6 +13,6 @@ namespace ccdfuzz {
 /// is known yet of the time before t*.
 /// Every number is a multiple of 2^-41 below 2^11, which a double holds.
 /// grazing: the contact points' relative velocity lies in the contact plane.
-std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Random& random);
+std::optional<Scene> paper_scene(ContactClass contact, bool grazing, Draw& draw);
 
 }  // namespace ccdfuzz

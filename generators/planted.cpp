@@ -16,50 +16,50 @@ namespace {
 constexpr int kPlantedBits = 8, kParameterBits = 2;
 constexpr long kPlantedUnit = -4;
 
-Shape any_surface(Random& random) {
-  if (random.coin()) return Shape::triangle(2);
-  const auto degree = [&](int most) { return static_cast<int>(random.between(1, most)); };
-  if (random.coin()) return Shape::triangle(degree(4));
+Shape any_surface(Draw& draw) {
+  if (draw.coin()) return Shape::triangle(2);
+  const auto degree = [&](int most) { return static_cast<int>(draw.integer(1, most)); };
+  if (draw.coin()) return Shape::triangle(degree(4));
   const int n = degree(3);
   return Shape::tensor(n, degree(3));
 }
 
 /// A point on a feature of the shape.
-Uv<Dyadic> any_point_on(Feature feature, const Shape& shape, Random& random) {
+Uv<Dyadic> any_point_on(Feature feature, const Shape& shape, Draw& draw) {
   if (shape.kind == ShapeKind::kTriangle) {
-    const Barycentric x = prescribe_anywhere(feature, kParameterBits, random);
+    const Barycentric x = prescribe_anywhere(feature, kParameterBits, draw);
     return {x[0], x[1]};
   }
-  const auto end = [&] { return Dyadic(static_cast<int>(random.below(2))); };
+  const auto end = [&] { return Dyadic(static_cast<int>(draw.below(2))); };
   const auto inner = [&] {
-    return Dyadic(Integer(static_cast<long>(random.between(1, 3))), -kParameterBits);
+    return Dyadic(Integer(static_cast<long>(draw.integer(1, 3))), -kParameterBits);
   };
   Uv<Dyadic> uv;
   uv[0] = feature == Feature::kFace ? inner() : end();
   uv[1] = feature == Feature::kCorner ? end() : inner();
-  if (feature == Feature::kEdge && random.coin()) std::swap(uv[0], uv[1]);
+  if (feature == Feature::kEdge && draw.coin()) std::swap(uv[0], uv[1]);
   return uv;
 }
 
 }  // namespace
 
-Case planted_case(ContactClass contact, Random& random) {
+Case planted_case(ContactClass contact, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   Scene scene;
-  scene.contact.t = Dyadic(Integer(static_cast<long>(random.between(1, 8))), -3);
+  scene.contact.t = Dyadic(Integer(static_cast<long>(draw.integer(1, 8))), -3);
   scene.t_max = 1;
   Witness witness;
   witness.t = scene.contact.t.rational();
-  const Vec3<Dyadic> point = random.vector(kPlantedBits, kPlantedUnit);
+  const Vec3<Dyadic> point = draw.vector(kPlantedBits, kPlantedUnit);
   for (size_t s = 0; s < 2; ++s) {
-    const Shape shape = any_surface(random);
-    const Uv<Dyadic> uv = any_point_on(features[s], shape, random);
+    const Shape shape = any_surface(draw);
+    const Uv<Dyadic> uv = any_point_on(features[s], shape, draw);
     witness.uv[s] = {uv[0].rational(), uv[1].rational()};
     MovingPatch<Dyadic>& patch = scene.patches[s];
     patch.shape = shape;
     for (int i = 0; i < shape.control_count(); ++i) {
-      patch.positions.push_back(random.vector(kPlantedBits, kPlantedUnit));
-      patch.velocities.push_back(random.vector(kPlantedBits, kPlantedUnit));
+      patch.positions.push_back(draw.vector(kPlantedBits, kPlantedUnit));
+      patch.velocities.push_back(draw.vector(kPlantedBits, kPlantedUnit));
     }
     // What stands in positions is where they are at t*.
     const Vec3<Dyadic> to_point = point - evaluate<Dyadic>(shape, patch.positions, uv);

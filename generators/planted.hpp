@@ -2,7 +2,7 @@
 
 #include "case/case.hpp"
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -11,6 +11,6 @@ namespace ccdfuzz {
 /// them quadratic, and tensor patches of degrees 1 to 3. All numbers are multiples of 2^-16 (of
 /// 2^-8 if quadratic) below 2^7, so that they can be moved far away exactly. The truth says when
 /// they collide, and nothing of the time before.
-Case planted_case(ContactClass contact, Random& random);
+Case planted_case(ContactClass contact, Draw& draw);
 
 }  // namespace ccdfuzz

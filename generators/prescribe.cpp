@@ -15,9 +15,9 @@ std::array<Feature, 2> features_of(ContactClass contact) {
   return features.at(static_cast<size_t>(contact));
 }
 
-Barycentric prescribe_in_parent(Feature feature, Random& random) {
+Barycentric prescribe_in_parent(Feature feature, Draw& draw) {
   const Dyadic zero, quarter(1, -2), half(1, -1), one(1);
-  const size_t odd_one = random.below(3);
+  const size_t odd_one = draw.below(3);
   Barycentric x;
   switch (feature) {
     case Feature::kFace:
@@ -36,17 +36,17 @@ Barycentric prescribe_in_parent(Feature feature, Random& random) {
   return x;
 }
 
-Barycentric prescribe_anywhere(Feature feature, int bits, Random& random) {
+Barycentric prescribe_anywhere(Feature feature, int bits, Draw& draw) {
   CCDFUZZ_ASSERT(2 <= bits && bits <= 20);
   const int steps = 1 << bits;
   std::array<int, 3> x{};
-  const size_t corner = random.below(3);
+  const size_t corner = draw.below(3);
   if (feature == Feature::kFace) {
     // The first corner gets 1..62, and the others what is left, at least 1 each.
-    x[corner] = static_cast<int>(random.between(1, steps - 2));
-    x[(corner + 1) % 3] = static_cast<int>(random.between(1, steps - x[corner] - 1));
+    x[corner] = static_cast<int>(draw.integer(1, steps - 2));
+    x[(corner + 1) % 3] = static_cast<int>(draw.integer(1, steps - x[corner] - 1));
   } else if (feature == Feature::kEdge) {
-    x[(corner + 1) % 3] = static_cast<int>(random.between(1, steps - 1));
+    x[(corner + 1) % 3] = static_cast<int>(draw.integer(1, steps - 1));
   } else {
     x[(corner + 1) % 3] = steps;
   }

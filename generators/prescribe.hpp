@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -14,11 +14,11 @@ std::array<Feature, 2> features_of(ContactClass contact);
 
 /// Step I as the paper has it (Appendix E.2): a permutation of (1/2, 1/4, 1/4) in the interior, the
 /// midpoint of an edge, or a corner.
-Barycentric prescribe_in_parent(Feature feature, Random& random);
+Barycentric prescribe_in_parent(Feature feature, Draw& draw);
 
 /// Step I of the one-sided family: any multiples of 2^-bits in the interior, on a random edge or at
 /// a random corner; bits ≥ 2.
-Barycentric prescribe_anywhere(Feature feature, int bits, Random& random);
+Barycentric prescribe_anywhere(Feature feature, int bits, Draw& draw);
 
 /// The feature that a point lies on.
 Feature feature_at(const Barycentric& x);

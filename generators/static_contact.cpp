@@ -16,26 +16,28 @@ struct Plane {
   int largest = 0;  ///< component of the normal
 };
 
-Plane random_plane(Random& random) {
+Plane random_plane(Draw& draw) {
   Plane plane;
-  bool zero = true;
-  while (zero) {
-    for (int k = 0; k < 3; ++k) {
-      const int sign = static_cast<int>(random.between(-1, 1));
-      plane.normal[k] = Dyadic(sign, static_cast<long>(random.between(0, kMaxNormalExponent)));
-      zero &= sign == 0;
-    }
-  }
+  plane.normal = draw.until(
+      [&] {
+        Vec3<Dyadic> normal;
+        for (int k = 0; k < 3; ++k) {
+          const int sign = static_cast<int>(draw.integer(-1, 1));
+          normal[k] = Dyadic(sign, static_cast<long>(draw.integer(0, kMaxNormalExponent)));
+        }
+        return normal;
+      },
+      [](const Vec3<Dyadic>& n) { return n != Vec3<Dyadic>(Dyadic(), Dyadic(), Dyadic()); });
   for (int k = 1; k < 3; ++k) {
     if (abs(plane.normal[k]) > abs(plane.normal[plane.largest])) plane.largest = k;
   }
-  plane.level = dot(plane.normal, random.vector(kCoordinateBits, kCoordinateUnit));
+  plane.level = dot(plane.normal, draw.vector(kCoordinateBits, kCoordinateUnit));
   return plane;
 }
 
-Points<Dyadic> random_points(Random& random) {
+Points<Dyadic> random_points(Draw& draw) {
   Points<Dyadic> points;
-  for (size_t i = 0; i < 6; ++i) points.push_back(random.vector(kCoordinateBits, kCoordinateUnit));
+  for (size_t i = 0; i < 6; ++i) points.push_back(draw.vector(kCoordinateBits, kCoordinateUnit));
   return points;
 }
 
@@ -61,10 +63,10 @@ void make_tangent(Points<Dyadic>& points, const Barycentric& x, const Plane& pla
 
 }  // namespace
 
-std::array<Points<Dyadic>, 2> static_contact(const std::array<Barycentric, 2>& x, Random& random) {
-  const Plane plane = random_plane(random);
+std::array<Points<Dyadic>, 2> static_contact(const std::array<Barycentric, 2>& x, Draw& draw) {
+  const Plane plane = random_plane(draw);
   std::array<Points<Dyadic>, 2> points;
-  for (Points<Dyadic>& p : points) p = random_points(random);
+  for (Points<Dyadic>& p : points) p = random_points(draw);
   if (feature_at(x[1]) == Feature::kFace && feature_at(x[0]) != Feature::kCorner) {
     for (size_t s = 0; s < 2; ++s) make_tangent(points[s], x[s], plane);
   }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "generators/draw/draw.hpp"
 #include "generators/prescribe.hpp"
-#include "generators/random.hpp"
 
 namespace ccdfuzz {
 
@@ -17,6 +17,6 @@ namespace ccdfuzz {
 ///
 /// Coordinates are drawn from [−2^4, 2^4] in steps of 2^-8. The results are multiples of 2^-15
 /// below 2^10, for parameters as prescribe_in_parent gives them.
-std::array<Points<Dyadic>, 2> static_contact(const std::array<Barycentric, 2>& x, Random& random);
+std::array<Points<Dyadic>, 2> static_contact(const std::array<Barycentric, 2>& x, Draw& draw);
 
 }  // namespace ccdfuzz

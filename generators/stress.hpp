@@ -1,7 +1,7 @@
 #pragma once
 
+#include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
-#include "generators/random.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -12,6 +12,6 @@ inline constexpr std::array kQuadraticFamilies = {Family::kFlatGrazing, Family::
                                                   Family::kInteriorTime};
 
 /// A scene of one of them.
-Scene stress_scene(Family family, ContactClass contact, Random& random);
+Scene stress_scene(Family family, ContactClass contact, Draw& draw);
 
 }  // namespace ccdfuzz

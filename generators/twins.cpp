@@ -20,10 +20,10 @@ Dyadic ulp(const Dyadic& x) {
 
 /// The corner whose two mid controls are the twins. The contact's own controls are fast, but for a
 /// contact inside the patch, where all are its own.
-int twin_corner(const Barycentric& x, Random& random) {
+int twin_corner(const Barycentric& x, Draw& draw) {
   switch (feature_at(x)) {
     case Feature::kFace:
-      return static_cast<int>(random.below(3));
+      return static_cast<int>(draw.below(3));
     case Feature::kEdge:
       return corner_opposite(x);
     case Feature::kCorner:
@@ -49,22 +49,22 @@ struct NormalMotion {
   Dyadic height, speed;
 };
 
-NormalMotion normal_motion(Role role, Random& random) {
-  const auto draw = [&random](int lo, int hi) {
-    return Dyadic(Integer(static_cast<long>(random.between(lo, hi))), kStep);
+NormalMotion normal_motion(Role role, Draw& draw) {
+  const auto steps = [&draw](int lo, int hi) {
+    return Dyadic(Integer(static_cast<long>(draw.integer(lo, hi))), kStep);
   };
   NormalMotion motion;
   switch (role) {
     case Role::kSlow:
       motion.height = Dyadic(-1, kGapUnit);
-      motion.speed = draw(0, 6);
+      motion.speed = steps(0, 6);
       break;
     case Role::kTwin:
-      motion.height = draw(-80, -64);
-      motion.speed = draw(13, 32);
+      motion.height = steps(-80, -64);
+      motion.speed = steps(13, 32);
       break;
     case Role::kFast:
-      motion.speed = draw(128, 256);
+      motion.speed = steps(128, 256);
       break;
   }
   return motion;
@@ -73,30 +73,30 @@ NormalMotion normal_motion(Role role, Random& random) {
 /// Moves twin a few ulps away from what it is a copy of. If it has a share in the contact, its
 /// place at t* stays; else that may change too.
 void nudge(Vec3<Dyadic>& position, Vec3<Dyadic>& velocity, const Dyadic& t, bool in_contact,
-           Random& random) {
+           Draw& draw) {
   for (int k = 0; k < 3; ++k) {
     const Dyadic coarser = std::max(ulp(position[k]), ulp(velocity[k]));
     if (in_contact) {
       // t is a multiple of 1/2 then, so both changes are whole ulps.
-      const Dyadic change = coarser * Dyadic(2 * static_cast<int>(random.between(-1, 1)));
+      const Dyadic change = coarser * Dyadic(2 * static_cast<int>(draw.integer(-1, 1)));
       velocity[k] += change;
       position[k] -= change * t;
     } else {
-      velocity[k] += ulp(velocity[k]) * Dyadic(static_cast<int>(random.between(-4, 4)));
-      position[k] += ulp(position[k]) * Dyadic(static_cast<int>(random.between(-4, 4)));
+      velocity[k] += ulp(velocity[k]) * Dyadic(static_cast<int>(draw.integer(-4, 4)));
+      position[k] += ulp(position[k]) * Dyadic(static_cast<int>(draw.integer(-4, 4)));
     }
   }
 }
 
 MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, const Dyadic& t,
-                               Random& random) {
-  const int corner = twin_corner(x, random);
+                               Draw& draw) {
+  const int corner = twin_corner(x, draw);
   const bool in_contact = feature_at(x) == Feature::kFace;
-  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -14, random);
-  const Vec3<Dyadic> origin = random.vector(12, -8);
-  const NormalMotion slow = normal_motion(Role::kSlow, random);
-  const NormalMotion twin = normal_motion(Role::kTwin, random);
-  const NormalMotion fast = normal_motion(Role::kFast, random);
+  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -14, draw);
+  const Vec3<Dyadic> origin = draw.vector(12, -8);
+  const NormalMotion slow = normal_motion(Role::kSlow, draw);
+  const NormalMotion twin = normal_motion(Role::kTwin, draw);
+  const NormalMotion fast = normal_motion(Role::kFast, draw);
   MovingPatch<Dyadic> patch{kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
   for (size_t i = 0; i < 6; ++i) {
     const auto [a, b] = kCornerPairs[i];
@@ -107,16 +107,16 @@ MovingPatch<Dyadic> twin_patch(const PlaneFrame& frame, const Barycentric& x, co
   }
   const size_t original = control_of(corner, (corner + 1) % 3);
   const size_t copy = control_of(corner, (corner + 2) % 3);
-  if (!in_contact && random.coin()) patch.positions[copy] = patch.positions[original];
-  nudge(patch.positions[copy], patch.velocities[copy], t, in_contact, random);
+  if (!in_contact && draw.coin()) patch.positions[copy] = patch.positions[original];
+  nudge(patch.positions[copy], patch.velocities[copy], t, in_contact, draw);
   return patch;
 }
 
 /// A small flat patch with one velocity, its point x at `contact` at time t.
 MovingPatch<Dyadic> sweeping_patch(const PlaneFrame& frame, const Barycentric& x, const Dyadic& t,
-                                   const Vec3<Dyadic>& contact, Random& random) {
-  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -18, random);
-  const Dyadic speed(Integer(static_cast<long>(random.between(512, 1024))), kStep);
+                                   const Vec3<Dyadic>& contact, Draw& draw) {
+  const std::array<Planar, 6> tau = tangential_part(bernstein_weights(x), -18, draw);
+  const Dyadic speed(Integer(static_cast<long>(draw.integer(512, 1024))), kStep);
   MovingPatch<Dyadic> patch{kQuadratic, Points<Dyadic>(6), Points<Dyadic>(6)};
   for (size_t i = 0; i < 6; ++i) {
     patch.velocities[i] = frame.out * speed;
@@ -127,21 +127,20 @@ MovingPatch<Dyadic> sweeping_patch(const PlaneFrame& frame, const Barycentric& x
 
 }  // namespace
 
-Scene twin_scene(ContactClass contact, Random& random) {
+Scene twin_scene(ContactClass contact, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
-  const PlaneFrame frame = random_frame(random);
+  const PlaneFrame frame = random_frame(draw);
   Scene scene;
   scene.t_max = 1;
   scene.normal = frame.normal;
   // Late enough for all crossings above to come after 0.
   const bool halves_only = features[0] == Feature::kFace;
-  scene.contact.t =
-      halves_only ? Dyadic(1, -1) : Dyadic(static_cast<int>(random.between(5, 7)), -3);
-  for (size_t s = 0; s < 2; ++s) scene.contact.x[s] = prescribe_in_parent(features[s], random);
-  scene.patches[0] = twin_patch(frame, scene.contact.x[0], scene.contact.t, random);
+  scene.contact.t = halves_only ? Dyadic(1, -1) : Dyadic(static_cast<int>(draw.integer(5, 7)), -3);
+  for (size_t s = 0; s < 2; ++s) scene.contact.x[s] = prescribe_in_parent(features[s], draw);
+  scene.patches[0] = twin_patch(frame, scene.contact.x[0], scene.contact.t, draw);
   const Vec3<Dyadic> point =
       weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(scene.contact.t));
-  scene.patches[1] = sweeping_patch(frame, scene.contact.x[1], scene.contact.t, point, random);
+  scene.patches[1] = sweeping_patch(frame, scene.contact.x[1], scene.contact.t, point, draw);
   return scene;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/scene.hpp"
 
 namespace ccdfuzz {
@@ -13,6 +13,6 @@ namespace ccdfuzz {
 /// keeps a line wherever it is not certain to be redundant keeps both twins, each for the other's
 /// sake (`tdibm-e-literal`), and takes patch 1 to lie below patch 2 too early.
 /// t* is a dyadic in (0, 1), t_max = 1.
-Scene twin_scene(ContactClass contact, Random& random);
+Scene twin_scene(ContactClass contact, Draw& draw);
 
 }  // namespace ccdfuzz

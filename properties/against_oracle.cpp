@@ -50,7 +50,7 @@ Check claims_agree(const Query& query, std::uint64_t max_pops, const SearchOptio
   return Check::holds();
 }
 
-Check check_claims_agree_anywhere(ChoiceSource& choices) {
+Check check_claims_agree_anywhere(Draw& choices) {
   Query query = draw_any_query(choices);
   // Numbers of one size touch more often than those of any.
   if (choices.coin()) {

@@ -39,6 +39,6 @@ Check claims_agree(const Query& query, std::uint64_t max_pops,
                    const SearchOptions& search = kBriefSearch);
 
 /// The same on arbitrary finite numbers in any two shapes.
-Check check_claims_agree_anywhere(ChoiceSource& choices);
+Check check_claims_agree_anywhere(Draw& choices);
 
 }  // namespace ccdfuzz

@@ -35,7 +35,7 @@ const std::vector<std::string>& every_method() {
   return specs;
 }
 
-double any_double(ChoiceSource& choices) {
+double any_double(Draw& choices) {
   using Limits = std::numeric_limits<double>;
   constexpr std::array kSpecial = {Limits::quiet_NaN(),
                                    -Limits::quiet_NaN(),
@@ -51,7 +51,7 @@ double any_double(ChoiceSource& choices) {
   return choices.pick(kSpecial);
 }
 
-int any_int(ChoiceSource& choices) {
+int any_int(Draw& choices) {
   const auto any = choices.coin() ? choices.integer(std::numeric_limits<int>::min(),
                                                     std::numeric_limits<int>::max())
                                   : choices.integer(-2, kMaxDegree + 2);
@@ -59,14 +59,14 @@ int any_int(ChoiceSource& choices) {
 }
 
 /// Small numbers, so that a method which looks at them answers soon.
-void fill(ChoiceSource& choices, Points<double>& points, std::size_t count) {
+void fill(Draw& choices, Points<double>& points, std::size_t count) {
   points.resize(count);
   for (Vec3<double>& p : points) {
     for (int k = 0; k < 3; ++k) p[k] = static_cast<double>(choices.integer(-8, 8)) / 4;
   }
 }
 
-Question draw_valid(ChoiceSource& choices) {
+Question draw_valid(Draw& choices) {
   constexpr std::array kMaxDegrees = {1, 2, 1, 2, 1, 2, 1, kMaxDegree};
   Question drawn;
   const int max_degree = choices.pick(kMaxDegrees);
@@ -84,7 +84,7 @@ Question draw_valid(ChoiceSource& choices) {
 }
 
 /// One field to anything that its type holds.
-void spoil(ChoiceSource& choices, Question& question) {
+void spoil(Draw& choices, Question& question) {
   Query& query = question.query;
   MovingPatch<double>& patch = query.patches[choices.choose(1)];
   Points<double>& points = choices.coin() ? patch.velocities : patch.positions;
@@ -175,13 +175,13 @@ bool is_quick(const std::string& method, const Query& query) {
              kFewControls;
 }
 
-Question draw_question(ChoiceSource& choices) {
+Question draw_question(Draw& choices) {
   Question question = draw_valid(choices);
   for (std::uint64_t left = choices.choose(3); left > 0; --left) spoil(choices, question);
   return question;
 }
 
-Check check_refusals(ChoiceSource& choices) {
+Check check_refusals(Draw& choices) {
   const std::string& name = every_method()[choices.choose(every_method().size() - 1)];
   const Question question = draw_question(choices);
   const bool to_answer = is_right(question);
@@ -198,7 +198,7 @@ Check check_refusals(ChoiceSource& choices) {
                                   described(question)));
 }
 
-Check check_validity(ChoiceSource& choices) {
+Check check_validity(Draw& choices) {
   const Question question = draw_question(choices);
   if (validate(question.query, "").has_value() != is_query(question.query) ||
       is_taken(question.query, question.options) != is_right(question)) {

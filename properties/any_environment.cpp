@@ -44,7 +44,7 @@ std::string bits(const Result<double>& x) {
 }
 
 /// FpGuard: sound within, and what it was on leaving.
-Check check_guard(ChoiceSource&) {
+Check check_guard(Draw&) {
   for (const FpEnvironment& environment : fp_environments()) {
     const InFpEnvironment in(environment);
     bool sound = false;
@@ -64,13 +64,13 @@ Check check_guard(ChoiceSource&) {
 }
 
 /// Any double, every other time a subnormal one.
-double draw_tiny_or_any(ChoiceSource& choices) {
+double draw_tiny_or_any(Draw& choices) {
   const double x = choices.finite_double();
   constexpr std::uint64_t kNoExponent = 0x800f'ffff'ffff'ffff;
   return choices.coin() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kNoExponent) : x;
 }
 
-Check check_exact_numbers(ChoiceSource& choices) {
+Check check_exact_numbers(Draw& choices) {
   const double x = draw_tiny_or_any(choices), y = draw_tiny_or_any(choices);
   const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(choices.integer(-1100, 10)));
   const Rational q = choices.coin() ? Rational(exact(x) + off) : exact(x);
@@ -115,7 +115,7 @@ void scale_if_exact(Query& query, long shift) {
 
 /// A contact, most often among subnormal numbers, or a linear query; then, perhaps, one patch moved
 /// by as little as a number can be.
-Result<Case> draw_tiny_case(ChoiceSource& choices) {
+Result<Case> draw_tiny_case(Draw& choices) {
   constexpr ContactRange kSubnormal{-1066, -1010, 2};
   Case drawn;
   if (const std::uint64_t kind = choices.choose(3); kind < 3) {
@@ -149,7 +149,7 @@ struct WildClaims {
   std::string tree;
 };
 
-WildClaims draw_wild_claims(ChoiceSource& choices, const Case& about) {
+WildClaims draw_wild_claims(Draw& choices, const Case& about) {
   const Rational& t = about.truth.witness->t;
   WildClaims out;
   out.plane.until = t;
@@ -207,7 +207,7 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   return out + json;
 }
 
-Check check_judgement(ChoiceSource& choices) {
+Check check_judgement(Draw& choices) {
   const Result<Case> drawn = draw_tiny_case(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const WildClaims claims = draw_wild_claims(choices, *drawn);
@@ -255,7 +255,7 @@ std::string said_by(const std::string& spec, const Case& value) {
   return out;
 }
 
-Check check_methods(ChoiceSource& choices) {
+Check check_methods(Draw& choices) {
   const std::vector<MethodInfo>& methods = registered_methods();
   std::string spec = methods[choices.choose(methods.size() - 1)].spec;
   if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
@@ -267,7 +267,7 @@ Check check_methods(ChoiceSource& choices) {
 }
 
 /// A contact stays, in a trace and in a query, whatever environment the caller has.
-Check check_contact_stays(ChoiceSource& choices) {
+Check check_contact_stays(Draw& choices) {
   const char* const spec = choices.coin() ? "tdibm-c" : "tdibm-rational";
   const FpEnvironment& environment =
       fp_environments()[choices.choose(fp_environments().size() - 1)];

@@ -21,13 +21,13 @@ namespace ccdfuzz {
 namespace {
 
 /// Any finite double, or an ordinary one.
-double draw_double(ChoiceSource& choices) {
+double draw_double(Draw& choices) {
   if (choices.coin()) return choices.finite_double();
   return *choices.dyadic(53, static_cast<long>(choices.integer(-60, 10))).to_double_exactly();
 }
 
 /// Rounding down and up are the neighbours of any rational, and equal where it is a double.
-Check check_rational_rounding(ChoiceSource& choices) {
+Check check_rational_rounding(Draw& choices) {
   const double x = draw_double(choices);
   const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(choices.integer(-1100, 10)));
   const Rational q = choices.coin() ? Rational(exact(x) + off) : exact(x);
@@ -55,7 +55,7 @@ Integer to_integer(const WideInt<Bits>& x) {
 }
 
 /// The fixed-width integers agree with GMP as long as nothing leaves their range.
-Check check_wide_int(ChoiceSource& choices) {
+Check check_wide_int(Draw& choices) {
   WideInt<192> sum(0);
   Integer expected = 0;
   std::string steps;
@@ -84,7 +84,7 @@ Check check_wide_int(ChoiceSource& choices) {
 }
 
 /// Integers of bounded length agree with GMP, also where they grow and shrink by many limbs.
-Check check_bounded_int(ChoiceSource& choices) {
+Check check_bounded_int(Draw& choices) {
   using Int = BoundedInt<1024>;
   const auto to_gmp = [](const Int& x) {
     Integer sum = 0;
@@ -128,7 +128,7 @@ Check check_bounded_int(ChoiceSource& choices) {
 }
 
 /// A double is its parts, and next_up is nextafter.
-Check check_double_parts(ChoiceSource& choices) {
+Check check_double_parts(Draw& choices) {
   const double x = choices.finite_double();
   const DoubleParts parts = parts_of(x);
   const double again = std::ldexp(static_cast<double>(parts.mantissa), parts.exponent);
@@ -139,7 +139,7 @@ Check check_double_parts(ChoiceSource& choices) {
 }
 
 /// Numbers come back from their texts: shortest decimals, hex floats, "p/q".
-Check check_number_texts(ChoiceSource& choices) {
+Check check_number_texts(Draw& choices) {
   const double x = choices.finite_double();
   const auto same = [&](const Result<double>& read) {
     return read && std::bit_cast<std::uint64_t>(*read) == std::bit_cast<std::uint64_t>(x);
@@ -156,13 +156,13 @@ Check check_number_texts(ChoiceSource& choices) {
 }
 
 /// Section 5.4: p / 2^k with |p| < 2^53 is a double, for any integers p and k.
-Check check_every_dyadic_is_a_double(ChoiceSource& choices) {
+Check check_every_dyadic_is_a_double(Draw& choices) {
   const Dyadic x = choices.dyadic(53, static_cast<long>(choices.integer(-2000, 2000)));
   return x.to_double_exactly() ? Check::holds() : Check::fails(to_text(x.rational()));
 }
 
 /// Sorting lines puts the same lines in order.
-Check check_sorting(ChoiceSource& choices) {
+Check check_sorting(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   Lines<double> sorted;
   for (const Line<double>& line : pairs.f) sorted.push_back(line);
@@ -180,7 +180,7 @@ Check check_sorting(ChoiceSource& choices) {
 }
 
 /// The bits of a miss tree come back as the nodes that were written.
-Check check_tree_bits(ChoiceSource& choices) {
+Check check_tree_bits(Draw& choices) {
   TreeBits bits;
   std::vector<TreeNode> nodes;
   std::string text;
@@ -217,7 +217,7 @@ Check check_tree_bits(ChoiceSource& choices) {
   return reader.at_end() ? Check::holds() : Check::fails("something is left after" + text);
 }
 
-Check check_exact_sums(ChoiceSource& choices) {
+Check check_exact_sums(Draw& choices) {
   const double a = draw_double(choices);
   const double b = choices.coin() ? draw_double(choices) : choices.nudged(-a, 20);
   double sum = a;

@@ -11,14 +11,14 @@ namespace ccdfuzz {
 namespace {
 
 /// k·2^-e, of either sign; 0 is not rare.
-Rational draw_step(ChoiceSource& choices, int most_bits) {
+Rational draw_step(Draw& choices, int most_bits) {
   const auto steps = static_cast<long>(choices.integer(-2, 2));
   return steps * power_of_two(-static_cast<long>(choices.integer(0, most_bits)));
 }
 
 /// A linear query, clear up to its first contact by the checker's own decision, and its witness, or
 /// its root if the contact comes at an irrational time.
-Result<Case> draw_linear_proofs(ChoiceSource& choices) {
+Result<Case> draw_linear_proofs(Draw& choices) {
   Result<Query> query = draw_linear(choices);
   if (!query) return tl::unexpected(query.error());
   Case proven;
@@ -42,7 +42,7 @@ Result<Case> draw_linear_proofs(ChoiceSource& choices) {
 
 /// A case with what it proves, a contact, its absence or both, and nothing that it says. A tree
 /// stands in no file: check_absence comes as far as that.
-Result<Case> draw_proofs(ChoiceSource& choices) {
+Result<Case> draw_proofs(Draw& choices) {
   enum class Source : std::uint8_t { kGenerated, kContact, kLinear, kTree };
   const Source source = choices.pick(
       std::array{Source::kGenerated, Source::kContact, Source::kLinear, Source::kTree});
@@ -62,7 +62,7 @@ const Rational* contact_time(const Truth& truth) {
 }
 
 /// A time that the case's proofs are about.
-Rational draw_proven_time(ChoiceSource& choices, const Case& proven) {
+Rational draw_proven_time(Draw& choices, const Case& proven) {
   const Truth& truth = proven.truth;
   const Rational* const contact = contact_time(truth);
   const bool of_contact = choices.coin();
@@ -101,7 +101,7 @@ bool absence_is_accepted(const Case& claim) {
 }
 
 /// A case that is proven, asked up to another time, and with other things said of it.
-Check check_claims_of_case(ChoiceSource& choices) {
+Check check_claims_of_case(Draw& choices) {
   Result<Case> drawn = draw_proofs(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   Case& claim = *drawn;
@@ -142,7 +142,7 @@ bool begin_at(Case& moving, const Rational& start) {
 
 /// What is proven of a time is proven of the motion from another time on, unless it comes before
 /// t = 0 then.
-Check check_other_start(ChoiceSource& choices) {
+Check check_other_start(Draw& choices) {
   Result<Case> drawn =
       choices.coin() ? Result<Case>(draw_generated(choices)) : draw_contact(choices, {});
   if (!drawn) return Check::discarded(drawn.error().message());

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array kLayouts = {JsonLayout::kOneLine, JsonLayout::kReadable};
 
 /// Any finite numbers at all, in any two shapes.
-Case draw_any_case(ChoiceSource& choices) {
+Case draw_any_case(Draw& choices) {
   Case drawn;
   drawn.query = draw_any_query(choices);
   if (choices.coin()) drawn.origin.seed = choices.choose(~std::uint64_t{0});
@@ -28,7 +28,7 @@ Case draw_any_case(ChoiceSource& choices) {
   return drawn;
 }
 
-Case draw_case(ChoiceSource& choices) {
+Case draw_case(Draw& choices) {
   if (choices.coin()) return draw_any_case(choices);
   const Result<Case> contact = draw_contact(choices, {});
   return contact ? *contact : draw_any_case(choices);
@@ -59,7 +59,7 @@ constexpr std::array<std::string_view, 22> kTokens = {"\"",
                                                       "99999999999999999999"};
 
 /// The next number from there on is another one, or what almost is one.
-void spoil_number(ChoiceSource& choices, std::string& text, std::size_t at) {
+void spoil_number(Draw& choices, std::string& text, std::size_t at) {
   constexpr std::array<std::string_view, 8> kNumbers = {
       "0", "-0", "1e999", "-1e999", "1e-400", "1e308", "9007199254740993", "\"0x1.8p1\""};
   constexpr const char* kDigits = "0123456789.eE+-";
@@ -68,7 +68,7 @@ void spoil_number(ChoiceSource& choices, std::string& text, std::size_t at) {
   text.replace(first, end - first, choices.pick(kNumbers));
 }
 
-void spoil_text(ChoiceSource& choices, std::string& text) {
+void spoil_text(Draw& choices, std::string& text) {
   const std::size_t at = choices.choose(text.size());
   switch (choices.choose(4)) {
     case 0:
@@ -127,19 +127,19 @@ Check case_round_trip(const Case& value) {
   return Check::holds();
 }
 
-std::string draw_spoilt_text(ChoiceSource& choices, std::string text) {
+std::string draw_spoilt_text(Draw& choices, std::string text) {
   // Once mostly: what is spoilt often is refused for one reason alone.
   const std::uint64_t times = choices.coin() ? 1 : choices.choose(4);
   for (std::uint64_t left = times; left > 0; --left) spoil_text(choices, text);
   return text;
 }
 
-Check check_reader_on_bytes(ChoiceSource& choices) {
+Check check_reader_on_bytes(Draw& choices) {
   constexpr std::size_t kLongest = 1 << 16;
   return reader_takes_any_text(choices.text(kLongest));
 }
 
-Check check_reader_on_mutants(ChoiceSource& choices) {
+Check check_reader_on_mutants(Draw& choices) {
   const std::uint64_t mutations = choices.choose(4);
   const auto layout = choices.pick(kLayouts);
   std::string text = to_json(draw_case(choices), layout);
@@ -147,7 +147,7 @@ Check check_reader_on_mutants(ChoiceSource& choices) {
   return reader_takes_any_text(text);
 }
 
-Check check_case_round_trip(ChoiceSource& choices) {
+Check check_case_round_trip(Draw& choices) {
   return case_round_trip(draw_case(choices));
 }
 

@@ -15,10 +15,10 @@ Check reader_takes_any_text(const std::string& text);
 Check case_round_trip(const Case& value);
 
 /// The text with a few changes of the kind that confuses readers, or none.
-std::string draw_spoilt_text(ChoiceSource& choices, std::string text);
+std::string draw_spoilt_text(Draw& choices, std::string text);
 
-Check check_reader_on_bytes(ChoiceSource& choices);
-Check check_reader_on_mutants(ChoiceSource& choices);
-Check check_case_round_trip(ChoiceSource& choices);
+Check check_reader_on_bytes(Draw& choices);
+Check check_reader_on_mutants(Draw& choices);
+Check check_case_round_trip(Draw& choices);
 
 }  // namespace ccdfuzz

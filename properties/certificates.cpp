@@ -22,7 +22,7 @@ namespace ccdfuzz {
 namespace {
 
 /// The two points of a witness stay apart if one patch is moved, along whichever axis.
-Check check_moved_contact(ChoiceSource& choices) {
+Check check_moved_contact(Draw& choices) {
   Result<Case> drawn = draw_contact(choices, {0, 0});
   if (!drawn) return Check::discarded(drawn.error().message());
   const auto axis = static_cast<int>(choices.choose(2));
@@ -34,7 +34,7 @@ Check check_moved_contact(ChoiceSource& choices) {
 }
 
 /// A witness proves a contact in [0, t_max] iff it comes no later than t_max.
-Check check_contact_in_time(ChoiceSource& choices) {
+Check check_contact_in_time(Draw& choices) {
   Result<Case> drawn = draw_contact(choices, {});
   if (!drawn) return Check::discarded(drawn.error().message());
   const Witness& witness = *drawn->truth.witness;
@@ -45,7 +45,7 @@ Check check_contact_in_time(ChoiceSource& choices) {
 }
 
 /// Nothing is clear beyond a contact that is proven.
-Check check_clear_until(ChoiceSource& choices) {
+Check check_clear_until(Draw& choices) {
   Result<Case> drawn = draw_contact(choices, {});
   if (!drawn) return Check::discarded(drawn.error().message());
   const Rational& t = drawn->truth.witness->t;
@@ -56,15 +56,14 @@ Check check_clear_until(ChoiceSource& choices) {
                       *drawn);
 }
 
-Scene draw_one_sided_scene(ChoiceSource& choices) {
+Scene draw_one_sided_scene(Draw& choices) {
   const ContactClass contact = choices.pick(kContactClasses);
-  Random random(choices.choose(~std::uint64_t{0}));
-  return one_sided_scene(contact, {}, random);
+  return one_sided_scene(contact, {}, choices);
 }
 
 /// A plane with one thing changed: on the wrong side of a patch by less than anything that moves,
 /// or turned round, or later, or before patches that do not come nearer.
-Check check_changed_plane(ChoiceSource& choices) {
+Check check_changed_plane(Draw& choices) {
   Scene scene = draw_one_sided_scene(choices);
   MovingPlane plane = moving_plane(scene, scene.normal);
   enum class Change : std::uint8_t { kNone, kSide, kOffset, kLater, kTurned, kNotNearer };
@@ -106,7 +105,7 @@ Check check_changed_plane(ChoiceSource& choices) {
 }
 
 /// A scene in which a corner of either patch lies beyond the contact plane: it separates nothing.
-Check check_plane_of_scene(ChoiceSource& choices) {
+Check check_plane_of_scene(Draw& choices) {
   Scene scene = draw_one_sided_scene(choices);
   const std::size_t side = choices.choose(1);
   const std::size_t corner = choices.pick(std::array<std::size_t, 3>{0, 2, 5});
@@ -131,7 +130,7 @@ Check check_plane_of_scene(ChoiceSource& choices) {
 /// which the contact is off the centre by a number of its own. It proves the contact iff none is
 /// further off than the radius, the box stays inside of the triangle and in t ≥ 0, and its matrix
 /// is regular.
-Check check_contact_box(ChoiceSource& choices) {
+Check check_contact_box(Draw& choices) {
   constexpr int kSteps = 16;
   const auto steps = [](std::int64_t n) { return std::ldexp(static_cast<double>(n), -4); };
   std::array<std::int64_t, 3> x, off;

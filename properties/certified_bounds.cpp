@@ -62,7 +62,7 @@ Dyadic most_underflow(const Query& query, const certified::NormalisedQuery& norm
   return most;
 }
 
-Check check_normalised(ChoiceSource& choices) {
+Check check_normalised(Draw& choices) {
   const Query query = draw_extreme_query(choices);
   certified::NormalisedQuery out;
   certified::normalise(query, out);
@@ -118,7 +118,7 @@ Check check_normalised(ChoiceSource& choices) {
 
 /// Control points of magnitude at most 1, the positions and velocities of a net; a few components
 /// are of subnormal numbers throughout.
-std::vector<std::array<double, 6>> draw_controls(ChoiceSource& choices, const Shape& shape) {
+std::vector<std::array<double, 6>> draw_controls(Draw& choices, const Shape& shape) {
   std::vector<std::array<double, 6>> controls(static_cast<std::size_t>(shape.control_count()));
   for (std::size_t k = 0; k < 6; ++k) {
     constexpr std::uint64_t kFew = 3;
@@ -131,7 +131,7 @@ std::vector<std::array<double, 6>> draw_controls(ChoiceSource& choices, const Sh
   return controls;
 }
 
-Check check_sub_patches(ChoiceSource& choices) {
+Check check_sub_patches(Draw& choices) {
   const Shape shape = draw_shape(choices, 3);
   const auto controls = draw_controls(choices, shape);
   certified::CellTree tree;
@@ -178,7 +178,7 @@ Check check_sub_patches(ChoiceSource& choices) {
   return Check::holds();
 }
 
-Check check_derived_bound(ChoiceSource& choices) {
+Check check_derived_bound(Draw& choices) {
   constexpr int kMostRoundings = 16 * 50;  // D·d
   const auto count = static_cast<int>(choices.integer(0, kMostRoundings));
   const double magnitude = *abs(choices.dyadic(53, -51)).to_double_exactly();

@@ -16,13 +16,13 @@ namespace {
 constexpr int kDoubleBits = 53;
 
 /// A multiple of 2^-53 in [0, most·2^-53].
-double draw_fraction(ChoiceSource& choices, std::int64_t most, std::int64_t& drawn) {
+double draw_fraction(Draw& choices, std::int64_t most, std::int64_t& drawn) {
   drawn = choices.integer(0, most);
   return std::ldexp(static_cast<double>(drawn), -kDoubleBits);
 }
 
 /// Corners of a sub-domain, any doubles: the paper takes them as exact.
-std::array<Uv<double>, 3> draw_corners(ChoiceSource& choices, const Shape& shape) {
+std::array<Uv<double>, 3> draw_corners(Draw& choices, const Shape& shape) {
   constexpr std::int64_t kOne = std::int64_t{1} << kDoubleBits;
   std::array<Uv<double>, 3> corners{};
   for (Uv<double>& corner : corners) {
@@ -33,7 +33,7 @@ std::array<Uv<double>, 3> draw_corners(ChoiceSource& choices, const Shape& shape
   return corners;
 }
 
-Points<double> draw_full_points(ChoiceSource& choices, const Shape& shape) {
+Points<double> draw_full_points(Draw& choices, const Shape& shape) {
   Points<double> points(static_cast<std::size_t>(shape.control_count()));
   for (Vec3<double>& p : points) {
     for (int k = 0; k < 3; ++k) p[k] = *choices.dyadic(kDoubleBits, -50).to_double_exactly();
@@ -49,7 +49,7 @@ Points<Dyadic> exact_points(const Points<double>& points) {
   return out;
 }
 
-Shape draw_surface(ChoiceSource& choices, int max_degree) {
+Shape draw_surface(Draw& choices, int max_degree) {
   const auto n = static_cast<int>(choices.integer(1, max_degree));
   if (!choices.coin()) return Shape::triangle(n);
   return Shape::tensor(n, static_cast<int>(choices.integer(1, max_degree)));
@@ -57,7 +57,7 @@ Shape draw_surface(ChoiceSource& choices, int max_degree) {
 
 /// (b): the control points of a sub-patch are off by at most eps_cp, (B, k) = (P, 3(n + m)) for
 /// tensor patches (the paper's 6n where n = m) and (2^n P, 5n) for triangles.
-Check check_sub_patch_error(ChoiceSource& choices) {
+Check check_sub_patch_error(Draw& choices) {
   constexpr int kDegree = 3;
   const Shape shape = draw_surface(choices, kDegree);
   const auto corners = draw_corners(choices, shape);
@@ -96,7 +96,7 @@ std::array<Vec3<S>, 15> axes_of_spans(const std::array<Vec3<S>, 4>& spans) {
 }
 
 /// (c): component errors of the axes are within B = 2^s·A^(s+1), k = 2s at s cross products.
-Check check_axis_error(ChoiceSource& choices) {
+Check check_axis_error(Draw& choices) {
   constexpr std::array kStages = {0, 1, 2, 0, 1, 2, 1, 2, 3, 2, 3, 4, 3, 4, 5};
   std::array<Vec3<double>, 4> spans;
   std::array<Vec3<Dyadic>, 4> exact_spans;
@@ -125,7 +125,7 @@ Check check_axis_error(ChoiceSource& choices) {
 }
 
 /// (d): slopes and intercepts of a sub-patch on an axis, the axis as it is in doubles.
-Check check_coefficient_error(ChoiceSource& choices) {
+Check check_coefficient_error(Draw& choices) {
   constexpr int kDegree = 3, kDepth = 10;
   std::array<MovingPatch<double>, 2> patches, parts;
   for (std::size_t s = 0; s < 2; ++s) {

@@ -17,7 +17,7 @@ constexpr int kTwinUlps = 2;
 /// Columns: two directions of the contact plane, and one out of it.
 using ContactFrame = std::array<Vec3<Dyadic>, 3>;
 
-ContactFrame draw_frame(ChoiceSource& choices) {
+ContactFrame draw_frame(Draw& choices) {
   ContactFrame frame;
   for (int c = 0; c < 3; ++c) {
     for (int k = 0; k < 3; ++k) {
@@ -74,7 +74,7 @@ struct Side {
 };
 
 /// direction: +1 if the side is to lie above the plane, −1 if below.
-Side draw_side(ChoiceSource& choices, const ContactRange& range, int direction) {
+Side draw_side(Draw& choices, const ContactRange& range, int direction) {
   constexpr int kSpeedBits = 5;
   constexpr long kSpeedUnit = -3;
   const long unit = 3 - range.coordinate_bits;
@@ -96,7 +96,7 @@ Side draw_side(ChoiceSource& choices, const ContactRange& range, int direction) 
 }
 
 /// Makes some control points that do not bear on the contact almost equal to the one before.
-void draw_twins(ChoiceSource& choices, const Side& side, MovingPatch<double>& patch) {
+void draw_twins(Draw& choices, const Side& side, MovingPatch<double>& patch) {
   for (std::size_t i = 1; i < patch.positions.size(); ++i) {
     if (side.bearing[i] || !choices.coin()) continue;
     for (int k = 0; k < 3; ++k) {
@@ -108,7 +108,7 @@ void draw_twins(ChoiceSource& choices, const Side& side, MovingPatch<double>& pa
 
 }  // namespace
 
-Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
+Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   const long scale = static_cast<long>(choices.integer(range.lowest, range.highest));
   const ContactFrame frame = draw_frame(choices);
   Vec3<Dyadic> contact, common;
@@ -152,17 +152,16 @@ Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range) {
       choices.pick(std::array{t_contact, t_contact + 0x1p-30, t_contact + 0.5, 2.0});
   drawn.origin.generator = "draw_contact";
   if (!range.elsewhere || !choices.coin()) return drawn;
-  return elsewhere(drawn,
-                   [&](int lo, int hi) { return static_cast<int>(choices.integer(lo, hi)); });
+  return elsewhere(drawn, choices);
 }
 
-double draw_double_near(ChoiceSource& choices, const Rational& near) {
+double draw_double_near(Draw& choices, const Rational& near) {
   const double x = choices.nudged(round_down(near), 2);
   const int exponent = choices.pick(std::array{0, 0, 0, -1, 1});
   return std::max(0.0, std::ldexp(x, exponent));
 }
 
-GeneratorOptions draw_regular_options(ChoiceSource& choices) {
+GeneratorOptions draw_regular_options(Draw& choices) {
   GeneratorOptions options;
   options.construction = Construction::kOneSided;
   options.contact = choices.pick(kContactClasses);
@@ -181,7 +180,7 @@ GeneratorOptions draw_regular_options(ChoiceSource& choices) {
   return options;
 }
 
-GeneratorOptions draw_generator_options(ChoiceSource& choices) {
+GeneratorOptions draw_generator_options(Draw& choices) {
   const Family family = choices.pick(kFamilies);
   GeneratorOptions options = draw_regular_options(choices);
   if (family == Family::kRegular || !is_made(family, options.contact, CaseKind::kRP))
@@ -193,7 +192,7 @@ GeneratorOptions draw_generator_options(ChoiceSource& choices) {
   return options;
 }
 
-Case draw_generated(ChoiceSource& choices) {
+Case draw_generated(Draw& choices) {
   constexpr std::uint64_t kRare = 31;
   GeneratorOptions options = draw_generator_options(choices);
   const bool rare = choices.choose(kRare) == kRare;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "case/case.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
-#include "properties/choices.hpp"
 
 namespace ccdfuzz {
 
@@ -25,19 +25,19 @@ struct ContactRange {
 /// is the first one; control points that do not bear on it are sometimes twins of others up to a
 /// few floats. `truth` holds the witness alone. Errors: the choices ask for numbers that no double
 /// holds.
-Result<Case> draw_contact(ChoiceSource& choices, const ContactRange& range);
+Result<Case> draw_contact(Draw& choices, const ContactRange& range);
 
 /// A time that a query may end at: the double below `near` ≥ 0, one of a few next to it, or one
 /// half or twice as large.
-double draw_double_near(ChoiceSource& choices, const Rational& near);
+double draw_double_near(Draw& choices, const Rational& near);
 
 /// A case of the inverse construction to generate: of any class, family and kind that is made.
-GeneratorOptions draw_generator_options(ChoiceSource& choices);
+GeneratorOptions draw_generator_options(Draw& choices);
 /// The same of the regular family, half of the time of other shapes than quadratic triangles.
-GeneratorOptions draw_regular_options(ChoiceSource& choices);
+GeneratorOptions draw_regular_options(Draw& choices);
 
 /// A generated case of those options. Near-hits of quadratic triangles are rare, as they are
 /// searched for and take as long as a hundred others.
-Case draw_generated(ChoiceSource& choices);
+Case draw_generated(Draw& choices);
 
 }  // namespace ccdfuzz

@@ -9,17 +9,17 @@ namespace ccdfuzz {
 namespace {
 
 /// Less than 1 in magnitude, of 52 bits.
-double full_number(ChoiceSource& choices) {
+double full_number(Draw& choices) {
   return *choices.dyadic(52, -52).to_double_exactly();
 }
 
-Vec3<double> full_vector(ChoiceSource& choices) {
+Vec3<double> full_vector(Draw& choices) {
   return {full_number(choices), full_number(choices), full_number(choices)};
 }
 
 }  // namespace
 
-Query draw_grazing(ChoiceSource& choices) {
+Query draw_grazing(Draw& choices) {
   Query query;
   auto& [a, b] = query.patches;
   const bool edges = choices.coin(), turns = choices.coin();

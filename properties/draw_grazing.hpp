@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/query.hpp"
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -10,6 +10,6 @@ namespace ccdfuzz {
 /// across that edge that is 0 there. So whether they touch is up to the last bits, about that time
 /// the corner is on one side of the edge for long, and where edges turn it may be on the other for
 /// a moment. The crossing is in the time step, near its end or at it.
-Query draw_grazing(ChoiceSource& choices);
+Query draw_grazing(Draw& choices);
 
 }  // namespace ccdfuzz

@@ -23,7 +23,7 @@ struct LinearSide {
 
 using LinearScene = std::array<LinearSide, 2>;
 
-Vector draw_small_vector(ChoiceSource& choices, int dimensions) {
+Vector draw_small_vector(Draw& choices, int dimensions) {
   constexpr int kBits = 2;
   Vector v = {Dyadic(), Dyadic(), Dyadic()};
   for (int k = 0; k < dimensions; ++k) v[k] = choices.dyadic(kBits, -1);
@@ -31,7 +31,7 @@ Vector draw_small_vector(ChoiceSource& choices, int dimensions) {
 }
 
 /// Weights of 1, 2 or 3 corners, multiples of 1/4 with sum 1; often at a corner or on an edge.
-std::vector<Dyadic> draw_weights(ChoiceSource& choices, std::size_t count) {
+std::vector<Dyadic> draw_weights(Draw& choices, std::size_t count) {
   std::vector<Dyadic> weights(count);
   std::int64_t left = 4;
   for (std::size_t i = count - 1; i > 0; --i) {
@@ -43,7 +43,7 @@ std::vector<Dyadic> draw_weights(ChoiceSource& choices, std::size_t count) {
   return weights;
 }
 
-LinearSide draw_linear_side(ChoiceSource& choices, std::size_t count, int dimensions) {
+LinearSide draw_linear_side(Draw& choices, std::size_t count, int dimensions) {
   LinearSide side;
   for (std::size_t i = 0; i < count; ++i) {
     side.corners.push_back(draw_small_vector(choices, dimensions));
@@ -61,7 +61,7 @@ LinearSide draw_linear_side(ChoiceSource& choices, std::size_t count, int dimens
 }
 
 /// The second edge parallel to the first, at all times or at the start.
-void make_parallel(ChoiceSource& choices, LinearScene& scene) {
+void make_parallel(Draw& choices, LinearScene& scene) {
   const Dyadic factor = choices.pick(std::array{Dyadic(1), Dyadic(-1), Dyadic(2), Dyadic(1, -1)});
   const bool for_good = !choices.coin();
   const auto follow = [&](const Points<Dyadic>& first, Points<Dyadic>& second) {
@@ -73,7 +73,7 @@ void make_parallel(ChoiceSource& choices, LinearScene& scene) {
 
 /// Moves the first side so that the named points coincide at t; with `tangent`, so that their
 /// relative velocity there is a combination of the first edges of both sides.
-void plant_contact(ChoiceSource& choices, const Dyadic& t, LinearScene& scene) {
+void plant_contact(Draw& choices, const Dyadic& t, LinearScene& scene) {
   auto& [a, b] = scene;
   if (choices.coin()) {
     Vector relative = {Dyadic(), Dyadic(), Dyadic()};
@@ -94,7 +94,7 @@ void plant_contact(ChoiceSource& choices, const Dyadic& t, LinearScene& scene) {
 }
 
 /// Turns and shears everything, and gives it a common velocity.
-void place(ChoiceSource& choices, LinearScene& scene) {
+void place(Draw& choices, LinearScene& scene) {
   std::array<Vector, 3> columns;
   for (int c = 0; c < 3; ++c) {
     for (int k = 0; k < 3; ++k) {
@@ -133,7 +133,7 @@ Shape shape_with(std::size_t corners) {
 
 }  // namespace
 
-Result<Query> draw_linear(ChoiceSource& choices) {
+Result<Query> draw_linear(Draw& choices) {
   using Counts = std::array<std::size_t, 2>;
   const Counts counts = choices.pick(
       std::array<Counts, 8>{{{2, 2}, {1, 3}, {2, 2}, {1, 3}, {2, 2}, {3, 1}, {1, 2}, {1, 1}}});

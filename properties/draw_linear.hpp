@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/query.hpp"
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -12,6 +12,6 @@ namespace ccdfuzz {
 /// relative velocity is tangent, so that the coplanarity condition has a double root; and all that
 /// with some numbers moved by one float. All numbers are multiplied by one power of two. Errors:
 /// the choices ask for numbers that no double holds.
-Result<Query> draw_linear(ChoiceSource& choices);
+Result<Query> draw_linear(Draw& choices);
 
 }  // namespace ccdfuzz

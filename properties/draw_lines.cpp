@@ -14,14 +14,14 @@ constexpr int kUlps = 4;  // how near is "almost equal"
 constexpr std::int64_t kMostLines = 10;
 
 /// In (−2^4, 2^4): a quarter of an integer, or that and 53 bits.
-double draw_number(ChoiceSource& choices) {
+double draw_number(Draw& choices) {
   const double quarters = std::ldexp(static_cast<double>(choices.integer(-63, 63)), -2);
   if (!choices.coin()) return quarters;
   constexpr std::int64_t kBits = std::int64_t{1} << 53;
   return quarters + std::ldexp(static_cast<double>(choices.integer(1 - kBits, kBits - 1)), -55);
 }
 
-std::vector<Line<double>> draw_lines(ChoiceSource& choices, double through_t, double through_x) {
+std::vector<Line<double>> draw_lines(Draw& choices, double through_t, double through_x) {
   // Concurrent lines are hard for the predicates, twins hide what lies behind them; together they
   // get in each other's way, so there are lists of one sort as well as mixed ones.
   const std::uint64_t sort = choices.choose(2);
@@ -55,7 +55,7 @@ double greatest_at(const std::vector<Line<double>>& lines, double t) {
 
 }  // namespace
 
-LinePairs draw_line_pairs(ChoiceSource& choices) {
+LinePairs draw_line_pairs(Draw& choices) {
   constexpr std::int64_t kEighths = 32;
   const std::int64_t begin = choices.integer(0, kEighths);
   const std::int64_t end = choices.integer(begin, kEighths);
@@ -73,7 +73,7 @@ LinePairs draw_line_pairs(ChoiceSource& choices) {
   return pairs;
 }
 
-LinePairs draw_touching_pairs(ChoiceSource& choices) {
+LinePairs draw_touching_pairs(Draw& choices) {
   LinePairs pairs = draw_line_pairs(choices);
   if (choices.coin()) return pairs;
   pairs.g.clear();

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ccd/line.hpp"
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -19,11 +19,11 @@ struct LinePairs {
 /// floats, and others between them; often max f + max g is about 0 at some time of the window.
 /// 1 to 10 lines a side. Slopes and intercepts are 0 or between 2^-60 and 2^9, so that no product
 /// of two of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
-LinePairs draw_line_pairs(ChoiceSource& choices);
+LinePairs draw_line_pairs(Draw& choices);
 
 /// The same, or half of the time g is f itself up to a few floats: then max f + max g is about 0
 /// wherever all lines of f meet, and rises and falls by next to nothing there.
-LinePairs draw_touching_pairs(ChoiceSource& choices);
+LinePairs draw_touching_pairs(Draw& choices);
 
 /// As Step II takes them: by rising slope. At most kMaxControls.
 Lines<double> sorted_lines(const std::vector<Line<double>>& lines);

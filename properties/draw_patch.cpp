@@ -10,7 +10,7 @@
 
 namespace ccdfuzz {
 
-Shape draw_shape(ChoiceSource& choices, int max_degree) {
+Shape draw_shape(Draw& choices, int max_degree) {
   const std::uint64_t kind = choices.choose(3);
   if (kind == 0) return Shape::point();
   const auto n = static_cast<int>(choices.integer(1, max_degree));
@@ -20,7 +20,7 @@ Shape draw_shape(ChoiceSource& choices, int max_degree) {
   return Shape::tensor(n, m);
 }
 
-Points<Dyadic> draw_points(ChoiceSource& choices, const Shape& shape, int bits, long exponent) {
+Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent) {
   Points<Dyadic> points(static_cast<std::size_t>(shape.control_count()));
   for (Vec3<Dyadic>& p : points) {
     for (int k = 0; k < 3; ++k) p[k] = choices.dyadic(bits, exponent);
@@ -28,7 +28,7 @@ Points<Dyadic> draw_points(ChoiceSource& choices, const Shape& shape, int bits, 
   return points;
 }
 
-Uv<Dyadic> draw_uv(ChoiceSource& choices, const Shape& shape, int bits) {
+Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits) {
   const std::int64_t steps = std::int64_t{1} << bits;
   const auto up_to = [&](std::int64_t end) {
     // The ends half of the time: features of lower dimension are where methods break.
@@ -46,7 +46,7 @@ Uv<Dyadic> draw_uv(ChoiceSource& choices, const Shape& shape, int bits) {
   return uv;
 }
 
-Cell draw_cell(ChoiceSource& choices, const Shape& shape, int max_depth) {
+Cell draw_cell(Draw& choices, const Shape& shape, int max_depth) {
   Cell cell;
   for (std::int64_t depth = choices.integer(0, max_depth); depth > 0; --depth) {
     const std::int64_t child = choices.integer(0, shape.child_count() - 1);
@@ -72,7 +72,7 @@ std::string text_of(const Dyadic& x) {
 }
 
 /// Any finite double, and as often one of the largest: with the exponent 1022 or 1023.
-double draw_base(ChoiceSource& choices) {
+double draw_base(Draw& choices) {
   if (!choices.coin()) return choices.finite_double();
   constexpr int kBits = 4;  // of the 53
   const auto digits = static_cast<double>(choices.integer(1 << (kBits - 1), (1 << kBits) - 1));
@@ -81,7 +81,7 @@ double draw_base(ChoiceSource& choices) {
 }
 
 /// The exponent of a lattice of 8-bit coordinates, as often one of the lowest.
-long draw_unit(ChoiceSource& choices) {
+long draw_unit(Draw& choices) {
   constexpr int kLowest = -1074, kHighest = 1024 - 8;
   const bool low = choices.coin();
   return static_cast<long>(choices.integer(kLowest, low ? kLowest + 8 : kHighest));
@@ -89,8 +89,7 @@ long draw_unit(ChoiceSource& choices) {
 
 /// Coordinates as they are hardest to bring to one magnitude: along each axis all alike, all alike
 /// but for a few floats, on a lattice of any unit, or any at all.
-void draw_coordinates(ChoiceSource& choices, bool all_alike,
-                      std::array<Points<double>*, 2> points) {
+void draw_coordinates(Draw& choices, bool all_alike, std::array<Points<double>*, 2> points) {
   enum Style : std::uint64_t { kAlike, kLattice, kNudged, kAny };
   for (int k = 0; k < 3; ++k) {
     const std::uint64_t style = all_alike ? kAlike : choices.choose(kAny);
@@ -110,7 +109,7 @@ void draw_coordinates(ChoiceSource& choices, bool all_alike,
 
 }  // namespace
 
-Query draw_any_query(ChoiceSource& choices) {
+Query draw_any_query(Draw& choices) {
   Query drawn;
   for (MovingPatch<double>& patch : drawn.patches) {
     patch.shape = draw_shape(choices, 2);
@@ -125,7 +124,7 @@ Query draw_any_query(ChoiceSource& choices) {
   return drawn;
 }
 
-Query draw_extreme_query(ChoiceSource& choices) {
+Query draw_extreme_query(Draw& choices) {
   Query drawn;
   for (MovingPatch<double>& patch : drawn.patches) {
     patch.shape = draw_shape(choices, 2);

@@ -3,28 +3,28 @@
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
 #include "case/query.hpp"
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
 /// Any of the four shapes, of degree at most max_degree.
-Shape draw_shape(ChoiceSource& choices, int max_degree);
+Shape draw_shape(Draw& choices, int max_degree);
 
 /// Control points on the lattice of multiples of 2^exponent with |m| < 2^bits.
-Points<Dyadic> draw_points(ChoiceSource& choices, const Shape& shape, int bits, long exponent);
+Points<Dyadic> draw_points(Draw& choices, const Shape& shape, int bits, long exponent);
 
 /// A dyadic point of the shape's domain in steps of 2^-bits; corners and edges are not rare.
-Uv<Dyadic> draw_uv(ChoiceSource& choices, const Shape& shape, int bits);
+Uv<Dyadic> draw_uv(Draw& choices, const Shape& shape, int bits);
 
 /// A cell of depth at most max_depth.
-Cell draw_cell(ChoiceSource& choices, const Shape& shape, int max_depth);
+Cell draw_cell(Draw& choices, const Shape& shape, int max_depth);
 
 /// Any finite numbers at all, in any two shapes of degree at most 2.
-Query draw_any_query(ChoiceSource& choices);
+Query draw_any_query(Draw& choices);
 
 /// Finite numbers that are hard to bring to one magnitude, in any two shapes of degree at most 2:
 /// along each axis all alike, all alike but for a few floats, on a lattice of any unit, or any.
-Query draw_extreme_query(ChoiceSource& choices);
+Query draw_extreme_query(Draw& choices);
 
 /// For failure texts; a query as a case file.
 std::string to_hex_text(const Points<double>& points);

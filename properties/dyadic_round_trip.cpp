@@ -25,7 +25,7 @@ Check dyadic_round_trip(double x, double y) {
   return Check::holds();
 }
 
-Check check_dyadic_round_trip(ChoiceSource& choices) {
+Check check_dyadic_round_trip(Draw& choices) {
   const double x = choices.finite_double();
   // Near each other half of the time, where sums cancel.
   if (!choices.coin()) return dyadic_round_trip(x, choices.finite_double());

@@ -8,6 +8,6 @@ namespace ccdfuzz {
 /// arithmetic agrees with Rational on x, y.
 Check dyadic_round_trip(double x, double y);
 
-Check check_dyadic_round_trip(ChoiceSource& choices);
+Check check_dyadic_round_trip(Draw& choices);
 
 }  // namespace ccdfuzz

@@ -26,18 +26,18 @@ template <class Policy>
 Check ends_are_of_their_side(const Policy& policy, const LinePairs& pairs);
 
 template <class Policy>
-Check check_envelope(ChoiceSource& choices) {
+Check check_envelope(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   return envelope_is_never_below_the_maximum(Policy(), pairs.f, pairs.window);
 }
 
 template <class Policy>
-Check check_separation(ChoiceSource& choices) {
+Check check_separation(Draw& choices) {
   return separation_is_true(Policy(), draw_line_pairs(choices));
 }
 
 template <class Policy>
-Check check_ends(ChoiceSource& choices) {
+Check check_ends(Draw& choices) {
   return ends_are_of_their_side(Policy(), draw_touching_pairs(choices));
 }
 

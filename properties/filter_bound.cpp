@@ -48,7 +48,7 @@ std::array<Dyadic, 2> heights(const MovingPatch<double>& patch, const Cell& cell
   return *out;
 }
 
-Check check_rational_filter(ChoiceSource& choices) {
+Check check_rational_filter(Draw& choices) {
   const Query query = draw_extreme_query(choices);
   exact_ccd::Axis axis;
   for (auto& l : axis.l) l = static_cast<std::int32_t>(choices.integer(-(1 << 20), 1 << 20));

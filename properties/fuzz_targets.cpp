@@ -266,13 +266,12 @@ Result<FuzzTarget> fuzz_target_named(std::string_view name) {
   return target;
 }
 
-std::unique_ptr<ChoiceSource> ClaimInput::choices() const {
-  if (seed) return std::make_unique<RandomChoices>(draws_of(*seed));
-  return std::make_unique<ByteChoices>(bytes);
+Draw ClaimInput::choices() const {
+  return seed ? draws_of(*seed) : Draw::from_bytes(bytes);
 }
 
-RandomChoices draws_of(std::uint64_t seed) {
-  return RandomChoices{Random::keyed({seed, 0})};
+Draw draws_of(std::uint64_t seed) {
+  return Draw::mostly_small(Random::keyed({seed, 0}));
 }
 
 std::optional<ClaimInput> claim_input(const FuzzTarget& target,
@@ -289,7 +288,7 @@ std::optional<ClaimInput> claim_input(const FuzzTarget& target,
   return input;
 }
 
-std::vector<std::uint8_t> drawn_input(Random& random) {
+std::vector<std::uint8_t> drawn_input(Draw& random) {
   std::vector<std::uint8_t> input = {static_cast<std::uint8_t>(kDrawn | random.below(kDrawn))};
   for (std::size_t i = 0; i < sizeof(std::uint64_t); ++i) {
     input.push_back(static_cast<std::uint8_t>(random.below(256)));
@@ -301,10 +300,10 @@ std::optional<std::vector<std::uint8_t>> drawn_as_bytes(const FuzzTarget& target
                                                         std::span<const std::uint8_t> input) {
   const auto drawn = claim_input(target, input);
   if (!drawn || !drawn->seed) return std::nullopt;
-  const std::unique_ptr<ChoiceSource> choices = drawn->choices();
-  run(drawn->property, *choices);
+  Draw choices = drawn->choices();
+  run(drawn->property, choices);
   std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(input[0] & ~kDrawn)};
-  bytes.insert(bytes.end(), choices->bytes().begin(), choices->bytes().end());
+  bytes.insert(bytes.end(), choices.bytes().begin(), choices.bytes().end());
   return bytes;
 }
 

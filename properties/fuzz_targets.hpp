@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {
@@ -27,17 +27,17 @@ std::vector<std::string_view> fuzz_targets();
 Result<FuzzTarget> fuzz_target_named(std::string_view name);
 
 /// What an input of a target is: one of its claims, and where the choices come from that it is put
-/// to: bytes (ByteChoices), or draws.
+/// to: bytes, or draws.
 struct ClaimInput {
   Property property;
   std::span<const std::uint8_t> bytes;
   std::optional<std::uint64_t> seed;  ///< of draws, in place of bytes
 
-  std::unique_ptr<ChoiceSource> choices() const;
+  Draw choices() const;
 };
 
 /// The same draws as those of `ccdfuzz check --seed S --first 0 --count 1`.
-RandomChoices draws_of(std::uint64_t seed);
+Draw draws_of(std::uint64_t seed);
 
 /// Where a target reads texts, they are the bytes. Any other's first byte says which claim, in its
 /// lower bits, and by the highest whether the next eight are a seed, the lowest first. None without
@@ -46,7 +46,7 @@ std::optional<ClaimInput> claim_input(const FuzzTarget& target,
                                       std::span<const std::uint8_t> bytes);
 
 /// A draw of any claim as an input of a target that reads no texts.
-std::vector<std::uint8_t> drawn_input(Random& random);
+std::vector<std::uint8_t> drawn_input(Draw& random);
 /// The same choices as bytes, which can be changed one by one, where the input is one of draws.
 /// Runs the claim.
 std::optional<std::vector<std::uint8_t>> drawn_as_bytes(const FuzzTarget& target,

@@ -27,10 +27,6 @@ namespace ccdfuzz {
 
 namespace {
 
-std::uint64_t draw_seed(ChoiceSource& choices) {
-  return choices.choose(~std::uint64_t{0});
-}
-
 Vec3<Dyadic> point_at(const Points<Dyadic>& points, const Barycentric& x) {
   return weighted_sum(bernstein_weights(x), points);
 }
@@ -52,18 +48,17 @@ struct StaticContact {
   }
 };
 
-StaticContact draw_static_contact(ChoiceSource& choices) {
+StaticContact draw_static_contact(Draw& choices) {
   StaticContact drawn;
   drawn.contact = choices.pick(kContactClasses);
-  Random random(draw_seed(choices));
   const auto features = features_of(drawn.contact);
-  for (std::size_t s = 0; s < 2; ++s) drawn.x[s] = prescribe_in_parent(features[s], random);
-  drawn.points = static_contact(drawn.x, random);
+  for (std::size_t s = 0; s < 2; ++s) drawn.x[s] = prescribe_in_parent(features[s], choices);
+  drawn.points = static_contact(drawn.x, choices);
   return drawn;
 }
 
 /// Step II: the patches meet, exactly.
-Check check_coincidence(ChoiceSource& choices) {
+Check check_coincidence(Draw& choices) {
   const StaticContact drawn = draw_static_contact(choices);
   return point_at(drawn.points[0], drawn.x[0]) == point_at(drawn.points[1], drawn.x[1])
              ? Check::holds()
@@ -72,7 +67,7 @@ Check check_coincidence(ChoiceSource& choices) {
 
 /// Eq. 19: in FF both patches have the same tangent plane; in EF the edge of patch 1 lies in that
 /// of patch 2.
-Check check_tangency(ChoiceSource& choices) {
+Check check_tangency(Draw& choices) {
   const StaticContact drawn = draw_static_contact(choices);
   const auto features = features_of(drawn.contact);
   if (features[1] != Feature::kFace || features[0] == Feature::kCorner) {
@@ -96,10 +91,9 @@ Check check_tangency(ChoiceSource& choices) {
 }
 
 /// Step III: the part has the contact point where it says, and is the parent there.
-Check check_extraction(ChoiceSource& choices) {
+Check check_extraction(Draw& choices) {
   const StaticContact drawn = draw_static_contact(choices);
-  Random random(draw_seed(choices));
-  const LocalPatch part = choose_local_patch(drawn.x[0], random);
+  const LocalPatch part = choose_local_patch(drawn.x[0], choices);
   const Points<Dyadic> points = extract(drawn.points[0], part);
   return point_at(points, part.x) == point_at(drawn.points[0], drawn.x[0]) &&
                  feature_at(part.x) == feature_at(drawn.x[0])
@@ -109,13 +103,12 @@ Check check_extraction(ChoiceSource& choices) {
 
 /// Step IV: the patches are at their place at t*, and the contact points come from their sides of
 /// the plane (FF, EF, EE, VF).
-Check check_motion(ChoiceSource& choices) {
+Check check_motion(Draw& choices) {
   const StaticContact drawn = draw_static_contact(choices);
-  Random random(draw_seed(choices));
   const Contact contact{Dyadic(Integer(static_cast<long>(choices.integer(1, 8))), -3), drawn.x};
   const auto tangents = tangents_at(drawn.points[1], drawn.x[1]);
   const Vec3<Dyadic> normal = cross(tangents[0], tangents[1]);
-  const auto patches = set_in_motion(drawn.points, contact, normal, drawn.contact, random);
+  const auto patches = set_in_motion(drawn.points, contact, normal, drawn.contact, choices);
   const bool free = drawn.contact == ContactClass::kVE || drawn.contact == ContactClass::kVV;
   for (std::size_t s = 0; s < 2; ++s) {
     if (!(patches[s].at(contact.t) == drawn.points[s]))
@@ -130,10 +123,9 @@ Check check_motion(ChoiceSource& choices) {
 }
 
 /// The one-sided family: the moving plane proves that t* is the first contact.
-Check check_one_sided(ChoiceSource& choices) {
+Check check_one_sided(Draw& choices) {
   const ContactClass contact = choices.pick(kContactClasses);
-  Random random(draw_seed(choices));
-  const Scene scene = one_sided_scene(contact, {}, random);
+  const Scene scene = one_sided_scene(contact, {}, choices);
   const auto point = [&](std::size_t s) {
     return point_at(scene.patches[s].at(scene.contact.t), scene.contact.x[s]);
   };
@@ -155,10 +147,9 @@ std::string text_of(const GeneratorOptions& options) {
 
 /// Step IV of a near-hit: at t* the contact points meet, and slide along the contact plane; what
 /// has no share in the contact comes from its patch's side. The near-miss of it is apart.
-Check check_grazing(ChoiceSource& choices) {
+Check check_grazing(Draw& choices) {
   const ContactClass contact = choices.pick(kContactClasses);
-  Random random(draw_seed(choices));
-  std::optional<Scene> scene = paper_scene(contact, true, random);
+  std::optional<Scene> scene = paper_scene(contact, true, choices);
   if (!scene) return Check::discarded("no plane is found");
   const auto fails = [&](const char* what) {
     return Check::fails(fmt::format("{}: {}", name_of(contact), what));
@@ -182,15 +173,14 @@ Check check_grazing(ChoiceSource& choices) {
 }
 
 /// The same of any shapes, whose contact plane is z = 0.
-Check check_grazing_shapes(ChoiceSource& choices) {
+Check check_grazing_shapes(Draw& choices) {
   GeneratorOptions options = draw_regular_options(choices);
   const bool near_miss = choices.coin();
   options.kind = near_miss ? CaseKind::kNMN : CaseKind::kNHP;
   if (!validate(options)) options.shapes.reset();
   if (!options.shapes) options.shapes = {Shape::triangle(2), Shape::triangle(2)};
-  Random random(options.seed);
   const ContactScene scene =
-      grazing_variant(near_miss, options.contact, *options.shapes, random).scene;
+      grazing_variant(near_miss, options.contact, *options.shapes, choices).scene;
   for (std::size_t s = 0; s < 2; ++s) {
     const ContactSide& side = scene.sides[s];
     const int height = evaluate<Dyadic>(side.shape, side.points, side.at)[2].sign();
@@ -208,7 +198,7 @@ Check check_grazing_shapes(ChoiceSource& choices) {
 
 /// A generated case is what it says: its witness is one, at the features of its class; its numbers
 /// are doubles; and the same options give it again.
-Check check_generated(ChoiceSource& choices) {
+Check check_generated(Draw& choices) {
   const GeneratorOptions options = draw_generator_options(choices);
   const Case made = generate(options, 0).value;
   const auto fails = [&](const std::string& what) {
@@ -231,7 +221,7 @@ Check check_generated(ChoiceSource& choices) {
 }
 
 /// The oracle proves no contact in a generated negative, nor before clear_until in a positive.
-Check check_generated_clearance(ChoiceSource& choices) {
+Check check_generated_clearance(Draw& choices) {
   const GeneratorOptions options = draw_regular_options(choices);
   const Case made = generate(options, 0).value;
   if (!made.truth.clear_until) return Check::discarded("nothing is said of the time before");
@@ -251,7 +241,7 @@ constexpr ContactRange kAnywhere{
     .lowest = -1000, .highest = 900, .max_degree = 5, .elsewhere = true};
 
 /// Drawn and planted contacts are contacts.
-Check check_other_contacts(ChoiceSource& choices) {
+Check check_other_contacts(Draw& choices) {
   Case made;
   if (choices.coin()) {
     const Result<Case> drawn = draw_contact(choices, kAnywhere);
@@ -259,8 +249,7 @@ Check check_other_contacts(ChoiceSource& choices) {
     made = *drawn;
   } else {
     const ContactClass contact = choices.pick(kContactClasses);
-    Random random(draw_seed(choices));
-    made = planted_case(contact, random);
+    made = planted_case(contact, choices);
   }
   const auto checked = check_truth(made);
   if (checked && made.truth.witness) return Check::holds();

@@ -27,7 +27,7 @@ struct DrawnPatch {
   }
 };
 
-DrawnPatch draw_patch(ChoiceSource& choices) {
+DrawnPatch draw_patch(Draw& choices) {
   DrawnPatch drawn;
   drawn.shape = draw_shape(choices, kGeometryDegree);
   drawn.uv = draw_uv(choices, drawn.shape, kGeometryUvBits);
@@ -37,7 +37,7 @@ DrawnPatch draw_patch(ChoiceSource& choices) {
 
 /// Section 4.6, the assumption that the patch lies in the hull of its control points: on any axis
 /// its height is between the least and the greatest of theirs.
-Check check_convex_hull(ChoiceSource& choices) {
+Check check_convex_hull(Draw& choices) {
   const DrawnPatch drawn = draw_patch(choices);
   const Vec3<Dyadic> axis{choices.dyadic(6, 0), choices.dyadic(6, 0), choices.dyadic(6, 0)};
   const Dyadic height = dot(axis, evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv));
@@ -52,7 +52,7 @@ Check check_convex_hull(ChoiceSource& choices) {
 
 /// The Bernstein weights sum to 1: common translation of the control points moves each point of
 /// the patch so.
-Check check_partition_of_unity(ChoiceSource& choices) {
+Check check_partition_of_unity(Draw& choices) {
   const DrawnPatch drawn = draw_patch(choices);
   const Vec3<Dyadic> shift{choices.dyadic(8, -2), choices.dyadic(8, -2), choices.dyadic(8, -2)};
   Points<Dyadic> moved = drawn.points;
@@ -63,7 +63,7 @@ Check check_partition_of_unity(ChoiceSource& choices) {
 }
 
 /// The blossom does not depend on the order of its arguments.
-Check check_blossom_symmetry(ChoiceSource& choices) {
+Check check_blossom_symmetry(Draw& choices) {
   const DrawnPatch drawn = draw_patch(choices);
   const auto steps = static_cast<std::size_t>(std::max(drawn.shape.n, drawn.shape.m));
   std::vector<Uv<Dyadic>> arguments(std::max<std::size_t>(steps, 1));
@@ -82,7 +82,7 @@ Check check_blossom_symmetry(ChoiceSource& choices) {
 }
 
 /// Degree elevation gives the same patch.
-Check check_elevation(ChoiceSource& choices) {
+Check check_elevation(Draw& choices) {
   const DrawnPatch drawn = draw_patch(choices);
   const Vec3<Dyadic> here = evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv);
   for (const bool in_v : {false, true}) {
@@ -96,7 +96,7 @@ Check check_elevation(ChoiceSource& choices) {
 }
 
 /// A point of a cell is a point of one of its children, and of nothing but the cell.
-Check check_children_cover(ChoiceSource& choices) {
+Check check_children_cover(Draw& choices) {
   const Shape shape = draw_shape(choices, 1);
   const Cell cell = draw_cell(choices, shape, 8);
   const Uv<Dyadic> drawn = draw_uv(choices, shape, 10);
@@ -113,7 +113,7 @@ Check check_children_cover(ChoiceSource& choices) {
 }
 
 /// The midpoint splits of tdibm-c and the blossoms of the others agree, where both are exact.
-Check check_cell_tree(ChoiceSource& choices) {
+Check check_cell_tree(Draw& choices) {
   const Shape shape = draw_shape(choices, kGeometryDegree);
   const Points<Dyadic> points = draw_points(choices, shape, 10, 0);
   std::vector<std::array<double, 6>> controls;

@@ -15,7 +15,7 @@ namespace {
 
 /// Eq. 3 on heights p, q of control points: the spans of p and q have a point in common iff
 /// max p ≥ min q and max q ≥ min p; as printed, with ≤ for both ≥.
-Check overlap_is(ChoiceSource& choices, bool as_printed) {
+Check overlap_is(Draw& choices, bool as_printed) {
   std::array<std::vector<std::int64_t>, 2> heights;
   for (auto& side : heights) {
     for (std::int64_t n = choices.integer(1, 4); n > 0; --n) {
@@ -51,7 +51,7 @@ Check overlap_is(ChoiceSource& choices, bool as_printed) {
 
 /// Separated at two times means separated between them. Of the claim alone:
 /// paper.steps_are_exact says that the code finds that interval.
-Check check_one_interval(ChoiceSource& choices) {
+Check check_one_interval(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const ExactLines f = exact_lines(pairs.f), g = exact_lines(pairs.g);
   const auto separated = [&](const Dyadic& t) {
@@ -77,7 +77,7 @@ Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
 
 /// Steps II and III in exact arithmetic against all pairs of lines: f + g < 0 from the last root of
 /// a falling pair to the first root of a rising one.
-Check check_steps_are_exact(ChoiceSource& choices) {
+Check check_steps_are_exact(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const TimeWindow<Rational> w{exact(pairs.window.lo), exact(pairs.window.hi)};
   const Lines<Rational> f = exact_sorted(pairs.f), g = exact_sorted(pairs.g);
@@ -113,7 +113,7 @@ struct Crossing {
   Line<double> f, g;
 };
 
-Crossing draw_crossing(ChoiceSource& choices) {
+Crossing draw_crossing(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   return {pairs.f[choices.choose(pairs.f.size() - 1)], pairs.g[choices.choose(pairs.g.size() - 1)]};
 }
@@ -125,7 +125,7 @@ Check failure(const Crossing& crossing, const char* what) {
 }
 
 /// C.2: |fl(l / r) − l / r| ≤ 2·|l| / |fl(r)|·[(1 + eps)² − 1].
-Check check_eps_tau(ChoiceSource& choices) {
+Check check_eps_tau(Draw& choices) {
   const Crossing crossing = draw_crossing(choices);
   const double l = crossing.f.intercept + crossing.g.intercept;
   const double r = crossing.f.slope + crossing.g.slope;
@@ -161,13 +161,13 @@ Check root_is_safe(const Crossing& crossing) {
   return failure(crossing, "the end is before the root");
 }
 
-Check check_safe_roots(ChoiceSource& choices) {
+Check check_safe_roots(Draw& choices) {
   return root_is_safe(draw_crossing(choices));
 }
 
 /// The same where every step of Eq. 10 rounds by as much as it may: to a slope just above a power
 /// of two, and an intercept just below one, is added a part of their last bit.
-Check check_safe_roots_of_sums(ChoiceSource& choices) {
+Check check_safe_roots_of_sums(Draw& choices) {
   const auto part_of = [&](double bit) {
     return bit * std::ldexp(static_cast<double>(choices.integer(1, 255)), -8);
   };
@@ -183,7 +183,7 @@ Check check_safe_roots_of_sums(ChoiceSource& choices) {
 /// C.3 as a lemma on envelopes that count as exact: the left end that the sweep finds on envelopes
 /// pulled apart by I·delta is not before the exact one. Three lines against two that are almost
 /// parallel to the last of them.
-Check check_pull_apart_path(ChoiceSource& choices) {
+Check check_pull_apart_path(Draw& choices) {
   const LinePairs pairs{
       {{-1, .35},
        {.5, -.25},
@@ -214,10 +214,9 @@ std::vector<Property> intersection_properties() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"paper.overlap_as_printed", "Boxes overlap on an axis iff max p <= min q and max q <= min p",
-       "Eqs. 3a and 3b as printed", kFails, [](ChoiceSource& c) { return overlap_is(c, true); }},
+       "Eqs. 3a and 3b as printed", kFails, [](Draw& c) { return overlap_is(c, true); }},
       {"paper.overlap", "Boxes overlap on an axis iff max p >= min q and max q >= min p",
-       "Eqs. 3a and 3b as Eq. 4 has them", kHolds,
-       [](ChoiceSource& c) { return overlap_is(c, false); }},
+       "Eqs. 3a and 3b as Eq. 4 has them", kHolds, [](Draw& c) { return overlap_is(c, false); }},
       {"paper.one_interval", "The times at which an axis separates two patches are one interval",
        "Section 3, Solving Eq. (3)", kHolds, check_one_interval},
       {"paper.steps_are_exact",

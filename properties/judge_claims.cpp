@@ -35,7 +35,7 @@ Check judged_so(const CheckedCase& asked, const Answer& answer, Outcome expected
 }
 
 /// The judge on made-up answers about a proven contact.
-Check check_judge(ChoiceSource& choices) {
+Check check_judge(Draw& choices) {
   const Result<Case> drawn = draw_contact(choices, {});
   if (!drawn) return Check::discarded("a number is not a double");
   const double t = *to_double_exactly(drawn->truth.witness->t), t_max = drawn->query.t_max;
@@ -73,7 +73,7 @@ Outcome outcome_by_times(const Case& known, double t_max, const Answer& answer) 
 }
 
 /// An answer that is none, whatever it is about.
-Answer draw_nonsense(ChoiceSource& choices, double t_max) {
+Answer draw_nonsense(Draw& choices, double t_max) {
   Answer answer = says(Verdict::kHit, t_max);
   switch (choices.choose(5)) {
     case 0:
@@ -100,7 +100,7 @@ Answer draw_nonsense(ChoiceSource& choices, double t_max) {
 
 /// The judge on made-up answers about a generated case, positive or negative, asked up to a time
 /// near one that it says something of.
-Check check_judge_of_absence(ChoiceSource& choices) {
+Check check_judge_of_absence(Draw& choices) {
   const Case known = draw_generated(choices);
   const Rational said = exact(known.query.t_max);
   const Rational clear = known.truth.clear_until.value_or(said);
@@ -126,13 +126,13 @@ double sixteenths(std::int64_t k) {
 }
 
 /// A double, or one next to it.
-double draw_next_to(ChoiceSource& choices, double x) {
+double draw_next_to(Draw& choices, double x) {
   const int step = choices.pick(std::array{0, -1, 1});
   return step == 0 ? x : std::nextafter(x, step * HUGE_VAL);
 }
 
 /// Two points at the distance 5·size·|t − contact| from each other, size a power of two.
-Case points_that_meet(ChoiceSource& choices, double contact, double size) {
+Case points_that_meet(Draw& choices, double contact, double size) {
   const Vec3<double> away = choices.coin() ? Vec3<double>(3, 4, 0) : Vec3<double>(0, -3, 4);
   Case met;
   for (MovingPatch<double>& patch : met.query.patches) {
@@ -150,7 +150,7 @@ Case points_that_meet(ChoiceSource& choices, double contact, double size) {
 
 /// The judge by what a method says of its ends of time, its tolerances in time and the separation
 /// that it keeps.
-Check check_terms_of_time(ChoiceSource& choices) {
+Check check_terms_of_time(Draw& choices) {
   const double contact = sixteenths(choices.integer(0, 16));
   const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
   Case asked = points_that_meet(choices, contact, size);
@@ -193,7 +193,7 @@ Check check_terms_of_time(ChoiceSource& choices) {
 
 /// The judge by what a method says of its tolerance in space: a point that passes a line at five
 /// times a power of two.
-Check check_terms_of_space(ChoiceSource& choices) {
+Check check_terms_of_space(Draw& choices) {
   const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
   const double passing = sixteenths(choices.integer(0, 16));
   Case asked;
@@ -222,7 +222,7 @@ Check check_terms_of_space(ChoiceSource& choices) {
 }
 
 /// A case about two points that meet once, which says what is false or has no proof.
-Case draw_unproven(ChoiceSource& choices) {
+Case draw_unproven(Draw& choices) {
   const double contact = sixteenths(choices.integer(1, 16));
   const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
   Case lie = points_that_meet(choices, contact, size);
@@ -265,7 +265,7 @@ Case draw_unproven(ChoiceSource& choices) {
 }
 
 /// The judge on what a file may say.
-Check check_unproven(ChoiceSource& choices) {
+Check check_unproven(Draw& choices) {
   const Case lie = draw_unproven(choices);
   for (const Answer& answer : {says(Verdict::kMiss, {}), says(Verdict::kHit, 0)}) {
     Check check = judged_so(checked_or_unknown(lie), answer, Outcome::kUnknown);
@@ -284,7 +284,7 @@ bool is_looser(const AnswerTerms& a, const AnswerTerms& b) {
 }
 
 /// What a plug-in has achieved beside what it claims.
-Check check_achieved(ChoiceSource& choices) {
+Check check_achieved(Draw& choices) {
   PluginDescription claims;
   claims.conservative = choices.coin();
   claims.tolerance_kind = choices.pick(kToleranceKinds);
@@ -309,7 +309,7 @@ Check check_achieved(ChoiceSource& choices) {
 }
 
 /// Claims about as loose as may be.
-Check check_loosest_claims(ChoiceSource& choices) {
+Check check_loosest_claims(Draw& choices) {
   const ToleranceKind kind = choices.pick(kToleranceKinds);
   const bool separates = choices.coin();
   const bool relative =

@@ -22,7 +22,7 @@ bool names(const InputError& error, std::string_view part) {
 }
 
 /// A patch whose control points are (i, j, height + something), moving up or down.
-MovingPatch<double> patch_at(ChoiceSource& choices, const Shape& shape, double height) {
+MovingPatch<double> patch_at(Draw& choices, const Shape& shape, double height) {
   MovingPatch<double> patch;
   patch.shape = shape;
   for (int i = 0; i < shape.control_count(); ++i) {
@@ -33,12 +33,12 @@ MovingPatch<double> patch_at(ChoiceSource& choices, const Shape& shape, double h
   return patch;
 }
 
-Query query_of(ChoiceSource& choices, const Shape& a, const Shape& b) {
+Query query_of(Draw& choices, const Shape& a, const Shape& b) {
   return {{patch_at(choices, a, -16), patch_at(choices, b, 16)}, 1};
 }
 
 /// One thing of a case at a limit of the reader, or one past it.
-Check check_limits_of_a_file(ChoiceSource& choices) {
+Check check_limits_of_a_file(Draw& choices) {
   const std::uint64_t past = choices.choose(1);
   Case value;
   value.query = query_of(choices, Shape::point(), Shape::point());
@@ -83,7 +83,7 @@ Check check_limits_of_a_file(ChoiceSource& choices) {
 
 /// A double printed to any number of digits is read back iff that is enough of them to tell it from
 /// other doubles and no more, or it is all that there are.
-Check check_long_decimals(ChoiceSource& choices) {
+Check check_long_decimals(Draw& choices) {
   const double x = std::abs(choices.finite_double());
   const auto digits = static_cast<int>(choices.integer(1, 60));  // behind the first
   const auto printed = [x](int count) { return fmt::format("{:.{}e}", x, count); };
@@ -106,7 +106,7 @@ Check check_long_decimals(ChoiceSource& choices) {
 }
 
 /// A certificate with a number of many words, which its check must multiply by others as long.
-Check check_work_is_counted(ChoiceSource& choices) {
+Check check_work_is_counted(Draw& choices) {
   const std::uint64_t words = 16 + choices.choose(48);
   const Rational most = power_of_two(static_cast<long>(64 * words));
   const Rational big = (most - 1) / most;
@@ -161,7 +161,7 @@ Check check_work_is_counted(ChoiceSource& choices) {
 }
 
 /// A part is split as often as the format allows, or once more.
-Check check_splits(ChoiceSource& choices) {
+Check check_splits(Draw& choices) {
   const std::uint64_t past = choices.choose(1);
   const bool second = choices.coin();
   const Query query = query_of(choices, Shape::curve(1), Shape::curve(1));
@@ -177,7 +177,7 @@ Check check_splits(ChoiceSource& choices) {
 }
 
 /// Up to kMaxRationalDigits of them, most of them the same.
-Integer draw_long_integer(ChoiceSource& choices) {
+Integer draw_long_integer(Draw& choices) {
   const std::size_t length =
       choices.choose(3) == 0 ? 1 + choices.choose(kMaxRationalDigits - 1) : 1 + choices.choose(20);
   std::string digits(length, static_cast<char>('0' + choices.choose(9)));
@@ -186,14 +186,14 @@ Integer draw_long_integer(ChoiceSource& choices) {
   return Integer(digits);
 }
 
-Rational draw_long_fraction(ChoiceSource& choices) {
+Rational draw_long_fraction(Draw& choices) {
   Rational x(draw_long_integer(choices), draw_long_integer(choices));
   x.canonicalize();
   if (x > 1 && choices.coin()) x = 1 / x;
   return choices.choose(7) == 0 ? Rational(-x) : x;
 }
 
-Shape draw_shape(ChoiceSource& choices, bool linear) {
+Shape draw_shape(Draw& choices, bool linear) {
   const auto degree = [&] { return static_cast<int>(linear ? 1 : 1 + choices.choose(7)); };
   switch (choices.choose(linear ? 2 : 3)) {
     case 0:
@@ -210,7 +210,7 @@ Shape draw_shape(ChoiceSource& choices, bool linear) {
 }
 
 /// A tree's bytes: any, or all splits down to some depth and the same leaf throughout.
-std::string draw_any_tree(ChoiceSource& choices) {
+std::string draw_any_tree(Draw& choices) {
   constexpr std::size_t kLongest = 4000;
   if (choices.coin()) return choices.text(kLongest);
   TreeBits tree;
@@ -224,7 +224,7 @@ std::string draw_any_tree(ChoiceSource& choices) {
 
 /// What a file may say, up to the limits of the reader. Nothing is claimed but that it is read, and
 /// that the checker answers: how long it takes and how much memory is the driver's to see.
-Check check_any_case(ChoiceSource& choices) {
+Check check_any_case(Draw& choices) {
   const bool linear = choices.coin();
   std::array<double, 6> numbers{};
   for (double& x : numbers) x = choices.finite_double();

@@ -20,7 +20,7 @@ Check refuted(const char* what, const Query& query, const Truth& certificate) {
 /// A clearance that ends before, at or after the first contact, or before t = 0. If after, at a
 /// time of which the contact's is so many eighths, where halving comes to it: else the checker
 /// refuses, too, but only after 4,000 halvings.
-Check check_clearance_of_linear(ChoiceSource& choices) {
+Check check_clearance_of_linear(Draw& choices) {
   const Result<Query> query = draw_linear(choices);
   if (!query) return Check::discarded(query.error().message());
   auto contact = linear::first_contact(*query);
@@ -54,8 +54,7 @@ Check check_clearance_of_linear(ChoiceSource& choices) {
 
 /// Patch 1 along an edge of either patch as it is at t, which leaves coplanar what is; nullopt if
 /// that asks for numbers that no double holds.
-std::optional<Query> moved_along_an_edge(ChoiceSource& choices, const Query& query,
-                                         const Rational& t) {
+std::optional<Query> moved_along_an_edge(Draw& choices, const Query& query, const Rational& t) {
   const auto corners = linear::exact_patches(query)[choices.choose(1)].at(t);
   if (corners.size() < 2) return std::nullopt;
   const std::size_t from = choices.choose(corners.size() - 2);
@@ -95,7 +94,7 @@ std::vector<Integer> with_root(const Rational& t) {
 enum class RootChange : std::uint8_t { kNone, kElsewhere, kMoved, kOtherTime, kEarlier };
 
 /// One thing of a contact's certificate changed, be it the query. False: no double holds a number.
-bool change_root(ChoiceSource& choices, RootChange change, Query& query, ContactRoot& root) {
+bool change_root(Draw& choices, RootChange change, Query& query, ContactRoot& root) {
   const Rational middle = (root.from + root.by) / 2;
   const Rational share = Rational(static_cast<long>(choices.integer(1, 7))) / 8;
   switch (change) {
@@ -127,7 +126,7 @@ bool change_root(ChoiceSource& choices, RootChange change, Query& query, Contact
 
 /// The root of the first contact, as it is or with one thing changed. What is accepted must be a
 /// contact; what is one is accepted on a short enough interval (check_linear.hpp).
-Check check_root_of_linear(ChoiceSource& choices) {
+Check check_root_of_linear(Draw& choices) {
   const Result<Query> drawn = draw_linear(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   auto contact = linear::first_contact(*drawn);

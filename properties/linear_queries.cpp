@@ -95,7 +95,7 @@ namespace {
 
 /// A degenerate query, made different by as little as 2^-60 of its size, or with a coordinate of
 /// another scale than the others.
-Result<Query> draw_nearly_degenerate(ChoiceSource& choices) {
+Result<Query> draw_nearly_degenerate(Draw& choices) {
   Result<Query> drawn = draw_linear(choices);
   if (!drawn) return drawn;
   double size = 0;
@@ -124,7 +124,7 @@ Result<Query> draw_nearly_degenerate(ChoiceSource& choices) {
   return drawn;
 }
 
-Check check_linear_exact(ChoiceSource& choices) {
+Check check_linear_exact(Draw& choices) {
   const Result<Query> drawn =
       choices.choose(2) == 2 ? draw_grazing(choices) : draw_nearly_degenerate(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
@@ -134,14 +134,14 @@ Check check_linear_exact(ChoiceSource& choices) {
 }
 
 /// All bits of a number in [-1, 1].
-double full_bits(ChoiceSource& choices) {
+double full_bits(Draw& choices) {
   constexpr std::int64_t kMost = std::int64_t{1} << 53;
   return std::ldexp(static_cast<double>(choices.integer(-kMost, kMost)), -53);
 }
 
 /// Two edges, or a point and a face, that touch about t = ½ or nearly do, often with a corner or a
 /// point of an edge.
-Query draw_about_touching(ChoiceSource& choices) {
+Query draw_about_touching(Draw& choices) {
   const auto vector = [&] {
     const double x = full_bits(choices), y = full_bits(choices);
     return Vec3<double>{x, y, full_bits(choices)};
@@ -172,7 +172,7 @@ Query draw_about_touching(ChoiceSource& choices) {
 
 /// Also where the window ends or begins at the contact, as near as doubles are, and where corners
 /// pass each other, which are as often inside as outside.
-Check check_doubles_decide(ChoiceSource& choices) {
+Check check_doubles_decide(Draw& choices) {
   using certified::RoughContact;
   Query query = draw_about_touching(choices);
   const double length = choices.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
@@ -209,13 +209,12 @@ Check check_doubles_decide(ChoiceSource& choices) {
                                   to_hex(width), to_hex(rough.time), to_json({query, {}, {}, {}})));
 }
 
-Check check_linear_decision(ChoiceSource& choices) {
+Check check_linear_decision(Draw& choices) {
   const Result<Query> drawn = draw_linear(choices);
   return drawn ? linear_decision_is_proven(*drawn) : Check::discarded(drawn.error().message());
 }
 
-Check check_linear_answer(const std::string& method, ChoiceSource& choices,
-                          const SearchOptions& options) {
+Check check_linear_answer(const std::string& method, Draw& choices, const SearchOptions& options) {
   const Result<Query> drawn = draw_linear(choices);
   return drawn ? no_false_negative_on_linear(method, *drawn, options)
                : Check::discarded(drawn.error().message());
@@ -232,12 +231,12 @@ std::vector<Property> linear_properties() {
        "Degenerate linear queries are decided, and the independent checker accepts the decision",
        "src/certify/checker/check_linear.hpp", kHolds, check_linear_decision},
       {"tdibm-rational.no_false_negative_linear", kClaim, "exact arithmetic", kHolds,
-       [](ChoiceSource& c) {
+       [](Draw& c) {
          constexpr SearchOptions kCoarse = {0x1p-6, 300, SearchOptions().max_bytes};
          return check_linear_answer("tdibm-rational", c, kCoarse);
        }},
       {"tdibm-c.no_false_negative_linear", kClaim, "src/ccd/certified/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) {
+       [](Draw& c) {
          constexpr SearchOptions kFine = {1e-4, 2000, SearchOptions().max_bytes};
          return check_linear_answer("tdibm-c", c, kFine);
        }},

@@ -38,7 +38,7 @@ bool same(const Answer& x, const Answer& y) {
 }
 
 /// A method answers as a fresh one does, whatever it was asked before.
-Check check_no_state(ChoiceSource& choices) {
+Check check_no_state(Draw& choices) {
   const char* name = choices.pick(kEveryMethod);
   const Result<Case> first = draw_contact(choices, {}), second = draw_contact(choices, {});
   if (!first || !second) return Check::discarded("a number is not a double");
@@ -54,7 +54,7 @@ Check check_no_state(ChoiceSource& choices) {
 
 /// Any finite numbers in any two shapes: the answer is none that the judge calls an error, and
 /// parameters of a hit lie in the patches' domains.
-Check check_answers_make_sense(ChoiceSource& choices) {
+Check check_answers_make_sense(Draw& choices) {
   const char* name = choices.pick(kEveryMethod);
   Case drawn;
   drawn.query = draw_any_query(choices);
@@ -71,7 +71,7 @@ Check check_answers_make_sense(ChoiceSource& choices) {
 }
 
 /// The optimised and the plain form of the paper's methods give the same answer, bit for bit.
-Check check_optimised(ChoiceSource& choices) {
+Check check_optimised(Draw& choices) {
   constexpr std::array kPaper = {"tdibm", "tdibm-h:1e-12", "tdibm-h:1e-12@absolute", "tdibm-e",
                                  "tdibm-e-literal"};
   const std::string name = choices.pick(kPaper);
@@ -86,7 +86,7 @@ Check check_optimised(ChoiceSource& choices) {
 
 /// A method that claims to miss nothing is never contradicted by what the oracle has proven of a
 /// query with no known contact.
-Check check_against_the_oracle(ChoiceSource& choices) {
+Check check_against_the_oracle(Draw& choices) {
   constexpr std::array kClaim = {"tdibm-c", "tdibm-rational"};
   const char* name = choices.pick(kClaim);
   Result<Case> drawn = draw_contact(choices, {-2, 2, 2});
@@ -108,7 +108,7 @@ constexpr SearchOptions kCoarseSearch = {0.5, 60, SearchOptions().max_bytes};
 /// Asked up to t1 ≤ t2, a hit up to t1 and a miss up to t2 do not go together.
 template <std::size_t N>
 Check monotone_in_t_max(const std::array<const char*, N>& methods, const SearchOptions& options,
-                        ChoiceSource& choices) {
+                        Draw& choices) {
   const char* name = choices.pick(methods);
   Result<Case> drawn = draw_contact(choices, {-2, 2, 2});
   if (!drawn) return Check::discarded("a number is not a double");
@@ -128,7 +128,7 @@ Check monotone_in_t_max(const std::array<const char*, N>& methods, const SearchO
 /// Patches within 2^3 of their places, which are 2^7 apart along an axis, at speeds of less than 2:
 /// a method says that they do not touch. One that always hits, or never decides, does not. Oriented
 /// boxes have no axes where a surface is but a point, so most methods are asked about points.
-Check check_far_apart(ChoiceSource& choices) {
+Check check_far_apart(Draw& choices) {
   const char* name = choices.pick(kEveryMethod);
   const bool takes_anything =
       name == std::string_view("tdibm-c") || name == std::string_view("trad:aabb");
@@ -154,7 +154,7 @@ Check check_far_apart(ChoiceSource& choices) {
 }
 
 /// Two points meet: a method that claims to miss nothing says hit, and neither misses nor gives up.
-Check check_meeting_points(ChoiceSource& choices) {
+Check check_meeting_points(Draw& choices) {
   constexpr std::array kSound = {"tdibm-e", "tdibm-rational", "tdibm-c"};
   const char* name = choices.pick(kSound);
   const double t = std::ldexp(static_cast<double>(choices.integer(0, 8)), -3);
@@ -175,7 +175,7 @@ Check check_meeting_points(ChoiceSource& choices) {
 }
 
 /// The checker refuses a witness at another time unless the patches touch there too.
-Check check_wrong_witness(ChoiceSource& choices) {
+Check check_wrong_witness(Draw& choices) {
   Result<Case> drawn = draw_contact(choices, {});
   if (!drawn) return Check::discarded("a number is not a double");
   Witness& witness = *drawn->truth.witness;
@@ -216,12 +216,10 @@ std::vector<Property> method_answer_properties() {
       {"methods.monotone_in_t_max",
        "No method that narrows its windows hits up to a time and misses up to a later one; but two "
        "patches within the precision may be hit by other windows, and not by these",
-       "Section 3", kFails,
-       [](ChoiceSource& c) { return monotone_in_t_max(kWindowed, kCoarseSearch, c); }},
+       "Section 3", kFails, [](Draw& c) { return monotone_in_t_max(kWindowed, kCoarseSearch, c); }},
       {"trad.monotone_in_t_max",
        "The same where windows are halved: what is narrow depends on t_max", "Section 6 (1)",
-       kFails,
-       [](ChoiceSource& c) { return monotone_in_t_max(std::array{"trad"}, kCoarseSearch, c); }},
+       kFails, [](Draw& c) { return monotone_in_t_max(std::array{"trad"}, kCoarseSearch, c); }},
       {"methods.miss_what_is_far_apart", "Every method says of patches far apart that they miss",
        "Section 3", kHolds, check_far_apart},
       {"methods.hit_where_points_meet", "Methods that claim to miss nothing hit where points meet",

@@ -17,7 +17,7 @@ struct DrawnChange {
   Case before, after;
 };
 
-Result<DrawnChange> draw_change(ChoiceSource& choices, Symmetry symmetry) {
+Result<DrawnChange> draw_change(Draw& choices, Symmetry symmetry) {
   const Result<Case> before = draw_contact(choices, {});
   if (!before) return tl::unexpected(before.error());
   auto after = transformed(*before, symmetry, choices);
@@ -26,7 +26,7 @@ Result<DrawnChange> draw_change(ChoiceSource& choices, Symmetry symmetry) {
 }
 
 /// The contact is still one, and the method neither misses it nor is late.
-Check contact_survives(const char* method, Symmetry symmetry, ChoiceSource& choices) {
+Check contact_survives(const char* method, Symmetry symmetry, Draw& choices) {
   const Result<DrawnChange> drawn = draw_change(choices, symmetry);
   if (!drawn) return Check::discarded(drawn.error().message());
   if (const auto checked = check_truth(drawn->after); !checked) {
@@ -37,19 +37,18 @@ Check contact_survives(const char* method, Symmetry symmetry, ChoiceSource& choi
 }
 
 template <Symmetry symmetry>
-Check check_certified(ChoiceSource& choices) {
+Check check_certified(Draw& choices) {
   return contact_survives("tdibm-c", symmetry, choices);
 }
 
-Check check_error_bound(ChoiceSource& choices) {
+Check check_error_bound(Draw& choices) {
   const Symmetry symmetry = choices.pick(kSymmetries);
   return contact_survives("tdibm-e", symmetry, choices);
 }
 
 /// The method answers both alike, bit for bit: verdict, and toi but for the unit of time.
 template <std::size_t N>
-Check same_answer(const std::array<const char*, N>& methods, Symmetry symmetry,
-                  ChoiceSource& choices) {
+Check same_answer(const std::array<const char*, N>& methods, Symmetry symmetry, Draw& choices) {
   const char* method = choices.pick(methods);
   const Result<DrawnChange> drawn = draw_change(choices, symmetry);
   if (!drawn) return Check::discarded(drawn.error().message());
@@ -124,17 +123,17 @@ std::vector<Property> method_symmetry_properties() {
        "No contact is lost in any of these ways, where nothing underflows", "Section 4.6", kHolds,
        check_error_bound},
       {"methods.scale", "Scaling space by a power of two changes no answer", "Section 3", kHolds,
-       [](ChoiceSource& c) { return same_answer(kScaleFree, Symmetry::kScale, c); }},
+       [](Draw& c) { return same_answer(kScaleFree, Symmetry::kScale, c); }},
       {"methods.scale_time", "Scaling time by a power of two scales toi", "Section 3", kHolds,
-       [](ChoiceSource& c) { return same_answer(kTimeScaleFree, Symmetry::kScaleTime, c); }},
+       [](Draw& c) { return same_answer(kTimeScaleFree, Symmetry::kScaleTime, c); }},
       {"methods.mirror", "A mirror changes no answer", "Section 3", kHolds,
-       [](ChoiceSource& c) { return same_answer(kMirrorFree, Symmetry::kMirror, c); }},
+       [](Draw& c) { return same_answer(kMirrorFree, Symmetry::kMirror, c); }},
       {"tdibm.mirror", "A mirror changes no answer of the paper's methods in doubles", "Section 3",
        Expectation::kFails,
-       [](ChoiceSource& c) { return same_answer(kMirrorMatters, Symmetry::kMirror, c); }},
+       [](Draw& c) { return same_answer(kMirrorMatters, Symmetry::kMirror, c); }},
       {"tdibm.swap", "Swapping the patches changes no answer of the paper's methods in doubles",
        "Section 3", Expectation::kFails,
-       [](ChoiceSource& c) { return same_answer(kOrderMatters, Symmetry::kSwapPatches, c); }},
+       [](Draw& c) { return same_answer(kOrderMatters, Symmetry::kSwapPatches, c); }},
   };
 }
 

@@ -15,7 +15,7 @@ namespace ccdfuzz {
 namespace {
 
 /// Two patches of any shapes with whole coordinates within 8 of 0 and speeds of less than 2.
-Query draw_small_query(ChoiceSource& choices) {
+Query draw_small_query(Draw& choices) {
   Query query;
   for (MovingPatch<double>& patch : query.patches) {
     patch.shape = draw_shape(choices, 2);
@@ -42,7 +42,7 @@ std::string text_of(const Query& query, const std::string& tree) {
 
 /// One leaf for all of [0, 1]: it proves absence of contact iff patch 1 stays below patch 2 on its
 /// axis; touching at one end is no proof.
-Check check_leaf(ChoiceSource& choices) {
+Check check_leaf(Draw& choices) {
   Query query = draw_small_query(choices);
   TreeAxis axis{};
   const auto along = static_cast<int>(choices.choose(2));
@@ -72,7 +72,7 @@ Check check_leaf(ChoiceSource& choices) {
 
 /// Draws a subtree for parts that any leaf of this axis separates.
 struct TreeDraw {
-  ChoiceSource& choices;
+  Draw& choices;
   const Query& query;
   TreeAxis axis;
   TreeBits bits;
@@ -99,7 +99,7 @@ struct TreeDraw {
 
 /// Patches far apart: every whole tree of leaves that separate them is accepted; one that is cut
 /// off, goes on, has a time outside of its window or a leaf that does not separate is refused.
-Check check_tree_form(ChoiceSource& choices) {
+Check check_tree_form(Draw& choices) {
   Query query = draw_small_query(choices);
   move_along(query, 0, 64);
   enum class Change : std::uint8_t { kNone, kCutOff, kMoreNodes, kMoreBytes, kTime, kLeaf };

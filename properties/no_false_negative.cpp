@@ -26,8 +26,8 @@ Check no_false_negative(const std::string& method, const Case& value,
                                   to_text(value.truth.witness->t), to_json(value)));
 }
 
-Check check_no_false_negative(const std::string& method, const ContactRange& range,
-                              ChoiceSource& choices, const SearchOptions& options) {
+Check check_no_false_negative(const std::string& method, const ContactRange& range, Draw& choices,
+                              const SearchOptions& options) {
   const Result<Case> drawn = draw_contact(choices, range);
   if (!drawn) return Check::discarded(drawn.error().message());
   if (const auto checked = check_truth(*drawn); !checked) {

@@ -17,7 +17,7 @@ Check no_false_negative(const std::string& method, const Case& value, const Sear
 inline constexpr SearchOptions kQuickSearch = {0x1p-6, 300, SearchOptions().max_bytes};
 
 /// On drawn contacts.
-Check check_no_false_negative(const std::string& method, const ContactRange& range,
-                              ChoiceSource& choices, const SearchOptions& options = kQuickSearch);
+Check check_no_false_negative(const std::string& method, const ContactRange& range, Draw& choices,
+                              const SearchOptions& options = kQuickSearch);
 
 }  // namespace ccdfuzz

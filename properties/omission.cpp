@@ -17,7 +17,7 @@ Check failure(const LinePairs& pairs, const std::string& what) {
 }
 
 /// Eq. 12: maxima of lines that differ by at most eps_a, eps_b differ by at most tU·eps_a + eps_b.
-Check check_eps_coeff(ChoiceSource& choices) {
+Check check_eps_coeff(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   ExactLines exact = exact_lines(pairs.f), off;
   const Dyadic eps_a = choices.dyadic(8, -40), eps_b = choices.dyadic(8, -40);
@@ -42,7 +42,7 @@ Check check_eps_coeff(ChoiceSource& choices) {
 
 /// A line that is not pushed since the computed phi ≥ −eps_phi is above the top of the stack at tU
 /// by at most `factor`·eps_phi. The paper says Delta_phi = eps_phi.
-Check delta_phi_is_at_most(ChoiceSource& choices, int factor) {
+Check delta_phi_is_at_most(Draw& choices, int factor) {
   const LinePairs pairs = draw_line_pairs(choices);
   if (pairs.f.size() < 2) return Check::discarded("fewer than two lines");
   const std::size_t i = choices.choose(pairs.f.size() - 1), j = choices.choose(pairs.f.size() - 1);
@@ -64,7 +64,7 @@ Check delta_phi_is_at_most(ChoiceSource& choices, int factor) {
 
 /// A line that is popped since the computed Phi ≤ eps_Phi exceeds its neighbours where they cross
 /// by at most 2(|b_alpha − b_(gamma−1)| + |b_gamma − b_(gamma−1)|)[(1 + eps)^4 − 1].
-Check check_delta_Phi(ChoiceSource& choices) {
+Check check_delta_Phi(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const Lines<double> sorted = sorted_lines(pairs.f);
   if (sorted.size() < 3) return Check::discarded("fewer than three lines");
@@ -96,7 +96,7 @@ Lines<double> selected(const LinePairs& pairs, const auto& policy, Lines<double>
 }
 
 /// Eq. 16: the maximum of the selected lines is below that of all by at most eps_arith.
-Check check_eps_arith(ChoiceSource& choices) {
+Check check_eps_arith(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   Lines<double> sorted;
   const ExactLines kept = exact_lines(selected(pairs, ErrorBoundIntended(), sorted));
@@ -114,7 +114,7 @@ Check check_eps_arith(ChoiceSource& choices) {
 
 /// Eq. 13, its second inequality, of three lines by rising slope: both terms of B are at most
 /// a_alpha − a_(gamma−1) times the difference of intercepts in them.
-Check check_eq_13_second(ChoiceSource& choices) {
+Check check_eq_13_second(Draw& choices) {
   const ExactLines sorted = exact_lines(sorted_lines(draw_line_pairs(choices).f));
   if (sorted.size() < 3) return Check::discarded("fewer than three lines");
   const std::size_t first = choices.choose(sorted.size() - 3);
@@ -142,7 +142,7 @@ struct CountingPops : ErrorBoundIntended {
 
 /// Section 4.4: "each line can be pushed into and popped from the stack at most once", from which
 /// the number of lines in Eq. 16 comes.
-Check check_each_line_once(ChoiceSource& choices) {
+Check check_each_line_once(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   int pops = 0;
   Lines<double> sorted;
@@ -154,7 +154,7 @@ Check check_each_line_once(ChoiceSource& choices) {
 
 /// Three lines, the middle one above the crossing of the others by little more than rounding; their
 /// intercepts differ by little, so that the bound is small against the rounding of a shift.
-std::vector<Line<double>> draw_near_concurrent(ChoiceSource& choices) {
+std::vector<Line<double>> draw_near_concurrent(Draw& choices) {
   std::vector<Line<double>> lines;
   const double t = std::ldexp(static_cast<double>(choices.integer(1, 24)), -4);
   const double x = static_cast<double>(choices.integer(-64, 64)) / 3;
@@ -168,7 +168,7 @@ std::vector<Line<double>> draw_near_concurrent(ChoiceSource& choices) {
 /// Each selected line is above its neighbours' crossing: the chain is convex. `raised`: after
 /// eps_constr has been added to each intercept.
 template <class Policy>
-Check chain_is_convex(ChoiceSource& choices, bool raised) {
+Check chain_is_convex(Draw& choices, bool raised) {
   LinePairs pairs = draw_line_pairs(choices);
   if (raised) pairs.f = draw_near_concurrent(choices);
   const Policy policy;
@@ -196,10 +196,10 @@ std::vector<Property> omission_properties() {
        "Eq. 12", kHolds, check_eps_coeff},
       {"paper.Delta_phi_as_printed",
        "A line left out at t^U was above the envelope by at most eps_phi", "Section 4.4", kFails,
-       [](ChoiceSource& c) { return delta_phi_is_at_most(c, 1); }},
+       [](Draw& c) { return delta_phi_is_at_most(c, 1); }},
       {"paper.Delta_phi", "A line left out at t^U was above the envelope by at most 2 eps_phi",
        "Section 4.4, corrected; Eq. 16 has room for it", kHolds,
-       [](ChoiceSource& c) { return delta_phi_is_at_most(c, 2); }},
+       [](Draw& c) { return delta_phi_is_at_most(c, 2); }},
       {"paper.Delta_Phi", "A line popped at Phi <= eps_Phi was too high by at most Delta_Phi",
        "Section 4.4, Fig. 2", kHolds, check_delta_Phi},
       {"paper.eps_arith", "The selected lines are below all lines by at most eps_arith", "Eq. 16",
@@ -211,13 +211,13 @@ std::vector<Property> omission_properties() {
        "Section 4.4", kHolds, check_each_line_once},
       {"tdibm-e.convex_chain", "The lines selected with Phi <= eps_Phi make a convex chain",
        "Section 4.4, Fig. 2", kHolds,
-       [](ChoiceSource& c) { return chain_is_convex<ErrorBoundIntended>(c, false); }},
+       [](Draw& c) { return chain_is_convex<ErrorBoundIntended>(c, false); }},
       {"tdibm-e.convex_chain_raised", "They still do once each is raised by eps_constr",
        "Section 4.4, which shifts each intercept by itself", kFails,
-       [](ChoiceSource& c) { return chain_is_convex<ErrorBoundIntended>(c, true); }},
+       [](Draw& c) { return chain_is_convex<ErrorBoundIntended>(c, true); }},
       {"tdibm-e-literal.convex_chain", "The lines selected with eps_Phi's sign as printed do",
        "Section 4.4 as printed", kFails,
-       [](ChoiceSource& c) { return chain_is_convex<ErrorBoundPrinted>(c, false); }},
+       [](Draw& c) { return chain_is_convex<ErrorBoundPrinted>(c, false); }},
   };
 }
 

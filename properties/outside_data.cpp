@@ -45,7 +45,7 @@ bool is_written_alike(const CsvQuery& read) {
 }
 
 /// Queries in the layout, one byte of which may be another.
-std::string draw_rows(ChoiceSource& choices, CsvLayout layout) {
+std::string draw_rows(Draw& choices, CsvLayout layout) {
   std::string text;
   // Thirds are rounded: what is written alike is all the rest.
   const std::uint64_t last = choices.coin() ? 2 : 3;
@@ -72,7 +72,7 @@ std::string draw_rows(ChoiceSource& choices, CsvLayout layout) {
 }
 
 /// Any bytes as a query CSV, and what almost is one.
-Check check_csv(ChoiceSource& choices) {
+Check check_csv(Draw& choices) {
   constexpr std::size_t kLongest = 1 << 14;
   const CsvLayout layout = choices.pick(kAllCsvLayouts);
   const std::string text = choices.coin() ? draw_rows(choices, layout) : choices.text(kLongest);
@@ -95,7 +95,7 @@ Check check_csv(ChoiceSource& choices) {
 }
 
 /// A line that is almost what a plug-in should answer.
-std::string draw_line(ChoiceSource& choices) {
+std::string draw_line(Draw& choices) {
   constexpr std::array<std::string_view, 22> kWords = {
       "\"id\":7",
       "\"verdict\":\"hit\"",
@@ -128,7 +128,7 @@ std::string draw_line(ChoiceSource& choices) {
 }
 
 /// Any line as the answer of a plug-in: a fault with a name, or a sensible answer.
-Check check_plugin_line(ChoiceSource& choices) {
+Check check_plugin_line(Draw& choices) {
   constexpr std::size_t kLongest = 1 << 12;
   constexpr std::uint64_t kQuestion = 7;
   const double t_max = std::abs(choices.finite_double());

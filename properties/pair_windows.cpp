@@ -83,7 +83,7 @@ class Follower final : public ExclusionObserver {
   std::string wrong_;
 };
 
-Check check_pair_windows(ChoiceSource& choices) {
+Check check_pair_windows(Draw& choices) {
   constexpr int kLevels = 4;
   const Result<Case> drawn = draw_contact(choices, ContactRange());
   if (!drawn) return Check::discarded(drawn.error().message());

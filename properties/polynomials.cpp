@@ -127,7 +127,7 @@ Rational least_of_quadratic(const Shape& shape, const Polynomial& quadratic) {
 }
 
 /// All terms up to a degree that the shape has, of small whole factors, and none of degree 0.
-Polynomial draw_terms(ChoiceSource& choices, const Shape& shape, int max_degree) {
+Polynomial draw_terms(Draw& choices, const Shape& shape, int max_degree) {
   constexpr int kLargest = 4;
   Polynomial drawn;
   for (int degree = 1; degree <= max_degree; ++degree) {
@@ -141,13 +141,13 @@ Polynomial draw_terms(ChoiceSource& choices, const Shape& shape, int max_degree)
 }
 
 /// From 1 down to where a sum with the numbers drawn here would be rounded in doubles.
-Rational draw_little(ChoiceSource& choices) {
+Rational draw_little(Draw& choices) {
   constexpr int kFinest = -60;
   return power_of_two(static_cast<long>(choices.integer(kFinest, 0)));
 }
 
 /// How far above 0 the least value is to be.
-Rational draw_gap(ChoiceSource& choices, int least) {
+Rational draw_gap(Draw& choices, int least) {
   const auto units = static_cast<long>(choices.integer(least, 1));
   return units * draw_little(choices);
 }
@@ -162,7 +162,7 @@ Check decided_iff(const Shape& shape, const std::vector<Rational>& coefficients,
 }
 
 /// Of total degree at most 2 the decision is for certain, in whatever shape.
-Check check_quadratics(ChoiceSource& choices) {
+Check check_quadratics(Draw& choices) {
   constexpr int kMaxShapeDegree = 3;
   const Shape shape = draw_shape(choices, kMaxShapeDegree);
   Polynomial drawn = draw_terms(choices, shape, 2);
@@ -173,7 +173,7 @@ Check check_quadratics(ChoiceSource& choices) {
 }
 
 /// Nothing of any degree is ≥ 0 that is not so at a point of a lattice.
-Check check_negative_somewhere(ChoiceSource& choices) {
+Check check_negative_somewhere(Draw& choices) {
   constexpr int kMaxShapeDegree = 3, kSteps = 4;
   const Shape shape = draw_shape(choices, kMaxShapeDegree);
   Polynomial drawn = draw_terms(choices, shape, shape.n + shape.m);
@@ -194,7 +194,7 @@ Check check_negative_somewhere(ChoiceSource& choices) {
 
 /// A polynomial in one variable that is ≥ 0 on [0, 1], of whichever kind is_nonnegative promises
 /// to see, by its coefficients.
-std::vector<Rational> draw_row(ChoiceSource& choices, int degree) {
+std::vector<Rational> draw_row(Draw& choices, int degree) {
   constexpr int kLargest = 4;
   if (degree < 2 || choices.coin()) {
     std::vector<Rational> row;
@@ -211,7 +211,7 @@ std::vector<Rational> draw_row(ChoiceSource& choices, int degree) {
 }
 
 /// Rows that are ≥ 0 along u, v or, on a triangle, its third edge.
-Check check_rows(ChoiceSource& choices) {
+Check check_rows(Draw& choices) {
   constexpr int kMostDegree = 4;
   const bool triangle = choices.coin();
   const auto n = static_cast<int>(choices.integer(1, kMostDegree));

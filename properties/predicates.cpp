@@ -13,7 +13,7 @@ namespace {
 
 /// Lines in the order of their slopes, `count` of them in turn from a drawn place; nothing if there
 /// are not so many.
-std::vector<Line<double>> draw_sorted(ChoiceSource& choices, std::size_t count,
+std::vector<Line<double>> draw_sorted(Draw& choices, std::size_t count,
                                       const std::vector<Line<double>>& from) {
   if (from.size() < count) return {};
   const Lines<double> sorted = sorted_lines(from);
@@ -37,7 +37,7 @@ Check failure(const std::vector<Line<double>>& lines, const char* what) {
 }
 
 /// Eq. 13, both inequalities. Lines gamma − 1, gamma, alpha by rising slope.
-Check check_eps_Phi(ChoiceSource& choices) {
+Check check_eps_Phi(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const auto lines = draw_sorted(choices, 3, pairs.f);
   if (lines.empty()) return Check::discarded("fewer than three lines");
@@ -51,7 +51,7 @@ Check check_eps_Phi(ChoiceSource& choices) {
 }
 
 /// Eqs. 14 and 15: the end value of two lines, t = tL or tU.
-Check check_eps_end(ChoiceSource& choices) {
+Check check_eps_end(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const auto lines = draw_sorted(choices, 2, pairs.f);
   if (lines.empty()) return Check::discarded("fewer than two lines");
@@ -80,7 +80,7 @@ struct PsiMin {
 
 /// C.1 for Psi_min, with the bound's last factor as printed, |b_(alpha+1) − b_(beta+1)|, or as the
 /// predicate has it, |b_alpha − b_(beta+1)|. Psi_max is the same with the roles exchanged.
-Check eps_psi_min_holds(ChoiceSource& choices, bool as_printed) {
+Check eps_psi_min_holds(Draw& choices, bool as_printed) {
   const LinePairs pairs = draw_line_pairs(choices);
   const auto f = draw_sorted(choices, 2, pairs.f);
   std::vector<Line<double>> lower = pairs.g;  // of the negated lines
@@ -103,7 +103,7 @@ Check eps_psi_min_holds(ChoiceSource& choices, bool as_printed) {
 
 /// A predicate that a policy takes for negative is negative, and the bound that it computes in
 /// doubles is no less than the exact one. `scale`: the power of two on all intercepts and slopes.
-Check decisions_are_conservative(ChoiceSource& choices, int scale) {
+Check decisions_are_conservative(Draw& choices, int scale) {
   const LinePairs pairs = draw_line_pairs(choices);
   auto lines = draw_sorted(choices, 3, pairs.f);
   if (lines.empty()) return Check::discarded("fewer than three lines");
@@ -141,18 +141,18 @@ std::vector<Property> predicate_properties() {
       {"paper.eps_phi", "Phi at t^L and phi at t^U are off by at most their eps", "Eqs. 14 and 15",
        kHolds, check_eps_end},
       {"paper.eps_Psi", "Psi_max and Psi_min are off by at most eps_Psi of their own operands",
-       "Eq. 17, Appendix C.1", kHolds, [](ChoiceSource& c) { return eps_psi_min_holds(c, false); }},
+       "Eq. 17, Appendix C.1", kHolds, [](Draw& c) { return eps_psi_min_holds(c, false); }},
       {"paper.eps_Psi_min_as_printed", "Psi_min is off by at most eps_Psi_min as printed",
        "Appendix C.1, with |b_(alpha+1) - b_(beta+1)|", kFails,
-       [](ChoiceSource& c) { return eps_psi_min_holds(c, true); }},
+       [](Draw& c) { return eps_psi_min_holds(c, true); }},
       {"tdibm-e.conservative_decisions",
        "A predicate that counts as negative is negative, and its computed bound is no less than "
        "the exact one",
        "Sections 4.4 to 4.6, Appendix B", kHolds,
-       [](ChoiceSource& c) { return decisions_are_conservative(c, 0); }},
+       [](Draw& c) { return decisions_are_conservative(c, 0); }},
       {"tdibm-e.conservative_decisions_underflow", "The same of lines about 2^-530",
        "Section 4.6, which does not exclude underflow", kFails,
-       [](ChoiceSource& c) { return decisions_are_conservative(c, -530); }},
+       [](Draw& c) { return decisions_are_conservative(c, -530); }},
   };
 }
 

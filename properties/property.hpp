@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -56,10 +56,10 @@ struct Property {
   std::string_view source;
   Expectation expected = Expectation::kHolds;
   /// Draws an input and checks the claim on it. The same choices give the same result.
-  Check (*check)(ChoiceSource&) = nullptr;
+  Check (*check)(Draw&) = nullptr;
 };
 
 /// property.check, where an exception is a failure: what drivers call.
-Check run(const Property& property, ChoiceSource& choices);
+Check run(const Property& property, Draw& choices);
 
 }  // namespace ccdfuzz

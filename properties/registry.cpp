@@ -75,37 +75,35 @@ std::vector<Property> no_false_negative_properties() {
   return {
       {"tdibm.no_false_negative", "No proven contact is missed, and none reported late",
        "Section 3, in double arithmetic", kFails,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm", kOrdinary, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm", kOrdinary, c); }},
       {"tdibm-e.no_false_negative",
        "No proven contact is missed, and none reported late, where nothing underflows",
        "Section 4.6", kHolds,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-e", kOrdinary, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-e", kOrdinary, c); }},
       {"tdibm-e.no_false_negative_underflow",
        "No proven contact is missed, and none reported late, for coordinates about 2^-535",
        "Section 4.6, which does not exclude underflow", kFails,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-e", kTiny, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-e", kTiny, c); }},
       {"tdibm-e-literal.no_false_negative",
        "No proven contact is missed, and none reported late, where nothing underflows",
        "Section 4.6, with eps_Phi's sign as printed", kFails,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-e-literal", kOrdinary, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-e-literal", kOrdinary, c); }},
       {"tdibm-rational.no_false_negative", "No proven contact is missed, and none reported late",
        "exact arithmetic", kHolds,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-rational", kOrdinary, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-rational", kOrdinary, c); }},
       {"tdibm-c.no_false_negative", "No proven contact is missed, and none reported late",
        "src/ccd/certified/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kOrdinary, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-c", kOrdinary, c); }},
       {"tdibm-c.no_false_negative_underflow",
        "No proven contact is missed, and none reported late, for coordinates about 2^-535",
        "src/ccd/certified/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kTiny, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-c", kTiny, c); }},
       {"tdibm-c.no_false_negative_anywhere",
        "No proven contact is missed, and none reported late, for coordinates from 2^-1000 to "
        "2^900, "
        "degrees up to 5 and the default precision",
        "src/ccd/certified/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) {
-         return check_no_false_negative("tdibm-c", kAnywhere, c, kFullSearch);
-       }},
+       [](Draw& c) { return check_no_false_negative("tdibm-c", kAnywhere, c, kFullSearch); }},
   };
 }
 

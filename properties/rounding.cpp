@@ -11,7 +11,7 @@ namespace ccdfuzz {
 namespace {
 
 /// 0, or 2^-40 to 2^80 in magnitude, with up to 53 bits: no product of a few leaves the range.
-double draw_ordinary(ChoiceSource& choices) {
+double draw_ordinary(Draw& choices) {
   constexpr int kBits = 53;
   const auto exponent = static_cast<long>(choices.integer(-40, 27));
   return *choices.dyadic(kBits, exponent).to_double_exactly();
@@ -45,17 +45,17 @@ Check operations_round_within_eps(double a, double b, Strictness strictness) {
   return Check::holds();
 }
 
-Check check_rounding_as_printed(ChoiceSource& choices) {
+Check check_rounding_as_printed(Draw& choices) {
   const double a = draw_ordinary(choices), b = draw_ordinary(choices);
   return operations_round_within_eps(a, b, Strictness::kAsPrinted);
 }
 
-Check check_rounding(ChoiceSource& choices) {
+Check check_rounding(Draw& choices) {
   const double a = draw_ordinary(choices), b = draw_ordinary(choices);
   return operations_round_within_eps(a, b, Strictness::kWithEquality);
 }
 
-Check check_rounding_anywhere(ChoiceSource& choices) {
+Check check_rounding_anywhere(Draw& choices) {
   const double a = choices.finite_double(), b = choices.finite_double();
   return operations_round_within_eps(a, b, Strictness::kWithEquality);
 }
@@ -72,7 +72,7 @@ struct Operand {
 
 /// From up to 4 numbers, up to 6 operations. `lowest`: no product becomes a multiple of less than
 /// 2^lowest.
-Check theorem_4_1_holds(ChoiceSource& choices, long exponent, long lowest) {
+Check theorem_4_1_holds(Draw& choices, long exponent, long lowest) {
   constexpr long kBits = 24, kMostTop = 900;
   std::vector<Operand> pool;
   for (std::int64_t n = choices.integer(2, 4); n > 0; --n) {
@@ -114,15 +114,15 @@ Check theorem_4_1_holds(ChoiceSource& choices, long exponent, long lowest) {
   return Check::holds();
 }
 
-Check check_theorem_4_1(ChoiceSource& choices) {
+Check check_theorem_4_1(Draw& choices) {
   return theorem_4_1_holds(choices, static_cast<long>(choices.integer(-40, 20)), -1000);
 }
 
-Check check_theorem_4_1_underflow(ChoiceSource& choices) {
+Check check_theorem_4_1_underflow(Draw& choices) {
   return theorem_4_1_holds(choices, -540, -1'000'000);
 }
 
-Check check_linear_bound(ChoiceSource& choices) {
+Check check_linear_bound(Draw& choices) {
   const double magnitude = std::abs(draw_ordinary(choices));
   const auto roundings = static_cast<int>(choices.integer(1, 100));
   const double bound = ErrorBoundIntended::bound(magnitude, roundings);
@@ -134,7 +134,7 @@ Check check_linear_bound(ChoiceSource& choices) {
 }
 
 /// nextafter above fl(x + e) is no less than x + e, and below fl(x − e) no more than x − e.
-Check check_nextafter_bounds(ChoiceSource& choices) {
+Check check_nextafter_bounds(Draw& choices) {
   const double x = choices.finite_double(), e = std::abs(choices.finite_double());
   const double up = next_up(x + e), down = next_down(x - e);
   const Dyadic exact_x = Dyadic::exact(x), exact_e = Dyadic::exact(e);
@@ -148,7 +148,7 @@ Check check_nextafter_bounds(ChoiceSource& choices) {
 }
 
 /// Appendix B calls that the smallest double that is greater than x + e.
-Check check_nextafter_is_smallest(ChoiceSource& choices) {
+Check check_nextafter_is_smallest(Draw& choices) {
   const double x = draw_ordinary(choices), e = std::abs(draw_ordinary(choices));
   const double up = next_up(x + e);
   if (Dyadic::exact(next_down(up)) <= Dyadic::exact(x) + Dyadic::exact(e)) return Check::holds();

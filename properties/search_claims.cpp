@@ -25,7 +25,7 @@ std::string summary(const Answer& answer) {
 
 /// A run that may take no more pops than n of the P of another: the same answer for n = P; for
 /// fewer, undecided after n pops, with a time that is no later than that of the hit.
-Check check_budget(ChoiceSource& choices) {
+Check check_budget(Draw& choices) {
   constexpr std::array kSearching = {"tdibm-c", "tdibm-rational", "tdibm-e", "tdibm", "trad"};
   constexpr SearchOptions kWhole = {0x1p-4, 60, SearchOptions().max_bytes};
   const char* name = choices.pick(kSearching);
@@ -48,7 +48,7 @@ Check check_budget(ChoiceSource& choices) {
 }
 
 /// Contacts within the first 2^-20 of the time step and less.
-Check check_long_time_step(ChoiceSource& choices) {
+Check check_long_time_step(Draw& choices) {
   Result<Case> drawn = draw_contact(choices, {});
   if (!drawn) return Check::discarded(drawn.error().message());
   const int longer = static_cast<int>(choices.integer(0, 30));
@@ -84,14 +84,13 @@ struct FirstContact {
   double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
 };
 
-Result<FirstContact> draw_first_contact(ChoiceSource& choices) {
+Result<FirstContact> draw_first_contact(Draw& choices) {
   const ContactClass contact = choices.pick(kContactClasses);
   OneSidedStyle style;
   style.contact_bits = 20, style.contact_unit = -16;
   style.max_flatness = 1;  // coarse boxes are no good
   style.t_max = choices.coin() ? Dyadic(2) : style.t;
-  Random random(choices.choose(~std::uint64_t{0}));
-  const Scene scene = one_sided_scene(contact, style, random);
+  const Scene scene = one_sided_scene(contact, style, choices);
   const auto query = to_query(scene);
   if (!query) return input_error("", "a number is not a double");
   FirstContact out{*query, *scene.contact.t.to_double_exactly()};
@@ -114,7 +113,7 @@ Result<FirstContact> draw_first_contact(ChoiceSource& choices) {
   return out;
 }
 
-Check check_not_early(ChoiceSource& choices) {
+Check check_not_early(Draw& choices) {
   const Result<FirstContact> drawn = draw_first_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
@@ -132,7 +131,7 @@ Check check_not_early(ChoiceSource& choices) {
 
 /// One of the patches is split: control points of parts are within those of the whole, and so are
 /// the boxes of their cells.
-Check check_split(ChoiceSource& choices) {
+Check check_split(Draw& choices) {
   const Result<FirstContact> drawn = draw_first_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
@@ -161,7 +160,7 @@ Check check_split(ChoiceSource& choices) {
 }
 
 /// A parallelogram, a triangle or a line by any degree: parts of it have the same axes.
-MovingPatch<double> draw_affine_patch(ChoiceSource& choices) {
+MovingPatch<double> draw_affine_patch(Draw& choices) {
   const auto draw_vector = [&](int bits) {
     Vec3<double> v;
     const std::int64_t most = (std::int64_t{1} << bits) - 1;
@@ -185,7 +184,7 @@ MovingPatch<double> draw_affine_patch(ChoiceSource& choices) {
 
 /// The optimised form of a method, which keeps what it has of parts, on patches whose parts are all
 /// alike.
-Check check_optimised_alike(ChoiceSource& choices) {
+Check check_optimised_alike(Draw& choices) {
   const std::string name = choices.pick(std::array{"tdibm", "tdibm-e", "tdibm-h:1e-12"});
   constexpr SearchOptions kWhole = {0x1p-5, 100, SearchOptions().max_bytes};
   Case asked;
@@ -230,12 +229,12 @@ std::vector<Property> search_properties() {
       {"tdibm-c.no_false_negative_fine",
        "No proven contact is missed, and none reported late, for coordinates of many bits",
        "src/ccd/certified/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-c", kFine, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-c", kFine, c); }},
       {"tdibm-rational.no_false_negative_fine",
        "No proven contact is missed, and none reported late, for coordinates of many bits and "
        "contacts about the ends of windows",
        "src/ccd/rational/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) { return check_no_false_negative("tdibm-rational", kFine, c); }},
+       [](Draw& c) { return check_no_false_negative("tdibm-rational", kFine, c); }},
   };
 }
 

@@ -14,7 +14,7 @@ namespace ccdfuzz {
 namespace {
 
 /// eps_constr = t·eps_a + eps_b + eps_arith.
-Check check_eps_constr(ChoiceSource& choices) {
+Check check_eps_constr(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const Lines<double> sorted = sorted_lines(pairs.f);
   CoefficientError error;
@@ -37,7 +37,7 @@ Check check_eps_constr(ChoiceSource& choices) {
 
 /// Section 4.5: an end of a separated interval is where the envelopes meet that were pulled apart
 /// by I·delta each, I the steps from the end that the sweep began at, or further inward.
-Check check_pulled_roots(ChoiceSource& choices) {
+Check check_pulled_roots(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const Lines<double> f = sorted_lines(pairs.f), g = sorted_lines(pairs.g);
   const auto draw_index = [&](const Lines<double>& lines) {

@@ -23,7 +23,7 @@ struct ProvenContact {
   std::string tree;
 };
 
-Result<ProvenContact> draw_proven_contact(ChoiceSource& choices) {
+Result<ProvenContact> draw_proven_contact(Draw& choices) {
   Result<Case> drawn = draw_contact(choices, {-2, 2, 2});
   if (!drawn) return tl::unexpected(drawn.error());
   OracleOptions little;
@@ -37,7 +37,7 @@ Result<ProvenContact> draw_proven_contact(ChoiceSource& choices) {
 }
 
 /// A number that is another, nearly another, or any.
-Rational draw_number(ChoiceSource& choices, const Rational& model) {
+Rational draw_number(Draw& choices, const Rational& model) {
   switch (choices.choose(3)) {
     case 0:
       return model;
@@ -51,13 +51,13 @@ Rational draw_number(ChoiceSource& choices, const Rational& model) {
 }
 
 /// `contact` or later.
-Rational draw_late(ChoiceSource& choices, const Rational& contact) {
+Rational draw_late(Draw& choices, const Rational& contact) {
   if (choices.coin()) return contact;
   return contact + abs(choices.dyadic(8, static_cast<long>(choices.integer(-60, 2)))).rational();
 }
 
 /// A tree that is another with some of its bytes changed, or any bytes.
-std::string draw_tree(ChoiceSource& choices, const std::string& model) {
+std::string draw_tree(Draw& choices, const std::string& model) {
   constexpr std::size_t kLongest = 400;
   if (model.empty() || choices.choose(3) == 0) return choices.text(kLongest);
   std::string tree = model;
@@ -69,7 +69,7 @@ std::string draw_tree(ChoiceSource& choices, const std::string& model) {
 }
 
 /// No tree covers the time of a contact.
-Check check_wrong_tree(ChoiceSource& choices) {
+Check check_wrong_tree(Draw& choices) {
   const auto drawn = draw_proven_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const Rational until = draw_late(choices, *drawn->known.truth.contact_by());
@@ -82,7 +82,7 @@ Check check_wrong_tree(ChoiceSource& choices) {
 }
 
 /// No plane separates up to after a contact.
-Check check_wrong_plane(ChoiceSource& choices) {
+Check check_wrong_plane(Draw& choices) {
   const auto drawn = draw_proven_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const Truth& truth = drawn->known.truth;
@@ -102,7 +102,7 @@ Check check_wrong_plane(ChoiceSource& choices) {
                                   to_text(plane.offset), to_json(drawn->known)));
 }
 
-double draw_double_like(ChoiceSource& choices, double model) {
+double draw_double_like(Draw& choices, double model) {
   switch (choices.choose(3)) {
     case 0:
       return model;
@@ -116,7 +116,7 @@ double draw_double_like(ChoiceSource& choices, double model) {
 }
 
 /// No box holds a contact at a time that is proven to be clear.
-Check check_wrong_box(ChoiceSource& choices) {
+Check check_wrong_box(Draw& choices) {
   const auto drawn = draw_proven_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const Truth& truth = drawn->known.truth;
@@ -149,7 +149,7 @@ Check check_wrong_box(ChoiceSource& choices) {
 
 /// Certificates in texts that are almost case files: read, checked, and where all is accepted, at
 /// one with each other.
-Check check_wrong_texts(ChoiceSource& choices) {
+Check check_wrong_texts(Draw& choices) {
   const auto drawn = draw_proven_contact(choices);
   if (!drawn) return Check::discarded(drawn.error().message());
   const std::string text = draw_spoilt_text(choices, to_json(drawn->known));

@@ -96,7 +96,7 @@ std::optional<Separation<double>> literal_separation(const Policy& policy, const
 }
 
 /// Half of the windows begin or end where two lines cross, up to a few floats.
-void draw_window(ChoiceSource& choices, LinePairs& pairs) {
+void draw_window(Draw& choices, LinePairs& pairs) {
   const Line<double> x = pairs.f[choices.choose(pairs.f.size() - 1)];
   const Line<double> y = pairs.g[choices.choose(pairs.g.size() - 1)];
   const double slope = x.slope + y.slope;
@@ -108,7 +108,7 @@ void draw_window(ChoiceSource& choices, LinePairs& pairs) {
 }
 
 /// To where products of two of their numbers are subnormal or 0.
-void make_tiny(ChoiceSource& choices, LinePairs& pairs) {
+void make_tiny(Draw& choices, LinePairs& pairs) {
   const int scale = static_cast<int>(choices.integer(-545, -530));
   for (auto* lines : {&pairs.f, &pairs.g}) {
     for (Line<double>& line : *lines) {
@@ -161,7 +161,7 @@ Check lists_follow(const LinePairs& pairs) {
   return follows_the_equations(Plain(), lists, pairs.window);
 }
 
-Check check_step_three(ChoiceSource& choices) {
+Check check_step_three(Draw& choices) {
   LinePairs pairs = draw_line_pairs(choices);
   draw_window(choices, pairs);
   const double error = std::ldexp(static_cast<double>(choices.integer(0, 255)),

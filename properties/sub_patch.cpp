@@ -43,7 +43,7 @@ Check sub_patch_is_the_restriction(const Shape& shape, const Points<Dyadic>& poi
       to_text(global)));
 }
 
-Check check_sub_patch_is_the_restriction(ChoiceSource& choices) {
+Check check_sub_patch_is_the_restriction(Draw& choices) {
   constexpr int kDegree = 5;  // the cost of exact tensor patches grows with its sixth power
   const Shape shape = draw_shape(choices, kDegree);
   const Cell cell = draw_cell(choices, shape, 8);

@@ -11,6 +11,6 @@ namespace ccdfuzz {
 Check sub_patch_is_the_restriction(const Shape& shape, const Points<Dyadic>& points,
                                    const Cell& cell, const Uv<Dyadic>& uv);
 
-Check check_sub_patch_is_the_restriction(ChoiceSource& choices);
+Check check_sub_patch_is_the_restriction(Draw& choices);
 
 }  // namespace ccdfuzz

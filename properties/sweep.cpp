@@ -27,7 +27,7 @@ struct Envelopes {
 
 /// Half of the windows begin where the first two lines cross or end where the last two do, up to a
 /// few floats: there Eqs. 7, 8b and 9b are hard to judge.
-Envelopes draw_envelopes(ChoiceSource& choices) {
+Envelopes draw_envelopes(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const ErrorBoundIntended policy;
   Envelopes drawn;
@@ -85,7 +85,7 @@ Walk walk(const Envelopes& e) {
 /// Eq. 18: where Psi_max < 0 in truth and the computed one is not below −eps, and the next line of
 /// f is still less steep than that of g, then the crossing with f's next line, of envelopes pulled
 /// apart by delta each, is no earlier than the crossing that was missed.
-Check check_eq_18(ChoiceSource& choices) {
+Check check_eq_18(Draw& choices) {
   const LinePairs pairs = draw_line_pairs(choices);
   const Lines<double> f = sorted_lines(pairs.f);
   if (f.size() < 2) return Check::discarded("one line");
@@ -112,7 +112,7 @@ Check check_eq_18(ChoiceSource& choices) {
 
 /// C.3: at every pair of the path but the last, "the situation corresponds to case 1", in Fig. 3
 /// c_beta > c_(alpha+1). That is so of the line that the step goes on to, alpha + 1 or beta + 1.
-Check check_path_is_case_1(ChoiceSource& choices) {
+Check check_path_is_case_1(Draw& choices) {
   const Envelopes e = draw_envelopes(choices);
   if (policy_starts_below(e)) return Check::discarded("no sweep");
   const Walk path = walk(e);
@@ -127,7 +127,7 @@ Check check_path_is_case_1(ChoiceSource& choices) {
 }
 
 /// Section 4.5: where Eq. 7 is wrongly judged and f + g does not fall, the sweep ends at once.
-Check check_eq_7_terminates(ChoiceSource& choices) {
+Check check_eq_7_terminates(Draw& choices) {
   const Envelopes e = draw_envelopes(choices);
   if (policy_starts_below(e)) return Check::discarded("below from the start");
   if (exact_sum(e.f[0], e.g[0], 0).slope.sign() < 0) return Check::discarded("it falls");
@@ -137,7 +137,7 @@ Check check_eq_7_terminates(ChoiceSource& choices) {
 
 /// Section 4.5: where Eq. 7 is wrongly judged and f + g falls, the end found is not before t^L,
 /// from which on they are separated.
-Check check_eq_7_clamped(ChoiceSource& choices) {
+Check check_eq_7_clamped(Draw& choices) {
   const Envelopes e = draw_envelopes(choices);
   if (exact_sum(e.f[0], e.g[0], e.window.lo).value().sign() >= 0 || policy_starts_below(e)) {
     return Check::discarded("judged rightly");
@@ -148,7 +148,7 @@ Check check_eq_7_clamped(ChoiceSource& choices) {
 }
 
 /// Section 4.5: a wrong judgement of Eq. 8b or 9b leads to no interval.
-Check check_eq_8b_9b_omit(ChoiceSource& choices) {
+Check check_eq_8b_9b_omit(Draw& choices) {
   const Envelopes e = draw_envelopes(choices);
   if (policy_starts_below(e) || !walk(e).missed_at_end) return Check::discarded("judged rightly");
   return separation(ErrorBoundIntended(), e.f, e.g, e.window) ? e.fails("an interval was found")

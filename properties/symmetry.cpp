@@ -137,7 +137,7 @@ Uv<Rational> local_parameters(const Shape& shape, const Cell& cell, const Uv<Rat
   return local;
 }
 
-bool cut(Case& value, std::size_t side, ChoiceSource& choices) {
+bool cut(Case& value, std::size_t side, Draw& choices) {
   MovingPatch<double>& patch = value.query.patches[side];
   Uv<Rational>& uv = value.truth.witness->uv[side];
   Cell cell;
@@ -172,7 +172,7 @@ std::string_view name_of(Symmetry symmetry) {
   return kNames[static_cast<std::size_t>(symmetry)];
 }
 
-std::optional<Case> transformed(const Case& value, Symmetry symmetry, ChoiceSource& choices) {
+std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choices) {
   Case out = value;
   out.truth = Truth();
   out.truth.collides = true;

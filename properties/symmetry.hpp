@@ -5,7 +5,7 @@
 
 #include "bezier/cell.hpp"
 #include "case/case.hpp"
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -37,6 +37,6 @@ std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, c
 
 /// The case after a drawn change of this kind, its truth being the witness alone. Nothing if some
 /// number of it is not a double then. Requires a witness with dyadic parameters.
-std::optional<Case> transformed(const Case& value, Symmetry symmetry, ChoiceSource& choices);
+std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choices);
 
 }  // namespace ccdfuzz

@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 namespace {
 
-Check no_contact_is_lost(const char* method, const ContactRange& range, ChoiceSource& choices) {
+Check no_contact_is_lost(const char* method, const ContactRange& range, Draw& choices) {
   const Result<Case> drawn = draw_contact(choices, range);
   if (!drawn) return Check::discarded(drawn.error().message());
   const auto tracer = *make_tracer(method);
@@ -33,17 +33,17 @@ std::vector<Property> traced_properties() {
   constexpr const char* kClaim = "No pair of boxes that holds a contact is dropped on the way";
   return {
       {"tdibm.trace", kClaim, "Section 3, in double arithmetic", kFails,
-       [](ChoiceSource& c) { return no_contact_is_lost("tdibm", kOrdinaryTrace, c); }},
+       [](Draw& c) { return no_contact_is_lost("tdibm", kOrdinaryTrace, c); }},
       {"tdibm-e.trace", kClaim, "Section 4.6", kHolds,
-       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-e", kOrdinaryTrace, c); }},
+       [](Draw& c) { return no_contact_is_lost("tdibm-e", kOrdinaryTrace, c); }},
       {"tdibm-e.trace_underflow", kClaim, "Section 4.6, for coordinates about 2^-535", kFails,
-       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-e", kTinyTrace, c); }},
+       [](Draw& c) { return no_contact_is_lost("tdibm-e", kTinyTrace, c); }},
       {"tdibm-e-literal.trace", kClaim, "Section 4.6, with eps_Phi's sign as printed", kFails,
-       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-e-literal", kOrdinaryTrace, c); }},
+       [](Draw& c) { return no_contact_is_lost("tdibm-e-literal", kOrdinaryTrace, c); }},
       {"tdibm-rational.trace", kClaim, "exact arithmetic", kHolds,
-       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-rational", kWideTrace, c); }},
+       [](Draw& c) { return no_contact_is_lost("tdibm-rational", kWideTrace, c); }},
       {"tdibm-c.trace", kClaim, "src/ccd/certified/DERIVATION.md", kHolds,
-       [](ChoiceSource& c) { return no_contact_is_lost("tdibm-c", kWideTrace, c); }},
+       [](Draw& c) { return no_contact_is_lost("tdibm-c", kWideTrace, c); }},
   };
 }
 

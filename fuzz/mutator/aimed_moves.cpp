@@ -8,26 +8,26 @@ namespace {
 
 using Field = Points<double> MovingPatch<double>::*;
 
-MovingPatch<double>& any_patch(WitnessedQuery& q, Random& random) {
-  return q.query.patches[random.below(2)];
+MovingPatch<double>& any_patch(WitnessedQuery& q, Draw& draw) {
+  return q.query.patches[draw.below(2)];
 }
 
-Field any_field(Random& random) {
-  return random.coin() ? &MovingPatch<double>::positions : &MovingPatch<double>::velocities;
+Field any_field(Draw& draw) {
+  return draw.coin() ? &MovingPatch<double>::positions : &MovingPatch<double>::velocities;
 }
 
-Vec3<double>& any_point(Points<double>& points, Random& random) {
-  return points[random.below(points.size())];
+Vec3<double>& any_point(Points<double>& points, Draw& draw) {
+  return points[draw.below(points.size())];
 }
 
-int any_axis(Random& random) {
-  return static_cast<int>(random.below(3));
+int any_axis(Draw& draw) {
+  return static_cast<int>(draw.below(3));
 }
 
 /// x by up to four floats up or down.
-double beside(double x, Random& random) {
-  const double end = random.coin() ? HUGE_VAL : -HUGE_VAL;
-  for (std::uint64_t steps = random.below(5); steps > 0; --steps) x = std::nextafter(x, end);
+double beside(double x, Draw& draw) {
+  const double end = draw.coin() ? HUGE_VAL : -HUGE_VAL;
+  for (std::uint64_t steps = draw.below(5); steps > 0; --steps) x = std::nextafter(x, end);
   return x;
 }
 
@@ -47,104 +47,104 @@ bool is_finite(const Query& query) {
   return true;
 }
 
-bool made_whole(WitnessedQuery& q, Random& random) {
-  return is_finite(q.query) && repair(q, random);
+bool made_whole(WitnessedQuery& q, Draw& draw) {
+  return is_finite(q.query) && repair(q, draw);
 }
 
 }  // namespace
 
-bool nudge(WitnessedQuery& q, Random& random) {
-  for (std::uint64_t left = 1 + random.below(3); left > 0; --left) {
-    MovingPatch<double>& patch = any_patch(q, random);
-    Vec3<double>& p = any_point(patch.*any_field(random), random);
-    const int k = any_axis(random);
-    p[k] = beside(p[k], random);
+bool nudge(WitnessedQuery& q, Draw& draw) {
+  for (std::uint64_t left = 1 + draw.below(3); left > 0; --left) {
+    MovingPatch<double>& patch = any_patch(q, draw);
+    Vec3<double>& p = any_point(patch.*any_field(draw), draw);
+    const int k = any_axis(draw);
+    p[k] = beside(p[k], draw);
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool make_twins(WitnessedQuery& q, Random& random) {
-  const Field field = any_field(random);
-  const Vec3<double> model = any_point(any_patch(q, random).*field, random);
-  Vec3<double>& p = any_point(any_patch(q, random).*field, random);
-  const bool one_axis_only = random.coin();
-  const int axis = any_axis(random);
+bool make_twins(WitnessedQuery& q, Draw& draw) {
+  const Field field = any_field(draw);
+  const Vec3<double> model = any_point(any_patch(q, draw).*field, draw);
+  Vec3<double>& p = any_point(any_patch(q, draw).*field, draw);
+  const bool one_axis_only = draw.coin();
+  const int axis = any_axis(draw);
   for (int k = 0; k < 3; ++k) {
-    if (!one_axis_only || k == axis) p[k] = beside(model[k], random);
+    if (!one_axis_only || k == axis) p[k] = beside(model[k], draw);
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool align_edge(WitnessedQuery& q, Random& random) {
-  MovingPatch<double>& patch = any_patch(q, random);
-  const size_t i = random.below(patch.positions.size()), j = random.below(patch.positions.size());
-  const int axis = any_axis(random);
+bool align_edge(WitnessedQuery& q, Draw& draw) {
+  MovingPatch<double>& patch = any_patch(q, draw);
+  const size_t i = draw.below(patch.positions.size()), j = draw.below(patch.positions.size());
+  const int axis = any_axis(draw);
   if (i == j) return false;
   for (int k = 0; k < 3; ++k) {
     if (k == axis) continue;
     patch.positions[i][k] = patch.positions[j][k];
     patch.velocities[i][k] = patch.velocities[j][k];
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool flatten(WitnessedQuery& q, Random& random) {
-  Points<double>& points = any_patch(q, random).*any_field(random);
-  const int k = any_axis(random);
-  const double level = any_point(points, random)[k];
+bool flatten(WitnessedQuery& q, Draw& draw) {
+  Points<double>& points = any_patch(q, draw).*any_field(draw);
+  const int k = any_axis(draw);
+  const double level = any_point(points, draw)[k];
   for (Vec3<double>& p : points) p[k] = level;
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool collapse(WitnessedQuery& q, Random& random) {
-  MovingPatch<double>& patch = any_patch(q, random);
-  const size_t to = random.below(patch.positions.size());
-  const size_t first = random.below(patch.positions.size());
-  const size_t count = 1 + random.below(3);
+bool collapse(WitnessedQuery& q, Draw& draw) {
+  MovingPatch<double>& patch = any_patch(q, draw);
+  const size_t to = draw.below(patch.positions.size());
+  const size_t first = draw.below(patch.positions.size());
+  const size_t count = 1 + draw.below(3);
   for (size_t i = first; i < std::min(first + count, patch.positions.size()); ++i) {
     patch.positions[i] = patch.positions[to];
     patch.velocities[i] = patch.velocities[to];
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool snap_to_lattice(WitnessedQuery& q, Random& random) {
-  Points<double>& points = any_patch(q, random).*any_field(random);
-  const double size = any_point(points, random).cwiseAbs().maxCoeff();
+bool snap_to_lattice(WitnessedQuery& q, Draw& draw) {
+  Points<double>& points = any_patch(q, draw).*any_field(draw);
+  const double size = any_point(points, draw).cwiseAbs().maxCoeff();
   if (size == 0) return false;
-  const int unit = std::ilogb(size) - static_cast<int>(random.below(20));
-  if (random.coin()) {
+  const int unit = std::ilogb(size) - static_cast<int>(draw.below(20));
+  if (draw.coin()) {
     for (Vec3<double>& p : points) {
       for (int k = 0; k < 3; ++k) p[k] = on_lattice(p[k], unit);
     }
   } else {
-    Vec3<double>& p = any_point(points, random);
+    Vec3<double>& p = any_point(points, draw);
     for (int k = 0; k < 3; ++k) p[k] = on_lattice(p[k], unit);
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool stop_motion(WitnessedQuery& q, Random& random) {
-  const size_t s = random.below(2);
+bool stop_motion(WitnessedQuery& q, Draw& draw) {
+  const size_t s = draw.below(2);
   const Vec3<double> velocity =
-      random.coin() ? any_point(q.query.patches[s].velocities, random) : Vec3<double>(0, 0, 0);
-  const bool both = random.coin();
+      draw.coin() ? any_point(q.query.patches[s].velocities, draw) : Vec3<double>(0, 0, 0);
+  const bool both = draw.coin();
   for (size_t side = 0; side < 2; ++side) {
     if (side != s && !both) continue;
     for (Vec3<double>& v : q.query.patches[side].velocities) v = velocity;
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
-bool stretch(WitnessedQuery& q, Random& random) {
-  Vec3<double>& p = any_point(any_patch(q, random).*any_field(random), random);
-  const int exponent = static_cast<int>(random.between(-40, 20));
-  const bool one_axis_only = random.coin();
-  const int axis = any_axis(random);
+bool stretch(WitnessedQuery& q, Draw& draw) {
+  Vec3<double>& p = any_point(any_patch(q, draw).*any_field(draw), draw);
+  const int exponent = static_cast<int>(draw.integer(-40, 20));
+  const bool one_axis_only = draw.coin();
+  const int axis = any_axis(draw);
   for (int k = 0; k < 3; ++k) {
     if (!one_axis_only || k == axis) p[k] = std::ldexp(p[k], exponent);
   }
-  return made_whole(q, random);
+  return made_whole(q, draw);
 }
 
 }  // namespace ccdfuzz

@@ -9,28 +9,28 @@ namespace ccdfuzz {
 /// not exact, or there is nothing to do; the query is then to be thrown away.
 
 /// A few coordinates or velocities by a few floats.
-bool nudge(WitnessedQuery& q, Random& random);
+bool nudge(WitnessedQuery& q, Draw& draw);
 
 /// A control point's velocity, or position, that of another one but for a few floats: nearly equal
 /// slopes or intercepts, nearly parallel lines.
-bool make_twins(WitnessedQuery& q, Random& random);
+bool make_twins(WitnessedQuery& q, Draw& draw);
 
 /// Two control points of a patch with two coordinates in common: an edge along an axis.
-bool align_edge(WitnessedQuery& q, Random& random);
+bool align_edge(WitnessedQuery& q, Draw& draw);
 
 /// All of a patch in one coordinate plane, or all of its velocities.
-bool flatten(WitnessedQuery& q, Random& random);
+bool flatten(WitnessedQuery& q, Draw& draw);
 
 /// One to three control points that follow each other, onto another one, and moving with it.
-bool collapse(WitnessedQuery& q, Random& random);
+bool collapse(WitnessedQuery& q, Draw& draw);
 
 /// Coordinates rounded to few bits.
-bool snap_to_lattice(WitnessedQuery& q, Random& random);
+bool snap_to_lattice(WitnessedQuery& q, Draw& draw);
 
 /// Velocities to zero, or both patches' velocities to one.
-bool stop_motion(WitnessedQuery& q, Random& random);
+bool stop_motion(WitnessedQuery& q, Draw& draw);
 
 /// A control point's coordinates or velocity far larger or smaller than the others'.
-bool stretch(WitnessedQuery& q, Random& random);
+bool stretch(WitnessedQuery& q, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -127,8 +127,8 @@ std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> b
     }
     if (!q.query.patches[s].shape.contains(q.uv[s])) return std::nullopt;
   }
-  Random random(bytes.size());  // any way that is exact will do, and always the same
-  if (!repair(q, random)) return std::nullopt;
+  Draw draw{Random(bytes.size())};  // any way that is exact will do, and always the same
+  if (!repair(q, draw)) return std::nullopt;
   return q;
 }
 

@@ -10,8 +10,8 @@ namespace ccdfuzz {
 
 namespace {
 
-int random_side(Random& random) {
-  return static_cast<int>(random.below(2));
+int random_side(Draw& draw) {
+  return static_cast<int>(draw.below(2));
 }
 
 Vec3<Dyadic> times(const Vec3<Dyadic>& v, const Dyadic& factor) {
@@ -20,13 +20,13 @@ Vec3<Dyadic> times(const Vec3<Dyadic>& v, const Dyadic& factor) {
 
 }  // namespace
 
-bool shift_in_null_space(WitnessedQuery& q, Random& random) {
-  const int side = random_side(random);
+bool shift_in_null_space(WitnessedQuery& q, Draw& draw) {
+  const int side = random_side(draw);
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
-  Points<double>& points = random.coin() ? patch.positions : patch.velocities;
+  Points<double>& points = draw.coin() ? patch.positions : patch.velocities;
   const std::vector<Dyadic> weights = q.weights(side);
-  const size_t i = random.below(points.size()), j = random.below(points.size());
-  const Vec3<Dyadic> by = small_vector(points, random);
+  const size_t i = draw.below(points.size()), j = draw.below(points.size());
+  const Vec3<Dyadic> by = small_vector(points, draw);
   if (weights[i].sign() == 0) return add_exactly(points[i], by);
   if (i == j || weights[j].sign() == 0) return false;
   // Their common power of two serves nothing but to need bits.
@@ -35,25 +35,25 @@ bool shift_in_null_space(WitnessedQuery& q, Random& random) {
          add_exactly(points[j], times(by, -weights[i].scaled(-unit)));
 }
 
-bool trade_position_for_velocity(WitnessedQuery& q, Random& random) {
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(random_side(random))];
-  const size_t i = random.below(patch.positions.size());
-  const Vec3<Dyadic> by = small_vector(patch.velocities, random);
+bool trade_position_for_velocity(WitnessedQuery& q, Draw& draw) {
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(random_side(draw))];
+  const size_t i = draw.below(patch.positions.size());
+  const Vec3<Dyadic> by = small_vector(patch.velocities, draw);
   return add_exactly(patch.velocities[i], by) && add_exactly(patch.positions[i], times(by, -q.t));
 }
 
-bool change_coordinates(WitnessedQuery& q, Random& random) {
+bool change_coordinates(WitnessedQuery& q, Draw& draw) {
   constexpr int kFarthest = 40;  // 2^40 sizes of a patch away; more seldom fits into doubles
   Similarity change;
   const auto far_vector = [&](const Points<double>& points) {
-    const int size = size_exponent(points) + static_cast<int>(random.between(-20, kFarthest));
+    const int size = size_exponent(points) + static_cast<int>(draw.integer(-20, kFarthest));
     Vec3<double> v;
     for (int k = 0; k < 3; ++k) {
-      v[k] = std::ldexp(static_cast<double>(random.between(-3, 3)), size);
+      v[k] = std::ldexp(static_cast<double>(draw.integer(-3, 3)), size);
     }
     return v;
   };
-  switch (random.below(5)) {
+  switch (draw.below(5)) {
     case 0:
       change.shift = far_vector(q.query.patches[0].positions);
       break;
@@ -61,13 +61,13 @@ bool change_coordinates(WitnessedQuery& q, Random& random) {
       change.drift = far_vector(q.query.patches[0].velocities);
       break;
     case 2:
-      change.space = static_cast<int>(random.between(-60, 60));
+      change.space = static_cast<int>(draw.integer(-60, 60));
       break;
     case 3:
-      change.time = static_cast<int>(random.between(-30, 30));
+      change.time = static_cast<int>(draw.integer(-30, 30));
       break;
     default:  // towards the ends of the range of doubles
-      change.space = static_cast<int>(random.between(-1000, 900));
+      change.space = static_cast<int>(draw.integer(-1000, 900));
       break;
   }
   const std::optional<Query> changed = similar(q.query, change);
@@ -77,28 +77,28 @@ bool change_coordinates(WitnessedQuery& q, Random& random) {
   return true;
 }
 
-bool reparametrise(WitnessedQuery& q, Random& random) {
-  if (random.below(4) == 0) {
+bool reparametrise(WitnessedQuery& q, Draw& draw) {
+  if (draw.below(4) == 0) {
     std::swap(q.query.patches[0], q.query.patches[1]);
     std::swap(q.uv[0], q.uv[1]);
     return true;
   }
-  const int side = random_side(random);
-  reparametrise_patch(q, side, random.next());
+  const int side = random_side(draw);
+  reparametrise_patch(q, side, draw.choose(~std::uint64_t{0}));
   return true;
 }
 
-bool elevate_degree(WitnessedQuery& q, Random& random) {
-  const int side = random_side(random);
-  return elevate_patch(q, side, random.coin());
+bool elevate_degree(WitnessedQuery& q, Draw& draw) {
+  const int side = random_side(draw);
+  return elevate_patch(q, side, draw.coin());
 }
 
-bool restrict_to_child(WitnessedQuery& q, Random& random) {
-  return restrict_patch(q, random_side(random));
+bool restrict_to_child(WitnessedQuery& q, Draw& draw) {
+  return restrict_patch(q, random_side(draw));
 }
 
-bool splice(WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
-  const size_t to = random.below(2), from = random.below(2);
+bool splice(WitnessedQuery& q, const WitnessedQuery& other, Draw& draw) {
+  const size_t to = draw.below(2), from = draw.below(2);
   MovingPatch<double> patch = other.query.patches[from];
   const Dyadic later = other.t - q.t;
   for (size_t i = 0; i < patch.positions.size(); ++i) {
@@ -108,15 +108,15 @@ bool splice(WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
   }
   q.query.patches[to] = std::move(patch);
   q.uv[to] = other.uv[from];
-  return repair(q, random);
+  return repair(q, draw);
 }
 
-bool change_horizon(WitnessedQuery& q, Random& random) {
+bool change_horizon(WitnessedQuery& q, Draw& draw) {
   const double t = q.t.rational().get_d();  // towards zero
   const double just_enough = Dyadic::exact(t) == q.t ? t : std::nextafter(t, HUGE_VAL);
   constexpr std::array kFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0, 16.0};
   const double t_max =
-      random.coin() ? just_enough * random.pick(kFactors) : std::nextafter(just_enough, HUGE_VAL);
+      draw.coin() ? just_enough * draw.pick(kFactors) : std::nextafter(just_enough, HUGE_VAL);
   if (!std::isfinite(t_max)) return false;
   q.query.t_max = t_max;
   return true;

@@ -8,9 +8,9 @@ namespace ccdfuzz {
 namespace {
 
 /// A move that looks at nothing but the query.
-template <bool (*move)(WitnessedQuery&, Random&)>
-bool alone(WitnessedQuery& q, const WitnessedQuery&, Random& random) {
-  return move(q, random);
+template <bool (*move)(WitnessedQuery&, Draw&)>
+bool alone(WitnessedQuery& q, const WitnessedQuery&, Draw& draw) {
+  return move(q, draw);
 }
 
 constexpr std::array kMoves = {
@@ -38,14 +38,14 @@ std::span<const Move> moves() {
   return kMoves;
 }
 
-WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Random& random) {
+WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Draw& draw) {
   constexpr std::size_t kMost = 4;
   // Where a single move is possible, so many draws have it kMost times in the mean.
   constexpr std::size_t kTries = kMost * kMoves.size();
   WitnessedQuery mutant = q, next = q;
-  std::uint64_t wanted = 1 + random.below(kMost);
+  std::uint64_t wanted = 1 + draw.below(kMost);
   for (std::size_t i = 0; i < kTries && wanted > 0; ++i) {
-    if (random.pick(kMoves).apply(next, other, random)) {
+    if (draw.pick(kMoves).apply(next, other, draw)) {
       mutant = next;
       --wanted;
     } else {

@@ -13,12 +13,12 @@ int size_exponent(const Points<double>& points) {
   return exponent;
 }
 
-Vec3<Dyadic> small_vector(const Points<double>& points, Random& random) {
+Vec3<Dyadic> small_vector(const Points<double>& points, Draw& draw) {
   constexpr int kBits = 3, kPrecision = 53;
-  const long unit = size_exponent(points) - kBits - static_cast<long>(random.below(kPrecision));
-  const bool along_an_axis = random.coin();
-  const std::uint64_t axis = random.below(3);
-  Vec3<Dyadic> v = random.vector(kBits, unit);
+  const long unit = size_exponent(points) - kBits - static_cast<long>(draw.below(kPrecision));
+  const bool along_an_axis = draw.coin();
+  const std::uint64_t axis = draw.below(3);
+  Vec3<Dyadic> v = draw.vector(kBits, unit);
   for (int k = 0; k < 3 && along_an_axis; ++k) {
     if (static_cast<std::uint64_t>(k) != axis) v[k] = Dyadic();
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "case/query.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -10,6 +10,6 @@ namespace ccdfuzz {
 int size_exponent(const Points<double>& points);
 
 /// A vector of few bits, from as large as the points down to their last bit; often along one axis.
-Vec3<Dyadic> small_vector(const Points<double>& points, Random& random);
+Vec3<Dyadic> small_vector(const Points<double>& points, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -76,14 +76,14 @@ bool shift_velocity(WitnessedQuery& q, int side, const Vec3<Dyadic>& by) {
   return k && shift_all(q.query.patches[static_cast<size_t>(side)].velocities, scaled(by, -*k));
 }
 
-bool shift_control(WitnessedQuery& q, int side, const Vec3<Dyadic>& by, Random& random) {
+bool shift_control(WitnessedQuery& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
   const std::vector<Dyadic> weights = q.weights(side);
   std::vector<size_t> movable;
   for (size_t i = 0; i < weights.size(); ++i) {
     if (exponent_of_power_of_two(weights[i])) movable.push_back(i);
   }
   if (movable.empty()) return false;
-  const size_t i = movable[random.below(movable.size())];
+  const size_t i = movable[draw.below(movable.size())];
   return add_exactly(q.query.patches[static_cast<size_t>(side)].positions[i],
                      scaled(by, -weights[i].exponent()));
 }
@@ -186,17 +186,17 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
   return true;
 }
 
-bool repair(WitnessedQuery& q, Random& random) {
+bool repair(WitnessedQuery& q, Draw& draw) {
   const Vec3<Dyadic> apart = q.contact(0) - q.contact(1);
   if (is_zero(apart)) return true;
   constexpr std::uint64_t kWays = 6;
-  const std::uint64_t first = random.below(kWays);
+  const std::uint64_t first = draw.below(kWays);
   for (std::uint64_t way = first; way < first + kWays; ++way) {
     WitnessedQuery whole = q;
     const int side = static_cast<int>(way % 2);
     const Vec3<Dyadic> by = side == 0 ? Vec3<Dyadic>(-apart) : apart;
     const std::uint64_t kind = way % kWays / 2;
-    if (kind == 0   ? shift_control(whole, side, by, random)
+    if (kind == 0   ? shift_control(whole, side, by, draw)
         : kind == 1 ? shift_patch(whole, side, by)
                     : shift_velocity(whole, side, by)) {
       q = std::move(whole);

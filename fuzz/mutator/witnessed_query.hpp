@@ -5,7 +5,7 @@
 
 #include "case/case.hpp"
 #include "case/taxonomy.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -45,6 +45,6 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
 
 /// Makes an edited query whole again: moves a patch, or a control point or the velocity of one,
 /// by what is between the two patches at the contact. Returns false if no way is exact.
-bool repair(WitnessedQuery& q, Random& random);
+bool repair(WitnessedQuery& q, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -21,13 +21,13 @@ inline rc::Gen<ChoiceNumbers> choices() {
   });
 }
 
-/// What `draw` makes of choices. Simpler choices draw simpler values, so its shrinks stay within
-/// what `draw` can make: every one is as exact as the value itself.
-template <class Draw>
-auto drawn(Draw draw) {
-  return rc::gen::map(choices(), [draw](const ChoiceNumbers& numbers) {
-    StoredChoices source(numbers);
-    return draw(source);
+/// What `make` makes of choices. Simpler choices draw simpler values, so its shrinks stay within
+/// what `make` can make: every one is as exact as the value itself.
+template <class Make>
+auto drawn(Make make) {
+  return rc::gen::map(choices(), [make](const ChoiceNumbers& numbers) {
+    Draw source = Draw::from_numbers(numbers);
+    return make(source);
   });
 }
 

@@ -10,7 +10,7 @@ namespace ccdfuzz::rc_gen {
 
 /// m·2^e with |m| < 2^bits, lowest ≤ e ≤ highest. Shrinks to fewer bits and to exponents nearer 0.
 inline rc::Gen<Dyadic> dyadic(int bits, int lowest, int highest) {
-  return drawn([=](ChoiceSource& c) {
+  return drawn([=](Draw& c) {
     const auto exponent = static_cast<long>(c.integer(lowest, highest));
     return c.dyadic(bits, exponent);
   });
@@ -18,7 +18,7 @@ inline rc::Gen<Dyadic> dyadic(int bits, int lowest, int highest) {
 
 /// Two doubles at most `reach` floats apart; the first has at most `bits` bits.
 inline rc::Gen<std::array<double, 2>> neighbours(int bits, int reach) {
-  return drawn([=](ChoiceSource& c) {
+  return drawn([=](Draw& c) {
     const double x = *c.dyadic(bits, -bits / 2).to_double_exactly();
     return std::array{x, c.nudged(x, reach)};
   });
@@ -26,7 +26,7 @@ inline rc::Gen<std::array<double, 2>> neighbours(int bits, int reach) {
 
 /// Control points of a shape on the lattice {−2, …, 2}³, most of them 0 once shrunk.
 inline rc::Gen<Points<Dyadic>> lattice_points(const Shape& shape) {
-  return drawn([shape](ChoiceSource& c) {
+  return drawn([shape](Draw& c) {
     Points<Dyadic> points(static_cast<std::size_t>(shape.control_count()));
     for (Vec3<Dyadic>& p : points) {
       for (int k = 0; k < 3; ++k) p[k] = Dyadic(static_cast<int>(c.integer(-2, 2)));
@@ -43,7 +43,7 @@ inline rc::Gen<LinePairs> line_pairs() {
 
 /// Two lines whose slopes differ by at most `reach` floats, and that cross near a time in [0, 4].
 inline rc::Gen<std::array<Line<double>, 2>> near_parallel_lines(int reach) {
-  return drawn([=](ChoiceSource& c) {
+  return drawn([=](Draw& c) {
     const double slope = std::ldexp(static_cast<double>(c.integer(-63, 63)), -2);
     const double other = c.nudged(slope, reach);
     const double t = std::ldexp(static_cast<double>(c.integer(0, 32)), -3);
@@ -60,7 +60,7 @@ struct NearConcurrent {
   double t = 0;
 };
 inline rc::Gen<NearConcurrent> near_concurrent_lines(int reach) {
-  return drawn([=](ChoiceSource& c) {
+  return drawn([=](Draw& c) {
     NearConcurrent out;
     out.t = std::ldexp(static_cast<double>(c.integer(0, 32)), -3);
     const double height = std::ldexp(static_cast<double>(c.integer(-63, 63)), -2);
@@ -79,7 +79,7 @@ struct DeepCell {
   Cell cell;
 };
 inline rc::Gen<DeepCell> deep_cell(int max_degree, int depth) {
-  return drawn([=](ChoiceSource& c) {
+  return drawn([=](Draw& c) {
     const Shape shape = draw_shape(c, max_degree);
     return DeepCell{shape, draw_cell(c, shape, depth)};
   });

@@ -24,9 +24,9 @@ Vec3<Dyadic> planar(const Planar& p) {
   return {p[0], p[1], Dyadic()};
 }
 
-Planar random_step(Random& random) {
+Planar random_step(Draw& draw) {
   Planar step;
-  for (Dyadic& x : step) x = random.dyadic(kStepBits, kStepUnit);
+  for (Dyadic& x : step) x = draw.lattice(kStepBits, kStepUnit);
   return step;
 }
 
@@ -51,7 +51,7 @@ long magnitude_exponent(const Dyadic& x) {
 }
 
 /// Changes each velocity by up to `ulps` of the patch's largest number in that coordinate.
-void add_noise(MovingPatch<Dyadic>& patch, int ulps, Random& random) {
+void add_noise(MovingPatch<Dyadic>& patch, int ulps, Draw& draw) {
   for (int k = 0; k < 3; ++k) {
     long top = 0;
     bool any = false;
@@ -65,7 +65,7 @@ void add_noise(MovingPatch<Dyadic>& patch, int ulps, Random& random) {
     // Positions are sums of two such numbers, one of them times t*, a half or 1: two bits more,
     // which are taken off here.
     for (Vec3<Dyadic>& v : patch.velocities) {
-      v[k] += Dyadic(static_cast<int>(random.between(-ulps, ulps)), top + 2 - 53);
+      v[k] += Dyadic(static_cast<int>(draw.integer(-ulps, ulps)), top + 2 - 53);
     }
   }
 }
@@ -87,12 +87,13 @@ MovingPlane plane_of(const ContactScene& scene, const Placement& placement,
 
 }  // namespace
 
-Points<Dyadic> flat_net(const Shape& shape, bool straight, Random& random) {
-  Planar along_u, along_v;
-  while ((along_u[0] * along_v[1] - along_u[1] * along_v[0]).sign() == 0) {
-    along_u = random_step(random);
-    along_v = random_step(random);
-  }
+Points<Dyadic> flat_net(const Shape& shape, bool straight, Draw& draw) {
+  const auto [along_u, along_v] = draw.until(
+      [&] {
+        const Planar first = random_step(draw);
+        return std::array{first, random_step(draw)};
+      },
+      [](const auto& uv) { return (uv[0][0] * uv[1][1] - uv[0][1] * uv[1][0]).sign() != 0; });
   const long shrink =
       std::bit_width(static_cast<unsigned>(std::max(1, std::max(shape.n, shape.m)))) - 1;
   Points<Dyadic> net;
@@ -101,15 +102,15 @@ Points<Dyadic> flat_net(const Shape& shape, bool straight, Random& random) {
                 along_u[1] * Dyadic(i) + along_v[1] * Dyadic(j)};
     for (Dyadic& x : p) {
       x = x.scaled(-shrink);
-      if (!straight) x += random.dyadic(kStepBits - 3, kStepUnit - shrink);
+      if (!straight) x += draw.lattice(kStepBits - 3, kStepUnit - shrink);
     }
     net.push_back(planar(p));
   });
   return net;
 }
 
-ContactSide flat_side(const Shape& shape, const Uv<Dyadic>& at, bool straight, Random& random) {
-  ContactSide side{shape, at, flat_net(shape, straight, random), {}};
+ContactSide flat_side(const Shape& shape, const Uv<Dyadic>& at, bool straight, Draw& draw) {
+  ContactSide side{shape, at, flat_net(shape, straight, draw), {}};
   centre(side);
   return side;
 }
@@ -127,12 +128,12 @@ void centre(ContactSide& side) {
   for (Vec3<Dyadic>& p : side.points) p -= planar({contact[0], contact[1]});
 }
 
-void let_approach(ContactScene& scene, Random& random) {
+void let_approach(ContactScene& scene, Draw& draw) {
   for (size_t s = 0; s < 2; ++s) {
     ContactSide& side = scene.sides[s];
     side.rates.clear();
     for (size_t i = 0; i < side.points.size(); ++i) {
-      Vec3<Dyadic> rate = random.vector(kRateBits, kRateUnit);
+      Vec3<Dyadic> rate = draw.vector(kRateBits, kRateUnit);
       rate[2] = abs(rate[2]) + Dyadic(1, kRateUnit);
       if (s == 0) rate[2] = -rate[2];
       side.rates.push_back(rate);
@@ -141,7 +142,7 @@ void let_approach(ContactScene& scene, Random& random) {
   scene.separated = true;
 }
 
-std::optional<Case> to_case(const ContactScene& scene, const Placement& placement, Random& random) {
+std::optional<Case> to_case(const ContactScene& scene, const Placement& placement, Draw& draw) {
   Scene exact_scene;
   Case out;
   Witness witness{scene.t.rational(), {}};
@@ -152,7 +153,7 @@ std::optional<Case> to_case(const ContactScene& scene, const Placement& placemen
   }
   if (scene.separated) out.truth.clearance = plane_of(scene, placement, exact_scene.patches);
   for (MovingPatch<Dyadic>& patch : exact_scene.patches) {
-    if (placement.noise_ulps > 0) add_noise(patch, placement.noise_ulps, random);
+    if (placement.noise_ulps > 0) add_noise(patch, placement.noise_ulps, draw);
     for (size_t i = 0; i < patch.positions.size(); ++i) {
       patch.positions[i] -= patch.velocities[i] * scene.t;
     }

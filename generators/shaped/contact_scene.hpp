@@ -41,10 +41,10 @@ struct Placement {
 
 /// A control net in the plane z = 0: a grid of up to 2^3 across, its points moved by up to an
 /// eighth of its steps, or straight. Multiples of 2^-10.
-Points<Dyadic> flat_net(const Shape& shape, bool straight, Random& random);
+Points<Dyadic> flat_net(const Shape& shape, bool straight, Draw& draw);
 
 /// The same, moved so that the contact is the origin.
-ContactSide flat_side(const Shape& shape, const Uv<Dyadic>& at, bool straight, Random& random);
+ContactSide flat_side(const Shape& shape, const Uv<Dyadic>& at, bool straight, Draw& draw);
 
 /// Moves the points along x and y so that the contact is above the origin again.
 void centre(ContactSide& side);
@@ -57,11 +57,11 @@ void turn_over(ContactSide& side);
 
 /// Velocities under which patch 1 falls and patch 2 rises, all differently: a moving plane
 /// separates them before t*.
-void let_approach(ContactScene& scene, Random& random);
+void let_approach(ContactScene& scene, Draw& draw);
 
 /// The query of the scene to t_max, and its truth: the contact, if they touch, by its exact witness
 /// and, if the patches are separated before t*, clear_until = t* by the moving plane, which the
 /// checker has accepted. nullopt if a number is not a double.
-std::optional<Case> to_case(const ContactScene& scene, const Placement& placement, Random& random);
+std::optional<Case> to_case(const ContactScene& scene, const Placement& placement, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -18,9 +18,9 @@ Dyadic quarters(std::int64_t n) {
 }
 
 /// The patch above the plane with its contact at `at`, and zero heights as said.
-ContactSide side_over(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, Random& random) {
-  ContactSide side{shape, at, flat_net(shape, false, random), {}};
-  raise(side.points, heights_over(shape, at, zeros, kExtendedHeightUnit, random));
+ContactSide side_over(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, Draw& draw) {
+  ContactSide side{shape, at, flat_net(shape, false, draw), {}};
+  raise(side.points, heights_over(shape, at, zeros, kExtendedHeightUnit, draw));
   return side;
 }
 
@@ -35,19 +35,19 @@ std::vector<std::array<ShapeEdge, 2>> edges_alike(const ShapePair& shapes) {
   return pairs;
 }
 
-ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Random& random) {
+ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const auto pairs = edges_alike(shapes);
-  const std::array<ShapeEdge, 2> edges = pairs[random.below(pairs.size())];
+  const std::array<ShapeEdge, 2> edges = pairs[draw.below(pairs.size())];
   // The edge of `part` is that of the other patch from `from` to `to`; there the contact is at s.
   const bool corner_on_edge = features[0] != features[1];
-  const size_t part = corner_on_edge ? 0 : random.below(2);
-  Dyadic from = quarters(random.between(0, 2)), to = quarters(random.between(3, 4));
-  Dyadic s = quarters(random.between(1, 3));
+  const size_t part = corner_on_edge ? 0 : draw.below(2);
+  Dyadic from = quarters(draw.integer(0, 2)), to = quarters(draw.integer(3, 4));
+  Dyadic s = quarters(draw.integer(1, 3));
   if (features[0] == Feature::kCorner) s = Dyadic();
-  if (corner_on_edge) from = quarters(random.between(1, 2));
+  if (corner_on_edge) from = quarters(draw.integer(1, 2));
   if (features[1] == Feature::kCorner) from = Dyadic();
-  if (random.coin()) {  // the other way round
+  if (draw.coin()) {  // the other way round
     std::swap(from, to);
     s = Dyadic(1) - s;
   }
@@ -55,7 +55,7 @@ ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Random& 
   ContactScene scene;
   for (size_t side = 0; side < 2; ++side) {
     const Dyadic middle(1, -1);
-    scene.sides[side] = side_over(shapes[side], edges[side].at(middle), ZeroSet::kLine, random);
+    scene.sides[side] = side_over(shapes[side], edges[side].at(middle), ZeroSet::kLine, draw);
     scene.sides[side].at = edges[side].at(on_edge[side == part ? 0 : 1]);
   }
   const std::vector<size_t> to_places = edges[part].controls(shapes[part]);
@@ -67,21 +67,21 @@ ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Random& 
                       {{{from, Dyadic()}, {to, Dyadic()}, {}}}, cut);
   for (size_t i = 0; i < cut.size(); ++i) scene.sides[part].points[to_places[i]] = cut[i];
   turn_over(scene.sides[1]);
-  let_approach(scene, random);
+  let_approach(scene, draw);
   return scene;
 }
 
-ContactScene ruled(ContactClass contact, const ShapePair& shapes, Random& random) {
+ContactScene ruled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
-  const size_t flat = features[0] == Feature::kFace ? random.below(2) : 1;
+  const size_t flat = features[0] == Feature::kFace ? draw.below(2) : 1;
   ContactScene scene;
   for (size_t s = 0; s < 2; ++s) {
-    const Uv<Dyadic> at = point_on(features[s], shapes[s], kQuarters, random);
-    scene.sides[s] = side_over(shapes[s], at, s == flat ? ZeroSet::kAll : ZeroSet::kLine, random);
+    const Uv<Dyadic> at = point_on(features[s], shapes[s], kQuarters, draw);
+    scene.sides[s] = side_over(shapes[s], at, s == flat ? ZeroSet::kAll : ZeroSet::kLine, draw);
     centre(scene.sides[s]);
   }
   turn_over(scene.sides[1]);
-  let_approach(scene, random);
+  let_approach(scene, draw);
   return scene;
 }
 
@@ -92,22 +92,22 @@ struct TwoPoints {
   std::vector<Dyadic> heights;
 };
 
-TwoPoints two_corners(const Shape& shape, Random& random) {
+TwoPoints two_corners(const Shape& shape, Draw& draw) {
   const std::vector<Uv<Dyadic>> corners = corners_of(shape);
-  const size_t first = random.below(corners.size());
-  const size_t second = (first + 1 + random.below(corners.size() - 1)) % corners.size();
+  const size_t first = draw.below(corners.size());
+  const size_t second = (first + 1 + draw.below(corners.size() - 1)) % corners.size();
   TwoPoints two{{corners[first], corners[second]}, {}};
   for_each_control(shape, [&](int i, int j) {
     const bool zero = bears(shape, two.at[0], i, j) || bears(shape, two.at[1], i, j);
-    two.heights.emplace_back(zero ? 0 : static_cast<int>(random.between(1, 64)));
+    two.heights.emplace_back(zero ? 0 : static_cast<int>(draw.integer(1, 64)));
   });
   return two;
 }
 
 /// Points on two edges: (v − v0)² + k·u(1 − u) on a square, (u + v − s)² + k·uv on a triangle.
-TwoPoints on_two_edges(const Shape& shape, Random& random) {
-  const Dyadic s = quarters(random.between(1, 3)), zero, one(1);
-  const Dyadic k(static_cast<int>(random.between(1, 4)));
+TwoPoints on_two_edges(const Shape& shape, Draw& draw) {
+  const Dyadic s = quarters(draw.integer(1, 3)), zero, one(1);
+  const Dyadic k(static_cast<int>(draw.integer(1, 4)));
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   TwoPoints two{{{{zero, s}, {triangle ? s : one, triangle ? zero : s}}}, {}};
   const Linear u = {zero, one, zero}, v = {zero, zero, one};
@@ -126,9 +126,9 @@ TwoPoints on_two_edges(const Shape& shape, Random& random) {
 
 /// Inner points (1/4, v0) and (3/4, v0): 4((u − 1/4)(u − 3/4))² + (v − v0)². The first has these
 /// Bernstein coefficients of degree 4, times 3·64.
-TwoPoints two_inner_points(const Shape& shape, Random& random) {
+TwoPoints two_inner_points(const Shape& shape, Draw& draw) {
   constexpr std::array<int, 5> kTwoDips = {27, -45, 59, -45, 27};
-  const Dyadic v0 = quarters(random.between(1, 3)), zero, one(1);
+  const Dyadic v0 = quarters(draw.integer(1, 3)), zero, one(1);
   TwoPoints two{{{{quarters(1), v0}, {quarters(3), v0}}}, {}};
   const Linear along = {-v0, zero, one};
   two.heights = coefficients_on(shape, product(along, along));
@@ -139,14 +139,14 @@ TwoPoints two_inner_points(const Shape& shape, Random& random) {
   return two;
 }
 
-TwoPoints two_points(Feature feature, const Shape& shape, Random& random) {
+TwoPoints two_points(Feature feature, const Shape& shape, Draw& draw) {
   switch (feature) {
     case Feature::kFace:
-      return two_inner_points(shape, random);
+      return two_inner_points(shape, draw);
     case Feature::kEdge:
-      return on_two_edges(shape, random);
+      return on_two_edges(shape, draw);
     case Feature::kCorner:
-      return two_corners(shape, random);
+      return two_corners(shape, draw);
   }
   return {};
 }
@@ -154,9 +154,9 @@ TwoPoints two_points(Feature feature, const Shape& shape, Random& random) {
 /// A straight patch below the plane, in it at all of the feature, with its points y[0] and y[1] at
 /// p[0] and p[1]; y differ in u alone, by a power of two, and p by a multiple of odd_denominator.
 ContactSide plate_under(Feature feature, const Shape& shape, const std::array<Uv<Dyadic>, 2>& y,
-                        const std::array<Vec3<Dyadic>, 2>& p, Random& random) {
+                        const std::array<Vec3<Dyadic>, 2>& p, Draw& draw) {
   const Dyadic odd = odd_denominator(shape), one(1);
-  Vec3<Dyadic> across = flat_net(Shape::curve(1), false, random)[1];
+  Vec3<Dyadic> across = flat_net(Shape::curve(1), false, draw)[1];
   for (int k = 0; k < 2; ++k) across[k] *= odd;
   const Dyadic step = y[1][0] - y[0][0];  // 2^-k
   const std::vector<Dyadic> along =
@@ -182,18 +182,18 @@ ContactSide plate_under(Feature feature, const Shape& shape, const std::array<Uv
   if (feature != Feature::kFace) {
     const ShapeEdge edge{{0, 0}, {1, 0}};
     raise(side.points,
-          heights_over(shape, edge.at(Dyadic(1, -1)), ZeroSet::kLine, kExtendedHeightUnit, random));
+          heights_over(shape, edge.at(Dyadic(1, -1)), ZeroSet::kLine, kExtendedHeightUnit, draw));
   }
   turn_over(side);
   return side;
 }
 
-ContactScene several(ContactClass contact, const ShapePair& shapes, Random& random) {
+ContactScene several(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
-  const TwoPoints upper = two_points(features[0], shapes[0], random);
+  const TwoPoints upper = two_points(features[0], shapes[0], draw);
   ContactScene scene;
   ContactSide& side = scene.sides[0];
-  side = {shapes[0], upper.at[0], flat_net(shapes[0], false, random), {}};
+  side = {shapes[0], upper.at[0], flat_net(shapes[0], false, draw), {}};
   const Dyadic odd = odd_denominator(shapes[1]);
   for (Vec3<Dyadic>& p : side.points) p *= odd;
   std::vector<Dyadic> heights = upper.heights;
@@ -205,8 +205,8 @@ ContactScene several(ContactClass contact, const ShapePair& shapes, Random& rand
   std::array<Uv<Dyadic>, 2> y = {{{zero, zero}, {one, zero}}};
   if (features[1] == Feature::kEdge) y = {{{quarters(1), zero}, {quarters(3), zero}}};
   if (features[1] == Feature::kFace) y = {{{quarters(1), quarters(1)}, {quarters(2), quarters(1)}}};
-  scene.sides[1] = plate_under(features[1], shapes[1], y, p, random);
-  let_approach(scene, random);
+  scene.sides[1] = plate_under(features[1], shapes[1], y, p, draw);
+  let_approach(scene, draw);
   scene.separated = contact != ContactClass::kFF;
   return scene;
 }
@@ -214,21 +214,25 @@ ContactScene several(ContactClass contact, const ShapePair& shapes, Random& rand
 /// A random part of a surface, its corners on the grid of quarters, as restrict_to takes it: the
 /// corners where the part's (u, v) are (0, 0), (1, 0) and (0, 1) of a triangle, and where they are
 /// (0, 0) and (1, 1) of a square.
-std::array<Uv<Dyadic>, 3> random_part(const Shape& shape, Random& random) {
+std::array<Uv<Dyadic>, 3> random_part(const Shape& shape, Draw& draw) {
   const bool triangle = shape.kind == ShapeKind::kTriangle;
-  for (;;) {
-    std::array<std::array<std::int64_t, 2>, 3> c{};
-    for (auto& corner : c) {
-      corner[0] = random.between(0, 4);
-      corner[1] = random.between(0, triangle ? 4 - corner[0] : 4);
-    }
-    const std::int64_t u = c[1][0] - c[0][0], v = c[1][1] - c[0][1];
-    const std::int64_t twice_area = u * (c[2][1] - c[0][1]) - v * (c[2][0] - c[0][0]);
-    if (triangle ? twice_area == 0 : u * v == 0) continue;
-    std::array<Uv<Dyadic>, 3> corners;
-    for (size_t k = 0; k < 3; ++k) corners[k] = {quarters(c[k][0]), quarters(c[k][1])};
-    return corners;
-  }
+  using Corner = std::array<std::int64_t, 2>;
+  const auto c = draw.until(
+      [&] {
+        std::array<Corner, 3> drawn{};
+        for (Corner& corner : drawn) {
+          corner[0] = draw.integer(0, 4);
+          corner[1] = draw.integer(0, triangle ? 4 - corner[0] : 4);
+        }
+        return drawn;
+      },
+      [&](const std::array<Corner, 3>& p) {
+        const std::int64_t u = p[1][0] - p[0][0], v = p[1][1] - p[0][1];
+        return (triangle ? u * (p[2][1] - p[0][1]) - v * (p[2][0] - p[0][0]) : u * v) != 0;
+      });
+  std::array<Uv<Dyadic>, 3> corners;
+  for (size_t k = 0; k < 3; ++k) corners[k] = {quarters(c[k][0]), quarters(c[k][1])};
+  return corners;
 }
 
 Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
@@ -242,26 +246,30 @@ Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
   return at;
 }
 
-ContactScene area_contact(ContactClass contact, const ShapePair& shapes, Random& random) {
+ContactScene area_contact(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const Shape& shape = shapes[0];
-  const bool curved = random.coin();
+  const bool curved = draw.coin();
   ContactScene scene;
   ContactSide &part = scene.sides[0], &whole = scene.sides[1];
-  whole = {shape, {}, flat_net(shape, false, random), {}};
+  whole = {shape, {}, flat_net(shape, false, draw), {}};
   if (curved) {
-    for (Vec3<Dyadic>& p : whole.points) p[2] = random.dyadic(8, -6);
+    for (Vec3<Dyadic>& p : whole.points) p[2] = draw.lattice(8, -6);
   }
-  std::array<Uv<Dyadic>, 3> corners;
-  do {
-    corners = random_part(shape, random);
-    part.at = point_on(features[0], shape, kQuarters, random);
-    whole.at = on_whole(shape, corners, part.at);
-  } while (feature_at(shape, whole.at) != features[1]);
+  const auto corners = draw.until(
+      [&] {
+        const std::array<Uv<Dyadic>, 3> drawn = random_part(shape, draw);
+        part.at = point_on(features[0], shape, kQuarters, draw);
+        return drawn;
+      },
+      [&](const auto& drawn) {
+        whole.at = on_whole(shape, drawn, part.at);
+        return feature_at(shape, whole.at) == features[1];
+      });
   part.shape = shape;
   part.points.resize(whole.points.size());
   restrict_to<Dyadic>(shape, whole.points, corners, part.points);
-  let_approach(scene, random);
+  let_approach(scene, draw);
   if (curved) {
     for (ContactSide& side : scene.sides) side.rates.assign(side.rates.size(), side.rates[0]);
     scene.separated = false;
@@ -303,17 +311,17 @@ bool can_extend(Family family, ContactClass contact, const ShapePair& shapes) {
 }
 
 ContactScene extended_contact(Family family, ContactClass contact, const ShapePair& shapes,
-                              Random& random) {
+                              Draw& draw) {
   CCDFUZZ_VERIFY(can_extend(family, contact, shapes));
   switch (family) {
     case Family::kSharedEdge:
-      return shared_edge(contact, shapes, random);
+      return shared_edge(contact, shapes, draw);
     case Family::kRuled:
-      return ruled(contact, shapes, random);
+      return ruled(contact, shapes, draw);
     case Family::kSeveral:
-      return several(contact, shapes, random);
+      return several(contact, shapes, draw);
     default:
-      return area_contact(contact, shapes, random);
+      return area_contact(contact, shapes, draw);
   }
 }
 

@@ -15,7 +15,7 @@ namespace ccdfuzz {
 /// curved ones in kArea, and kSeveral of FF, whose heights the checker does not see to be ≥ 0.
 /// Requires can_extend.
 ContactScene extended_contact(Family family, ContactClass contact, const ShapePair& shapes,
-                              Random& random);
+                              Draw& draw);
 
 /// True iff these shapes can have such a contact.
 bool can_extend(Family family, ContactClass contact, const ShapePair& shapes);

@@ -102,29 +102,29 @@ bool bears(const Shape& shape, const Uv<Dyadic>& uv, int i, int j) {
   return (u != one || i == shape.n) && (v != one || j == shape.m);
 }
 
-Shape random_shape(Feature feature, Random& random) {
-  const auto degree = [&](int most) { return static_cast<int>(random.between(1, most)); };
-  if (feature == Feature::kCorner && random.below(8) == 0) return Shape::point();
-  if (feature != Feature::kFace && random.below(4) == 0) return Shape::curve(degree(5));
-  if (random.coin()) return Shape::triangle(degree(5));
+Shape random_shape(Feature feature, Draw& draw) {
+  const auto degree = [&](int most) { return static_cast<int>(draw.integer(1, most)); };
+  if (feature == Feature::kCorner && draw.below(8) == 0) return Shape::point();
+  if (feature != Feature::kFace && draw.below(4) == 0) return Shape::curve(degree(5));
+  if (draw.coin()) return Shape::triangle(degree(5));
   const int n = degree(4);
   return Shape::tensor(n, degree(4));
 }
 
-Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Random& random) {
+Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Draw& draw) {
   const auto inner = [&] {
-    return Dyadic(Integer(static_cast<long>(random.between(1, (1L << bits) - 1))), -bits);
+    return Dyadic(Integer(static_cast<long>(draw.integer(1, (1L << bits) - 1))), -bits);
   };
   if (feature == Feature::kCorner) {
     const std::vector<Uv<Dyadic>> corners = corners_of(shape);
-    return corners[random.below(corners.size())];
+    return corners[draw.below(corners.size())];
   }
   if (feature == Feature::kEdge) {
     const std::vector<ShapeEdge> edges = edges_of(shape);
-    return edges[random.below(edges.size())].at(inner());
+    return edges[draw.below(edges.size())].at(inner());
   }
   if (shape.kind == ShapeKind::kTriangle) {
-    const Barycentric x = prescribe_anywhere(feature, bits, random);
+    const Barycentric x = prescribe_anywhere(feature, bits, draw);
     return {x[0], x[1]};
   }
   const Dyadic u = inner();

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bezier/patch.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/prescribe.hpp"
-#include "generators/random.hpp"
 
 namespace ccdfuzz {
 
@@ -53,10 +53,10 @@ void for_each_control(const Shape& shape, const Visit& visit) {
 
 /// A shape that has the feature: triangles of degree 1 to 5, tensor patches of degrees 1 to 4,
 /// sometimes a curve or a point.
-Shape random_shape(Feature feature, Random& random);
+Shape random_shape(Feature feature, Draw& draw);
 
 /// A random point on the feature: multiples of 2^-bits, bits ≥ 2.
-Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Random& random);
+Uv<Dyadic> point_on(Feature feature, const Shape& shape, int bits, Draw& draw);
 
 /// As many bits as parameters may have so that Bernstein weights have 24 or fewer, and at most 12.
 int parameter_bits(const Shape& shape);

@@ -27,12 +27,15 @@ Rational polar_monomial(const Shape& shape, int i, int j, int a, int b) {
   return polar_power(i, shape.n, a) * polar_power(j, triangle ? shape.n : shape.m, b);
 }
 
-Linear random_linear_through(const Uv<Dyadic>& at, bool in_u, bool in_v, Random& random) {
-  Linear p;
-  while (p[1].sign() == 0 && p[2].sign() == 0) {
-    if (in_u) p[1] = random.dyadic(kFactorSlopeBits, 0);
-    if (in_v) p[2] = random.dyadic(kFactorSlopeBits, 0);
-  }
+Linear random_linear_through(const Uv<Dyadic>& at, bool in_u, bool in_v, Draw& draw) {
+  Linear p = draw.until(
+      [&] {
+        Linear slopes;
+        if (in_u) slopes[1] = draw.lattice(kFactorSlopeBits, 0);
+        if (in_v) slopes[2] = draw.lattice(kFactorSlopeBits, 0);
+        return slopes;
+      },
+      [](const Linear& l) { return l[1].sign() != 0 || l[2].sign() != 0; });
   p[0] = -(p[1] * at[0] + p[2] * at[1]);
   return p;
 }
@@ -42,16 +45,15 @@ bool is_parallel(const Linear& p, const Linear& q) {
 }
 
 /// Heights over an inner point of a face, of the form p² or p² + q².
-std::vector<Dyadic> over_face(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros,
-                              Random& random) {
+std::vector<Dyadic> over_face(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, Draw& draw) {
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   const bool in_u = shape.n >= 2, in_v = triangle ? in_u : shape.m >= 2;
   if (!in_u && !in_v) return std::vector<Dyadic>(static_cast<size_t>(shape.control_count()));
-  const Linear p = random_linear_through(at, in_u, in_v, random);
+  const Linear p = random_linear_through(at, in_u, in_v, draw);
   LowPolynomial h = product(p, p);
   if (zeros == ZeroSet::kPoint && in_u && in_v) {
-    Linear q = p;
-    while (is_parallel(p, q)) q = random_linear_through(at, true, true, random);
+    const Linear q = draw.until([&] { return random_linear_through(at, true, true, draw); },
+                                [&](const Linear& l) { return !is_parallel(p, l); });
     h = sum(h, product(q, q));
   }
   return coefficients_on(shape, h);
@@ -59,10 +61,10 @@ std::vector<Dyadic> over_face(const Shape& shape, const Uv<Dyadic>& at, ZeroSet 
 
 /// Heights over a point of an edge or a corner: positive but for the edge or the corner itself.
 std::vector<Dyadic> over_boundary(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros,
-                                  Random& random) {
+                                  Draw& draw) {
   std::vector<Dyadic> heights;
   for (int i = 0; i < shape.control_count(); ++i) {
-    heights.emplace_back(static_cast<int>(random.between(1, 1 << (2 * kFactorSlopeBits + 2))));
+    heights.emplace_back(static_cast<int>(draw.integer(1, 1 << (2 * kFactorSlopeBits + 2))));
   }
   const std::vector<ShapeEdge> edges = edges_through(shape, at);
   const bool on_corner = feature_at(shape, at) == Feature::kCorner;
@@ -72,11 +74,11 @@ std::vector<Dyadic> over_boundary(const Shape& shape, const Uv<Dyadic>& at, Zero
     });
     return heights;
   }
-  const ShapeEdge& edge = edges[random.below(edges.size())];
+  const ShapeEdge& edge = edges[draw.below(edges.size())];
   std::vector<Dyadic> along(heights.size());
   if (zeros == ZeroSet::kPoint && edge.degree(shape) >= 2) {
     const bool in_u = edge.direction[0] != 0;
-    const Linear p = random_linear_through(at, in_u, !in_u, random);
+    const Linear p = random_linear_through(at, in_u, !in_u, draw);
     along = coefficients_on(shape, product(p, p));
   }
   for (const size_t place : edge.controls(shape)) heights[place] = along[place];
@@ -124,11 +126,11 @@ std::vector<Dyadic> coefficients_on(const Shape& shape, const LowPolynomial& p) 
 }
 
 std::vector<Dyadic> heights_over(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, long unit,
-                                 Random& random) {
+                                 Draw& draw) {
   std::vector<Dyadic> heights(static_cast<size_t>(shape.control_count()));
   if (zeros == ZeroSet::kAll || shape.kind == ShapeKind::kPoint) return heights;
-  heights = feature_at(shape, at) == Feature::kFace ? over_face(shape, at, zeros, random)
-                                                    : over_boundary(shape, at, zeros, random);
+  heights = feature_at(shape, at) == Feature::kFace ? over_face(shape, at, zeros, draw)
+                                                    : over_boundary(shape, at, zeros, draw);
   for (Dyadic& h : heights) h = h.scaled(unit);
   return heights;
 }

@@ -30,6 +30,6 @@ Dyadic odd_denominator(const Shape& shape);
 /// a moving plane under each of them.
 enum class ZeroSet : std::uint8_t { kPoint, kLine, kAll };
 std::vector<Dyadic> heights_over(const Shape& shape, const Uv<Dyadic>& at, ZeroSet zeros, long unit,
-                                 Random& random);
+                                 Draw& draw);
 
 }  // namespace ccdfuzz

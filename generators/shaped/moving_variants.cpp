@@ -14,28 +14,28 @@ constexpr int kMostFlatness = 6;
 constexpr int kManyBits = 12, kFewBits = 2;  // of parameters
 
 /// A multiple of 1/8 in (0, 1).
-Dyadic time_before_one(Random& random) {
-  return {Integer(static_cast<long>(random.between(1, 7))), -3};
+Dyadic time_before_one(Draw& draw) {
+  return {Integer(static_cast<long>(draw.integer(1, 7))), -3};
 }
 
 /// most_bits: of parameters.
 ContactScene touching_at(ContactClass contact, const ShapePair& shapes, int most_bits,
-                         long height_unit, Random& random) {
+                         long height_unit, Draw& draw) {
   ContactScene scene;
   for (size_t s = 0; s < 2; ++s) {
     const Shape& shape = shapes[s];
     const int bits = std::min(most_bits, parameter_bits(shape));
-    const Uv<Dyadic> at = point_on(features_of(contact)[s], shape, bits, random);
-    scene.sides[s] = flat_side(shape, at, false, random);
-    raise(scene.sides[s].points, heights_over(shape, at, ZeroSet::kPoint, height_unit, random));
+    const Uv<Dyadic> at = point_on(features_of(contact)[s], shape, bits, draw);
+    scene.sides[s] = flat_side(shape, at, false, draw);
+    raise(scene.sides[s].points, heights_over(shape, at, ZeroSet::kPoint, height_unit, draw));
   }
   turn_over(scene.sides[1]);
   return scene;
 }
 
 /// Velocities along the contact plane: heights above it never change.
-void let_graze(ContactScene& scene, Random& random) {
-  let_approach(scene, random);
+void let_graze(ContactScene& scene, Draw& draw) {
+  let_approach(scene, draw);
   for (ContactSide& side : scene.sides) {
     for (Vec3<Dyadic>& rate : side.rates) rate[2] = Dyadic();
   }
@@ -43,12 +43,12 @@ void let_graze(ContactScene& scene, Random& random) {
 }
 
 /// Any velocities at all: the contact at t = 0 is there whatever comes then.
-void let_start(ContactScene& scene, Random& random) {
-  let_approach(scene, random);
-  const std::uint64_t style = random.below(3);  // cross, leave, anything
+void let_start(ContactScene& scene, Draw& draw) {
+  let_approach(scene, draw);
+  const std::uint64_t style = draw.below(3);  // cross, leave, anything
   for (ContactSide& side : scene.sides) {
     for (Vec3<Dyadic>& rate : side.rates) {
-      if (style == 1 || (style == 2 && random.coin())) rate[2] = -rate[2];
+      if (style == 1 || (style == 2 && draw.coin())) rate[2] = -rate[2];
     }
   }
   scene.t = Dyadic();
@@ -73,95 +73,97 @@ size_t plate_of(ContactClass contact) {
 /// One patch is flat with straight edges and moves as a whole; the other one touches its plane in
 /// one point, which slides onto the plate at t* and stays in touch while it is there; t* is the
 /// first contact where it lies on the plate's boundary.
-ContactScene sliding_onto_a_plate(ContactClass contact, const ShapePair& shapes, Random& random) {
-  ContactScene scene = touching_at(contact, shapes, kManyBits, kBowlUnit, random);
-  let_graze(scene, random);
+ContactScene sliding_onto_a_plate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  ContactScene scene = touching_at(contact, shapes, kManyBits, kBowlUnit, draw);
+  let_graze(scene, draw);
   const size_t p = plate_of(contact);
   ContactSide &plate = scene.sides[p], &slider = scene.sides[1 - p];
-  plate = flat_side(plate.shape, plate.at, true, random);
+  plate = flat_side(plate.shape, plate.at, true, draw);
   const Vec3<Dyadic> still = {Dyadic(), Dyadic(), Dyadic()};
   plate.rates.assign(plate.points.size(), still);
-  Vec3<Dyadic> inwards = still;
-  while (inwards == still) {
-    for (const Vec3<Dyadic>& p_i : plate.points) {
-      inwards += p_i * Dyadic(static_cast<int>(random.between(1, 8)), -3);
-    }
-    if (plate.points.size() == 1) break;  // a point has no inside
-  }
+  const Vec3<Dyadic> inwards = draw.until(
+      [&] {
+        Vec3<Dyadic> sum = still;
+        for (const Vec3<Dyadic>& p_i : plate.points) {
+          sum += p_i * Dyadic(static_cast<int>(draw.integer(1, 8)), -3);
+        }
+        return sum;
+      },  // a point has no inside
+      [&](const Vec3<Dyadic>& v) { return v != still || plate.points.size() == 1; });
   // All of the slider by the same velocity, and a little deformation that the contact has no share
   // in: that of control points without weight there.
   slider.rates.assign(slider.points.size(), inwards);
   for_each_control(slider.shape, [&](int i, int j) {
     if (bears(slider.shape, slider.at, i, j)) return;
     Vec3<Dyadic>& rate = slider.rates[static_cast<size_t>(slider.shape.index(i, j))];
-    for (int k = 0; k < 2; ++k) rate[k] += random.dyadic(6, -8);
+    for (int k = 0; k < 2; ++k) rate[k] += draw.lattice(6, -8);
   });
-  scene.t = time_before_one(random);
+  scene.t = time_before_one(draw);
   return scene;
 }
 
 /// Nearly flat, far away on a plane through the origin that is the contact plane. Parameters have
 /// few bits, so that heights of 2^-20 and coordinates up to 2^16 fit into one double.
-PlacedScene flat_grazing_of_shapes(ContactClass contact, const ShapePair& shapes, Random& random) {
+PlacedScene flat_grazing_of_shapes(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   constexpr long kFlatness = 20;
   PlacedScene made;
-  made.placement.frame = random_frame(random);
-  made.scene = touching_at(contact, shapes, kFewBits, kBowlUnit - kFlatness, random);
-  let_graze(made.scene, random);
-  if (random.coin()) made.scene.t = time_before_one(random);
-  const int bits = static_cast<int>(random.between(32, 38));
-  const Planar where = {random.dyadic(bits, -28), random.dyadic(bits, -28)};
+  made.placement.frame = random_frame(draw);
+  made.scene = touching_at(contact, shapes, kFewBits, kBowlUnit - kFlatness, draw);
+  let_graze(made.scene, draw);
+  if (draw.coin()) made.scene.t = time_before_one(draw);
+  const int bits = static_cast<int>(draw.integer(32, 38));
+  const Planar where = {draw.lattice(bits, -28), draw.lattice(bits, -28)};
   made.placement.shift = point_of(made.placement.frame, where, Dyadic());
   return made;
 }
 
 }  // namespace
 
-Placement random_placement(Random& random) {
+Placement random_placement(Draw& draw) {
   Placement placement;
-  placement.frame = random_frame(random);
-  placement.shift = random.vector(40, -35);
-  placement.drift = random.vector(17, -15);
+  placement.frame = random_frame(draw);
+  placement.shift = draw.vector(40, -35);
+  placement.drift = draw.vector(17, -15);
   return placement;
 }
 
-ContactScene touching(ContactClass contact, const ShapePair& shapes, Random& random) {
-  const std::int64_t flatness = random.between(0, kMostFlatness);
+ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  const std::int64_t flatness = draw.integer(0, kMostFlatness);
   const long unit = kBowlUnit - static_cast<long>(flatness);
-  ContactScene scene = touching_at(contact, shapes, kManyBits, unit, random);
-  let_approach(scene, random);
+  ContactScene scene = touching_at(contact, shapes, kManyBits, unit, draw);
+  let_approach(scene, draw);
   return scene;
 }
 
 PlacedScene moving_variant(Family family, ContactClass contact, const ShapePair& shapes,
-                           Random& random) {
-  if (family == Family::kFlatGrazing) return flat_grazing_of_shapes(contact, shapes, random);
+                           Draw& draw) {
+  if (family == Family::kFlatGrazing) return flat_grazing_of_shapes(contact, shapes, draw);
   PlacedScene made;
-  made.placement = random_placement(random);
+  made.placement = random_placement(draw);
   ContactScene& scene = made.scene;
   if (family == Family::kSliding) {
-    scene = sliding_onto_a_plate(contact, shapes, random);
+    scene = sliding_onto_a_plate(contact, shapes, draw);
     return made;
   }
-  scene = touching(contact, shapes, random);
-  if (family == Family::kInteriorTime) scene.t = time_before_one(random);
-  if (family == Family::kAtStart) let_start(scene, random);
+  scene = touching(contact, shapes, draw);
+  if (family == Family::kInteriorTime) scene.t = time_before_one(draw);
+  if (family == Family::kAtStart) let_start(scene, draw);
   if (family == Family::kResting) let_rest(scene);
   if (family == Family::kCommonVelocity) {
-    const long exponent = static_cast<long>(random.between(8, 20));
-    made.placement.drift = random.vector(10, exponent - 10);
+    const long exponent = static_cast<long>(draw.integer(8, 20));
+    made.placement.drift = draw.vector(10, exponent - 10);
   }
   return made;
 }
 
 PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,
-                            Random& random) {
+                            Draw& draw) {
   PlacedScene made;
-  made.placement = random_placement(random);
-  made.scene = touching(contact, shapes, random);
-  let_graze(made.scene, random);
+  made.placement = random_placement(draw);
+  made.scene = touching(contact, shapes, draw);
+  let_graze(made.scene, draw);
   if (near_miss) {
-    const Dyadic gap(1, static_cast<long>(random.between(kLeastGap, kLargestGap)));
+    const Dyadic gap(1, static_cast<long>(draw.integer(kLeastGap, kLargestGap)));
     for (Vec3<Dyadic>& p : made.scene.sides[1].points) p[2] -= gap;
     made.scene.touches = false;
   }

@@ -16,16 +16,16 @@ constexpr long kSizeExponent = 10;
 constexpr int kLeastSqueeze = 4;  // of a sliver: 2^-4
 
 /// A regular scene whose numbers have so few bits that there is room for more.
-ContactScene coarse_scene(ContactClass contact, const ShapePair& shapes, Random& random) {
+ContactScene coarse_scene(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   ContactScene scene;
   for (size_t s = 0; s < 2; ++s) {
-    const Uv<Dyadic> at = point_on(features_of(contact)[s], shapes[s], kFewParameterBits, random);
-    scene.sides[s] = flat_side(shapes[s], at, false, random);
+    const Uv<Dyadic> at = point_on(features_of(contact)[s], shapes[s], kFewParameterBits, draw);
+    scene.sides[s] = flat_side(shapes[s], at, false, draw);
     raise(scene.sides[s].points,
-          heights_over(shapes[s], at, ZeroSet::kPoint, kCoarseHeightUnit, random));
+          heights_over(shapes[s], at, ZeroSet::kPoint, kCoarseHeightUnit, draw));
   }
   turn_over(scene.sides[1]);
-  let_approach(scene, random);
+  let_approach(scene, draw);
   return scene;
 }
 
@@ -55,14 +55,14 @@ void scale_axes(Points<Dyadic>& points, int first_axis, int last_axis, long expo
   }
 }
 
-Vec3<Dyadic> small_shift(Random& random) {
-  return random.vector(4, 0);
+Vec3<Dyadic> small_shift(Draw& draw) {
+  return draw.vector(4, 0);
 }
 
 /// Ways in which the control points of a patch can fall together. Its heights are 0, or 0 where it
 /// has a share in the contact and equal elsewhere, and only points of equal height fall together:
 /// the patch stays on its side of the contact plane.
-void make_degenerate(ContactSide& side, Random& random) {
+void make_degenerate(ContactSide& side, Draw& draw) {
   const Shape& shape = side.shape;
   const auto merge = [&](size_t to, size_t from) {
     if (side.points[to][2] != side.points[from][2]) return;
@@ -71,16 +71,16 @@ void make_degenerate(ContactSide& side, Random& random) {
   };
   const size_t count = side.points.size();
   const std::vector<ShapeEdge> edges = edges_of(shape);
-  switch (edges.empty() ? 3 : random.below(4)) {
+  switch (edges.empty() ? 3 : draw.below(4)) {
     case 0: {  // an edge is one point
-      const std::vector<size_t> places = edges[random.below(edges.size())].controls(shape);
+      const std::vector<size_t> places = edges[draw.below(edges.size())].controls(shape);
       for (const size_t place : places) merge(place, places[0]);
       break;
     }
     case 1: {  // some control points are there twice
-      for (std::uint64_t pairs = random.between(1, 3); pairs > 0; --pairs) {
-        const size_t to = random.below(count);
-        merge(to, random.below(count));
+      for (std::uint64_t pairs = draw.integer(1, 3); pairs > 0; --pairs) {
+        const size_t to = draw.below(count);
+        merge(to, draw.below(count));
       }
       break;
     }
@@ -88,25 +88,25 @@ void make_degenerate(ContactSide& side, Random& random) {
       for (Vec3<Dyadic>& p : side.points) p[1] = p[0].scaled(1);
       break;
     default:  // the patch is one point, or two
-      for (size_t i = 1; i < count; ++i) merge(i, random.below(i));
+      for (size_t i = 1; i < count; ++i) merge(i, draw.below(i));
       break;
   }
   centre(side);
 }
 
-ContactScene degenerate(ContactClass contact, const ShapePair& shapes, Random& random) {
-  ContactScene scene = coarse_scene(contact, shapes, random);
-  const std::uint64_t which = random.between(1, 3);  // bits: patch 1, patch 2
+ContactScene degenerate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  ContactScene scene = coarse_scene(contact, shapes, draw);
+  const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
   for (size_t s = 0; s < 2; ++s) {
     if ((which >> s & 1) == 0) continue;
     ContactSide& side = scene.sides[s];
-    const bool lift = random.coin();
-    const Dyadic height(s == 0 ? 1 : -1, -static_cast<long>(random.between(2, 8)));
+    const bool lift = draw.coin();
+    const Dyadic height(s == 0 ? 1 : -1, -static_cast<long>(draw.integer(2, 8)));
     for_each_control(side.shape, [&](int i, int j) {
       Dyadic& z = side.points[static_cast<size_t>(side.shape.index(i, j))][2];
       z = lift && !bears(side.shape, side.at, i, j) ? height : Dyadic();
     });
-    make_degenerate(side, random);
+    make_degenerate(side, draw);
   }
   return scene;
 }
@@ -115,14 +115,14 @@ ContactScene degenerate(ContactClass contact, const ShapePair& shapes, Random& r
 /// that the lines that they make on any axis all cross in one point. Patch 1 falls and patch 2
 /// rises, so that point is beyond all of the patch if it comes after t*, else before it.
 void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_exponent,
-                          Random& random) {
+                          Draw& draw) {
   Dyadic lowest, highest;
   for (const Vec3<Dyadic>& p : side.points) {
     lowest = std::min(lowest, p[2]);
     highest = std::max(highest, p[2]);
   }
-  const Dyadic clear(1, -static_cast<long>(random.between(1, 6)));
-  Vec3<Dyadic> focus = random.vector(6, -5);
+  const Dyadic clear(1, -static_cast<long>(draw.integer(1, 6)));
+  Vec3<Dyadic> focus = draw.vector(6, -5);
   focus[2] = after == upper ? lowest - clear : highest + clear;
   side.rates.clear();
   for (const Vec3<Dyadic>& p : side.points) {
@@ -132,99 +132,98 @@ void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_e
   }
 }
 
-PlacedScene concurrent_lines(ContactClass contact, const ShapePair& shapes, Random& random) {
+PlacedScene concurrent_lines(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
-  made.placement.frame = random_frame(random);
-  made.placement.shift = small_shift(random);
+  made.placement.frame = random_frame(draw);
+  made.placement.shift = small_shift(draw);
   ContactScene& scene = made.scene;
-  scene = coarse_scene(contact, shapes, random);
+  scene = coarse_scene(contact, shapes, draw);
   scene.t = Dyadic(1, -1);
-  const std::uint64_t which = random.between(1, 3);  // bits: patch 1, patch 2
-  const bool after = random.coin();
-  const auto sooner = static_cast<long>(random.between(1, 4));  // that point is 2^-sooner from t*
+  const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
+  const bool after = draw.coin();
+  const auto sooner = static_cast<long>(draw.integer(1, 4));  // that point is 2^-sooner from t*
   for (size_t s = 0; s < 2; ++s) {
     if ((which >> s & 1) == 0) continue;
     ContactSide& side = scene.sides[s];
-    if (random.below(4) == 0) {
+    if (draw.below(4) == 0) {
       // It passes through the contact point itself: all of the patch is there at t*.
       for (Vec3<Dyadic>& p : side.points) p = {Dyadic(), Dyadic(), Dyadic()};
     } else {
-      pass_through_a_point(side, s == 0, after, sooner, random);
+      pass_through_a_point(side, s == 0, after, sooner, draw);
     }
   }
-  made.placement.noise_ulps = static_cast<int>(random.between(0, 4));
+  made.placement.noise_ulps = static_cast<int>(draw.integer(0, 4));
   return made;
 }
 
 /// One patch much smaller than the other one; in space coordinates of different sizes too, up to
 /// the ends of what a double holds.
-PlacedScene mixed_scales(ContactClass contact, const ShapePair& shapes, Random& random) {
+PlacedScene mixed_scales(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
-  made.placement.frame = random_frame(random);
-  made.placement.shift = small_shift(random);
-  made.scene = coarse_scene(contact, shapes, random);
-  const auto shrink = -static_cast<long>(random.between(1, spare_bits(made.scene)));
-  ContactSide& smaller = made.scene.sides[random.below(2)];
+  made.placement.frame = random_frame(draw);
+  made.placement.shift = small_shift(draw);
+  made.scene = coarse_scene(contact, shapes, draw);
+  const auto shrink = -static_cast<long>(draw.integer(1, spare_bits(made.scene)));
+  ContactSide& smaller = made.scene.sides[draw.below(2)];
   scale_axes(smaller.points, 0, 2, shrink);
-  if (random.coin()) scale_axes(smaller.rates, 0, 2, shrink);
-  const bool one_size = random.coin();
-  const auto common = static_cast<long>(random.between(-900, 800));
+  if (draw.coin()) scale_axes(smaller.rates, 0, 2, shrink);
+  const bool one_size = draw.coin();
+  const auto common = static_cast<long>(draw.integer(-900, 800));
   for (long& exponent : made.placement.exponent) {
-    exponent = one_size ? common : static_cast<long>(random.between(-60, 60));
+    exponent = one_size ? common : static_cast<long>(draw.integer(-60, 60));
   }
   return made;
 }
 
 /// As far from the origin as the numbers have bits for.
-PlacedScene far_away(ContactClass contact, const ShapePair& shapes, Random& random) {
+PlacedScene far_away(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
-  made.placement.frame = random_frame(random);
-  made.scene = coarse_scene(contact, shapes, random);
+  made.placement.frame = random_frame(draw);
+  made.scene = coarse_scene(contact, shapes, draw);
   const int spare = spare_bits(made.scene);
-  const auto reach = static_cast<long>(random.between(spare / 2, spare));
-  made.placement.shift = random.vector(8, kSizeExponent + reach - 8);
-  if (random.coin()) made.placement.drift = random.vector(8, kSizeExponent + reach - 10);
+  const auto reach = static_cast<long>(draw.integer(spare / 2, spare));
+  made.placement.shift = draw.vector(8, kSizeExponent + reach - 8);
+  if (draw.coin()) made.placement.drift = draw.vector(8, kSizeExponent + reach - 10);
   return made;
 }
 
-PlacedScene scaled_alike(ContactClass contact, const ShapePair& shapes, Random& random) {
+PlacedScene scaled_alike(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
-  made.placement = random_placement(random);
-  made.scene = touching(contact, shapes, random);
+  made.placement = random_placement(draw);
+  made.scene = touching(contact, shapes, draw);
   made.scene.t_max = 2;
   // Most where products of two projections underflow; a subnormal has no room for all bits.
-  const bool near_underflow = random.below(4) != 0;
+  const bool near_underflow = draw.below(4) != 0;
   const auto exponent =
-      static_cast<long>(near_underflow ? random.between(-547, -530) : random.between(-1000, 900));
+      static_cast<long>(near_underflow ? draw.integer(-547, -530) : draw.integer(-1000, 900));
   made.placement.exponent.fill(exponent);
   return made;
 }
 
 }  // namespace
 
-PlacedScene odd_variant(Family family, ContactClass contact, const ShapePair& shapes,
-                        Random& random) {
-  if (family == Family::kScaled) return scaled_alike(contact, shapes, random);
-  if (family == Family::kMixedScales) return mixed_scales(contact, shapes, random);
-  if (family == Family::kFarAway) return far_away(contact, shapes, random);
-  if (family == Family::kConcurrentLines) return concurrent_lines(contact, shapes, random);
+PlacedScene odd_variant(Family family, ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  if (family == Family::kScaled) return scaled_alike(contact, shapes, draw);
+  if (family == Family::kMixedScales) return mixed_scales(contact, shapes, draw);
+  if (family == Family::kFarAway) return far_away(contact, shapes, draw);
+  if (family == Family::kConcurrentLines) return concurrent_lines(contact, shapes, draw);
   PlacedScene made;
-  made.placement.frame = random_frame(random);
-  made.placement.shift = small_shift(random);
+  made.placement.frame = random_frame(draw);
+  made.placement.shift = small_shift(draw);
   if (family == Family::kDegenerate) {
-    made.scene = degenerate(contact, shapes, random);
+    made.scene = degenerate(contact, shapes, draw);
     return made;
   }
-  made.scene = coarse_scene(contact, shapes, random);
+  made.scene = coarse_scene(contact, shapes, draw);
   const int most = std::max(kLeastSqueeze, spare_bits(made.scene));
-  const std::uint64_t which = random.between(1, 3);  // bits: patch 1, patch 2
+  const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
   for (size_t s = 0; s < 2; ++s) {
     if ((which >> s & 1) == 0) continue;
     Points<Dyadic>& points = made.scene.sides[s].points;
     if (family == Family::kSliver) {
-      scale_axes(points, 1, 1, -static_cast<long>(random.between(kLeastSqueeze, most)));
+      scale_axes(points, 1, 1, -static_cast<long>(draw.integer(kLeastSqueeze, most)));
     } else {
-      scale_axes(points, 2, 2, static_cast<long>(random.between(4, 12)));
+      scale_axes(points, 2, 2, static_cast<long>(draw.integer(4, 12)));
     }
   }
   return made;

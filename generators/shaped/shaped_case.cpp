@@ -63,26 +63,28 @@ Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shap
   return {};
 }
 
-ShapePair shapes_of(const GeneratorOptions& options, Random& random) {
+ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
   if (options.shapes) return *options.shapes;
   const std::array<Feature, 2> features = features_of(options.contact);
-  for (;;) {
-    ShapePair shapes;
-    for (size_t s = 0; s < 2; ++s) shapes[s] = random_shape(features[s], random);
-    if (options.family == Family::kArea) shapes[0] = shapes[1];
-    if (check_shapes(options, shapes)) return shapes;
-  }
+  return draw.until(
+      [&] {
+        ShapePair shapes;
+        for (size_t s = 0; s < 2; ++s) shapes[s] = random_shape(features[s], draw);
+        if (options.family == Family::kArea) shapes[0] = shapes[1];
+        return shapes;
+      },
+      [&](const ShapePair& shapes) { return check_shapes(options, shapes).has_value(); });
 }
 
-PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Random& random) {
+PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Draw& draw) {
   const ContactClass contact = options.contact;
   if (is_sliding_kind(options.kind)) {
-    return grazing_variant(options.kind == CaseKind::kNMN, contact, shapes, random);
+    return grazing_variant(options.kind == CaseKind::kNMN, contact, shapes, draw);
   }
   if (is_extended(options.family)) {
     PlacedScene made;
-    made.scene = extended_contact(options.family, contact, shapes, random);
-    made.placement = random_placement(random);
+    made.scene = extended_contact(options.family, contact, shapes, draw);
+    made.placement = random_placement(draw);
     return made;
   }
   switch (options.family) {
@@ -93,9 +95,9 @@ PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, R
     case Family::kSliding:
     case Family::kFlatGrazing:
     case Family::kCommonVelocity:
-      return moving_variant(options.family, contact, shapes, random);
+      return moving_variant(options.family, contact, shapes, draw);
     default:
-      return odd_variant(options.family, contact, shapes, random);
+      return odd_variant(options.family, contact, shapes, draw);
   }
 }
 
@@ -152,9 +154,9 @@ Result<void> validate_shaped(const GeneratorOptions& options) {
 }
 
 tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Random& random) {
-  const PlacedScene made = scene_of(options, shapes_of(options, random), random);
-  std::optional<Case> value = to_case(made.scene, made.placement, random);
+                                        Draw& draw) {
+  const PlacedScene made = scene_of(options, shapes_of(options, draw), draw);
+  std::optional<Case> value = to_case(made.scene, made.placement, draw);
   if (!value) return tl::unexpected(Discard::kRoundTrip);
   const Dyadic before = made.scene.t - eps_t;
   switch (options.kind) {

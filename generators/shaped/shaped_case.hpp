@@ -2,8 +2,8 @@
 
 #include <tl/expected.hpp>
 
+#include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
-#include "generators/random.hpp"
 
 namespace ccdfuzz {
 
@@ -20,6 +20,6 @@ Result<void> validate_shaped(const GeneratorOptions& options);
 /// One attempt at a case of shaped options, with its truth but without its origin; or why it was
 /// thrown away. eps_t: as in GeneratorOptions. Requires valid options.
 tl::expected<Case, Discard> shaped_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Random& random);
+                                        Draw& draw);
 
 }  // namespace ccdfuzz

@@ -228,7 +228,7 @@ int check_hex(const CheckArguments& options, Session& session) {
   const Property property = need(property_named(options.names[0], options.known));
   const auto bytes = parse_hex_bytes(*options.hex);
   if (!bytes) throw BadInput{{"--hex", bytes.error().message()}};
-  ByteChoices choices(*bytes);
+  Draw choices = Draw::from_bytes(*bytes);
   const Check check = run(property, choices);
   const HexRow row{property, check};
   const bool fails = check.status == Check::Status::kFails;

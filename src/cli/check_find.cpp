@@ -85,7 +85,7 @@ void ClaimFind::set_least(const Counterexample& least) {
       "",
       fmt::format("TEST(Found, {}) {{", test_name(property)),
       fmt::format("  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");", input),
-      "  ccdfuzz::ByteChoices choices(*bytes);",
+      "  ccdfuzz::Draw choices = ccdfuzz::Draw::from_bytes(*bytes);",
       fmt::format("  const auto check = ccdfuzz::run(*ccdfuzz::property_named(\"{}\"), choices);",
                   property),
       "  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;",

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "cli/output.hpp"
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 

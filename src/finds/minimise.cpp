@@ -110,7 +110,7 @@ class Minimiser {
     const std::uint64_t ways = keeps_witness() ? kRepairs : 1;
     for (std::uint64_t way = 0; way < ways; ++way) {
       WitnessedQuery whole = form;
-      Random random(way);
+      Draw random{Random(way)};
       if (keeps_witness() && (place_of(whole) != place_ || !repair(whole, random))) continue;
       if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
       const Simplicity rank = simplicity_of(whole);

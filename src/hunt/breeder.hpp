@@ -69,7 +69,7 @@ class Breeder {
   bool traceable_;
   HuntGround ground_;
   Aim aim_;
-  Random random_;
+  Draw random_;
   Population nearest_;
   std::vector<WitnessedQuery> drifting_;
   std::set<std::string> founders_;  ///< addresses

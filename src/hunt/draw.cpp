@@ -62,8 +62,8 @@ Case Draws::generated(ContactClass contact, std::uint64_t index) const {
   return generate(options, round).value;
 }
 
-Draw Draws::at(ContactClass contact, std::uint64_t index) const {
-  Draw drawn;
+HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {
+  HuntDraw drawn;
   if (ground_.linear) {
     drawn.asked.push_back(checked(draw_linear_case(contact, seed_, index)));
   } else if (CheckedCase known = checked(generated(contact, index));
@@ -78,7 +78,7 @@ Draw Draws::at(ContactClass contact, std::uint64_t index) const {
   return drawn;
 }
 
-std::shared_ptr<const Draw> DrawCache::get(ContactClass contact, std::uint64_t index) {
+std::shared_ptr<const HuntDraw> DrawCache::get(ContactClass contact, std::uint64_t index) {
   std::vector<Slot>& slots = slots_[static_cast<size_t>(contact)];
   {
     const std::lock_guard lock(mutex_);
@@ -87,7 +87,7 @@ std::shared_ptr<const Draw> DrawCache::get(ContactClass contact, std::uint64_t i
     if (slot.draw && slot.index == index) return slot.draw;
   }
   // Made outside the lock: two threads may make the same draw, and then it is the same draw.
-  auto made = std::make_shared<const Draw>(draws_.at(contact, index));
+  auto made = std::make_shared<const HuntDraw>(draws_.at(contact, index));
   const std::lock_guard lock(mutex_);
   // A straggler's old draw must not evict the one that the others are about to need.
   if (Slot& slot = slots[index % kKept]; !slot.draw || slot.index < index) slot = {index, made};

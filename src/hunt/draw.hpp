@@ -14,7 +14,7 @@
 namespace ccdfuzz {
 
 /// One draw of the hunt: a case with exact truth, as it is put to the methods.
-struct Draw {
+struct HuntDraw {
   /// A positive case at t* and past it (kHorizonFactors), so that late answers show; a negative one
   /// as it stands.
   std::vector<CheckedCase> asked;
@@ -30,7 +30,7 @@ class Draws {
   /// Those that have draws: of shapes, those whose features they have, so VV at least.
   const std::vector<ContactClass>& classes() const { return classes_; }
   /// Requires one of these classes.
-  Draw at(ContactClass contact, std::uint64_t index) const;
+  HuntDraw at(ContactClass contact, std::uint64_t index) const;
 
  private:
   /// What the draws of a class go round, with the kinds of cases that are made of it.
@@ -55,14 +55,14 @@ class DrawCache {
   /// draws must outlive it.
   explicit DrawCache(const Draws& draws) : draws_(draws) {}
 
-  std::shared_ptr<const Draw> get(ContactClass contact, std::uint64_t index);
+  std::shared_ptr<const HuntDraw> get(ContactClass contact, std::uint64_t index);
 
  private:
   static constexpr size_t kKept = 512;  ///< a class: a few MB in all
 
   struct Slot {
     std::uint64_t index = 0;
-    std::shared_ptr<const Draw> draw;
+    std::shared_ptr<const HuntDraw> draw;
   };
 
   const Draws& draws_;

@@ -7,7 +7,7 @@ namespace ccdfuzz {
 
 Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
   for (std::uint64_t attempt = 0;; ++attempt) {
-    RandomChoices choices(Random::keyed(
+    Draw choices = Draw::mostly_small(Random::keyed(
         {seed, index, static_cast<std::uint64_t>(contact), attempt, 0x6c696e656172}));  // "linear"
     const Result<Query> query = draw_linear(choices);
     if (!query || linear_class_of(*query) != contact) continue;

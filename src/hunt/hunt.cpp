@@ -155,7 +155,7 @@ class Hunt {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
     const double start = thread_cpu_seconds();
-    const std::shared_ptr<const Draw> drawn = latest_.get(cell.contact, turn.draw);
+    const std::shared_ptr<const HuntDraw> drawn = latest_.get(cell.contact, turn.draw);
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
     Method& method = tools.methods[cell.method];
     for (const CheckedCase& asked : drawn->asked) {
@@ -192,7 +192,7 @@ class Hunt {
     const double start = clock_of(method);
     const std::uint64_t founders = options_.cases ? std::min(turn.draw, kFounders) : turn.draw;
     for (; founded < founders && !stop_; ++founded) {
-      const std::shared_ptr<const Draw> drawn = latest_.get(cell.contact, founded);
+      const std::shared_ptr<const HuntDraw> drawn = latest_.get(cell.contact, founded);
       for (const CheckedCase& asked : drawn->asked) breeder.add(asked.value(), tools.tracers);
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};

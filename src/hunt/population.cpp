@@ -13,9 +13,9 @@ void Population::join(WitnessedQuery q, const Standing& standing) {
   }
 }
 
-const WitnessedQuery& Population::nearer_of_two(Random& random) const {
-  const Member& a = members_[random.below(members_.size())];
-  const Member& b = members_[random.below(members_.size())];
+const WitnessedQuery& Population::nearer_of_two(Draw& draw) const {
+  const Member& a = members_[draw.below(members_.size())];
+  const Member& b = members_[draw.below(members_.size())];
   return a.nearness <= b.nearness ? a.q : b.q;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fuzz/mutator/witnessed_query.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -45,7 +45,7 @@ class Population {
 
   bool empty() const { return members_.empty(); }
   /// The nearer of two that are drawn. Requires a member.
-  const WitnessedQuery& nearer_of_two(Random& random) const;
+  const WitnessedQuery& nearer_of_two(Draw& draw) const;
 
  private:
   struct Member {

@@ -12,14 +12,14 @@
 #include <system_error>
 
 #include "base/serve.hpp"
+#include "generators/draw/draw.hpp"
 #include "method/served_method.hpp"
-#include "properties/choices.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// Where the choices come from: "numbers" (StoredChoices), "bytes", or "draw": a seed and the index
+/// Where the choices come from: "numbers", "bytes", or "draw": a seed and the index
 /// of a draw. Of "draws", a seed, the first index and how many, the answer is a CheckTally.
 struct Question {
   std::string claim, of;
@@ -66,11 +66,13 @@ class MadeWriter {
 };
 
 /// As run, but that a want of memory is left to whoever limits it.
-Check run_within_memory(const Property& property, ChoiceSource& choices) {
+Check run_within_memory(const Property& property, Draw& choices) {
   try {
     return property.check(choices);
   } catch (const std::bad_alloc&) {
     throw;
+  } catch (const Discarded& why) {
+    return Check::discarded(why.what());
   } catch (const std::exception& error) {
     return Check::fails(error);
   }
@@ -91,13 +93,13 @@ CheckTally tally_of(std::uint64_t index, const Check& check, const std::string& 
 CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) {
   CheckTally tally;
   for (std::uint64_t i = 0; i < numbers.at(2); ++i) {
-    RandomChoices drawn(Random::keyed({numbers[0], numbers[1] + i}));
+    Draw drawn = Draw::mostly_small(Random::keyed({numbers[0], numbers[1] + i}));
     tally.add(tally_of(numbers[1] + i, run_within_memory(property, drawn), ""));
   }
   return tally;
 }
 
-Check run_and_record(const Property& property, ChoiceSource& choices) {
+Check run_and_record(const Property& property, Draw& choices) {
   MadeWriter made;
   choices.watch([&](std::uint64_t choice, int width) { made.add(choice, width); });
   return run_within_memory(property, choices);
@@ -106,15 +108,15 @@ Check run_and_record(const Property& property, ChoiceSource& choices) {
 Check run_on(const Property& property, const Question& question) {
   const ChoiceNumbers& numbers = question.numbers;
   if (question.of == "draw") {
-    RandomChoices drawn(Random::keyed({numbers.at(0), numbers.at(1)}));
+    Draw drawn = Draw::mostly_small(Random::keyed({numbers.at(0), numbers.at(1)}));
     return run_and_record(property, drawn);
   }
   if (question.of == "numbers") {
-    StoredChoices stored(numbers);
+    Draw stored = Draw::from_numbers(numbers);
     return run_and_record(property, stored);
   }
   const std::vector<std::uint8_t> bytes(numbers.begin(), numbers.end());
-  ByteChoices of_bytes(bytes);
+  Draw of_bytes = Draw::from_bytes(bytes);
   return run_and_record(property, of_bytes);
 }
 

@@ -13,7 +13,7 @@ namespace ccdfuzz {
 namespace {
 
 Query random_query(const Shape& a, const Shape& b, std::uint64_t key) {
-  Random random = Random::keyed({key});
+  Draw random{Random::keyed({key})};
   return plant_contact(random, a, b).query;
 }
 

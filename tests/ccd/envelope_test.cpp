@@ -13,7 +13,7 @@ namespace {
 constexpr int kEnvelopeProblems = 5'000;
 
 LineProblem envelope_problem(int index) {
-  Random random = Random::keyed({5, static_cast<std::uint64_t>(index)});
+  Draw random{Random::keyed({5, static_cast<std::uint64_t>(index)})};
   return index % 2 == 0 ? concurrent_lines(random) : shielded_lines(random);
 }
 
@@ -103,7 +103,7 @@ TEST(Envelope, DipsBelowExactMaxBeforeItIsRaised) {
 }
 
 TEST(Lines, SortAscendingInSlopeThenIntercept) {
-  Random random = Random::keyed({1});
+  Draw random{Random::keyed({1})};
   for (int size = 1; size <= kMaxControls; ++size) {
     Lines<double> lines;
     std::vector<std::pair<double, double>> expected;

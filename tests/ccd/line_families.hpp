@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ccd/line.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "numeric/rational.hpp"
 
 namespace ccdfuzz {
@@ -40,8 +40,8 @@ inline TimeWindow<Rational> exact(const TimeWindow<double>& w) {
 }
 
 /// x moved by a few units in its last place; zero stays, so that nothing underflows.
-inline double nudged(Random& random, double x, int ulps) {
-  const std::int64_t steps = random.between(-ulps, ulps);
+inline double nudged(Draw& random, double x, int ulps) {
+  const std::int64_t steps = random.integer(-ulps, ulps);
   for (std::int64_t i = 0; i < std::abs(steps) && x != 0; ++i) {
     x = std::nextafter(x, steps < 0 ? -INFINITY : INFINITY);
   }
@@ -49,12 +49,12 @@ inline double nudged(Random& random, double x, int ulps) {
 }
 
 /// A multiple of 2^-bits in [−1, 1].
-inline double fraction(Random& random, int bits) {
-  return std::ldexp(static_cast<double>(random.between(-(1 << bits), 1 << bits)), -bits);
+inline double fraction(Draw& random, int bits) {
+  return std::ldexp(static_cast<double>(random.integer(-(1 << bits), 1 << bits)), -bits);
 }
 
 /// A line of `lines` again, a few ulps off.
-inline Line<double> twin(Random& random, const Lines<double>& lines) {
+inline Line<double> twin(Draw& random, const Lines<double>& lines) {
   const Line<double> line = lines[static_cast<int>(random.below(lines.size()))];
   const double slope = nudged(random, line.slope, 40);
   const double intercept = nudged(random, line.intercept, 60);
@@ -64,7 +64,7 @@ inline Line<double> twin(Random& random, const Lines<double>& lines) {
 /// Lines through a common point, give or take an ulp, and twins of them: what control points on a
 /// plane that an axis is nearly normal to look like, and where every predicate of Steps II and III
 /// is nearly zero. The point lies in the window or at one of its ends.
-inline LineProblem concurrent_lines(Random& random) {
+inline LineProblem concurrent_lines(Draw& random) {
   LineProblem p;
   const double t = std::abs(fraction(random, random.coin() ? 3 : 30));
   const double height = random.coin() ? 0 : fraction(random, 20);
@@ -76,7 +76,7 @@ inline LineProblem concurrent_lines(Random& random) {
   p.w.hi = std::max(p.w.hi, p.w.lo);
   for (Lines<double>* lines : {&p.f, &p.g}) {
     const double at_t = lines == &p.f ? height : -height;
-    const std::int64_t count = random.between(1, 6);
+    const std::int64_t count = random.integer(1, 6);
     for (std::int64_t i = 0; i < count; ++i) {
       if (i > 0 && random.coin()) {
         lines->push_back(twin(random, *lines));
@@ -94,7 +94,7 @@ inline LineProblem concurrent_lines(Random& random) {
 
 /// Four lines of which the third is a twin of the second, redundant or nearly so, and the fourth
 /// may make both redundant: then the twin shields the second in the test against the fourth.
-inline LineProblem shielded_lines(Random& random) {
+inline LineProblem shielded_lines(Draw& random) {
   LineProblem p;
   p.w = {0, 1};
   const double first = fraction(random, 4) - 1, middle = fraction(random, 4),

@@ -3,7 +3,7 @@
 #include "base/verify.hpp"
 #include "bezier/blossom.hpp"
 #include "case/case.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -18,7 +18,7 @@ struct Planted {
 
 /// Random patches of the two shapes, the second translated so that both meet exactly at a dyadic
 /// point of each and t = 1/2; t_max = 1. The contact need not be the first.
-inline Planted plant_contact(Random& random, const Shape& first, const Shape& second) {
+inline Planted plant_contact(Draw& random, const Shape& first, const Shape& second) {
   const std::array<Shape, 2> shapes = {first, second};
   const Dyadic t(1, -1);
   std::array<MovingPatch<Dyadic>, 2> patches;
@@ -31,8 +31,8 @@ inline Planted plant_contact(Random& random, const Shape& first, const Shape& se
       patches[side].positions.push_back(random.vector(10, -8));
       patches[side].velocities.push_back(random.vector(10, -8));
     }
-    const long u = random.between(0, 4);
-    const long v = random.between(0, shape.kind == ShapeKind::kTriangle ? 4 - u : 4);
+    const long u = random.integer(0, 4);
+    const long v = random.integer(0, shape.kind == ShapeKind::kTriangle ? 4 - u : 4);
     if (shape.parameter_count() > 0) uv[side][0] = Dyadic(Integer(u), -2);
     if (shape.parameter_count() > 1) uv[side][1] = Dyadic(Integer(v), -2);
     at_contact[side] = evaluate(patches[side], uv[side], t);

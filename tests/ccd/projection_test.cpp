@@ -13,7 +13,7 @@ namespace ccdfuzz {
 namespace {
 
 /// A cell reached by `depth` random splits.
-Cell random_cell(Random& random, const Shape& shape, int depth) {
+Cell random_cell(Draw& random, const Shape& shape, int depth) {
   Cell cell;
   for (int d = 0; d < depth; ++d) {
     cell = cell.child(
@@ -23,13 +23,13 @@ Cell random_cell(Random& random, const Shape& shape, int depth) {
 }
 
 /// A patch whose coordinates fill the mantissa, as exact inputs do not.
-MovingPatch<double> full_mantissa_patch(Random& random, const Shape& shape) {
+MovingPatch<double> full_mantissa_patch(Draw& random, const Shape& shape) {
   MovingPatch<double> patch{shape, {}, {}};
   for (int i = 0; i < shape.control_count(); ++i) {
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {
       Vec3<double> p;
       for (int k = 0; k < 3; ++k) {
-        p[k] = std::ldexp(static_cast<double>(random.between(-(1L << 53), 1L << 53)), -53);
+        p[k] = std::ldexp(static_cast<double>(random.integer(-(1L << 53), 1L << 53)), -53);
       }
       points->push_back(p);
     }
@@ -39,7 +39,7 @@ MovingPatch<double> full_mantissa_patch(Random& random, const Shape& shape) {
 
 /// The largest errors of the lines of a random sub-patch on each of the axes l1 … l15, in units of
 /// the claimed bounds.
-Rational worst_share_of_bound(Random& random, const Shape& shape) {
+Rational worst_share_of_bound(Draw& random, const Shape& shape) {
   Query query;
   for (MovingPatch<double>& patch : query.patches) patch = full_mantissa_patch(random, shape);
   SubPatches parts(kAsInAppendixA.axes);
@@ -76,7 +76,7 @@ TEST(Projection, StepOneIsWithinTheBoundsOfAppendixA) {
        {Shape::curve(1), Shape::curve(5), Shape::triangle(1), Shape::triangle(2),
         Shape::triangle(4), Shape::tensor(1, 1), Shape::tensor(3, 2)}) {
     for (int index = 0; index < 5; ++index) {
-      Random random = Random::keyed({6, static_cast<std::uint64_t>(index)});
+      Draw random{Random::keyed({6, static_cast<std::uint64_t>(index)})};
       const Rational worst = worst_share_of_bound(random, shape);
       EXPECT_LE(worst, 1) << to_text(shape) << " #" << index;
       EXPECT_GT(worst, 0) << to_text(shape) << " #" << index << ": nothing was rounded";

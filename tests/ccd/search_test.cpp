@@ -14,7 +14,7 @@ namespace {
 
 /// The same patch twice, at rest: every pair of parts that touch does so at all times.
 Query identical_static_patches() {
-  Random random = Random::keyed({12});
+  Draw random{Random::keyed({12})};
   Query query = plant_contact(random, Shape::triangle(2), Shape::triangle(2)).query;
   for (Vec3<double>& v : query.patches[0].velocities) v = {0, 0, 0};
   query.patches[1] = query.patches[0];

@@ -14,7 +14,7 @@ constexpr int kSeparationProblems = 20'000;
 constexpr int kExactProblems = kSeparationProblems / static_cast<int>(kOneIn);
 
 LineProblem separation_problem(int index) {
-  Random random = Random::keyed({2, static_cast<std::uint64_t>(index)});
+  Draw random{Random::keyed({2, static_cast<std::uint64_t>(index)})};
   return index % 2 == 0 ? concurrent_lines(random) : shielded_lines(random);
 }
 

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "ccd/tdibm.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "numeric/effort.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-Vec3<double> random_vector(Random& random) {
+Vec3<double> random_vector(Draw& random) {
   Vec3<double> v;
   for (int k = 0; k < 3; ++k) {
     v[k] = std::ldexp(static_cast<double>(random.below(1 << 20)), -19) - 1;
@@ -21,7 +21,7 @@ Vec3<double> random_vector(Random& random) {
 /// Two triangular quadratics about 1 long that lie along each other, on both sides of a plane, and
 /// at t_max end `gap` apart. Their edges from the first corner are `apart` from parallel: a normal
 /// made of unit spans is about `apart` long.
-Query slivers(Random& random, double apart, double gap) {
+Query slivers(Draw& random, double apart, double gap) {
   const Vec3<double> u = random_vector(random), across = random_vector(random);
   const Vec3<double> v = u + apart * across, side = cross(u, across);
   const Vec3<double> normal = side / std::sqrt(dot(side, side));
@@ -53,7 +53,7 @@ FalseHits of_slivers(int exponent, int count) {
   options.max_pops = 200;  // what takes more is undecided, not hit
   FalseHits out;
   for (int i = 0; i < count; ++i) {
-    Random random = Random::keyed({static_cast<std::uint64_t>(i)});
+    Draw random{Random::keyed({static_cast<std::uint64_t>(i)})};
     const double gap = std::ldexp(1.5, -static_cast<int>(random.below(31)));
     const Query query = slivers(random, std::ldexp(1.0, exponent), gap);
     out.appendix_a += appendix_a.answer(query, options).verdict == Verdict::kHit ? 1 : 0;

@@ -25,9 +25,9 @@ void for_planted_contacts(Claim&& claim) {
   for (const Shape& a : kSomeShapes) {
     for (const Shape& b : kSomeShapes) {
       for (std::size_t index = 0; index < 3; index += kOneIn) {
-        Random random = Random::keyed({static_cast<std::uint64_t>(a.control_count()),
-                                       static_cast<std::uint64_t>(b.control_count()),
-                                       static_cast<std::uint64_t>(index)});
+        Draw random{Random::keyed({static_cast<std::uint64_t>(a.control_count()),
+                                   static_cast<std::uint64_t>(b.control_count()),
+                                   static_cast<std::uint64_t>(index)})};
         const Planted planted = plant_contact(random, a, b);
         claim(planted.query, planted.witness, describe(a, b, index));
       }
@@ -103,7 +103,7 @@ TEST(Tdibm, AllShapesMissWhenPatchesPartForGood) {
 }
 
 TEST(Tdibm, HighestDegreesAreAnswered) {
-  Random random = Random::keyed({8});
+  Draw random{Random::keyed({8})};
   const Planted planted = plant_contact(random, Shape::tensor(8, 8), Shape::triangle(8));
   Tdibm<ErrorBoundIntended> method;
   const Answer answer = method.answer(planted.query, with_precision(1e-2));
@@ -112,7 +112,7 @@ TEST(Tdibm, HighestDegreesAreAnswered) {
 }
 
 TEST(Tdibm, AnObjectKeepsNothingBetweenQueries) {
-  Random random = Random::keyed({3});
+  Draw random{Random::keyed({3})};
   const Query first = plant_contact(random, Shape::triangle(2), Shape::triangle(2)).query;
   const Query second = plant_contact(random, Shape::tensor(2, 2), Shape::curve(3)).query;
   Tdibm<ErrorBoundIntended> reused;

@@ -19,8 +19,8 @@ TEST(Traditional, FindsPlantedContactsOfAllShapesInTime) {
   int hits = 0;
   for (const Shape& a : kSomeShapes) {
     for (const Shape& b : kSomeShapes) {
-      Random random = Random::keyed({4, static_cast<std::uint64_t>(a.control_count()),
-                                     static_cast<std::uint64_t>(b.control_count())});
+      Draw random{Random::keyed({4, static_cast<std::uint64_t>(a.control_count()),
+                                 static_cast<std::uint64_t>(b.control_count())})};
       const Planted planted = plant_contact(random, a, b);
       for (Traditional* method : {&oriented, &aligned}) {
         const Answer answer = method->answer(planted.query, coarse());
@@ -35,7 +35,7 @@ TEST(Traditional, FindsPlantedContactsOfAllShapesInTime) {
 }
 
 TEST(Traditional, MissesPatchesThatStayApart) {
-  Random random = Random::keyed({5});
+  Draw random{Random::keyed({5})};
   Query query = plant_contact(random, Shape::tensor(2, 2), Shape::triangle(2)).query;
   for (Vec3<double>& p : query.patches[1].positions) p[2] += 64;
   EXPECT_EQ(Traditional().answer(query, coarse()).verdict, Verdict::kMiss);
@@ -43,7 +43,7 @@ TEST(Traditional, MissesPatchesThatStayApart) {
 }
 
 TEST(Traditional, RespectsItsBudget) {
-  Random random = Random::keyed({6});
+  Draw random{Random::keyed({6})};
   const Planted planted = plant_contact(random, Shape::triangle(2), Shape::triangle(2));
   SearchOptions options;
   options.max_pops = 5;

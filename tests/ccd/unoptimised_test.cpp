@@ -39,13 +39,13 @@ std::vector<Query> mixed_queries() {
     for (const Shape& b : kSomeShapes) {
       for (std::uint64_t index = 0; index < kPerPairOfShapes; ++index) {
         if (!is_wanted()) continue;
-        Random random = Random::keyed({static_cast<std::uint64_t>(a.control_count()),
-                                       static_cast<std::uint64_t>(b.control_count()), index, 7});
+        Draw random{Random::keyed({static_cast<std::uint64_t>(a.control_count()),
+                                   static_cast<std::uint64_t>(b.control_count()), index, 7})};
         queries.push_back(plant_contact(random, a, b).query);
       }
     }
   }
-  Random random = Random::keyed({8});
+  Draw random{Random::keyed({8})};
   const int degree = kOneIn == 1 ? 8 : 4;
   queries.push_back(
       plant_contact(random, Shape::tensor(degree, degree), Shape::triangle(degree)).query);

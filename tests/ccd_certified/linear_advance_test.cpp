@@ -7,18 +7,18 @@
 
 #include "case/case_json.hpp"
 #include "certify/linear/first_contact.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz::certified {
 namespace {
 
 /// All bits in use.
-double full_double(Random& random) {
-  return std::ldexp(static_cast<double>(random.between(-(1LL << 53), 1LL << 53)), -53);
+double full_double(Draw& random) {
+  return std::ldexp(static_cast<double>(random.integer(-(1LL << 53), 1LL << 53)), -53);
 }
 
-std::array<Shape, 2> any_linear_shapes(Random& random) {
+std::array<Shape, 2> any_linear_shapes(Draw& random) {
   constexpr Shape kPoint = Shape::point(), kEdge = Shape::curve(1), kFace = Shape::triangle(1);
   return random.pick(std::array<std::array<Shape, 2>, 6>{{{kEdge, kEdge},
                                                           {kEdge, kEdge},
@@ -30,7 +30,7 @@ std::array<Shape, 2> any_linear_shapes(Random& random) {
 
 /// Two linear patches in full doubles that are within a few floats of touching at t = 1/2, at a
 /// corner, on an edge or inside; far from the origin, fast in common, or neither.
-Query almost_touching(Random& random) {
+Query almost_touching(Draw& random) {
   const std::array<Shape, 2> shapes = any_linear_shapes(random);
   Query query;
   query.t_max = random.pick(std::array{0.5, 1.0, std::nextafter(0.5, 0), std::nextafter(0.5, 1)});
@@ -64,7 +64,7 @@ Query almost_touching(Random& random) {
 }
 
 TEST(LinearAdvance, NeverPassesAContact) {
-  Random random = Random::keyed({11});
+  Draw random{Random::keyed({11})};
   int contacts = 0, clear = 0, reached = 0;
   NormalisedQuery normalised;
   for (size_t i = 0; i < 6000 / kOneIn; ++i) {
@@ -96,7 +96,7 @@ TEST(LinearAdvance, StopsAtParametersInTheirDomain) {
   NormalisedQuery normalised;
   const MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
   MovingPatch<double> face{Shape::triangle(1), {{-1, -1, 0}, {}, {}}, {3, Vec3<double>::Zero()}};
-  Random random = Random::keyed({13});
+  Draw random{Random::keyed({13})};
   int stopped = 0;
   for (int i = 0; i < 1000; ++i) {
     const double x = std::abs(full_double(random)), y = std::abs(full_double(random));

@@ -10,7 +10,7 @@
 #include "ccd/certified/short_contact.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz::certified {
@@ -74,9 +74,9 @@ TEST(LinearContact, TellsTheLeastGapFromATouch) {
 
 // Points in full doubles on, or next to, oblique planes: the distance is below any E.
 TEST(LinearContact, DecidesAtObliquePlanes) {
-  Random random = Random::keyed({31});
+  Draw random{Random::keyed({31})};
   const auto number = [&] {
-    return std::ldexp(static_cast<double>(random.between(-(1LL << 53), 1LL << 53)), -53);
+    return std::ldexp(static_cast<double>(random.integer(-(1LL << 53), 1LL << 53)), -53);
   };
   int hits = 0, total = 0;
   for (size_t i = 0; i < 4000 / kOneIn; ++i, ++total) {
@@ -97,7 +97,7 @@ TEST(LinearContact, DecidesAtObliquePlanes) {
 }
 
 /// Two edges or a point and a face about the origin, at `bits` bits a number.
-Query about_origin(Random& random, int bits) {
+Query about_origin(Draw& random, int bits) {
   const bool edges = random.coin();
   Query query;
   for (std::size_t s = 0; s < 2; ++s) {
@@ -107,7 +107,7 @@ Query about_origin(Random& random, int bits) {
         Vec3<double> p;
         for (int k = 0; k < 3; ++k) {
           p[k] =
-              std::ldexp(static_cast<double>(random.between(-(1LL << bits), 1LL << bits)), -bits);
+              std::ldexp(static_cast<double>(random.integer(-(1LL << bits), 1LL << bits)), -bits);
         }
         points->push_back(p);
       }
@@ -119,7 +119,7 @@ Query about_origin(Random& random, int bits) {
 
 // Level 45 is too fine for short integers.
 TEST(LinearContact, IsTheSameInShortAndLongIntegers) {
-  Random random = Random::keyed({41});
+  Draw random{Random::keyed({41})};
   int is_short = 0, hits = 0, total = 0;
   for (std::size_t i = 0; i < 6000 / kOneIn; ++i, ++total) {
     const Query query = about_origin(random, random.pick(std::array{1, 2, 3, 20, 53}));

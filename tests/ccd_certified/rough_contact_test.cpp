@@ -4,20 +4,20 @@
 
 #include <cmath>
 
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz::certified {
 namespace {
 
 /// All bits in use.
-double full_bits(Random& random) {
-  return std::ldexp(static_cast<double>(random.between(-(1LL << 53), 1LL << 53)), -53);
+double full_bits(Draw& random) {
+  return std::ldexp(static_cast<double>(random.integer(-(1LL << 53), 1LL << 53)), -53);
 }
 
 // Integers are slow: random queries are not to need them.
 TEST(RoughContact, LeavesNoneInAThousandRandomQueriesOpen) {
-  Random random = Random::keyed({38});
+  Draw random{Random::keyed({38})};
   NormalisedQuery normalised;
   std::size_t open = 0;
   constexpr std::size_t kQueries = 20'000 / kOneIn;

@@ -31,7 +31,7 @@ TEST(Trace, TheSoundMethodsLoseNoWitnessOfAnyClassAndFamily) {
 }
 
 TEST(Trace, TheSoundMethodsLoseNoPlantedWitnessOfAnyShapes) {
-  Random random = Random::keyed({3});
+  Draw random{Random::keyed({3})};
   for (const char* spec : kSound) {
     const auto tracer = tracer_of(spec);
     for (const Shape& first : kSomeShapes) {
@@ -60,7 +60,7 @@ TEST(Trace, ContactsAtTheEndsOfTheStepSurvive) {
 
 /// The same patch twice, at rest: all of it touches all the time, so no pair is ever cut.
 Query twice_the_same(const Shape& shape) {
-  Random random = Random::keyed({12});
+  Draw random{Random::keyed({12})};
   Query query = plant_contact(random, shape, shape).query;
   for (Vec3<double>& v : query.patches[0].velocities) v = {0, 0, 0};
   query.patches[1] = query.patches[0];

@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
+#include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
-#include "generators/random.hpp"
 #include "generators/stress.hpp"
 #include "share.hpp"
 

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -27,7 +27,7 @@ template <class Forget>
 bool kill_often(const std::vector<std::string>& arguments, const std::string& journal, int kills,
                 const Forget& forget) {
   constexpr int kAttempts = 100;
-  Random random(std::random_device{}());
+  Draw random{Random(std::random_device{}())};
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     bool is_killed = true;
     for (int kill = 0; kill < kills && is_killed; ++kill) {

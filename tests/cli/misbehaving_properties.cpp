@@ -17,42 +17,42 @@
 namespace ccdfuzz {
 namespace {
 
-Check holds(ChoiceSource& choices) {
+Check holds(Draw& choices) {
   choices.choose(9);
   return Check::holds();
 }
 
 /// True of every input with a byte of text; the counterexample is the empty one.
-Check fails_on_empty(ChoiceSource& choices) {
+Check fails_on_empty(Draw& choices) {
   return choices.text(8).empty() ? Check::fails("the text is empty") : Check::holds();
 }
 
 /// Shrinks to the byte 0.
-Check fails_on_all(ChoiceSource& choices) {
+Check fails_on_all(Draw& choices) {
   return Check::fails("drew " + std::to_string(choices.choose(1) == 0 ? 0 : 1));
 }
 
-Check is_discarded(ChoiceSource& choices) {
+Check is_discarded(Draw& choices) {
   choices.choose(9);
   return Check::discarded("as all are");
 }
 
-bool one_in_a_hundred(ChoiceSource& choices) {
+bool one_in_a_hundred(Draw& choices) {
   return choices.choose(std::uint64_t{1} << 40) % 100 == 99;
 }
 
-Check segfaults(ChoiceSource& choices) {
+Check segfaults(Draw& choices) {
   if (one_in_a_hundred(choices)) std::raise(SIGSEGV);
   return Check::holds();
 }
 
-Check aborts(ChoiceSource& choices) {
+Check aborts(Draw& choices) {
   if (one_in_a_hundred(choices)) std::abort();
   return Check::holds();
 }
 
 /// More than any process is given.
-Check wants_memory(ChoiceSource& choices) {
+Check wants_memory(Draw& choices) {
   std::vector<std::string> all;
   while (one_in_a_hundred(choices)) all.emplace_back(std::size_t{1} << 40, 'x');
   return Check::holds();
@@ -64,14 +64,14 @@ int depth(volatile int* below) {
   return here[0] == 1'000'000'000 ? 0 : depth(here) + here[0];
 }
 
-Check overflows_the_stack(ChoiceSource& choices) {
+Check overflows_the_stack(Draw& choices) {
   volatile int none = 0;
   if (one_in_a_hundred(choices)) none = depth(&none);
   return Check::holds();
 }
 
 /// Fails on large numbers, and aborts on what they are shrunk to.
-Check aborts_when_shrunk(ChoiceSource& choices) {
+Check aborts_when_shrunk(Draw& choices) {
   const std::uint64_t number = choices.choose(std::uint64_t{1} << 40);
   if (number > 1000) return Check::fails("a large number");
   if (number > 500) std::abort();
@@ -83,39 +83,39 @@ void interrupt_who_checks() {
   ::kill(std::atoi(std::getenv("MISBEHAVING_PROPERTIES")), SIGINT);
 }
 
-Check interrupts_and_hangs(ChoiceSource&) {
+Check interrupts_and_hangs(Draw&) {
   interrupt_who_checks();
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
 }
 
-Check hangs(ChoiceSource& choices) {
+Check hangs(Draw& choices) {
   if (!one_in_a_hundred(choices)) return Check::holds();
   std::cout << "hanging" << std::endl;  // NOLINT: whoever waits for it must see it
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
 }
 
 /// Once: whoever asks twice wants the program to end at once.
-Check interrupts(ChoiceSource& choices) {
+Check interrupts(Draw& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
   if (!done.test_and_set()) interrupt_who_checks();
   return holds(choices);
 }
 
 /// Fails at once, and aborts a few inputs later.
-Check fails_then_aborts(ChoiceSource&) {
+Check fails_then_aborts(Draw&) {
   static std::atomic<int> done = 0;
   if (++done > 50) std::abort();
   return Check::fails("before it aborts");
 }
 
 /// As a property with a race or stale state does.
-Check fails_once(ChoiceSource& choices) {
+Check fails_once(Draw& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
   return done.test_and_set() ? holds(choices) : Check::fails("the first time");
 }
 
 /// The simplest input is hundreds of runs away, and aborts where it comes to that.
-Check takes_long_to_shrink(ChoiceSource& choices, int runs) {
+Check takes_long_to_shrink(Draw& choices, int runs) {
   static std::atomic<int> done = 0;
   if (++done > runs) std::abort();
   int large = 0;
@@ -123,13 +123,13 @@ Check takes_long_to_shrink(ChoiceSource& choices, int runs) {
   return large < 20 ? Check::holds() : Check::fails("many are large");
 }
 
-Check interrupts_when_shrunk(ChoiceSource& choices) {
+Check interrupts_when_shrunk(Draw& choices) {
   static std::atomic<int> done = 0;
   if (++done == 20) interrupt_who_checks();
   return takes_long_to_shrink(choices, 100);
 }
 
-Check is_slow(ChoiceSource& choices) {
+Check is_slow(Draw& choices) {
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
   return takes_long_to_shrink(choices, 200);
 }

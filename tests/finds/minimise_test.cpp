@@ -13,8 +13,8 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "finds/content_address.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
-#include "generators/random.hpp"
 #include "numeric/rational.hpp"
 
 namespace ccdfuzz {
@@ -135,9 +135,9 @@ TEST(Minimise, LeavesWhatDoesNotFailWhenSimpler) {
 
 /// A point that passes a triangle at a distance, in numbers of many bits.
 Case passing_point() {
-  Random random(7);
+  Draw random{Random(7)};
   const auto any = [&random] {
-    return std::ldexp(static_cast<double>(random.between(-(1 << 30), 1 << 30)), -30);
+    return std::ldexp(static_cast<double>(random.integer(-(1 << 30), 1 << 30)), -30);
   };
   Case passing;
   passing.query.patches[0].shape = Shape::point();

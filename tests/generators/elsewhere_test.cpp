@@ -23,20 +23,25 @@ double largest(const Query& query, const Points<double> MovingPatch<double>::*po
   return most;
 }
 
-/// The case that elsewhere() makes where between() gives the higher number, or the lower one.
+/// The case that elsewhere() makes of the highest numbers, or of the lowest ones where they have a
+/// sign. (Choices go to and fro about 0.)
 Case moved_as_far_as_it_goes(const Case& base, bool up) {
-  return elsewhere(base, [up](int lo, int hi) { return up || lo == 0 ? hi : lo; });
+  const std::uint64_t vector = up ? 29 : 30, space = up ? 1799 : 1900, time = up ? 199 : 200;
+  Draw draw = Draw::from_numbers(
+      {1, 40, vector, vector, vector, 1, 40, vector, vector, vector, 3, space, 3, time});
+  return elsewhere(base, draw);
 }
 
 TEST(Elsewhere, NothingChangesWhereEveryChoiceIs0) {
-  Random random(1);
+  Draw random{Random(1)};
   const Case base = planted_case(ContactClass::kEF, random);
-  EXPECT_EQ(elsewhere(base, [](int, int) { return 0; }), base);
+  Draw zeros = Draw::from_numbers({});
+  EXPECT_EQ(elsewhere(base, zeros), base);
 }
 
 TEST(Elsewhere, IsAsFarAndAsFastAsTheBitsAllowAndKeepsTheTruth) {
   for (const ContactClass contact : kContactClasses) {
-    Random random(2);
+    Draw random{Random(2)};
     const Case base = planted_case(contact, random);
     for (const bool up : {false, true}) {
       const Case far = moved_as_far_as_it_goes(base, up);

@@ -26,7 +26,7 @@ int for_each_extended_scene(Family family, const Check& check) {
         if (!can_extend(family, contact, {first, second}) || ++scenes % kOneIn != 0) continue;
         SCOPED_TRACE(fmt::format("{} {} {} {}", name_of(family), name_of(contact), to_text(first),
                                  to_text(second)));
-        Random random(static_cast<std::uint64_t>(scenes));
+        Draw random{Random(static_cast<std::uint64_t>(scenes))};
         check(contact, extended_contact(family, contact, {first, second}, random));
       }
     }

@@ -18,7 +18,7 @@ void for_each_part(const Check& check) {
   for (const Feature feature : kFeatures) {
     for (std::uint64_t key = 0; key < 100; ++key) {
       SCOPED_TRACE(fmt::format("feature {} key {}", static_cast<int>(feature), key));
-      Random random(key);
+      Draw random{Random(key)};
       const Barycentric x = prescribe_in_parent(feature, random);
       check(feature, x, choose_local_patch(x, random), random);
     }
@@ -26,7 +26,7 @@ void for_each_part(const Check& check) {
 }
 
 TEST(Extract, CornersAreOnTheGridAndInTheParent) {
-  for_each_part([](Feature, const Barycentric&, const LocalPatch& part, Random&) {
+  for_each_part([](Feature, const Barycentric&, const LocalPatch& part, Draw&) {
     for (const Barycentric& corner : part.corners) {
       EXPECT_EQ(corner[0] + corner[1] + corner[2], Dyadic(1));
       for (const Dyadic& c : corner) {
@@ -39,7 +39,7 @@ TEST(Extract, CornersAreOnTheGridAndInTheParent) {
 
 // E.4's containment, "by construction": the contact is at part.x, and on the same feature.
 TEST(Extract, TheContactLiesOnThePartAsOnTheParent) {
-  for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Random&) {
+  for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Draw&) {
     EXPECT_EQ(feature_at(part.x), feature);
     for (size_t k = 0; k < 3; ++k) {
       Dyadic sum;
@@ -51,7 +51,7 @@ TEST(Extract, TheContactLiesOnThePartAsOnTheParent) {
 
 // An edge of the part is part of the parent's edge: else the contact would be inside the parent.
 TEST(Extract, AnEdgeOfThePartIsPartOfTheEdgeOfTheParent) {
-  for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Random&) {
+  for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Draw&) {
     if (feature != Feature::kEdge) return;
     const size_t opposite = std::find(x.begin(), x.end(), Dyadic()) - x.begin();
     for (size_t a = 0; a < 3; ++a) {
@@ -62,7 +62,7 @@ TEST(Extract, AnEdgeOfThePartIsPartOfTheEdgeOfTheParent) {
 }
 
 TEST(Extract, ControlPointsAreTheBlossomAtTheCorners) {
-  for_each_part([](Feature, const Barycentric&, const LocalPatch& part, Random& random) {
+  for_each_part([](Feature, const Barycentric&, const LocalPatch& part, Draw& random) {
     Points<Dyadic> parent;
     for (size_t i = 0; i < 6; ++i) parent.push_back(random.vector(12, -8));
     // restrict_to takes the corners in the order w, u, v.
@@ -76,7 +76,7 @@ TEST(Extract, ControlPointsAreTheBlossomAtTheCorners) {
 
 TEST(Extract, ReachesEveryEdgeAndCornerOfThePart) {
   std::array<std::set<int>, 3> zeros;
-  for_each_part([&](Feature feature, const Barycentric&, const LocalPatch& part, Random&) {
+  for_each_part([&](Feature feature, const Barycentric&, const LocalPatch& part, Draw&) {
     int mask = 0;
     for (int a = 0; a < 3; ++a) mask |= part.x[a].sign() == 0 ? 1 << a : 0;
     zeros[static_cast<size_t>(feature)].insert(mask);
@@ -86,7 +86,7 @@ TEST(Extract, ReachesEveryEdgeAndCornerOfThePart) {
 }
 
 TEST(Extract, PartsAreNotDegenerate) {
-  for_each_part([](Feature, const Barycentric&, const LocalPatch& part, Random&) {
+  for_each_part([](Feature, const Barycentric&, const LocalPatch& part, Draw&) {
     const auto& c = part.corners;
     const Dyadic area =
         (c[1][0] - c[0][0]) * (c[2][1] - c[0][1]) - (c[1][1] - c[0][1]) * (c[2][0] - c[0][0]);

@@ -8,7 +8,7 @@ namespace ccdfuzz {
 namespace {
 
 Scene some_scene() {
-  Random random(1);
+  Draw random{Random(1)};
   return one_sided_scene(ContactClass::kVE, {}, random);
 }
 

@@ -25,7 +25,7 @@ TEST(FirstContact, IsNotProvenWhereThePatchesComeOutOfEachOther) {
   for (const ContactClass contact :
        {ContactClass::kFF, ContactClass::kEF, ContactClass::kEE, ContactClass::kVF}) {
     for (std::uint64_t key = 0; key < 10; ++key) {
-      Random random(key);
+      Draw random{Random(key)};
       Scene scene = one_sided_scene(contact, {}, random);
       EXPECT_TRUE(proven(scene)) << name_of(contact) << " key " << key;
       for (MovingPatch<Dyadic>& patch : scene.patches) {
@@ -80,7 +80,7 @@ TEST(FirstContact, IsNotProvenWhereAnotherPartTouchesBefore) {
 TEST(FirstContact, IsProvenBySearchWhereNoPlaneDoesIt) {
   int by_search = 0;
   for (std::uint64_t key = 0; key < 200 && by_search < 3; ++key) {
-    Random random(key);
+    Draw random{Random(key)};
     const std::optional<Scene> scene = paper_scene(ContactClass::kEF, false, random);
     by_search += scene && !moving_plane_separates(*scene, scene->normal) && proven(*scene);
   }

@@ -30,7 +30,7 @@ void for_each_grazing(const Check& check) {
     for (std::uint64_t key = 0; made < 8; ++key) {
       ASSERT_LT(key, 400U) << name_of(contact);
       SCOPED_TRACE(fmt::format("{} key {}", name_of(contact), key));
-      Random random(key);
+      Draw random{Random(key)};
       Grazing g;
       g.contact.t = Dyadic(1);
       const auto features = features_of(contact);

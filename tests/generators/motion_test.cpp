@@ -23,7 +23,7 @@ void for_each_motion(const Check& check) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t key = 0; key < 50; ++key) {
       SCOPED_TRACE(fmt::format("{} key {}", name_of(contact), key));
-      Random random(key);
+      Draw random{Random(key)};
       Moving m{contact, {Dyadic(1), {}}, {}, random.vector(4, 0), {}};
       for (size_t s = 0; s < 2; ++s) {
         const Barycentric x = prescribe_in_parent(features_of(contact)[s], random);

@@ -9,7 +9,7 @@
 namespace ccdfuzz {
 namespace {
 
-std::vector<Barycentric> both_kinds(Feature feature, Random& random) {
+std::vector<Barycentric> both_kinds(Feature feature, Draw& random) {
   std::vector<Barycentric> points = {prescribe_in_parent(feature, random)};
   for (int bits = 2; bits <= 12; ++bits) {
     points.push_back(prescribe_anywhere(feature, bits, random));
@@ -29,7 +29,7 @@ TEST(Prescribe, NamesTheFeaturesInTheOrderOfTheClassName) {
 }
 
 TEST(Prescribe, PointsLieOnTheirFeatureAndInTheTriangle) {
-  Random random(1);
+  Draw random{Random(1)};
   for (const Feature feature : kFeatures) {
     for (int i = 0; i < 200; ++i) {
       for (const Barycentric& x : both_kinds(feature, random)) {
@@ -42,7 +42,7 @@ TEST(Prescribe, PointsLieOnTheirFeatureAndInTheTriangle) {
 }
 
 TEST(Prescribe, ReachesEveryEdgeAndEveryCorner) {
-  Random random(2);
+  Draw random{Random(2)};
   for (const Feature feature : {Feature::kEdge, Feature::kCorner}) {
     std::set<int> zeros_in_parent, zeros_anywhere;
     const auto zeros = [](const Barycentric& x) {
@@ -59,7 +59,7 @@ TEST(Prescribe, ReachesEveryEdgeAndEveryCorner) {
 
 // Appendix E.2, and the minors of such parameters being powers of two, stand on these very values.
 TEST(Prescribe, ParentParametersArePowersOfTwo) {
-  Random random(3);
+  Draw random{Random(3)};
   for (const Feature feature : kFeatures) {
     for (int i = 0; i < 50; ++i) {
       for (const Dyadic& c : prescribe_in_parent(feature, random)) {
@@ -71,7 +71,7 @@ TEST(Prescribe, ParentParametersArePowersOfTwo) {
 }
 
 TEST(Prescribe, AnywhereHonoursItsBits) {
-  Random random(4);
+  Draw random{Random(4)};
   for (const Feature feature : kFeatures) {
     for (int bits = 2; bits <= 12; ++bits) {
       for (const Dyadic& c : prescribe_anywhere(feature, bits, random)) {

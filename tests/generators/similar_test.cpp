@@ -12,7 +12,7 @@ namespace ccdfuzz {
 namespace {
 
 Case planted(ContactClass contact, std::uint64_t key) {
-  Random random(key);
+  Draw random{Random(key)};
   return planted_case(contact, random);
 }
 

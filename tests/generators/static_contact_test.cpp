@@ -16,7 +16,7 @@ void for_each_contact(const Check& check) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t key = 0; key < 50; ++key) {
       SCOPED_TRACE(fmt::format("{} key {}", name_of(contact), key));
-      Random random(key);
+      Draw random{Random(key)};
       std::array<Barycentric, 2> x;
       for (size_t s = 0; s < 2; ++s) x[s] = prescribe_in_parent(features_of(contact)[s], random);
       check(contact, x, static_contact(x, random));

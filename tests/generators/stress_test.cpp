@@ -17,7 +17,7 @@ void for_each_scene(Family family, const Check& check) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t key = 0; key < kCases; ++key) {
       SCOPED_TRACE(fmt::format("{} {} key {}", name_of(family), name_of(contact), key));
-      Random random(key);
+      Draw random{Random(key)};
       check(stress_scene(family, contact, random));
     }
   }
@@ -61,7 +61,7 @@ TEST(Stress, EveryFamilyAndClassGivesPositivesThatTheCheckerAccepts) {
 TEST(Stress, TheContactLiesOnTheFeaturesThatItsClassNames) {
   for (const Family family : kQuadraticFamilies) {
     for (const ContactClass contact : kContactClasses) {
-      Random random(7);
+      Draw random{Random(7)};
       const Scene scene = stress_scene(family, contact, random);
       for (size_t s = 0; s < 2; ++s) {
         EXPECT_EQ(feature_at(scene.contact.x[s]), features_of(contact)[s]) << name_of(family);

@@ -3,16 +3,16 @@
 #include <gtest/gtest.h>
 
 #include "bezier/blossom.hpp"
+#include "generators/draw/draw.hpp"
 #include "generators/prescribe.hpp"
-#include "generators/random.hpp"
 #include "numeric/products.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-Vec3<Dyadic> small_vector(Random& random, int bound) {
+Vec3<Dyadic> small_vector(Draw& random, int bound) {
   Vec3<Dyadic> v;
-  for (int k = 0; k < 3; ++k) v[k] = Dyadic(static_cast<int>(random.between(-bound, bound)));
+  for (int k = 0; k < 3; ++k) v[k] = Dyadic(static_cast<int>(random.integer(-bound, bound)));
   return v;
 }
 
@@ -43,7 +43,7 @@ bool one_exists(const std::vector<Vec3<Dyadic>>& above, const std::vector<Vec3<D
 TEST(TangentCone, ACommonNormalIsRightAndIsFoundIfThereIsOne) {
   int found = 0, missing = 0;
   for (std::uint64_t key = 0; key < 600; ++key) {
-    Random random(key);
+    Draw random{Random(key)};
     // Shapes of EE, VF, VE and VV: sides and lines of both patches, and the approach.
     constexpr std::array<std::array<int, 2>, 4> kCounts = {{{3, 2}, {3, 2}, {4, 1}, {5, 0}}};
     const auto [above_count, level_count] = kCounts[key % 4];
@@ -71,7 +71,7 @@ TEST(TangentCone, ACommonNormalIsRightAndIsFoundIfThereIsOne) {
 }
 
 TEST(TangentCone, HasTheLinesAndSidesOfItsFeature) {
-  Random random(1);
+  Draw random{Random(1)};
   Points<Dyadic> points;
   for (size_t i = 0; i < 6; ++i) points.push_back(random.vector(12, -8));
   const auto sizes = [&](Feature feature) {
@@ -85,7 +85,7 @@ TEST(TangentCone, HasTheLinesAndSidesOfItsFeature) {
 
 // The sides point into the patch and the lines along it: a short step stays near the cone.
 TEST(TangentCone, SidesAreTheDerivativesIntoThePatch) {
-  Random random(2);
+  Draw random{Random(2)};
   Points<Dyadic> points;
   for (size_t i = 0; i < 6; ++i) points.push_back(random.vector(12, -8));
   const Dyadic zero, half(1, -1), step(1, -20);

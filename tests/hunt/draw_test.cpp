@@ -13,7 +13,7 @@ namespace {
 
 TEST(Draw, DependsOnItsArgumentsAlone) {
   for (const ContactClass contact : kContactClasses) {
-    const Draw a = Draws(3).at(contact, 8), b = Draws(3).at(contact, 8);
+    const HuntDraw a = Draws(3).at(contact, 8), b = Draws(3).at(contact, 8);
     EXPECT_EQ(a.asked, b.asked);
     EXPECT_NE(a.asked, Draws(4).at(contact, 8).asked) << "another seed";
   }
@@ -22,7 +22,7 @@ TEST(Draw, DependsOnItsArgumentsAlone) {
 TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t index = 0; index < 40; index += 3 * kOneIn) {
-      const Draw drawn = Draws(1).at(contact, index);
+      const HuntDraw drawn = Draws(1).at(contact, index);
       ASSERT_FALSE(drawn.asked.empty());
       for (const CheckedCase& asked : drawn.asked) {
         const Result<void> checked = check_truth(asked.value());

@@ -21,7 +21,7 @@ WitnessedQuery numbered(double t_max) {
 
 std::set<double> numbers_in(const Population& population) {
   std::set<double> found;
-  Random random(1);
+  Draw random{Random(1)};
   for (int i = 0; i < 200; ++i) found.insert(population.nearer_of_two(random).query.t_max);
   return found;
 }
@@ -45,7 +45,7 @@ TEST(Population, PrefersTheNearer) {
   population.join(numbered(11), {{Niche::By::kGap, 0, 1}, 2.0});
   int nearer = 0;
   constexpr int kDraws = 1000;
-  Random random(1);
+  Draw random{Random(1)};
   for (int i = 0; i < kDraws; ++i) {
     nearer += population.nearer_of_two(random).query.t_max == 10 ? 1 : 0;
   }

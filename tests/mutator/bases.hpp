@@ -10,7 +10,7 @@ namespace ccdfuzz {
 /// Contacts of every class: of random surfaces, of constructed ones, and of curves and points.
 inline std::vector<WitnessedQuery> mutation_bases() {
   std::vector<WitnessedQuery> bases;
-  Random random = Random::keyed({5});
+  Draw random{Random::keyed({5})};
   for (const ContactClass contact : kContactClasses) {
     for (int i = 0; i < 4; ++i) {
       bases.push_back(witnessed_query(planted_case(contact, random)).value());

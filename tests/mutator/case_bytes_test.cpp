@@ -22,7 +22,7 @@ TEST(CaseBytes, GiveTheSameQueryAgain) {
 
 TEST(CaseBytes, AreMadeWholeOrRefusedWhateverWasDoneToThem) {
   const std::vector<WitnessedQuery> bases = mutation_bases();
-  Random random(3);
+  Draw random{Random(3)};
   size_t whole = 0;
   constexpr std::size_t kTries = 4000 / kOneIn;
   for (std::size_t i = 0; i < kTries; ++i) {

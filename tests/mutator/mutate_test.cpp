@@ -26,7 +26,7 @@ std::string complaint_about(const WitnessedQuery& q) {
 TEST(Mutate, EveryMoveKeepsTheContactAndIsOftenPossible) {
   const std::vector<WitnessedQuery> bases = mutation_bases();
   std::map<std::string_view, int> made;
-  Random random = Random::keyed({6});
+  Draw random{Random::keyed({6})};
   for (const Move& move : moves()) {
     SCOPED_TRACE(move.name);
     for (std::size_t i = 0; i < 600 / kOneIn; ++i) {
@@ -43,7 +43,7 @@ TEST(Mutate, EveryMoveKeepsTheContactAndIsOftenPossible) {
 
 TEST(Mutate, ChainsOfMutantsStayWholeAndGoAstray) {
   const std::vector<WitnessedQuery> bases = mutation_bases();
-  Random random = Random::keyed({7});
+  Draw random{Random::keyed({7})};
   size_t changed = 0, reshaped = 0;
   constexpr std::size_t kChains = 100 / kOneIn, kLength = 20;
   for (std::size_t chain = 0; chain < kChains; ++chain) {
@@ -64,7 +64,7 @@ TEST(Mutate, ChainsOfMutantsStayWholeAndGoAstray) {
 TEST(Mutate, DependsOnTheArgumentsAlone) {
   const std::vector<WitnessedQuery> bases = mutation_bases();
   for (std::uint64_t key = 0; key < 50 / kOneIn; ++key) {
-    Random once(key), again(key);
+    Draw once{Random(key)}, again = once;
     const WitnessedQuery &q = bases[key % bases.size()], &other = bases[(key + 3) % bases.size()];
     EXPECT_EQ(mutate(q, other, once).query, mutate(q, other, again).query);
   }
@@ -75,7 +75,7 @@ TEST(Mutate, DependsOnTheArgumentsAlone) {
 TEST(Mutate, MakesTheSameMutantsEverywhere) {
   const std::vector<WitnessedQuery> bases = mutation_bases();
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
-  Random random = Random::keyed({9});
+  Draw random{Random::keyed({9})};
   for (int i = 0; i < 60; ++i) {
     const WitnessedQuery& q = bases[random.below(bases.size())];
     const WitnessedQuery& other = bases[random.below(bases.size())];
@@ -87,7 +87,7 @@ TEST(Mutate, MakesTheSameMutantsEverywhere) {
 }
 
 TEST(WitnessedQuery, IsMadeOfCasesWithADyadicWitnessWithinTheHorizon) {
-  Random random = Random::keyed({8});
+  Draw random{Random::keyed({8})};
   const Case known = planted_case(ContactClass::kEF, random);
   const auto q = witnessed_query(known);
   ASSERT_TRUE(q);

@@ -64,7 +64,7 @@ TEST(Bernstein, WeightsSumToOneAndGiveThePoint) {
     Points<Dyadic> points;
     Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
     Dyadic total;
-    Random random(9);
+    Draw random{Random(9)};
     for (const Dyadic& weight : weights) {
       points.push_back(random.vector(10, -4));
       sum += points.back() * weight;

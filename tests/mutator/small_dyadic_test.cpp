@@ -4,21 +4,21 @@
 
 #include <cmath>
 
-#include "generators/random.hpp"
+#include "generators/draw/draw.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
 
-double any_double(Random& random) {
+double any_double(Draw& random) {
   const auto bits = static_cast<int>(random.below(54));
-  const auto m = static_cast<double>(random.next() >> (63 - bits) >> 1);
-  const int exponent = static_cast<int>(random.between(-60, 10));
+  const auto m = static_cast<double>(random.choose(~std::uint64_t{0}) >> (63 - bits) >> 1);
+  const int exponent = static_cast<int>(random.integer(-60, 10));
   return std::ldexp(random.coin() ? m : -m, exponent);
 }
 
 TEST(SmallDyadic, IsTheDyadicWhereItFits) {
-  Random random = Random::keyed({11});
+  Draw random{Random::keyed({11})};
   std::size_t fitting = 0, lost = 0;
   for (std::size_t i = 0; i < 20'000 / kOneIn; ++i) {
     const double start = any_double(random);

@@ -1,4 +1,4 @@
-#include "properties/choices.hpp"
+#include "generators/draw/draw.hpp"
 
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace ccdfuzz {
 namespace {
 
 /// Some of everything that can be drawn, as comparable numbers.
-std::vector<std::int64_t> draw_everything(ChoiceSource& choices) {
+std::vector<std::int64_t> draw_everything(Draw& choices) {
   std::vector<std::int64_t> drawn;
   drawn.push_back(choices.integer(-3, 1000));
   drawn.push_back(choices.coin());
@@ -22,27 +22,27 @@ std::vector<std::int64_t> draw_everything(ChoiceSource& choices) {
 }
 
 RC_GTEST_PROP(Choices, TheBytesOfASequenceDrawTheSameAgain, (std::vector<std::uint64_t> numbers)) {
-  StoredChoices stored(numbers);
+  Draw stored = Draw::from_numbers(numbers);
   const auto drawn = draw_everything(stored);
   const std::vector<std::uint8_t> bytes = stored.bytes();
-  ByteChoices again(bytes);
+  Draw again = Draw::from_bytes(bytes);
   RC_ASSERT(draw_everything(again) == drawn);
   RC_ASSERT(again.bytes() == bytes);
   RC_ASSERT(parse_hex_bytes(to_hex_bytes(bytes)) == bytes);
 }
 
 RC_GTEST_PROP(Choices, RandomOnesComeAgainFromTheirBytesToo, (std::uint64_t seed)) {
-  RandomChoices random{Random(seed)};
+  Draw random = Draw::mostly_small(Random(seed));
   const auto drawn = draw_everything(random);
-  ByteChoices again(random.bytes());
+  Draw again = Draw::from_bytes(random.bytes());
   RC_ASSERT(draw_everything(again) == drawn);
 }
 
 TEST(Choices, AnExhaustedSourceDrawsTheSimplest) {
   for (const bool stored : {true, false}) {
-    StoredChoices none({});
-    ByteChoices empty({});
-    ChoiceSource& choices = stored ? static_cast<ChoiceSource&>(none) : empty;
+    Draw none = Draw::from_numbers({});
+    Draw empty = Draw::from_bytes({});
+    Draw& choices = stored ? static_cast<Draw&>(none) : empty;
     EXPECT_EQ(choices.integer(-5, 5), 0);
     EXPECT_EQ(choices.integer(3, 9), 3);
     EXPECT_EQ(choices.integer(-9, -3), -3);
@@ -57,7 +57,7 @@ TEST(Choices, IntegerReachesEveryValueOnceInOrderOfSimplicity) {
   for (const auto& [lo, hi] : {std::pair{-2, 5}, {-5, 2}, {0, 4}, {-4, 0}, {3, 6}, {-6, -3}}) {
     std::vector<std::int64_t> drawn;
     for (std::uint64_t c = 0; c <= static_cast<std::uint64_t>(hi - lo); ++c) {
-      drawn.push_back(StoredChoices({c}).integer(lo, hi));
+      drawn.push_back(Draw::from_numbers({c}).integer(lo, hi));
     }
     EXPECT_TRUE(
         std::is_sorted(drawn.begin(), drawn.end(),
@@ -69,7 +69,7 @@ TEST(Choices, IntegerReachesEveryValueOnceInOrderOfSimplicity) {
 }
 
 RC_GTEST_PROP(Choices, FiniteDoublesAreFiniteAndReachEveryFiniteBitPattern, (std::uint64_t bits)) {
-  const double drawn = StoredChoices({bits}).finite_double();
+  const double drawn = Draw::from_numbers({bits}).finite_double();
   RC_ASSERT(std::isfinite(drawn));
   const double wanted = std::bit_cast<double>(bits);
   if (std::isfinite(wanted)) RC_ASSERT(std::bit_cast<std::uint64_t>(drawn) == bits);
@@ -77,7 +77,7 @@ RC_GTEST_PROP(Choices, FiniteDoublesAreFiniteAndReachEveryFiniteBitPattern, (std
 
 TEST(Choices, OneByteChangesOneChoiceOnly) {
   const std::vector<std::uint8_t> a = {1, 2, 3}, b = {1, 200, 3};
-  ByteChoices x(a), y(b);
+  Draw x = Draw::from_bytes(a), y = Draw::from_bytes(b);
   EXPECT_EQ(x.choose(255), y.choose(255));
   EXPECT_NE(x.choose(255), y.choose(255));
   EXPECT_EQ(x.choose(255), y.choose(255));

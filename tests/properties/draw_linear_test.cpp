@@ -97,7 +97,7 @@ TEST(DrawLinear, DrawsEveryKindOfDegenerateQuery) {
   size_t moved = 0;
   size_t queries = 0;
   for (size_t n = 0; n < count; ++n) {
-    RandomChoices choices(Random::keyed({1, n}));
+    Draw choices = Draw::mostly_small(Random::keyed({1, n}));
     const Result<Query> query = draw_linear(choices);
     if (!query) continue;
     ++queries;

@@ -93,7 +93,7 @@ TEST(KnownFalse, EachHasItsCounterexample) {
     EXPECT_EQ(property->expected, Expectation::kFails) << name;
     const auto bytes = parse_hex_bytes(hex);
     ASSERT_TRUE(bytes) << name;
-    ByteChoices choices(*bytes);
+    Draw choices = Draw::from_bytes(*bytes);
     EXPECT_EQ(run(*property, choices).status, Check::Status::kFails) << name;
   }
 }

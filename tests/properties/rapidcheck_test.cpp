@@ -18,7 +18,7 @@ static void PrintTo(const Property& property, std::ostream* out) {
 namespace {
 
 /// The one command that shows a failure again, whatever becomes of RapidCheck's seeds.
-std::string replay_command(const Property& property, const ChoiceSource& choices) {
+std::string replay_command(const Property& property, const Draw& choices) {
   return fmt::format("reproduce: {} {} --hex {}", CCDFUZZ_CHECK_PROPERTY, property.name,
                      to_hex_word(choices.bytes()));
 }
@@ -32,10 +32,10 @@ TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
       // RapidCheck gives up where more than nine of ten are discarded; some claims are of rarer
       // inputs than that.
       constexpr int kMostDraws = 64;
-      StoredChoices choices(*rc_gen::choices());
+      Draw choices = Draw::from_numbers(*rc_gen::choices());
       Check check = run(property, choices);
       for (int i = 1; i < kMostDraws && check.status == Check::Status::kDiscarded; ++i) {
-        choices = StoredChoices(*rc_gen::choices());
+        choices = Draw::from_numbers(*rc_gen::choices());
         check = run(property, choices);
       }
       RC_PRE(check.status != Check::Status::kDiscarded);
@@ -49,7 +49,7 @@ TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
   // A claim that is known to be false: a harness that cannot show it is blind.
   constexpr std::uint64_t kTries = 20'000;
   for (std::uint64_t i = 0; i < kTries; ++i) {
-    RandomChoices choices{Random::keyed({1, i})};
+    Draw choices = Draw::mostly_small(Random::keyed({1, i}));
     const Check check = run(property, choices);
     if (check.status != Check::Status::kFails) continue;
     std::cout << "found as expected, case " << i << ": " << check.text << '\n'

@@ -59,12 +59,12 @@ RC_GTEST_PROP(Shrink, StepsOfOneSequenceAreAllSimpler, (ChoiceNumbers numbers)) 
 TEST(Shrink, ACounterexampleOfAClaimFailsFromItsBytesToo) {
   const Property property = *property_named("tdibm.no_false_negative");
   for (std::uint64_t i = 0;; ++i) {
-    RandomChoices random{Random::keyed({3, i})};
+    Draw random = Draw::mostly_small(Random::keyed({3, i}));
     if (run(property, random).status != Check::Status::kFails) continue;
     const auto found = shrunk_counterexample(runner_of(property), random.numbers(), {300});
     ASSERT_TRUE(found);
     EXPECT_FALSE(simpler(random.numbers(), found->numbers));
-    ByteChoices bytes(found->bytes);
+    Draw bytes = Draw::from_bytes(found->bytes);
     const Check again = run(property, bytes);
     EXPECT_EQ(again.status, Check::Status::kFails);
     EXPECT_EQ(again.text, found->check.text);

@@ -39,9 +39,9 @@ Query random_query(const std::function<double()>& number) {
 
 Step random_driver(std::uint64_t seed) {
   return [seed](std::uint64_t index) {
-    Random random = Random::keyed({seed, index});
+    Draw random{Random::keyed({seed, index})};
     return contradiction(random_query([&] {
-      return std::ldexp(static_cast<double>(random.between(-(1L << 52), 1L << 52)), -52);
+      return std::ldexp(static_cast<double>(random.integer(-(1L << 52), 1L << 52)), -52);
     }));
   };
 }
@@ -49,7 +49,7 @@ Step random_driver(std::uint64_t seed) {
 Step rapidcheck_driver(std::uint64_t seed) {
   return [seed](std::uint64_t index) -> std::string {
     constexpr int kSize = 100;
-    rc::Random random(Random::keyed({seed, index}).next());
+    rc::Draw random{Random(Random::keyed({seed, index}).next())};
     const auto number = [&] { return rc::gen::arbitrary<double>()(random.split(), kSize).value(); };
     if (index % 2 == 0) return contradiction(random_query(number));
     LinePairs pairs;

@@ -86,7 +86,7 @@ std::string check_decoded(std::span<const std::uint8_t> data) {
   if (data[0] >= kIsProperty) {
     const auto& list = fuzzed_properties();
     const Property& property = list[data[1] % list.size()];
-    ByteChoices choices(data.subspan(kPropertyHead));
+    Draw choices = Draw::from_bytes(data.subspan(kPropertyHead));
     const Check check = run(property, choices);
     const bool fails = check.status == Check::Status::kFails;
     return fails ? fmt::format("{}: {}", property.name, check.text) : "";
@@ -119,7 +119,7 @@ int test_one(const std::uint8_t* data, std::size_t size) {
 }
 
 /// An input of one kind, whatever it was before.
-std::size_t begin_anew(std::uint8_t* data, std::size_t max_size, Random& random) {
+std::size_t begin_anew(std::uint8_t* data, std::size_t max_size, Draw& random) {
   data[0] = static_cast<std::uint8_t>(random.below(256));
   if (data[0] < kIsProperty) {
     const auto bytes = to_bytes(falling_point());
@@ -166,7 +166,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
                                                std::size_t max_size, unsigned int seed) {
   using namespace ccdfuzz;  // NOLINT: of this function alone
   if (current_run().driver == Driver::kRawFuzzer) return LLVMFuzzerMutate(data, size, max_size);
-  Random random(seed);
+  Draw random{Random(seed)};
   if (size < kPropertyHead || random.below(8) == 0) return begin_anew(data, max_size, random);
   const std::size_t head = data[0] < kIsProperty ? kCaseHead : kPropertyHead;
   if (data[0] >= kIsProperty || random.below(8) == 0) {

@@ -22,7 +22,7 @@ std::string PropertyTurns::operator()() {
   Turn& turn = *std::ranges::min_element(turns_, {}, &Turn::seconds);
   const double start = cpu_seconds_used();
   const std::uint64_t index = turn.index++;
-  RandomChoices choices{Random::keyed({seed_, index})};
+  Draw choices = Draw::mostly_small(Random::keyed({seed_, index}));
   const Check check = run(turn.property, choices);
   turn.seconds += cpu_seconds_used() - start;
   const bool fails = check.status == Check::Status::kFails;

@@ -1,20 +1,16 @@
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
 
 #include "base/verify.hpp"
-#include "numeric/dyadic.hpp"
-#include "numeric/eigen_traits.hpp"
 
 namespace ccdfuzz {
 
 /// The project's own stream of random numbers: a counter put through a 64-bit mixer (SplitMix64).
 /// The standard library's distributions differ between implementations; this one gives the same
-/// draws everywhere. One draw per statement: the order in which a compiler evaluates the arguments
-/// of a call is its own affair.
+/// draws everywhere.
 class Random {
  public:
   /// The stream that belongs to a sequence of numbers, such as (seed, index, class). Different
@@ -42,30 +38,7 @@ class Random {
     return x;
   }
 
-  /// Uniform in [lo, hi], both included; hi − lo < 2^63.
-  std::int64_t between(std::int64_t lo, std::int64_t hi) {
-    CCDFUZZ_ASSERT(lo <= hi);
-    return lo + static_cast<std::int64_t>(below(static_cast<std::uint64_t>(hi - lo) + 1));
-  }
-
   bool coin() { return (next() >> 63) != 0; }
-
-  /// Uniform on the multiples of 2^exponent in [−2^(bits+exponent), 2^(bits+exponent)]; bits ≤ 61.
-  Dyadic dyadic(int bits, long exponent) {
-    const std::int64_t bound = std::int64_t{1} << bits;
-    return {Integer(static_cast<long>(between(-bound, bound))), exponent};
-  }
-
-  Vec3<Dyadic> vector(int bits, long exponent) {
-    Vec3<Dyadic> v;
-    for (int k = 0; k < 3; ++k) v[k] = dyadic(bits, exponent);
-    return v;
-  }
-
-  template <class T, std::size_t N>
-  const T& pick(const std::array<T, N>& from) {
-    return from[below(N)];
-  }
 
  private:
   static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio
