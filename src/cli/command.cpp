@@ -196,7 +196,7 @@ Option Command::allow_plugins() {
 Option Command::max_work() {
   return add_text("--max-work",
                   "Work of checking all cases together, in operations on 64-bit words, after which "
-                  "the command ends; by default 2^32, and 2^28 for each case",
+                  "the command ends; by default 2^32, and 2^27 for each case",
                   "", [](const std::string& where, const std::string& text) {
                     return parse_whole(where, text).map(&RunWork::allow);
                   });
