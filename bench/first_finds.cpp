@@ -84,7 +84,7 @@ class Run {
     }
     for (Cell& cell : cells_) {
       cell.breeder.watch_losses(
-          [this](const WitnessedQuery& q, const Trace& trace) { note_kind(q, trace); });
+          [this](const Contact& q, const Trace& trace) { note_kind(q, trace); });
     }
   }
 
@@ -175,11 +175,11 @@ class Run {
     if (!witness || witness->t > exact(asked.query.t_max)) return false;
     const Trace& trace = tracers_[quarry_.method].trace(asked.query, *witness, {});
     if (!trace.lost) return false;
-    if (const auto q = witnessed_query(asked)) note_kind(*q, trace);
+    if (const auto q = contact_of(asked)) note_kind(*q, trace);
     return true;
   }
 
-  void note_kind(const WitnessedQuery& q, const Trace& trace) {
+  void note_kind(const Contact& q, const Trace& trace) {
     kinds_.insert(fmt::format("{} {}", name_of(contact_class_of(q)), loss_signature(trace)));
   }
 

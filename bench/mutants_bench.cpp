@@ -12,29 +12,29 @@
 namespace ccdfuzz {
 namespace {
 
-std::vector<WitnessedQuery> mutant_bases(ContactClass contact) {
+std::vector<Contact> mutant_bases(ContactClass contact) {
   constexpr std::uint64_t kBases = 32;
-  std::vector<WitnessedQuery> bases;
+  std::vector<Contact> bases;
   for (std::uint64_t i = 0; i < kBases; ++i) {
     GeneratorOptions options;
     options.contact = contact;
     options.construction = i % 2 == 0 ? Construction::kOneSided : Construction::kPaper;
     options.seed = 1;
-    if (auto q = witnessed_query(generate(options, i).value)) bases.push_back(*std::move(q));
+    if (auto q = contact_of(generate(options, i).value)) bases.push_back(*std::move(q));
   }
   return bases;
 }
 
 /// spec: empty to make mutants and do nothing with them.
 void make_mutants(benchmark::State& state, ContactClass contact, const std::string& spec) {
-  const std::vector<WitnessedQuery> bases = mutant_bases(contact);
+  const std::vector<Contact> bases = mutant_bases(contact);
   const auto tracer = make_tracer(spec.empty() ? "tdibm-c" : spec);
   Draw random{Random(1)};
   std::int64_t lost = 0;
   for ([[maybe_unused]] const auto _ : state) {
-    const WitnessedQuery& mother = bases[random.below(bases.size())];
-    const WitnessedQuery& father = bases[random.below(bases.size())];
-    const WitnessedQuery mutant = mutate(mother, father, random);
+    const Contact& mother = bases[random.below(bases.size())];
+    const Contact& father = bases[random.below(bases.size())];
+    const Contact mutant = mutate(mother, father, random);
     if (spec.empty()) {
       benchmark::DoNotOptimize(mutant.query.t_max);
     } else {

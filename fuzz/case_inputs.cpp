@@ -45,7 +45,7 @@ int encode(const std::string& folder, const std::vector<std::string>& paths) {
       const Result<std::optional<NamedCase>> next = reader->next();
       if (!next) return refuse(next.error().message());
       if (!*next) break;
-      const auto q = witnessed_query((*next)->value);
+      const auto q = contact_of((*next)->value);
       const auto bytes = q ? to_bytes(*q) : std::nullopt;
       if (!bytes) continue;
       const fs::path file = fs::path(folder) / content_address(q->query);

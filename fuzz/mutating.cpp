@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 namespace {
 
-std::size_t put(const WitnessedQuery& q, std::span<std::uint8_t> out) {
+std::size_t put(const Contact& q, std::span<std::uint8_t> out) {
   const auto bytes = to_bytes(q);
   if (!bytes || bytes->size() > out.size()) return 0;
   std::copy(bytes->begin(), bytes->end(), out.begin());
@@ -26,7 +26,7 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
   if (draw.below(every) == 0 && LLVMFuzzerMutate != nullptr) {
     return LLVMFuzzerMutate(data, size, max_size);
   }
-  const WitnessedQuery q = witnessed_query_of(std::span(data, size)).value_or(falling_point());
+  const Contact q = contact_of_bytes(std::span(data, size)).value_or(falling_point());
   return put(mutate(q, q, draw), {data, max_size});
 }
 
@@ -38,10 +38,10 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std:
                                                  unsigned int seed) {
   using namespace ccdfuzz;  // NOLINT: of this function alone
   Draw draw{Random(seed)};
-  const auto mother = witnessed_query_of(std::span(data1, size1));
-  const auto father = witnessed_query_of(std::span(data2, size2));
+  const auto mother = contact_of_bytes(std::span(data1, size1));
+  const auto father = contact_of_bytes(std::span(data2, size2));
   if (!mother || !father) return 0;
-  WitnessedQuery child = *mother;
+  Contact child = *mother;
   if (!splice(child, *father, draw)) return 0;
   return put(mutate(child, *father, draw), {out, max_size});
 }

@@ -59,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static TracerSet tracers;
   static LostInputs lost_inputs;
   static const char* const alone = method_traced_alone();
-  const auto q = witnessed_query_of(std::span(data, size));
+  const auto q = contact_of_bytes(std::span(data, size));
   if (!q) return -1;  // not for the corpus
   const Witness witness = q->witness();
   const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});

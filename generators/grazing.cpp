@@ -130,8 +130,8 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
 }
 
 std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 2>& points,
-                                               const Contact& contact, const GrazingPlane& plane,
-                                               Draw& draw) {
+                                               const PrescribedContact& contact,
+                                               const GrazingPlane& plane, Draw& draw) {
   const Vec3<Dyadic> common = draw.vector(kSpeedBits, kSpeedUnit);
   const Vec3<Dyadic> slide = draw.until([&] { return within(plane, draw); },
                                         [](const Vec3<Dyadic>& v) { return !is_zero(v); });

@@ -26,8 +26,8 @@ std::optional<GrazingPlane> grazing_plane(const std::array<Points<Dyadic>, 2>& p
 /// contact plane, and do move. Control points that bear on the contact are deformed within the
 /// plane, the others also towards the other patch.
 std::array<MovingPatch<Dyadic>, 2> set_grazing(const std::array<Points<Dyadic>, 2>& points,
-                                               const Contact& contact, const GrazingPlane& plane,
-                                               Draw& draw);
+                                               const PrescribedContact& contact,
+                                               const GrazingPlane& plane, Draw& draw);
 
 /// Near-misses stay 2^-20 to 2^-8 apart.
 inline constexpr int kLeastGap = -20, kLargestGap = -8;

@@ -21,8 +21,9 @@ Points<Dyadic> deformation(const Barycentric& x, Draw& draw) {
 }  // namespace
 
 std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
-                                                 const Contact& contact, const Vec3<Dyadic>& normal,
-                                                 ContactClass kind, Draw& draw) {
+                                                 const PrescribedContact& contact,
+                                                 const Vec3<Dyadic>& normal, ContactClass kind,
+                                                 Draw& draw) {
   const bool restricted = kind != ContactClass::kVE && kind != ContactClass::kVV;
   std::array<MovingPatch<Dyadic>, 2> patches;
   for (size_t s = 0; s < 2; ++s) {

@@ -18,7 +18,8 @@ inline constexpr long kSpeedUnit = -15;
 /// in Section 5.3). Control velocities are that plus a deformation of random strength whose
 /// weighted mean at the contact is zero, so Σ β v is the velocity drawn.
 std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
-                                                 const Contact& contact, const Vec3<Dyadic>& normal,
-                                                 ContactClass kind, Draw& draw);
+                                                 const PrescribedContact& contact,
+                                                 const Vec3<Dyadic>& normal, ContactClass kind,
+                                                 Draw& draw);
 
 }  // namespace ccdfuzz

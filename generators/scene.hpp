@@ -9,14 +9,14 @@
 namespace ccdfuzz {
 
 /// The prescribed solution of the query (Step I).
-struct Contact {
+struct PrescribedContact {
   Dyadic t;                      ///< t*
   std::array<Barycentric, 2> x;  ///< where on each patch
 };
 
 /// A construction under way: a contact and two moving quadratic patches that make it.
 struct Scene {
-  Contact contact;
+  PrescribedContact contact;
   std::array<MovingPatch<Dyadic>, 2> patches;
   Vec3<Dyadic> normal;  ///< of the contact plane, from patch 2 to patch 1
   Dyadic t_max;         ///< end of the query that is to find the contact; t* ≤ t_max

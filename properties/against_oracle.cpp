@@ -6,7 +6,7 @@
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 

@@ -9,8 +9,8 @@
 #include "case/judge.hpp"
 #include "ccd/search.hpp"
 #include "certify/checker/check_case.hpp"
+#include "generators/draw_patch.hpp"
 #include "method/method.hpp"
-#include "properties/draw_patch.hpp"
 
 namespace ccdfuzz {
 

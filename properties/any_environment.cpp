@@ -22,8 +22,8 @@
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/draw_contact.hpp"
 #include "method/method.hpp"
-#include "properties/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
+#include "generators/draw_contact.hpp"
 #include "properties/accepted.hpp"
-#include "properties/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
 
 namespace ccdfuzz {

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "case/case_json.hpp"
-#include "properties/draw_contact.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_contact.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 

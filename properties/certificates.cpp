@@ -10,12 +10,12 @@
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "generators/draw_contact.hpp"
 #include "generators/finalize.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
 #include "numeric/products.hpp"
 #include "properties/accepted.hpp"
-#include "properties/draw_contact.hpp"
 
 namespace ccdfuzz {
 

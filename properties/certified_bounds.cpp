@@ -10,7 +10,7 @@
 #include "ccd/certified/cell_tree.hpp"
 #include "ccd/certified/normalise.hpp"
 #include "ccd/certified/projection.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
 
 namespace ccdfuzz {

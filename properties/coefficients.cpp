@@ -5,8 +5,8 @@
 #include "bezier/restrict.hpp"
 #include "ccd/axes.hpp"
 #include "ccd/projection.hpp"
+#include "generators/draw_patch.hpp"
 #include "numeric/products.hpp"
-#include "properties/draw_patch.hpp"
 #include "properties/error_bound.hpp"
 
 namespace ccdfuzz {

@@ -7,7 +7,7 @@
 
 #include "bezier/restrict.hpp"
 #include "ccd/rational/gap.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
 
 namespace ccdfuzz {

@@ -6,6 +6,8 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/differential.hpp"
+#include "generators/draw_contact.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/extract.hpp"
 #include "generators/finalize.hpp"
 #include "generators/generate.hpp"
@@ -20,8 +22,6 @@
 #include "generators/shaped/point_contacts.hpp"
 #include "generators/static_contact.hpp"
 #include "numeric/products.hpp"
-#include "properties/draw_contact.hpp"
-#include "properties/draw_patch.hpp"
 
 namespace ccdfuzz {
 
@@ -105,7 +105,8 @@ Check check_extraction(Draw& choices) {
 /// the plane (FF, EF, EE, VF).
 Check check_motion(Draw& choices) {
   const StaticContact drawn = draw_static_contact(choices);
-  const Contact contact{Dyadic(Integer(static_cast<long>(choices.integer(1, 8))), -3), drawn.x};
+  const PrescribedContact contact{Dyadic(Integer(static_cast<long>(choices.integer(1, 8))), -3),
+                                  drawn.x};
   const auto tangents = tangents_at(drawn.points[1], drawn.x[1]);
   const Vec3<Dyadic> normal = cross(tangents[0], tangents[1]);
   const auto patches = set_in_motion(drawn.points, contact, normal, drawn.contact, choices);
@@ -154,7 +155,7 @@ Check check_grazing(Draw& choices) {
   const auto fails = [&](const char* what) {
     return Check::fails(fmt::format("{}: {}", name_of(contact), what));
   };
-  const Contact& at = scene->contact;
+  const PrescribedContact& at = scene->contact;
   const auto place = [&](std::size_t s) { return point_at(scene->patches[s].at(at.t), at.x[s]); };
   const auto above = [&](const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
     return dot<Dyadic>(scene->normal, Vec3<Dyadic>(a - b)).sign();
@@ -281,7 +282,7 @@ std::vector<Property> generator_properties() {
       {"generator.clearance", "Nothing proves a contact where a case claims that there is none",
        "Section 5.1, Step V", kHolds, check_generated_clearance},
       {"generator.other_contacts", "Drawn and planted contacts are contacts",
-       "properties/draw_contact.hpp, generators/planted.hpp", kHolds, check_other_contacts},
+       "generators/draw_contact.hpp, generators/planted.hpp", kHolds, check_other_contacts},
   };
 }
 

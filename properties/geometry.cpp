@@ -7,8 +7,8 @@
 #include "bezier/elevate.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
+#include "generators/draw_patch.hpp"
 #include "numeric/products.hpp"
-#include "properties/draw_patch.hpp"
 
 namespace ccdfuzz {
 

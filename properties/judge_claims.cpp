@@ -9,8 +9,8 @@
 #include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
+#include "generators/draw_contact.hpp"
 #include "method/plugin/plugin_terms.hpp"
-#include "properties/draw_contact.hpp"
 
 namespace ccdfuzz {
 

@@ -9,10 +9,10 @@
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/accepted.hpp"
 #include "properties/against_oracle.hpp"
-#include "properties/draw_patch.hpp"
 #include "properties/no_false_negative.hpp"
 
 namespace ccdfuzz {

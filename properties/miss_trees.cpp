@@ -8,7 +8,7 @@
 #include "case/case_json.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/miss_tree.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 

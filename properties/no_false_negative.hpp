@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ccd/search.hpp"
-#include "properties/draw_contact.hpp"
+#include "generators/draw_contact.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {

@@ -8,7 +8,7 @@
 
 #include "case/case_json.hpp"
 #include "ccd/certified/pair_split.hpp"
-#include "properties/draw_contact.hpp"
+#include "generators/draw_contact.hpp"
 #include "properties/error_bound.hpp"
 
 namespace ccdfuzz {

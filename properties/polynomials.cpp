@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "certify/checker/nonnegative.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 

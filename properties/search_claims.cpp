@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "case/case_json.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/finalize.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
 #include "method/method.hpp"
-#include "properties/draw_patch.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/symmetry.hpp"
 

@@ -10,8 +10,8 @@
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/draw_contact.hpp"
 #include "properties/case_file.hpp"
-#include "properties/draw_contact.hpp"
 
 namespace ccdfuzz {
 

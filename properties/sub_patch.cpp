@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bezier/restrict.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 
 namespace ccdfuzz {
 

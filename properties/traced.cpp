@@ -4,8 +4,8 @@
 
 #include "case/case_json.hpp"
 #include "ccd/witness_trace/trace.hpp"
+#include "generators/draw_contact.hpp"
 #include "method/method.hpp"
-#include "properties/draw_contact.hpp"
 
 namespace ccdfuzz {
 

@@ -2,13 +2,15 @@
 
 #include <cmath>
 
+#include "fuzz/mutator/repair.hpp"
+
 namespace ccdfuzz {
 
 namespace {
 
 using Field = Points<double> MovingPatch<double>::*;
 
-MovingPatch<double>& any_patch(WitnessedQuery& q, Draw& draw) {
+MovingPatch<double>& any_patch(Contact& q, Draw& draw) {
   return q.query.patches[draw.below(2)];
 }
 
@@ -47,13 +49,13 @@ bool is_finite(const Query& query) {
   return true;
 }
 
-bool made_whole(WitnessedQuery& q, Draw& draw) {
+bool made_whole(Contact& q, Draw& draw) {
   return is_finite(q.query) && repair(q, draw);
 }
 
 }  // namespace
 
-bool nudge(WitnessedQuery& q, Draw& draw) {
+bool nudge(Contact& q, Draw& draw) {
   for (std::uint64_t left = 1 + draw.below(3); left > 0; --left) {
     MovingPatch<double>& patch = any_patch(q, draw);
     Vec3<double>& p = any_point(patch.*any_field(draw), draw);
@@ -63,7 +65,7 @@ bool nudge(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool make_twins(WitnessedQuery& q, Draw& draw) {
+bool make_twins(Contact& q, Draw& draw) {
   const Field field = any_field(draw);
   const Vec3<double> model = any_point(any_patch(q, draw).*field, draw);
   Vec3<double>& p = any_point(any_patch(q, draw).*field, draw);
@@ -75,7 +77,7 @@ bool make_twins(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool align_edge(WitnessedQuery& q, Draw& draw) {
+bool align_edge(Contact& q, Draw& draw) {
   MovingPatch<double>& patch = any_patch(q, draw);
   const size_t i = draw.below(patch.positions.size()), j = draw.below(patch.positions.size());
   const int axis = any_axis(draw);
@@ -88,7 +90,7 @@ bool align_edge(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool flatten(WitnessedQuery& q, Draw& draw) {
+bool flatten(Contact& q, Draw& draw) {
   Points<double>& points = any_patch(q, draw).*any_field(draw);
   const int k = any_axis(draw);
   const double level = any_point(points, draw)[k];
@@ -96,7 +98,7 @@ bool flatten(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool collapse(WitnessedQuery& q, Draw& draw) {
+bool collapse(Contact& q, Draw& draw) {
   MovingPatch<double>& patch = any_patch(q, draw);
   const size_t to = draw.below(patch.positions.size());
   const size_t first = draw.below(patch.positions.size());
@@ -108,7 +110,7 @@ bool collapse(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool snap_to_lattice(WitnessedQuery& q, Draw& draw) {
+bool snap_to_lattice(Contact& q, Draw& draw) {
   Points<double>& points = any_patch(q, draw).*any_field(draw);
   const double size = any_point(points, draw).cwiseAbs().maxCoeff();
   if (size == 0) return false;
@@ -124,7 +126,7 @@ bool snap_to_lattice(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool stop_motion(WitnessedQuery& q, Draw& draw) {
+bool stop_motion(Contact& q, Draw& draw) {
   const size_t s = draw.below(2);
   const Vec3<double> velocity =
       draw.coin() ? any_point(q.query.patches[s].velocities, draw) : Vec3<double>(0, 0, 0);
@@ -136,7 +138,7 @@ bool stop_motion(WitnessedQuery& q, Draw& draw) {
   return made_whole(q, draw);
 }
 
-bool stretch(WitnessedQuery& q, Draw& draw) {
+bool stretch(Contact& q, Draw& draw) {
   Vec3<double>& p = any_point(any_patch(q, draw).*any_field(draw), draw);
   const int exponent = static_cast<int>(draw.integer(-40, 20));
   const bool one_axis_only = draw.coin();

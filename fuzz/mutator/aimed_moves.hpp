@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 
 namespace ccdfuzz {
 
@@ -9,28 +9,28 @@ namespace ccdfuzz {
 /// not exact, or there is nothing to do; the query is then to be thrown away.
 
 /// A few coordinates or velocities by a few floats.
-bool nudge(WitnessedQuery& q, Draw& draw);
+bool nudge(Contact& q, Draw& draw);
 
 /// A control point's velocity, or position, that of another one but for a few floats: nearly equal
 /// slopes or intercepts, nearly parallel lines.
-bool make_twins(WitnessedQuery& q, Draw& draw);
+bool make_twins(Contact& q, Draw& draw);
 
 /// Two control points of a patch with two coordinates in common: an edge along an axis.
-bool align_edge(WitnessedQuery& q, Draw& draw);
+bool align_edge(Contact& q, Draw& draw);
 
 /// All of a patch in one coordinate plane, or all of its velocities.
-bool flatten(WitnessedQuery& q, Draw& draw);
+bool flatten(Contact& q, Draw& draw);
 
 /// One to three control points that follow each other, onto another one, and moving with it.
-bool collapse(WitnessedQuery& q, Draw& draw);
+bool collapse(Contact& q, Draw& draw);
 
 /// Coordinates rounded to few bits.
-bool snap_to_lattice(WitnessedQuery& q, Draw& draw);
+bool snap_to_lattice(Contact& q, Draw& draw);
 
 /// Velocities to zero, or both patches' velocities to one.
-bool stop_motion(WitnessedQuery& q, Draw& draw);
+bool stop_motion(Contact& q, Draw& draw);
 
 /// A control point's coordinates or velocity far larger or smaller than the others'.
-bool stretch(WitnessedQuery& q, Draw& draw);
+bool stretch(Contact& q, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "fuzz/mutator/repair.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -91,7 +93,7 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q) {
+std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q) {
   ByteWriter out;
   for (const MovingPatch<double>& patch : q.query.patches) {
     out.byte(static_cast<int>(patch.shape.kind));
@@ -114,10 +116,10 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q) {
   return out.take();
 }
 
-std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> bytes) {
+std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes) {
   std::optional<CaseParts> parts = parts_of(bytes);
   if (!parts || !(parts->t >= 0 && parts->t <= parts->query.t_max)) return std::nullopt;
-  WitnessedQuery q;
+  Contact q;
   q.query = std::move(parts->query);
   q.t = Dyadic::exact(parts->t);
   for (size_t s = 0; s < 2; ++s) {
@@ -142,7 +144,7 @@ std::vector<Case> cases_of(std::span<const std::uint8_t> bytes) {
   std::vector<Case> cases;
   const auto query = query_of(bytes);
   if (!query) return cases;
-  const auto whole = witnessed_query_of(bytes);
+  const auto whole = contact_of_bytes(bytes);
   if (!whole || whole->query != *query) {
     cases.emplace_back();
     cases.back().query = *query;

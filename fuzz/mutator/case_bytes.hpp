@@ -5,18 +5,18 @@
 #include <span>
 #include <vector>
 
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 
 namespace ccdfuzz {
 
 /// A witnessed query as bytes, for fuzzers: three bytes for the shape of each patch (kind and
 /// degrees), then as doubles, lowest byte first, t_max, t, uv of both contacts, and of each patch
 /// the positions and the velocities. nullopt if t or a parameter is no double.
-std::optional<std::vector<std::uint8_t>> to_bytes(const WitnessedQuery& q);
+std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q);
 
 /// The query that the bytes are; made whole (repair) where they are not a contact any more, as
 /// after another's mutations. nullopt if they are no valid query with a contact within t_max.
-std::optional<WitnessedQuery> witnessed_query_of(std::span<const std::uint8_t> bytes);
+std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes);
 
 /// The query that the bytes are, whatever they say of a contact. nullopt if it is not valid.
 std::optional<Query> query_of(std::span<const std::uint8_t> bytes);

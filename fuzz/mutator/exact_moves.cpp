@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fuzz/mutator/repair.hpp"
 #include "fuzz/mutator/reshape.hpp"
 #include "fuzz/mutator/small_vector.hpp"
 #include "generators/similar.hpp"
@@ -20,7 +21,7 @@ Vec3<Dyadic> times(const Vec3<Dyadic>& v, const Dyadic& factor) {
 
 }  // namespace
 
-bool shift_in_null_space(WitnessedQuery& q, Draw& draw) {
+bool shift_in_null_space(Contact& q, Draw& draw) {
   const int side = random_side(draw);
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
   Points<double>& points = draw.coin() ? patch.positions : patch.velocities;
@@ -35,14 +36,14 @@ bool shift_in_null_space(WitnessedQuery& q, Draw& draw) {
          add_exactly(points[j], times(by, -weights[i].scaled(-unit)));
 }
 
-bool trade_position_for_velocity(WitnessedQuery& q, Draw& draw) {
+bool trade_position_for_velocity(Contact& q, Draw& draw) {
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(random_side(draw))];
   const size_t i = draw.below(patch.positions.size());
   const Vec3<Dyadic> by = small_vector(patch.velocities, draw);
   return add_exactly(patch.velocities[i], by) && add_exactly(patch.positions[i], times(by, -q.t));
 }
 
-bool change_coordinates(WitnessedQuery& q, Draw& draw) {
+bool change_coordinates(Contact& q, Draw& draw) {
   constexpr int kFarthest = 40;  // 2^40 sizes of a patch away; more seldom fits into doubles
   Similarity change;
   const auto far_vector = [&](const Points<double>& points) {
@@ -77,7 +78,7 @@ bool change_coordinates(WitnessedQuery& q, Draw& draw) {
   return true;
 }
 
-bool reparametrise(WitnessedQuery& q, Draw& draw) {
+bool reparametrise(Contact& q, Draw& draw) {
   if (draw.below(4) == 0) {
     std::swap(q.query.patches[0], q.query.patches[1]);
     std::swap(q.uv[0], q.uv[1]);
@@ -88,16 +89,16 @@ bool reparametrise(WitnessedQuery& q, Draw& draw) {
   return true;
 }
 
-bool elevate_degree(WitnessedQuery& q, Draw& draw) {
+bool elevate_degree(Contact& q, Draw& draw) {
   const int side = random_side(draw);
   return elevate_patch(q, side, draw.coin());
 }
 
-bool restrict_to_child(WitnessedQuery& q, Draw& draw) {
+bool restrict_to_child(Contact& q, Draw& draw) {
   return restrict_patch(q, random_side(draw));
 }
 
-bool splice(WitnessedQuery& q, const WitnessedQuery& other, Draw& draw) {
+bool splice(Contact& q, const Contact& other, Draw& draw) {
   const size_t to = draw.below(2), from = draw.below(2);
   MovingPatch<double> patch = other.query.patches[from];
   const Dyadic later = other.t - q.t;
@@ -111,7 +112,7 @@ bool splice(WitnessedQuery& q, const WitnessedQuery& other, Draw& draw) {
   return repair(q, draw);
 }
 
-bool change_horizon(WitnessedQuery& q, Draw& draw) {
+bool change_horizon(Contact& q, Draw& draw) {
   const double t = q.t.rational().get_d();  // towards zero
   const double just_enough = Dyadic::exact(t) == q.t ? t : std::nextafter(t, HUGE_VAL);
   constexpr std::array kFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0, 16.0};

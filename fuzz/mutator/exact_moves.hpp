@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 
 namespace ccdfuzz {
 
@@ -10,27 +10,27 @@ namespace ccdfuzz {
 
 /// Two control points of a patch move against each other, or one without weight alone: positions or
 /// velocities change in the null space of the Bernstein row.
-bool shift_in_null_space(WitnessedQuery& q, Draw& draw);
+bool shift_in_null_space(Contact& q, Draw& draw);
 
 /// A control point gets another velocity, and comes to the same place at t: p + t·v stays.
-bool trade_position_for_velocity(WitnessedQuery& q, Draw& draw);
+bool trade_position_for_velocity(Contact& q, Draw& draw);
 
 /// Both patches in other coordinates: moved, with a common velocity, in other units.
-bool change_coordinates(WitnessedQuery& q, Draw& draw);
+bool change_coordinates(Contact& q, Draw& draw);
 
 /// The same patches by other parameters: reversed, rotated, transposed, exchanged.
-bool reparametrise(WitnessedQuery& q, Draw& draw);
+bool reparametrise(Contact& q, Draw& draw);
 
 /// A patch with one degree more.
-bool elevate_degree(WitnessedQuery& q, Draw& draw);
+bool elevate_degree(Contact& q, Draw& draw);
 
 /// A patch's child cell with the contact in place of it.
-bool restrict_to_child(WitnessedQuery& q, Draw& draw);
+bool restrict_to_child(Contact& q, Draw& draw);
 
 /// A patch of `other` in place of one of q, moved to the contact; as it is there at its own t.
-bool splice(WitnessedQuery& q, const WitnessedQuery& other, Draw& draw);
+bool splice(Contact& q, const Contact& other, Draw& draw);
 
 /// t_max at, just after, or well past the contact.
-bool change_horizon(WitnessedQuery& q, Draw& draw);
+bool change_horizon(Contact& q, Draw& draw);
 
 }  // namespace ccdfuzz

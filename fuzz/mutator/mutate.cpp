@@ -8,8 +8,8 @@ namespace ccdfuzz {
 namespace {
 
 /// A move that looks at nothing but the query.
-template <bool (*move)(WitnessedQuery&, Draw&)>
-bool alone(WitnessedQuery& q, const WitnessedQuery&, Draw& draw) {
+template <bool (*move)(Contact&, Draw&)>
+bool alone(Contact& q, const Contact&, Draw& draw) {
   return move(q, draw);
 }
 
@@ -38,11 +38,11 @@ std::span<const Move> moves() {
   return kMoves;
 }
 
-WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Draw& draw) {
+Contact mutate(const Contact& q, const Contact& other, Draw& draw) {
   constexpr std::size_t kMost = 4;
   // Where a single move is possible, so many draws have it kMost times in the mean.
   constexpr std::size_t kTries = kMost * kMoves.size();
-  WitnessedQuery mutant = q, next = q;
+  Contact mutant = q, next = q;
   std::uint64_t wanted = 1 + draw.below(kMost);
   for (std::size_t i = 0; i < kTries && wanted > 0; ++i) {
     if (draw.pick(kMoves).apply(next, other, draw)) {

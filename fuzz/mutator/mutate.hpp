@@ -3,14 +3,14 @@
 #include <span>
 #include <string_view>
 
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 
 namespace ccdfuzz {
 
 /// One way to mutate.
 struct Move {
   std::string_view name;
-  bool (*apply)(WitnessedQuery& q, const WitnessedQuery& other, Draw& draw);
+  bool (*apply)(Contact& q, const Contact& other, Draw& draw);
 };
 
 /// All moves.
@@ -19,6 +19,6 @@ std::span<const Move> moves();
 /// A mutant of q: one to four moves, or none where none of those tried is possible. Every number of
 /// it is a finite double, it is a valid query, and it has its contact exactly. other: where parts
 /// of patches may come from. Depends on the arguments alone.
-WitnessedQuery mutate(const WitnessedQuery& q, const WitnessedQuery& other, Draw& draw);
+Contact mutate(const Contact& q, const Contact& other, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -4,7 +4,7 @@
 #include "bezier/elevate.hpp"
 #include "bezier/restrict.hpp"
 #include "bezier/to_doubles.hpp"
-#include "fuzz/mutator/small_dyadic.hpp"
+#include "numeric/small_dyadic.hpp"
 
 namespace ccdfuzz {
 
@@ -112,7 +112,7 @@ bool replace_points(Points<double>& points, const Make& make) {
 
 }  // namespace
 
-void reparametrise_patch(WitnessedQuery& q, int side, std::uint64_t way) {
+void reparametrise_patch(Contact& q, int side, std::uint64_t way) {
   const size_t s = static_cast<size_t>(side);
   MovingPatch<double>& patch = q.query.patches[s];
   Uv<Dyadic>& uv = q.uv[s];
@@ -154,7 +154,7 @@ void reparametrise_patch(WitnessedQuery& q, int side, std::uint64_t way) {
   }
 }
 
-bool elevate_patch(WitnessedQuery& q, int side, bool in_v) {
+bool elevate_patch(Contact& q, int side, bool in_v) {
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
   const Shape higher = elevated(patch.shape, in_v);
   if (!higher.valid()) return false;
@@ -166,7 +166,7 @@ bool elevate_patch(WitnessedQuery& q, int side, bool in_v) {
   return true;
 }
 
-bool restrict_patch(WitnessedQuery& q, int side) {
+bool restrict_patch(Contact& q, int side) {
   const size_t s = static_cast<size_t>(side);
   MovingPatch<double>& patch = q.query.patches[s];
   const Shape shape = patch.shape;

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "generators/draw_contact.hpp"
 #include "generators/generate.hpp"
 #include "generators/rc/drawn.hpp"
-#include "properties/draw_contact.hpp"
 
 namespace ccdfuzz::rc_gen {
 

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "generators/draw_patch.hpp"
 #include "generators/rc/drawn.hpp"
 #include "properties/draw_lines.hpp"
-#include "properties/draw_patch.hpp"
 
 namespace ccdfuzz::rc_gen {
 

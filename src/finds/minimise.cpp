@@ -10,6 +10,7 @@
 #include "certify/oracle/decide_linear.hpp"
 #include "finds/failure.hpp"
 #include "finds/simplify.hpp"
+#include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {
 
@@ -26,7 +27,7 @@ struct ContactPlace {
   friend bool operator==(const ContactPlace&, const ContactPlace&) = default;
 };
 
-ContactPlace place_of(const WitnessedQuery& q) {
+ContactPlace place_of(const Contact& q) {
   ContactPlace place;
   place.after_start = q.t.sign() > 0;
   for (size_t side = 0; side < 2; ++side) {
@@ -57,7 +58,7 @@ class Minimiser {
     bool simpler = true;
     while (simpler && !ended()) {
       simpler = false;
-      offer_simpler(best_, [&](const WitnessedQuery& form) {
+      offer_simpler(best_, [&](const Contact& form) {
         const bool taken = take(form);
         simpler = simpler || taken;
         return taken;
@@ -73,7 +74,7 @@ class Minimiser {
 
   bool start() {
     if (keeps_witness()) {
-      const auto witnessed = witnessed_query(found_);
+      const auto witnessed = contact_of(found_);
       if (!witnessed) return false;
       best_ = *witnessed;
     } else {
@@ -87,7 +88,7 @@ class Minimiser {
 
   bool ended() const { return trials_ >= options_.max_trials || options_.stop(); }
 
-  Case as_case(const WitnessedQuery& q) const {
+  Case as_case(const Contact& q) const {
     Case value;
     if (keeps_witness()) {
       value = case_of(q);
@@ -105,11 +106,11 @@ class Minimiser {
   }
 
   /// The forms as which an edited query has its contact, simpler than the best, simplest first.
-  std::vector<std::pair<Simplicity, WitnessedQuery>> whole_forms(const WitnessedQuery& form) const {
-    std::vector<std::pair<Simplicity, WitnessedQuery>> forms;
+  std::vector<std::pair<Simplicity, Contact>> whole_forms(const Contact& form) const {
+    std::vector<std::pair<Simplicity, Contact>> forms;
     const std::uint64_t ways = keeps_witness() ? kRepairs : 1;
     for (std::uint64_t way = 0; way < ways; ++way) {
-      WitnessedQuery whole = form;
+      Contact whole = form;
       Draw random{Random(way)};
       if (keeps_witness() && (place_of(whole) != place_ || !repair(whole, random))) continue;
       if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
@@ -124,7 +125,7 @@ class Minimiser {
     return forms;
   }
 
-  bool take(const WitnessedQuery& form) {
+  bool take(const Contact& form) {
     for (auto& [rank, whole] : whole_forms(form)) {
       const Case value = as_case(whole);
       if (keeps_witness() && !check_witness(value.query, *value.truth.witness)) continue;
@@ -144,7 +145,7 @@ class Minimiser {
   Outcome failure_;
   const std::function<bool(const Case&)>& still_fails_;
   const MinimiseOptions& options_;
-  WitnessedQuery best_;
+  Contact best_;
   Simplicity rank_;
   ContactPlace place_;
   bool improved_ = false;

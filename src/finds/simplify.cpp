@@ -6,12 +6,13 @@
 #include <set>
 
 #include "bezier/bernstein.hpp"
+#include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-using Offer = std::function<bool(const WitnessedQuery&)>;
+using Offer = std::function<bool(const Contact&)>;
 
 constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
 
@@ -19,7 +20,7 @@ constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
 constexpr std::array kArrays = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
 
 template <class Visit>
-void visit_coordinates(WitnessedQuery& q, const Visit& visit) {
+void visit_coordinates(Contact& q, const Visit& visit) {
   for (MovingPatch<double>& patch : q.query.patches) {
     for (const auto array : kArrays) {
       for (Vec3<double>& p : patch.*array) {
@@ -47,7 +48,7 @@ double cut_to(double x, int bits) {
 
 /// The one number of the patch's control points at its contact, if doubles hold it: the patch as a
 /// point.
-std::optional<MovingPatch<double>> as_point(const WitnessedQuery& q, std::size_t side) {
+std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) {
   const MovingPatch<double>& patch = q.query.patches[side];
   const std::vector<Dyadic> weights = q.weights(static_cast<int>(side));
   MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
@@ -87,11 +88,11 @@ MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
   return out;
 }
 
-void offer_shapes(const WitnessedQuery& q, const Offer& offer) {
+void offer_shapes(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
     if (const auto point = as_point(q, side)) {
       if (q.query.patches[side].shape.kind != ShapeKind::kPoint) {
-        WitnessedQuery next = q;
+        Contact next = q;
         next.query.patches[side] = *point;
         next.uv[side] = {Dyadic(), Dyadic()};
         if (offer(next)) continue;
@@ -102,7 +103,7 @@ void offer_shapes(const WitnessedQuery& q, const Offer& offer) {
     if (shape.kind == ShapeKind::kTriangle || shape.kind == ShapeKind::kTensor) {
       for (const bool along_u : {true, false}) {
         const int degree = along_u || shape.kind == ShapeKind::kTriangle ? shape.n : shape.m;
-        WitnessedQuery next = q;
+        Contact next = q;
         MovingPatch<double>& curve = next.query.patches[side];
         const MovingPatch<double>& patch = q.query.patches[side];
         curve = {Shape::curve(degree), {}, {}};
@@ -123,7 +124,7 @@ void offer_shapes(const WitnessedQuery& q, const Offer& offer) {
       Shape lower = patch.shape;
       lower.n = std::min(lower.n, degree);
       lower.m = std::min(lower.m, degree);
-      WitnessedQuery next = q;
+      Contact next = q;
       next.query.patches[side] = thinned(patch, lower);
       if (offer(next)) break;
     }
@@ -132,9 +133,9 @@ void offer_shapes(const WitnessedQuery& q, const Offer& offer) {
 
 /// Space and time in units of powers of two in which the numbers are around 1; the origin where a
 /// control point is.
-void offer_units(const WitnessedQuery& q, const Offer& offer) {
+void offer_units(const Contact& q, const Offer& offer) {
   for (const auto array : kArrays) {
-    WitnessedQuery next = q;
+    Contact next = q;
     const Vec3<double> by = (q.query.patches[0].*array)[0];
     bool exact = true;
     for (MovingPatch<double>& patch : next.query.patches) {
@@ -154,7 +155,7 @@ void offer_units(const WitnessedQuery& q, const Offer& offer) {
     }
     return largest == 0 ? 0 : std::ilogb(largest);
   };
-  const auto scale = [](WitnessedQuery& next, auto array, int shift) {
+  const auto scale = [](Contact& next, auto array, int shift) {
     for (MovingPatch<double>& patch : next.query.patches) {
       for (Vec3<double>& p : patch.*array) {
         for (int k = 0; k < 3; ++k) {
@@ -167,12 +168,12 @@ void offer_units(const WitnessedQuery& q, const Offer& offer) {
     return true;
   };
   if (const int shift = -largest_exponent(kArrays[0]); shift != 0) {
-    WitnessedQuery next = q;
+    Contact next = q;
     if (scale(next, kArrays[0], shift) && scale(next, kArrays[1], shift)) offer(next);
   }
   if (q.query.t_max > 0) {
     if (const int shift = -std::ilogb(q.query.t_max); shift != 0) {
-      WitnessedQuery next = q;
+      Contact next = q;
       next.query.t_max = std::ldexp(q.query.t_max, shift);
       next.t = q.t.scaled(shift);
       if (scale(next, kArrays[1], -shift)) offer(next);
@@ -180,8 +181,8 @@ void offer_units(const WitnessedQuery& q, const Offer& offer) {
   }
 }
 
-void offer_times(const WitnessedQuery& q, const Offer& offer) {
-  WitnessedQuery next = q;
+void offer_times(const Contact& q, const Offer& offer) {
+  Contact next = q;
   if (const auto t = q.t.to_double_exactly()) {
     next.query.t_max = *t;
     offer(next);
@@ -214,23 +215,23 @@ void offer_times(const WitnessedQuery& q, const Offer& offer) {
 }
 
 /// All numbers of few bits; all velocities of a patch 0, or all equal; all positions.
-void offer_wholesale(const WitnessedQuery& q, const Offer& offer) {
+void offer_wholesale(const Contact& q, const Offer& offer) {
   for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18, 26}) {
-    WitnessedQuery next = q;
+    Contact next = q;
     visit_coordinates(next, [bits](double& x) { x = cut_to(x, bits); });
     if (offer(next)) break;
   }
   for (const auto array : {kArrays[1], kArrays[0]}) {
     for (const std::size_t side : kSides) {
       for (const bool to_zero : {true, false}) {
-        WitnessedQuery next = q;
+        Contact next = q;
         Points<double>& points = next.query.patches[side].*array;
         const Vec3<double> value = to_zero ? Vec3<double>{0, 0, 0} : points[0];
         for (Vec3<double>& p : points) p = value;
         if (offer(next)) break;
       }
       for (int k = 0; k < 3; ++k) {
-        WitnessedQuery next = q;
+        Contact next = q;
         for (Vec3<double>& p : next.query.patches[side].*array) p[k] = 0;
         offer(next);
       }
@@ -238,23 +239,23 @@ void offer_wholesale(const WitnessedQuery& q, const Offer& offer) {
   }
 }
 
-void offer_point_by_point(const WitnessedQuery& q, const Offer& offer) {
+void offer_point_by_point(const Contact& q, const Offer& offer) {
   for (const std::size_t side : kSides) {
     for (std::size_t i = 0; i < q.query.patches[side].positions.size(); ++i) {
       for (const std::size_t other : {std::size_t{0}, i == 0 ? std::size_t{0} : i - 1}) {
         if (other == i) continue;
-        WitnessedQuery next = q;
+        Contact next = q;
         MovingPatch<double>& patch = next.query.patches[side];
         patch.positions[i] = patch.positions[other];
         patch.velocities[i] = patch.velocities[other];
         if (offer(next)) break;
       }
       for (const auto array : {kArrays[1], kArrays[0]}) {
-        WitnessedQuery next = q;
+        Contact next = q;
         (next.query.patches[side].*array)[i] = {0, 0, 0};
         if (offer(next)) continue;
         for (int k = 0; k < 3; ++k) {
-          const auto number = [&](WitnessedQuery& of) -> double& {
+          const auto number = [&](Contact& of) -> double& {
             return (of.query.patches[side].*array)[i][k];
           };
           next = q;
@@ -273,7 +274,7 @@ void offer_point_by_point(const WitnessedQuery& q, const Offer& offer) {
 
 }  // namespace
 
-Simplicity simplicity_of(const WitnessedQuery& q) {
+Simplicity simplicity_of(const Contact& q) {
   Simplicity s;
   s.size = size_of(q.query);
   s.witness_bits = bits_of(q.t);
@@ -287,14 +288,14 @@ Simplicity simplicity_of(const WitnessedQuery& q) {
     // What a shape has of control points counts, too: fewer are simpler even where they coincide.
     s.different_points += 64 * patch.positions.size() + different.size();
   }
-  WitnessedQuery copy = q;
+  Contact copy = q;
   visit_coordinates(copy, [&](double x) {
     if (x != 0) s.exponents += static_cast<std::uint64_t>(std::abs(std::ilogb(x)));
   });
   return s;
 }
 
-void offer_simpler(const WitnessedQuery& current, const Offer& offer) {
+void offer_simpler(const Contact& current, const Offer& offer) {
   offer_shapes(current, offer);
   offer_wholesale(current, offer);
   offer_times(current, offer);

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "finds/content_address.hpp"
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 
 namespace ccdfuzz {
 
@@ -21,12 +21,11 @@ struct Simplicity {
   }
 };
 
-Simplicity simplicity_of(const WitnessedQuery& q);
+Simplicity simplicity_of(const Contact& q);
 
 /// Offers simpler forms of a query, the boldest first; the contact may be broken in them. `offer`
 /// returns whether the form was taken: then the next ones start from what the reference holds.
 /// One round through all kinds of simplification; a second one may do more.
-void offer_simpler(const WitnessedQuery& current,
-                   const std::function<bool(const WitnessedQuery&)>& offer);
+void offer_simpler(const Contact& current, const std::function<bool(const Contact&)>& offer);
 
 }  // namespace ccdfuzz

@@ -24,7 +24,7 @@ Breeder::Breeder(std::string method, std::uint64_t seed, const HuntGround& groun
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
 
-bool Breeder::trace_and_note(const WitnessedQuery& q, TracerSet& tracers) {
+bool Breeder::trace_and_note(const Contact& q, TracerSet& tracers) {
   const Trace& trace = tracers[method_].trace(q.query, q.witness(), {});
   if (trace.lost) {
     if (lost_) lost_(q, trace);
@@ -35,7 +35,7 @@ bool Breeder::trace_and_note(const WitnessedQuery& q, TracerSet& tracers) {
   return true;
 }
 
-void Breeder::drift(WitnessedQuery q) {
+void Breeder::drift(Contact q) {
   if (drifting_.size() < kDrifting) {
     drifting_.push_back(std::move(q));
   } else {
@@ -44,7 +44,7 @@ void Breeder::drift(WitnessedQuery q) {
 }
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
-  std::optional<WitnessedQuery> q = witnessed_query(known);
+  std::optional<Contact> q = contact_of(known);
   if (!q || !ground_.has(q->query)) return;
   founders_.insert(content_address(known.query));
   // Founders that are lost are as good as any: half of their mutants are not.
@@ -52,7 +52,7 @@ void Breeder::add(const Case& known, TracerSet& tracers) {
   drift(*std::move(q));
 }
 
-const WitnessedQuery& Breeder::mother() {
+const Contact& Breeder::mother() {
   const bool by_margin = !nearest_.empty() && random_.below(2) == 0;
   return by_margin ? nearest_.nearer_of_two(random_) : drifting_[random_.below(drifting_.size())];
 }
@@ -60,8 +60,8 @@ const WitnessedQuery& Breeder::mother() {
 void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
   if (drifting_.empty()) return;
-  const WitnessedQuery& first = mother();
-  WitnessedQuery mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_);
+  const Contact& first = mother();
+  Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_);
   if (!ground_.has(mutant.query)) return;
   ++tally_.mutants;
   if (traceable_ && trace_and_note(mutant, tracers)) {

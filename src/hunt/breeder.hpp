@@ -56,14 +56,14 @@ class Breeder {
   bool empty() const { return drifting_.empty(); }
 
   /// Called with each contact that the method's trace loses, founders too.
-  using Loss = std::function<void(const WitnessedQuery&, const Trace&)>;
+  using Loss = std::function<void(const Contact&, const Trace&)>;
   void watch_losses(Loss lost) { lost_ = std::move(lost); }
 
  private:
   /// Whether the method keeps the contact; if so, the nearest to a loss are remembered.
-  bool trace_and_note(const WitnessedQuery& q, TracerSet& tracers);
-  void drift(WitnessedQuery q);
-  const WitnessedQuery& mother();
+  bool trace_and_note(const Contact& q, TracerSet& tracers);
+  void drift(Contact q);
+  const Contact& mother();
 
   std::string method_;
   bool traceable_;
@@ -71,7 +71,7 @@ class Breeder {
   Aim aim_;
   Draw random_;
   Population nearest_;
-  std::vector<WitnessedQuery> drifting_;
+  std::vector<Contact> drifting_;
   std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 #include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
@@ -41,15 +41,15 @@ class Population {
  public:
   /// Takes the place of a member of its niche that is no nearer: of equals the younger stays, so
   /// that the population drifts.
-  void join(WitnessedQuery q, const Standing& standing);
+  void join(Contact q, const Standing& standing);
 
   bool empty() const { return members_.empty(); }
   /// The nearer of two that are drawn. Requires a member.
-  const WitnessedQuery& nearer_of_two(Draw& draw) const;
+  const Contact& nearer_of_two(Draw& draw) const;
 
  private:
   struct Member {
-    WitnessedQuery q;
+    Contact q;
     double nearness;
   };
 

@@ -26,7 +26,7 @@ double about(const Dyadic& x) {
 struct OnAxis {
   double closing = 0, magnitude = 0;
 
-  OnAxis(const WitnessedQuery& q, const Vec3<double>& axis, double t) {
+  OnAxis(const Contact& q, const Vec3<double>& axis, double t) {
     for (size_t s = 0; s < 2; ++s) {
       const MovingPatch<double>& patch = q.query.patches[s];
       const auto weights =
@@ -41,7 +41,7 @@ struct OnAxis {
   }
 };
 
-double nearness(const WitnessedQuery& q, const Exclusion& by) {
+double nearness(const Contact& q, const Exclusion& by) {
   constexpr double kRounding = 0x1p-53;
   const double t = about(q.t);
   const double apart = std::max({0.0, by.times.lo - t, t - by.times.hi});
@@ -54,7 +54,7 @@ double nearness(const WitnessedQuery& q, const Exclusion& by) {
 
 }  // namespace
 
-Standing standing_of(const WitnessedQuery& q, const Trace& trace) {
+Standing standing_of(const Contact& q, const Trace& trace) {
   if (trace.slack) {
     return {niche_at(Niche::By::kGap, trace.slack->place, trace.slack->gap.axis),
             trace.slack->value};

@@ -11,6 +11,6 @@ namespace ccdfuzz {
 /// what rounding may do to a height (2^-53 of the largest on the way). Time alone would favour
 /// patches that are fast, not those whose heights are rounded most. Computed in double precision: a
 /// guide, no proof.
-Standing standing_of(const WitnessedQuery& q, const Trace& trace);
+Standing standing_of(const Contact& q, const Trace& trace);
 
 }  // namespace ccdfuzz

@@ -11,7 +11,7 @@
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "finds/shrink.hpp"
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace ccdfuzz {
@@ -47,7 +47,7 @@ Case decided_with_little_effort(const Case& candidate) {
   drop_tree(decision.truth);
   Case known = candidate;
   known.truth = std::move(decision.truth);
-  if (const auto q = witnessed_query(known)) {
+  if (const auto q = contact_of(known)) {
     known.origin.contact = name_of(contact_class_of(*q));
     known.origin.kind = name_of(CaseKind::kRP);
   }

@@ -63,7 +63,7 @@ TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
   std::filesystem::create_directories(folder / "crashes/deep");
   std::size_t written = 0;
   for (const NamedCase& entry : *drawn) {
-    const auto witnessed = witnessed_query(entry.value);
+    const auto witnessed = contact_of(entry.value);
     const auto bytes = witnessed ? to_bytes(*witnessed) : std::nullopt;
     if (!bytes) continue;
     write_text(
@@ -85,12 +85,12 @@ TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   const ScratchFolder folder;
   const auto drawn = read_cases(generated(folder, "VV", "RP", 1));
   ASSERT_TRUE(drawn);
-  auto witnessed = witnessed_query(drawn->at(0).value);
+  auto witnessed = contact_of(drawn->at(0).value);
   ASSERT_TRUE(witnessed);
   witnessed->query.patches[0].positions[0][0] += 1;
   const auto bytes = to_bytes(*witnessed);
   ASSERT_TRUE(bytes);
-  const auto repaired = witnessed_query_of(*bytes);
+  const auto repaired = contact_of_bytes(*bytes);
   ASSERT_TRUE(repaired);
   ASSERT_NE(repaired->query, *query_of(*bytes));
   write_text(folder / "input", std::string(bytes->begin(), bytes->end()));

@@ -17,7 +17,7 @@ namespace {
 
 struct Grazing {
   std::array<Points<Dyadic>, 2> points;
-  Contact contact;
+  PrescribedContact contact;
   GrazingPlane plane;
   std::array<MovingPatch<Dyadic>, 2> patches;
 };

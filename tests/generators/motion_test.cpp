@@ -12,7 +12,7 @@ namespace {
 
 struct Moving {
   ContactClass contact;
-  Contact prescribed;
+  PrescribedContact prescribed;
   std::array<Points<Dyadic>, 2> points;
   Vec3<Dyadic> normal;
   std::array<MovingPatch<Dyadic>, 2> patches;

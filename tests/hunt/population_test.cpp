@@ -13,8 +13,8 @@ namespace ccdfuzz {
 namespace {
 
 /// Told from others by its t_max.
-WitnessedQuery numbered(double t_max) {
-  WitnessedQuery q = falling_point();
+Contact numbered(double t_max) {
+  Contact q = falling_point();
   q.query.t_max = t_max;
   return q;
 }
@@ -54,8 +54,8 @@ TEST(Population, PrefersTheNearer) {
 }
 
 /// The contact of q, with space and time scaled by powers of two.
-WitnessedQuery scaled(const WitnessedQuery& q, double space, int time) {
-  WitnessedQuery other = q;
+Contact scaled(const Contact& q, double space, int time) {
+  Contact other = q;
   for (MovingPatch<double>& patch : other.query.patches) {
     for (Vec3<double>& p : patch.positions) p *= space;
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(space, -time);
@@ -65,18 +65,17 @@ WitnessedQuery scaled(const WitnessedQuery& q, double space, int time) {
   return other;
 }
 
-std::vector<WitnessedQuery> drawn_contacts(ContactClass contact, std::uint64_t draws) {
-  std::vector<WitnessedQuery> found;
+std::vector<Contact> drawn_contacts(ContactClass contact, std::uint64_t draws) {
+  std::vector<Contact> found;
   for (std::uint64_t i = 0; i < draws; ++i) {
     for (const CheckedCase& asked : Draws(1).at(contact, i).asked) {
-      if (std::optional<WitnessedQuery> q = witnessed_query(asked.value()))
-        found.push_back(*std::move(q));
+      if (std::optional<Contact> q = contact_of(asked.value())) found.push_back(*std::move(q));
     }
   }
   return found;
 }
 
-Standing standing_by(const std::string& method, const WitnessedQuery& q) {
+Standing standing_by(const std::string& method, const Contact& q) {
   TracerSet tracers;
   return standing_of(q, tracers[method].trace(q.query, q.witness(), {}));
 }
@@ -84,7 +83,7 @@ Standing standing_by(const std::string& method, const WitnessedQuery& q) {
 // A power of two changes no rounding, and so not how near its errors come.
 TEST(Standing, DoesNotDependOnTheScaleOfSpaceOrTime) {
   int compared = 0;
-  for (const WitnessedQuery& q : drawn_contacts(ContactClass::kVV, 40)) {
+  for (const Contact& q : drawn_contacts(ContactClass::kVV, 40)) {
     if (!is_within_scale(q.query, 100)) continue;
     const Standing a = standing_by("tdibm", q), b = standing_by("tdibm", scaled(q, 0x1p7, 5));
     EXPECT_FALSE(std::isnan(a.nearness));
@@ -98,7 +97,7 @@ TEST(Standing, DoesNotDependOnTheScaleOfSpaceOrTime) {
 
 // A double next to 0 is no nearer to it than rounding makes of heights.
 TEST(Standing, AContactAtTheStartIsNotNearForThat) {
-  WitnessedQuery q = falling_point();
+  Contact q = falling_point();
   q.t = Dyadic(0);
   Trace trace;
   trace.margin = Trace::Margin{};

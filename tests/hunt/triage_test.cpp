@@ -10,7 +10,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "finds/content_address.hpp"
 #include "finds/failure.hpp"
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "generators/contact.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/serve.hpp"
 #include "scratch_folder.hpp"
@@ -34,7 +34,7 @@ std::vector<Case> raw_finds() {
   std::vector<Case> finds;
   for (std::uint64_t i = 0; i < 4; ++i) {
     for (const CheckedCase& asked : Draws(3).at(ContactClass::kVV, i).asked) {
-      if (const auto q = witnessed_query(asked.value())) finds.push_back(case_of(*q));
+      if (const auto q = contact_of(asked.value())) finds.push_back(case_of(*q));
     }
   }
   return finds;

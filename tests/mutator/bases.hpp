@@ -1,24 +1,25 @@
 #pragma once
 
 #include "case/taxonomy.hpp"
-#include "fuzz/mutator/witnessed_query.hpp"
+#include "fuzz/mutator/repair.hpp"
+#include "generators/contact.hpp"
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
 
 namespace ccdfuzz {
 
 /// Contacts of every class: of random surfaces, of constructed ones, and of curves and points.
-inline std::vector<WitnessedQuery> mutation_bases() {
-  std::vector<WitnessedQuery> bases;
+inline std::vector<Contact> mutation_bases() {
+  std::vector<Contact> bases;
   Draw random{Random::keyed({5})};
   for (const ContactClass contact : kContactClasses) {
     for (int i = 0; i < 4; ++i) {
-      bases.push_back(witnessed_query(planted_case(contact, random)).value());
+      bases.push_back(contact_of(planted_case(contact, random)).value());
     }
     GeneratorOptions options;
     options.contact = contact;
     options.construction = Construction::kOneSided;
-    bases.push_back(witnessed_query(generate(options, 0).value).value());
+    bases.push_back(contact_of(generate(options, 0).value).value());
   }
   const auto moving = [&](const Shape& shape) {
     MovingPatch<double> patch{shape, {}, {}};
@@ -30,9 +31,9 @@ inline std::vector<WitnessedQuery> mutation_bases() {
   };
   for (const int n : {1, 3, 7}) {
     // The point follows the curve's middle.
-    WitnessedQuery q{{{moving(Shape::point()), moving(Shape::curve(n))}, 1.0}, Dyadic(1), {}};
+    Contact q{{{moving(Shape::point()), moving(Shape::curve(n))}, 1.0}, Dyadic(1), {}};
     q.uv[1][0] = Dyadic(Integer(1), -1);
-    const Vec3<Dyadic> way = q.contact(1) - q.contact(0);
+    const Vec3<Dyadic> way = q.point(1) - q.point(0);
     if (add_exactly(q.query.patches[0].positions[0], way)) bases.push_back(q);
   }
   return bases;

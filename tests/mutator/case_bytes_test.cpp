@@ -11,17 +11,17 @@ namespace ccdfuzz {
 namespace {
 
 TEST(CaseBytes, GiveTheSameQueryAgain) {
-  for (const WitnessedQuery& q : mutation_bases()) {
+  for (const Contact& q : mutation_bases()) {
     const auto bytes = to_bytes(q);
     ASSERT_TRUE(bytes) << to_json(case_of(q));
-    const auto again = witnessed_query_of(*bytes);
+    const auto again = contact_of_bytes(*bytes);
     ASSERT_TRUE(again) << to_json(case_of(q));
     EXPECT_EQ(case_of(*again), case_of(q));
   }
 }
 
 TEST(CaseBytes, AreMadeWholeOrRefusedWhateverWasDoneToThem) {
-  const std::vector<WitnessedQuery> bases = mutation_bases();
+  const std::vector<Contact> bases = mutation_bases();
   Draw random{Random(3)};
   size_t whole = 0;
   constexpr std::size_t kTries = 4000 / kOneIn;
@@ -31,18 +31,18 @@ TEST(CaseBytes, AreMadeWholeOrRefusedWhateverWasDoneToThem) {
       bytes[random.below(bytes.size())] ^= static_cast<std::uint8_t>(1U << random.below(8));
     }
     if (random.below(8) == 0) bytes.resize(random.below(bytes.size()));
-    const auto q = witnessed_query_of(bytes);
+    const auto q = contact_of_bytes(bytes);
     if (!q) continue;
     ++whole;
     const Case made = case_of(*q);
     ASSERT_TRUE(check_witness(made.query, *made.truth.witness)) << to_json(made);
   }
   EXPECT_GE(whole, kTries / 4);
-  EXPECT_FALSE(witnessed_query_of({}));
+  EXPECT_FALSE(contact_of_bytes({}));
 }
 
 TEST(CaseBytes, ABrokenContactIsShownAsItStandsAndMadeWhole) {
-  const WitnessedQuery q = mutation_bases().front();
+  const Contact q = mutation_bases().front();
   std::vector<std::uint8_t> bytes = to_bytes(q).value();
   const std::vector<Case> sound = cases_of(bytes);
   ASSERT_EQ(sound.size(), 1U);
@@ -57,7 +57,7 @@ TEST(CaseBytes, ABrokenContactIsShownAsItStandsAndMadeWhole) {
 }
 
 TEST(CaseBytes, OfATimeThatIsNoDoubleThereAreNone) {
-  WitnessedQuery q = mutation_bases().front();
+  Contact q = mutation_bases().front();
   q.t = Dyadic(1) + Dyadic(Integer(1), -60);
   EXPECT_FALSE(to_bytes(q));
 }

@@ -13,7 +13,7 @@ namespace ccdfuzz {
 namespace {
 
 /// What is wrong with q; empty if it is whole.
-std::string complaint_about(const WitnessedQuery& q) {
+std::string complaint_about(const Contact& q) {
   const Case made = case_of(q);
   if (const auto valid = validate(q.query, "query"); !valid) return valid.error().message();
   if (q.t.sign() < 0 || made.truth.witness->t > exact(q.query.t_max)) {
@@ -24,14 +24,14 @@ std::string complaint_about(const WitnessedQuery& q) {
 }
 
 TEST(Mutate, EveryMoveKeepsTheContactAndIsOftenPossible) {
-  const std::vector<WitnessedQuery> bases = mutation_bases();
+  const std::vector<Contact> bases = mutation_bases();
   std::map<std::string_view, int> made;
   Draw random{Random::keyed({6})};
   for (const Move& move : moves()) {
     SCOPED_TRACE(move.name);
     for (std::size_t i = 0; i < 600 / kOneIn; ++i) {
       const size_t base = random.below(bases.size()), other = random.below(bases.size());
-      WitnessedQuery q = bases[base];
+      Contact q = bases[base];
       if (!move.apply(q, bases[other], random)) continue;
       ++made[move.name];
       ASSERT_EQ(complaint_about(q), "")
@@ -42,15 +42,15 @@ TEST(Mutate, EveryMoveKeepsTheContactAndIsOftenPossible) {
 }
 
 TEST(Mutate, ChainsOfMutantsStayWholeAndGoAstray) {
-  const std::vector<WitnessedQuery> bases = mutation_bases();
+  const std::vector<Contact> bases = mutation_bases();
   Draw random{Random::keyed({7})};
   size_t changed = 0, reshaped = 0;
   constexpr std::size_t kChains = 100 / kOneIn, kLength = 20;
   for (std::size_t chain = 0; chain < kChains; ++chain) {
-    const WitnessedQuery& base = bases[random.below(bases.size())];
-    WitnessedQuery q = base;
+    const Contact& base = bases[random.below(bases.size())];
+    Contact q = base;
     for (std::size_t i = 0; i < kLength; ++i) {
-      const WitnessedQuery next = mutate(q, bases[random.below(bases.size())], random);
+      const Contact next = mutate(q, bases[random.below(bases.size())], random);
       changed += next.query == q.query ? 0 : 1;
       q = next;
       ASSERT_EQ(complaint_about(q), "") << to_json(case_of(q));
@@ -62,10 +62,10 @@ TEST(Mutate, ChainsOfMutantsStayWholeAndGoAstray) {
 }
 
 TEST(Mutate, DependsOnTheArgumentsAlone) {
-  const std::vector<WitnessedQuery> bases = mutation_bases();
+  const std::vector<Contact> bases = mutation_bases();
   for (std::uint64_t key = 0; key < 50 / kOneIn; ++key) {
     Draw once{Random(key)}, again = once;
-    const WitnessedQuery &q = bases[key % bases.size()], &other = bases[(key + 3) % bases.size()];
+    const Contact &q = bases[key % bases.size()], &other = bases[(key + 3) % bases.size()];
     EXPECT_EQ(mutate(q, other, once).query, mutate(q, other, again).query);
   }
 }
@@ -73,12 +73,12 @@ TEST(Mutate, DependsOnTheArgumentsAlone) {
 // One number for all compilers: no draw may depend on the order in which they evaluate arguments.
 // It changes with the moves, and only with them: put in the new one when you mean to change them.
 TEST(Mutate, MakesTheSameMutantsEverywhere) {
-  const std::vector<WitnessedQuery> bases = mutation_bases();
+  const std::vector<Contact> bases = mutation_bases();
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a
   Draw random{Random::keyed({9})};
   for (int i = 0; i < 60; ++i) {
-    const WitnessedQuery& q = bases[random.below(bases.size())];
-    const WitnessedQuery& other = bases[random.below(bases.size())];
+    const Contact& q = bases[random.below(bases.size())];
+    const Contact& other = bases[random.below(bases.size())];
     for (const char c : to_json(case_of(mutate(q, other, random)))) {
       hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
     }
@@ -86,18 +86,18 @@ TEST(Mutate, MakesTheSameMutantsEverywhere) {
   EXPECT_EQ(hash, 0xc0788f99fcab5606u) << std::hex << "0x" << hash;
 }
 
-TEST(WitnessedQuery, IsMadeOfCasesWithADyadicWitnessWithinTheHorizon) {
+TEST(Contact, IsMadeOfCasesWithADyadicWitnessWithinTheHorizon) {
   Draw random{Random::keyed({8})};
   const Case known = planted_case(ContactClass::kEF, random);
-  const auto q = witnessed_query(known);
+  const auto q = contact_of(known);
   ASSERT_TRUE(q);
   EXPECT_EQ(case_of(*q).truth.witness, known.truth.witness);
   Case early = known;
   early.query.t_max = 0x1p-10;
-  EXPECT_FALSE(witnessed_query(early));
+  EXPECT_FALSE(contact_of(early));
   Case third = known;
   third.truth.witness->uv[0][0] = Rational(1, 3);
-  EXPECT_FALSE(witnessed_query(third));
+  EXPECT_FALSE(contact_of(third));
 }
 
 }  // namespace

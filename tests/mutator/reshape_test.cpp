@@ -11,7 +11,7 @@ namespace ccdfuzz {
 namespace {
 
 /// A point of patch `side` at some parameters that its shape has.
-Vec3<Dyadic> point_at(const WitnessedQuery& q, size_t side, const Uv<Dyadic>& uv) {
+Vec3<Dyadic> point_at(const Contact& q, size_t side, const Uv<Dyadic>& uv) {
   return evaluate<Dyadic>(exact_patch<Dyadic>(q.query.patches[side]), uv, Dyadic(3));
 }
 
@@ -25,10 +25,10 @@ Uv<Dyadic> parameters(const Shape& shape) {
 
 TEST(Reshape, ElevationKeepsEveryPoint) {
   int elevated = 0;
-  for (const WitnessedQuery& base : mutation_bases()) {
+  for (const Contact& base : mutation_bases()) {
     for (int side = 0; side < 2; ++side) {
       for (const bool in_v : {false, true}) {
-        WitnessedQuery q = base;
+        Contact q = base;
         if (!elevate_patch(q, side, in_v)) continue;
         ++elevated;
         const size_t s = static_cast<size_t>(side);
@@ -41,16 +41,16 @@ TEST(Reshape, ElevationKeepsEveryPoint) {
 }
 
 TEST(Reshape, NewParametersAndChildrenKeepTheContactWhereItWas) {
-  for (const WitnessedQuery& base : mutation_bases()) {
+  for (const Contact& base : mutation_bases()) {
     for (int side = 0; side < 2; ++side) {
       for (std::uint64_t way = 0; way < 5; ++way) {
-        WitnessedQuery q = base;
+        Contact q = base;
         reparametrise_patch(q, side, way);
-        EXPECT_EQ(q.contact(side), base.contact(side)) << to_json(case_of(base));
+        EXPECT_EQ(q.point(side), base.point(side)) << to_json(case_of(base));
       }
-      WitnessedQuery q = base;
+      Contact q = base;
       if (restrict_patch(q, side)) {
-        EXPECT_EQ(q.contact(side), base.contact(side)) << to_json(case_of(base));
+        EXPECT_EQ(q.point(side), base.point(side)) << to_json(case_of(base));
       }
     }
   }

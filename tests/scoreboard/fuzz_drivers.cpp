@@ -91,7 +91,7 @@ std::string check_decoded(std::span<const std::uint8_t> data) {
     const bool fails = check.status == Check::Status::kFails;
     return fails ? fmt::format("{}: {}", property.name, check.text) : "";
   }
-  const auto q = witnessed_query_of(data.subspan(kCaseHead));
+  const auto q = contact_of_bytes(data.subspan(kCaseHead));
   if (!q) return kNoInput;
   const Witness witness = q->witness();
   for (std::size_t m = 0; m < kSoundMethods.size(); ++m) {
@@ -172,8 +172,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   if (data[0] >= kIsProperty || random.below(8) == 0) {
     return head + LLVMFuzzerMutate(data + head, size - head, max_size - head);
   }
-  const WitnessedQuery q =
-      witnessed_query_of(std::span(data + head, size - head)).value_or(falling_point());
+  const Contact q = contact_of_bytes(std::span(data + head, size - head)).value_or(falling_point());
   const auto bytes = to_bytes(mutate(q, q, random));
   if (!bytes || bytes->size() + head > max_size) return 0;
   std::copy(bytes->begin(), bytes->end(), data + head);

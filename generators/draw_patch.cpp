@@ -1,4 +1,4 @@
-#include "properties/draw_patch.hpp"
+#include "generators/draw_patch.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,11 +1,12 @@
-#include "properties/draw_contact.hpp"
+#include "generators/draw_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/elsewhere.hpp"
-#include "properties/draw_patch.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz {
 
@@ -38,24 +39,9 @@ Vec3<Dyadic> in_frame(const ContactFrame& frame, const Vec3<Dyadic>& local) {
 
 /// For each control point, whether its Bernstein weight at uv is not 0.
 std::vector<bool> bearing_controls(const Shape& shape, const Uv<Dyadic>& uv) {
-  const Dyadic zero, one(1);
-  std::vector<bool> bears(static_cast<std::size_t>(shape.control_count()));
-  const auto weighs = [&](int i, const Dyadic& x) { return i == 0 || zero < x; };
-  const bool triangle = shape.kind == ShapeKind::kTriangle;
-  const int rows = shape.kind == ShapeKind::kPoint ? 0 : shape.n;
-  for (int i = 0; i <= rows; ++i) {
-    const int columns = triangle ? shape.n - i : shape.kind == ShapeKind::kTensor ? shape.m : 0;
-    for (int j = 0; j <= columns; ++j) {
-      bool bearing = weighs(i, uv[0]) && weighs(j, uv[1]);
-      if (triangle) {
-        bearing = bearing && weighs(shape.n - i - j, one - uv[0] - uv[1]);
-      } else {
-        bearing = bearing && weighs(rows - i, one - uv[0]) && weighs(columns - j, one - uv[1]);
-      }
-      bears[static_cast<std::size_t>(shape.index(i, j))] = bearing;
-    }
-  }
-  return bears;
+  std::vector<bool> bearing;
+  for_each_control(shape, [&](int i, int j) { bearing.push_back(bears(shape, uv, i, j)); });
+  return bearing;
 }
 
 Result<double> as_double(const Dyadic& x) {

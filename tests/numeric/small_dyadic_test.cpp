@@ -1,4 +1,4 @@
-#include "fuzz/mutator/small_dyadic.hpp"
+#include "numeric/small_dyadic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,95 @@
+#include "fuzz/mutator/repair.hpp"
+
+#include "generators/exact_sum.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+bool is_zero(const Vec3<Dyadic>& v) {
+  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
+}
+
+Vec3<Dyadic> scaled(const Vec3<Dyadic>& v, long shift) {
+  return {v[0].scaled(shift), v[1].scaled(shift), v[2].scaled(shift)};
+}
+
+/// k where x = 2^k.
+std::optional<long> exponent_of_power_of_two(const Dyadic& x) {
+  if (x.mantissa() != 1) return std::nullopt;
+  return x.exponent();
+}
+
+bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
+  for (Vec3<double>& p : points) {
+    if (!add_exactly(p, by)) return false;
+  }
+  return true;
+}
+
+/// The ways to move what patch `side` has at the contact by `by`.
+bool shift_patch(Contact& q, int side, const Vec3<Dyadic>& by) {
+  return shift_all(q.query.patches[static_cast<size_t>(side)].positions, by);
+}
+
+bool shift_velocity(Contact& q, int side, const Vec3<Dyadic>& by) {
+  const auto k = exponent_of_power_of_two(q.t);
+  return k && shift_all(q.query.patches[static_cast<size_t>(side)].velocities, scaled(by, -*k));
+}
+
+bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
+  const std::vector<Dyadic> weights = q.weights(side);
+  std::vector<size_t> movable;
+  for (size_t i = 0; i < weights.size(); ++i) {
+    if (exponent_of_power_of_two(weights[i])) movable.push_back(i);
+  }
+  if (movable.empty()) return false;
+  const size_t i = movable[draw.below(movable.size())];
+  return add_exactly(q.query.patches[static_cast<size_t>(side)].positions[i],
+                     scaled(by, -weights[i].exponent()));
+}
+
+}  // namespace
+
+bool add_exactly(double& x, const Dyadic& by) {
+  if (const std::optional<double> step = by.to_double_exactly()) {
+    double moved = x;
+    if (!add_exactly(moved, *step)) return false;
+    x = moved;
+    return true;
+  }
+  const std::optional<double> sum = (Dyadic::exact(x) + by).to_double_exactly();
+  if (sum) x = *sum;
+  return sum.has_value();
+}
+
+bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
+  Vec3<double> sum = x;
+  for (int k = 0; k < 3; ++k) {
+    if (!add_exactly(sum[k], by[k])) return false;
+  }
+  x = sum;
+  return true;
+}
+
+bool repair(Contact& q, Draw& draw) {
+  const Vec3<Dyadic> apart = q.point(0) - q.point(1);
+  if (is_zero(apart)) return true;
+  constexpr std::uint64_t kWays = 6;
+  const std::uint64_t first = draw.below(kWays);
+  for (std::uint64_t way = first; way < first + kWays; ++way) {
+    Contact whole = q;
+    const int side = static_cast<int>(way % 2);
+    const Vec3<Dyadic> by = side == 0 ? Vec3<Dyadic>(-apart) : apart;
+    const std::uint64_t kind = way % kWays / 2;
+    if (kind == 0   ? shift_control(whole, side, by, draw)
+        : kind == 1 ? shift_patch(whole, side, by)
+                    : shift_velocity(whole, side, by)) {
+      q = std::move(whole);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace ccdfuzz

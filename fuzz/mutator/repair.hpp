@@ -1,0 +1,15 @@
+#pragma once
+
+#include "generators/contact.hpp"
+
+namespace ccdfuzz {
+
+/// x += by. Returns false, and leaves x, if the sum is not a double.
+bool add_exactly(double& x, const Dyadic& by);
+bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
+
+/// Makes an edited query whole again: moves a patch, or a control point or the velocity of one,
+/// by what is between the two patches at the contact. Returns false if no way is exact.
+bool repair(Contact& q, Draw& draw);
+
+}  // namespace ccdfuzz
