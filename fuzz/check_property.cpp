@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "base/text.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -10,15 +10,15 @@
 
 #include "base/text.hpp"
 #include "fuzz/libfuzzer.hpp"
-#include "properties/fuzz_targets.hpp"
+#include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-const FuzzTarget& this_target() {
-  static const FuzzTarget target = fuzz_target_named(kFuzzTarget).value();
-  return target;
+const Suite& this_suite() {
+  static const Suite suite = suite_named(kSuite).value();
+  return suite;
 }
 
 /// What runs one input of one property again.
@@ -38,9 +38,9 @@ std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, 
   // Draws kill twice as many planted faults in 5 s as coverage does (tests/scoreboard), which goes
   // on from what they reach: an equal share for either.
   constexpr std::uint64_t kOneDrawnIn = 2;
-  const FuzzTarget& target = this_target();
+  const Suite& suite = this_suite();
   Draw random{Random(seed)};
-  if (!target.reads_texts) {
+  if (!suite.reads_text) {
     const auto take = [&](const std::vector<std::uint8_t>& input) {
       size = std::min(input.size(), max_size);
       std::copy_n(input.begin(), size, data);
@@ -50,7 +50,7 @@ std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, 
       return size;
     }
     if (any_ended) {
-      if (const auto bytes = drawn_as_bytes(target, {data, size})) take(*bytes);
+      if (const auto bytes = drawn_as_bytes(suite, {data, size})) take(*bytes);
     }
   }
   return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
@@ -59,15 +59,15 @@ std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, 
 }  // namespace
 
 int check_input(std::span<const std::uint8_t> bytes) {
-  const FuzzTarget& target = this_target();
-  const auto input = claim_input(target, bytes);
+  const Suite& suite = this_suite();
+  const auto input = claim_input(suite, bytes);
   if (!input) return -1;  // not for the corpus
   Draw choices = input->choices();
   const Check check = run(input->property, choices);
   any_ended = true;
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
-    std::cerr << fmt::format("{}: {} fails: {}\nreproduce: {} {} --hex {}\n", target.find,
+    std::cerr << fmt::format("refuted claim: {} fails: {}\nreproduce: {} {} --hex {}\n",
                              input->property.name, check.text, check_command(),
                              input->property.name, to_hex_word(choices.bytes()));
     std::abort();

@@ -7,12 +7,12 @@
 
 namespace ccdfuzz {
 
-/// The name of the target that this program is. Each target defines it.
-extern const std::string_view kFuzzTarget;
+/// The name of the suite that this program puts inputs to (suite.cpp).
+extern const std::string_view kSuite;
 
-/// What every libFuzzer target of claims does: puts the bytes to one of its claims (claim_input). A
-/// failure is printed with its operands and ends the process, so that libFuzzer keeps the input.
-/// What links this has libFuzzer draw every other input (drawn_input), but for texts.
+/// Puts the bytes to one of the suite's claims (claim_input). A failure is printed with its
+/// operands and ends the process, so that libFuzzer keeps the input. What links this has libFuzzer
+/// draw every other input (drawn_input), but for texts.
 int check_input(std::span<const std::uint8_t> bytes);
 
 }  // namespace ccdfuzz

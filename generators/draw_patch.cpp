@@ -159,4 +159,9 @@ std::string to_text(const Query& query) {
   return to_json(about);
 }
 
+std::string to_text(const Cell& cell) {
+  return fmt::format("i = {}, j = {}, depth = {}{}", cell.i, cell.j, cell.depth,
+                     cell.inverted ? ", inverted" : "");
+}
+
 }  // namespace ccdfuzz

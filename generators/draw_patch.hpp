@@ -31,5 +31,6 @@ std::string to_hex_text(const Points<double>& points);
 std::string to_text(const Points<Dyadic>& points);
 std::string to_text(const Uv<Dyadic>& uv);
 std::string to_text(const Query& query);
+std::string to_text(const Cell& cell);
 
 }  // namespace ccdfuzz

@@ -1,5 +1,3 @@
-#include "properties/any_bits.hpp"
-
 #include <fmt/format.h>
 
 #include <bit>
@@ -11,6 +9,7 @@
 #include "certify/checker/check_case.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -215,7 +214,7 @@ Check check_validity(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> any_bits_properties() {
+std::vector<Property> any_bits_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"methods.refuses_invalid",

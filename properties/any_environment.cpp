@@ -1,5 +1,3 @@
-#include "properties/any_environment.hpp"
-
 #include <fmt/format.h>
 
 #include <bit>
@@ -26,6 +24,7 @@
 #include "method/method.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -292,7 +291,7 @@ Check check_contact_stays(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> any_environment_properties() {
+std::vector<Property> any_environment_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   constexpr auto kSource = "src/base/fp_guard.hpp";
   return {

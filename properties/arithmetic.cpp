@@ -1,5 +1,3 @@
-#include "properties/arithmetic.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,13 +6,11 @@
 #include "base/double_parts.hpp"
 #include "base/json_real.hpp"
 #include "base/json_write.hpp"
-#include "ccd/line.hpp"
 #include "ccd/next_double.hpp"
-#include "certify/checker/miss_tree.hpp"
 #include "generators/exact_sum.hpp"
 #include "numeric/bounded_int.hpp"
 #include "numeric/wide_int.hpp"
-#include "properties/draw_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -161,62 +157,6 @@ Check check_every_dyadic_is_a_double(Draw& choices) {
   return x.to_double_exactly() ? Check::holds() : Check::fails(to_text(x.rational()));
 }
 
-/// Sorting lines puts the same lines in order.
-Check check_sorting(Draw& choices) {
-  const LinePairs pairs = draw_line_pairs(choices);
-  Lines<double> sorted;
-  for (const Line<double>& line : pairs.f) sorted.push_back(line);
-  sort_lines(sorted);
-  const auto before = [](const Line<double>& x, const Line<double>& y) {
-    return x.slope < y.slope || (x.slope == y.slope && x.intercept < y.intercept);
-  };
-  const auto same = [](const Line<double>& x, const Line<double>& y) {
-    return x.slope == y.slope && x.intercept == y.intercept;
-  };
-  const bool right =
-      std::is_sorted(sorted.begin(), sorted.end(), before) &&
-      std::is_permutation(sorted.begin(), sorted.end(), pairs.f.begin(), pairs.f.end(), same);
-  return right ? Check::holds() : Check::fails(to_hex_text(pairs.f));
-}
-
-/// The bits of a miss tree come back as the nodes that were written.
-Check check_tree_bits(Draw& choices) {
-  TreeBits bits;
-  std::vector<TreeNode> nodes;
-  std::string text;
-  for (std::int64_t n = choices.integer(1, 12); n > 0; --n) {
-    TreeNode node;
-    node.kind = static_cast<TreeNodeKind>(choices.choose(2));
-    switch (node.kind) {
-      case TreeNodeKind::kLeaf: {
-        constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
-        for (std::int64_t& x : node.axis) x = choices.integer(-kMost, kMost);
-        bits.leaf(node.axis);
-        text += fmt::format(" leaf {} {} {}", node.axis[0], node.axis[1], node.axis[2]);
-        break;
-      }
-      case TreeNodeKind::kSplit:
-        node.side = static_cast<int>(choices.choose(1));
-        bits.split(node.side);
-        text += fmt::format(" split {}", node.side);
-        break;
-      case TreeNodeKind::kTime:
-        node.time = 1 + choices.choose(kTimeSteps - 2);
-        bits.time(node.time);
-        text += fmt::format(" time {}", node.time);
-    }
-    nodes.push_back(node);
-  }
-  TreeReader reader(bits.bytes());
-  for (const TreeNode& node : nodes) {
-    const auto read = reader.next();
-    const bool same = read && read->kind == node.kind && read->side == node.side &&
-                      read->time == node.time && read->axis == node.axis;
-    if (!same) return Check::fails("nodes" + text);
-  }
-  return reader.at_end() ? Check::holds() : Check::fails("something is left after" + text);
-}
-
 Check check_exact_sums(Draw& choices) {
   const double a = draw_double(choices);
   const double b = choices.coin() ? draw_double(choices) : choices.nudged(-a, 20);
@@ -231,7 +171,7 @@ Check check_exact_sums(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> arithmetic_properties() {
+std::vector<Property> arithmetic_claims() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"rational.rounding", "round_down and round_up are the doubles next to a rational",
@@ -249,10 +189,6 @@ std::vector<Property> arithmetic_properties() {
       {"paper.every_dyadic_is_a_double", "p/2^k with |p| < 2^53 is a double for any p and k",
        "Section 5.4, which leaves out the range of exponents", kFails,
        check_every_dyadic_is_a_double},
-      {"lines.sorting", "Sorted lines are the same lines, by slope and intercept",
-       "Section 3, Step II", kHolds, check_sorting},
-      {"miss_tree.round_trip", "The bits of a miss tree read as the nodes that were written",
-       "the case format", kHolds, check_tree_bits},
   };
 }
 

@@ -1,7 +1,5 @@
 #include "properties/case_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "case/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -95,36 +94,20 @@ void spoil_text(Draw& choices, std::string& text) {
 
 }  // namespace
 
-Check reader_takes_any_text(const std::string& text) {
-  const auto failure = [&](const char* what) {
-    return Check::fails(fmt::format(
-        "{} on the text (as hex bytes) {}", what,
-        to_hex_bytes({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()})));
-  };
+void claim_reader_takes(const std::string& text) {
   const Result<Case> first = parse_case(text, "input");
   if (!first) {
-    const bool says_where = first.error().where.find("input") != std::string::npos;
-    return says_where && !first.error().what.empty() ? Check::holds()
-                                                     : failure("an error without place or reason");
+    CLAIM(first.error().where.find("input") != std::string::npos);
+    CLAIM(!first.error().what.empty());
+    return;
   }
   for (const JsonLayout layout : kLayouts) {
     const std::string written = to_json(*first, layout);
     const Result<Case> again = parse_case(written, "written");
-    if (!again) return failure("what was written is refused");
-    if (!(*again == *first)) return failure("what was written reads as another case");
-    if (to_json(*again, layout) != written) return failure("it is written in another way again");
+    CLAIM(again.has_value());
+    CLAIM(*again == *first);
+    CLAIM(to_json(*again, layout) == written);
   }
-  return Check::holds();
-}
-
-Check case_round_trip(const Case& value) {
-  for (const JsonLayout layout : kLayouts) {
-    const std::string written = to_json(value, layout);
-    const Result<Case> read = parse_case(written, "written");
-    if (!read) return Check::fails(read.error().message() + "\n" + written);
-    if (!(*read == value)) return Check::fails("it reads as another case: " + written);
-  }
-  return Check::holds();
 }
 
 std::string draw_spoilt_text(Draw& choices, std::string text) {
@@ -134,21 +117,32 @@ std::string draw_spoilt_text(Draw& choices, std::string text) {
   return text;
 }
 
-Check check_reader_on_bytes(Draw& choices) {
-  constexpr std::size_t kLongest = 1 << 16;
-  return reader_takes_any_text(choices.text(kLongest));
-}
-
-Check check_reader_on_mutants(Draw& choices) {
-  const std::uint64_t mutations = choices.choose(4);
-  const auto layout = choices.pick(kLayouts);
-  std::string text = to_json(draw_case(choices), layout);
-  for (std::uint64_t i = 0; i < mutations; ++i) spoil_text(choices, text);
-  return reader_takes_any_text(text);
-}
-
-Check check_case_round_trip(Draw& choices) {
-  return case_round_trip(draw_case(choices));
+std::vector<Property> case_file_claims() {
+  return {
+      {"case_file.round_trip", "A case that is written and read is the same case",
+       "the case format",
+       [](Draw& d) {
+         const Case value = draw_case(d);
+         for (const JsonLayout layout : kLayouts) {
+           const std::string written = to_json(value, layout);
+           show(d, "written", written);
+           CLAIM(parse_case(written, "written").value() == value);
+         }
+       }},
+      {"case_file.mutants",
+       "The reader refuses what is almost a case file with a reason, or reads a case that it "
+       "writes "
+       "and reads again",
+       "the case format",
+       [](Draw& d) {
+         const std::uint64_t mutations = d.choose(4);
+         const auto layout = d.pick(kLayouts);
+         std::string text = to_json(draw_case(d), layout);
+         for (std::uint64_t i = 0; i < mutations; ++i) spoil_text(d, text);
+         show(d, "text", AsHex{text});
+         claim_reader_takes(text);
+       }},
+  };
 }
 
 }  // namespace ccdfuzz

@@ -1,10 +1,9 @@
-#include "properties/certificates.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bezier/blossom.hpp"
 #include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
@@ -16,6 +15,7 @@
 #include "generators/one_sided.hpp"
 #include "numeric/products.hpp"
 #include "properties/accepted.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -163,11 +163,35 @@ Check check_contact_box(Draw& choices) {
                       about);
 }
 
+/// The checker refuses a witness at another time unless the patches touch there too.
+Check check_wrong_witness(Draw& choices) {
+  Result<Case> drawn = draw_contact(choices, {});
+  if (!drawn) return Check::discarded("a number is not a double");
+  Witness& witness = *drawn->truth.witness;
+  const Rational off = Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
+  if (choices.coin()) {
+    witness.t += off;
+  } else {
+    witness.uv[choices.choose(1)][choices.choose(1)] += off;
+  }
+  std::array<Vec3<Rational>, 2> points;
+  bool inside = witness.t >= 0 && witness.t <= exact(drawn->query.t_max);
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto patch = exact_patch<Rational>(drawn->query.patches[s]);
+    inside = inside && patch.shape.contains(witness.uv[s]);
+    points[s] = evaluate<Rational>(patch, witness.uv[s], witness.t);
+  }
+  const bool is_contact = inside && points[0] == points[1];
+  return accepted_iff(check_truth(*drawn).has_value(), is_contact, "a witness", *drawn);
+}
+
 }  // namespace
 
-std::vector<Property> certificate_properties() {
+std::vector<Property> certificates_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
+      {"checker.refuses_wrong_witnesses", "A witness is accepted iff the patches touch in it",
+       "src/certify/checker/check_witness.hpp", kHolds, check_wrong_witness},
       {"checker.refuses_moved_contacts",
        "A witness is refused once a patch was moved along any axis",
        "src/certify/checker/check_witness.hpp", kHolds, check_moved_contact},

@@ -1,5 +1,3 @@
-#include "properties/certified_bounds.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "ccd/certified/projection.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -204,7 +203,7 @@ Check check_derived_bound(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> certified_bound_properties() {
+std::vector<Property> certified_bounds_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"tdibm-c.normalised",

@@ -1,5 +1,3 @@
-#include "properties/coefficients.hpp"
-
 #include <fmt/format.h>
 
 #include "bezier/restrict.hpp"
@@ -8,6 +6,7 @@
 #include "generators/draw_patch.hpp"
 #include "numeric/products.hpp"
 #include "properties/error_bound.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -169,7 +168,7 @@ Check check_coefficient_error(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> coefficient_properties() {
+std::vector<Property> coefficients_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"paper.sub_patch_error",

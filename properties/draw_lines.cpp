@@ -104,4 +104,9 @@ std::string to_hex_text(const TimeWindow<double>& window) {
   return fmt::format("[{}, {}]", to_hex(window.lo), to_hex(window.hi));
 }
 
+std::string to_hex_text(const LinePairs& pairs) {
+  return fmt::format("f {} g {} on {}", to_hex_text(pairs.f), to_hex_text(pairs.g),
+                     to_hex_text(pairs.window));
+}
+
 }  // namespace ccdfuzz

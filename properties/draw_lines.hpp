@@ -31,5 +31,6 @@ Lines<double> sorted_lines(const std::vector<Line<double>>& lines);
 /// For failure texts.
 std::string to_hex_text(const std::vector<Line<double>>& lines);
 std::string to_hex_text(const TimeWindow<double>& window);
+std::string to_hex_text(const LinePairs& pairs);
 
 }  // namespace ccdfuzz

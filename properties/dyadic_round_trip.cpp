@@ -1,37 +1,36 @@
 #include "properties/dyadic_round_trip.hpp"
 
-#include <fmt/format.h>
-
-#include <bit>
-#include <cstdint>
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
-Check dyadic_round_trip(double x, double y) {
-  const auto failure = [&](const char* what) {
-    return Check::fails(fmt::format("{} for x = {}, y = {}", what, to_hex(x), to_hex(y)));
-  };
+void claim_dyadic_round_trip(double x, double y) {
   const Dyadic dx = Dyadic::exact(x), dy = Dyadic::exact(y);
   const Rational rx = exact(x), ry = exact(y);
-  if (dx.to_double_exactly() != std::optional(x)) return failure("Dyadic does not give x back");
-  if (to_double_exactly(rx) != std::optional(x)) return failure("Rational does not give x back");
-  if (dx.rational() != rx) return failure("Dyadic and Rational differ on x");
-  if (Dyadic::from(rx) != std::optional(dx)) return failure("Dyadic::from(Rational) differs on x");
-  if (Rational(rx + ry) != (dx + dy).rational()) return failure("x + y differs");
-  if (Rational(rx - ry) != (dx - dy).rational()) return failure("x - y differs");
-  if (Rational(rx * ry) != (dx * dy).rational()) return failure("x * y differs");
-  if ((rx < ry) != (dx < dy)) return failure("x < y differs");
-  if ((dx + dy) - dy != dx) return failure("(x + y) - y is not x");
-  return Check::holds();
+  CLAIM(dx.to_double_exactly() == std::optional(x));
+  CLAIM(to_double_exactly(rx) == std::optional(x));
+  CLAIM(dx.rational() == rx);
+  CLAIM(Dyadic::from(rx) == std::optional(dx));
+  CLAIM(Rational(rx + ry) == (dx + dy).rational());
+  CLAIM(Rational(rx - ry) == (dx - dy).rational());
+  CLAIM(Rational(rx * ry) == (dx * dy).rational());
+  CLAIM((rx < ry) == (dx < dy));
+  CLAIM((dx + dy) - dy == dx);
 }
 
-Check check_dyadic_round_trip(Draw& choices) {
-  const double x = choices.finite_double();
-  // Near each other half of the time, where sums cancel.
-  if (!choices.coin()) return dyadic_round_trip(x, choices.finite_double());
-  const double mirror = choices.coin() ? -x : x;
-  const double y = choices.nudged(mirror, 4);
-  return dyadic_round_trip(x, y);
+std::vector<Property> dyadic_round_trip_claims() {
+  return {{"dyadic.round_trip",
+           "A double goes to exact numbers and back without loss, and both exact number types "
+           "agree on every sum, difference, product and order",
+           "Section 5.4", [](Draw& d) {
+             const double x = d.finite_double();
+             // Near each other half of the time, where sums cancel.
+             const bool is_near = d.coin();
+             const double y = is_near ? d.nudged(d.coin() ? -x : x, 4) : d.finite_double();
+             show(d, "x", x);
+             show(d, "y", y);
+             claim_dyadic_round_trip(x, y);
+           }}};
 }
 
 }  // namespace ccdfuzz

@@ -8,40 +8,26 @@
 
 namespace ccdfuzz {
 
-/// Step II under a policy: the maximum of the lines that it selects, raised by eps_constr, is
-/// nowhere on the window below the exact maximum of all lines. Lines and window are exact inputs.
+/// Step II under a policy as TdibmInclusion does it: lines sorted, selected and raised.
 /// Requires 1 ≤ lines.size() ≤ kMaxControls, all finite, 0 ≤ lo ≤ hi.
 template <class Policy>
-Check envelope_is_never_below_the_maximum(const Policy& policy,
-                                          const std::vector<Line<double>>& lines,
-                                          const TimeWindow<double>& window);
-
-/// Step III under a policy: where it says that max f + max g < 0, that is so in exact arithmetic.
-template <class Policy>
-Check separation_is_true(const Policy& policy, const LinePairs& pairs);
-
-/// Step III under a policy: an end that it finds inside of the window is the root of two lines
-/// whose sum falls there (the start) or rises (the end), however rounding misleads it.
-template <class Policy>
-Check ends_are_of_their_side(const Policy& policy, const LinePairs& pairs);
-
-template <class Policy>
-Check check_envelope(Draw& choices) {
-  const LinePairs pairs = draw_line_pairs(choices);
-  return envelope_is_never_below_the_maximum(Policy(), pairs.f, pairs.window);
+Lines<double> envelope_of(const Policy& policy, const std::vector<Line<double>>& lines,
+                          const TimeWindow<double>& window) {
+  Lines<double> sorted, envelope;
+  for (const Line<double>& line : lines) {
+    sorted.push_back({line.slope, policy.pulled(line.intercept)});
+  }
+  sort_lines(sorted);
+  upper_envelope(policy, sorted, window, envelope);
+  policy.raise(envelope, policy.envelope_error(sorted, CoefficientError{}, window.hi));
+  return envelope;
 }
 
+/// The maximum of the lines that Step II selects, raised by eps_constr, is nowhere on the window
+/// below the exact maximum of all lines. Lines and window are exact inputs.
+/// Instantiated for Plain and ErrorBoundIntended.
 template <class Policy>
-Check check_separation(Draw& choices) {
-  return separation_is_true(Policy(), draw_line_pairs(choices));
-}
-
-template <class Policy>
-Check check_ends(Draw& choices) {
-  return ends_are_of_their_side(Policy(), draw_touching_pairs(choices));
-}
-
-/// These claims of each of the methods.
-std::vector<Property> envelope_properties();
+void claim_envelope_is_never_below(const std::vector<Line<double>>& lines,
+                                   const TimeWindow<double>& window);
 
 }  // namespace ccdfuzz

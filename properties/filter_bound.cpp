@@ -1,5 +1,3 @@
-#include "properties/filter_bound.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "ccd/rational/gap.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -106,7 +105,7 @@ Check check_rational_filter(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> filter_bound_properties() {
+std::vector<Property> filter_bound_claims() {
   return {
       {"tdibm-rational.error_bound",
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "

@@ -1,7 +1,6 @@
-#include "properties/generator_steps.hpp"
-
 #include <fmt/format.h>
 
+#include "bezier/blossom.hpp"
 #include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -22,6 +21,7 @@
 #include "generators/shaped/point_contacts.hpp"
 #include "generators/static_contact.hpp"
 #include "numeric/products.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -259,7 +259,7 @@ Check check_other_contacts(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> generator_properties() {
+std::vector<Property> generator_steps_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"generator.coincidence", "The patches of Step II meet at the prescribed parameters, exactly",

@@ -1,5 +1,3 @@
-#include "properties/geometry.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "ccd/certified/cell_tree.hpp"
 #include "generators/draw_patch.hpp"
 #include "numeric/products.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -145,7 +144,7 @@ Check check_cell_tree(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> geometry_properties() {
+std::vector<Property> geometry_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"patch.convex_hull", "A patch lies in the convex hull of its control points",

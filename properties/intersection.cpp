@@ -1,5 +1,3 @@
-#include "properties/intersection.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -210,7 +209,7 @@ Check check_pull_apart_path(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> intersection_properties() {
+std::vector<Property> intersection_claims() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"paper.overlap_as_printed", "Boxes overlap on an axis iff max p <= min q and max q <= min p",

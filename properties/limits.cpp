@@ -1,5 +1,3 @@
-#include "properties/limits.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -291,7 +290,7 @@ Check check_any_case(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> limit_properties() {
+std::vector<Property> limits_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"limits.of_any_case",

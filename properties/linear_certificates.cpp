@@ -1,5 +1,3 @@
-#include "properties/linear_certificates.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "properties/draw_linear.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -163,7 +162,7 @@ Check check_root_of_linear(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> linear_certificate_properties() {
+std::vector<Property> linear_certificates_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"checker.refuses_wrong_linear_clearances",

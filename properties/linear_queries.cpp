@@ -1,7 +1,5 @@
 #include "properties/linear_queries.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,42 +13,14 @@
 #include "method/method.hpp"
 #include "properties/draw_grazing.hpp"
 #include "properties/draw_linear.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
-Check linear_decision_is_proven(const Query& query) {
-  try {
-    const Decision decision = decide(query);
-    if (decision.truth.collides) return Check::holds();
-    return Check::fails("undecided\n" + to_json({query, decision.truth, {}, {}}));
-  } catch (const InternalError& error) {
-    return Check::fails(fmt::format("{}\n{}", error.what(), to_json({query, {}, {}, {}})));
-  }
-}
+namespace {
 
-Check no_false_negative_on_linear(const std::string& method, const Query& query,
-                                  const SearchOptions& options) {
-  auto contact = linear::first_contact(query);
-  if (!contact) return Check::discarded("there is no contact");
-  const auto solver = make_method(method);
-  CCDFUZZ_VERIFY(solver);
-  const Answer answer = (*solver)->answer(query, options);
-  if (answer.verdict == Verdict::kUndecided) return Check::holds();
-  std::string wrong;
-  if (answer.verdict == Verdict::kMiss) {
-    wrong = "misses a contact";
-  } else {
-    const Rational toi = exact(answer.toi.value());
-    if (contact->time.sign_of(linear::Polynomial({-toi.get_num(), toi.get_den()})) < 0) {
-      wrong = fmt::format("is late, with toi {}", to_hex(*answer.toi));
-    }
-  }
-  if (wrong.empty()) return Check::holds();
-  return Check::fails(fmt::format("{} {} at precision {}, contact in [{}, {}]\n{}", method, wrong,
-                                  options.precision, to_text(contact->time.lo()),
-                                  to_text(contact->time.hi()), to_json({query, {}, {}, {}})));
-}
-
+/// The binary places from the lowest bit of a coordinate to above its highest, velocities times
+/// t_max: the most of all three coordinates.
 int most_places(const Query& query) {
   int most = 0;
   const DoubleParts step = parts_of(query.t_max);
@@ -69,29 +39,6 @@ int most_places(const Query& query) {
   }
   return most;
 }
-
-Check linear_answer_is_exact(const Query& query, const SearchOptions& options) {
-  const auto contact = linear::first_contact(query);
-  const Answer answer = (*make_method("tdibm-c"))->answer(query, options);
-  std::string wrong;
-  if (answer.verdict != (contact ? Verdict::kHit : Verdict::kMiss)) {
-    wrong = contact ? "misses a contact" : "finds a contact where there is none";
-  } else if (contact) {
-    // Enclosures of times are halved until they are narrower than a thousandth of the precision.
-    const Rational toi = exact(*answer.toi), step = exact(query.t_max);
-    const Rational allowed = exact(options.precision) * step;
-    auto time = contact->time;
-    while (time.hi() - time.lo() > allowed / 1024) time.refine();
-    if (toi > time.hi()) wrong = "is late";
-    if (time.lo() - toi > allowed) wrong = "is early";
-  }
-  if (wrong.empty()) return Check::holds();
-  return Check::fails(fmt::format("tdibm-c {}, with toi {} at precision {}\n{}", wrong,
-                                  answer.toi ? to_hex(*answer.toi) : "-", options.precision,
-                                  to_json({query, {}, {}, {}})));
-}
-
-namespace {
 
 /// A degenerate query, made different by as little as 2^-60 of its size, or with a coordinate of
 /// another scale than the others.
@@ -124,13 +71,41 @@ Result<Query> draw_nearly_degenerate(Draw& choices) {
   return drawn;
 }
 
-Check check_linear_exact(Draw& choices) {
-  const Result<Query> drawn =
-      choices.choose(2) == 2 ? draw_grazing(choices) : draw_nearly_degenerate(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  if (most_places(*drawn) > 254) return Check::discarded("numbers of too many binary places");
-  const SearchOptions options{.precision = choices.pick(std::array{1e-4, 1e-1, 1e-12})};
-  return linear_answer_is_exact(*drawn, options);
+/// Whether an instant of exact arithmetic is at t or later.
+bool is_at_least(linear::RealRoot instant, const Rational& t) {
+  return instant.sign_of(linear::Polynomial({-t.get_num(), t.get_den()})) >= 0;
+}
+
+/// The oracle decides a linear query, and throws where the independent checker refuses what it
+/// says: both exact codes agree, on contacts and on absence.
+void check_decision(Draw& d) {
+  const Query query = supposed(draw_linear(d));
+  show(d, "query", query);
+  const Decision decision = decide(query);
+  CLAIM(decision.truth.collides.has_value());
+}
+
+/// tdibm-c has the verdict of exact arithmetic on a linear query, and a toi that is neither late
+/// nor early by more than the precision. Numbers of more than 254 binary places are outside of what
+/// first_linear_contact promises.
+void check_answer(Draw& d) {
+  const Query query = supposed(d.choose(2) == 2 ? draw_grazing(d) : draw_nearly_degenerate(d));
+  suppose(most_places(query) <= 254);
+  const SearchOptions options{.precision = d.pick(std::array{1e-4, 1e-1, 1e-12})};
+  const auto contact = linear::first_contact(query);
+  const Answer answer = make_method("tdibm-c").value()->answer(query, options);
+  show(d, "precision", options.precision);
+  show(d, "toi", answer.toi);
+  show(d, "query", query);
+  CLAIM(answer.verdict == (contact ? Verdict::kHit : Verdict::kMiss));
+  if (!contact) return;
+  // Enclosures of times are halved until they are narrower than a thousandth of the precision.
+  const Rational toi = exact(*answer.toi);
+  const Rational allowed = exact(options.precision) * exact(query.t_max);
+  auto time = contact->time;
+  while (time.hi() - time.lo() > allowed / 1024) time.refine();
+  CLAIM(toi <= time.hi());
+  CLAIM(time.lo() - toi <= allowed);
 }
 
 /// All bits of a number in [-1, 1].
@@ -172,81 +147,69 @@ Query draw_about_touching(Draw& choices) {
 
 /// Also where the window ends or begins at the contact, as near as doubles are, and where corners
 /// pass each other, which are as often inside as outside.
-Check check_doubles_decide(Draw& choices) {
+void check_doubles(Draw& d) {
   using certified::RoughContact;
-  Query query = draw_about_touching(choices);
-  const double length = choices.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
-  const double from = choices.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});
-  query.t_max = from + length * choices.pick(std::array{1.0, 2.0});
-  const double width = choices.pick(std::array{0x1p-44, 0x1p-40, 0x1p-20, 1.0});
-  const double first = choices.pick(std::array{0.0, from + width});
+  Query query = draw_about_touching(d);
+  const double length = d.pick(std::array{0x1p-50, 0x1p-40, 0x1p-13, 0.25, 0.5});
+  const double from = d.pick(std::array{0.5 - length, 0.5 - 0.5 * length, 0.5});
+  query.t_max = from + length * d.pick(std::array{1.0, 2.0});
+  const double width = d.pick(std::array{0x1p-44, 0x1p-40, 0x1p-20, 1.0});
+  const double first = d.pick(std::array{0.0, from + width});
   certified::NormalisedQuery normalised;
   certified::normalise(query, normalised);
   const auto normal = [&](double t) { return std::ldexp(t, -normalised.time); };
   const RoughContact rough =
       certified::rough_contact(normalised, normal(from), normal(first), normal(width));
-  if (rough.kind == RoughContact::Kind::kOpen) return Check::discarded("doubles do not decide");
+  suppose(rough.kind != RoughContact::Kind::kOpen);
+  show(d, "from", from);
+  show(d, "width", width);
+  show(d, "time", rough.time);
+  show(d, "query", query);
 
   // What begins at `from`, exactly.
   auto patches = linear::exact_patches(query);
   for (MovingPatch<Rational>& patch : patches) patch.positions = patch.at(exact(from));
-  auto contact = linear::first_contact(patches, exact(query.t_max) - exact(from));
-  const auto is_at_least = [&](const Rational& t) {
-    return contact->time.sign_of(linear::Polynomial({-t.get_num(), t.get_den()})) >= 0;
-  };
-  std::string wrong;
-  if (contact.has_value() != (rough.kind == RoughContact::Kind::kProven)) {
-    wrong = contact ? "see no contact where there is one" : "see a contact where there is none";
-  } else if (contact) {
-    // What brings the width to normalised time and back is off by 2^-50 of it.
-    const Rational lo = exact(std::ldexp(rough.time, normalised.time)) - exact(from);
-    const Rational hi = lo + exact(width) * (1 + power_of_two(-50));
-    if (!is_at_least(lo)) wrong = "are late";
-    if (is_at_least(hi)) wrong = "are early";
-  }
-  if (wrong.empty()) return Check::holds();
-  return Check::fails(fmt::format("doubles {}: from {}, width {}, time {}\n{}", wrong, to_hex(from),
-                                  to_hex(width), to_hex(rough.time), to_json({query, {}, {}, {}})));
-}
-
-Check check_linear_decision(Draw& choices) {
-  const Result<Query> drawn = draw_linear(choices);
-  return drawn ? linear_decision_is_proven(*drawn) : Check::discarded(drawn.error().message());
-}
-
-Check check_linear_answer(const std::string& method, Draw& choices, const SearchOptions& options) {
-  const Result<Query> drawn = draw_linear(choices);
-  return drawn ? no_false_negative_on_linear(method, *drawn, options)
-               : Check::discarded(drawn.error().message());
+  const auto contact = linear::first_contact(patches, exact(query.t_max) - exact(from));
+  CLAIM(contact.has_value() == (rough.kind == RoughContact::Kind::kProven));
+  if (!contact) return;
+  // What brings the width to normalised time and back is off by 2^-50 of it.
+  const Rational lo = exact(std::ldexp(rough.time, normalised.time)) - exact(from);
+  const Rational hi = lo + exact(width) * (1 + power_of_two(-50));
+  CLAIM(is_at_least(contact->time, lo));
+  CLAIM(!is_at_least(contact->time, hi));
 }
 
 }  // namespace
 
-std::vector<Property> linear_properties() {
-  constexpr auto kHolds = Expectation::kHolds;
-  constexpr const char* kClaim =
-      "No contact of a degenerate linear query is missed, and none reported late";
+std::function<void(Draw&)> misses_nothing_linear(std::string method, SearchOptions options) {
+  return [=](Draw& d) {
+    const Query query = supposed(draw_linear(d));
+    const auto contact = supposed(linear::first_contact(query));
+    const Answer answer = make_method(method).value()->answer(query, options);
+    if (answer.verdict == Verdict::kUndecided) return;
+    show(d, "method", method);
+    show(d, "precision", options.precision);
+    show(d, "contact after", contact.time.lo());
+    show(d, "toi", answer.toi);
+    show(d, "query", query);
+    CLAIM(answer.verdict == Verdict::kHit);
+    CLAIM(is_at_least(contact.time, exact(answer.toi.value())));
+  };
+}
+
+std::vector<Property> linear_queries_claims() {
+  constexpr auto kDerivation = "src/ccd/certified/DERIVATION.md";
   return {
       {"linear.decision_is_proven",
        "Degenerate linear queries are decided, and the independent checker accepts the decision",
-       "src/certify/checker/check_linear.hpp", kHolds, check_linear_decision},
-      {"tdibm-rational.no_false_negative_linear", kClaim, "exact arithmetic", kHolds,
-       [](Draw& c) {
-         constexpr SearchOptions kCoarse = {0x1p-6, 300, SearchOptions().max_bytes};
-         return check_linear_answer("tdibm-rational", c, kCoarse);
-       }},
-      {"tdibm-c.no_false_negative_linear", kClaim, "src/ccd/certified/DERIVATION.md", kHolds,
-       [](Draw& c) {
-         constexpr SearchOptions kFine = {1e-4, 2000, SearchOptions().max_bytes};
-         return check_linear_answer("tdibm-c", c, kFine);
-       }},
+       "src/certify/checker/check_linear.hpp", check_decision},
       {"tdibm-c.linear_decided_exactly",
        "Degenerate linear queries, near ones and ones that graze are decided exactly, at a time "
        "within the precision",
-       "src/ccd/certified/DERIVATION.md", kHolds, check_linear_exact},
+       kDerivation, check_answer},
       {"tdibm-c.doubles_decide_exactly",
        "Where doubles decide a linear query, exact arithmetic finds the same, at such a time",
-       "src/ccd/certified/DERIVATION.md", kHolds, check_doubles_decide},
+       kDerivation, check_doubles},
   };
 }
 

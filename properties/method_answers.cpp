@@ -1,19 +1,15 @@
-#include "properties/method_answers.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "bezier/blossom.hpp"
 #include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
-#include "certify/checker/check_truth.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
-#include "properties/accepted.hpp"
 #include "properties/against_oracle.hpp"
 #include "properties/no_false_negative.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -174,31 +170,9 @@ Check check_meeting_points(Draw& choices) {
   return Check::fails(fmt::format("{}, points that meet at {}\n{}", name, t, to_json(asked)));
 }
 
-/// The checker refuses a witness at another time unless the patches touch there too.
-Check check_wrong_witness(Draw& choices) {
-  Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded("a number is not a double");
-  Witness& witness = *drawn->truth.witness;
-  const Rational off = Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
-  if (choices.coin()) {
-    witness.t += off;
-  } else {
-    witness.uv[choices.choose(1)][choices.choose(1)] += off;
-  }
-  std::array<Vec3<Rational>, 2> points;
-  bool inside = witness.t >= 0 && witness.t <= exact(drawn->query.t_max);
-  for (std::size_t s = 0; s < 2; ++s) {
-    const auto patch = exact_patch<Rational>(drawn->query.patches[s]);
-    inside = inside && patch.shape.contains(witness.uv[s]);
-    points[s] = evaluate<Rational>(patch, witness.uv[s], witness.t);
-  }
-  const bool is_contact = inside && points[0] == points[1];
-  return accepted_iff(check_truth(*drawn).has_value(), is_contact, "a witness", *drawn);
-}
-
 }  // namespace
 
-std::vector<Property> method_answer_properties() {
+std::vector<Property> method_answers_claims() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"methods.no_state", "A method answers as a fresh one does, whatever it was asked before",
@@ -224,8 +198,6 @@ std::vector<Property> method_answer_properties() {
        "Section 3", kHolds, check_far_apart},
       {"methods.hit_where_points_meet", "Methods that claim to miss nothing hit where points meet",
        "Section 3", kHolds, check_meeting_points},
-      {"checker.refuses_wrong_witnesses", "A witness is accepted iff the patches touch in it",
-       "src/certify/checker/check_witness.hpp", kHolds, check_wrong_witness},
   };
 }
 

@@ -1,5 +1,3 @@
-#include "properties/miss_trees.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "generators/draw_patch.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -135,9 +134,47 @@ Check check_tree_form(Draw& choices) {
                                   static_cast<int>(change), text_of(query, bytes)));
 }
 
+/// The bits of a miss tree come back as the nodes that were written.
+Check check_tree_bits(Draw& choices) {
+  TreeBits bits;
+  std::vector<TreeNode> nodes;
+  std::string text;
+  for (std::int64_t n = choices.integer(1, 12); n > 0; --n) {
+    TreeNode node;
+    node.kind = static_cast<TreeNodeKind>(choices.choose(2));
+    switch (node.kind) {
+      case TreeNodeKind::kLeaf: {
+        constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
+        for (std::int64_t& x : node.axis) x = choices.integer(-kMost, kMost);
+        bits.leaf(node.axis);
+        text += fmt::format(" leaf {} {} {}", node.axis[0], node.axis[1], node.axis[2]);
+        break;
+      }
+      case TreeNodeKind::kSplit:
+        node.side = static_cast<int>(choices.choose(1));
+        bits.split(node.side);
+        text += fmt::format(" split {}", node.side);
+        break;
+      case TreeNodeKind::kTime:
+        node.time = 1 + choices.choose(kTimeSteps - 2);
+        bits.time(node.time);
+        text += fmt::format(" time {}", node.time);
+    }
+    nodes.push_back(node);
+  }
+  TreeReader reader(bits.bytes());
+  for (const TreeNode& node : nodes) {
+    const auto read = reader.next();
+    const bool same = read && read->kind == node.kind && read->side == node.side &&
+                      read->time == node.time && read->axis == node.axis;
+    if (!same) return Check::fails("nodes" + text);
+  }
+  return reader.at_end() ? Check::holds() : Check::fails("something is left after" + text);
+}
+
 }  // namespace
 
-std::vector<Property> miss_tree_properties() {
+std::vector<Property> miss_trees_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"checker.refuses_touching_leaves",
@@ -147,6 +184,8 @@ std::vector<Property> miss_tree_properties() {
        "A whole tree of separating leaves is accepted, and refused once it is cut off, goes on, or "
        "has a time outside of its window",
        "src/certify/checker/miss_tree.hpp", kHolds, check_tree_form},
+      {"miss_tree.round_trip", "The bits of a miss tree read as the nodes that were written",
+       "the case format", kHolds, check_tree_bits},
   };
 }
 

@@ -1,40 +1,62 @@
 #include "properties/no_false_negative.hpp"
 
-#include <fmt/format.h>
-
 #include "case/case_json.hpp"
 #include "case/judge.hpp"
+#include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "method/method.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
-Check no_false_negative(const std::string& method, const Case& value,
-                        const SearchOptions& options) {
-  if (!value.truth.witness || value.truth.collides != true) {
-    return Check::discarded("no contact is proven");
-  }
-  const auto solver = make_method(method);
-  CCDFUZZ_VERIFY(solver);
-  const Answer answer = (*solver)->answer(value.query, options);
+void claim_no_false_negative(const std::string& method, const Case& value,
+                             const SearchOptions& options, Draw& draw) {
+  suppose(value.truth.witness && value.truth.collides == true);
+  const Answer answer = make_method(method).value()->answer(value.query, options);
   const Outcome outcome = judge(checked_contact(value), answer);
-  if (!is_false_negative(outcome) && outcome != Outcome::kError) return Check::holds();
-  const std::string toi = answer.toi ? fmt::format(" at toi {}", to_hex(*answer.toi)) : "";
-  return Check::fails(fmt::format("{} is {}{} at precision {}, contact at t = {}\n{}", method,
-                                  name_of(outcome), toi, options.precision,
-                                  to_text(value.truth.witness->t), to_json(value)));
+  show(draw, "method", method);
+  show(draw, "precision", options.precision);
+  show(draw, "outcome", outcome);
+  show(draw, "toi", answer.toi);
+  show(draw, "contact", value);
+  CLAIM(!is_false_negative(outcome) && outcome != Outcome::kError);
 }
 
-Check check_no_false_negative(const std::string& method, const ContactRange& range, Draw& choices,
-                              const SearchOptions& options) {
-  const Result<Case> drawn = draw_contact(choices, range);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  if (const auto checked = check_truth(*drawn); !checked) {
-    return Check::fails("the drawn case is wrong: " + checked.error().message() + "\n" +
-                        to_json(*drawn));
-  }
-  return no_false_negative(method, *drawn, options);
+std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range,
+                                          SearchOptions options) {
+  return [=](Draw& d) {
+    const Case drawn = supposed(draw_contact(d, range));
+    const bool is_accepted = check_truth(drawn).has_value();
+    CLAIM(is_accepted);
+    claim_no_false_negative(method, drawn, options, d);
+  };
+}
+
+std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry) {
+  return [=](Draw& d) {
+    const Case before = supposed(draw_contact(d, kOrdinary));
+    const Case after = supposed(transformed(before, symmetry, d));
+    show(d, "before", before);
+    const bool is_accepted = check_truth(after).has_value();
+    CLAIM(is_accepted);
+    claim_no_false_negative(method, after, kQuickSearch, d);
+  };
+}
+
+std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range) {
+  return [=](Draw& d) {
+    const Case drawn = supposed(draw_contact(d, range));
+    const auto tracer = make_tracer(method).value();
+    const Trace& trace = tracer->trace(drawn.query, *drawn.truth.witness, {.precision = 0x1p-8});
+    show(d, "method", method);
+    if (trace.lost) {
+      show(d, "level", trace.loss->place.level);
+      show(d, "axis", trace.loss->by.axis);
+    }
+    show(d, "contact", drawn);
+    CLAIM(!trace.lost);
+  };
 }
 
 }  // namespace ccdfuzz

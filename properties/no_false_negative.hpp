@@ -1,23 +1,37 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "ccd/search.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/property.hpp"
+#include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 
-/// The method neither says "no contact" (missed) nor names a time after a proven contact (late).
-/// Undecided is no failure. Discarded: the truth of the case proves no contact.
-/// Requires a known method spec, and a case whose truth the checker accepts.
-Check no_false_negative(const std::string& method, const Case& value, const SearchOptions& options);
+/// All products of two coordinates and then some stay normal.
+inline constexpr ContactRange kOrdinary;
+/// The products of two coordinates are subnormal or 0.
+inline constexpr ContactRange kTiny{-545, -530};
 
 /// What fuzzing asks with: coarse, and cheap.
 inline constexpr SearchOptions kQuickSearch = {0x1p-6, 300, SearchOptions().max_bytes};
 
-/// On drawn contacts.
-Check check_no_false_negative(const std::string& method, const ContactRange& range, Draw& choices,
-                              const SearchOptions& options = kQuickSearch);
+/// The method neither says "no contact" (missed) nor names a time after a proven contact (late).
+/// Undecided is no failure. Discarded: the truth of the case proves no contact. Shows the case and
+/// the answer. Requires a known method spec, and a case whose truth the checker accepts.
+void claim_no_false_negative(const std::string& method, const Case& value,
+                             const SearchOptions& options, Draw& draw);
+
+/// Checks of that claim on drawn contacts, whose witnesses the checker accepts: any contact of a
+/// range, and one after a change of coordinates that keeps it.
+std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range = kOrdinary,
+                                          SearchOptions options = kQuickSearch);
+std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry);
+
+/// Checks that a search drops no pair of boxes that holds a drawn contact, and that its window
+/// never loses the time of contact.
+std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range);
 
 }  // namespace ccdfuzz

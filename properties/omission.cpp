@@ -1,11 +1,10 @@
-#include "properties/omission.hpp"
-
 #include <fmt/format.h>
 
 #include "ccd/envelope.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -189,7 +188,7 @@ Check chain_is_convex(Draw& choices, bool raised) {
 
 }  // namespace
 
-std::vector<Property> omission_properties() {
+std::vector<Property> omission_claims() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"paper.eps_coeff", "Maxima of lines off by eps_a, eps_b differ by at most t^U eps_a + eps_b",

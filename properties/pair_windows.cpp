@@ -1,5 +1,3 @@
-#include "properties/pair_windows.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "ccd/certified/pair_split.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/error_bound.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -130,7 +129,7 @@ Check check_pair_windows(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> pair_window_properties() {
+std::vector<Property> pair_windows_claims() {
   return {
       {"tdibm-c.windows",
        "The axes of a pair of cells are tried in what those before left of its window, with the E "

@@ -1,5 +1,3 @@
-#include "properties/polynomials.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "certify/checker/nonnegative.hpp"
 #include "generators/draw_patch.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -235,7 +234,7 @@ Check check_rows(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> polynomial_properties() {
+std::vector<Property> polynomials_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   constexpr auto kSource = "src/certify/checker/nonnegative.hpp";
   return {

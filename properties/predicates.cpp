@@ -1,11 +1,10 @@
-#include "properties/predicates.hpp"
-
 #include <fmt/format.h>
 
 #include "ccd/robustness.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -133,7 +132,7 @@ Check decisions_are_conservative(Draw& choices, int scale) {
 
 }  // namespace
 
-std::vector<Property> predicate_properties() {
+std::vector<Property> predicates_claims() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"paper.eps_Phi", "Phi is off by at most eps_Phi, and both bounds are in the order given",

@@ -1,17 +1,42 @@
 #include "properties/property.hpp"
 
-#include <exception>
+#include <new>
 
 namespace ccdfuzz {
 
-Check run(const Property& property, Draw& choices) {
+namespace {
+
+/// The values that the check shows on the same choices once more.
+std::string story_of(const Property& property, const ChoiceNumbers& numbers) {
+  std::string story;
+  Draw again = Draw::from_numbers(numbers);
+  again.tell_to(&story);
   try {
-    return property.check(choices);
+    property.check(again);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {  // the failure that is told
+  }
+  return story;
+}
+
+}  // namespace
+
+Check run(const Property& property, Draw& choices) {
+  std::string failure;
+  try {
+    property.check(choices);
+    return Check::holds();
   } catch (const Discarded& why) {
     return Check::discarded(why.what());
+  } catch (const Refuted& why) {
+    failure = std::string("not true: ") + why.what();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    return Check::fails(error);
+    failure = std::string("an exception: ") + error.what();
   }
+  return Check::fails(failure + story_of(property, choices.numbers()));
 }
 
 }  // namespace ccdfuzz

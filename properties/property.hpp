@@ -3,8 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <functional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "generators/draw/draw.hpp"
 
@@ -18,16 +21,13 @@ struct Check {
     kDiscarded,  ///< the input is outside what the claim speaks of
   };
   Status status = Status::kHolds;
-  /// Fails: what was claimed, what was found, and every operand as hex floats, so that the text
-  /// alone gives the input back. Discarded: why.
+  /// Fails: what does not hold, and every value that was shown, doubles as hex floats, so that the
+  /// text alone gives the input back. Discarded: why.
   std::string text;
 
   static Check holds() { return {}; }
   static Check discarded(std::string why) { return {Status::kDiscarded, std::move(why)}; }
   static Check fails(std::string text) { return {Status::kFails, std::move(text)}; }
-  static Check fails(const std::exception& error) {
-    return fails(std::string("an exception: ") + error.what());
-  }
 };
 
 inline constexpr std::array kCheckStatuses = {Check::Status::kHolds, Check::Status::kFails,
@@ -48,18 +48,65 @@ enum class Expectation : std::uint8_t {
   kFails,  ///< counterexamples are known, and not to find one means that the harness is broken
 };
 
+/// An input does not keep a claim; what() says which condition.
+struct Refuted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Within a check: this must hold of the input. The text of the condition is the first line of the
+/// failure; what show() names follows.
+#define CLAIM(...)                                              \
+  do {                                                          \
+    if (!(__VA_ARGS__)) throw ::ccdfuzz::Refuted(#__VA_ARGS__); \
+  } while (false)
+
+/// Within a check: the claim speaks of inputs of which this is true, and of no others.
+inline void suppose(bool condition) {
+  if (!condition) throw Discarded();
+}
+/// The value of a draw that can fail: a Result or an optional. Discarded where there is none.
+template <class Drawn>
+auto supposed(Drawn drawn) {
+  suppose(drawn.has_value());
+  return *std::move(drawn);
+}
+
 /// One claim, checked by any driver: GoogleTest's examples and RapidCheck (tests/properties),
 /// libFuzzer and replay (fuzz), none of which it knows.
 struct Property {
-  std::string_view name;   ///< "subject.claim", unique
-  std::string_view claim;  ///< in words, one sentence
-  std::string_view source;
+  std::string name;    ///< "subject.claim", unique
+  std::string claim;   ///< in words, one sentence
+  std::string source;  ///< of the claim: a section of the paper, a file
+  /// Draws an input and checks the claim on it, by CLAIM and suppose. The same choices give the
+  /// same result.
+  std::function<void(Draw&)> check;
   Expectation expected = Expectation::kHolds;
-  /// Draws an input and checks the claim on it. The same choices give the same result.
-  Check (*check)(Draw&) = nullptr;
+
+  template <class F>
+  Property(std::string name_, std::string claim_, std::string source_, F f,
+           Expectation expected_ = Expectation::kHolds)
+      : name(std::move(name_)),
+        claim(std::move(claim_)),
+        source(std::move(source_)),
+        expected(expected_) {
+    if constexpr (std::is_void_v<std::invoke_result_t<F, Draw&>>) {
+      check = f;
+    } else {
+      check = [f](Draw& d) {
+        const Check result = f(d);
+        if (result.status == Check::Status::kFails) throw Refuted(result.text);
+        suppose(result.status == Check::Status::kHolds);
+      };
+    }
+  }
+  template <class F>
+  Property(std::string n, std::string c, std::string s, Expectation e, F f)
+      : Property(std::move(n), std::move(c), std::move(s), f, e) {}
 };
 
-/// property.check, where an exception is a failure: what drivers call.
+/// What the check of a property says of an input. An exception is a failure, but for
+/// std::bad_alloc, which goes on to whoever limits memory. A failure is told by checking the same
+/// choices once more while show() listens.
 Check run(const Property& property, Draw& choices);
 
 }  // namespace ccdfuzz

@@ -1,10 +1,9 @@
-#include "properties/rounding.hpp"
-
 #include <fmt/format.h>
 
 #include "ccd/next_double.hpp"
 #include "ccd/robustness.hpp"
 #include "properties/error_bound.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -158,7 +157,7 @@ Check check_nextafter_is_smallest(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> rounding_properties() {
+std::vector<Property> rounding_claims() {
   constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
   return {
       {"paper.rounding_as_printed",

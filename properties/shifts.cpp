@@ -1,5 +1,3 @@
-#include "properties/shifts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -72,7 +71,7 @@ Check check_pulled_roots(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> shift_properties() {
+std::vector<Property> shifts_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"tdibm-e.eps_constr",

@@ -1,5 +1,3 @@
-#include "properties/spoilt_certificates.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,6 +10,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/case_file.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -166,7 +165,7 @@ Check check_wrong_texts(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> spoilt_certificate_properties() {
+std::vector<Property> spoilt_certificates_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   constexpr auto kSource = "src/case/certificate.hpp";
   return {

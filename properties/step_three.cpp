@@ -1,5 +1,3 @@
-#include "properties/step_three.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include "ccd/separation.hpp"
 #include "properties/draw_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -182,7 +181,7 @@ Check check_step_three(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> step_three_properties() {
+std::vector<Property> step_three_claims() {
   return {
       {"paper.step_three",
        "In doubles too, and whatever Step II left, Step III ends an interval at the pairs of lines "

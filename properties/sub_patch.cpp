@@ -1,9 +1,8 @@
 #include "properties/sub_patch.hpp"
 
-#include <fmt/format.h>
-
 #include "bezier/restrict.hpp"
 #include "generators/draw_patch.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -27,29 +26,30 @@ Uv<Dyadic> to_global(const Shape& shape, const std::array<Uv<Dyadic>, 3>& corner
 
 }  // namespace
 
-Check sub_patch_is_the_restriction(const Shape& shape, const Points<Dyadic>& points,
-                                   const Cell& cell, const Uv<Dyadic>& uv) {
+void claim_sub_patch_is_the_restriction(const Shape& shape, const Points<Dyadic>& points,
+                                        const Cell& cell, const Uv<Dyadic>& uv) {
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
   Points<Dyadic> part(points.size());
   restrict_to<Dyadic>(shape, points, corners, part);
   const Uv<Dyadic> global = to_global(shape, corners, uv);
-  if (evaluate<Dyadic>(shape, part, uv) == evaluate<Dyadic>(shape, points, global)) {
-    return Check::holds();
-  }
-  return Check::fails(fmt::format(
-      "{} {} over cell i = {}, j = {}, depth = {}, inverted = {}: sub-patch at {} is not "
-      "the patch at {}",
-      to_text(shape), to_text(points), cell.i, cell.j, cell.depth, cell.inverted, to_text(uv),
-      to_text(global)));
+  CLAIM(evaluate<Dyadic>(shape, part, uv) == evaluate<Dyadic>(shape, points, global));
 }
 
-Check check_sub_patch_is_the_restriction(Draw& choices) {
-  constexpr int kDegree = 5;  // the cost of exact tensor patches grows with its sixth power
-  const Shape shape = draw_shape(choices, kDegree);
-  const Cell cell = draw_cell(choices, shape, 8);
-  const Uv<Dyadic> uv = draw_uv(choices, shape, 4);
-  const Points<Dyadic> points = draw_points(choices, shape, 12, -6);
-  return sub_patch_is_the_restriction(shape, points, cell, uv);
+std::vector<Property> sub_patch_claims() {
+  return {{"sub_patch.is_the_restriction",
+           "The sub-patch over a cell equals the patch there, exactly", "Appendix A (b)",
+           [](Draw& d) {
+             constexpr int kDegree = 5;  // the cost of tensor patches grows with its sixth power
+             const Shape shape = draw_shape(d, kDegree);
+             const Cell cell = draw_cell(d, shape, 8);
+             const Uv<Dyadic> uv = draw_uv(d, shape, 4);
+             const Points<Dyadic> points = draw_points(d, shape, 12, -6);
+             show(d, "shape", shape);
+             show(d, "points", points);
+             show(d, "cell", cell);
+             show(d, "uv", uv);
+             claim_sub_patch_is_the_restriction(shape, points, cell, uv);
+           }}};
 }
 
 }  // namespace ccdfuzz

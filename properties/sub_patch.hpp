@@ -8,9 +8,7 @@ namespace ccdfuzz {
 
 /// The sub-patch over a cell is the patch itself there (Appendix A (b)): its point at the local
 /// parameters `uv` is the patch's point at the parameters that these stand for. Exact.
-Check sub_patch_is_the_restriction(const Shape& shape, const Points<Dyadic>& points,
-                                   const Cell& cell, const Uv<Dyadic>& uv);
-
-Check check_sub_patch_is_the_restriction(Draw& choices);
+void claim_sub_patch_is_the_restriction(const Shape& shape, const Points<Dyadic>& points,
+                                        const Cell& cell, const Uv<Dyadic>& uv);
 
 }  // namespace ccdfuzz

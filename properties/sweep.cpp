@@ -1,11 +1,10 @@
-#include "properties/sweep.hpp"
-
 #include <fmt/format.h>
 
 #include "ccd/separation.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -157,7 +156,7 @@ Check check_eq_8b_9b_omit(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> sweep_properties() {
+std::vector<Property> sweep_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"paper.eq_18",

@@ -170,6 +170,10 @@ std::string to_hex_bytes(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
+std::string to_hex_bytes(std::string_view bytes) {
+  return to_hex_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
 std::string to_hex_word(std::span<const std::uint8_t> bytes) {
   return bytes.empty() ? "''" : to_hex_bytes(bytes);
 }

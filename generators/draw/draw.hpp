@@ -95,6 +95,10 @@ class Draw {
   using Watch = std::function<void(std::uint64_t choice, int bytes)>;
   void watch(Watch watch) { watch_ = std::move(watch); }
 
+  /// Where whoever draws tells what it made of the choices; null unless somebody listens.
+  std::string* story() const { return story_; }
+  void tell_to(std::string* story) { story_ = story; }
+
  private:
   enum class Source : std::uint8_t { kStream, kMostlySmall, kBytes, kNumbers };
 
@@ -121,6 +125,7 @@ class Draw {
   ChoiceNumbers made_;
   std::vector<std::uint8_t> bytes_;
   Watch watch_;
+  std::string* story_ = nullptr;
 };
 
 /// One more choice, as it stands in so many bytes.
@@ -128,6 +133,7 @@ void append_choice(std::vector<std::uint8_t>& bytes, std::uint64_t choice, int w
 
 /// "00ff1a": how choices stand in messages and on command lines.
 std::string to_hex_bytes(std::span<const std::uint8_t> bytes);
+std::string to_hex_bytes(std::string_view bytes);
 /// The same as one word of a shell, which '' is for no bytes.
 std::string to_hex_word(std::span<const std::uint8_t> bytes);
 Result<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text);

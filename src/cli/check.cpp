@@ -11,7 +11,7 @@
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "numeric/effort.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 

@@ -81,7 +81,7 @@ void ClaimFind::set_least(const Counterexample& least) {
   test = {
       "#include <gtest/gtest.h>",
       "",
-      "#include \"properties/registry.hpp\"",
+      "#include \"properties/suites.hpp\"",
       "",
       fmt::format("TEST(Found, {}) {{", test_name(property)),
       fmt::format("  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");", input),

@@ -23,7 +23,7 @@ class Option;
 namespace ccdfuzz {
 
 class Session;
-struct FuzzTarget;
+struct Suite;
 struct Property;
 
 /// What every command ends with. A command that was interrupted ends with 128 + the signal.
@@ -174,9 +174,9 @@ void add_query(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
-/// find_target: what a name after --target stands for.
-using FindTarget = std::function<Result<FuzzTarget>(std::string_view)>;
-void add_triage(CommandLine& line, const FindTarget& find_target);
+/// find_suite: what a name after --target stands for.
+using FindSuite = std::function<Result<Suite>(std::string_view)>;
+void add_triage(CommandLine& line, const FindSuite& find_suite);
 void add_verify(CommandLine& line);
 
 }  // namespace ccdfuzz

@@ -1,8 +1,7 @@
 #include "base/fp_guard.hpp"
 #include "cli/command.hpp"
 #include "hunt/serve.hpp"
-#include "properties/fuzz_targets.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 
 int main(int argc, char** argv) {
   // A library that was loaded into this process may have set another, which all threads inherit.
@@ -19,7 +18,7 @@ int main(int argc, char** argv) {
   ccdfuzz::add_verify(line);
   ccdfuzz::add_prove(line);
   ccdfuzz::add_merge(line);
-  ccdfuzz::add_triage(line, ccdfuzz::fuzz_target_named);
+  ccdfuzz::add_triage(line, ccdfuzz::suite_named);
   ccdfuzz::add_replay(line);
   ccdfuzz::add_minimize(line);
   ccdfuzz::add_report(line);

@@ -4,7 +4,7 @@
 
 #include "cli/command.hpp"
 #include "cli/session.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 

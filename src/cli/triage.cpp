@@ -22,7 +22,7 @@ namespace ccdfuzz {
 namespace {
 
 struct TriageArguments {
-  FindTarget find_target;
+  FindSuite find_suite;
   std::vector<std::string> inputs;
   std::string output = "finds";
   std::optional<std::string> target;
@@ -115,7 +115,7 @@ void triage_target(const TriageArguments& arguments, const std::function<bool()>
   if (*arguments.target == "query" || *arguments.target == "witnessed") {
     throw BadInput{{"--target", "inputs of " + *arguments.target + " are read without it"}};
   }
-  const Result<FuzzTarget> target = arguments.find_target(*arguments.target);
+  const Result<Suite> target = arguments.find_suite(*arguments.target);
   if (!target) throw BadInput{{"--target", target.error().message()}};
   const std::string& known = arguments.known;
   std::error_code error;
@@ -150,10 +150,10 @@ int run_triage(const TriageArguments& arguments, Session& session) {
 
 }  // namespace
 
-void add_triage(CommandLine& line, const FindTarget& find_target) {
+void add_triage(CommandLine& line, const FindSuite& find_suite) {
   auto [command, options] = line.add<TriageArguments>(
       "triage", "Confirm, shrink, tell apart and store what fuzzers found", run_triage);
-  options->find_target = find_target;
+  options->find_suite = find_suite;
   command
       .texts("input", options->inputs,
              "Inputs of fuzz_query or fuzz_witnessed, case files, or folders of either")

@@ -15,11 +15,10 @@ namespace {
 /// A find, as a row of the JSON output.
 struct ClaimFindRow {
   const std::string& input;
-  const FuzzTarget& target;
   const ClaimFind& find;
   const std::string& path;
 
-  std::string outcome() const { return find.error.empty() ? std::string(target.find) : find.error; }
+  std::string outcome() const { return find.error.empty() ? "refuted claim" : find.error; }
 
   static void fields(auto& archive, auto& row) {
     const ClaimFind& find = row.find;
@@ -45,7 +44,7 @@ class ClaimTriage {
   bool add(const std::string& file, std::span<const std::uint8_t> bytes) {
     TriageTally& tally = walk_.counts().tally;
     ++tally.inputs;
-    const auto input = claim_input(options_.target, bytes);
+    const auto input = claim_input(options_.suite, bytes);
     if (!input) {
       ++tally.harmless;
       return true;
@@ -75,7 +74,7 @@ class ClaimTriage {
     }
     const std::string path = need(save_find(options_.folder, find));
     walk_.note_find();
-    tell({file, options_.target, find, path});
+    tell({file, find, path});
     return find.is_complete() || !options_.stop();
   }
 

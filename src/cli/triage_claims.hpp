@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "cli/triage_files.hpp"
-#include "properties/fuzz_targets.hpp"
+#include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
 
 /// How what a target of claims stopped on is confirmed and stored.
 struct ClaimTriageOptions {
-  FuzzTarget target;
+  Suite suite;
   std::string folder;          ///< finds of properties, (save_find)
   std::string known;           ///< one more such folder; may be empty, or not there
   std::function<bool()> stop;  ///< true ends shrinking

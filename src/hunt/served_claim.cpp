@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -65,19 +64,6 @@ class MadeWriter {
   std::size_t size_ = 0;
 };
 
-/// As run, but that a want of memory is left to whoever limits it.
-Check run_within_memory(const Property& property, Draw& choices) {
-  try {
-    return property.check(choices);
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const Discarded& why) {
-    return Check::discarded(why.what());
-  } catch (const std::exception& error) {
-    return Check::fails(error);
-  }
-}
-
 CheckTally tally_of(std::uint64_t index, const Check& check, const std::string& error) {
   CheckTally tally;
   tally.checked = 1;
@@ -94,7 +80,7 @@ CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) 
   CheckTally tally;
   for (std::uint64_t i = 0; i < numbers.at(2); ++i) {
     Draw drawn = Draw::mostly_small(Random::keyed({numbers[0], numbers[1] + i}));
-    tally.add(tally_of(numbers[1] + i, run_within_memory(property, drawn), ""));
+    tally.add(tally_of(numbers[1] + i, run(property, drawn), ""));
   }
   return tally;
 }
@@ -102,7 +88,7 @@ CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) 
 Check run_and_record(const Property& property, Draw& choices) {
   MadeWriter made;
   choices.watch([&](std::uint64_t choice, int width) { made.add(choice, width); });
-  return run_within_memory(property, choices);
+  return run(property, choices);
 }
 
 Check run_on(const Property& property, const Question& question) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/child.hpp"
-#include "properties/fuzz_targets.hpp"
+#include "properties/claim_input.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {

@@ -203,7 +203,7 @@ TEST(Check, WhereNothingIsCheckedItDoesNotPass) {
   EXPECT_GE(json_lines(by_time.out).at(0).at("discarded"), 1000);
   const Finished one = misbehaving({"made_up.is_discarded", "--hex", "00"});
   EXPECT_EQ(one.code, 1);
-  EXPECT_EQ(one.out, "made_up.is_discarded is discarded: as all are\n");
+  EXPECT_EQ(one.out, "made_up.is_discarded is discarded: the choices make no such input\n");
   EXPECT_EQ(one.err, "ccdfuzz: nothing was checked: the input was discarded\n");
 }
 

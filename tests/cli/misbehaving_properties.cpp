@@ -12,7 +12,7 @@
 
 #include "cli/command.hpp"
 #include "hunt/serve.hpp"
-#include "properties/fuzz_targets.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -34,7 +34,7 @@ Check fails_on_all(Draw& choices) {
 
 Check is_discarded(Draw& choices) {
   choices.choose(9);
-  return Check::discarded("as all are");
+  return Check::discarded("");
 }
 
 bool one_in_a_hundred(Draw& choices) {
@@ -162,8 +162,8 @@ int main(int argc, char** argv) {
   ccdfuzz::serve_if_asked(argc, argv, {.claims = ccdfuzz::misbehaving()});
   ccdfuzz::CommandLine line;
   ccdfuzz::add_check(line, ccdfuzz::misbehaving());
-  ccdfuzz::add_triage(line, [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::FuzzTarget> {
-    return ccdfuzz::FuzzTarget{name, "refuted bound", false, ccdfuzz::misbehaving()};
+  ccdfuzz::add_triage(line, [](std::string_view name) -> ccdfuzz::Result<ccdfuzz::Suite> {
+    return ccdfuzz::Suite{std::string(name), false, ccdfuzz::misbehaving()};
   });
   return line.parse_and_run(argc, argv);
 }

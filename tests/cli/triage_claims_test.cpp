@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "process.hpp"
-#include "properties/fuzz_targets.hpp"
+#include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -65,9 +65,9 @@ TEST_F(TriageOfClaims, KeepsOneOfEachClaimAndError) {
   const auto rows = json_lines(run.out);
   ASSERT_EQ(rows.size(), 4U) << run.out;
   const std::vector<std::pair<std::string, std::string>> wanted = {
-      {"made_up.fails_on_all", "refuted bound"},
+      {"made_up.fails_on_all", "refuted claim"},
       {"made_up.aborts", "crash SIGABRT"},
-      {"made_up.aborts_when_shrunk", "refuted bound"}};
+      {"made_up.aborts_when_shrunk", "refuted claim"}};
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_EQ(rows[i]["property"], wanted[i].first);
     EXPECT_EQ(rows[i]["outcome"], wanted[i].second);
@@ -216,7 +216,7 @@ TEST(TriageOfTargets, RefusesAnUnknownTargetAndReadsThatOfAny) {
   const Finished refused = ccdfuzz({"triage", folder / "input", "--target", "quarry"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_THAT(refused.err,
-              HasSubstr("--target: no target \"quarry\"; there are: any_bits, arithmetic, "));
+              HasSubstr("--target: no target \"quarry\"; there are: any_bits, any_environment, "));
   const Finished read = ccdfuzz(
       {"triage", folder / "input", "--target", "query_csv", "-o", folder / "finds", "--json"});
   EXPECT_EQ(read.code, 0) << read.err;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "generators/rc/drawn.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 #include "rapidcheck.hpp"
 #include "share.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 #include "rapidcheck.hpp"
 
 namespace ccdfuzz {

@@ -10,7 +10,8 @@
 #include "fuzz_drivers.hpp"
 #include "hunt_driver.hpp"
 #include "properties/envelope.hpp"
-#include "properties/registry.hpp"
+#include "properties/separation.hpp"
+#include "properties/suites.hpp"
 #include "property_turns.hpp"
 #include "rapidcheck.hpp"
 #include "sound.hpp"
@@ -60,10 +61,13 @@ Step rapidcheck_driver(std::uint64_t seed) {
       }
     }
     pairs.window = {0, std::abs(number())};
-    const ErrorBoundIntended policy;
-    Check check = envelope_is_never_below_the_maximum(policy, pairs.f, pairs.window);
-    if (check.status != Check::Status::kFails) check = separation_is_true(policy, pairs);
-    return check.status == Check::Status::kFails ? check.text : "";
+    try {
+      claim_envelope_is_never_below<ErrorBoundIntended>(pairs.f, pairs.window);
+      claim_separation_is_true<ErrorBoundIntended>(pairs);
+    } catch (const Refuted& failure) {
+      return failure.what();
+    }
+    return "";
   };
 }
 

@@ -9,14 +9,19 @@
 #include <set>
 
 #include "fault_list.hpp"
-#include "properties/envelope.hpp"
-#include "properties/intersection.hpp"
-#include "properties/omission.hpp"
-#include "properties/predicates.hpp"
+#include "planted.hpp"
+#include "properties/property.hpp"
 #include "property_turns.hpp"
 #include "run_apart.hpp"
 
 namespace ccdfuzz {
+
+std::vector<Property> envelope_claims();
+std::vector<Property> intersection_claims();
+std::vector<Property> omission_claims();
+std::vector<Property> predicates_claims();
+std::vector<Property> separation_claims();
+
 namespace {
 
 constexpr std::array kFastFaults = {
@@ -37,8 +42,8 @@ of the files that the twenty stand in, some of which only other properties notic
 
 std::vector<Property> properties_of_lines() {
   std::vector<Property> list;
-  for (const auto& family :
-       {envelope_properties, intersection_properties, omission_properties, predicate_properties}) {
+  for (const auto& family : {envelope_claims, intersection_claims, omission_claims,
+                             predicates_claims, separation_claims}) {
     for (const Property& p : family()) list.push_back(p);
   }
   return list;

@@ -13,7 +13,7 @@
 #include "fuzz/margins.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "fuzz/mutator/mutate.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 #include "property_turns.hpp"
 #include "sound.hpp"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/process.hpp"
-#include "properties/registry.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -87,7 +87,7 @@ fuzz 0 --seconds 5 -- one
 ran_with '-runs=-1 -max_total_time=5 '
 
 # What libFuzzer is told of the real targets.
-targets=$(sed -n '/^set(ccdfuzz_targets/,/)/p' "$source/fuzz/CMakeLists.txt" | tr -d ')' | sed 's/^set(ccdfuzz_targets//')
+targets=$(sed -n 's/^ccdfuzz_suite(\([a-z_]*\).*/\1/p' "$source/properties/CMakeLists.txt")
 for target in tdibm_rational query_csv query witnessed; do
   case " $(echo $targets) query witnessed " in
     *" $target "*) ;;

@@ -1,5 +1,3 @@
-#include "properties/search_claims.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "generators/one_sided.hpp"
 #include "method/method.hpp"
 #include "properties/no_false_negative.hpp"
+#include "properties/property.hpp"
 #include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
@@ -48,13 +47,12 @@ Check check_budget(Draw& choices) {
 }
 
 /// Contacts within the first 2^-20 of the time step and less.
-Check check_long_time_step(Draw& choices) {
-  Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const int longer = static_cast<int>(choices.integer(0, 30));
-  drawn->query.t_max = std::ldexp(drawn->query.t_max, longer);
-  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
-  return no_false_negative(name, *drawn, kQuickSearch);
+void check_long_time_step(Draw& d) {
+  Case drawn = supposed(draw_contact(d, kOrdinary));
+  const int longer = static_cast<int>(d.integer(0, 30));
+  drawn.query.t_max = std::ldexp(drawn.query.t_max, longer);
+  const char* method = d.pick(std::array{"tdibm-c", "tdibm-rational"});
+  claim_no_false_negative(method, drawn, kQuickSearch, d);
 }
 
 /// The extent of a patch's control points along a coordinate, at any time up to t.
@@ -203,12 +201,9 @@ Check check_optimised_alike(Draw& choices) {
       fmt::format("{}: {}, plainly {}\n{}", name, summary(fast), summary(plain), to_json(asked)));
 }
 
-/// Coordinates of many bits, and contacts just before or after the times that windows end at.
-constexpr ContactRange kFine{0, 0, 2, 32, true};
-
 }  // namespace
 
-std::vector<Property> search_properties() {
+std::vector<Property> searches_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"methods.budget",
@@ -226,15 +221,6 @@ std::vector<Property> search_properties() {
       {"methods.optimised_alike",
        "The optimised form of a method answers as the plain one where all parts are alike",
        "src/ccd/DERIVATION.md", kHolds, check_optimised_alike},
-      {"tdibm-c.no_false_negative_fine",
-       "No proven contact is missed, and none reported late, for coordinates of many bits",
-       "src/ccd/certified/DERIVATION.md", kHolds,
-       [](Draw& c) { return check_no_false_negative("tdibm-c", kFine, c); }},
-      {"tdibm-rational.no_false_negative_fine",
-       "No proven contact is missed, and none reported late, for coordinates of many bits and "
-       "contacts about the ends of windows",
-       "src/ccd/rational/DERIVATION.md", kHolds,
-       [](Draw& c) { return check_no_false_negative("tdibm-rational", kFine, c); }},
   };
 }
 

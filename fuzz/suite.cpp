@@ -1,7 +1,7 @@
-// Numbers of every kind that is exact, or says how far it is not, against GMP.
+// The libFuzzer target of the claims of one suite, which the build names.
 #include "fuzz/target.hpp"
 
-const std::string_view ccdfuzz::kFuzzTarget = "arithmetic";
+const std::string_view ccdfuzz::kSuite = CCDFUZZ_SUITE;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return ccdfuzz::check_input({data, size});

@@ -1,5 +1,3 @@
-#include "properties/judge_claims.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -11,6 +9,7 @@
 #include "certify/checker/check_case.hpp"
 #include "generators/draw_contact.hpp"
 #include "method/plugin/plugin_terms.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -326,7 +325,7 @@ Check check_loosest_claims(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> judge_properties() {
+std::vector<Property> judge_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   constexpr auto kSource = "src/case/judge.hpp";
   return {

@@ -1,10 +1,9 @@
-#include "properties/case_claims.hpp"
-
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/accepted.hpp"
 #include "properties/draw_linear.hpp"
+#include "properties/property.hpp"
 
 namespace ccdfuzz {
 
@@ -164,7 +163,7 @@ Check check_other_start(Draw& choices) {
 
 }  // namespace
 
-std::vector<Property> case_claim_properties() {
+std::vector<Property> untrue_cases_claims() {
   constexpr auto kHolds = Expectation::kHolds;
   return {
       {"checker.refuses_wrong_claims",

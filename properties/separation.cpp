@@ -1,0 +1,88 @@
+#include "properties/separation.hpp"
+
+#include "properties/envelope.hpp"
+#include "properties/exact_lines.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+template <class Policy>
+void claim_separation_is_true(const LinePairs& pairs) {
+  const Policy policy;
+  const Lines<double> f = envelope_of(policy, pairs.f, pairs.window);
+  const Lines<double> g = envelope_of(policy, pairs.g, pairs.window);
+  const auto found = separation(policy, f, g, pairs.window);
+  if (!found) return;
+  const ExactLines all_f = exact_lines(pairs.f), all_g = exact_lines(pairs.g);
+  const auto sign_at = [&](const Dyadic& t) {
+    return (maximum(all_f, t) + maximum(all_g, t)).sign();
+  };
+  // max f + max g is convex: ≤ 0 at both ends and < 0 between them once means < 0 between them.
+  const Dyadic lo = Dyadic::exact(found->lo), hi = Dyadic::exact(found->hi);
+  CLAIM(sign_at(lo) <= (found->has_lo ? -1 : 0));
+  CLAIM(sign_at(hi) <= (found->has_hi ? -1 : 0));
+  CLAIM(lo == hi || sign_at((lo + hi).scaled(-1)) < 0);
+}
+
+template void claim_separation_is_true<Plain>(const LinePairs&);
+template void claim_separation_is_true<ErrorBoundIntended>(const LinePairs&);
+template void claim_separation_is_true<ErrorBoundPrinted>(const LinePairs&);
+
+namespace {
+
+template <class Policy>
+void check_separation(Draw& d) {
+  const LinePairs pairs = draw_line_pairs(d);
+  show(d, "lines", pairs);
+  claim_separation_is_true<Policy>(pairs);
+}
+
+/// An end that Step III finds inside of the window is the root of two lines whose sum falls there
+/// (the start) or rises (the end), however rounding misleads it.
+template <class Policy>
+void check_ends(Draw& d) {
+  const Policy policy;
+  const LinePairs pairs = draw_touching_pairs(d);
+  const TimeWindow<double>& w = pairs.window;
+  const Lines<double> f = envelope_of(policy, pairs.f, w);
+  const Lines<double> g = envelope_of(policy, pairs.g, w);
+  const auto found = separation(policy, f, g, w);
+  if (!found) return;
+  bool falls_at_lo = found->has_lo, rises_at_hi = found->has_hi;
+  for (int i = 0; i < f.size(); ++i) {
+    for (int j = 0; j < g.size(); ++j) {
+      const double slope = f[i].slope + g[j].slope;
+      falls_at_lo = falls_at_lo || (slope < 0 && policy.left_root(f, g, i, j, w) == found->lo);
+      rises_at_hi = rises_at_hi || (slope > 0 && policy.right_root(f, g, i, j, w) == found->hi);
+    }
+  }
+  show(d, "lines", pairs);
+  show(d, "from", found->lo);
+  show(d, "to", found->hi);
+  CLAIM(falls_at_lo);
+  CLAIM(rises_at_hi);
+}
+
+}  // namespace
+
+std::vector<Property> separation_claims() {
+  constexpr auto kFails = Expectation::kFails;
+  return {
+      {"tdibm.separation", "Where Step III finds two patches separated, they are",
+       "Section 3, Eqs. 7-10, in double arithmetic", check_separation<Plain>, kFails},
+      {"tdibm-e.separation", "Where Step III finds two patches separated, they are",
+       "Section 4.5, Eqs. 17-18, with eps_Phi's sign as Fig. 2 means it",
+       check_separation<ErrorBoundIntended>},
+      {"tdibm-e-literal.separation", "Where Step III finds two patches separated, they are",
+       "Sections 4.4 and 4.5, with eps_Phi's sign as printed", check_separation<ErrorBoundPrinted>,
+       kFails},
+      {"tdibm.ends",
+       "An end that Step III finds is the root of two lines that fall there, or rise if it is the "
+       "right one, also where rounding misleads it",
+       "Section 3, Eqs. 7-10, in double arithmetic", check_ends<Plain>},
+      {"tdibm-e.ends", "The same with the guards of Sections 4.4 and 4.5", "Sections 4.4 and 4.5",
+       check_ends<ErrorBoundIntended>},
+  };
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// Claims about one subject. A fuzz target of its name puts inputs to those that are thought to
+/// hold (fuzz/suite.cpp). properties/CMakeLists.txt says which files it is made of.
+struct Suite {
+  std::string name;
+  /// Of one claim, which draws a text first: the bytes of the fuzz target are that text.
+  bool reads_text = false;
+  std::vector<Property> claims;
+
+  /// Those that are expected to hold, in the same order.
+  std::vector<Property> thought_to_hold() const;
+};
+
+/// Every suite, as properties/CMakeLists.txt lists them.
+const std::vector<Suite>& suites();
+
+/// Errors: an unknown name, with those that there are.
+Result<Suite> suite_named(std::string_view name);
+
+/// The properties of all suites, for drivers and for `ccdfuzz properties`.
+const std::vector<Property>& properties();
+
+/// Errors: an unknown name, with those that are like it.
+Result<Property> property_named(std::string_view name,
+                                const std::vector<Property>& among = properties());
+
+}  // namespace ccdfuzz
