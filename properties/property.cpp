@@ -30,7 +30,7 @@ Check run(const Property& property, Draw& choices) {
   } catch (const Discarded& why) {
     return Check::discarded(why.what());
   } catch (const Refuted& why) {
-    failure = std::string("not true: ") + why.what();
+    failure = why.what();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {

@@ -55,9 +55,9 @@ struct Refuted : std::runtime_error {
 
 /// Within a check: this must hold of the input. The text of the condition is the first line of the
 /// failure; what show() names follows.
-#define CLAIM(...)                                              \
-  do {                                                          \
-    if (!(__VA_ARGS__)) throw ::ccdfuzz::Refuted(#__VA_ARGS__); \
+#define CLAIM(...)                                                           \
+  do {                                                                       \
+    if (!(__VA_ARGS__)) throw ::ccdfuzz::Refuted("not true: " #__VA_ARGS__); \
   } while (false)
 
 /// Within a check: the claim speaks of inputs of which this is true, and of no others.
