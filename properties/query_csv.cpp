@@ -72,7 +72,7 @@ void check_csv(Draw& d) {
   const std::string text = d.coin() ? draw_rows(d, layout) : d.text(kLongest);
   show(d, "text", AsHex{text});
   const MemoryFile file(text);
-  CsvReader reader = CsvReader::open(file.path(), layout, "").value();
+  CsvReader reader = CsvReader::open(file.path(), {.layout = layout}).value();
   for (;;) {
     const Result<std::optional<CsvQuery>> read = reader.next();
     if (!read) {

@@ -15,94 +15,182 @@ namespace ccdfuzz {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr size_t kPiece = 1 << 16;
 
 /// Of a file; 0 of a pipe and of what is not there.
 std::uint64_t size_of(const std::string& path) {
   std::error_code none;
-  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  const std::uintmax_t size = fs::file_size(path, none);
   return none ? 0 : size;
 }
 
 }  // namespace
 
-struct CaseReader::State {
-  LineReader lines;
-  CaseFileKind kind = CaseFileKind::kJson;
-  bool any = false;  ///< gave a case
-  std::uint64_t bytes_given = 0;
-  /// Compressed, gigabytes of them are a small file.
-  static constexpr std::uint64_t kMostBlankLines = 1000;
-  std::uint64_t blank_lines = 0;
+struct CaseReader::Source {
+  Source() = default;
+  virtual ~Source() = default;
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+  virtual Result<std::optional<NamedCase>> next() = 0;
+  virtual std::uint64_t bytes_given() const = 0;
+  virtual std::uint64_t position() const = 0;
+};
 
-  Result<std::optional<NamedCase>> next() {
-    const bool whole = kind == CaseFileKind::kJson;
-    if (whole && any) return std::nullopt;
+namespace {
+
+/// .json, .jsonl and .jsonl.zst.
+class JsonCases : public CaseReader::Source {
+ public:
+  JsonCases(LineReader lines, CaseFileKind kind) : lines_(std::move(lines)), kind_(kind) {}
+
+  Result<std::optional<NamedCase>> next() override {
+    const bool whole = kind_ == CaseFileKind::kJson;
+    if (whole && any_) return std::nullopt;
     for (;;) {
-      const auto text = lines.next(whole);
+      const auto text = lines_.next(whole);
       if (!text) return tl::unexpected(text.error());
       const bool blank = !*text || trimmed(**text).empty();
       if (blank && (whole || !*text)) {
-        if (any) return std::nullopt;
-        const bool is_empty = lines.line() == 0 || whole;
-        return input_error(lines.path(), is_empty ? "is empty" : "holds no case");
+        if (any_) return std::nullopt;
+        const bool is_empty = lines_.line() == 0 || whole;
+        return input_error(lines_.path(), is_empty ? "is empty" : "holds no case");
       }
       if (blank) {
-        if (++blank_lines <= kMostBlankLines) continue;
-        return input_error(fmt::format("{}:{}", lines.path(), lines.line()),
+        if (++blank_lines_ <= kMostBlankLines) continue;
+        return input_error(fmt::format("{}:{}", lines_.path(), lines_.line()),
                            fmt::format("is one of more than {} blank lines", kMostBlankLines));
       }
       const std::string id =
-          whole ? lines.path() : fmt::format("{}:{}", lines.path(), lines.line());
+          whole ? lines_.path() : fmt::format("{}:{}", lines_.path(), lines_.line());
       auto value = parse_case(**text, id);
       if (!value) return tl::unexpected(value.error());
-      any = true;
-      bytes_given += (*text)->size();
-      return NamedCase{id, *std::move(value), lines.path()};
+      any_ = true;
+      bytes_given_ += (*text)->size();
+      return NamedCase{id, *std::move(value), lines_.path()};
     }
   }
+  std::uint64_t bytes_given() const override { return bytes_given_; }
+  std::uint64_t position() const override { return lines_.position(); }
+
+ private:
+  /// Compressed, gigabytes of them are a small file.
+  static constexpr std::uint64_t kMostBlankLines = 1000;
+
+  LineReader lines_;
+  CaseFileKind kind_;
+  bool any_ = false;  ///< gave a case
+  std::uint64_t bytes_given_ = 0;
+  std::uint64_t blank_lines_ = 0;
 };
 
-CaseReader::CaseReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+/// A query CSV.
+class CsvCases : public CaseReader::Source {
+ public:
+  CsvCases(CsvReader reader, bool round) : reader_(std::move(reader)), round_(round) {}
+
+  Result<std::optional<NamedCase>> next() override {
+    auto rows = reader_.next();
+    if (!rows) return tl::unexpected(rows.error());
+    if (!*rows) return std::nullopt;
+    auto value = to_case(**rows, round_, index_++);
+    if (!value) return tl::unexpected(value.error());
+    const CsvQuery& query = **rows;
+    return NamedCase{query.id(), *std::move(value), query.path,
+                     std::make_shared<const CsvQuery>(**std::move(rows))};
+  }
+  /// A little more: what was read ahead.
+  std::uint64_t bytes_given() const override { return reader_.position(); }
+  std::uint64_t position() const override { return reader_.position(); }
+
+ private:
+  CsvReader reader_;
+  bool round_;
+  std::uint64_t index_ = 0;
+};
+
+Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (auto it = fs::recursive_directory_iterator(folder, error);
+       !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+    std::error_code vanished;
+    const std::string path = it->path().string();
+    if (path.ends_with(".csv") && it->is_regular_file(vanished)) files.push_back(path);
+  }
+  if (error) return system_error(folder, "read", error.value());
+  if (files.empty()) return input_error(folder, "is a folder without a .csv in it");
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+CaseReader::CaseReader(std::unique_ptr<Source> source) : source_(std::move(source)) {}
 CaseReader::CaseReader(CaseReader&&) noexcept = default;
 CaseReader& CaseReader::operator=(CaseReader&&) noexcept = default;
 CaseReader::~CaseReader() = default;
 
-Result<CaseReader> CaseReader::open(const std::string& path) {
+Result<CaseReader> CaseReader::open(const std::string& path, const CsvOptions& csv) {
+  if (csv.any_name || path.ends_with(".csv")) {
+    return CsvReader::open(path, csv).map([&](CsvReader reader) {
+      return CaseReader(std::make_unique<CsvCases>(std::move(reader), csv.round));
+    });
+  }
   // A wrong name is told as such before a wrong ending.
   auto lines = LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes);
   if (!lines) return tl::unexpected(lines.error());
   const auto kind = case_file_kind(path);
-  if (!kind) return tl::unexpected(kind.error());
-  return CaseReader(std::make_unique<State>(State{*std::move(lines), *kind}));
+  if (!kind) return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst, .csv");
+  return CaseReader(std::make_unique<JsonCases>(*std::move(lines), *kind));
 }
 
 Result<std::optional<NamedCase>> CaseReader::next() {
-  return state_->next();
+  return source_->next();
 }
 
 std::uint64_t CaseReader::bytes_given() const {
-  return state_->bytes_given;
+  return source_->bytes_given();
 }
 
 std::uint64_t CaseReader::position() const {
-  return state_->lines.position();
+  return source_->position();
 }
 
-CaseStream::CaseStream(std::vector<std::string> paths) : paths_(std::move(paths)) {
-  for (const std::string& path : paths_) size_ += size_of(path);
+Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (!fs::is_directory(path, ignored)) {
+      files.push_back(path);
+      continue;
+    }
+    const auto in_folder = csv_files_in(path);
+    if (!in_folder) return in_folder;
+    files.insert(files.end(), in_folder->begin(), in_folder->end());
+  }
+  return files;
+}
+
+CaseStream::CaseStream(const std::vector<std::string>& paths, CsvOptions csv)
+    : paths_(case_files(paths)), csv_(std::move(csv)) {
+  if (!paths_) return;
+  for (const std::string& path : *paths_) size_ += size_of(path);
 }
 
 Result<std::optional<NamedCase>> CaseStream::next() {
-  for (; file_ < paths_.size(); ++file_) {
+  if (!paths_) return tl::unexpected(paths_.error());
+  for (; file_ < paths_->size(); ++file_) {
+    const std::string& path = (*paths_)[file_];
     if (!reader_) {
-      auto opened = CaseReader::open(paths_[file_]);
+      auto opened = CaseReader::open(path, csv_);
       if (!opened) return tl::unexpected(opened.error());
       reader_ = *std::move(opened);
     }
     auto given = reader_->next();
     if (!given || *given) return given;
-    size_before_ += size_of(paths_[file_]);
+    size_before_ += size_of(path);
     given_before_ += reader_->bytes_given();
     reader_.reset();
   }
@@ -142,6 +230,7 @@ Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths)
                                      kMostBytesHeld));
     }
     cases.push_back(**std::move(next));
+    cases.back().rows.reset();
   }
 }
 

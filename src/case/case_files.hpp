@@ -7,14 +7,16 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/query_csv.hpp"
 
 namespace ccdfuzz {
 
-/// A case and where it was read: "path" of a .json, "path:line" of a .jsonl or .jsonl.zst.
+/// A case and where it was read: "path" of a .json, "path:line" of any other file.
 struct NamedCase {
   std::string id;
   Case value;
   std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
+  std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
 };
 
 /// No case comes near this; it bounds the memory that a wrong file takes.
@@ -22,18 +24,20 @@ inline constexpr size_t kMaxCaseBytes = 1 << 20;
 
 /// Reads the cases of a file one after the other, holding one at a time. The ending says how they
 /// are stored: .json (one case), .jsonl (one a line; CR LF and up to 1,000 blank lines are fine),
-/// .jsonl.zst (the same, compressed by zstd). A device or a pipe is read as .jsonl whatever its
-/// name.
+/// .jsonl.zst (the same, compressed by zstd), .csv (a query CSV, whose cases have no truth). A
+/// device or a pipe is read as .jsonl whatever its name.
 class CaseReader {
  public:
-  /// Errors: another ending, no such file, a folder, unreadable; naming the path.
-  static Result<CaseReader> open(const std::string& path);
+  /// Errors: another ending, no such file, a folder, unreadable; naming the path. As
+  /// CsvReader::open.
+  static Result<CaseReader> open(const std::string& path, const CsvOptions& csv = {});
   CaseReader(CaseReader&&) noexcept;
   CaseReader& operator=(CaseReader&&) noexcept;
   ~CaseReader();
 
-  /// The next case; nothing at the end. Errors: as parse_case, and a truncated or corrupt file, or
-  /// one that holds no case at all; naming path and line. No reading on after an error.
+  /// The next case; nothing at the end. Errors: as parse_case, CsvReader::next and to_query, and a
+  /// truncated or corrupt file, or one that holds no case at all; naming path and line. No reading
+  /// on after an error.
   Result<std::optional<NamedCase>> next();
 
   /// Bytes of the text of the cases given so far.
@@ -41,18 +45,25 @@ class CaseReader {
   /// Bytes of the file, which may be compressed, read so far.
   std::uint64_t position() const;
 
+  /// Reads the cases of one sort of file.
+  struct Source;
+
  private:
-  struct State;
-  explicit CaseReader(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit CaseReader(std::unique_ptr<Source> source);
+  std::unique_ptr<Source> source_;
 };
 
-/// The cases of several files one after the other, holding one at a time.
+/// The files that the paths name: of a folder all .csv files in it and in its folders, by name.
+/// Errors: a folder that cannot be read or has none, naming it.
+Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths);
+
+/// The cases of several files (case_files) one after the other, holding one at a time.
 class CaseStream {
  public:
-  explicit CaseStream(std::vector<std::string> paths);
+  explicit CaseStream(const std::vector<std::string>& paths, CsvOptions csv = {});
 
-  /// The next case; nothing at the end. Errors: as CaseReader. No reading on after an error.
+  /// The next case; nothing at the end. Errors: as case_files and CaseReader. No reading on after
+  /// an error.
   Result<std::optional<NamedCase>> next();
   /// How much of the files has been read, in [0, 1].
   double share() const;
@@ -60,7 +71,8 @@ class CaseStream {
   std::uint64_t bytes_given() const;
 
  private:
-  std::vector<std::string> paths_;
+  Result<std::vector<std::string>> paths_;
+  CsvOptions csv_;
   size_t file_ = 0;
   std::optional<CaseReader> reader_;  ///< of that file
   std::uint64_t size_ = 0;            ///< of all files
@@ -68,14 +80,14 @@ class CaseStream {
   std::uint64_t size_before_ = 0, given_before_ = 0;
 };
 
-/// The only case of a file. Errors: as CaseReader; there are more.
+/// The only case of a file. Errors: as CaseStream; there are more.
 Result<NamedCase> read_case(const std::string& path);
 
 /// A command that needs all cases at once holds at most this many bytes of them, each counted as
 /// its text and sizeof(NamedCase): some 10,000 cases of two tensor(8,8) and 200,000 of two points.
 inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
 
-/// All cases of the files at once. Errors: as CaseReader; more than kMostBytesHeld.
+/// All cases of the files at once, without `rows`. Errors: as CaseStream; more than kMostBytesHeld.
 Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths);
 Result<std::vector<NamedCase>> read_cases(const std::string& path);
 

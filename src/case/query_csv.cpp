@@ -266,13 +266,20 @@ CsvReader::CsvReader(CsvReader&&) noexcept = default;
 CsvReader& CsvReader::operator=(CsvReader&&) noexcept = default;
 CsvReader::~CsvReader() = default;
 
-Result<CsvReader> CsvReader::open(const std::string& path, CsvLayout layout,
-                                  const std::string& truths) {
+Result<CsvReader> CsvReader::open(const std::string& path, const CsvOptions& options) {
   auto lines = LineReader::open(path, false, kLongestCsvLine);
   if (!lines) return tl::unexpected(lines.error());
-  auto state = std::make_unique<State>(State{*std::move(lines), layout, std::nullopt, truths, 0});
-  if (!truths.empty()) {
-    auto list = read_truths(truths);
+  const auto layout = options.layout ? options.layout : csv_layout_of_path(path);
+  if (!layout) {
+    return input_error(
+        path,
+        "does not tell its layout: name edge-edge, vertex-face or curved in its name "
+        "or its folder's, or `ccdfuzz import --as`");
+  }
+  auto state =
+      std::make_unique<State>(State{*std::move(lines), *layout, std::nullopt, options.truths, 0});
+  if (!options.truths.empty()) {
+    auto list = read_truths(options.truths);
     if (!list) return tl::unexpected(list.error());
     state->truths = *std::move(list);
   }
@@ -281,6 +288,10 @@ Result<CsvReader> CsvReader::open(const std::string& path, CsvLayout layout,
 
 Result<std::optional<CsvQuery>> CsvReader::next() {
   return state_->next();
+}
+
+std::uint64_t CsvReader::position() const {
+  return state_->lines.position();
 }
 
 }  // namespace ccdfuzz

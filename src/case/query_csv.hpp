@@ -5,9 +5,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "case/query.hpp"
+#include "case/case.hpp"
 
 namespace ccdfuzz {
 
@@ -53,15 +54,22 @@ struct CsvQuery {
   std::array<MovingPatch<Rational>, 2> patches() const;
 };
 
+/// How query CSVs are read.
+struct CsvOptions {
+  std::optional<CsvLayout> layout = {};  ///< of all files; absent: what the path of each tells
+  std::string truths = {};               ///< a JSON list of truths; empty: there is none
+  bool round = true;                     ///< numbers that are no doubles; otherwise refuse them
+  bool any_name = false;                 ///< whatever its path ends in, a file is one
+};
+
 /// Reads a query CSV one query after the other. A row is xn,xd,yn,yd,zn,zd, numerators and
 /// denominators of any size, and then the query's truth, 0 or 1, in each row, or nothing; in the
 /// latter case a JSON list of all truths may stand in a file of its own. Blanks around values,
 /// blank lines and lines that begin with # are skipped.
 class CsvReader {
  public:
-  /// truths: the JSON file; empty if there is none. Errors: as open_input; not such a list.
-  static Result<CsvReader> open(const std::string& path, CsvLayout layout,
-                                const std::string& truths);
+  /// Errors: as open_input; neither the options nor the path tell the layout; no list of truths.
+  static Result<CsvReader> open(const std::string& path, const CsvOptions& options = {});
   CsvReader(CsvReader&&) noexcept;
   CsvReader& operator=(CsvReader&&) noexcept;
   ~CsvReader();
@@ -70,6 +78,9 @@ class CsvReader {
   /// denominator ≤ 0, too few or many columns; a file that ends within a query, or holds none;
   /// truths that differ within a query or are not as many as there are queries.
   Result<std::optional<CsvQuery>> next();
+
+  /// Bytes of the file read so far.
+  std::uint64_t position() const;
 
  private:
   struct State;
@@ -82,6 +93,13 @@ class CsvReader {
 /// is counted in `rounded`. Errors, naming file, row, column and value: such a number; one past the
 /// range of doubles in any case.
 Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded);
+
+/// The query (to_query) as a case without a truth. What the file says is origin.more["label"], 0 or
+/// 1, and how many numbers are not those of the file origin.more["rounded"], if any. A linear query
+/// has its class, EE or VF, and the kind kLinearKind. index: of the query in its file. Errors: as
+/// to_query.
+Result<Case> to_case(const CsvQuery& from, bool round, std::uint64_t index);
+inline constexpr std::string_view kLinearKind = "linear";
 
 /// The rows of a query, the vertex or edge 1 first; its end points are those at t_max. Rounds as
 /// to_query. Requires csv_layout_of(query). Errors: as to_query; `where` names the query.

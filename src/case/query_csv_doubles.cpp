@@ -77,6 +77,23 @@ Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded)
   return query;
 }
 
+Result<Case> to_case(const CsvQuery& from, bool round, std::uint64_t index) {
+  std::uint64_t rounded = 0;
+  auto query = to_query(from, round, rounded);
+  if (!query) return tl::unexpected(query.error());
+  Case value;
+  value.query = *std::move(query);
+  Origin& origin = value.origin;
+  origin.generator = "import";
+  origin.index = index;
+  if (from.label) origin.more["label"] = *from.label ? "1" : "0";
+  if (rounded > 0) origin.more["rounded"] = fmt::format("{}", rounded);
+  if (from.layout == CsvLayout::kCurved) return value;
+  origin.contact = from.layout == CsvLayout::kEdgeEdge ? "EE" : "VF";
+  origin.kind = kLinearKind;
+  return value;
+}
+
 Result<CsvQuery> to_csv_query(const Query& query, const std::string& where, bool round,
                               std::uint64_t& rounded) {
   const auto layout = csv_layout_of(query);

@@ -51,6 +51,11 @@ void occupy_standard_descriptors() {
   }
 }
 
+CLI::Validator not_empty() {
+  return {[](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; },
+          ""};
+}
+
 /// CLI11's own conversion takes "010" for 8 and "-1" for 2^64 - 1.
 CLI::Validator whole_number_in(std::uint64_t least, std::uint64_t most) {
   const auto check = [least, most](const std::string& text) -> std::string {
@@ -99,11 +104,7 @@ Option& Option::without_default() {
 
 Option Command::text(const std::string& name, std::string& value, const std::string& description) {
   return Option(
-      app_->add_option(name, value, description)
-          ->check(CLI::Validator(
-              [](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; },
-              ""))
-          ->capture_default_str());
+      app_->add_option(name, value, description)->check(not_empty())->capture_default_str());
 }
 
 Option Command::text(const std::string& name, std::optional<std::string>& value,
@@ -114,7 +115,7 @@ Option Command::text(const std::string& name, std::optional<std::string>& value,
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values,
                       const std::string& description) {
-  return Option(app_->add_option(name, values, description));
+  return Option(app_->add_option(name, values, description)->check(not_empty()));
 }
 
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {

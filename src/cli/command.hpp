@@ -71,7 +71,7 @@ class Command {
   /// The same, where an empty text is not the same as none.
   Option text(const std::string& name, std::optional<std::string>& value,
               const std::string& description);
-  /// Any number of them, without an option's name in front.
+  /// Any number of them, without an option's name in front. An empty one is refused.
   Option texts(const std::string& name, std::vector<std::string>& values,
                const std::string& description);
   Option flag(const std::string& name, bool& value, const std::string& description);

@@ -149,19 +149,39 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
   return Shard{*index, *of};
 }
 
-void WordCount::add(const Case& value) {
+void CaseCount::add(const Case& value) {
   ++cases;
   const Truth& truth = value.truth;
   const bool says_so = truth.collides ? !*truth.collides : truth.clear_until.has_value();
   if (says_so && !truth.clearance) ++by_word;
+  const auto& more = value.origin.more;
+  if (const auto label = more.find("label"); label != more.end() && truth.collides) {
+    ++labels;
+    if ((label->second == "1") != *truth.collides) ++wrong_labels;
+  }
+  if (const auto numbers = more.find("rounded"); numbers != more.end()) {
+    ++rounded_cases;
+    rounded += parse_whole("", numbers->second).value_or(0);
+  }
 }
 
-void WordCount::note(const char* command) const {
-  if (by_word == 0) return;
-  print_err(fmt::format(
-      "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their outcome is "
-      "unknown (`ccdfuzz prove` gives proofs)\n",
-      command, by_word, cases));
+void CaseCount::note(const char* command) const {
+  if (by_word > 0) {
+    print_err(fmt::format(
+        "ccdfuzz: {}: {} of {} cases have no contact by the word of a method alone: their outcome "
+        "is unknown (`ccdfuzz prove` gives proofs)\n",
+        command, by_word, cases));
+  }
+  if (rounded > 0) {
+    print_err(fmt::format("ccdfuzz: {}: {} numbers of {} queries are no doubles and were rounded\n",
+                          command, rounded, rounded_cases));
+  }
+  if (wrong_labels > 0) {
+    print_err(
+        fmt::format("ccdfuzz: {}: {} of {} labels are not the truth of what was asked "
+                    "(`ccdfuzz import` lists them)\n",
+                    command, wrong_labels, labels));
+  }
 }
 
 }  // namespace ccdfuzz

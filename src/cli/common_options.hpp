@@ -56,13 +56,19 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
 /// "triangle:N", "tensor:NxM", degrees 1 to kMaxDegree. Errors: anything else, naming `where`.
 Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text);
 
-/// Counts cases, and how many of them rest on the word of a method, by which nothing is judged:
-/// that nothing touches up to t_max or, where that is left open, up to clear_until.
-struct WordCount {
-  std::uint64_t cases = 0, by_word = 0;
+/// What is to be known of the cases that a command was given.
+struct CaseCount {
+  std::uint64_t cases = 0;
+  /// That nothing touches up to t_max or, where that is left open, up to clear_until, rests on the
+  /// word of a method, by which nothing is judged.
+  std::uint64_t by_word = 0;
+  /// With a truth and a label of a query CSV; of them, those whose label says otherwise.
+  std::uint64_t labels = 0, wrong_labels = 0;
+  /// Numbers of query CSVs that became the nearest double, and the queries with such.
+  std::uint64_t rounded = 0, rounded_cases = 0;
 
   void add(const Case& value);
-  /// Says so on stderr, if any does.
+  /// Says on stderr what is not as it should be.
   void note(const char* command) const;
 };
 

@@ -13,7 +13,6 @@
 #include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/evaluate_linear.hpp"
 #include "cli/refusals.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
@@ -51,6 +50,13 @@ Result<std::vector<double>> parse_horizons(const std::string& where, const std::
   return factors;
 }
 
+Result<std::vector<std::string>> files_of(const EvaluateArguments& arguments) {
+  std::vector<std::string> given = arguments.files;
+  if (!arguments.linear.empty()) given.push_back(arguments.linear);
+  if (given.empty()) return input_error("dataset", "is required");
+  return case_files(given);
+}
+
 EvaluateOptions options_of(const EvaluateArguments& arguments, int threads) {
   EvaluateOptions options;
   options.threads = threads;
@@ -65,16 +71,17 @@ EvaluateOptions options_of(const EvaluateArguments& arguments, int threads) {
 
 /// Reads the files once, to know which cases they hold. Errors: of reading; a file that cannot be
 /// read twice.
-Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOptions& options) {
+Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOptions& options,
+                            const std::vector<std::string>& files) {
   RunHeader header;
   header.run = "evaluate";
   header.version = CCDFUZZ_VERSION;
-  header.inputs = arguments.files;
-  for (const std::string& file : arguments.files) {
+  header.inputs = files;
+  for (const std::string& file : files) {
     if (auto regular = refuse_irregular(file); !regular) return tl::unexpected(regular.error());
   }
   std::string address;
-  CaseStream cases(arguments.files);
+  CaseStream cases(files);
   for (;;) {
     const Result<std::optional<NamedCase>> next = cases.next();
     if (!next) return tl::unexpected(next.error());
@@ -111,11 +118,11 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
 }
 
 void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
+                           const std::vector<std::string>& files,
                            const EvaluateArguments& arguments, int threads) {
   ReportPage page;
-  page.title = arguments.files.size() == 1
-                   ? fmt::format("Evaluation of {}", arguments.files.front())
-                   : fmt::format("Evaluation of {} files", arguments.files.size());
+  page.title = files.size() == 1 ? fmt::format("Evaluation of {}", files.front())
+                                 : fmt::format("Evaluation of {} files", files.size());
   page.command = command_line();
   rows.finish(page, costs);
   page.plugins = plugins_among(arguments.methods);
@@ -126,15 +133,7 @@ void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& 
 struct Kept {
   std::string path;  ///< where the file ends
   RunFile file;
-  RunLines earlier;
-  std::uint64_t left = 0;  ///< earlier lines that were not given yet
-
-  Result<std::optional<std::string>> next_line() {
-    if (left == 0) return std::nullopt;
-    --left;
-    return earlier.next().map(
-        [](const auto& line) { return line ? std::optional<std::string>(*line) : std::nullopt; });
-  }
+  EarlierAnswers earlier;
 };
 
 Kept open_kept(const std::string& folder, const RunHeader& header) {
@@ -150,32 +149,29 @@ Kept open_kept(const std::string& folder, const RunHeader& header) {
     print_err(fmt::format("ccdfuzz: going on after {} of {} cases in {}\n", before,
                           header.shard.size(header.items), partial));
   }
-  return {path, std::move(file), need(RunLines::open(partial)), before};
+  return {path, std::move(file), {need(RunLines::open(partial)), before}};
 }
 
 int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   EvaluateOptions options = options_of(arguments, session.threads);
-  if (!arguments.linear.empty()) {
-    return need(run_evaluate_linear(arguments.linear, options, session.json, arguments.page));
-  }
-  if (arguments.files.empty()) throw BadInput{{"dataset", "is required"}};
+  const std::vector<std::string> files = need(files_of(arguments));
   std::optional<Kept> kept;
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
-    RunHeader header = need(header_of(arguments, options));
+    RunHeader header = need(header_of(arguments, options, files));
     options.shard = need(parse_shard(arguments.shard, header.items, "cases"));
     header.shard = options.shard;
     if (!arguments.folder.empty()) kept.emplace(open_kept(arguments.folder, header));
   }
-  const std::vector<GenerationCost> costs = need(read_costs(arguments.files));
+  const std::vector<GenerationCost> costs = need(read_costs(files));
   Rows rows;
   ReportRows page;
-  WordCount words;
+  CaseCount counts;
   std::uint64_t done = 0, asked = 0;
   need(evaluate(
-      arguments.files, options, kept ? EarlierLines([&] { return kept->next_line(); }) : nullptr,
+      files, options, kept ? &kept->earlier : nullptr,
       [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new,
           double share) -> Result<void> {
-        words.add(named.value);
+        counts.add(named.value);
         rows.add(evaluated);
         const double precision = options.search_for(named.value).precision;
         if (!arguments.page.empty()) page.add(evaluated, named.value, precision);
@@ -191,12 +187,13 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
         kept ? "the same command goes on from there" : "the tables are of these alone"));
     if (kept) return session.exit_code(kDone);
   }
-  words.note("evaluate");
+  counts.note("evaluate");
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
     need(kept->file.rename(kept->path));
   }
-  if (!arguments.page.empty()) write_evaluation_page(page, costs, arguments, session.threads);
+  if (!arguments.page.empty())
+    write_evaluation_page(page, costs, files, arguments, session.threads);
   print_evaluation(rows, costs, session.json);
   return session.exit_code(kDone);
 }
@@ -205,26 +202,21 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
 
 void add_evaluate(CommandLine& line) {
   auto [command, options] = line.add<EvaluateArguments>(
-      "evaluate", "Time and judge methods on data sets (the paper's Tables 1, 2 and 4)",
-      run_evaluate);
-  const Option dataset =
-      command.texts("dataset", options->files, "Case files: .json, .jsonl or .jsonl.zst");
-  Option linear = command.text(
-      "--linear", options->linear,
-      "Instead: all edge-edge and vertex-face query CSVs under this folder (the paper's Table 3), "
-      "judged by their exact truth");
-  linear.excludes(dataset);
+      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 to 4)", run_evaluate);
+  command.texts("dataset", options->files,
+                "Case files: .json, .jsonl, .jsonl.zst, .csv (judged by their exact truth where "
+                "they are linear), or folders of .csv");
+  command.text("--linear", options->linear, "One more dataset, as it was once to be named");
   add_methods(command, options->methods, "Methods to ask, separated by commas");
   command.parsed("--t-max-factors", options->horizons,
                  "Ask positive cases up to these multiples of the contact's time instead of their "
                  "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show",
                  &parse_horizons);
   options->search.add_to(command);
-  linear.excludes(add_shard(command, options->shard));
-  linear.excludes(command.text(
-      "-o,--output", options->folder,
-      "Folder for all answers (answers.jsonl), their counts (rows.jsonl) and the tables "
-      "(tables.md), which `report` shows; killed, the same command goes on where it was"));
+  add_shard(command, options->shard);
+  command.text("-o,--output", options->folder,
+               "Folder for all answers (answers.jsonl), their counts (rows.jsonl) and the tables "
+               "(tables.md), which `report` shows; killed, the same command goes on where it was");
   command.text("--report", options->page,
                "Folder for a page (index.html) of tables, figures and watchable failures");
   command.threads();

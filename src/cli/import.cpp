@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "case/case_files.hpp"
+#include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/session.hpp"
-#include "eval/imported.hpp"
+#include "eval/decide_rows.hpp"
 
 namespace ccdfuzz {
 
@@ -12,10 +14,42 @@ namespace {
 struct ImportOptions {
   std::vector<std::string> files;
   std::string output;
-  std::optional<CsvLayout> layout;
-  std::string truths;
-  bool round = false;
+  CsvOptions csv{.round = false, .any_name = true};
 };
+
+/// How a query stands to what its file says.
+struct ImportedRow {
+  std::string id;
+  std::optional<bool> label;     ///< what the file says
+  std::optional<bool> in_file;   ///< what is so of its numbers, if the query is linear
+  std::optional<bool> collides;  ///< what is so of the doubles nearest to them
+  std::uint64_t rounded = 0;     ///< numbers that are no doubles
+
+  static void fields(auto& archive, auto& row) {
+    archive("query", row.id);
+    archive("label", row.label);
+    archive("in_file", row.in_file);
+    archive("as_rounded", row.collides);
+    archive("rounded", row.rounded);
+  }
+
+  bool label_is_wrong() const { return label && in_file && *label != *in_file; }
+  bool rounding_changed_the_truth() const { return in_file && collides != in_file; }
+};
+
+ImportedRow imported(NamedCase& named) {
+  decide_rows(named);
+  const CsvQuery& rows = *named.rows;
+  const auto& more = named.value.origin.more;
+  const auto rounded = more.find("rounded");
+  ImportedRow row{named.id, rows.label, {}, named.value.truth.collides};
+  if (rounded != more.end()) row.rounded = need(parse_whole("rounded", rounded->second));
+  if (row.collides) {
+    row.in_file =
+        row.rounded == 0 ? *row.collides : linear::first_contact(rows.patches(), 1).has_value();
+  }
+  return row;
+}
 
 const char* contact_text(const std::optional<bool>& collides) {
   return !collides ? "" : *collides ? "contact" : "none";
@@ -27,13 +61,12 @@ struct ImportCounts {
   std::uint64_t rounded_values = 0, rounded_queries = 0, changed = 0;
 
   /// Adds a query; true if it is one that people want to see.
-  bool add(const Imported& query) {
-    const std::optional<bool>& asked = query.value.truth.collides;
+  bool add(const ImportedRow& query) {
     ++queries;
-    ++(!asked ? undecided : *asked ? hits : misses);
+    ++(!query.collides ? undecided : *query.collides ? hits : misses);
     rounded_values += query.rounded;
     if (query.rounded > 0) ++rounded_queries;
-    if (query.label && query.collides) ++labels;
+    if (query.label && query.in_file) ++labels;
     if (query.label_is_wrong()) ++wrong_labels;
     if (query.rounding_changed_the_truth()) ++changed;
     return query.label_is_wrong() || query.rounding_changed_the_truth();
@@ -51,49 +84,32 @@ struct ImportCounts {
   }
 };
 
-/// The layouts of the files. Throws BadInput: one does not tell it, and no --as does.
-std::vector<CsvLayout> layouts_of(const ImportOptions& options) {
-  std::vector<CsvLayout> layouts;
-  for (const std::string& path : options.files) {
-    const auto layout = options.layout ? options.layout : csv_layout_of_path(path);
-    if (!layout) throw BadInput{{path, "does not tell its layout: name it with --as"}};
-    layouts.push_back(*layout);
-  }
-  return layouts;
-}
-
 int run_import(const ImportOptions& options, Session& session) {
-  if (!options.truths.empty() && options.files.size() > 1) {
+  const std::vector<std::string> files = need(case_files(options.files));
+  if (!options.csv.truths.empty() && files.size() > 1) {
     throw BadInput{{"--truths", "goes with one file"}};
   }
-  const std::vector<CsvLayout> layouts = layouts_of(options);
   CaseWriter writer = need(CaseWriter::open(options.output));
   session.begin_table({{"query", Align::kLeft},
                        {"label", Align::kLeft},
                        {"in the file", Align::kLeft},
                        {"as rounded", Align::kLeft}});
   ImportCounts counts;
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  for (size_t f = 0; f < options.files.size(); ++f) {
-    CsvReader reader = need(CsvReader::open(options.files[f], layouts[f], options.truths));
-    const double share = static_cast<double>(f) / static_cast<double>(options.files.size());
-    for (std::uint64_t index = 0;; ++index) {
-      if (interrupted) return interrupted_exit_code();
-      const std::optional<CsvQuery> next = need(reader.next());
-      if (!next) break;
-      const Imported query = need(import_case(*next, options.round, index));
-      if (counts.add(query) || session.json) {
-        session.show(query, false, [](const Imported& row) -> std::vector<TableCell> {
-          return {{row.id},
-                  {contact_text(row.label)},
-                  {contact_text(row.collides), Emphasis::kBad},
-                  {contact_text(row.value.truth.collides)}};
-        });
-      }
-      need(writer.write(query.value));
-      session.progress().show(share, query.id, counts.queries, "queries");
-    }
-  }
+  session.each_case<NamedCase, ImportedRow>(
+      CaseStream(files, options.csv), 1, "queries",
+      [](NamedCase& named, size_t) { return imported(named); },
+      [&](const NamedCase& named, size_t, const ImportedRow& query) {
+        if (counts.add(query) || session.json) {
+          session.show(query, false, [](const ImportedRow& row) -> std::vector<TableCell> {
+            return {{row.id},
+                    {contact_text(row.label)},
+                    {contact_text(row.in_file), Emphasis::kBad},
+                    {contact_text(row.collides)}};
+          });
+        }
+        need(writer.write(named.value));
+      });
+  if (session.interrupted()) return interrupted_exit_code();
   need(writer.finish());
   session.end_table(true);
   session.summary(counts.summary());
@@ -107,18 +123,23 @@ void add_import(CommandLine& line) {
       "import", "Read query CSVs, decide linear queries exactly, and list wrong labels",
       run_import);
   command
-      .texts("csv", options->files,
-             "Files of rows xn,xd,yn,yd,zn,zd[,truth]: 8 a linear query, 24 a curved one")
+      .texts(
+          "csv", options->files,
+          "Files of rows xn,xd,yn,yd,zn,zd[,truth], 8 a linear query, 24 a curved one, or folders "
+          "of .csv")
       .required();
   command
       .text("-o,--output", options->output, "File to write: .jsonl, .jsonl.zst, or .json for one")
       .required();
-  command.choice("--as", options->layout,
+  command.choice("--as", options->csv.layout,
                  "edge-edge, vertex-face or curved; by default what the path of each file says");
-  command.text("--truths", options->truths, "JSON list of truths of a file without that column");
-  command.flag("--round", options->round,
+  command.text("--truths", options->csv.truths,
+               "JSON list of truths of a file without that column");
+  command.flag("--round", options->csv.round,
                "Take the nearest double for numbers and ways that are none, and count them");
+  command.threads();
   command.json("One JSON object per query");
+  command.max_work();
 }
 
 }  // namespace ccdfuzz

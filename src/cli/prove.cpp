@@ -71,7 +71,7 @@ int run_prove(const ProveOptions& options, Session& session) {
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
   std::uint64_t cases = 0, refuted = 0;
   session.each_case<NamedCase, Completed>(
-      options.files, 1, "cases",
+      CaseStream(options.files), 1, "cases",
       [&](const NamedCase& named, size_t) { return prove(named, options.oracle); },
       [&](const NamedCase& named, size_t, Completed completed) {
         ++cases;
@@ -102,7 +102,7 @@ int run_prove(const ProveOptions& options, Session& session) {
 void add_prove(CommandLine& line) {
   auto [command, options] = line.add<ProveOptions>(
       "prove", "Decide cases, and write them with certificates that verify checks", run_prove);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   command
       .text("-o,--output", options->output,
             "File to write: .jsonl, .jsonl.zst, or .json for one case; trees go beside it")

@@ -85,9 +85,9 @@ int run_query(const QueryOptions& options, Session& session) {
   std::atomic<bool> spent = false;
   std::string first_left;  // the first case for which no work is left
   std::uint64_t done = 0, undecided = 0;
-  WordCount words;
+  CaseCount counts;
   session.each_case<SharedCase, Judged>(
-      options.files, options.methods.size(), "answers",
+      CaseStream(options.files), options.methods.size(), "answers",
       [&](SharedCase& shared, size_t m) {
         if (spent) return Judged();  // is not shown
         const CheckedCase& asked = need(shared.checked());
@@ -107,12 +107,12 @@ int run_query(const QueryOptions& options, Session& session) {
         if (spent) return;
         budget.add(named.value.query, judged.answer);
         ++done;
-        if (m == 0) words.add(named.value);
+        if (m == 0) counts.add(named.value);
         if (judged.answer.verdict == Verdict::kUndecided && judged.error.empty()) ++undecided;
         session.show(AnswerRow{named.id, options.methods[m], judged}, m == 0, query_cells);
       },
       &spent);
-  words.note("query");
+  counts.note("query");
   session.end_table();
   if (undecided > 0 && by_default) {
     session.summary(
@@ -134,7 +134,7 @@ int run_query(const QueryOptions& options, Session& session) {
 void add_query(CommandLine& line) {
   auto [command, options] =
       line.add<QueryOptions>("query", "Answer and judge single cases", run_query);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   add_methods(command, options->methods, "Methods to ask, separated by commas");
   options->search.max_pops = 0;  // DefaultBudget
   options->search.add_precision_to(command);

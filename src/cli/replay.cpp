@@ -136,7 +136,7 @@ class Replay {
                           {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Replayer> replayers;
     session_.each_case<SharedCase, Replayed>(
-        need(corpus_files(options_.corpus)), 1, "entries",
+        CaseStream(need(corpus_files(options_.corpus))), 1, "entries",
         [&](SharedCase& shared, size_t) { return replayed(shared, replayers.local(), options_); },
         [&](const SharedCase& shared, size_t, const Replayed& done) { add(shared, done); });
     session_.end_table(true);
@@ -149,7 +149,7 @@ class Replay {
   void add(const SharedCase& shared, const Replayed& done) {
     const NamedCase& entry = shared.named();
     ++entries_;
-    words_.add(entry.value);
+    case_counts_.add(entry.value);
     if (!done.refuted.empty()) {
       ++refuted_;
       session_.json ? print_row(RefutedJson{entry.id, done.refuted})
@@ -231,7 +231,7 @@ class Replay {
     if (!not_allowed_.empty()) {
       print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(not_allowed_)));
     }
-    words_.note("replay");
+    case_counts_.note("replay");
   }
 
   const ReplayOptions& options_;
@@ -240,7 +240,7 @@ class Replay {
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
   std::set<std::string> asked_;
   NotAllowed not_allowed_;
-  WordCount words_;
+  CaseCount case_counts_;
 };
 
 int run_replay(const ReplayOptions& options, Session& session) {

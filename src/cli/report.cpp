@@ -4,6 +4,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include "base/fields.hpp"
@@ -18,6 +19,7 @@
 #include "cli/hunt_page.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
+#include "eval/evaluate.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/entries.hpp"
 #include "method/ask.hpp"
@@ -102,35 +104,33 @@ Result<ReportPage> report_corpus(const ReportArguments& options, int threads,
 }
 
 /// What `evaluate -o` left: its cases and the answers to them, side by side.
-Result<ReportPage> report_run(const ReportArguments& options) {
-  Result<RunLines> answers = RunLines::open(answers_path(options.source));
-  if (!answers) return tl::unexpected(answers.error());
-  const RunHeader& header = answers->header();
+ReportPage report_run(const ReportArguments& options, Session& session) {
+  EarlierAnswers answers{need(RunLines::open(answers_path(options.source))),
+                         std::numeric_limits<std::uint64_t>::max()};
+  const RunHeader header = answers.lines.header();
   SearchFlags search;
   const auto precision = header.asked.find("--precision");
   if (precision != header.asked.end() && precision->second != kOwnPrecision) {
-    const Result<double> own = parse_number(answers->where(), precision->second);
-    if (!own) return tl::unexpected(own.error());
-    search.precision = *own;
+    search.precision = need(parse_number(answers.lines.where(), precision->second));
   }
-  for (const std::string& file : header.inputs) {
-    if (auto regular = refuse_irregular(file); !regular) return tl::unexpected(regular.error());
-  }
-  CaseStream cases(header.inputs);
+  for (const std::string& file : header.inputs) need(refuse_irregular(file));
+  EvaluateOptions evaluated_as;
+  evaluated_as.shard = header.shard;
+  evaluated_as.threads = session.threads;
   ReportRows rows;
-  for (std::uint64_t index = 0;; ++index) {
-    const std::optional<NamedCase> named = need(cases.next());
-    if (!named) break;
-    if (index % header.shard.of != header.shard.index) continue;
-    const auto line = need(answers->next());
-    const auto evaluated = need(from_json<EvaluatedCase>(line.value_or(""), answers->where()));
-    if (evaluated.index != index || evaluated.id != named->id) {
-      return input_error(answers->where(), "is not of " + named->id);
-    }
-    need(check_in_run(*named));
-    const Case& known = named->value;
-    rows.add(evaluated, known, search.options_for(known).precision);
-  }
+  std::uint64_t done = 0;
+  need(evaluate(
+      header.inputs, evaluated_as, &answers,
+      [&](const NamedCase& named, const EvaluatedCase& evaluated, bool is_new,
+          double share) -> Result<void> {
+        if (is_new)
+          return input_error(answers.lines.where(), "is the last line: none is of " + named.id);
+        rows.add(evaluated, named.value, search.options_for(named.value).precision);
+        session.progress().show(share, evaluated.contact, ++done, "cases");
+        return {};
+      },
+      [&] { return session.interrupted(); }));
+  session.progress().clear();
   const std::vector<GenerationCost> costs = need(read_costs(header.inputs));
   ReportPage report;
   report.title = fmt::format("Evaluation in {}", options.source);
@@ -141,7 +141,7 @@ Result<ReportPage> report_run(const ReportArguments& options) {
   return report;
 }
 
-Result<ReportPage> report_source(const ReportArguments& options, int threads,
+Result<ReportPage> report_source(const ReportArguments& options, Session& session,
                                  const std::atomic<bool>& interrupted) {
   std::error_code error;
   if (!std::filesystem::is_directory(options.source, error)) {
@@ -149,12 +149,12 @@ Result<ReportPage> report_source(const ReportArguments& options, int threads,
                        "is no folder; `evaluate FILE --report DIR` shows a file of cases");
   }
   if (std::filesystem::exists(answers_path(options.source), error)) {
-    return report_run(options);
+    return report_run(options, session);
   }
   if (std::filesystem::exists(hunt_record_path(options.source), error)) {
     return read_hunt_record(options.source).and_then(hunt_page);
   }
-  return report_corpus(options, threads, interrupted);
+  return report_corpus(options, session.threads, interrupted);
 }
 
 /// The text of a PREFIX.json of ccdfuzz-scoreboard. Errors: naming the file and the field.
@@ -177,7 +177,7 @@ int run_report(const ReportArguments& options, Session& session) {
   std::string scoreboard;
   if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
   const std::atomic<bool>& interrupted = catch_interrupts();
-  ReportPage report = need(report_source(options, session.threads, interrupted));
+  ReportPage report = need(report_source(options, session, interrupted));
   report.scoreboard = std::move(scoreboard);
   if (report.command.empty()) report.command = command_line();
   need(write_report(report, options.folder, session.threads));

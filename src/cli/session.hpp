@@ -48,10 +48,8 @@ class Session {
   template <class Row, class Cells>
   void show(const Row& row, bool starts_group, const Cells& cells) {
     if (json) return print_out(to_json(row) + "\n");
-    if (starts_group) {
-      print_full_rows(*table_);
-      table_->start_group();
-    }
+    print_full_rows(*table_);
+    if (starts_group) table_->start_group();
     table_->add_row(cells(row));
   }
   /// The summary for people: nothing with --json.
@@ -63,12 +61,12 @@ class Session {
   /// which stands for its error; sink(asked, part, row) may throw it, too. unit: what is counted,
   /// for the progress.
   template <class Asked, class Row, class Work, class Sink>
-  void each_case(const std::vector<std::string>& files, size_t parts, const char* unit,
-                 const Work& work, const Sink& sink, const std::atomic<bool>* stop = nullptr) {
+  void each_case(CaseStream cases, size_t parts, const char* unit, const Work& work,
+                 const Sink& sink, const std::atomic<bool>* stop = nullptr) {
     const std::atomic<bool>& signalled = catch_interrupts();
     std::uint64_t done = 0;
     const Result<void> read = stream_cases<Row>(
-        files, parts, threads,
+        std::move(cases), parts, threads,
         [](NamedCase named) -> Result<std::shared_ptr<Asked>> {
           return std::make_shared<Asked>(std::move(named));
         },

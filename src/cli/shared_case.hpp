@@ -5,19 +5,23 @@
 #include <utility>
 
 #include "certify/checker/check_case.hpp"
+#include "eval/decide_rows.hpp"
 
 namespace ccdfuzz {
 
-/// A case that several threads look at; the first of them checks it.
+/// A case that several threads look at; the first of them decides and checks it.
 class SharedCase {
  public:
   explicit SharedCase(NamedCase named) : named_(std::move(named)) {}
 
   const NamedCase& named() const { return named_; }
 
-  /// As check_case.
+  /// As check_case, after decide_rows.
   const Result<CheckedCase>& checked() {
-    std::call_once(once_, [this] { checked_ = check_case(named_); });
+    std::call_once(once_, [this] {
+      decide_rows(named_);
+      checked_ = check_case(named_);
+    });
     return *checked_;
   }
 

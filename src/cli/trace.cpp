@@ -179,7 +179,7 @@ int run_trace(const TraceArguments& options, Session& session) {
   session.begin_table(trace_columns());
   tbb::enumerable_thread_specific<TracerSet> tracers;
   session.each_case<SharedCase, Trace>(
-      options.files, options.methods.size(), "traces",
+      CaseStream(options.files), options.methods.size(), "traces",
       [&](SharedCase& shared, size_t m) {
         need(shared.checked());
         const Case& known = shared.named().value;
@@ -198,7 +198,7 @@ int run_trace(const TraceArguments& options, Session& session) {
 void add_trace(CommandLine& line) {
   auto [command, options] = line.add<TraceArguments>(
       "trace", "Follow the witness of cases through the inclusion tests of methods", run_trace);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   add_methods(command, options->methods, "Methods to trace, separated by commas");
   options->search.add_precision_to(command);
   command.flag("--all", options->all,

@@ -94,7 +94,8 @@ int run_verify(const VerifyOptions& options, Session& session) {
   std::array<std::uint64_t, kStandings.size()> counts{};
   session.begin_table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
   session.each_case<NamedCase, Verified>(
-      options.files, 1, "cases", [](const NamedCase& named, size_t) { return verify(named); },
+      CaseStream(options.files), 1, "cases",
+      [](const NamedCase& named, size_t) { return verify(named); },
       [&](const NamedCase&, size_t, const Verified& verified) {
         ++counts[static_cast<size_t>(verified.standing)];
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
@@ -121,7 +122,7 @@ void add_verify(CommandLine& line) {
                               "Check the certificates of cases in exact arithmetic; what they say "
                               "of absence without one is told apart, as \"by method\"",
                               run_verify);
-  command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
+  command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   command.threads();
   command.json("One JSON object per case");
   command.max_work();

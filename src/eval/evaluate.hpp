@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run_file.hpp"
 #include "base/shard.hpp"
 #include "case/case_files.hpp"
 #include "ccd/search.hpp"
@@ -24,21 +25,25 @@ struct EvaluateOptions {
   int threads = 1;
 };
 
-/// The next case that an earlier run has answered, by its line; nothing once there is no more.
-using EarlierLines = std::function<Result<std::optional<std::string>>()>;
+/// What an earlier run answered to the first cases of the share, a line each.
+struct EarlierAnswers {
+  RunLines lines;
+  std::uint64_t left = 0;  ///< lines to read still, at most
+};
 
 /// Sees a case and its answers. is_new: no earlier run gave them. share: how much of the files has
 /// been read.
 using OnEvaluated = std::function<Result<void>(
     const NamedCase& named, const EvaluatedCase& evaluated, bool is_new, double share)>;
 
-/// Checks every case of the share (check_case) and puts it to every method. on_case sees the cases
-/// in their order, the answers by horizon and then by method, whatever the number of threads.
-/// Everything but times is the same in every run. Holds a few cases at a time. Once stop() is true
-/// no more is read, and what was begun still reaches on_case. Errors: of reading; the first case
-/// that is refuted, naming it; a line that is not of the next case; of on_case.
+/// earlier: what need not be asked; null: nothing. Checks every case of the share (decide_rows,
+/// check_case) and puts it to every method. on_case sees the cases in their order, the answers by
+/// horizon and then by method, whatever the number of threads. Everything but times is the same in
+/// every run. Holds a few cases at a time. Once stop() is true no more is read, and what was begun
+/// still reaches on_case. Errors: of reading; the first case that is refuted, naming it; a line
+/// that is not of the next case; of on_case.
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      const EarlierLines& earlier, const OnEvaluated& on_case,
+                      EarlierAnswers* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop);
 
 }  // namespace ccdfuzz

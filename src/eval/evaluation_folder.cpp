@@ -20,6 +20,7 @@ std::vector<NamedTable> evaluation_tables(const Rows& rows,
   };
   add("Table 1, beside the paper's", paper_table_1(rows));
   add("Table 2, beside the paper's", paper_table_2(rows));
+  add("Table 3, beside the paper's", paper_table_3(rows));
   add("Table 4: making the cases, beside the paper's", generation_table(costs));
   return tables;
 }

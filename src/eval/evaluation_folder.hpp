@@ -18,8 +18,8 @@ inline constexpr std::string_view kOwnPrecision = "the case's own";
 
 std::string answers_path(const std::string& folder);
 
-/// The tables as they are printed: performance, Tables 1 and 2 beside the paper's, Table 4; those
-/// of which there is nothing to say are left out.
+/// The tables as they are printed: performance, Tables 1 to 3 beside the paper's, Table 4; those of
+/// which there is nothing to say are left out.
 struct NamedTable {
   std::string title;
   Table table;

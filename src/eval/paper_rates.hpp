@@ -21,8 +21,8 @@ struct PaperResult {
   std::optional<PaperRate> false_negatives;
 };
 
-/// kinds: "RP+RN" or "NHP+NMN", the halves of Table 2, or "all": Table 1. nullopt where the paper
-/// has no row for the class or no column for the method.
+/// kinds: "RP+RN" or "NHP+NMN", the halves of Table 2, "all": Table 1, or kLinearKind: Table 3.
+/// nullopt where the paper has no row for the class or no column for the method.
 std::optional<PaperResult> paper_result(std::string_view contact, std::string_view kinds,
                                         const std::string& method);
 

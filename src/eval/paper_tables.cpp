@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "case/query_csv.hpp"
 #include "eval/columns.hpp"
 #include "eval/paper_rates.hpp"
 #include "eval/row_columns.hpp"
@@ -37,13 +38,16 @@ Column<Row> paper_column(const char* title, PaperText text) {
           }};
 }
 
-/// At the contact itself, or as given.
-std::vector<Row> at_contact(const Rows& rows, bool by_halves) {
+/// At the contact itself, or as given: the rows of the kinds (kinds_of), as `shown` if it is not
+/// empty.
+std::vector<Row> at_contact(const Rows& rows, std::initializer_list<std::string_view> kinds,
+                            std::string_view shown = "") {
   return rows.in_order([&](RowKey key) -> std::optional<RowKey> {
     if (key.factor && *key.factor != 1) return std::nullopt;
     key.factor.reset();
-    key.kind = by_halves ? kinds_of(key.kind) : "all";
-    if (by_halves && key.kind != kRegularKinds && key.kind != kGrazingKinds) return std::nullopt;
+    key.kind = kinds_of(key.kind);
+    if (std::ranges::find(kinds, key.kind) == kinds.end()) return std::nullopt;
+    if (!shown.empty()) key.kind = shown;
     return key;
   });
 }
@@ -127,15 +131,20 @@ Table paper_table_1(const Rows& rows) {
   const auto has = [&](std::string_view kinds) {
     return std::ranges::any_of(halves, [&](const Row& row) { return row.key.kind == kinds; });
   };
-  return paper_table(has(kRegularKinds) && has(kGrazingKinds) ? at_contact(rows, false)
-                                                              : std::vector<Row>());
+  return paper_table(has(kRegularKinds) && has(kGrazingKinds)
+                         ? at_contact(rows, {kRegularKinds, kGrazingKinds}, "all")
+                         : std::vector<Row>());
 }
 
 Table paper_table_2(const Rows& rows) {
-  std::vector<Row> halves = at_contact(rows, true);
+  std::vector<Row> halves = at_contact(rows, {kRegularKinds, kGrazingKinds});
   std::ranges::stable_partition(halves,
                                 [](const Row& row) { return row.key.kind == kRegularKinds; });
   return paper_table(std::move(halves));
+}
+
+Table paper_table_3(const Rows& rows) {
+  return paper_table(at_contact(rows, {kLinearKind}));
 }
 
 }  // namespace ccdfuzz

@@ -11,10 +11,11 @@ namespace ccdfuzz {
 Table performance_table(const std::vector<Row>& rows);
 
 /// Mean times, false positives and false negatives (missed: the paper's only sort) beside the
-/// paper's. Of positives asked beyond the contact none counts. Table 1: all kinds as one, where the
-/// answers are to both regular and grazing cases; empty otherwise. Table 2: regular, then grazing
-/// cases.
+/// paper's. Of positives asked beyond the contact none counts. Table 1: regular and grazing cases
+/// as one, where the answers are to both; empty otherwise. Table 2: regular, then grazing cases.
+/// Table 3: linear queries.
 Table paper_table_1(const Rows& rows);
 Table paper_table_2(const Rows& rows);
+Table paper_table_3(const Rows& rows);
 
 }  // namespace ccdfuzz

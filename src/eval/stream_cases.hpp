@@ -3,9 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "base/in_order.hpp"
 #include "case/case_files.hpp"
@@ -21,7 +19,7 @@ const NamedCase& named_of(const Asked& asked) {
   return asked.named();
 }
 
-/// Reads the files one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
+/// Reads one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
 /// case on `threads` threads. make(NamedCase) is called for each case in order, by one thread at a
 /// time; it returns a Result of the shared pointer to what is asked, null to pass over the case.
 /// work returns a Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is
@@ -29,8 +27,8 @@ const NamedCase& named_of(const Asked& asked) {
 /// still reaches sink. What work checks counts (RunWork). Errors: the first of reading, of make, of
 /// work or of RunWork::add, after all rows before it.
 template <class Row, class Make, class Work, class Sink, class Stop>
-Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, int threads,
-                          const Make& make, const Work& work, const Sink& sink, const Stop& stop) {
+Result<void> stream_cases(CaseStream cases, size_t parts, int threads, const Make& make,
+                          const Work& work, const Sink& sink, const Stop& stop) {
   using Subject = typename decltype(make(std::declval<NamedCase>()))::value_type::element_type;
   struct Item {
     std::shared_ptr<Subject> asked;
@@ -43,7 +41,6 @@ Result<void> stream_cases(const std::vector<std::string>& files, size_t parts, i
     Result<Row> row;
     std::uint64_t checking = 0;  ///< what work() checked
   };
-  CaseStream cases(files);
   Item current;
   Result<void> result;
   std::atomic<bool> ended = false;

@@ -137,8 +137,8 @@ TEST(CaseFiles, WhatCannotBeReadIsNamed) {
   const std::vector<std::pair<std::string, std::string>> table = {
       {"none.json", "cannot read: No such file or directory"},
       {"none.txt", "cannot read: No such file or directory"},
-      {"d.json", "cannot read: Is a directory"},
-      {"c.txt", "ends in none of .json, .jsonl, .jsonl.zst"},
+      {"d.json", "is a folder without a .csv in it"},
+      {"c.txt", "ends in none of .json, .jsonl, .jsonl.zst, .csv"},
       {"empty.json", "is empty"},
       {"empty.jsonl", "is empty"},
       {"blank.json", "is empty"},

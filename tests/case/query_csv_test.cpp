@@ -29,7 +29,8 @@ Result<std::vector<CsvQuery>> read(const std::string& text, CsvLayout layout,
   const std::string path = folder / "q.csv", truths_path = folder / "t.json";
   write_text(path, text);
   if (!truths.empty()) write_text(truths_path, truths);
-  auto reader = CsvReader::open(path, layout, truths.empty() ? "" : truths_path);
+  auto reader =
+      CsvReader::open(path, {.layout = layout, .truths = truths.empty() ? "" : truths_path});
   if (!reader) return tl::unexpected(reader.error());
   std::vector<CsvQuery> queries;
   for (;;) {

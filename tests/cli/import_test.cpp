@@ -1,28 +1,14 @@
-// import, export and evaluate --linear: query CSVs in and out of the real program.
+// import and export: query CSVs in and out of the real program.
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <thread>
-
 #include "case/case_files.hpp"
+#include "falling_vertex.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {
 namespace {
 
 using testing::HasSubstr;
-
-/// A vertex at (1/4, 1/4, 1) that ends at (1/4, 1/4, z) over a face in z = 0.
-std::string falling_vertex(const std::string& z, int label) {
-  std::string text;
-  for (const std::string& end : {std::string("1,1"), z}) {
-    for (const std::string& point : {"1,4,1,4," + end, std::string("0,1,0,1,0,1"),
-                                     std::string("0,1,1,1,0,1"), std::string("1,1,0,1,0,1")}) {
-      text += point + (label < 0 ? "" : "," + std::to_string(label)) + "\n";
-    }
-  }
-  return text;
-}
 
 TEST(Import, DecidesExactlyAndListsWrongLabels) {
   const ScratchFolder folder;
@@ -65,7 +51,7 @@ TEST(Import, RefusesWhatItCannotRead) {
   const ScratchFolder folder;
   const std::string csv = folder / "queries.csv", out = folder / "out.jsonl";
   write_text(csv, falling_vertex("0,1", -1));
-  EXPECT_THAT(ccdfuzz({"import", csv, "-o", out}).err, HasSubstr("name it with --as"));
+  EXPECT_THAT(ccdfuzz({"import", csv, "-o", out}).err, HasSubstr("does not tell its layout: "));
   EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "vertex-face"}).code, 0);
   EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "curved"}).code, 2);
   EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "faces"}).code, 2);
@@ -97,55 +83,6 @@ TEST(Export, WritesCurvedCasesThatImportReads) {
   const auto cases = read_cases(back);
   ASSERT_TRUE(cases);
   EXPECT_EQ((*cases)[2].value.origin.more.at("label"), "1");
-}
-
-TEST(EvaluateLinear, PrintsTable3OfAFolder) {
-  const ScratchFolder folder;
-  std::filesystem::create_directories(folder / "scene/vertex-face");
-  write_text(folder / "scene/vertex-face/0.csv",
-             falling_vertex("-1,2", 1) + falling_vertex("1,2", 1));
-  write_text(folder / "scene/1vf.csv", falling_vertex("-1,3", 1));
-  const std::vector<std::string> command = {"evaluate", "--linear", folder.path(), "--methods",
-                                            "tdibm-c,tdibm-e"};
-  const Finished done = ccdfuzz(command);
-  EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_THAT(done.out, HasSubstr("107/21209"));
-  EXPECT_THAT(done.out, HasSubstr("0.csv:9: labelled a contact, but there is no contact\n"));
-  EXPECT_THAT(done.out, HasSubstr("3 queries; 1 of 3 labels are wrong; 1 values of 1 queries are "
-                                  "no doubles and were rounded\n"));
-  std::vector<std::string> as_json = command;
-  as_json.push_back("--json");
-  const auto rows = json_lines(ccdfuzz(as_json).out);
-  ASSERT_EQ(rows.size(), 3U);
-  EXPECT_EQ(rows[0]["queries"], "vertex-face");
-  EXPECT_EQ(rows[0]["n"], 3);
-  EXPECT_EQ(rows[0]["positives"], 2);
-  EXPECT_EQ(rows[0]["correct"], 3);
-  EXPECT_EQ(rows[2]["in_file"], false);
-  std::vector<std::string> with_page = command;
-  with_page.insert(with_page.end(), {"--report", folder / "page"});
-  EXPECT_EQ(ccdfuzz(with_page).code, 0);
-  const nlohmann::json table = page_data(folder / "page")["tables"][0];
-  EXPECT_EQ(table["id"], "table-3");
-  EXPECT_THAT(table["rows"].dump(), HasSubstr("tdibm-c"));
-  EXPECT_EQ(ccdfuzz({"evaluate", "--linear", folder / "scene/vertex-face/0.csv"}).code, 2);
-  EXPECT_EQ(ccdfuzz({"evaluate"}).code, 2);
-}
-
-TEST(EvaluateLinear, AnInterruptedOneSaysSo) {
-  const ScratchFolder folder;
-  std::filesystem::create_directories(folder / "vertex-face");
-  std::string queries;
-  for (int i = 0; i < 2'000; ++i) queries += falling_vertex("-1,2", 1);
-  for (int i = 0; i < 200; ++i) {
-    write_text(folder / fmt::format("vertex-face/{}.csv", i), queries);
-  }
-  Process process({"evaluate", "--linear", folder.path(), "--methods", "tdibm-c"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
-  process.signal(SIGINT);
-  const Finished stopped = process.wait();
-  EXPECT_EQ(stopped.code, 128 + SIGINT);
-  EXPECT_NE(stopped.err.find("interrupted after"), std::string::npos) << stopped.err;
 }
 
 }  // namespace

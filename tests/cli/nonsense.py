@@ -35,6 +35,7 @@ SENSE = {
     # Any folder.
     "--known": [b"."],
     "corpus": [b"."],
+    "csv": [b"."],
     "input": [b"."],
     "source": [b"."],
 }

@@ -2,7 +2,10 @@
 // hold only some of them, others refuse it and say why.
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "case/case_files.hpp"
+#include "falling_vertex.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -85,6 +88,30 @@ TEST_F(Streaming, CommandsThatNeedAllCasesNameTheLimit) {
                                       "holds in memory",
                                       kMostBytesHeld)));
   }
+}
+
+TEST(StreamingCsv, TenTimesTheQueriesTakeNoMoreMemory) {
+  constexpr int kFew = 1'250, kMany = 10 * kFew;
+  const ScratchFolder folder;
+  const auto peaks = [&](const std::string& name, int queries) {
+    std::ofstream file(folder / (name + "-vertex-face.csv"));
+    for (int i = 0; i < queries; ++i) file << falling_vertex(i % 2 == 0 ? "-1,2" : "1,2", 1);
+    file.close();
+    std::vector<std::uint64_t> bytes;
+    for (const char* command :
+         {"evaluate {0} --methods tdibm-c -o {1}", "report {1} -o {1}-page",
+          "query {0} --methods tdibm-c --json", "import {0} -o {1}.jsonl", "verify {0}"}) {
+      const Finished finished =
+          shell(fmt::format("cd {}; $ccdfuzz {} > out", folder.path(),
+                            fmt::format(fmt::runtime(command), name + "-vertex-face.csv", name)));
+      EXPECT_EQ(finished.code, 0) << command << finished.err;
+      bytes.push_back(finished.peak_bytes);
+    }
+    return bytes;
+  };
+  const std::vector<std::uint64_t> few = peaks("few", kFew), many = peaks("many", kMany);
+  // A query as a case with its rows takes some 4 KB.
+  for (size_t i = 0; i < few.size(); ++i) EXPECT_LT(many[i], few[i] + kMany * 1'000) << i;
 }
 
 }  // namespace

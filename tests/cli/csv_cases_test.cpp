@@ -1,0 +1,237 @@
+// Query CSVs as cases: what other commands do with case files, they do with these.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "base/run_file.hpp"
+#include "case/case_files.hpp"
+#include "falling_vertex.hpp"
+#include "killed_run.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// Two contacts and a miss, one label wrong, one end point no double.
+void write_scene(const ScratchFolder& folder) {
+  fs::create_directories(folder / "scene/vertex-face");
+  write_text(folder / "scene/vertex-face/0.csv",
+             falling_vertex("-1,2", 1) + falling_vertex("1,2", 1));
+  write_text(folder / "scene/1vf.csv", falling_vertex("-1,3", 1));
+  write_text(folder / "scene/notes.txt", "no queries");
+}
+
+/// What an evaluation printed or left, without times.
+std::vector<std::string> untimed(const std::string& lines) {
+  std::vector<std::string> all;
+  for (nlohmann::ordered_json one : json_lines(lines)) {
+    if (one.contains("answers")) {
+      for (auto& answer : one["answers"]) answer.erase("seconds");
+    }
+    for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) one.erase(time);
+    all.push_back(one.dump());
+  }
+  return all;
+}
+
+/// `count` queries of three sorts, the thirds of them contacts.
+std::string many_queries(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    text += falling_vertex(i % 3 == 0 ? "-1,2" : i % 3 == 1 ? "1,2" : "1,3", i % 3 == 0 ? 1 : 0);
+  }
+  return text;
+}
+
+TEST(CsvCases, AFolderIsEvaluatedByTheTruthOfItsQueries) {
+  const ScratchFolder folder;
+  write_scene(folder);
+  const std::vector<std::string> command = {"evaluate", folder / "scene", "--methods",
+                                            "tdibm-c,tdibm-e"};
+  const Finished done = ccdfuzz(command);
+  EXPECT_EQ(done.code, 0) << done.err;
+  EXPECT_THAT(done.out, HasSubstr("Table 3, beside the paper's"));
+  EXPECT_THAT(done.out, HasSubstr("107/21209"));
+  EXPECT_THAT(done.err, HasSubstr("1 of 3 labels are not the truth"));
+  EXPECT_THAT(done.err, HasSubstr("1 numbers of 1 queries are no doubles and were rounded"));
+  std::vector<std::string> as_json = command;
+  as_json.push_back("--json");
+  const auto rows = json_lines(ccdfuzz(as_json).out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["class"], "VF");
+  EXPECT_EQ(rows[0]["kinds"], "linear");
+  EXPECT_EQ(rows[0]["n"], 3);
+  EXPECT_EQ(rows[0]["positives"], 2);
+  EXPECT_EQ(rows[0]["correct"], 3);
+}
+
+TEST(CsvCases, LinearIsAnotherNameOfTheDataSet) {
+  const ScratchFolder folder;
+  write_scene(folder);
+  const auto rows = [&](std::vector<std::string> files) {
+    files.insert(files.begin(), "evaluate");
+    files.insert(files.end(), {"--methods", "tdibm-e,tdibm", "--json"});
+    const Finished done = ccdfuzz(files);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return untimed(done.out);
+  };
+  const std::string scene = folder / "scene";
+  EXPECT_EQ(rows({"--linear", scene}), rows({scene}));
+  EXPECT_EQ(rows({scene + "/vertex-face/0.csv", scene + "/1vf.csv"}), rows({scene}));
+  EXPECT_EQ(ccdfuzz({"evaluate"}).code, 2);
+}
+
+TEST(CsvCases, ImportedOnesGiveTheSameRows) {
+  const ScratchFolder folder;
+  write_scene(folder);
+  const std::string cases = folder / "cases.jsonl";
+  ASSERT_EQ(ccdfuzz({"import", folder / "scene", "-o", cases, "--round"}).code, 0);
+  const auto rows = [](const std::string& file) {
+    return untimed(ccdfuzz({"evaluate", file, "--methods", "tdibm-e,tdibm", "--json"}).out);
+  };
+  EXPECT_EQ(rows(cases), rows(folder / "scene"));
+}
+
+TEST(CsvCases, OtherCommandsReadThemAsTheyReadCases) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", proven = folder / "proven.jsonl";
+  write_text(csv, falling_vertex("-1,2", 1) + falling_vertex("1,2", 0));
+  const auto answers = json_lines(ccdfuzz({"query", csv, "--methods", "tdibm-c", "--json"}).out);
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0]["case"], csv + ":1");
+  EXPECT_EQ(answers[0]["outcome"], "correct");
+  EXPECT_EQ(answers[1]["case"], csv + ":9");
+  EXPECT_EQ(answers[1]["verdict"], "miss");
+  EXPECT_EQ(answers[1]["outcome"], "correct");
+  EXPECT_EQ(ccdfuzz({"replay", csv, "--methods", "tdibm-c", "--expect", "correct"}).code, 0);
+  EXPECT_EQ(ccdfuzz({"prove", csv, "-o", proven}).code, 0);
+  EXPECT_EQ(ccdfuzz({"verify", proven}).out, "2 cases: 2 hold, 0 refuted, 0 unproven\n");
+  EXPECT_THAT(ccdfuzz({"verify", csv}).out, HasSubstr("2 without a truth"));
+}
+
+TEST(CsvCases, AreTheSameOnAnyNumberOfThreads) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", out = folder / "out.jsonl";
+  write_text(csv, many_queries(300));
+  std::set<std::string> imports;
+  std::set<std::vector<std::string>> evaluations;
+  for (const char* threads : {"1", "2", "7"}) {
+    ASSERT_EQ(ccdfuzz({"import", csv, "--round", "-o", out, "--threads", threads}).code, 0);
+    imports.insert(read_text(out));
+    const std::string answers = folder / threads;
+    ASSERT_EQ(ccdfuzz({"evaluate", csv, "--methods", "tdibm-c,tdibm", "--threads", threads, "-o",
+                       answers})
+                  .code,
+              0);
+    evaluations.insert(untimed(read_text(answers + "/answers.jsonl")));
+  }
+  EXPECT_EQ(imports.size(), 1U);
+  EXPECT_EQ(evaluations.size(), 1U);
+}
+
+TEST(CsvCases, SharesOfAFolderMergeIntoTheWhole) {
+  const ScratchFolder folder;
+  write_scene(folder);
+  write_text(folder / "scene/vertex-face/1.csv", many_queries(20));
+  const auto evaluate = [&](const std::string& to, const std::vector<std::string>& more) {
+    std::vector<std::string> command = {
+        "evaluate", folder / "scene", "--methods", "tdibm-c,tdibm", "-o", to};
+    command.insert(command.end(), more.begin(), more.end());
+    const Finished done = ccdfuzz(command);
+    EXPECT_EQ(done.code, 0) << done.err;
+  };
+  evaluate(folder / "whole", {});
+  std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
+  for (const char* shard : {"0/3", "1/3", "2/3"}) {
+    merge.push_back(folder / fmt::format("share-{}", shard[0]));
+    evaluate(merge.back(), {"--shard", shard});
+  }
+  ASSERT_EQ(ccdfuzz(merge).code, 0);
+  for (const char* file : {"/answers.jsonl", "/rows.jsonl"}) {
+    EXPECT_EQ(untimed(read_text(folder / "merged" + file)),
+              untimed(read_text(folder / "whole" + file)));
+  }
+  const Finished page = ccdfuzz({"report", folder / "merged", "-o", folder / "page"});
+  EXPECT_EQ(page.code, 0) << page.err;
+  EXPECT_EQ(page_data(folder / "page")["groups"][0]["kind"], "linear");
+}
+
+TEST(CsvCases, AnEvaluationGoesOnAfterKills) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", whole = folder / "whole",
+                    report = folder / "report", journal = report + "/answers.jsonl.partial";
+  write_text(csv, many_queries(4'000));
+  const auto arguments = [&](const std::string& to) {
+    return std::vector<std::string>{"evaluate", csv, "--methods", "tdibm-e,tdibm", "-o", to};
+  };
+  ASSERT_EQ(ccdfuzz(arguments(whole)).code, 0);
+  ASSERT_TRUE(kill_often(arguments(report), journal, 3, [&] { fs::remove_all(report); }));
+  const Finished last = ccdfuzz(arguments(report));
+  EXPECT_EQ(last.code, 0) << last.err;
+  EXPECT_THAT(last.err, HasSubstr("going on"));
+  EXPECT_EQ(untimed(read_text(report + "/answers.jsonl")),
+            untimed(read_text(whole + "/answers.jsonl")));
+}
+
+TEST(CsvCases, WhatIsWrongInAFileIsNamedByFileLineAndColumn) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "vertex-face");
+  const std::string csv = folder / "vertex-face/0.csv";
+  std::string text = falling_vertex("-1,2", 1) + falling_vertex("1,2", 0);
+  text.replace(text.rfind("1,1"), 3, "1,0");
+  write_text(csv, text);
+  for (const char* command :
+       {"evaluate {0} --methods tdibm", "evaluate {0} --methods tdibm -o {1}/answers",
+        "query {0} --methods tdibm", "verify {0}", "prove {0} -o {1}/p.jsonl",
+        "import {0} -o {1}/i.jsonl", "replay {0} --methods tdibm --expect correct"}) {
+    const Finished done =
+        shell("$ccdfuzz " + fmt::format(fmt::runtime(command), csv, folder.path()));
+    EXPECT_EQ(done.code, 2) << command;
+    EXPECT_THAT(done.err, HasSubstr(csv + ":16: column 2 (xd): \"0\" is not > 0")) << command;
+  }
+}
+
+TEST(CsvCases, AFolderOrFileOfWhichNothingIsKnownIsRefused) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "empty");
+  write_text(folder / "queries.csv", falling_vertex("-1,2", 1));
+  const Finished empty = ccdfuzz({"evaluate", folder / "empty"});
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_THAT(empty.err, HasSubstr("empty: is a folder without a .csv in it"));
+  const Finished unclear = ccdfuzz({"evaluate", folder / "queries.csv"});
+  EXPECT_EQ(unclear.code, 2);
+  EXPECT_THAT(unclear.err, HasSubstr("queries.csv: does not tell its layout"));
+}
+
+/// What the command leaves that is interrupted half a second after its start.
+Finished interrupted(const std::vector<std::string>& command) {
+  Process process(command);
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  process.signal(SIGINT);
+  return process.wait();
+}
+
+TEST(CsvCases, AnInterruptedEvaluationSaysSo) {
+  const ScratchFolder folder;
+  write_text(folder / "vertex-face.csv", many_queries(50'000));
+  const Finished stopped =
+      interrupted({"evaluate", folder / "vertex-face.csv", "--methods", "tdibm-c"});
+  EXPECT_EQ(stopped.code, 128 + SIGINT);
+  EXPECT_THAT(stopped.err, HasSubstr("interrupted after"));
+}
+
+TEST(CsvCases, AnInterruptedReportOfAnEvaluationShowsWhatItRead) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", run = folder / "run", page = folder / "page";
+  write_text(csv, many_queries(30'000));
+  ASSERT_EQ(ccdfuzz({"evaluate", csv, "--methods", "tdibm-c", "-o", run}).code, 0);
+  const Finished stopped = interrupted({"report", run, "-o", page, "--threads", "1"});
+  EXPECT_EQ(stopped.code, 128 + SIGINT);
+  EXPECT_THAT(stopped.err, HasSubstr("the page shows only what was read until then"));
+  EXPECT_LT(page_data(page)["groups"][0]["n"], 30'000);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
