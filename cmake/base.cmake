@@ -69,14 +69,14 @@ function(ccdfuzz_room name)
 endfunction()
 file(WRITE ${PROJECT_BINARY_DIR}/rooms.txt "")
 
-# ccdfuzz_library(NAME [QUICK | COLD] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
+# ccdfuzz_library(NAME [QUICK | COLD] [APART] LINES N SOURCES ... DEPENDS ...): one library a room, so that the layers
 # of the design are also the links of the build. QUICK: to compile, no fuzz target runs it, and it
 # instantiates nothing of the methods' templates (the linker takes an inline function from whoever came
 # first, and that is who stands above).
 # COLD: what takes its time is in the libraries below it; optimising it would take long and make nothing
-# quicker.
+# quicker. APART: it needs a package that users may lack, and is installed as a component of its own.
 function(ccdfuzz_library name)
-  cmake_parse_arguments(ARG "QUICK;COLD" "LINES" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK;COLD;APART" "LINES" "SOURCES;DEPENDS" ${ARGN})
   ccdfuzz_room(${name} LINES ${ARG_LINES} DEPENDS ${ARG_DEPENDS})
   if(ARG_SOURCES)
     add_library(ccdfuzz_${name} STATIC ${ARG_SOURCES})
@@ -108,5 +108,7 @@ function(ccdfuzz_library name)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz>)
   target_link_libraries(ccdfuzz_${name} ${scope} ccdfuzz::flags ${ARG_DEPENDS})
-  set_property(GLOBAL APPEND PROPERTY CCDFUZZ_LIBRARIES ccdfuzz_${name})
+  if(NOT ARG_APART)
+    set_property(GLOBAL APPEND PROPERTY CCDFUZZ_LIBRARIES ccdfuzz_${name})
+  endif()
 endfunction()

@@ -25,6 +25,8 @@ pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 if(CCDFUZZ_TESTS)
   find_package(GTest REQUIRED)
   find_package(rapidcheck CONFIG REQUIRED)
+elseif(NOT CCDFUZZ_FUZZ_ENGINE)
+  find_package(rapidcheck CONFIG QUIET)  # for ccdfuzz::rapidcheck
 endif()
 if(CCDFUZZ_BENCH)
   find_package(benchmark REQUIRED)

@@ -111,6 +111,15 @@ Contact falling_point() {
   return q;
 }
 
+bool is_false_negative(const Contact& contact, const Answer& answer, const AnswerTerms& terms) {
+  const Rational t = contact.t.rational();
+  if (!terms.contact_at_zero && t == 0) return false;
+  if (!terms.closed_t_max && t == exact(contact.query.t_max)) return false;
+  if (answer.verdict != Verdict::kHit) return answer.verdict == Verdict::kMiss;
+  const double late = answer.toi.value_or(HUGE_VAL);
+  return !is_finite(late) ? !(late < 0) : exact(late) > t + exact(terms.time_tolerance);
+}
+
 Case case_of(const Contact& q) {
   Case out;
   out.origin.contact = name_of(contact_class_of(q));

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "case/judge.hpp"
 #include "case/taxonomy.hpp"
-#include "generators/draw/draw.hpp"
+#include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
 
@@ -35,6 +36,11 @@ ContactClass contact_class_of(const Contact& q);
 
 /// A point that falls on a line: what an empty corpus begins with.
 Contact falling_point();
+
+/// True iff the answer lets the contact through: no contact by a miss; a hit at a time that is
+/// after t + terms.time_tolerance, or no number. Contacts at 0 and at t_max count unless the terms
+/// say that they do not. Never of what is undecided or refused.
+bool is_false_negative(const Contact& contact, const Answer& answer, const AnswerTerms& terms = {});
 
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.
 Case case_of(const Contact& q);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generators/contact.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 

@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// A witnessed query as bytes, for fuzzers: three bytes for the shape of each patch (kind and
+/// A contact and its query as bytes, for fuzzers: three bytes for the shape of each patch (kind and
 /// degrees), then as doubles, lowest byte first, t_max, t, uv of both contacts, and of each patch
 /// the positions and the velocities. nullopt if t or a parameter is no double.
 std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q);

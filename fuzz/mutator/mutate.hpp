@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "generators/contact.hpp"
+#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 

@@ -36,82 +36,71 @@ bool simpler(const ChoiceNumbers& x, const ChoiceNumbers& y) {
   return x < y;
 }
 
-std::vector<ChoiceNumbers> simpler_choices(const ChoiceNumbers& numbers) {
-  std::vector<ChoiceNumbers> out;
-  const std::size_t size = numbers.size();
-  // A source at its end gives zeros, so trailing ones say nothing.
-  std::size_t used = size;
-  while (used > 0 && numbers[used - 1] == 0) --used;
-  const auto end = [&](std::size_t at) {
-    return numbers.begin() + static_cast<std::ptrdiff_t>(at);
-  };
-  if (used < size) out.emplace_back(numbers.begin(), end(used));
-  for (std::size_t kept = used / 2; kept < used;
-       kept += std::max<std::size_t>(1, (used - kept) / 2)) {
-    out.emplace_back(numbers.begin(), end(kept));
-  }
-  for (std::size_t length = std::bit_floor(std::max<std::size_t>(used / 2, 1)); length > 0;
-       length /= 2) {
-    for (std::size_t from = 0; from + length <= used; from += length) {
-      ChoiceNumbers without(numbers.begin(), end(from));
-      without.insert(without.end(), end(from + length), end(used));
-      out.push_back(std::move(without));
-      ChoiceNumbers zeroed = numbers;
-      std::fill_n(zeroed.begin() + static_cast<std::ptrdiff_t>(from), length, 0);
-      if (length > 1 && zeroed != numbers) out.push_back(std::move(zeroed));
+ChoiceShrinker::ChoiceShrinker(ChoiceNumbers numbers) : numbers_(std::move(numbers)) {
+  begin_pass();
+}
+
+void ChoiceShrinker::begin_pass() {
+  is_better_ = is_left_out_ = false;
+  length_ = std::bit_floor(numbers_.size());
+  at_ = tried_ = 0;
+}
+
+/// The next one, simpler or not. nullopt at the end of a pass.
+std::optional<ChoiceNumbers> ChoiceShrinker::step() {
+  for (; length_ > 0; length_ /= 2, at_ = 0) {
+    if (at_ + length_ > numbers_.size()) continue;
+    ChoiceNumbers changed = numbers_;
+    const auto from = changed.begin() + static_cast<std::ptrdiff_t>(at_);
+    const auto to = from + static_cast<std::ptrdiff_t>(length_);
+    last_ = is_left_out_ ? Step::kZeroed : Step::kWithout;
+    if (is_left_out_) {
+      std::fill(from, to, 0);
+      at_ += length_;
+    } else {
+      changed.erase(from, to);
     }
+    is_left_out_ = !is_left_out_;
+    return changed;
   }
-  for (std::size_t i = 0; i < used; ++i) {
-    for (const std::uint64_t x : simpler_numbers(numbers[i])) {
-      out.push_back(numbers);
-      out.back()[i] = x;
-    }
+  last_ = Step::kNumber;
+  for (; at_ < numbers_.size(); ++at_, tried_ = 0) {
+    const std::vector<std::uint64_t> values = simpler_numbers(numbers_[at_]);
+    if (tried_ == values.size()) continue;
+    ChoiceNumbers changed = numbers_;
+    changed[at_] = values[tried_++];
+    return changed;
   }
-  return out;
+  return std::nullopt;
+}
+
+std::optional<ChoiceNumbers> ChoiceShrinker::next() {
+  while (true) {
+    std::optional<ChoiceNumbers> changed = step();
+    if (changed && simpler(*changed, numbers_)) return changed;
+    if (changed) continue;
+    if (!is_better_) return std::nullopt;
+    begin_pass();
+  }
+}
+
+void ChoiceShrinker::take(ChoiceNumbers simpler) {
+  numbers_ = std::move(simpler);
+  is_better_ = true;
+  // Where a part was left out, another stands now; and a number may be lessened further.
+  if (last_ == Step::kWithout) is_left_out_ = false;
+  tried_ = 0;
 }
 
 ChoiceNumbers shrunk(ChoiceNumbers numbers, std::uint64_t tries,
                      const std::function<bool(const ChoiceNumbers&)>& keeps) {
-  const auto take = [&](ChoiceNumbers candidate) {
-    if (tries == 0 || !simpler(candidate, numbers)) return false;
-    --tries;
-    if (!keeps(candidate)) return false;
-    numbers = std::move(candidate);
-    return true;
-  };
-  const auto at = [](ChoiceNumbers& list, std::size_t i) {
-    return list.begin() + static_cast<std::ptrdiff_t>(i);
-  };
-  for (bool better = true; better && tries > 0;) {
-    better = false;
-    for (std::size_t length = std::bit_floor(numbers.size()); length > 0; length /= 2) {
-      for (std::size_t from = 0; from + length <= numbers.size();) {
-        ChoiceNumbers without = numbers;
-        without.erase(at(without, from), at(without, from + length));
-        if (take(std::move(without))) {
-          better = true;
-          continue;
-        }
-        ChoiceNumbers zeroed = numbers;
-        std::fill_n(at(zeroed, from), length, 0);
-        better = take(std::move(zeroed)) || better;
-        from += length;
-      }
-    }
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      for (bool less = true; less;) {
-        less = false;
-        for (const std::uint64_t x : simpler_numbers(numbers[i])) {
-          ChoiceNumbers changed = numbers;
-          changed[i] = x;
-          less = take(std::move(changed));
-          better = better || less;
-          if (less) break;
-        }
-      }
-    }
+  ChoiceShrinker shrinker(std::move(numbers));
+  for (; tries > 0; --tries) {
+    std::optional<ChoiceNumbers> candidate = shrinker.next();
+    if (!candidate) break;
+    if (keeps(*candidate)) shrinker.take(*std::move(candidate));
   }
-  return numbers;
+  return shrinker.numbers();
 }
 
 }  // namespace ccdfuzz

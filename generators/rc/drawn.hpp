@@ -2,33 +2,93 @@
 
 #include <rapidcheck.h>
 
+#include <functional>
+#include <memory>
+#include <optional>
 #include <type_traits>
 
-#include "properties/shrink.hpp"
+#include "generators/draw/shrink_choices.hpp"
 
-namespace ccdfuzz::rc_gen {
+namespace ccdfuzz::gen {
 
-/// Sequences of choices, mostly small ones: what breaks geometry are coincidences. They shrink as
-/// everything does that is drawn from choices (properties/shrink.hpp), not as RapidCheck's vectors.
-inline rc::Gen<ChoiceNumbers> choices() {
-  constexpr int kSize = 300;
-  const auto number =
-      rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 8), rc::gen::inRange<std::uint64_t>(0, 256),
-                     rc::gen::arbitrary<std::uint64_t>());
-  const auto numbers = rc::gen::resize(kSize, rc::gen::container<ChoiceNumbers>(number));
-  return rc::gen::shrink(rc::gen::noShrink(numbers), [](const ChoiceNumbers& x) {
-    return rc::seq::fromContainer(simpler_choices(x));
-  });
+/// A value and the choices that it was made of.
+template <class T>
+struct Made {
+  std::shared_ptr<const T> value;
+  ChoiceNumbers numbers;
+};
+
+/// Makes a value of stored choices; nullopt where these make none. What it says that the value was
+/// made of is no less simple than what was given.
+template <class T>
+using Maker = std::function<std::optional<Made<T>>(const ChoiceNumbers&)>;
+
+/// How many simpler values are tried, whatever they cost, after which what is left stands.
+inline constexpr int kMostShrinks = 20'000;
+
+template <class T>
+rc::Shrinkable<T> shrinking(const Made<T>& made, ChoiceShrinker shrinker, const Maker<T>& make,
+                            int tries = kMostShrinks);
+
+/// What a value shrinks to. RapidCheck would begin each search anew; what it takes goes on with the
+/// choice after the one that was made simpler, as shrunk() does.
+template <class T>
+struct Shrinks {
+  ChoiceShrinker shrinker;
+  Maker<T> make;
+  int tries;
+
+  rc::Maybe<rc::Shrinkable<T>> operator()() {
+    while (tries-- > 0) {
+      const std::optional<ChoiceNumbers> candidate = shrinker.next();
+      if (!candidate) break;
+      const std::optional<Made<T>> simple = make(*candidate);
+      if (!simple) continue;
+      ChoiceShrinker from_there = shrinker;
+      from_there.take(simple->numbers);
+      return shrinking(*simple, std::move(from_there), make, tries);
+    }
+    return rc::Nothing;
+  }
+};
+
+/// A value that shrinks as its choices do.
+template <class T>
+rc::Shrinkable<T> shrinking(const Made<T>& made, ChoiceShrinker shrinker, const Maker<T>& make,
+                            int tries) {
+  return rc::shrinkable::lambda([value = made.value] { return *value; },
+                                [first = Shrinks<T>{std::move(shrinker), make, tries}] {
+                                  return rc::Seq<rc::Shrinkable<T>>(first);
+                                });
 }
 
-/// What `make` makes of choices. Simpler choices draw simpler values, so its shrinks stay within
-/// what `make` can make: every one is as exact as the value itself.
+/// What `make` makes of a Draw. Half of all choices are small ones: what breaks geometry are
+/// coincidences. Every value that it shrinks to is made by `make` too, so it is as exact.
 template <class Make>
-auto drawn(Make make) {
-  return rc::gen::map(choices(), [make](const ChoiceNumbers& numbers) {
-    Draw source = Draw::from_numbers(numbers);
-    return make(source);
+auto drawn(const Make& make) {
+  using T = std::invoke_result_t<Make, Draw&>;
+  const auto made_of = [make](Draw& draw) {
+    auto value = std::make_shared<const T>(make(draw));
+    ChoiceNumbers numbers = draw.numbers();
+    while (!numbers.empty() && numbers.back() == 0) numbers.pop_back();  // what an end gives
+    return Made<T>{std::move(value), std::move(numbers)};
+  };
+  const Maker<T> again = [made_of](const ChoiceNumbers& numbers) -> std::optional<Made<T>> {
+    Draw draw = Draw::from_numbers(numbers);
+    try {
+      return made_of(draw);
+    } catch (const Discarded&) {
+      return std::nullopt;
+    }
+  };
+  return rc::Gen<T>([made_of, again](const rc::Random& random, int) {
+    Draw draw = Draw::mostly_small(Random(rc::Random(random).next()));
+    const Made<T> made = made_of(draw);
+    return shrinking(made, ChoiceShrinker(made.numbers), again);
   });
 }
 
-}  // namespace ccdfuzz::rc_gen
+/// Sequences of choices, for what draws for itself.
+rc::Gen<ChoiceNumbers> choices();
+
+}  // namespace ccdfuzz::gen

@@ -42,6 +42,18 @@ struct Answer {
   /// went wrong; empty if nothing is to be said.
   std::string note;
 
+  static Answer hit(double at) {
+    Answer answer;
+    answer.verdict = Verdict::kHit;
+    answer.toi = at;
+    return answer;
+  }
+  static Answer miss() {
+    Answer answer;
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+
   /// A hit has a time, and what is undecided may.
   bool has_toi() const {
     return toi && (verdict == Verdict::kHit || verdict == Verdict::kUndecided);

@@ -32,10 +32,10 @@ TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
       // RapidCheck gives up where more than nine of ten are discarded; some claims are of rarer
       // inputs than that.
       constexpr int kMostDraws = 64;
-      Draw choices = Draw::from_numbers(*rc_gen::choices());
+      Draw choices = Draw::from_numbers(*gen::choices());
       Check check = run(property, choices);
       for (int i = 1; i < kMostDraws && check.status == Check::Status::kDiscarded; ++i) {
-        choices = Draw::from_numbers(*rc_gen::choices());
+        choices = Draw::from_numbers(*gen::choices());
         check = run(property, choices);
       }
       RC_PRE(check.status != Check::Status::kDiscarded);

@@ -1,0 +1,98 @@
+#include "base/verify.hpp"
+#include "fuzz/mutator/mutate.hpp"
+#include "generators/draw_patch.hpp"
+#include "generators/rc/drawn.hpp"
+#include "generators/rc/rapidcheck.hpp"
+
+namespace ccdfuzz::gen {
+
+namespace {
+
+Contact drawn_contact(Draw& draw, const ContactRange& range) {
+  const auto made = draw.until(
+      [&] {
+        const Result<Case> drawn = draw_contact(draw, range);
+        return drawn ? contact_of(*drawn) : std::nullopt;
+      },
+      [](const std::optional<Contact>& contact) { return contact.has_value(); });
+  return *made;
+}
+
+}  // namespace
+
+rc::Gen<ChoiceNumbers> choices() {
+  constexpr int kSize = 300;
+  const auto number =
+      rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 8), rc::gen::inRange<std::uint64_t>(0, 256),
+                     rc::gen::arbitrary<std::uint64_t>());
+  const auto sequence = rc::gen::resize(kSize, rc::gen::container<ChoiceNumbers>(number));
+  const Maker<ChoiceNumbers> same = [](const ChoiceNumbers& numbers) {
+    return Made<ChoiceNumbers>{std::make_shared<const ChoiceNumbers>(numbers), numbers};
+  };
+  return rc::Gen<ChoiceNumbers>([sequence, same](const rc::Random& random, int size) {
+    const Made<ChoiceNumbers> made = *same(sequence(random, size).value());
+    return shrinking(made, ChoiceShrinker(made.numbers), same);
+  });
+}
+
+rc::Gen<Contact> contact(const ContactRange& range) {
+  return drawn([range](Draw& draw) { return drawn_contact(draw, range); });
+}
+
+rc::Gen<Case> inverse(const GeneratorOptions& options) {
+  CCDFUZZ_VERIFY(validate(options));
+  return drawn([options](Draw& draw) { return generate(options, draw).value; });
+}
+
+rc::Gen<Case> inverse() {
+  return drawn([](Draw& draw) {
+    GeneratorOptions options = draw_generator_options(draw);
+    if (options.family == Family::kRegular && !options.shapes && !draw.coin()) {
+      options.construction = Construction::kPaper;
+    }
+    return generate(options, draw).value;
+  });
+}
+
+rc::Gen<Contact> mutant(const rc::Gen<Contact>& of) {
+  return rc::gen::map(rc::gen::tuple(of, of, choices()), [](const auto& parts) {
+    const auto& [mother, father, numbers] = parts;
+    Draw draw = Draw::from_numbers(numbers);
+    return mutate(mother, father, draw);
+  });
+}
+
+rc::Gen<std::string> method(const std::function<bool(const MethodInfo&)>& filter) {
+  std::vector<std::string> specs;
+  for (const MethodInfo& info : registered_methods()) {
+    if (!filter(info)) continue;
+    if (!info.spec.ends_with(":F")) {
+      specs.push_back(info.spec);
+      continue;
+    }
+    for (const char* factor : {"1e-16", "1e-12", "1e-8", "1e-3"}) {
+      specs.push_back(info.spec.substr(0, info.spec.size() - 1) + factor);
+    }
+  }
+  CCDFUZZ_VERIFY(!specs.empty());
+  return rc::gen::elementOf(specs);
+}
+
+rc::Gen<std::string> method() {
+  return method([](const MethodInfo&) { return true; });
+}
+
+}  // namespace ccdfuzz::gen
+
+rc::Gen<ccdfuzz::Shape> rc::Arbitrary<ccdfuzz::Shape>::arbitrary() {
+  constexpr int kMostDegree = 4;
+  return ccdfuzz::gen::drawn(
+      [](ccdfuzz::Draw& draw) { return ccdfuzz::draw_shape(draw, kMostDegree); });
+}
+
+rc::Gen<ccdfuzz::Query> rc::Arbitrary<ccdfuzz::Query>::arbitrary() {
+  return ccdfuzz::gen::drawn([](ccdfuzz::Draw& draw) {
+    return draw.coin() ? ccdfuzz::draw_any_query(draw)
+                       : ccdfuzz::gen::drawn_contact(draw, {}).query;
+  });
+}

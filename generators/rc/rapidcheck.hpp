@@ -1,0 +1,73 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+#include "case/case.hpp"
+#include "generators/contact.hpp"
+#include "generators/draw_contact.hpp"
+#include "generators/generate.hpp"
+#include "method/method.hpp"
+
+namespace ccdfuzz {
+
+/// For people: the contact, each control point as position + t velocity, and the whole once more
+/// as one line in the format of cases, which `ccdfuzz query` and `ccdfuzz trace` read. Numbers are
+/// the shortest that are read as the same doubles. RapidCheck shows counterexamples so.
+void showValue(const Shape& shape, std::ostream& out);
+void showValue(const Query& query, std::ostream& out);
+void showValue(const Contact& contact, std::ostream& out);
+void showValue(const Case& value, std::ostream& out);
+
+/// Generators for RapidCheck. Values shrink towards fewer control points, fewer numbers that are
+/// not 0, fewer digits and less motion; what is said of contacts and of truths holds of every
+/// shrink.
+namespace gen {
+
+/// Two patches of any shapes that touch: draw_contact.
+rc::Gen<Contact> contact(const ContactRange& range = {});
+
+/// A case of the inverse construction, Steps I–VI, and its truth. Requires valid options, of which
+/// the seed is not used.
+rc::Gen<Case> inverse(const GeneratorOptions& options);
+
+/// The same of any class, kind, family and shapes.
+rc::Gen<Case> inverse();
+
+/// A contact with one to four moves that keep it (mutate): towards coincidences, other parameters,
+/// higher degrees, parts of a second contact.
+rc::Gen<Contact> mutant(const rc::Gen<Contact>& of);
+
+/// The spec of a registered method that the filter takes, for make_method; of "tdibm-h:F" with F
+/// from 1e-16 to 1e-3. Requires that the filter takes one.
+rc::Gen<std::string> method(const std::function<bool(const MethodInfo&)>& filter);
+rc::Gen<std::string> method();
+
+}  // namespace gen
+}  // namespace ccdfuzz
+
+namespace rc {
+
+/// Of degree at most 4.
+template <>
+struct Arbitrary<ccdfuzz::Shape> {
+  static Gen<ccdfuzz::Shape> arbitrary();
+};
+/// Half of them have a contact, half any finite numbers.
+template <>
+struct Arbitrary<ccdfuzz::Query> {
+  static Gen<ccdfuzz::Query> arbitrary();
+};
+template <>
+struct Arbitrary<ccdfuzz::Contact> {
+  static Gen<ccdfuzz::Contact> arbitrary() { return ccdfuzz::gen::contact(); }
+};
+template <>
+struct Arbitrary<ccdfuzz::Case> {
+  static Gen<ccdfuzz::Case> arbitrary() { return ccdfuzz::gen::inverse(); }
+};
+
+}  // namespace rc

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include <ostream>
+
+#include "case/case_json.hpp"
+#include "generators/rc/rapidcheck.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+std::string point_text(const Vec3<double>& p) {
+  return fmt::format("({}, {}, {})", p[0], p[1], p[2]);
+}
+
+std::string witness_text(const Witness& witness) {
+  std::string text = fmt::format("touch at t = {}", to_text(witness.t));
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto& [u, v] = witness.uv[s];
+    text += fmt::format("{} of patch {} at u = {}, v = {}", s == 0 ? "," : " and", s + 1,
+                        to_text(u), to_text(v));
+  }
+  return text + '\n';
+}
+
+std::string truth_text(const Case& value) {
+  const Truth& truth = value.truth;
+  if (truth.witness) return witness_text(*truth.witness);
+  if (!truth.collides) return "whether they touch is not known\n";
+  return *truth.collides ? "they touch\n" : "they do not touch\n";
+}
+
+void show_query(const Query& query, std::ostream& out) {
+  for (std::size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>& patch = query.patches[s];
+    out << fmt::format("patch {}, {}:\n", s + 1, to_text(patch.shape));
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      out << fmt::format("  {} + t {}\n", point_text(patch.positions[i]),
+                         point_text(patch.velocities[i]));
+    }
+  }
+  out << fmt::format("asked up to t = {}\n", query.t_max);
+}
+
+}  // namespace
+
+void showValue(const Shape& shape, std::ostream& out) {
+  out << to_text(shape);
+}
+
+void showValue(const Query& query, std::ostream& out) {
+  Case unknown;
+  unknown.query = query;
+  showValue(unknown, out);
+}
+
+void showValue(const Contact& contact, std::ostream& out) {
+  Case known = case_of(contact);
+  known.origin.kind.clear();
+  known.origin.generator.clear();
+  showValue(known, out);
+}
+
+void showValue(const Case& value, std::ostream& out) {
+  const Origin& origin = value.origin;
+  for (const std::string& word : {origin.contact, origin.kind}) {
+    if (!word.empty()) out << word << ' ';
+  }
+  out << truth_text(value);
+  show_query(value.query, out);
+  out << "as a case, for ccdfuzz query and trace:\n" << to_json(value);
+}
+
+}  // namespace ccdfuzz

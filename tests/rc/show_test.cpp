@@ -1,0 +1,45 @@
+// What RapidCheck prints of a counterexample.
+#include "case/case_json.hpp"
+#include "generators/rc/rapidcheck.hpp"
+#include "rapidcheck.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+TEST(Show, AContactReadsAsWhatItIs) {
+  Case known = case_of(falling_point());
+  known.origin.kind.clear();
+  known.origin.generator.clear();
+  EXPECT_EQ(rc::toString(falling_point()),
+            "VE touch at t = 1, of patch 1 at u = 0, v = 0 and of patch 2 at u = 1/2, v = 0\n"
+            "patch 1, point:\n"
+            "  (0, 0, 1) + t (0, 0, -1)\n"
+            "patch 2, curve(1):\n"
+            "  (-1, 0, 0) + t (0, 0, 0)\n"
+            "  (1, 0, 0) + t (0, 0, 0)\n"
+            "asked up to t = 1\n"
+            "as a case, for ccdfuzz query and trace:\n" +
+                to_json(known));
+}
+
+template <class T>
+std::string shown_of(std::uint64_t seed) {
+  return rc::toString(rc::gen::arbitrary<T>()(rc::Random(seed), 100).value());
+}
+
+RC_GTEST_PROP(Show, NothingIsAPlaceholder, (std::uint64_t seed)) {
+  RC_ASSERT(shown_of<Shape>(seed).find("???") == std::string::npos);
+  RC_ASSERT(shown_of<Query>(seed).find("???") == std::string::npos);
+  RC_ASSERT(shown_of<Case>(seed).find("???") == std::string::npos);
+  RC_ASSERT(shown_of<Contact>(seed).find("???") == std::string::npos);
+}
+
+RC_GTEST_PROP(Show, TheLastLineIsTheCase, (const Case& made)) {
+  const std::string text = rc::toString(made);
+  const Result<Case> read = parse_case(text.substr(text.rfind('\n') + 1), "shown");
+  RC_ASSERT(read.has_value());
+  RC_ASSERT(*read == made);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
