@@ -42,13 +42,16 @@ Result<std::string> read_range(const std::string& path, std::uint64_t offset, si
 
 }  // namespace
 
-std::string trees_path(const std::string& case_path) {
-  for (const std::string_view ending : {".jsonl.zst", ".jsonl", ".json"}) {
-    if (case_path.ends_with(ending)) {
-      return case_path.substr(0, case_path.size() - ending.size()) + ".trees.zst";
-    }
+std::string path_beside(const std::string& case_path, std::string_view ending) {
+  size_t length = case_path.size();
+  for (const std::string_view own : {".jsonl.zst", ".jsonl", ".json"}) {
+    if (case_path.ends_with(own)) length = case_path.size() - own.size();
   }
-  return case_path + ".trees.zst";
+  return case_path.substr(0, length).append(ending);
+}
+
+std::string trees_path(const std::string& case_path) {
+  return path_beside(case_path, ".trees.zst");
 }
 
 Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {

@@ -15,6 +15,8 @@ namespace ccdfuzz {
 
 /// The file of trees of a case file.
 std::string trees_path(const std::string& case_path);
+/// The file beside a case file whose ending is another: X.json → X + ending.
+std::string path_beside(const std::string& case_path, std::string_view ending);
 
 /// No tree comes near this; it bounds what a wrong file takes.
 inline constexpr size_t kMaxTreeBytes = 4 << 20;

@@ -7,6 +7,7 @@
 
 #include "base/line_reader.hpp"
 #include "base/output_file.hpp"
+#include "case/tree_file.hpp"
 #include "eval/paper_rates.hpp"
 
 namespace ccdfuzz {
@@ -44,12 +45,7 @@ GenerationCost& GenerationCost::operator+=(const GenerationCost& o) {
 }
 
 std::string costs_path(const std::string& case_path) {
-  for (const std::string_view ending : {".jsonl.zst", ".jsonl"}) {
-    if (case_path.ends_with(ending)) {
-      return case_path.substr(0, case_path.size() - ending.size()) + ".generation.jsonl";
-    }
-  }
-  return case_path + ".generation.jsonl";
+  return path_beside(case_path, ".generation.jsonl");
 }
 
 Result<std::vector<GenerationCost>> read_costs(const std::string& case_path) {

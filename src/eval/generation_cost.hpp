@@ -49,7 +49,8 @@ struct GenerationCost {
 };
 
 /// Where the costs of a case file stand: beside it, since times differ from run to run and the
-/// cases do not. X.jsonl.zst → X.generation.jsonl, and so for .jsonl.
+/// cases do not. X.json → X.generation.jsonl, and so for .jsonl and .jsonl.zst. It stays:
+/// `evaluate` makes Table 4 of it.
 std::string costs_path(const std::string& case_path);
 
 /// The costs of a case file, a line each; empty where no file of them stands there. Errors: it

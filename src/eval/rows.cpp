@@ -34,20 +34,18 @@ Rows::Order Rows::order_of(const RowKey& key) const {
           static_cast<size_t>(method)};
 }
 
-void Rows::add(const RowKey& key, const Answer& answer, Outcome outcome,
-               std::optional<bool> collides) {
-  if (std::ranges::find(methods_, key.method) == methods_.end()) methods_.push_back(key.method);
-  rows_.try_emplace(order_of(key), Row{key, {}}).first->second.tally.add(answer, outcome, collides);
-}
-
 void Rows::add(const EvaluatedCase& evaluated) {
   for (const GivenAnswer& given : evaluated.answers) {
+    if (std::ranges::find(methods_, given.method) == methods_.end()) {
+      methods_.push_back(given.method);
+    }
+    const RowKey key{evaluated.contact, evaluated.kind, given.factor, given.method};
     Answer answer;
     answer.pops = given.pops;
     answer.bytes = given.bytes;
     answer.seconds = given.seconds;
-    add({evaluated.contact, evaluated.kind, given.factor, given.method}, answer, given.outcome,
-        evaluated.collides);
+    rows_.try_emplace(order_of(key), Row{key, {}})
+        .first->second.tally.add(answer, given.outcome, evaluated.collides);
   }
 }
 

@@ -59,7 +59,6 @@ inline bool are_beside(const Row& a, const Row& b) {
 class Rows {
  public:
   void add(const EvaluatedCase& evaluated);
-  void add(const RowKey& key, const Answer& answer, Outcome outcome, std::optional<bool> collides);
 
   /// The rows in the order: contact classes of the paper, then others by name; kinds, the regular
   /// ones first; horizons; methods as they first came.

@@ -8,6 +8,7 @@
 #include "case/horizons.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/curvature.hpp"
+#include "eval/paper_tables.hpp"
 
 namespace ccdfuzz {
 
@@ -56,6 +57,10 @@ void ReportRows::keep(ReportedCase reported, const Case& known,
 
 void ReportRows::finish(ReportPage& report, const std::vector<GenerationCost>& costs) {
   report.rows = rows_.in_order();
+  if (Table linear = paper_table_3(rows_); linear.row_count() > 0) {
+    report.tables.push_back(
+        report_table("table-3", "Table 3. Linear queries, beside the paper's", linear));
+  }
   if (!costs.empty()) {
     report.tables.push_back(
         report_table("table-4", "Table 4. How the cases were made", generation_table(costs)));

@@ -11,6 +11,8 @@ TEST(TreeFile, StandsBesideItsCaseFile) {
   EXPECT_EQ(trees_path("a/X.json"), "a/X.trees.zst");
   EXPECT_EQ(trees_path("S.jsonl"), "S.trees.zst");
   EXPECT_EQ(trees_path("S.jsonl.zst"), "S.trees.zst");
+  EXPECT_EQ(trees_path("S.csv"), "S.csv.trees.zst");
+  EXPECT_EQ(path_beside("a/X.json", ".generation.jsonl"), "a/X.generation.jsonl");
 }
 
 class TreeFiles : public testing::Test {

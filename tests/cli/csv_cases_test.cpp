@@ -155,7 +155,12 @@ TEST(CsvCases, SharesOfAFolderMergeIntoTheWhole) {
   }
   const Finished page = ccdfuzz({"report", folder / "merged", "-o", folder / "page"});
   EXPECT_EQ(page.code, 0) << page.err;
-  EXPECT_EQ(page_data(folder / "page")["groups"][0]["kind"], "linear");
+  const nlohmann::json shown = page_data(folder / "page");
+  EXPECT_EQ(shown["groups"][0]["kind"], "linear");
+  EXPECT_EQ(shown["tables"][0]["id"], "table-3");
+  for (const nlohmann::json& row : shown["paper"]) {
+    EXPECT_NE(row["class"], "VF") << "the paper's rate is of curved cases";
+  }
 }
 
 TEST(CsvCases, AnEvaluationGoesOnAfterKills) {
