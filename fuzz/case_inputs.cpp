@@ -38,23 +38,20 @@ int encode(const std::string& folder, const std::vector<std::string>& paths) {
   fs::create_directories(folder, error);
   if (error) return refuse(fmt::format("{}: {}", folder, error.message()));
   size_t written = 0;
-  for (const std::string& path : paths) {
-    Result<CaseReader> reader = CaseReader::open(path);
-    if (!reader) return refuse(reader.error().message());
-    for (;;) {
-      const Result<std::optional<NamedCase>> next = reader->next();
-      if (!next) return refuse(next.error().message());
-      if (!*next) break;
-      const auto q = contact_of((*next)->value);
-      const auto bytes = q ? to_bytes(*q) : std::nullopt;
-      if (!bytes) continue;
-      const fs::path file = fs::path(folder) / content_address(q->query);
-      std::ofstream out(file, std::ios::binary);
-      out.write(reinterpret_cast<const char*>(bytes->data()),
-                static_cast<std::streamsize>(bytes->size()));
-      if (!out.flush()) return refuse(fmt::format("{}: cannot write", file.string()));
-      ++written;
-    }
+  CaseStream cases(paths);
+  for (;;) {
+    const Result<std::optional<NamedCase>> next = cases.next();
+    if (!next) return refuse(next.error().message());
+    if (!*next) break;
+    const auto q = contact_of((*next)->value);
+    const auto bytes = q ? to_bytes(*q) : std::nullopt;
+    if (!bytes) continue;
+    const fs::path file = fs::path(folder) / content_address(q->query);
+    std::ofstream out(file, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(bytes->data()),
+              static_cast<std::streamsize>(bytes->size()));
+    if (!out.flush()) return refuse(fmt::format("{}: cannot write", file.string()));
+    ++written;
   }
   std::cout << fmt::format("{} seeds in {}\n", written, folder);
   return 0;

@@ -26,22 +26,8 @@ std::uint64_t size_of(const std::string& path) {
   return none ? 0 : size;
 }
 
-}  // namespace
-
-struct CaseReader::Source {
-  Source() = default;
-  virtual ~Source() = default;
-  Source(const Source&) = delete;
-  Source& operator=(const Source&) = delete;
-  virtual Result<std::optional<NamedCase>> next() = 0;
-  virtual std::uint64_t bytes_given() const = 0;
-  virtual std::uint64_t position() const = 0;
-};
-
-namespace {
-
 /// .json, .jsonl and .jsonl.zst.
-class JsonCases : public CaseReader::Source {
+class JsonCases : public CaseFile {
  public:
   JsonCases(LineReader lines, CaseFileKind kind) : lines_(std::move(lines)), kind_(kind) {}
 
@@ -67,11 +53,9 @@ class JsonCases : public CaseReader::Source {
       auto value = parse_case(**text, id);
       if (!value) return tl::unexpected(value.error());
       any_ = true;
-      bytes_given_ += (*text)->size();
-      return NamedCase{id, *std::move(value), lines_.path()};
+      return NamedCase{id, *std::move(value), lines_.path(), nullptr, (*text)->size()};
     }
   }
-  std::uint64_t bytes_given() const override { return bytes_given_; }
   std::uint64_t position() const override { return lines_.position(); }
 
  private:
@@ -81,16 +65,16 @@ class JsonCases : public CaseReader::Source {
   LineReader lines_;
   CaseFileKind kind_;
   bool any_ = false;  ///< gave a case
-  std::uint64_t bytes_given_ = 0;
   std::uint64_t blank_lines_ = 0;
 };
 
 /// A query CSV.
-class CsvCases : public CaseReader::Source {
+class CsvCases : public CaseFile {
  public:
   CsvCases(CsvReader reader, bool round) : reader_(std::move(reader)), round_(round) {}
 
   Result<std::optional<NamedCase>> next() override {
+    const std::uint64_t before = reader_.position();
     auto rows = reader_.next();
     if (!rows) return tl::unexpected(rows.error());
     if (!*rows) return std::nullopt;
@@ -98,10 +82,9 @@ class CsvCases : public CaseReader::Source {
     if (!value) return tl::unexpected(value.error());
     const CsvQuery& query = **rows;
     return NamedCase{query.id(), *std::move(value), query.path,
-                     std::make_shared<const CsvQuery>(**std::move(rows))};
+                     std::make_shared<const CsvQuery>(**std::move(rows)),
+                     reader_.position() - before};
   }
-  /// A little more: what was read ahead.
-  std::uint64_t bytes_given() const override { return reader_.position(); }
   std::uint64_t position() const override { return reader_.position(); }
 
  private:
@@ -127,35 +110,18 @@ Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
 
 }  // namespace
 
-CaseReader::CaseReader(std::unique_ptr<Source> source) : source_(std::move(source)) {}
-CaseReader::CaseReader(CaseReader&&) noexcept = default;
-CaseReader& CaseReader::operator=(CaseReader&&) noexcept = default;
-CaseReader::~CaseReader() = default;
-
-Result<CaseReader> CaseReader::open(const std::string& path, const CsvOptions& csv) {
+Result<std::unique_ptr<CaseFile>> CaseFile::open(const std::string& path, const CsvOptions& csv) {
   if (csv.any_name || path.ends_with(".csv")) {
-    return CsvReader::open(path, csv).map([&](CsvReader reader) {
-      return CaseReader(std::make_unique<CsvCases>(std::move(reader), csv.round));
-    });
+    auto reader = CsvReader::open(path, csv);
+    if (!reader) return tl::unexpected(reader.error());
+    return std::make_unique<CsvCases>(*std::move(reader), csv.round);
   }
   // A wrong name is told as such before a wrong ending.
   auto lines = LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes);
   if (!lines) return tl::unexpected(lines.error());
   const auto kind = case_file_kind(path);
   if (!kind) return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst, .csv");
-  return CaseReader(std::make_unique<JsonCases>(*std::move(lines), *kind));
-}
-
-Result<std::optional<NamedCase>> CaseReader::next() {
-  return source_->next();
-}
-
-std::uint64_t CaseReader::bytes_given() const {
-  return source_->bytes_given();
-}
-
-std::uint64_t CaseReader::position() const {
-  return source_->position();
+  return std::make_unique<JsonCases>(*std::move(lines), *kind);
 }
 
 Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths) {
@@ -181,29 +147,24 @@ CaseStream::CaseStream(const std::vector<std::string>& paths, CsvOptions csv)
 
 Result<std::optional<NamedCase>> CaseStream::next() {
   if (!paths_) return tl::unexpected(paths_.error());
-  for (; file_ < paths_->size(); ++file_) {
-    const std::string& path = (*paths_)[file_];
-    if (!reader_) {
-      auto opened = CaseReader::open(path, csv_);
+  for (; index_ < paths_->size(); ++index_) {
+    const std::string& path = (*paths_)[index_];
+    if (!file_) {
+      auto opened = CaseFile::open(path, csv_);
       if (!opened) return tl::unexpected(opened.error());
-      reader_ = *std::move(opened);
+      file_ = *std::move(opened);
     }
-    auto given = reader_->next();
+    auto given = file_->next();
     if (!given || *given) return given;
     size_before_ += size_of(path);
-    given_before_ += reader_->bytes_given();
-    reader_.reset();
+    file_.reset();
   }
   return std::nullopt;
 }
 
 double CaseStream::share() const {
-  const std::uint64_t read = size_before_ + (reader_ ? reader_->position() : 0);
+  const std::uint64_t read = size_before_ + (file_ ? file_->position() : 0);
   return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(read) / static_cast<double>(size_));
-}
-
-std::uint64_t CaseStream::bytes_given() const {
-  return given_before_ + (reader_ ? reader_->bytes_given() : 0);
 }
 
 Result<NamedCase> read_case(const std::string& path) {
@@ -219,11 +180,13 @@ Result<NamedCase> read_case(const std::string& path) {
 Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths) {
   std::vector<NamedCase> cases;
   CaseStream stream(paths);
+  std::uint64_t bytes = 0;
   for (;;) {
     auto next = stream.next();
     if (!next) return tl::unexpected(next.error());
     if (!*next) return cases;
-    if (stream.bytes_given() + cases.size() * sizeof(NamedCase) > kMostBytesHeld) {
+    bytes += (*next)->bytes;
+    if (bytes + cases.size() * sizeof(NamedCase) > kMostBytesHeld) {
       return input_error((*next)->id,
                          fmt::format("the cases so far take more than {} bytes, the most that this "
                                      "command holds in memory",

@@ -17,40 +17,29 @@ struct NamedCase {
   Case value;
   std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
   std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
+  std::uint64_t bytes = 0;                    ///< of its text in the file
 };
 
 /// No case comes near this; it bounds the memory that a wrong file takes.
 inline constexpr size_t kMaxCaseBytes = 1 << 20;
 
-/// Reads the cases of a file one after the other, holding one at a time. The ending says how they
-/// are stored: .json (one case), .jsonl (one a line; CR LF and up to 1,000 blank lines are fine),
+/// The cases of a file one after the other, holding one at a time. The ending says how they are
+/// stored: .json (one case), .jsonl (one a line; CR LF and up to 1,000 blank lines are fine),
 /// .jsonl.zst (the same, compressed by zstd), .csv (a query CSV, whose cases have no truth). A
 /// device or a pipe is read as .jsonl whatever its name.
-class CaseReader {
+class CaseFile {
  public:
   /// Errors: another ending, no such file, a folder, unreadable; naming the path. As
   /// CsvReader::open.
-  static Result<CaseReader> open(const std::string& path, const CsvOptions& csv = {});
-  CaseReader(CaseReader&&) noexcept;
-  CaseReader& operator=(CaseReader&&) noexcept;
-  ~CaseReader();
+  static Result<std::unique_ptr<CaseFile>> open(const std::string& path, const CsvOptions& csv);
+  virtual ~CaseFile() = default;
 
   /// The next case; nothing at the end. Errors: as parse_case, CsvReader::next and to_query, and a
   /// truncated or corrupt file, or one that holds no case at all; naming path and line. No reading
   /// on after an error.
-  Result<std::optional<NamedCase>> next();
-
-  /// Bytes of the text of the cases given so far.
-  std::uint64_t bytes_given() const;
+  virtual Result<std::optional<NamedCase>> next() = 0;
   /// Bytes of the file, which may be compressed, read so far.
-  std::uint64_t position() const;
-
-  /// Reads the cases of one sort of file.
-  struct Source;
-
- private:
-  explicit CaseReader(std::unique_ptr<Source> source);
-  std::unique_ptr<Source> source_;
+  virtual std::uint64_t position() const = 0;
 };
 
 /// The files that the paths name: of a folder all .csv files in it and in its folders, by name.
@@ -62,22 +51,18 @@ class CaseStream {
  public:
   explicit CaseStream(const std::vector<std::string>& paths, CsvOptions csv = {});
 
-  /// The next case; nothing at the end. Errors: as case_files and CaseReader. No reading on after
-  /// an error.
+  /// The next case; nothing at the end. Errors: as case_files and CaseFile. No reading on after an
+  /// error.
   Result<std::optional<NamedCase>> next();
   /// How much of the files has been read, in [0, 1].
   double share() const;
-  /// Bytes of the text of the cases given so far.
-  std::uint64_t bytes_given() const;
 
  private:
   Result<std::vector<std::string>> paths_;
   CsvOptions csv_;
-  size_t file_ = 0;
-  std::optional<CaseReader> reader_;  ///< of that file
-  std::uint64_t size_ = 0;            ///< of all files
-  /// Of the files before: their sizes, and the bytes of their cases.
-  std::uint64_t size_before_ = 0, given_before_ = 0;
+  size_t index_ = 0;  ///< of the file being read
+  std::unique_ptr<CaseFile> file_;
+  std::uint64_t size_ = 0, size_before_ = 0;  ///< of all files, of those before it
 };
 
 /// The only case of a file. Errors: as CaseStream; there are more.
