@@ -28,12 +28,6 @@ constexpr SearchOptions kFine = {SearchOptions().precision, 100, 16 << 20};
 /// Larger patches take the exact method seconds.
 constexpr int kMostControls = 24;
 
-void abort_if_failed(const Check& check) {
-  if (check.status != Check::Status::kFails) return;
-  std::cerr << check.text << '\n';
-  std::abort();
-}
-
 }  // namespace
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
@@ -48,16 +42,20 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!query) return -1;  // not for the corpus
   const std::array<Shape, 2> shapes = {query->patches[0].shape, query->patches[1].shape};
   if (shapes[0].control_count() + shapes[1].control_count() > kMostControls) return -1;
-  const Decided decided = decide_briefly(*query, kRefutationPops);
-  abort_if_failed(decided.check);
-  if (decided.known.truth.collides != true) return 0;
-  for (const char* name : kMissNothing) {
-    abort_if_failed(not_contradicted(name, methods[name], decided.known, kRefutationSearch));
+  Case known;
+  try {
+    known = decide_briefly(*query, kRefutationPops);
+    if (known.truth.collides != true) return 0;
+    for (const char* name : kMissNothing) {
+      claim_not_contradicted(name, methods[name], known, kRefutationSearch);
+    }
+  } catch (const Refuted& why) {
+    std::cerr << why.what() << '\n';
+    std::abort();
   }
   const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});
   const char* other = kOthers[sum % kOthers.size()];
-  const Check judged = not_contradicted(other, methods[other], decided.known, kFine);
-  if (judged.status == Check::Status::kFails) {
+  if (is_false_negative(outcome_on(methods[other], known, kFine))) {
     lost_inputs.keep({data, size},
                      fmt::format("{} {} {}", other, to_text(shapes[0]), to_text(shapes[1])));
   }

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "case/case.hpp"
+#include "case/judge.hpp"
 #include "ccd/search.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
@@ -13,18 +14,18 @@ namespace ccdfuzz {
 /// The methods that are proven to miss nothing.
 inline constexpr std::array kMissNothing = {"tdibm-c", "tdibm-rational"};
 
-/// A query, what the oracle proved of it within budgets that take milliseconds, and whether the
-/// checker accepts that: check fails where it refuses a certificate.
-struct Decided {
-  Case known;
-  Check check;
-};
-/// max_pops: of each search; a tree may have ten times as many nodes.
-Decided decide_briefly(const Query& query, std::uint64_t max_pops = 200);
+/// A query with what the oracle proves of it within budgets that take milliseconds. max_pops: of
+/// each search; a tree may have ten times as many nodes.
+/// Throws Refuted where the checker refuses a certificate, with the case.
+Case decide_briefly(const Query& query, std::uint64_t max_pops = 200);
 
-/// Fails where the method misses a contact that the case has proven, or is late for it.
-Check not_contradicted(const std::string& name, Method& method, const Case& known,
-                       const SearchOptions& options);
+/// How the method does on a case with a truth.
+Outcome outcome_on(Method& method, const Case& known, const SearchOptions& options);
+
+/// Throws Refuted, with the case, where the method misses a contact that the case has proven, or is
+/// late for it.
+void claim_not_contradicted(const std::string& name, Method& method, const Case& known,
+                            const SearchOptions& options);
 
 /// What takes microseconds, and is no less right: every toi is a lower bound.
 inline constexpr SearchOptions kRefutationSearch = {0x1p-6, 40, 16 << 20};
@@ -34,11 +35,8 @@ inline constexpr std::uint64_t kRefutationPops = 24;
 inline constexpr SearchOptions kBriefSearch = {0x1p-4, 16, SearchOptions().max_bytes};
 
 /// The claims of all that miss nothing, on one query: the oracle's, the checker's, tdibm-c's and
-/// tdibm-rational's; where no contact is proven, of the former two.
-Check claims_agree(const Query& query, std::uint64_t max_pops,
-                   const SearchOptions& search = kBriefSearch);
-
-/// The same on arbitrary finite numbers in any two shapes.
-Check check_claims_agree_anywhere(Draw& choices);
+/// tdibm-rational's; where no contact is proven, of the former two. Throws Refuted, with the case.
+void claim_all_agree(const Query& query, std::uint64_t max_pops,
+                     const SearchOptions& search = kBriefSearch);
 
 }  // namespace ccdfuzz

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +9,7 @@
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -61,44 +60,41 @@ Dyadic most_underflow(const Query& query, const certified::NormalisedQuery& norm
   return most;
 }
 
-Check check_normalised(Draw& choices) {
-  const Query query = draw_extreme_query(choices);
+void check_normalised(Draw& d) {
+  const Query query = draw_extreme_query(d);
   certified::NormalisedQuery out;
   certified::normalise(query, out);
-  const auto fails = [&](const std::string& what) {
-    return Check::fails(fmt::format("{}; space {}, time {}, absolute {}\n{}", what, out.space,
-                                    out.time, to_hex(out.absolute), to_text(query)));
-  };
-  if (Dyadic::exact(out.t_max).scaled(out.time) != Dyadic::exact(query.t_max)) {
-    return fails("t_max is another");
-  }
-  if (out.t_max != 0 && !(0.5 <= out.t_max && out.t_max < 1)) {
-    return fails("time is up to " + to_hex(out.t_max));
-  }
-  if (!(out.absolute >= certified::kLeastAbsolute)) return fails("absolute is too small");
+  show(d, "space", out.space);
+  show(d, "time", out.time);
+  show(d, "t_max", out.t_max);
+  show(d, "absolute", out.absolute);
+  show(d, "query", query);
+  CLAIM(Dyadic::exact(out.t_max).scaled(out.time) == Dyadic::exact(query.t_max));
+  CLAIM(out.t_max == 0 || (0.5 <= out.t_max && out.t_max < 1));
+  CLAIM(out.absolute >= certified::kLeastAbsolute);
   if (std::isinf(out.absolute)) {
-    return most_underflow(query, out) >= Dyadic::exact(std::numeric_limits<double>::max())
-               ? Check::holds()
-               : fails("nothing is certified");
+    CLAIM(most_underflow(query, out) >= Dyadic::exact(std::numeric_limits<double>::max()));
+    return;
   }
   const Dyadic absolute = Dyadic::exact(out.absolute);
-  Dyadic magnitude;
   for (std::size_t k = 0; k < 6; ++k) {
     const bool is_position = k < 3;
     if (!is_position && query.t_max == 0) continue;  // nothing moves in no time
+    show(d, "component", k);
     std::vector<Pair> pairs;
     for (std::size_t s = 0; s < 2; ++s) {
       const auto& patch = query.patches[s];
       for (std::size_t i = 0; i < patch.positions.size(); ++i) {
         const Vec3<double>& from = is_position ? patch.positions[i] : patch.velocities[i];
         const double stored = out.controls[s][i][k];
-        if (!(std::abs(stored) <= 1)) return fails("larger than 1: " + to_hex(stored));
+        CLAIM(std::abs(stored) <= 1);
         pairs.push_back({Dyadic::exact(from[static_cast<int>(k % 3)]), Dyadic::exact(stored)});
       }
     }
     const long scale = out.space + (is_position ? 0 : out.time);
-    if (!is_moved_by_one(pairs, scale, absolute)) return fails(fmt::format("component {}", k));
+    CLAIM(is_moved_by_one(pairs, scale, absolute));
   }
+  Dyadic magnitude;
   for (std::size_t s = 0; s < 2; ++s) {
     Dyadic position, velocity;
     for (const auto& x : out.controls[s]) {
@@ -111,8 +107,7 @@ Check check_normalised(Draw& choices) {
   }
   // Three sums, each u too low at most.
   const Dyadic lost = magnitude * half_ulp() * Dyadic(3);
-  if (Dyadic::exact(out.magnitude) < magnitude - lost) return fails("M is too small");
-  return Check::holds();
+  CLAIM(magnitude - lost <= Dyadic::exact(out.magnitude));
 }
 
 /// Control points of magnitude at most 1, the positions and velocities of a net; a few components
@@ -130,29 +125,26 @@ std::vector<std::array<double, 6>> draw_controls(Draw& choices, const Shape& sha
   return controls;
 }
 
-Check check_sub_patches(Draw& choices) {
-  const Shape shape = draw_shape(choices, 3);
-  const auto controls = draw_controls(choices, shape);
+void check_sub_patches(Draw& d) {
+  const Shape shape = draw_shape(d, 3);
+  const auto controls = draw_controls(d, shape);
   certified::CellTree tree;
   tree.reset(shape, controls);
   certified::CellTree::Node node = 0;
-  for (auto levels = choices.choose(6); levels > 0; --levels) {
-    const auto which = choices.choose(static_cast<std::uint64_t>(shape.child_count() - 1));
+  for (auto levels = d.choose(6); levels > 0; --levels) {
+    const auto which = d.choose(static_cast<std::uint64_t>(shape.child_count() - 1));
     node = tree.children(node) + static_cast<certified::CellTree::Node>(which);
   }
-  const int depth = tree.depth(node), k = tree.roundings(depth);
+  const int depth = tree.depth(node), roundings = tree.roundings(depth);
   const Cell cell = tree.cell(node);
-  const auto fails = [&](const std::string& what) {
-    std::string numbers;
-    for (const auto& control : controls) {
-      for (const double x : control) numbers += " " + to_hex(x);
-    }
-    return Check::fails(fmt::format("{} over cell i = {}, j = {}, depth = {}: {};{}",
-                                    to_text(shape), cell.i, cell.j, depth, what, numbers));
-  };
+  show(d, "shape", shape);
+  show(d, "cell", cell);
+  show(d, "roundings", roundings);
+  show(d, "controls", controls);
   // An average for each argument of each blossom (DERIVATION.md, 2).
-  if (k < (shape.n + shape.m) * depth) return fails(fmt::format("{} roundings", k));
+  CLAIM(roundings >= (shape.n + shape.m) * depth);
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
+  const Dyadic underflow = Dyadic(roundings) * least_double().scaled(-1);
   for (std::size_t part = 0; part < 2; ++part) {
     Points<Dyadic> whole(controls.size()), exact(controls.size());
     Vec3<Dyadic> most;
@@ -164,56 +156,52 @@ Check check_sub_patches(Draw& choices) {
     }
     restrict_to<Dyadic>(shape, whole, corners, exact);
     for (std::size_t i = 0; i < controls.size(); ++i) {
+      show(d, part == 0 ? "position" : "velocity", i);
       for (int c = 0; c < 3; ++c) {
         const double made =
             tree.net(node)[i * certified::kPerPoint + 4 * part + static_cast<std::size_t>(c)];
-        const Dyadic bound = within_roundings(k) * most[c] + Dyadic(k) * least_double().scaled(-1);
-        if (abs(Dyadic::exact(made) - exact[i][c]) <= bound) continue;
-        return fails(
-            fmt::format("component {} of control point {} is {}", 3 * part + c, i, to_hex(made)));
+        const Dyadic error = abs(Dyadic::exact(made) - exact[i][c]);
+        CLAIM(error <= within_roundings(roundings) * most[c] + underflow);
       }
     }
   }
-  return Check::holds();
 }
 
-Check check_derived_bound(Draw& choices) {
+void check_derived_bound(Draw& d) {
   constexpr int kMostRoundings = 16 * 50;  // D·d
-  const auto count = static_cast<int>(choices.integer(0, kMostRoundings));
-  const double magnitude = *abs(choices.dyadic(53, -51)).to_double_exactly();
-  const double absolute = std::ldexp(1.0, static_cast<int>(choices.integer(-1000, -10)));
+  const auto count = static_cast<int>(d.integer(0, kMostRoundings));
+  const double magnitude = *abs(d.dyadic(53, -51)).to_double_exactly();
+  const double absolute = std::ldexp(1.0, static_cast<int>(d.integer(-1000, -10)));
   certified::Axis axis;
   // Axes are products of edges, which become as short as cells.
-  const int shorter = choices.coin() ? static_cast<int>(choices.integer(-600, 0)) : 0;
-  for (double& x : axis) x = *choices.dyadic(53, -51).scaled(shorter).to_double_exactly();
+  const int shorter = d.coin() ? static_cast<int>(d.integer(-600, 0)) : 0;
+  for (double& x : axis) x = *d.dyadic(53, -51).scaled(shorter).to_double_exactly();
   const certified::ErrorBound bound(magnitude, absolute, count);
   certified::AxisBatch batch;
   for (std::size_t k = 0; k < 3; ++k) batch.axes[k][0] = axis[k];
   Dyadic norm;
   for (const double x : axis) norm += abs(Dyadic::exact(x));
-  const Dyadic least_bound = derived_error(magnitude, absolute, count, norm);
-  for (const double computed : {bound.for_axis(certified::norm1(axis)), bound.for_axes(batch)[0]}) {
-    if (least_bound <= Dyadic::exact(computed)) continue;
-    return Check::fails(fmt::format("M = {}, absolute = {}, {} roundings, axis {} {} {}: {}",
-                                    to_hex(magnitude), to_hex(absolute), count, to_hex(axis[0]),
-                                    to_hex(axis[1]), to_hex(axis[2]), to_hex(computed)));
-  }
-  return Check::holds();
+  const Dyadic derived = derived_error(magnitude, absolute, count, norm);
+  show(d, "M", magnitude);
+  show(d, "absolute", absolute);
+  show(d, "roundings", count);
+  show(d, "axis", axis);
+  CLAIM(derived <= Dyadic::exact(bound.for_axis(certified::norm1(axis))));
+  CLAIM(derived <= Dyadic::exact(bound.for_axes(batch)[0]));
 }
 
 }  // namespace
 
 std::vector<Property> certified_bounds_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
   return {
       {"tdibm-c.normalised",
        "Of any finite doubles, the control points are those of the query, moved and scaled alike, "
        "up to the stated errors, and of magnitude 1 at most",
-       "src/ccd/certified/normalise.hpp", kHolds, check_normalised},
+       "src/ccd/certified/normalise.hpp", check_normalised},
       {"tdibm-c.sub_patches", "Control points of cells are off by the roundings counted at most",
-       "src/ccd/certified/DERIVATION.md, 2", kHolds, check_sub_patches},
+       "src/ccd/certified/DERIVATION.md, 2", check_sub_patches},
       {"tdibm-c.error_bound", "E is no less than what was derived",
-       "src/ccd/certified/DERIVATION.md, 3", kHolds, check_derived_bound},
+       "src/ccd/certified/DERIVATION.md, 3", check_derived_bound},
   };
 }
 

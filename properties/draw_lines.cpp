@@ -1,10 +1,11 @@
 #include "properties/draw_lines.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -85,6 +86,14 @@ LinePairs draw_touching_pairs(Draw& choices) {
   return pairs;
 }
 
+std::vector<Line<double>> draw_sorted(Draw& choices, std::size_t count,
+                                      const std::vector<Line<double>>& from) {
+  if (from.size() < count) throw Discarded();
+  const Lines<double> sorted = sorted_lines(from);
+  const auto first = static_cast<int>(choices.choose(from.size() - count));
+  return {sorted.begin() + first, sorted.begin() + first + static_cast<int>(count)};
+}
+
 Lines<double> sorted_lines(const std::vector<Line<double>>& lines) {
   Lines<double> sorted;
   for (const Line<double>& line : lines) sorted.push_back(line);
@@ -92,12 +101,8 @@ Lines<double> sorted_lines(const std::vector<Line<double>>& lines) {
   return sorted;
 }
 
-std::string to_hex_text(const std::vector<Line<double>>& lines) {
-  std::vector<std::string> parts;
-  for (const Line<double>& line : lines) {
-    parts.push_back(fmt::format("({}, {})", to_hex(line.slope), to_hex(line.intercept)));
-  }
-  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+std::string to_hex_text(const Line<double>& line) {
+  return fmt::format("({}, {})", to_hex(line.slope), to_hex(line.intercept));
 }
 
 std::string to_hex_text(const TimeWindow<double>& window) {
@@ -105,8 +110,7 @@ std::string to_hex_text(const TimeWindow<double>& window) {
 }
 
 std::string to_hex_text(const LinePairs& pairs) {
-  return fmt::format("f {} g {} on {}", to_hex_text(pairs.f), to_hex_text(pairs.g),
-                     to_hex_text(pairs.window));
+  return fmt::format("f {} g {} on {}", shown(pairs.f), shown(pairs.g), to_hex_text(pairs.window));
 }
 
 }  // namespace ccdfuzz

@@ -25,11 +25,15 @@ LinePairs draw_line_pairs(Draw& choices);
 /// wherever all lines of f meet, and rises and falls by next to nothing there.
 LinePairs draw_touching_pairs(Draw& choices);
 
+/// `count` of the lines by rising slope, in turn from a drawn place; discarded if there are fewer.
+std::vector<Line<double>> draw_sorted(Draw& choices, std::size_t count,
+                                      const std::vector<Line<double>>& from);
+
 /// As Step II takes them: by rising slope. At most kMaxControls.
 Lines<double> sorted_lines(const std::vector<Line<double>>& lines);
 
 /// For failure texts.
-std::string to_hex_text(const std::vector<Line<double>>& lines);
+std::string to_hex_text(const Line<double>& line);
 std::string to_hex_text(const TimeWindow<double>& window);
 std::string to_hex_text(const LinePairs& pairs);
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <vector>
 
 #include "ccd/line.hpp"
+#include "ccd/robustness.hpp"
 #include "properties/error_bound.hpp"
 
 namespace ccdfuzz {
@@ -61,8 +61,15 @@ inline std::vector<Instant> breakpoints(const ExactLines& lines, const Dyadic& l
   return out;
 }
 
-inline std::string to_text(const Instant& t) {
-  return to_text(Rational(t.p.rational() / t.q.rational()));
+/// Both forms of predicates on differences of lines, in any number type.
+template <class S>
+ProductDifference<S> product_form(const Line<S>& x, const Line<S>& y, const Line<S>& z) {
+  return {S(z.slope - x.slope), S(y.intercept - x.intercept), S(y.slope - x.slope),
+          S(z.intercept - x.intercept)};
+}
+template <class S>
+EndValue<S> end_form(const Line<S>& x, const Line<S>& y, const S& t) {
+  return {S(x.slope - y.slope), S(x.intercept - y.intercept), t};
 }
 
 /// The least and the greatest intercept.

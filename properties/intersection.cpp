@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "ccd/separation.hpp"
@@ -7,6 +5,7 @@
 #include "properties/error_bound.hpp"
 #include "properties/exact_lines.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -14,25 +13,22 @@ namespace {
 
 /// Eq. 3 on heights p, q of control points: the spans of p and q have a point in common iff
 /// max p ≥ min q and max q ≥ min p; as printed, with ≤ for both ≥.
-Check overlap_is(Draw& choices, bool as_printed) {
+void claim_overlap(Draw& d, bool as_printed) {
   std::array<std::vector<std::int64_t>, 2> heights;
   for (auto& side : heights) {
-    for (std::int64_t n = choices.integer(1, 4); n > 0; --n) {
-      side.push_back(choices.integer(-8, 8));
-    }
+    for (std::int64_t n = d.integer(1, 4); n > 0; --n) side.push_back(d.integer(-8, 8));
   }
   const auto p = std::ranges::minmax(heights[0]), q = std::ranges::minmax(heights[1]);
-  bool common = false;
+  bool has_common_point = false;
   for (std::int64_t x = -8; x <= 8; ++x) {
-    common = common || (p.min <= x && x <= p.max && q.min <= x && x <= q.max);
+    has_common_point = has_common_point || (p.min <= x && x <= p.max && q.min <= x && x <= q.max);
   }
-  const auto text = [&] {
-    return fmt::format("p in [{}, {}], q in [{}, {}]", p.min, p.max, q.min, q.max);
-  };
-  const bool claimed =
+  const bool overlaps =
       as_printed ? p.max <= q.min && q.max <= p.min : p.max >= q.min && q.max >= p.min;
-  if (claimed != common) return Check::fails(text());
-  if (as_printed) return Check::holds();
+  show(d, "p", heights[0]);
+  show(d, "q", heights[1]);
+  CLAIM(overlaps == has_common_point);
+  if (as_printed) return;
   // Points at rest, on the axis and on its opposite.
   const auto below = [](const std::vector<std::int64_t>& x, const std::vector<std::int64_t>& y) {
     const TimeWindow<double> w{0, 1};
@@ -45,26 +41,26 @@ Check overlap_is(Draw& choices, bool as_printed) {
     return separation(Plain(), envelopes[0], envelopes[1], w).has_value();
   };
   const bool separated = below(heights[0], heights[1]) || below(heights[1], heights[0]);
-  return separated == common ? Check::fails("Step III differs: " + text()) : Check::holds();
+  CLAIM(separated == !has_common_point);
 }
 
 /// Separated at two times means separated between them. Of the claim alone:
 /// paper.steps_are_exact says that the code finds that interval.
-Check check_one_interval(Draw& choices) {
-  const LinePairs pairs = draw_line_pairs(choices);
+void check_one_interval(Draw& d) {
+  const LinePairs pairs = draw_line_pairs(d);
   const ExactLines f = exact_lines(pairs.f), g = exact_lines(pairs.g);
   const auto separated = [&](const Dyadic& t) {
     return (maximum(f, t) + maximum(g, t)).sign() < 0;
   };
   std::array<Dyadic, 2> ends;
-  for (Dyadic& end : ends) end = choices.dyadic(8, -5);
-  if (!separated(ends[0]) || !separated(ends[1])) return Check::discarded("not separated at both");
-  const Dyadic share(Integer(static_cast<long>(choices.integer(0, 16))), -4);
+  for (Dyadic& end : ends) end = d.dyadic(8, -5);
+  suppose(separated(ends[0]) && separated(ends[1]));
+  const Dyadic share(Integer(static_cast<long>(d.integer(0, 16))), -4);
   const Dyadic t = ends[0] + (ends[1] - ends[0]) * share;
-  if (separated(t)) return Check::holds();
-  return Check::fails(fmt::format("f {} g {}: not at {} between {} and {}", to_hex_text(pairs.f),
-                                  to_hex_text(pairs.g), to_text(t.rational()),
-                                  to_text(ends[0].rational()), to_text(ends[1].rational())));
+  show(d, "separated at", ends);
+  show(d, "t", t);
+  show(d, "lines", pairs);
+  CLAIM(separated(t));
 }
 
 Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
@@ -76,8 +72,8 @@ Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
 
 /// Steps II and III in exact arithmetic against all pairs of lines: f + g < 0 from the last root of
 /// a falling pair to the first root of a rising one.
-Check check_steps_are_exact(Draw& choices) {
-  const LinePairs pairs = draw_line_pairs(choices);
+void check_steps_are_exact(Draw& d) {
+  const LinePairs pairs = draw_line_pairs(d);
   const TimeWindow<Rational> w{exact(pairs.window.lo), exact(pairs.window.hi)};
   const Lines<Rational> f = exact_sorted(pairs.f), g = exact_sorted(pairs.g);
   Lines<Rational> envelope_f, envelope_g;
@@ -99,12 +95,13 @@ Check check_steps_are_exact(Draw& choices) {
     }
   }
   none = none || expected.empty();
-  const bool same = none ? !found
-                         : found && found->lo == expected.lo && found->hi == expected.hi &&
-                               found->has_lo == expected.has_lo && found->has_hi == expected.has_hi;
-  if (same) return Check::holds();
-  return Check::fails(fmt::format("f {} g {} on {}", to_hex_text(pairs.f), to_hex_text(pairs.g),
-                                  to_hex_text(pairs.window)));
+  show(d, "lines", pairs);
+  CLAIM(found.has_value() == !none);
+  if (!found) return;
+  CLAIM(found->lo == expected.lo);
+  CLAIM(found->hi == expected.hi);
+  CLAIM(found->has_lo == expected.has_lo);
+  CLAIM(found->has_hi == expected.has_hi);
 }
 
 /// Two lines that cross, as the operands of Eq. 10 and C.2.
@@ -117,78 +114,69 @@ Crossing draw_crossing(Draw& choices) {
   return {pairs.f[choices.choose(pairs.f.size() - 1)], pairs.g[choices.choose(pairs.g.size() - 1)]};
 }
 
-Check failure(const Crossing& crossing, const char* what) {
-  return Check::fails(fmt::format("({}, {}) and ({}, {}): {}", to_hex(crossing.f.slope),
-                                  to_hex(crossing.f.intercept), to_hex(crossing.g.slope),
-                                  to_hex(crossing.g.intercept), what));
-}
-
 /// C.2: |fl(l / r) − l / r| ≤ 2·|l| / |fl(r)|·[(1 + eps)² − 1].
-Check check_eps_tau(Draw& choices) {
-  const Crossing crossing = draw_crossing(choices);
+void check_eps_tau(Draw& d) {
+  const Crossing crossing = draw_crossing(d);
   const double l = crossing.f.intercept + crossing.g.intercept;
   const double r = crossing.f.slope + crossing.g.slope;
   const Line<Dyadic> f = exact_line(crossing.f), g = exact_line(crossing.g);
   const Dyadic exact_l = f.intercept + g.intercept, exact_r = f.slope + g.slope;
-  if (r == 0) return Check::discarded("parallel lines");
+  suppose(r != 0);
   // Everything times |r|·|fl(r)|.
   const Dyadic rounded_r = Dyadic::exact(r);
   const Dyadic error = abs((Dyadic::exact(l / r) * exact_r - exact_l) * rounded_r);
-  const Dyadic bound = theorem_4_1_bound(abs(exact_l * exact_r).scaled(1), 2);
-  return error <= bound ? Check::holds() : failure(crossing, "the quotient is off");
+  show(d, "f", crossing.f);
+  show(d, "g", crossing.g);
+  CLAIM(error <= theorem_4_1_bound(abs(exact_l * exact_r).scaled(1), 2));
 }
 
 /// Section 4.5: the root of one pair of exact lines, as an end of a separated interval, is moved
 /// inward and clamped to the window.
-Check root_is_safe(const Crossing& crossing) {
+void claim_safe_root(Draw& d, const Crossing& crossing) {
   const TimeWindow<double> w{0, 4};
   Lines<double> f, g;
   f.push_back(crossing.f);
   g.push_back(crossing.g);
   const Line<Dyadic> exact_f = exact_line(crossing.f), exact_g = exact_line(crossing.g);
-  const Dyadic slope = exact_f.slope + exact_g.slope;
-  if (crossing.f.slope + crossing.g.slope == 0) return Check::discarded("parallel lines");
+  suppose(crossing.f.slope + crossing.g.slope != 0);
   const auto height_at = [&](double t) {
     return exact_f.at(Dyadic::exact(t)) + exact_g.at(Dyadic::exact(t));
   };
-  const bool falls = slope.sign() < 0;
+  const bool falls = (exact_f.slope + exact_g.slope).sign() < 0;
   const double end = falls ? ErrorBoundIntended().left_root(f, g, 0, 0, w)
                            : ErrorBoundIntended().right_root(f, g, 0, 0, w);
-  if (!(w.lo <= end && end <= w.hi)) return failure(crossing, "it is outside of the window");
-  const bool clamped = falls ? end == w.hi : end == w.lo;
-  if (clamped || height_at(end).sign() <= 0) return Check::holds();
-  return failure(crossing, "the end is before the root");
-}
-
-Check check_safe_roots(Draw& choices) {
-  return root_is_safe(draw_crossing(choices));
+  show(d, "f", crossing.f);
+  show(d, "g", crossing.g);
+  show(d, "end", end);
+  CLAIM(w.lo <= end);
+  CLAIM(end <= w.hi);
+  const bool is_clamped = falls ? end == w.hi : end == w.lo;
+  CLAIM(is_clamped || height_at(end).sign() <= 0);
 }
 
 /// The same where every step of Eq. 10 rounds by as much as it may: to a slope just above a power
 /// of two, and an intercept just below one, is added a part of their last bit.
-Check check_safe_roots_of_sums(Draw& choices) {
+void check_safe_roots_of_sums(Draw& d) {
   const auto part_of = [&](double bit) {
-    return bit * std::ldexp(static_cast<double>(choices.integer(1, 255)), -8);
+    return bit * std::ldexp(static_cast<double>(d.integer(1, 255)), -8);
   };
-  const int bits = static_cast<int>(choices.integer(9, 48));
-  const double slope = 1 + std::ldexp(static_cast<double>(choices.choose(255)), -bits);
-  const double intercept = 2 - std::ldexp(static_cast<double>(choices.integer(1, 4)), -52);
-  const double sign = choices.coin() ? -1 : 1;
+  const int bits = static_cast<int>(d.integer(9, 48));
+  const double slope = 1 + std::ldexp(static_cast<double>(d.choose(255)), -bits);
+  const double intercept = 2 - std::ldexp(static_cast<double>(d.integer(1, 4)), -52);
+  const double sign = d.coin() ? -1 : 1;
   const double more_slope = part_of(0x1p-52), more_intercept = part_of(0x1p-51);
-  return root_is_safe(
-      {{-sign * slope, sign * intercept}, {-sign * more_slope, sign * more_intercept}});
+  claim_safe_root(d,
+                  {{-sign * slope, sign * intercept}, {-sign * more_slope, sign * more_intercept}});
 }
 
 /// C.3 as a lemma on envelopes that count as exact: the left end that the sweep finds on envelopes
 /// pulled apart by I·delta is not before the exact one. Three lines against two that are almost
 /// parallel to the last of them.
-Check check_pull_apart_path(Draw& choices) {
+void check_pull_apart_path(Draw& d) {
   const LinePairs pairs{
-      {{-1, .35},
-       {.5, -.25},
-       {.99, std::ldexp(static_cast<double>(choices.integer(-8, 8)), -54) - .495}},
-      {{-1 - std::ldexp(static_cast<double>(choices.integer(0, 127)), -52),
-        .5 + std::ldexp(static_cast<double>(choices.integer(0, 127)), -53)},
+      {{-1, .35}, {.5, -.25}, {.99, std::ldexp(static_cast<double>(d.integer(-8, 8)), -54) - .495}},
+      {{-1 - std::ldexp(static_cast<double>(d.integer(0, 127)), -52),
+        .5 + std::ldexp(static_cast<double>(d.integer(0, 127)), -53)},
        {-1, .5}},
       {0, 1}};
   const ErrorBoundIntended policy;
@@ -197,40 +185,39 @@ Check check_pull_apart_path(Draw& choices) {
     upper_envelope(policy, sorted_lines(s == 0 ? pairs.f : pairs.g), pairs.window, envelopes[s]);
   }
   const auto found = separation(policy, envelopes[0], envelopes[1], pairs.window);
-  if (!found || found->has_lo) return Check::discarded("no left end is found");
+  suppose(found && !found->has_lo);
   const Dyadic lo = Dyadic::exact(found->lo);
   const Dyadic height =
       maximum(exact_lines(envelopes[0]), lo) + maximum(exact_lines(envelopes[1]), lo);
-  if (height.sign() <= 0) return Check::holds();
-  return Check::fails(fmt::format("envelopes f {} g {} on {}: the end {} is too early",
-                                  to_hex_text(pairs.f), to_hex_text(pairs.g),
-                                  to_hex_text(pairs.window), to_hex(found->lo)));
+  show(d, "end", found->lo);
+  show(d, "lines", pairs);
+  CLAIM(height.sign() <= 0);
 }
 
 }  // namespace
 
 std::vector<Property> intersection_claims() {
-  constexpr auto kHolds = Expectation::kHolds, kFails = Expectation::kFails;
+  constexpr auto kFails = Expectation::kFails;
   return {
       {"paper.overlap_as_printed", "Boxes overlap on an axis iff max p <= min q and max q <= min p",
-       "Eqs. 3a and 3b as printed", kFails, [](Draw& c) { return overlap_is(c, true); }},
+       "Eqs. 3a and 3b as printed", [](Draw& d) { claim_overlap(d, true); }, kFails},
       {"paper.overlap", "Boxes overlap on an axis iff max p >= min q and max q >= min p",
-       "Eqs. 3a and 3b as Eq. 4 has them", kHolds, [](Draw& c) { return overlap_is(c, false); }},
+       "Eqs. 3a and 3b as Eq. 4 has them", [](Draw& d) { claim_overlap(d, false); }},
       {"paper.one_interval", "The times at which an axis separates two patches are one interval",
-       "Section 3, Solving Eq. (3)", kHolds, check_one_interval},
+       "Section 3, Solving Eq. (3)", check_one_interval},
       {"paper.steps_are_exact",
        "In exact arithmetic, Steps II and III find just the times at which all pairs of lines are "
        "in order",
-       "Section 3, Eqs. 5-10", kHolds, check_steps_are_exact},
-      {"paper.eps_tau", "The quotient of Eq. 10 is off by at most eps_tau", "Appendix C.2", kHolds,
+       "Section 3, Eqs. 5-10", check_steps_are_exact},
+      {"paper.eps_tau", "The quotient of Eq. 10 is off by at most eps_tau", "Appendix C.2",
        check_eps_tau},
       {"tdibm-e.safe_roots", "An end that was moved inward and clamped is not before the root",
-       "Section 4.5, Appendices B and C.2", kHolds, check_safe_roots},
+       "Section 4.5, Appendices B and C.2", [](Draw& d) { claim_safe_root(d, draw_crossing(d)); }},
       {"tdibm-e.safe_roots_of_sums", "The same where all of Eq. 10 rounds by as much as it may",
-       "Section 4.5, Appendices B and C.2", kHolds, check_safe_roots_of_sums},
+       "Section 4.5, Appendices B and C.2", check_safe_roots_of_sums},
       {"paper.pull_apart_path",
        "Pulling envelopes apart by I delta each makes the left end that the sweep finds safe",
-       "Appendix C.3, taking the envelopes as exact", kFails, check_pull_apart_path},
+       "Appendix C.3, taking the envelopes as exact", check_pull_apart_path, kFails},
   };
 }
 

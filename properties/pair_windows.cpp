@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -7,8 +5,10 @@
 #include "case/case_json.hpp"
 #include "ccd/certified/pair_split.hpp"
 #include "generators/draw_contact.hpp"
+#include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -16,12 +16,13 @@ namespace {
 
 using certified::PairSplit;
 
-/// Follows one pair of cells through its axes.
+/// Follows one pair of cells through its axes, and claims of each that it is tried with no less
+/// than the bound of its pair's depth, in what is left of the window.
 class Follower final : public ExclusionObserver {
  public:
   /// depth: of the pair.
-  Follower(const certified::NormalisedQuery& query, int depth, const Window& window)
-      : query_(query), left_(window) {
+  Follower(Draw& d, const certified::NormalisedQuery& query, int depth, const Window& window)
+      : d_(d), query_(query), left_(window) {
     for (const Shape& shape : query.shapes) {
       roundings_ = std::max(roundings_, (shape.n + shape.m) * depth);
     }
@@ -42,52 +43,52 @@ class Follower final : public ExclusionObserver {
   }
 
   void compared(const AxisGap& gap) override {
-    check_error(gap);
+    claim_bound(gap);
     const bool is_own = gap.axis >= PairSplit::kFirstOwnAxis;
     const int batch = (gap.axis - PairSplit::kFirstOwnAxis) / certified::kLanes;
     if (!is_own || batch == batch_) return;
     batch_ = batch;
-    if (gap.window.lo == left_.lo && gap.window.hi == left_.hi) return;
-    if (wrong_.empty()) {
-      wrong_ = fmt::format("axis {} is tried in [{}, {}], and [{}, {}] is left", gap.axis,
-                           to_hex(gap.window.lo), to_hex(gap.window.hi), to_hex(left_.lo),
-                           to_hex(left_.hi));
+    const bool is_in_what_is_left = gap.window.lo == left_.lo && gap.window.hi == left_.hi;
+    if (!is_in_what_is_left) {
+      show(d_, "axis", gap.axis);
+      show(d_, "tried in", gap.window);
+      show(d_, "left", left_);
     }
+    CLAIM(is_in_what_is_left);
   }
 
   const Window& left() const { return left_; }
   /// Whether the axes took all of the window.
   bool is_gone() const { return gone_; }
-  /// The first axis that was tried with too small a bound, or elsewhere than in what was left;
-  /// empty if none was.
-  const std::string& wrong() const { return wrong_; }
 
  private:
-  /// The bound is that of the axis and of the pair's depth.
-  void check_error(const AxisGap& gap) {
+  void claim_bound(const AxisGap& gap) {
     if (std::isinf(gap.unit)) return;
     Dyadic norm;
     for (int k = 0; k < 3; ++k) norm += abs(Dyadic::exact(gap.direction[k]));
-    const Dyadic least = derived_error(query_.magnitude, query_.absolute, roundings_, norm);
-    if (least <= Dyadic::exact(gap.unit) || !wrong_.empty()) return;
-    wrong_ = fmt::format("axis {} {} {} has the bound {}", to_hex(gap.direction[0]),
-                         to_hex(gap.direction[1]), to_hex(gap.direction[2]), to_hex(gap.unit));
+    const Dyadic derived = derived_error(query_.magnitude, query_.absolute, roundings_, norm);
+    const bool is_bound = derived <= Dyadic::exact(gap.unit);
+    if (!is_bound) {
+      show(d_, "direction", gap.direction);
+      show(d_, "bound", gap.unit);
+    }
+    CLAIM(is_bound);
   }
 
+  Draw& d_;
   const certified::NormalisedQuery& query_;
   int roundings_ = 0;
   bool gone_ = false;
   Window left_;
   int batch_ = -1;
-  std::string wrong_;
 };
 
-Check check_pair_windows(Draw& choices) {
+void check_pair_windows(Draw& d) {
   constexpr int kLevels = 4;
-  const Result<Case> drawn = draw_contact(choices, ContactRange());
-  if (!drawn) return Check::discarded(drawn.error().message());
+  const Case drawn = supposed(draw_contact(d, ContactRange()));
+  show(d, "contact", drawn);
   PairSplit split;
-  split.begin(drawn->query, kLevels);
+  split.begin(drawn.query, kLevels);
   struct {
     Window window;
     certified::Axis hint{1, 0, 0};
@@ -98,33 +99,26 @@ Check check_pair_windows(Draw& choices) {
   for (; pair.depth < kLevels; ++pair.depth) {
     std::array<int, 2> wanted{};
     for (std::size_t s = 0; s < 2; ++s) {
-      const int children = drawn->query.patches[s].shape.child_count();
-      wanted[s] = static_cast<int>(choices.choose(static_cast<std::uint64_t>(children - 1)));
+      const int children = drawn.query.patches[s].shape.child_count();
+      wanted[s] = static_cast<int>(d.choose(static_cast<std::uint64_t>(children - 1)));
     }
-    Follower follower(split.query(), pair.depth + 1, pair.window);
+    show(d, "children", wanted);
+    Follower follower(d, split.query(), pair.depth + 1, pair.window);
     std::optional<PairSplit::Kept> kept;
     split.expand(
         pair, [&](int side, int child) { return child == wanted[static_cast<std::size_t>(side)]; },
         follower, [&](const PairSplit::Kept& one) { kept = one; });
-    std::string wrong = follower.wrong();
     const Window& left = follower.left();
-    if (!kept && wrong.empty() && !follower.is_gone()) {
-      wrong = fmt::format("dropped, and [{}, {}] is left", to_hex(left.lo), to_hex(left.hi));
-    }
-    if (kept && wrong.empty() && (kept->window.lo != left.lo || kept->window.hi != left.hi)) {
-      wrong = fmt::format("[{}, {}] is kept, and [{}, {}] is left", to_hex(kept->window.lo),
-                          to_hex(kept->window.hi), to_hex(left.lo), to_hex(left.hi));
-    }
-    if (!wrong.empty()) {
-      return Check::fails(fmt::format("children {} and {} at depth {}: {}\n{}", wanted[0],
-                                      wanted[1], pair.depth, wrong, to_json(*drawn)));
-    }
-    if (!kept) break;
+    show(d, "left", left);
+    CLAIM(kept || follower.is_gone());
+    if (!kept) return;
+    show(d, "kept", kept->window);
+    CLAIM(kept->window.lo == left.lo);
+    CLAIM(kept->window.hi == left.hi);
     pair.window = kept->window;
     pair.hint = kept->hint;
     pair.cells = kept->cells;
   }
-  return Check::holds();
 }
 
 }  // namespace
@@ -135,7 +129,7 @@ std::vector<Property> pair_windows_claims() {
        "The axes of a pair of cells are tried in what those before left of its window, with the E "
        "of its depth; what all of them leave is its window, and it is dropped where that is "
        "nothing",
-       "src/ccd/certified/DERIVATION.md, 3", Expectation::kHolds, check_pair_windows},
+       "src/ccd/certified/DERIVATION.md, 3", check_pair_windows},
   };
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,39 +9,41 @@
 #include "method/method.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 #include "properties/symmetry.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-std::string summary(const Answer& answer) {
-  return fmt::format("{} after {} pops{}", name_of(answer.verdict), answer.pops,
-                     answer.toi ? " at " + to_hex(*answer.toi) : "");
+void show_answer(Draw& d, std::string_view name, const Answer& answer) {
+  show(d, name, answer.verdict);
+  show(d, "pops", answer.pops);
+  show(d, "toi", answer.toi);
 }
 
 /// A run that may take no more pops than n of the P of another: the same answer for n = P; for
 /// fewer, undecided after n pops, with a time that is no later than that of the hit.
-Check check_budget(Draw& choices) {
+void check_budget(Draw& d) {
   constexpr std::array kSearching = {"tdibm-c", "tdibm-rational", "tdibm-e", "tdibm", "trad"};
   constexpr SearchOptions kWhole = {0x1p-4, 60, SearchOptions().max_bytes};
-  const char* name = choices.pick(kSearching);
-  const Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded(drawn.error().message());
+  const char* name = d.pick(kSearching);
+  const Case drawn = supposed(draw_contact(d, {}));
   const auto method = *make_method(name);
-  const Answer whole = method->answer(drawn->query, kWhole);
+  const Answer whole = method->answer(drawn.query, kWhole);
   SearchOptions part = kWhole;
-  part.max_pops = choices.choose(whole.pops);
-  const Answer cut = method->answer(drawn->query, part);
-  const bool decided = part.max_pops == whole.pops;
-  bool right = cut.pops == part.max_pops;
-  right = right && cut.verdict == (decided ? whole.verdict : Verdict::kUndecided);
-  if (cut.verdict != Verdict::kMiss && whole.verdict == Verdict::kHit) {
-    right = right && cut.toi && *cut.toi <= *whole.toi;
-  }
-  if (right) return Check::holds();
-  return Check::fails(fmt::format("{}: {}, but with a budget of {}: {}\n{}", name, summary(whole),
-                                  part.max_pops, summary(cut), to_json(*drawn)));
+  part.max_pops = d.choose(whole.pops);
+  const Answer cut = method->answer(drawn.query, part);
+  const bool is_whole = part.max_pops == whole.pops;
+  show(d, "method", name);
+  show_answer(d, "whole", whole);
+  show(d, "budget", part.max_pops);
+  show_answer(d, "cut", cut);
+  show(d, "contact", drawn);
+  CLAIM(cut.pops == part.max_pops);
+  CLAIM(cut.verdict == (is_whole ? whole.verdict : Verdict::kUndecided));
+  if (cut.verdict == Verdict::kMiss || whole.verdict != Verdict::kHit) return;
+  CLAIM(cut.toi && *cut.toi <= *whole.toi);
 }
 
 /// Contacts within the first 2^-20 of the time step and less.
@@ -111,50 +111,50 @@ Result<FirstContact> draw_first_contact(Draw& choices) {
   return out;
 }
 
-Check check_not_early(Draw& choices) {
-  const Result<FirstContact> drawn = draw_first_contact(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
-  const Answer answer = (*make_method(name))->answer(drawn->query, kFineSearch);
-  if (answer.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
-  if (answer.verdict == Verdict::kMiss) {
-    return Check::fails(
-        fmt::format("{} misses the contact at {}\n{}", name, drawn->t, to_text(drawn->query)));
-  }
-  const double early = drawn->t - *answer.toi;
-  if (early <= drawn->early) return Check::holds();
-  return Check::fails(fmt::format("{} is early by {} of {}, and {} is explained by its cells\n{}",
-                                  name, early, drawn->t, drawn->early, to_text(drawn->query)));
+void check_not_early(Draw& d) {
+  const FirstContact drawn = supposed(draw_first_contact(d));
+  const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
+  const Answer answer = (*make_method(name))->answer(drawn.query, kFineSearch);
+  suppose(answer.verdict != Verdict::kUndecided);
+  show(d, "method", name);
+  show(d, "toi", answer.toi);
+  show(d, "contact at", drawn.t);
+  show(d, "explained", drawn.early);
+  show(d, "query", drawn.query);
+  CLAIM(answer.verdict != Verdict::kMiss);
+  CLAIM(drawn.t - *answer.toi <= drawn.early);
 }
 
 /// One of the patches is split: control points of parts are within those of the whole, and so are
 /// the boxes of their cells.
-Check check_split(Draw& choices) {
-  const Result<FirstContact> drawn = draw_first_contact(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const char* name = choices.pick(std::array{"tdibm-c", "tdibm-rational"});
+void check_split(Draw& d) {
+  const FirstContact drawn = supposed(draw_first_contact(d));
+  const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational"});
   const auto method = *make_method(name);
-  const Answer whole = method->answer(drawn->query, kFineSearch);
-  const std::size_t side = choices.choose(1);
-  const MovingPatch<double>& patch = drawn->query.patches[side];
+  const Answer whole = method->answer(drawn.query, kFineSearch);
+  const std::size_t side = d.choose(1);
+  const MovingPatch<double>& patch = drawn.query.patches[side];
   Answer least;
   for (int c = 0; c < patch.shape.child_count(); ++c) {
-    const auto part = part_over(patch, Cell().child(patch.shape, c));
-    if (!part) return Check::discarded("a part is not of doubles");
-    Query of_part = drawn->query;
-    of_part.patches[side] = *part;
+    Query of_part = drawn.query;
+    of_part.patches[side] = supposed(part_over(patch, Cell().child(patch.shape, c)));
     const Answer answer = method->answer(of_part, kFineSearch);
-    if (answer.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
+    suppose(answer.verdict != Verdict::kUndecided);
     if (answer.verdict != Verdict::kHit) continue;
     if (least.verdict != Verdict::kHit || *answer.toi < *least.toi) least = answer;
   }
-  if (whole.verdict == Verdict::kUndecided) return Check::discarded("a budget ran out");
-  bool alike = whole.verdict == Verdict::kHit && least.verdict == Verdict::kHit;
-  alike = alike && *least.toi <= drawn->t && std::abs(*least.toi - *whole.toi) <= drawn->early;
-  if (alike) return Check::holds();
-  return Check::fails(fmt::format("{}: {}, but of the parts of patch {}: {}; contact at {}\n{}",
-                                  name, summary(whole), side + 1, summary(least), drawn->t,
-                                  to_text(drawn->query)));
+  suppose(whole.verdict != Verdict::kUndecided);
+  show(d, "method", name);
+  show_answer(d, "whole", whole);
+  show_answer(d, "least", least);
+  show(d, "of the parts of patch", side + 1);
+  show(d, "contact at", drawn.t);
+  show(d, "explained", drawn.early);
+  show(d, "query", drawn.query);
+  CLAIM(whole.verdict == Verdict::kHit);
+  CLAIM(least.verdict == Verdict::kHit);
+  CLAIM(*least.toi <= drawn.t);
+  CLAIM(std::abs(*least.toi - *whole.toi) <= drawn.early);
 }
 
 /// A parallelogram, a triangle or a line by any degree: parts of it have the same axes.
@@ -180,47 +180,46 @@ MovingPatch<double> draw_affine_patch(Draw& choices) {
   return patch;
 }
 
-/// The optimised form of a method, which keeps what it has of parts, on patches whose parts are all
-/// alike.
-Check check_optimised_alike(Draw& choices) {
-  const std::string name = choices.pick(std::array{"tdibm", "tdibm-e", "tdibm-h:1e-12"});
+/// It keeps what it has of parts.
+void check_optimised_alike(Draw& d) {
+  const std::string name = d.pick(std::array{"tdibm", "tdibm-e", "tdibm-h:1e-12"});
   constexpr SearchOptions kWhole = {0x1p-5, 100, SearchOptions().max_bytes};
-  Case asked;
-  for (MovingPatch<double>& patch : asked.query.patches) patch = draw_affine_patch(choices);
-  if (choices.coin()) {
-    auto& [first, second] = asked.query.patches;
+  Query query;
+  for (MovingPatch<double>& patch : query.patches) patch = draw_affine_patch(d);
+  if (d.coin()) {
+    auto& [first, second] = query.patches;
     for (Vec3<double>& v : second.velocities) v = first.velocities[0];
   }
-  const Answer fast = (*make_method(name))->answer(asked.query, kWhole);
-  const Answer plain =
-      (*make_method(name + std::string(kUnoptimised)))->answer(asked.query, kWhole);
-  const bool same = fast.verdict == plain.verdict && fast.toi == plain.toi && fast.uv == plain.uv &&
-                    fast.pops == plain.pops;
-  if (same) return Check::holds();
-  return Check::fails(
-      fmt::format("{}: {}, plainly {}\n{}", name, summary(fast), summary(plain), to_json(asked)));
+  const Answer fast = (*make_method(name))->answer(query, kWhole);
+  const Answer plain = (*make_method(name + std::string(kUnoptimised)))->answer(query, kWhole);
+  show(d, "method", name);
+  show_answer(d, "fast", fast);
+  show_answer(d, "plain", plain);
+  show(d, "query", query);
+  CLAIM(fast.verdict == plain.verdict);
+  CLAIM(fast.toi == plain.toi);
+  CLAIM(fast.uv == plain.uv);
+  CLAIM(fast.pops == plain.pops);
 }
 
 }  // namespace
 
 std::vector<Property> searches_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
   return {
       {"methods.budget",
        "With fewer pops than an answer takes, a method is undecided, at a time not after the hit",
-       "src/ccd/search.hpp", kHolds, check_budget},
+       "src/ccd/search.hpp", check_budget},
       {"methods.long_time_step", "No contact early in a long time step is missed or reported late",
-       "src/ccd/certified/tdibm_c.hpp, src/ccd/rational/DERIVATION.md", kHolds,
-       check_long_time_step},
+       "src/ccd/certified/tdibm_c.hpp, src/ccd/rational/DERIVATION.md", check_long_time_step},
       {"methods.not_early",
        "A hit is early by no more than the time in which boxes of its precision meet",
-       "src/ccd/certified/tdibm_c.hpp", kHolds, check_not_early},
+       "src/ccd/certified/tdibm_c.hpp", check_not_early},
       {"methods.split",
        "The answer over two patches is the least over the parts of either, as far as boxes tell",
-       "src/ccd/certified/tdibm_c.hpp", kHolds, check_split},
+       "src/ccd/certified/tdibm_c.hpp", check_split},
       {"methods.optimised_alike",
        "The optimised form of a method answers as the plain one where all parts are alike",
-       "src/ccd/DERIVATION.md", kHolds, check_optimised_alike},
+       "src/ccd/DERIVATION.md", check_optimised_alike},
   };
 }
 

@@ -65,8 +65,12 @@ std::string refutation_by_sound_methods(const Case& known) {
                          method, loss_signature(trace));
     }
   }
-  const Check check = claims_agree(known.query, kRefutationPops, kRefutationSearch);
-  return check.status == Check::Status::kFails ? check.text : "";
+  try {
+    claim_all_agree(known.query, kRefutationPops, kRefutationSearch);
+  } catch (const Refuted& why) {
+    return why.what();
+  }
+  return "";
 }
 
 Triage::Triage(Store& store, TriageOptions options)
