@@ -9,6 +9,7 @@
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/intake.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
@@ -85,11 +86,14 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
 /// What a merge of corpora did.
 struct MergedCorpora {
   std::uint64_t entries = 0, taken = 0, now = 0;
+  Intake::Settled settled = {};
 
   static void fields(auto& archive, auto& merged) {
     archive("entries", merged.entries);
     archive("taken_over", merged.taken);
     archive("now", merged.now);
+    archive("asked_again", merged.settled.asked);
+    archive.optional("not_asked", merged.settled.kept);
   }
 };
 
@@ -106,10 +110,24 @@ int merge_corpora(const MergeOptions& options, Session& session) {
       if (need(intake.take(entry)) != Store::Put::kKnown) ++merged.taken;
     }));
   }
+  merged.taken += need(intake.take_doubtful());
   merged.now = need(list_entries(output)).size();
+  merged.settled = intake.settled();
   if (session.json) print_row(merged);
   session.summary(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}",
                               merged.entries, inputs.size(), merged.taken, merged.now, output));
+  if (merged.settled.asked > 0) {
+    session.summary(
+        fmt::format("{} expectations that two entries of a query left in doubt are now "
+                    "what their methods show",
+                    merged.settled.asked));
+  }
+  for (const auto& [method, times] : merged.settled.kept) {
+    session.summary(
+        fmt::format("{} expectations of {} in doubt are as the entry taken first says: "
+                    "it cannot be asked{}",
+                    times, method, names_plugin(method) ? " unless --plugin names it" : ""));
+  }
   return kDone;
 }
 

@@ -39,12 +39,20 @@ std::optional<Failure> Asker::failure(const std::string& method, const Case& val
   return failure(method, checked_or_unknown(value));
 }
 
-std::optional<Failure> Asker::failure_as_asked(const std::string& method,
-                                               const CheckedCase& known) {
+SearchOptions Asker::search_as_asked(const CheckedCase& known) const {
   SearchOptions own = search_;
   own.precision = known.value().asked.precision;
   own.max_pops = std::min(own.max_pops, known.value().asked.max_pops);
-  return failure(method, known, own);
+  return own;
+}
+
+std::optional<Failure> Asker::failure_as_asked(const std::string& method,
+                                               const CheckedCase& known) {
+  return failure(method, known, search_as_asked(known));
+}
+
+Expected Asker::shown_as_asked(const std::string& method, const CheckedCase& known) {
+  return expected(method, known.value(), ask(method, known, search_as_asked(known)));
 }
 
 void Asker::ask_others(Case& find, const std::vector<std::string>& methods) {

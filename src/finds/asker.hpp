@@ -50,6 +50,8 @@ class Asker {
   std::optional<Failure> failure(const std::string& method, const Case& value);
   /// The same, at the precision that the case says, and with no more pops than it says.
   std::optional<Failure> failure_as_asked(const std::string& method, const CheckedCase& known);
+  /// What the method shows then.
+  Expected shown_as_asked(const std::string& method, const CheckedCase& known);
 
   /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes
   /// the find expect what they do. What is undecided so is left out: a larger budget may decide it.
@@ -60,6 +62,7 @@ class Asker {
  private:
   std::optional<Failure> failure(const std::string& method, const CheckedCase& known,
                                  const SearchOptions& search);
+  SearchOptions search_as_asked(const CheckedCase& known) const;
 
   SearchOptions search_;
   MethodSet methods_;

@@ -10,10 +10,20 @@
 #include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/shrink.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+/// No plug-in is started that nobody admitted, and a file may name anything.
+bool can_be_asked(const std::string& method) {
+  return names_plugin(method) ? is_admitted(method) : make_method(method).has_value();
+}
+
+}  // namespace
 
 void Intake::offer(const Failure& failure, Case find) {
   find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
@@ -31,20 +41,56 @@ void Intake::know(const NamedCase& entry) {
   for (const Failure& failure : failures_of(entry.value)) told_.try_emplace(failure, entry);
 }
 
+AskAgain Intake::again() {
+  return [this](const std::string& method, const CheckedCase& known) -> std::optional<Expected> {
+    if (!can_be_asked(method)) {
+      ++settled_.kept[method];
+      return std::nullopt;
+    }
+    ++settled_.asked;
+    return confirm_.shown_as_asked(method, known);
+  };
+}
+
 Result<Store::Put> Intake::take(const NamedCase& entry) {
   const std::lock_guard lock(mutex_);
   const std::string trees = trees_path(entry.file);
   const std::optional<Failure> failure = named_by_failure(entry);
-  if (!failure) return store_.put_named(fs::path(entry.id).stem(), entry.value, trees);
-  const Result<std::optional<NamedCase>> standing = store_.standing(*failure);
+  if (!failure) return store_.put_named(fs::path(entry.id).stem(), entry.value, trees, again());
+  if (fails_so(entry, *failure)) return put(*failure, entry.value, trees, again());
+  if (!can_be_asked(failure->who)) return put_aside(entry, *failure);
+  doubtful_.push_back(entry.id);
+  return Store::Put::kKnown;
+}
+
+/// Unless it, or nothing, stands for the failure, an entry that nothing speaks for keeps the
+/// address of its query as its name; so does one against which its method spoke.
+Result<Store::Put> Intake::put_aside(const NamedCase& entry, const Failure& failure) {
+  const std::string trees = trees_path(entry.file);
+  const Result<std::optional<NamedCase>> standing = store_.standing(failure);
   if (!standing) return tl::unexpected(standing.error());
   const std::string address = content_address(entry.value.query);
-  const bool is_alone = !*standing || content_address((*standing)->value.query) == address;
-  if (is_alone) return store_.put(*failure, entry.value, trees);
-  if (is_admitted(failure->who) && fails_so(entry, *failure)) {
-    return put(*failure, entry.value, trees);
+  const bool is_there = *standing && content_address((*standing)->value.query) == address;
+  const bool may_stand = is_there || (!*standing && !can_be_asked(failure.who));
+  return may_stand ? store_.put(failure, entry.value, trees, again())
+                   : store_.put_named(address, entry.value, trees, again());
+}
+
+Result<std::uint64_t> Intake::take_doubtful() {
+  const std::lock_guard lock(mutex_);
+  std::uint64_t changed = 0;
+  for (const std::string& path : std::exchange(doubtful_, {})) {
+    const Result<std::vector<NamedCase>> read = read_checked_cases(path);
+    if (!read) return tl::unexpected(read.error());
+    for (const NamedCase& entry : *read) {
+      const std::optional<Failure> failure = named_by_failure(entry);
+      if (!failure) continue;  // changed since
+      const Result<Store::Put> done = put_aside(entry, *failure);
+      if (!done) return tl::unexpected(done.error());
+      if (*done != Store::Put::kKnown) ++changed;
+    }
   }
-  return store_.put_named(address, entry.value, trees);
+  return changed;
 }
 
 Result<bool> Intake::has(const Failure& failure) {
@@ -60,7 +106,8 @@ Result<bool> Intake::has(const Failure& failure) {
 /// Whether the method of the failure fails so on an entry, when it is asked as the entry says.
 bool Intake::fails_so(const NamedCase& entry, const Failure& failure) {
   const auto known = check_case(entry);
-  return known && confirm_.failure_as_asked(failure.who, *known) == failure;
+  return known && can_be_asked(failure.who) &&
+         confirm_.failure_as_asked(failure.who, *known) == failure;
 }
 
 /// The same of an entry that hides finds from then on.
@@ -88,9 +135,10 @@ Result<bool> Intake::is_shown_in_store(const Failure& failure) {
   }
 }
 
-Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const std::string& trees) {
+Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const std::string& trees,
+                               const AskAgain& again) {
   for (;;) {
-    const Result<Store::Put> done = store_.put(failure, find, trees);
+    const Result<Store::Put> done = store_.put(failure, find, trees, again);
     if (!done) return done;
     if (*done != Store::Put::kKnown) confirmed_.insert(failure);
     if (confirmed_.contains(failure)) return done;

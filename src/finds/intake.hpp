@@ -44,10 +44,23 @@ class Intake {
   void know(const NamedCase& entry);
 
   /// Puts an entry of another folder: for the failure that it is called by, or under its own name.
-  /// Where another find stands for that failure, the smaller stays if it still fails so when its
-  /// method is asked; an entry whose method fails otherwise, or was not admitted, keeps beside it
-  /// the address of its query as its name. Errors: of the store.
+  /// Where its query stands there, the two are one then (unite), and what they disagree about the
+  /// methods are asked. One whose method, when it is asked, does not fail as the name says waits
+  /// for take_doubtful. Where another find stands for that failure, the smaller stays; an entry
+  /// whose method was not admitted keeps beside it the address of its query as its name.
+  /// Errors: of the store.
   Result<Store::Put> take(const NamedCase& entry);
+  /// Puts the entries that wait under the address of their query, or into one of that query that
+  /// stands for their failure. Returns how many changed the store. Errors: as take, and of reading.
+  Result<std::uint64_t> take_doubtful();
+
+  /// How often a method was asked in place of what entries said; and of which methods what is said
+  /// was kept, as none can be asked, how often.
+  struct Settled {
+    std::uint64_t asked = 0;
+    std::map<std::string, std::uint64_t> kept;
+  };
+  const Settled& settled() const { return settled_; }
 
   /// True iff the failure was offered, or an entry says that it shows it, and does when its method
   /// is asked again. Errors: of the store.
@@ -86,7 +99,10 @@ class Intake {
   };
 
   Result<void> store_kept();
-  Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "");
+  Result<Store::Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
+                         const AskAgain& again = nullptr);
+  Result<Store::Put> put_aside(const NamedCase& entry, const Failure& failure);
+  AskAgain again();
   bool fails_so(const NamedCase& entry, const Failure& failure);
   bool shows(const NamedCase& entry, const Failure& failure);
   Result<std::optional<bool>> confirm_standing(const Failure& failure);
@@ -101,6 +117,8 @@ class Intake {
   std::map<Failure, Kept> kept_;
   std::map<Failure, NamedCase> told_;  ///< by know
   std::set<Failure> confirmed_;        ///< an entry of the store shows it
+  std::vector<std::string> doubtful_;  ///< the paths of the entries that wait
+  Settled settled_;
   std::uint64_t times_replaced_ = 0;
   std::optional<InputError> trouble_;
 };

@@ -21,16 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Letters, digits and ._- so that the name is a file name everywhere and never hidden.
+/// Not one that is hidden, or would lie in another folder.
 Result<void> check_name(const std::string& name) {
-  constexpr size_t kLongest = 150;
-  const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return c < 128 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-');
-  });
-  if (plain && !name.empty() && !name.starts_with('.') && name.size() <= kLongest) return {};
-  return input_error("", fmt::format("\"{}\" is not a file name of at most {} letters, digits, "
-                                     "'.', '_' and '-'",
-                                     name, kLongest));
+  const bool is_plain = name.find_first_of(std::string_view("/\0", 2)) == std::string::npos;
+  if (is_plain && !name.empty() && !name.starts_with('.')) return {};
+  return input_error("", fmt::format("\"{}\" is not a file name: it is empty, begins with '.' or "
+                                     "has a '/' or a zero byte in it",
+                                     name));
 }
 
 bool has_tree(const Case& value) {
@@ -58,14 +55,29 @@ Result<void> write_entry(const std::string& path, Case value, const std::string&
   });
 }
 
-/// Makes an entry expect what the find does of further methods.
-Result<Store::Put> add_expectations(const std::string& path, const Case& old, const Case& find) {
-  Case merged = old;
-  merged.expect.insert(find.expect.begin(), find.expect.end());
-  if (merged == old) return Store::Put::kKnown;
-  return write_file(path, to_json(merged, JsonLayout::kReadable) + "\n").map([] {
-    return Store::Put::kMerged;
-  });
+/// Makes an entry say what a united one does. The name of a tree follows from that of its entry:
+/// both cannot be replaced at one moment, so that in between the entry has none.
+Result<Store::Put> rewrite_entry(const NamedCase& old, United united) {
+  const std::string& path = old.id;
+  Case& value = united.value;
+  if (value == old.value) return Store::Put::kKnown;
+  const auto write = [&](const Case& now) {
+    return write_file(path, to_json(now, JsonLayout::kReadable) + "\n");
+  };
+  const bool has_other_tree = has_tree(value) && value.truth.clearance != old.value.truth.clearance;
+  const bool loses_tree = has_tree(old.value) && !has_tree(value);
+  Result<void> written;
+  if (has_other_tree && has_tree(old.value)) {
+    Case bare = old.value;
+    drop_tree(bare.truth);
+    written = write(bare);
+  }
+  if (written && has_other_tree) written = carry_tree(value.truth, united.trees, path);
+  if (written) written = write(value);
+  std::error_code error;
+  if (written && loses_tree) fs::remove(trees_path(path), error);
+  if (error) return system_error(trees_path(path), "remove", error.value());
+  return written.map([] { return Store::Put::kMerged; });
 }
 
 }  // namespace
@@ -99,7 +111,8 @@ struct Store::State {
     return fmt::format("{}/{}.json", home, file_stem(failure));
   }
   Result<std::optional<std::string>> move_aside(const NamedCase& entry) const;
-  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees);
+  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees,
+                  const AskAgain& again);
 };
 
 namespace {
@@ -146,26 +159,31 @@ void Store::State::note_named(const NamedCase& entry) {
 }
 
 /// Gives an entry its address as its name. Where its query stands there already, that entry stays
-/// and gets its further expectations. Returns its new path, or nothing if it stood there.
+/// and says of it what both do. Returns its new path, or nothing if it stood there.
 Result<std::optional<std::string>> Store::State::move_aside(const NamedCase& entry) const {
   const std::string aside = fmt::format("{}/{}.json", home, content_address(entry.value.query));
   const auto standing = entry_at(aside);
   if (!standing) return tl::unexpected(standing.error());
   const Result<void> kept =
-      *standing ? add_expectations(aside, (*standing)->value, entry.value).map([](Put) {})
-                : write_entry(aside, entry.value, trees_path(entry.id));
+      *standing
+          ? rewrite_entry(**standing, unite(**standing, entry.value, trees_path(entry.id), nullptr))
+                .map([](Put) {})
+          : write_entry(aside, entry.value, trees_path(entry.id));
   return kept.and_then([&] { return remove_entry(entry.id); }).map([&] {
     return *standing ? std::nullopt : std::optional(aside);
   });
 }
 
 Result<Store::Put> Store::State::put(const Failure& failure, const Case& find,
-                                     const std::string& trees) {
+                                     const std::string& trees, const AskAgain& again) {
   const std::string path = path_of(failure);
   const Rank rank = rank_of(find.query);
   if (const auto known = named.find(failure);
       known != named.end() && !(rank < known->second.rank)) {
-    return Put::kKnown;
+    if (!again || known->second.rank < rank) return Put::kKnown;
+    const auto twin = entry_at(known->second.path);
+    if (!twin) return tl::unexpected(twin.error());
+    if (*twin) return rewrite_entry(**twin, unite(**twin, find, trees, again));
   }
   const auto standing = entry_at(path);
   if (!standing) return tl::unexpected(standing.error());
@@ -175,7 +193,11 @@ Result<Store::Put> Store::State::put(const Failure& failure, const Case& find,
   const bool is_of_failure = shows(old, failure);
   const Rank old_rank = rank_of(old.query);
   if (is_of_failure && old_rank < rank) return Put::kKnown;
-  if (is_of_failure && old_rank == rank) return add_expectations(path, old, find);
+  if (old_rank == rank) {
+    United united = unite(**standing, find, trees, again);
+    if (shows(united.value, failure)) return rewrite_entry(**standing, std::move(united));
+    if (is_of_failure) return Put::kKnown;
+  }
   if (is_of_failure && !has_tree(old) && !has_tree(find)) {
     return write_entry(path, find, trees).map([] { return Put::kSmaller; });
   }
@@ -218,31 +240,34 @@ Store::Store(Store&&) noexcept = default;
 Store& Store::operator=(Store&&) noexcept = default;
 Store::~Store() = default;
 
-Result<Store::Put> Store::put(const Failure& failure, const Case& find, const std::string& trees) {
+Result<Store::Put> Store::put(const Failure& failure, const Case& find, const std::string& trees,
+                              const AskAgain& again) {
   CCDFUZZ_VERIFY(shows(find, failure));
   if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
   const std::lock_guard one_at_a_time(state_->mutex);
   const auto lock = state_->enter();
   if (!lock) return tl::unexpected(lock.error());
-  return state_->put(failure, find, trees);
+  return state_->put(failure, find, trees, again);
 }
 
 Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
-                                    const std::string& trees) {
+                                    const std::string& trees, const AskAgain& again) {
   if (auto checked = check_truth(entry); !checked) return tl::unexpected(checked.error());
   if (auto named = check_name(name); !named) return tl::unexpected(named.error());
   const std::lock_guard one_at_a_time(state_->mutex);
   const auto lock = state_->enter();
   if (!lock) return tl::unexpected(lock.error());
   const std::string address = content_address(entry.query);
-  std::string path = fmt::format("{}/{}.json", state_->home, name);
+  constexpr size_t kLongest = 240;  // with ".trees.zst" as long as a file's name may be
+  std::string path =
+      fmt::format("{}/{}.json", state_->home, name.size() <= kLongest ? name : address);
   auto standing = entry_at(path);
   if (standing && *standing && content_address((*standing)->value.query) != address) {
     path = fmt::format("{}/{}.json", state_->home, address);
     standing = entry_at(path);
   }
   if (!standing) return tl::unexpected(standing.error());
-  if (*standing) return add_expectations(path, (*standing)->value, entry);
+  if (*standing) return rewrite_entry(**standing, unite(**standing, entry, trees, again));
   return write_entry(path, entry, trees).map([&] {
     state_->note_named({path, entry});
     return Put::kNew;

@@ -10,6 +10,7 @@
 #include "finds/content_address.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
+#include "finds/unite.hpp"
 
 namespace ccdfuzz {
 
@@ -23,13 +24,14 @@ namespace ccdfuzz {
 ///  2. The entry of a failure is the smallest of all finds that were put for it, by Rank; so what
 ///     is kept does not depend on the order. (A killed writer may leave the larger one beside it,
 ///     under its address.)
-///  3. No entry's expectation is ever changed by another find.
+///  3. Of two entries of one query the stronger truth stays (unite), and no expectation is changed
+///     by another find, unless who puts it asks the method again.
 class Store {
  public:
   enum class Put {
     kNew,      ///< the first of its failure
     kSmaller,  ///< took the place of a larger one
-    kMerged,   ///< the query was there, and now has further expectations
+    kMerged,   ///< the query was there, and now says more of it (unite)
     kKnown,    ///< nothing new, nothing written
   };
 
@@ -44,13 +46,15 @@ class Store {
   /// Puts a find that shows a failure, and makes the folder again if it was removed. Safe from
   /// several threads. Requires that the find expects the failure. trees: the file of trees beside
   /// the case, of which its own comes along; without it (empty) what a tree proves is left out.
-  /// Errors: a refuted truth; a full disk or any other refusal of the system, after which the
-  /// entries so far stand.
-  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "");
+  /// again: as for unite. Errors: a refuted truth; a full disk or any other refusal of the system,
+  /// after which the entries so far stand.
+  Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
+                  const AskAgain& again = nullptr);
 
   /// Puts an entry under a name of its own, without ".json"; under its address where another case
-  /// has that name. Errors: as put; no file name.
-  Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "");
+  /// has that name, or it is longer than a file's may be. Errors: as put; no file name.
+  Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "",
+                        const AskAgain& again = nullptr);
 
   /// The smallest entry that says that it shows the failure. Errors: as put.
   Result<std::optional<NamedCase>> standing(const Failure& failure);

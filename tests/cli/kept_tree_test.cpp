@@ -51,6 +51,22 @@ TEST_F(KeptTree, OfAMergedEntry) {
   expect_proven(all);
 }
 
+TEST_F(KeptTree, OfAnEntryThatMeetsItselfWithoutProof) {
+  std::filesystem::create_directories(folder_ / "weak");
+  auto entry = read_case(case_in("plain"));
+  drop_tree(entry->value.truth);
+  write_text(case_in("weak"), to_json(entry->value));
+  const std::string plain = folder_ / "plain", weak = folder_ / "weak";
+  for (const bool plain_first : {false, true}) {
+    const std::string all = folder_ / (plain_first ? "all" : "also");
+    const auto& [first, second] = plain_first ? std::pair(plain, weak) : std::pair(weak, plain);
+    ASSERT_EQ(ccdfuzz({"merge", first, second, "-o", all}).code, 0);
+    expect_proven(all);
+  }
+  ASSERT_EQ(ccdfuzz({"merge", plain, "-o", weak}).code, 0);
+  expect_proven(weak);
+}
+
 TEST_F(KeptTree, OfAnEntryThatGetsAName) {
   const std::string all = folder_ / "all";
   ASSERT_EQ(ccdfuzz({"merge", folder_ / "plain", folder_ / "named", "-o", all}).code, 0);

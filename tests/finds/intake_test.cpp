@@ -150,9 +150,63 @@ TEST(Intake, AnEntryThatDoesNotFailAsItSaysTakesNoOthersPlace) {
     Taken taken(folder.path(), 2);
     ASSERT_TRUE(taken.intake.take(entry_in(other / "a", find_of(forged_first ? 1 : 31))));
     ASSERT_TRUE(taken.intake.take(entry_in(other / "b", find_of(forged_first ? 31 : 1))));
+    EXPECT_EQ(taken.intake.take_doubtful().value(), 1U);
     EXPECT_THAT(cases_in(folder.path()), testing::UnorderedElementsAre(find_of(1), find_of(31)));
     const std::string path = taken.store.path_of(failures_of(find_of(31)).front());
     EXPECT_EQ(read_cases(path).value().front().value, find_of(31));
+  }
+}
+
+/// find_of(3) whose contact is not proven, which nobody can miss.
+Case unproven_find() {
+  Case weak = find_of(3);
+  weak.truth = {};
+  return weak;
+}
+
+TEST(Intake, OfTwoEntriesOfOneQueryTheStrongerTruthStays) {
+  for (const std::string name : {"tdibm-missed-VV-at-an-end", "own name (1)"}) {
+    for (const bool proven_first : {false, true}) {
+      const ScratchFolder folder, other;
+      for (const bool is_proven : {proven_first, !proven_first}) {
+        const std::string to = other / (is_proven ? "proven" : "weak");
+        ASSERT_TRUE(open_store(to).put_named(name, is_proven ? find_of(3) : unproven_find()));
+        Taken taken(folder.path(), 1);
+        ASSERT_TRUE(
+            taken.intake.take({to + "/" + name + ".json", is_proven ? find_of(3) : unproven_find(),
+                               to + "/" + name + ".json"}));
+        ASSERT_TRUE(taken.intake.take_doubtful());
+      }
+      EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3))) << name << proven_first;
+      EXPECT_TRUE(fs::exists(folder / (name + ".json")));
+    }
+  }
+}
+
+TEST(Intake, AnEntryThatNoLongerFailsIsNotCalledByItsFailure) {
+  const ScratchFolder folder, other;
+  Taken taken(folder.path(), 4);
+  ASSERT_TRUE(taken.intake.take(entry_in(other.path(), find_of(3))));
+  EXPECT_EQ(taken.intake.take_doubtful().value(), 1U);
+  EXPECT_TRUE(fs::exists(folder / (content_address(find_of(3).query) + ".json")));
+  EXPECT_FALSE(fs::exists(taken.store.path_of(failures_of(find_of(3)).front())));
+}
+
+TEST(Intake, WhereEntriesOfOneQueryDisagreeItsMethodIsAsked) {
+  const std::string nobody = "plugin-exec:./nobody";
+  Case one = find_of(3), two = find_of(3);
+  one.expect = {{"tdibm", Outcome::kCorrect}, {nobody, Outcome::kMissed}};
+  two.expect = {{"tdibm", Outcome::kUnknown}, {nobody, Outcome::kCorrect}};
+  for (const bool is_one_first : {false, true}) {
+    const ScratchFolder folder;
+    Taken taken(folder.path(), 1);
+    ASSERT_TRUE(taken.intake.take({"a/x.json", is_one_first ? one : two, "a/x.json"}));
+    ASSERT_TRUE(taken.intake.take({"b/x.json", is_one_first ? two : one, "b/x.json"}));
+    const Case now = cases_in(folder.path()).front();
+    EXPECT_EQ(now.expect.at("tdibm").outcome, Outcome::kMissed) << "what it shows";
+    EXPECT_EQ(now.expect.at(nobody), (is_one_first ? one : two).expect.at(nobody)) << "the first";
+    EXPECT_EQ(taken.intake.settled().asked, 1U);
+    EXPECT_THAT(taken.intake.settled().kept, ElementsAre(testing::Pair(nobody, 1U)));
   }
 }
 

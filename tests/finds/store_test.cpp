@@ -114,11 +114,16 @@ TEST(Store, NamesThatAreNoFileNamesAreErrors) {
     const auto done = store.put_named(name, find_of(x));
     return done ? "accepted" : done.error().message();
   };
-  EXPECT_EQ(refused("good", 3), "accepted");
-  for (const std::string bad : {"../up", ".hidden", "a b", "\xc3\xa4", ""}) {
+  for (const std::string good : {"good", "my find (1)", "\xc3\xa4"}) {
+    EXPECT_EQ(refused(good, 3), "accepted") << good;
+    EXPECT_TRUE(fs::exists(folder / (good + ".json")));
+  }
+  for (const std::string bad : {"../up", ".hidden", "a/b", ""}) {
     EXPECT_THAT(refused(bad, 5), testing::StartsWith("\"" + bad + "\" is not a file name")) << bad;
   }
-  EXPECT_EQ(cases_in(folder.path()).size(), 1U);
+  EXPECT_EQ(refused(std::string(300, 'x'), 7), "accepted");
+  EXPECT_TRUE(fs::exists(folder / (content_address(find_of(7).query) + ".json")));
+  EXPECT_EQ(cases_in(folder.path()).size(), 4U);
 }
 
 TEST(Store, WhereAnotherCaseHasTheNameAnEntryIsCalledByItsAddress) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "case/case_files.hpp"
+#include "case/checked_case.hpp"
+
+namespace ccdfuzz {
+
+/// What a method shows now on a case; nothing where it cannot be asked.
+using AskAgain =
+    std::function<std::optional<Expected>(const std::string& method, const CheckedCase& known)>;
+
+/// Two entries of one query as one.
+struct United {
+  Case value;
+  std::string trees;  ///< the file with the tree of its truth
+};
+
+/// Of the truths each part from where it is stronger: the earlier contact; absence of contact by
+/// certificate before any by a method's word, and the later of two. The rest is of `old`. Where the
+/// entries disagree about a method, or say of one what was so of a weaker truth or of another way
+/// of asking, `again` is asked; what it does not know, or all without it, stays as `old` says first
+/// and `find` second. Requires that both truths were checked. trees: where the tree of find is;
+/// empty: without it what a tree proves is left out.
+United unite(const NamedCase& old, const Case& find, const std::string& trees,
+             const AskAgain& again);
+
+}  // namespace ccdfuzz
