@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
-#include <memory>
-#include <vector>
 
 #include "base/text.hpp"
 #include "fuzz/libfuzzer.hpp"
+#include "generators/draw/choice_bytes.hpp"
+#include "generators/draw/mutate_choices.hpp"
 #include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
@@ -23,53 +23,53 @@ const Suite& this_suite() {
 
 /// What runs one input of one property again.
 std::string check_command() {
-#ifdef CCDFUZZ_CHECK_PROPERTY
-  return shell_word(CCDFUZZ_CHECK_PROPERTY);
+#ifdef CCDFUZZ_PROGRAM
+  return shell_word(CCDFUZZ_PROGRAM) + " check";
 #else  // built for an engine, to run on another machine
   return "ccdfuzz check";
 #endif
 }
 
-/// Whether an input was run to its end. libFuzzer runs each before it mutates it, but for one that
-/// it minimises, which does not end.
-bool any_ended = false;
+std::size_t put(const ClaimInput& input, std::uint8_t* data, std::size_t max_size) {
+  const std::vector<std::uint8_t> bytes = to_bytes(input);
+  const std::size_t size = std::min(bytes.size(), max_size);
+  std::copy_n(bytes.begin(), size, data);
+  return size;
+}
 
-std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+ClaimInput drawn_input(Draw& random) {
+  static const std::vector<Property> claims = this_suite().thought_to_hold();
+  const Property& claim = claims[random.below(claims.size())];
+  return {claim, drawn_choices(random)};
+}
+
+std::size_t mutated_bytes(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                          unsigned seed) {
   // Draws kill twice as many planted faults in 5 s as coverage does (tests/scoreboard), which goes
   // on from what they reach: an equal share for either.
   constexpr std::uint64_t kOneDrawnIn = 2;
-  const Suite& suite = this_suite();
   Draw random{Random(seed)};
-  if (!suite.reads_text) {
-    const auto take = [&](const std::vector<std::uint8_t>& input) {
-      size = std::min(input.size(), max_size);
-      std::copy_n(input.begin(), size, data);
-    };
-    if (random.below(kOneDrawnIn) == 0) {
-      take(drawn_input(random));
-      return size;
-    }
-    if (any_ended) {
-      if (const auto bytes = drawn_as_bytes(suite, {data, size})) take(*bytes);
-    }
+  if (this_suite().reads_text) {
+    return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
   }
-  return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
+  auto input = claim_input(this_suite(), {data, size});
+  if (!input || random.below(kOneDrawnIn) == 0) return put(drawn_input(random), data, max_size);
+  input->choices = mutated(std::move(input->choices), random);
+  return put(*input, data, max_size);
 }
 
 }  // namespace
 
 int check_input(std::span<const std::uint8_t> bytes) {
-  const Suite& suite = this_suite();
-  const auto input = claim_input(suite, bytes);
+  const auto input = claim_input(this_suite(), bytes);
   if (!input) return -1;  // not for the corpus
-  Draw choices = input->choices();
+  Draw choices = Draw::from_numbers(input->choices);
   const Check check = run(input->property, choices);
-  any_ended = true;
   if (check.status == Check::Status::kDiscarded) return -1;
   if (check.status == Check::Status::kFails) {
-    std::cerr << fmt::format("refuted claim: {} fails: {}\nreproduce: {} {} --hex {}\n",
+    std::cerr << fmt::format("refuted claim: {} fails: {}\nreproduce: {} {} --choices {}\n",
                              input->property.name, check.text, check_command(),
-                             input->property.name, to_hex_word(choices.bytes()));
+                             input->property.name, to_word(choices.numbers()));
     std::abort();
   }
   return 0;
@@ -79,5 +79,18 @@ int check_input(std::span<const std::uint8_t> bytes) {
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
-  return ccdfuzz::mutated(data, size, max_size, seed);
+  return ccdfuzz::mutated_bytes(data, size, max_size, seed);
+}
+
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
+                                                 const std::uint8_t* data2, std::size_t size2,
+                                                 std::uint8_t* out, std::size_t max_size,
+                                                 unsigned int seed) {
+  using namespace ccdfuzz;  // NOLINT: of this function alone
+  Draw random{Random(seed)};
+  auto mother = claim_input(this_suite(), {data1, size1});
+  const auto father = claim_input(this_suite(), {data2, size2});
+  if (!mother || !father || this_suite().reads_text) return 0;
+  mother->choices = crossed(mother->choices, father->choices, random);
+  return put(*mother, out, max_size);
 }

@@ -11,8 +11,9 @@ namespace ccdfuzz {
 extern const std::string_view kSuite;
 
 /// Puts the bytes to one of the suite's claims (claim_input). A failure is printed with its
-/// operands and ends the process, so that libFuzzer keeps the input. What links this has libFuzzer
-/// draw every other input (drawn_input), but for texts.
+/// operands and ends the process, so that libFuzzer keeps the input. What links this mutates and
+/// crosses choices (generators/draw/mutate_choices.hpp), and draws every other input anew; but not
+/// texts.
 int check_input(std::span<const std::uint8_t> bytes);
 
 }  // namespace ccdfuzz

@@ -9,29 +9,20 @@
 
 namespace ccdfuzz {
 
-/// What an input of a suite's fuzz target is: one of its claims, and where the choices come from
-/// that it is put to: bytes, or draws.
+/// What an input of a suite's fuzz target is: one of its claims, and the choices that it is put to.
 struct ClaimInput {
   Property property;
-  std::span<const std::uint8_t> bytes;
-  std::optional<std::uint64_t> seed;  ///< of draws, in place of bytes
-
-  Draw choices() const;
+  ChoiceNumbers choices;
 };
 
-/// The same draws as those of `ccdfuzz check --seed S --first 0 --count 1`.
-Draw draws_of(std::uint64_t seed);
-
-/// Where a suite reads a text, the bytes are that. Any other's first byte says which claim, in its
-/// lower bits, and by the highest whether the next eight are a seed, the lowest first. None without
-/// the first byte.
+/// The first kClaimHead bytes say which claim: hex digits of its name's hash, so that inputs keep
+/// their meaning when claims are added. The choices follow (choice_bytes.hpp). Where a suite reads
+/// a text, each byte is a choice and there is no head. None for the hash of no claim that is
+/// thought to hold.
 std::optional<ClaimInput> claim_input(const Suite& suite, std::span<const std::uint8_t> bytes);
+inline constexpr std::size_t kClaimHead = 8;
 
-/// A draw of any claim as an input of a suite that reads no text.
-std::vector<std::uint8_t> drawn_input(Draw& random);
-/// The same choices as bytes, which can be changed one by one, where the input is one of draws.
-/// Runs the claim.
-std::optional<std::vector<std::uint8_t>> drawn_as_bytes(const Suite& suite,
-                                                        std::span<const std::uint8_t> input);
+/// The bytes of an input of a suite that reads no text.
+std::vector<std::uint8_t> to_bytes(const ClaimInput& input);
 
 }  // namespace ccdfuzz

@@ -35,8 +35,7 @@ void move_along(Query& query, int axis, double by) {
 }
 
 std::string text_of(const Query& query, const std::string& tree) {
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(tree.data()), tree.size());
-  return fmt::format("tree {}\n{}", to_hex_bytes(bytes), to_text(query));
+  return fmt::format("tree {}\n{}", to_hex_bytes(tree), to_text(query));
 }
 
 /// One leaf for all of [0, 1]: it proves absence of contact iff patch 1 stays below patch 2 on its

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "base/hex_bytes.hpp"
 #include "generators/draw/draw.hpp"
 #include "numeric/rational.hpp"
 

@@ -3,18 +3,17 @@
 namespace ccdfuzz {
 
 InputRunner runner_of(const Property& property) {
-  const auto run_on = [property](auto choices) -> InputRun {
+  return [property](const ChoiceNumbers& numbers) -> InputRun {
+    Draw choices = Draw::from_numbers(numbers);
     Check check = run(property, choices);
-    return {std::move(check), "", choices.numbers(), choices.bytes()};
+    return {std::move(check), "", choices.numbers()};
   };
-  return {[=](const ChoiceNumbers& numbers) { return run_on(Draw::from_numbers(numbers)); },
-          [=](std::span<const std::uint8_t> bytes) { return run_on(Draw::from_bytes(bytes)); }};
 }
 
 std::optional<Counterexample> shrunk_counterexample(const InputRunner& runner,
                                                     const ChoiceNumbers& numbers,
                                                     const ShrinkLimits& limits) {
-  const InputRun first = runner.on_numbers(numbers);
+  const InputRun first = runner(numbers);
   if (!first.fails()) return std::nullopt;
   std::uint64_t spent = 0;
   bool is_over = false;
@@ -24,16 +23,11 @@ std::optional<Counterexample> shrunk_counterexample(const InputRunner& runner,
     is_over = is_over || (limits.is_over && limits.is_over());
     if (is_over) return false;
     ++spent;
-    return runner.on_numbers(candidate).fails_as(first);
+    return runner(candidate).fails_as(first);
   });
-  const InputRun last = runner.on_numbers(least);
+  const InputRun last = runner(least);
   if (!last.fails_as(first)) return std::nullopt;
-  Counterexample found{least, last.bytes, last.check, spent, is_over};
-  // A source at its end gives zeros.
-  std::vector<std::uint8_t> shorter = last.bytes;
-  while (!shorter.empty() && shorter.back() == 0) shorter.pop_back();
-  if (runner.on_bytes(shorter).fails_as(first)) found.bytes = std::move(shorter);
-  return found;
+  return Counterexample{least, last.check, spent, is_over};
 }
 
 }  // namespace ccdfuzz

@@ -3,9 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "generators/draw/shrink_choices.hpp"
 #include "properties/property.hpp"
@@ -15,10 +13,9 @@ namespace ccdfuzz {
 /// A failing input and its shrunk form.
 struct Counterexample {
   ChoiceNumbers numbers;
-  std::vector<std::uint8_t> bytes;  ///< for Draw::from_bytes
-  Check check;                      ///< what it shows
-  std::uint64_t tries = 0;          ///< runs of the property on simpler inputs
-  bool is_cut_short = false;        ///< is_over said so: there may be simpler ones
+  Check check;                ///< what it shows
+  std::uint64_t tries = 0;    ///< runs of the property on simpler inputs
+  bool is_cut_short = false;  ///< is_over said so: there may be simpler ones
 };
 
 /// When no more simpler inputs are tried. (The input itself, and what comes out, are run besides.)
@@ -32,18 +29,14 @@ struct InputRun {
   Check check;
   std::string error;      ///< its name ("crash SIGSEGV"), and check fails; empty: it ended
   ChoiceNumbers numbers;  ///< what it drew, until the error if there was one
-  std::vector<std::uint8_t> bytes;  ///< the same
 
   bool fails() const { return check.status == Check::Status::kFails; }
   /// In the same way.
   bool fails_as(const InputRun& other) const { return fails() && error == other.error; }
 };
 
-/// A way to run a property.
-struct InputRunner {
-  std::function<InputRun(const ChoiceNumbers&)> on_numbers;
-  std::function<InputRun(std::span<const std::uint8_t>)> on_bytes;
-};
+/// A way to run a property on choices.
+using InputRunner = std::function<InputRun(const ChoiceNumbers&)>;
 InputRunner runner_of(const Property& property);
 
 /// Shrinks a sequence of choices on which the property failed; the result fails in the same way,

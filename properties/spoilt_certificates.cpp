@@ -74,10 +74,8 @@ Check check_wrong_tree(Draw& choices) {
   const Rational until = draw_late(choices, *drawn->known.truth.contact_by());
   const std::string tree = draw_tree(choices, drawn->tree);
   if (!check_tree(drawn->known.query, until, tree)) return Check::holds();
-  return Check::fails(
-      fmt::format("clear until {} by the tree {}, but\n{}", to_text(until),
-                  to_hex_bytes({reinterpret_cast<const std::uint8_t*>(tree.data()), tree.size()}),
-                  to_json(drawn->known)));
+  return Check::fails(fmt::format("clear until {} by the tree {}, but\n{}", to_text(until),
+                                  to_hex_bytes(tree), to_json(drawn->known)));
 }
 
 /// No plane separates up to after a contact.

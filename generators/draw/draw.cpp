@@ -13,11 +13,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// The bytes that a choice with this bound takes.
-int width_of(std::uint64_t max) {
-  return (static_cast<int>(std::bit_width(max)) + 7) / 8;
-}
-
 /// x modulo max + 1, where max + 1 may be 2^64.
 std::uint64_t reduced(std::uint64_t x, std::uint64_t max) {
   return max == std::numeric_limits<std::uint64_t>::max() ? x : x % (max + 1);
@@ -53,16 +48,6 @@ struct ToAndFro {
 
 }  // namespace
 
-void append_choice(std::vector<std::uint8_t>& bytes, std::uint64_t choice, int width) {
-  for (int i = 0; i < width; ++i) bytes.push_back(static_cast<std::uint8_t>(choice >> (8 * i)));
-}
-
-Draw Draw::from_bytes(std::span<const std::uint8_t> bytes) {
-  Draw draw(Source::kBytes, Random(0));
-  draw.left_ = bytes;
-  return draw;
-}
-
 Draw Draw::from_numbers(ChoiceNumbers numbers) {
   Draw draw(Source::kNumbers, Random(0));
   draw.numbers_ = std::move(numbers);
@@ -78,15 +63,9 @@ std::uint64_t Draw::supply(std::uint64_t max) {
       return streamed(random_.coin() ? std::min(max, kSmall) : max);
     }
     case Source::kNumbers:
-      return next_ < numbers_.size() ? reduced(numbers_[next_++], max) : 0;
-    case Source::kBytes:
       break;
   }
-  const auto width = std::min<std::size_t>(static_cast<std::size_t>(width_of(max)), left_.size());
-  std::uint64_t x = 0;
-  for (std::size_t i = 0; i < width; ++i) x |= std::uint64_t{left_[i]} << (8 * i);
-  left_ = left_.subspan(width);
-  return reduced(x, max);
+  return next_ < numbers_.size() ? reduced(numbers_[next_++], max) : 0;
 }
 
 std::uint64_t Draw::chosen(std::uint64_t max) {
@@ -99,13 +78,7 @@ std::uint64_t Draw::chosen(std::uint64_t max) {
 void Draw::note(std::uint64_t choice, std::uint64_t max) {
   CCDFUZZ_VERIFY(choice <= max);
   made_.push_back(choice);
-  append_choice(bytes_, choice, width_of(max));
-  if (watch_) watch_(choice, width_of(max));
-}
-
-void Draw::forget(const std::array<std::size_t, 2>& sizes) {
-  made_.resize(sizes[0]);
-  bytes_.resize(sizes[1]);
+  if (watch_) watch_(choice);
 }
 
 std::int64_t Draw::integer(std::int64_t lo, std::int64_t hi) {
@@ -159,38 +132,8 @@ std::string Draw::text(std::size_t max_size) {
 
 std::size_t Draw::text_size(std::size_t max_size) {
   constexpr std::uint64_t kTypical = 200;
-  if (source_ == Source::kBytes) return std::min(left_.size(), max_size);
   if (source_ == Source::kNumbers) return std::min(numbers_.size() - next_, max_size);
   return std::min<std::size_t>(random_.below(kTypical + 1), max_size);
-}
-
-std::string to_hex_bytes(std::span<const std::uint8_t> bytes) {
-  std::string text;
-  for (const std::uint8_t byte : bytes) text += fmt::format("{:02x}", byte);
-  return text;
-}
-
-std::string to_hex_bytes(std::string_view bytes) {
-  return to_hex_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
-
-std::string to_hex_word(std::span<const std::uint8_t> bytes) {
-  return bytes.empty() ? "''" : to_hex_bytes(bytes);
-}
-
-Result<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text) {
-  const auto digit = [](char c) -> int {
-    return c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
-  };
-  std::vector<std::uint8_t> bytes;
-  for (std::size_t i = 0; i < text.size(); i += 2) {
-    const int high = digit(text[i]), low = i + 1 < text.size() ? digit(text[i + 1]) : -1;
-    if (high < 0 || low < 0) {
-      return input_error("", fmt::format("\"{}\" is not pairs of hex digits 0-9a-f", text));
-    }
-    bytes.push_back(static_cast<std::uint8_t>(high * 16 + low));
-  }
-  return bytes;
 }
 
 }  // namespace ccdfuzz

@@ -23,10 +23,11 @@ struct Discarded : std::exception {
 };
 
 /// Where everything that is drawn comes from: a sequence of choices, each a whole number from 0 to
-/// a bound. Its source is a random stream, a fuzzer's bytes, or stored numbers. 0 is the simplest
-/// choice everywhere, and what bytes and stored numbers give at their end, so that shorter and
-/// smaller sequences are simpler inputs, whoever shrinks them. One draw per statement: the order in
-/// which a compiler evaluates the arguments of a call is its own affair.
+/// a bound. Its source is a random stream, or stored numbers, which a fuzzer has as bytes
+/// (choice_bytes.hpp). 0 is the simplest choice everywhere, and what stored numbers give at their
+/// end, so that shorter and smaller sequences are simpler inputs, whoever shrinks them. One draw
+/// per statement: the order in which a compiler evaluates the arguments of a call is its own
+/// affair.
 class Draw {
  public:
   /// Uniform: of this stream data sets are made, the same everywhere. Keeps no record of its
@@ -35,9 +36,6 @@ class Draw {
   /// Half of them uniform, half of them among the eight smallest, because what breaks geometry are
   /// coincidences.
   static Draw mostly_small(Random stream) { return {Source::kMostlySmall, stream}; }
-  /// Each takes as many whole bytes, lowest first, as its bound needs, and the remainder after
-  /// division by bound + 1. So one byte changes one choice only. Keeps the span.
-  static Draw from_bytes(std::span<const std::uint8_t> bytes);
   /// Each number modulo bound + 1.
   static Draw from_numbers(ChoiceNumbers numbers);
 
@@ -66,20 +64,21 @@ class Draw {
   const T& pick(const std::array<T, N>& from) {
     return from[below(N)];
   }
-  /// Bytes, at most max_size of them.
+  /// Bytes, at most max_size of them: of stored numbers, one for each that is left. So nothing else
+  /// is drawn after a text.
   std::string text(std::size_t max_size);
 
-  /// The first of make() that is good. A random source goes on until there is one. Bytes and stored
-  /// numbers could give bad ones for ever: after kMostTries of them, or the first after their end,
+  /// The first of make() that is good. A random source goes on until there is one. Stored numbers
+  /// could give bad ones for ever: after kMostTries of them, or the first after their end,
   /// Discarded is thrown. What was refused is not among numbers(), so these give the same at once.
   template <class Make, class Good>
   auto until(const Make& make, const Good& good) {
     for (int tries = 1;; ++tries) {
-      const std::array<std::size_t, 2> before = {made_.size(), bytes_.size()};
+      const std::size_t before = made_.size();
       auto made = make();
       if (good(made)) return made;
-      if (is_finite() && (tries == kMostTries || is_at_end())) throw Discarded();
-      forget(before);
+      if (source_ == Source::kNumbers && (tries == kMostTries || is_at_end())) throw Discarded();
+      made_.resize(before);
     }
   }
   static constexpr int kMostTries = 64;
@@ -88,11 +87,9 @@ class Draw {
   void record() { is_recording_ = true; }
   /// The choices that were made, for from_numbers().
   const ChoiceNumbers& numbers() const { return made_; }
-  /// The same as the bytes from which from_bytes() makes them again.
-  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
 
-  /// Called with each choice as soon as it is made, and the number of bytes that it is of bytes().
-  using Watch = std::function<void(std::uint64_t choice, int bytes)>;
+  /// Called with each choice as soon as it is made.
+  using Watch = std::function<void(std::uint64_t choice)>;
   void watch(Watch watch) { watch_ = std::move(watch); }
 
   /// Where whoever draws tells what it made of the choices; null unless somebody listens.
@@ -100,42 +97,28 @@ class Draw {
   void tell_to(std::string* story) { story_ = story; }
 
  private:
-  enum class Source : std::uint8_t { kStream, kMostlySmall, kBytes, kNumbers };
+  enum class Source : std::uint8_t { kStream, kMostlySmall, kNumbers };
 
   Draw(Source source, Random random)
       : source_(source), is_recording_(source != Source::kStream), random_(random) {}
 
-  bool is_finite() const { return source_ == Source::kBytes || source_ == Source::kNumbers; }
-  bool is_at_end() const { return left_.empty() && next_ == numbers_.size(); }
+  bool is_at_end() const { return next_ == numbers_.size(); }
   std::uint64_t streamed(std::uint64_t max) {
     return max == ~std::uint64_t{0} ? random_.next() : random_.below(max + 1);
   }
   std::uint64_t supply(std::uint64_t max);
   std::uint64_t chosen(std::uint64_t max);
   void note(std::uint64_t choice, std::uint64_t max);
-  void forget(const std::array<std::size_t, 2>& sizes);
   std::size_t text_size(std::size_t max_size);
 
   Source source_;
   bool is_recording_ = false;
   Random random_;
-  std::span<const std::uint8_t> left_;  ///< of the bytes
-  ChoiceNumbers numbers_;               ///< that are stored
-  std::size_t next_ = 0;                ///< of them
+  ChoiceNumbers numbers_;  ///< that are stored
+  std::size_t next_ = 0;   ///< of them
   ChoiceNumbers made_;
-  std::vector<std::uint8_t> bytes_;
   Watch watch_;
   std::string* story_ = nullptr;
 };
-
-/// One more choice, as it stands in so many bytes.
-void append_choice(std::vector<std::uint8_t>& bytes, std::uint64_t choice, int width);
-
-/// "00ff1a": how choices stand in messages and on command lines.
-std::string to_hex_bytes(std::span<const std::uint8_t> bytes);
-std::string to_hex_bytes(std::string_view bytes);
-/// The same as one word of a shell, which '' is for no bytes.
-std::string to_hex_word(std::span<const std::uint8_t> bytes);
-Result<std::vector<std::uint8_t>> parse_hex_bytes(std::string_view text);
 
 }  // namespace ccdfuzz

@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "generators/draw/choice_bytes.hpp"
 #include "numeric/effort.hpp"
 #include "properties/suites.hpp"
 
@@ -17,13 +18,13 @@ namespace ccdfuzz {
 
 namespace {
 
-const std::string kFolder = fmt::format("finds/{}", kPropertyFinds);
+const std::string kFolder = fmt::format("finds/{}", kClaims);
 
 struct CheckArguments {
   std::vector<Property> known;
   std::vector<std::string> names;
   CheckedInputs inputs;
-  std::optional<std::string> hex, save;
+  std::optional<std::string> choices, save;
 };
 
 /// What is told of one property: a row of the table and of the JSON output.
@@ -60,7 +61,7 @@ struct CheckedProperty {
       archive("fails_again", fails_again);
       archive.when(fails_again, "shrunk", find.text);
       archive.when(fails_again, "cut_short", find.shrunk == Shrunk::kCutShort);
-      archive.when(fails_again, "reproduce_shrunk", find.reproduce);
+      archive.when(fails_again, "reproduce_shrunk", find.reproduce());
       archive.when(fails_again, "test", find.test_text());
     }
     archive.optional("saved", checked.saved);
@@ -110,7 +111,7 @@ void print_shrunk(const CheckedProperty& checked) {
   std::string text = "\nnot shrunk: the same input does not fail each time that it is run\n";
   if (find.shrunk != Shrunk::kNot) {
     text = fmt::format("\nshrunk{}: {}\nreproduce: {}\n",
-                       find.is_complete() ? "" : " (not to the end)", find.text, find.reproduce);
+                       find.is_complete() ? "" : " (not to the end)", find.text, find.reproduce());
   }
   if (!checked.not_saved.empty()) text += fmt::format("not saved: {}\n", checked.not_saved);
   if (!checked.saved.empty()) text += fmt::format("saved: {}\n", checked.saved);
@@ -164,7 +165,7 @@ class PropertyCheck {
     const CheckedInputs& inputs = checked_.inputs;
     const std::unique_ptr<ServedClaim> claim = children_.take(checked_.property);
     const InputRun failed = claim->on_draw(inputs.seed, checked_.tally.first_failure);
-    if (!failed.fails_as({Check::fails(""), checked_.find->error, {}, {}})) return;
+    if (!failed.fails_as({Check::fails(""), checked_.find->error, {}})) return;
     const auto start = std::chrono::steady_clock::now();
     std::uint64_t runs = 0;
     const auto is_over = [&] {
@@ -174,7 +175,7 @@ class PropertyCheck {
       const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
       return session_.interrupted() || (inputs.seconds && spent.count() >= *inputs.seconds);
     };
-    const auto least = claim->least({checked_.property, {}, 0}, failed, {kShrinkTries, is_over});
+    const auto least = claim->least(failed, {kShrinkTries, is_over});
     if (!least) return;
     checked_.find->set_least(*least);
     save();
@@ -208,7 +209,7 @@ std::vector<Property> chosen_properties(const CheckArguments& options) {
 }
 
 /// One input of one property, as a row of the JSON output.
-struct HexRow {
+struct InputRow {
   const Property& property;
   const Check& check;
 
@@ -223,14 +224,14 @@ struct HexRow {
 };
 
 /// One input of one property, as a find prints it.
-int check_hex(const CheckArguments& options, Session& session) {
-  if (options.names.size() != 1) throw BadInput{{"--hex", "needs the name of one property"}};
+int check_choices(const CheckArguments& options, Session& session) {
+  if (options.names.size() != 1) throw BadInput{{"--choices", "needs the name of one property"}};
   const Property property = need(property_named(options.names[0], options.known));
-  const auto bytes = parse_hex_bytes(*options.hex);
-  if (!bytes) throw BadInput{{"--hex", bytes.error().message()}};
-  Draw choices = Draw::from_bytes(*bytes);
+  const Result<ChoiceNumbers> numbers = parse_choices(*options.choices);
+  if (!numbers) throw BadInput{{"--choices", numbers.error().message()}};
+  Draw choices = Draw::from_numbers(*numbers);
   const Check check = run(property, choices);
-  const HexRow row{property, check};
+  const InputRow row{property, check};
   const bool fails = check.status == Check::Status::kFails;
   if (session.json) {
     print_row(row);
@@ -260,7 +261,7 @@ CheckedInputs chosen_inputs(CheckedInputs inputs, size_t properties, int threads
 }
 
 int run_check(const CheckArguments& options, Session& session) {
-  if (options.hex) return check_hex(options, session);
+  if (options.choices) return check_choices(options, session);
   const std::vector<Property> chosen = chosen_properties(options);
   const CheckedInputs inputs = chosen_inputs(options.inputs, chosen.size(), session.threads);
   if (options.save) {
@@ -324,10 +325,10 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
       "--save", options->save,
       fmt::format("Folder for what fails that should hold, as found and then shrunk; by default {}",
                   kFolder));
-  Option hex = command.text("--hex", options->hex,
-                            "Instead: one input of one property, as a find prints it");
+  Option choices = command.text("--choices", options->choices,
+                                "Instead: one input of one property, as a find prints it");
   const Option threads = command.threads();
-  for (const Option& other : {count, seconds, seed, first, save, threads}) hex.excludes(other);
+  for (const Option& other : {count, seconds, seed, first, save, threads}) choices.excludes(other);
   command.json("One JSON object per property");
 }
 

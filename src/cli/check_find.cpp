@@ -1,6 +1,7 @@
 #include "cli/check_find.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +14,7 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
+#include "generators/draw/choice_bytes.hpp"
 
 namespace ccdfuzz {
 
@@ -30,7 +32,7 @@ std::string test_name(std::string_view property) {
   return name;
 }
 
-/// The inputs of fuzz targets end at 1 MiB; in hex they are twice as long, and stand there thrice.
+/// The inputs of fuzz targets end at 1 MiB, each byte of which may be a choice.
 constexpr std::size_t kMostFindBytes = 16 << 20;
 
 std::string path_of(const std::string& folder, const std::string& property,
@@ -42,9 +44,9 @@ std::string path_of(const std::string& folder, const std::string& property,
 
 }  // namespace
 
-std::string check_command(std::string_view property, std::span<const std::uint8_t> bytes) {
-  return fmt::format("{} check {} --hex {}", shell_word(program_name()), property,
-                     to_hex_word(bytes));
+std::string check_command(std::string_view property, const ChoiceNumbers& choices) {
+  return fmt::format("{} check {} --choices {}", shell_word(program_name()), property,
+                     to_word(choices));
 }
 
 std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index) {
@@ -75,32 +77,39 @@ ClaimFind::ClaimFind(const Property& of, std::string ended_in, std::string first
 void ClaimFind::set_least(const Counterexample& least) {
   // A hang is never shrunk further.
   shrunk = least.is_cut_short && error != "hang" ? Shrunk::kCutShort : Shrunk::kToTheEnd;
-  input = to_hex_bytes(least.bytes);
+  choices = least.numbers;
   text = least.check.text;
-  reproduce = check_command(property, least.bytes);
-  test = {
-      "#include <gtest/gtest.h>",
-      "",
-      "#include \"properties/suites.hpp\"",
-      "",
-      fmt::format("TEST(Found, {}) {{", test_name(property)),
-      fmt::format("  const auto bytes = ccdfuzz::parse_hex_bytes(\"{}\");", input),
-      "  ccdfuzz::Draw choices = ccdfuzz::Draw::from_bytes(*bytes);",
-      fmt::format("  const auto check = ccdfuzz::run(*ccdfuzz::property_named(\"{}\"), choices);",
-                  property),
-      "  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;",
-      "}"};
+}
+
+std::string ClaimFind::reproduce() const {
+  return shrunk == Shrunk::kNot ? as_found : check_command(property, choices);
 }
 
 std::string ClaimFind::test_text() const {
-  std::string lines;
-  for (const std::string& line : test) lines += line + "\n";
-  return lines;
+  if (shrunk == Shrunk::kNot) return "";
+  return fmt::format(R"(#include <gtest/gtest.h>
+
+#include "properties/suites.hpp"
+
+TEST(Found, {}) {{
+  ccdfuzz::Draw choices = ccdfuzz::Draw::from_numbers({{{}}});
+  const auto check = ccdfuzz::run(*ccdfuzz::property_named("{}"), choices);
+  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;
+}}
+)",
+                     test_name(property), fmt::join(choices, ", "), property);
 }
 
 bool ClaimFind::replaces(const ClaimFind& other) const {
   if (shrunk != other.shrunk) return shrunk > other.shrunk;
-  return shrunk == Shrunk::kNot || input.size() < other.input.size();
+  return shrunk == Shrunk::kNot || simpler(choices, other.choices);
+}
+
+Result<ClaimFind> read_find(const std::string& path) {
+  return refuse_irregular(path)
+      .and_then([&] { return open_input(path, false); })
+      .and_then([](const auto& in) { return in->read(kMostFindBytes); })
+      .and_then([&](const std::string& json) { return from_json<ClaimFind>(json, path); });
 }
 
 Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
@@ -108,11 +117,7 @@ Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std
   const std::string path = path_of(folder, property, error);
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return std::nullopt;
-  return refuse_irregular(path)
-      .and_then([&] { return open_input(path, false); })
-      .and_then([](const auto& in) { return in->read(kMostFindBytes); })
-      .and_then([&](const std::string& json) { return from_json<ClaimFind>(json, path); })
-      .map([](ClaimFind find) { return std::optional(std::move(find)); });
+  return read_find(path).map([](ClaimFind find) { return std::optional(std::move(find)); });
 }
 
 Result<std::string> save_find(const std::string& folder, const ClaimFind& find) {

@@ -13,13 +13,13 @@
 
 namespace ccdfuzz {
 
-/// Where finds of properties are, in a folder of finds.
-inline constexpr const char* kPropertyFinds = "properties";
+/// Where the claims are, in a folder of finds or a corpus.
+inline constexpr const char* kClaims = "claims";
 /// Runs of a property to shrink a failure of it.
 inline constexpr std::uint64_t kShrinkTries = 4000;
 
-/// The command that puts these bytes to a property.
-std::string check_command(std::string_view property, std::span<const std::uint8_t> bytes);
+/// The command that puts these choices to a property.
+std::string check_command(std::string_view property, const ChoiceNumbers& choices);
 /// The same of one draw.
 std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index);
 
@@ -36,37 +36,39 @@ constexpr const auto& all_of(Shrunk) {
   return kAllShrunk;
 }
 
-/// What a user needs to see a failing property again: a find as it stands in its file.
+/// An input of a property that is worth keeping, as it stands in its file: a find, or an entry of a
+/// corpus.
 struct ClaimFind {
   std::string property, claim;
+  Check::Status expect = Check::Status::kFails;  ///< what it must show when it is replayed
   std::string error;  ///< the name of what the input ended in ("crash SIGSEGV"); mostly none
   Shrunk shrunk = Shrunk::kNot;
-  std::string input;              ///< the shrunk one, in hex; empty before
-  std::string text, reproduce;    ///< what it showed, and one command; empty before
-  std::vector<std::string> test;  ///< lines of a GoogleTest test that fails as the property does
-  std::string found, as_found;    ///< text and command of the input that failed first
+  ChoiceNumbers choices;        ///< of the input that it was shrunk to; none before
+  std::string text;             ///< what that showed; empty before
+  std::string found, as_found;  ///< text and command of the input that failed first
 
   static void fields(auto& archive, auto& find) {
-    archive.format("ccdfuzz-claim-find", 1, 1);
+    archive.format("ccdfuzz-claim", 1, 1);
     archive("property", find.property);
     archive("claim", find.claim);
-    archive("error", find.error);
+    archive("expect", find.expect);
+    archive.optional("error", find.error);
     archive("shrunk", find.shrunk);
     archive("text", find.text);
-    archive("input", find.input);
-    archive("reproduce", find.reproduce);
-    archive("test", find.test);
-    archive("found", find.found);
-    archive("as_found", find.as_found);
+    archive("choices", find.choices);
+    archive.optional("found", find.found);
+    archive.optional("as_found", find.as_found);
   }
 
   ClaimFind() = default;
   ClaimFind(const Property& property, std::string error, std::string text, std::string command);
 
-  /// The test as one text; empty before.
+  /// One command that shows what it was shrunk to, or what failed first.
+  std::string reproduce() const;
+  /// A GoogleTest test that fails as the property does; empty before.
   std::string test_text() const;
 
-  /// Sets what it was shrunk to, with command and test.
+  /// Sets what it was shrunk to.
   void set_least(const Counterexample& least);
 
   bool is_complete() const { return shrunk == Shrunk::kToTheEnd; }
@@ -77,6 +79,9 @@ struct ClaimFind {
 
 /// Makes the folder unless it is there. Errors: it cannot be made, or no file in it.
 Result<void> make_find_folder(const std::string& folder);
+
+/// The find in a file. Errors: it cannot be read, or is none.
+Result<ClaimFind> read_find(const std::string& path);
 
 /// The find of a property and an error that stands in a folder. Errors: a file that is none.
 Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,

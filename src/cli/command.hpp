@@ -171,7 +171,7 @@ void add_minimize(CommandLine& line);
 void add_properties(CommandLine& line);
 void add_prove(CommandLine& line);
 void add_query(CommandLine& line);
-void add_replay(CommandLine& line);
+void add_replay(CommandLine& line, const std::vector<Property>& known);
 void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
 /// find_suite: what a name after --target stands for.

@@ -2,20 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "base/hex_bytes.hpp"
 #include "cli/output.hpp"
-#include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
 
 void JsonForm<HexBytes>::write(std::string& json, const HexBytes& hex) {
-  const std::vector<std::uint8_t> bytes(hex.bytes.begin(), hex.bytes.end());
-  json += json_string(to_hex_bytes(bytes));
+  json += json_string(to_hex_bytes(hex.bytes));
 }
 
 void JsonForm<HexBytes>::read(const JsonCursor& from, HexBytes& hex) {
-  const auto bytes = parse_hex_bytes(from.string());
+  const Result<std::string> bytes = parse_hex_bytes(from.string());
   if (!bytes) from.refuse("is not bytes in hexadecimal digits");
-  hex.bytes.assign(bytes->begin(), bytes->end());
+  hex.bytes = *bytes;
 }
 
 Result<MadeSet> MadeSet::open(const std::string& path) {

@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   ccdfuzz::add_prove(line);
   ccdfuzz::add_merge(line);
   ccdfuzz::add_triage(line, ccdfuzz::suite_named);
-  ccdfuzz::add_replay(line);
+  ccdfuzz::add_replay(line, ccdfuzz::properties());
   ccdfuzz::add_minimize(line);
   ccdfuzz::add_report(line);
   ccdfuzz::add_bench(line);

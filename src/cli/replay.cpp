@@ -15,6 +15,7 @@
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/replay_claims.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
 #include "finds/entries.hpp"
@@ -29,6 +30,7 @@ struct ReplayOptions {
   std::optional<Outcome> expect;     ///< of every method, in place of what an entry says
   bool update = false;
   SearchFlags search;
+  std::vector<Property> known;
 };
 
 /// An expectation and what was got, as a row of the JSON output.
@@ -135,13 +137,20 @@ class Replay {
                           {"got", Align::kLeft},
                           {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Replayer> replayers;
+    const bool of_methods = !options_.methods.empty() || options_.expect;
+    if (!of_methods) {
+      claims_ = replay_claims(options_.corpus, options_.known, options_.update, session_);
+    }
     session_.each_case<SharedCase, Replayed>(
-        CaseStream(need(corpus_files(options_.corpus))), 1, "entries",
+        CaseStream(claims_.claims > 0 ? need(list_entries(options_.corpus))
+                                      : need(corpus_files(options_.corpus))),
+        1, "entries",
         [&](SharedCase& shared, size_t) { return replayed(shared, replayers.local(), options_); },
         [&](const SharedCase& shared, size_t, const Replayed& done) { add(shared, done); });
     session_.end_table(true);
     summarise();
-    const bool holds = options_.update || counts_[0] == expectations_;
+    const bool holds =
+        options_.update || (counts_[0] == expectations_ && claims_.changes[0] == claims_.claims);
     return session_.exit_code(refuted_ == 0 && holds && was_asked() ? kDone : kCheckFailed);
   }
 
@@ -202,7 +211,7 @@ class Replay {
   /// Says so where nothing was judged, or nothing by a method that --methods names: then all was as
   /// expected for no good reason.
   bool was_asked() const {
-    if (expectations_ == 0 && not_allowed_.empty() && options_.methods.empty()) {
+    if (expectations_ + claims_.claims == 0 && not_allowed_.empty() && options_.methods.empty()) {
       print_err("ccdfuzz: replay: nothing was judged: no entry expects anything\n");
       return false;
     }
@@ -219,15 +228,21 @@ class Replay {
   }
 
   void summarise() const {
-    std::string text = fmt::format("{} entries, {} expectations: {} as expected", entries_,
-                                   expectations_, counts_[0]);
-    constexpr std::array<const char*, 4> kPlurals = {"", "regressions", "improvements",
-                                                     "other changes"};
-    for (size_t c = 1; c < counts_.size(); ++c) {
-      if (counts_[c] > 0) text += fmt::format("; {}: {}", kPlurals[c], counts_[c]);
+    const auto counted = [](const auto& changes, std::uint64_t written) {
+      constexpr std::array<const char*, 4> kPlurals = {"", "regressions", "improvements",
+                                                       "other changes"};
+      std::string text = fmt::format("{} as expected", changes[0]);
+      for (size_t c = 1; c < changes.size(); ++c) {
+        if (changes[c] > 0) text += fmt::format("; {}: {}", kPlurals[c], changes[c]);
+      }
+      return text + (written > 0 ? fmt::format("; {} entries written", written) : "");
+    };
+    session_.summary(fmt::format("{} entries, {} expectations: {}", entries_, expectations_,
+                                 counted(counts_, updated_)));
+    if (claims_.claims > 0) {
+      session_.summary(fmt::format("{} inputs of properties: {}", claims_.claims,
+                                   counted(claims_.changes, claims_.updated)));
     }
-    if (updated_ > 0) text += fmt::format("; {} entries written", updated_);
-    session_.summary(text);
     if (!not_allowed_.empty()) {
       print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(not_allowed_)));
     }
@@ -238,6 +253,7 @@ class Replay {
   Session& session_;
   std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
+  ReplayedClaims claims_;
   std::set<std::string> asked_;
   NotAllowed not_allowed_;
   CaseCount case_counts_;
@@ -256,9 +272,10 @@ int run_replay(const ReplayOptions& options, Session& session) {
 
 }  // namespace
 
-void add_replay(CommandLine& line) {
+void add_replay(CommandLine& line, const std::vector<Property>& known) {
   auto [command, options] = line.add<ReplayOptions>(
       "replay", "Judge every entry of a corpus again, against its expectations", run_replay);
+  options->known = known;
   command.text("corpus", options->corpus, "Folder, or a file of cases");
   add_methods(command, options->methods, "Methods to ask, by default those that an entry names");
   command.choice("--expect", options->expect,

@@ -107,7 +107,7 @@ void triage_cases(const TriageArguments& arguments, const std::function<bool()>&
 
 /// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
 std::string folder_of_properties(const std::string& folder) {
-  return fmt::format("{}/{}", folder, kPropertyFinds);
+  return fmt::format("{}/{}", folder, kClaims);
 }
 
 void triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,

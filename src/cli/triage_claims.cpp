@@ -28,7 +28,7 @@ struct ClaimFindRow {
     archive("property", find.property);
     archive("outcome", row.outcome());
     archive("text", fails_again ? find.text : find.found);
-    archive("reproduce", fails_again ? find.reproduce : find.as_found);
+    archive("reproduce", find.reproduce());
     archive("fails_again", fails_again);
     archive("cut_short", find.shrunk == Shrunk::kCutShort);
     archive("saved", row.path);
@@ -51,21 +51,20 @@ class ClaimTriage {
     }
     const Property& property = input->property;
     ServedClaim served(property);
-    const InputRun run = served.on(*input);
+    const InputRun run = served.on(input->choices);
     if (!run.fails()) {
       ++tally.harmless;
       return true;
     }
     ++tally.failures;
     ClaimFind find(property, run.error, run.check.text,
-                   input->seed ? check_command(property.name, *input->seed, 0)
-                               : check_command(property.name, input->bytes));
+                   check_command(property.name, input->choices));
     const std::optional<ClaimFind> known = known_find(find);
     if (known && known->is_complete()) {
       ++tally.known;
       return true;
     }
-    if (const auto least = served.least(*input, run, {kShrinkTries, options_.stop})) {
+    if (const auto least = served.least(run, {kShrinkTries, options_.stop})) {
       find.set_least(*least);
     }
     if (known && !find.replaces(*known)) {

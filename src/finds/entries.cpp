@@ -17,7 +17,8 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
   for (auto it = fs::recursive_directory_iterator(folder, error);
        !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
     std::error_code vanished;
-    const bool hidden = it->path().filename().string().starts_with('.');
+    const std::string name = it->path().filename().string();
+    const bool hidden = name.starts_with('.') || name == "claims";
     if (hidden) it.disable_recursion_pending();
     if (hidden || it->path().extension() != ".json" || it->is_directory(vanished)) continue;
     paths.push_back(it->path().string());

@@ -9,8 +9,9 @@
 namespace ccdfuzz {
 
 /// The paths of all entries (every .json whose name does not start with a dot) of a folder and its
-/// sub-folders, in order. Errors: the folder or a sub-folder cannot be read, or an entry is not a
-/// regular file, as a pipe, naming it.
+/// sub-folders, in order; but for folders called "claims", which hold inputs of properties. Errors:
+/// the folder or a sub-folder cannot be read, or an entry is not a regular file, as a pipe, naming
+/// it.
 Result<std::vector<std::string>> list_entries(const std::string& folder);
 
 /// Calls visit on each entry of a folder in their order, one at a time; its id is its path. Entries

@@ -11,15 +11,15 @@
 #include <system_error>
 
 #include "base/serve.hpp"
-#include "generators/draw/draw.hpp"
+#include "generators/draw/choice_bytes.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// Where the choices come from: "numbers", "bytes", or "draw": a seed and the index
-/// of a draw. Of "draws", a seed, the first index and how many, the answer is a CheckTally.
+/// Where the choices come from: "numbers", or "draw": a seed and the index of a draw. Of "draws", a
+/// seed, the first index and how many, the answer is a CheckTally.
 struct Question {
   std::string claim, of;
   ChoiceNumbers numbers;
@@ -41,8 +41,7 @@ struct Said {
   }
 };
 
-/// What draws make are thousands of choices, each its width and then so many bytes. More are not
-/// kept: a child's files end at 16 MiB.
+/// What draws make are thousands of choices. More are not kept: a child's files end at 16 MiB.
 constexpr std::size_t kMostMade = std::size_t{15} << 20;
 
 /// The choices of one input as they are made.
@@ -50,17 +49,15 @@ class MadeWriter {
  public:
   MadeWriter() { static_cast<void>(::ftruncate(ChildProgram::kInherited, 0)); }
 
-  void add(std::uint64_t choice, int width) {
+  void add(std::uint64_t choice) {
     if (size_ > kMostMade) return;
-    made_.assign(1, static_cast<std::uint8_t>(width));
-    append_choice(made_, choice, width);
+    const std::vector<std::uint8_t> bytes = bytes_of({choice});
     const ssize_t n =
-        ::pwrite(ChildProgram::kInherited, made_.data(), made_.size(), static_cast<off_t>(size_));
+        ::pwrite(ChildProgram::kInherited, bytes.data(), bytes.size(), static_cast<off_t>(size_));
     if (n > 0) size_ += static_cast<std::size_t>(n);
   }
 
  private:
-  std::vector<std::uint8_t> made_;
   std::size_t size_ = 0;
 };
 
@@ -87,7 +84,7 @@ CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) 
 
 Check run_and_record(const Property& property, Draw& choices) {
   MadeWriter made;
-  choices.watch([&](std::uint64_t choice, int width) { made.add(choice, width); });
+  choices.watch([&](std::uint64_t choice) { made.add(choice); });
   return run(property, choices);
 }
 
@@ -97,13 +94,8 @@ Check run_on(const Property& property, const Question& question) {
     Draw drawn = Draw::mostly_small(Random::keyed({numbers.at(0), numbers.at(1)}));
     return run_and_record(property, drawn);
   }
-  if (question.of == "numbers") {
-    Draw stored = Draw::from_numbers(numbers);
-    return run_and_record(property, stored);
-  }
-  const std::vector<std::uint8_t> bytes(numbers.begin(), numbers.end());
-  Draw of_bytes = Draw::from_bytes(bytes);
-  return run_and_record(property, of_bytes);
+  Draw stored = Draw::from_numbers(numbers);
+  return run_and_record(property, stored);
 }
 
 ChildProgram child_of(const MadeChoices& made, const std::atomic<bool>* interrupted) {
@@ -141,17 +133,7 @@ void MadeChoices::clear() {
 void MadeChoices::read_into(InputRun& run) const {
   const off_t size = ::lseek(file_, 0, SEEK_END);
   std::vector<std::uint8_t> made(static_cast<std::size_t>(size));
-  if (::pread(file_, made.data(), made.size(), 0) != size) return;
-  for (std::size_t at = 0; at < made.size();) {
-    const std::size_t width = made[at++];
-    if (width > made.size() - at) return;  // it ended as it wrote
-    std::uint64_t choice = 0;
-    for (std::size_t i = width; i > 0; --i) choice = choice << 8 | made[at + i - 1];
-    run.numbers.push_back(choice);
-    run.bytes.insert(run.bytes.end(), made.begin() + static_cast<std::ptrdiff_t>(at),
-                     made.begin() + static_cast<std::ptrdiff_t>(at + width));
-    at += width;
-  }
+  if (::pread(file_, made.data(), made.size(), 0) == size) run.numbers = choices_of(made);
 }
 
 ServedClaim::ServedClaim(const Property& property, const std::atomic<bool>* interrupted)
@@ -195,33 +177,24 @@ InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
   if (!said) {
     run.check = Check::fails(said.error().name + ": " + said.error().note);
     run.error = said.error().name;
+    // What it draws until it is stopped may be without end, and zeros after the end of these.
+    if (run.error == "hang" && of == std::string_view("numbers")) run.numbers = numbers;
     return run;
   }
   run.check = {said->status, said->text};
   return run;
 }
 
-InputRun ServedClaim::on(const ClaimInput& input) {
-  if (input.seed) return on_draw(*input.seed, 0);
-  return ask("bytes", ChoiceNumbers(input.bytes.begin(), input.bytes.end()));
+InputRun ServedClaim::on(const ChoiceNumbers& numbers) {
+  return ask("numbers", numbers);
 }
 
-std::optional<Counterexample> ServedClaim::least(const ClaimInput& input, const InputRun& found,
+std::optional<Counterexample> ServedClaim::least(const InputRun& found,
                                                  const ShrinkLimits& limits) {
-  const auto of_numbers = [this](const ChoiceNumbers& n) { return ask("numbers", n); };
-  const auto of_bytes = [this](std::span<const std::uint8_t> bytes) {
-    return ask("bytes", ChoiceNumbers(bytes.begin(), bytes.end()));
-  };
-  if (found.error != "hang") {
-    return shrunk_counterexample({of_numbers, of_bytes}, found.numbers, limits);
-  }
-  // What it draws until it is stopped may be without end, and zeros after the end of its bytes.
-  if (!input.seed) {
-    return Counterexample{
-        found.numbers, {input.bytes.begin(), input.bytes.end()}, found.check, 0, true};
-  }
-  if (!of_bytes(found.bytes).fails_as(found)) return std::nullopt;
-  return Counterexample{found.numbers, found.bytes, found.check, 0, true};
+  const auto runner = [this](const ChoiceNumbers& numbers) { return on(numbers); };
+  if (found.error != "hang") return shrunk_counterexample(runner, found.numbers, limits);
+  if (!on(found.numbers).fails_as(found)) return std::nullopt;
+  return Counterexample{found.numbers, found.check, 0, true};
 }
 
 }  // namespace ccdfuzz

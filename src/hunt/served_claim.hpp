@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/child.hpp"
-#include "properties/claim_input.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
@@ -22,7 +21,7 @@ class MadeChoices {
 
   int descriptor() const { return file_; }
   void clear();
-  /// Sets run.numbers and run.bytes.
+  /// Sets run.numbers.
   void read_into(InputRun& run) const;
 
  private:
@@ -62,7 +61,7 @@ class ServedClaim {
   void turn_to(const Property& property) { name_ = property.name; }
 
   /// What ends the child is an error, with what is known of it as the text.
-  InputRun on(const ClaimInput& input);
+  InputRun on(const ChoiceNumbers& numbers);
 
   /// The draw of an index, as `ccdfuzz check` numbers them.
   InputRun on_draw(std::uint64_t seed, std::uint64_t index);
@@ -71,10 +70,9 @@ class ServedClaim {
   CheckTally on_draws(std::uint64_t seed, std::uint64_t first, std::uint64_t count);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
-  /// is, since each try would cost its whole time; of draws, if it hangs on what they were, too.
-  /// None if it does not fail each time. found: what on(input) gave, and fails.
-  std::optional<Counterexample> least(const ClaimInput& input, const InputRun& found,
-                                      const ShrinkLimits& limits);
+  /// is, since each try would cost its whole time. None if it does not fail each time. found: what
+  /// on() or on_draw() gave, and fails.
+  std::optional<Counterexample> least(const InputRun& found, const ShrinkLimits& limits);
 
  private:
   InputRun ask(const char* of, const ChoiceNumbers& numbers);

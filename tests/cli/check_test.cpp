@@ -41,8 +41,8 @@ TEST(Check, WhatIsAskedForByNameIsShrunkAndSeenAgainFromItsBytes) {
   EXPECT_EQ(repeated[0].at("text"), rows[0].at("shrunk"));
   const std::string test = rows[0].at("test");
   EXPECT_NE(test.find("TEST(Found, TdibmSeparation)"), std::string::npos) << test;
-  EXPECT_EQ(ccdfuzz({"check", "--hex", "00"}).code, 2);
-  EXPECT_EQ(ccdfuzz({"check", "tdibm.separation", "--hex", "0"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"check", "--choices", "0"}).code, 2);
+  EXPECT_EQ(ccdfuzz({"check", "tdibm.separation", "--choices", "x"}).code, 2);
 }
 
 TEST(Check, EffortMultipliesTheInputs) {
@@ -91,13 +91,13 @@ TEST(Check, ByTimeItNeedsRoomForAnInput) {
 }
 
 TEST(Check, TheEmptyInputIsOneInputAndNotNone) {
-  const Finished run = ccdfuzz({"check", "dyadic.round_trip", "--hex", ""});
+  const Finished run = ccdfuzz({"check", "dyadic.round_trip", "--choices", ""});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out, "dyadic.round_trip holds\n");
 }
 
 TEST(Check, ADiscardedInputChecksNothingAndFails) {
-  const Finished run = ccdfuzz({"check", "paper.one_interval", "--hex", "", "--json"});
+  const Finished run = ccdfuzz({"check", "paper.one_interval", "--choices", "", "--json"});
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(json_lines(run.out).at(0).at("status"), "is discarded");
   EXPECT_EQ(run.err, "ccdfuzz: nothing was checked: the input was discarded\n");
@@ -116,9 +116,9 @@ TEST(Check, OnlyWhatShouldHoldIsSaved) {
 
 TEST(Check, OptionsThatWouldBeIgnoredAreRefused) {
   const std::vector<std::vector<std::string>> pairs = {
-      {"--hex", "00", "--seconds", "1"}, {"--hex", "00", "--count", "5"},
-      {"--hex", "00", "--seed", "2"},    {"--hex", "00", "--first", "3"},
-      {"--hex", "00", "--threads", "2"}, {"--hex", "00", "--save", "x"},
+      {"--choices", "0", "--seconds", "1"}, {"--choices", "0", "--count", "5"},
+      {"--choices", "0", "--seed", "2"},    {"--choices", "0", "--first", "3"},
+      {"--choices", "0", "--threads", "2"}, {"--choices", "0", "--save", "x"},
       {"--seconds", "1", "--count", "5"}};
   for (std::vector<std::string> pair : pairs) {
     const std::string first = pair[0], second = pair[2];

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "case/case_files.hpp"
 #include "case/case_json.hpp"
@@ -8,6 +11,8 @@
 
 namespace ccdfuzz {
 namespace {
+
+using testing::HasSubstr;
 
 /// A corpus of one VV contact with these expectations.
 std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, Expected>& expect,
@@ -150,6 +155,46 @@ TEST(Replay, AnEntrysOwnPrecisionCounts) {
   const Finished refused = ccdfuzz({"replay", corpus});
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("entry.json: asked.precision"), std::string::npos) << refused.err;
+}
+
+TEST(Replay, EveryClaimThatIsKnownToBeFalseHasItsCounterexample) {
+  const Finished replayed = ccdfuzz({"replay", CCDFUZZ_SOURCE_DIR "/corpus", "--json"});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  std::set<std::string> refuted;
+  for (const auto& row : json_lines(replayed.out)) {
+    if (row.contains("claim") && row.at("got") == "fails") refuted.insert(row.at("property"));
+  }
+  for (const auto& property : json_lines(ccdfuzz({"properties", "--json"}).out)) {
+    if (!property.at("expected_to_fail").get<bool>()) continue;
+    EXPECT_TRUE(refuted.contains(property.at("property")))
+        << property << ": `ccdfuzz check` finds and shrinks one";
+  }
+}
+
+TEST(Replay, AClaimThatIsMendedIsAnImprovementWhichUpdateWrites) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder / "claims");
+  const std::string path = folder / "claims/x.json";
+  const auto claim = [](const char* property, const char* expect) {
+    return fmt::format(R"({{"format":"ccdfuzz-claim","version":1,"property":"{}","claim":"",)"
+                       R"("expect":"{}","shrunk":"to the end","text":"","choices":[1,1]}})",
+                       property, expect);
+  };
+  write_text(path, claim("dyadic.round_trip", "fails"));
+  const Finished better = ccdfuzz({"replay", folder.path()});
+  EXPECT_EQ(better.code, 1);
+  EXPECT_THAT(better.out, HasSubstr("dyadic.round_trip  fails     holds  improvement"));
+  EXPECT_THAT(better.out, HasSubstr("1 inputs of properties: 0 as expected; improvements: 1\n"));
+  EXPECT_EQ(ccdfuzz({"replay", folder.path(), "--update"}).code, 0);
+  EXPECT_EQ(ccdfuzz({"replay", folder.path()}).code, 0);
+  write_text(path, claim("paper.overlap_as_printed", "holds"));
+  EXPECT_THAT(ccdfuzz({"replay", folder.path()}).out, HasSubstr("regression"));
+  write_text(path, claim("paper.overlap", "gone"));
+  EXPECT_EQ(ccdfuzz({"replay", folder.path()}).code, 2);
+  write_text(path, claim("paper.gone", "fails"));
+  const Finished unknown = ccdfuzz({"replay", folder.path()});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("x.json: property: no property \"paper.gone\""));
 }
 
 }  // namespace

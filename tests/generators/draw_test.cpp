@@ -58,7 +58,7 @@ bool never(std::uint64_t) {
   return false;
 }
 
-TEST(Draw, UntilEndsOnStoredNumbersAndBytesThatAreNeverGood) {
+TEST(Draw, UntilEndsOnStoredNumbersThatAreNeverGood) {
   int made = 0;
   const auto drawn_until_never = [&](Draw draw) {
     made = 0;
@@ -70,9 +70,6 @@ TEST(Draw, UntilEndsOnStoredNumbersAndBytesThatAreNeverGood) {
   EXPECT_EQ(made, 3);
   EXPECT_THROW(drawn_until_never(Draw::from_numbers(ChoiceNumbers(1000, 7))), Discarded);
   EXPECT_EQ(made, Draw::kMostTries);
-  const std::vector<std::uint8_t> bytes(1000, 7);
-  EXPECT_THROW(drawn_until_never(Draw::from_bytes(bytes)), Discarded);
-  EXPECT_EQ(made, Draw::kMostTries);
 }
 
 TEST(Draw, UntilKeepsNoneOfWhatWasRefused) {
@@ -81,7 +78,6 @@ TEST(Draw, UntilKeepsNoneOfWhatWasRefused) {
   const auto is_large = [](std::uint64_t x) { return x >= 250; };
   const std::uint64_t large = draw.until([&] { return draw.choose(255); }, is_large);
   EXPECT_EQ(draw.numbers(), ChoiceNumbers{large});
-  EXPECT_EQ(draw.bytes(), std::vector<std::uint8_t>{static_cast<std::uint8_t>(large)});
 }
 
 /// Every construction and family: what was recorded of the stream makes the same case again.
@@ -102,8 +98,6 @@ TEST(Draw, RecordedChoicesOfAGeneratedCaseMakeItAgain) {
         Draw stored = Draw::from_numbers(recorded.numbers());
         EXPECT_EQ(made, generate(options, stored).value);
         EXPECT_EQ(stored.numbers(), recorded.numbers());
-        Draw bytes = Draw::from_bytes(recorded.bytes());
-        EXPECT_EQ(made, generate(options, bytes).value);
         EXPECT_TRUE(stream.numbers().empty()) << "a stream keeps nothing unless it is asked to";
       }
     }

@@ -1,5 +1,8 @@
+#include "generators/draw/choice_bytes.hpp"
 #include "generators/draw/draw.hpp"
+#include "generators/draw/mutate_choices.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "rapidcheck.hpp"
@@ -21,36 +24,35 @@ std::vector<std::int64_t> draw_everything(Draw& choices) {
   return drawn;
 }
 
-RC_GTEST_PROP(Choices, TheBytesOfASequenceDrawTheSameAgain, (std::vector<std::uint64_t> numbers)) {
-  Draw stored = Draw::from_numbers(numbers);
-  const auto drawn = draw_everything(stored);
-  const std::vector<std::uint8_t> bytes = stored.bytes();
-  Draw again = Draw::from_bytes(bytes);
-  RC_ASSERT(draw_everything(again) == drawn);
-  RC_ASSERT(again.bytes() == bytes);
-  RC_ASSERT(parse_hex_bytes(to_hex_bytes(bytes)) == bytes);
+RC_GTEST_PROP(Choices, TheBytesOfASequenceAreItAgain, (std::vector<std::uint64_t> numbers)) {
+  RC_ASSERT(choices_of(bytes_of(numbers)) == numbers);
+  if (!numbers.empty()) RC_ASSERT(*parse_choices(to_word(numbers)) == numbers);
 }
 
-RC_GTEST_PROP(Choices, RandomOnesComeAgainFromTheirBytesToo, (std::uint64_t seed)) {
+RC_GTEST_PROP(Choices, AnyBytesAreChoicesWhoseBytesAreThemAgain,
+              (std::vector<std::uint8_t> bytes)) {
+  const ChoiceNumbers numbers = choices_of(bytes);
+  RC_ASSERT(numbers.size() <= bytes.size());
+  RC_ASSERT(choices_of(bytes_of(numbers)) == numbers);
+}
+
+RC_GTEST_PROP(Choices, RandomOnesDrawTheSameAgain, (std::uint64_t seed)) {
   Draw random = Draw::mostly_small(Random(seed));
   const auto drawn = draw_everything(random);
-  Draw again = Draw::from_bytes(random.bytes());
+  Draw again = Draw::from_numbers(random.numbers());
   RC_ASSERT(draw_everything(again) == drawn);
+  RC_ASSERT(again.numbers() == random.numbers());
 }
 
 TEST(Choices, AnExhaustedSourceDrawsTheSimplest) {
-  for (const bool stored : {true, false}) {
-    Draw none = Draw::from_numbers({});
-    Draw empty = Draw::from_bytes({});
-    Draw& choices = stored ? static_cast<Draw&>(none) : empty;
-    EXPECT_EQ(choices.integer(-5, 5), 0);
-    EXPECT_EQ(choices.integer(3, 9), 3);
-    EXPECT_EQ(choices.integer(-9, -3), -3);
-    EXPECT_EQ(choices.finite_double(), 0.0);
-    EXPECT_EQ(choices.dyadic(10, -3), Dyadic());
-    EXPECT_FALSE(choices.coin());
-    EXPECT_EQ(choices.text(10), "");
-  }
+  Draw choices = Draw::from_numbers({});
+  EXPECT_EQ(choices.integer(-5, 5), 0);
+  EXPECT_EQ(choices.integer(3, 9), 3);
+  EXPECT_EQ(choices.integer(-9, -3), -3);
+  EXPECT_EQ(choices.finite_double(), 0.0);
+  EXPECT_EQ(choices.dyadic(10, -3), Dyadic());
+  EXPECT_FALSE(choices.coin());
+  EXPECT_EQ(choices.text(10), "");
 }
 
 TEST(Choices, IntegerReachesEveryValueOnceInOrderOfSimplicity) {
@@ -75,19 +77,31 @@ RC_GTEST_PROP(Choices, FiniteDoublesAreFiniteAndReachEveryFiniteBitPattern, (std
   if (std::isfinite(wanted)) RC_ASSERT(std::bit_cast<std::uint64_t>(drawn) == bits);
 }
 
-TEST(Choices, OneByteChangesOneChoiceOnly) {
-  const std::vector<std::uint8_t> a = {1, 2, 3}, b = {1, 200, 3};
-  Draw x = Draw::from_bytes(a), y = Draw::from_bytes(b);
-  EXPECT_EQ(x.choose(255), y.choose(255));
-  EXPECT_NE(x.choose(255), y.choose(255));
-  EXPECT_EQ(x.choose(255), y.choose(255));
+TEST(Choices, WordsOfOtherFormsAreRefused) {
+  for (const char* bad : {",", "1,", "-1", "+1", " 1", "1.0", "18446744073709551616", "x"}) {
+    EXPECT_FALSE(parse_choices(bad)) << bad;
+  }
+  EXPECT_EQ(*parse_choices(""), ChoiceNumbers());
+  EXPECT_EQ(to_word({}), "''");
+  EXPECT_EQ(to_word({0, 18446744073709551615U}), "0,18446744073709551615");
 }
 
-TEST(Choices, HexTextOfOtherFormsIsRefused) {
-  for (const char* bad : {"0", "0g", "0x", "00 ", "AB"}) EXPECT_FALSE(parse_hex_bytes(bad)) << bad;
-  EXPECT_EQ(parse_hex_bytes(""), std::vector<std::uint8_t>());
-  EXPECT_EQ(to_hex_word({}), "''");
-  EXPECT_EQ(to_hex_word(std::vector<std::uint8_t>{0, 255}), "00ff");
+RC_GTEST_PROP(Choices, AMutantOfChoicesIsNearThem, (ChoiceNumbers numbers, std::uint64_t seed)) {
+  Draw random{Random(seed)};
+  const ChoiceNumbers mutant = mutated(numbers, random);
+  const auto size = static_cast<std::int64_t>(numbers.size());
+  RC_ASSERT(std::abs(static_cast<std::int64_t>(mutant.size()) - size) <= 4 * 8);
+}
+
+RC_GTEST_PROP(Choices, AChildBeginsAsItsMotherAndEndsAsItsFather,
+              (ChoiceNumbers mother, ChoiceNumbers father, std::uint64_t seed)) {
+  Draw random{Random(seed)};
+  const ChoiceNumbers child = crossed(mother, father, random);
+  const auto [from_mother, in_mother] = std::ranges::mismatch(child, mother);
+  const auto [rest, in_father] =
+      std::mismatch(child.rbegin(), child.rend(), father.rbegin(), father.rend());
+  RC_ASSERT((from_mother - child.begin()) + (rest - child.rbegin()) >=
+            static_cast<std::ptrdiff_t>(child.size()));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "generators/draw/choice_bytes.hpp"
 #include "generators/rc/drawn.hpp"
 #include "properties/suites.hpp"
 #include "rapidcheck.hpp"
@@ -19,8 +20,8 @@ namespace {
 
 /// The one command that shows a failure again, whatever becomes of RapidCheck's seeds.
 std::string replay_command(const Property& property, const Draw& choices) {
-  return fmt::format("reproduce: {} {} --hex {}", CCDFUZZ_CHECK_PROPERTY, property.name,
-                     to_hex_word(choices.bytes()));
+  return fmt::format("reproduce: {} check {} --choices {}", CCDFUZZ_EXECUTABLE, property.name,
+                     to_word(choices.numbers()));
 }
 
 class EveryProperty : public testing::TestWithParam<Property> {};
@@ -59,7 +60,7 @@ TEST_P(EveryProperty, HoldsOnRandomChoicesOrFailsAsExpected) {
   FAIL() << "no counterexample to \"" << property.claim << "\" in " << kTries << " tries";
 }
 
-/// All; but where code is slow, not what is known to be false: known_false_test.cpp has those
+/// All; but where code is slow, not what is known to be false: corpus/claims has those
 /// inputs.
 std::vector<Property> driven_properties() {
   std::vector<Property> driven = properties();

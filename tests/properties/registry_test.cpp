@@ -35,7 +35,7 @@ TEST(Registry, TheSameChoicesGiveTheSameResult) {
     const Check a = run(p, first), b = run(p, second);
     EXPECT_EQ(a.status, b.status) << p.name;
     EXPECT_EQ(a.text, b.text) << p.name;
-    EXPECT_EQ(first.bytes(), second.bytes()) << p.name;
+    EXPECT_EQ(first.numbers(), second.numbers()) << p.name;
   }
 }
 
@@ -55,52 +55,30 @@ TEST(Suites, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
       << unknown.error().message();
 }
 
-TEST(FuzzTargets, TheFirstByteSaysWhichClaim) {
-  const Suite several = suite_named("tdibm_e").value();
-  const auto count = static_cast<std::uint8_t>(several.thought_to_hold().size());
-  ASSERT_GT(count, 1);
-  const std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(count + 1), 7};
-  const auto input = claim_input(several, bytes);
-  ASSERT_TRUE(input);
-  EXPECT_EQ(input->property.name, several.thought_to_hold()[1].name);
-  EXPECT_EQ(input->choices().choose(255), 7U);
-  EXPECT_FALSE(claim_input(several, {}));
-  const std::vector<std::uint8_t> text = {200, 7};
-  const auto whole = claim_input(suite_named("query_csv").value(), text);
-  ASSERT_TRUE(whole);
-  EXPECT_EQ(whole->bytes.size(), 2U);
-  EXPECT_FALSE(whole->seed);
-}
-
-TEST(FuzzTargets, ADrawIsTheSameAsBytes) {
-  const Suite target = suite_named("tdibm_e_envelope").value();
-  Draw random{Random(5)};
-  std::set<std::string> drawn;
-  for (int i = 0; i < 200; ++i) {
-    const std::vector<std::uint8_t> input = drawn_input(random);
-    const auto of_draws = claim_input(target, input);
-    const auto bytes = drawn_as_bytes(target, input);
-    ASSERT_TRUE(of_draws && of_draws->seed && bytes);
-    const auto of_bytes = claim_input(target, *bytes);
-    ASSERT_TRUE(of_bytes);
-    EXPECT_FALSE(of_bytes->seed);
-    EXPECT_EQ(of_bytes->property.name, of_draws->property.name);
-    drawn.insert(of_draws->property.name);
-    auto a = of_draws->choices(), b = of_bytes->choices();
-    const Check x = run(of_draws->property, a), y = run(of_bytes->property, b);
-    EXPECT_EQ(x.status, y.status);
-    EXPECT_EQ(x.text, y.text);
-    EXPECT_EQ(a.numbers(), b.numbers());
-    EXPECT_FALSE(drawn_as_bytes(target, *bytes)) << "they are bytes already";
+TEST(ClaimInput, NamesItsClaimAndComesBackFromItsBytes) {
+  for (const Suite& suite : suites()) {
+    if (suite.reads_text) continue;
+    for (const Property& claim : suite.thought_to_hold()) {
+      const auto input = claim_input(suite, to_bytes({claim, {7, 1000}}));
+      ASSERT_TRUE(input) << claim.name;
+      EXPECT_EQ(input->property.name, claim.name) << "two names have one hash";
+      EXPECT_EQ(input->choices, (ChoiceNumbers{7, 1000}));
+    }
   }
-  EXPECT_EQ(drawn.size(), target.thought_to_hold().size());
 }
 
-TEST(FuzzTargets, ASeedIsReadToTheLastBit) {
-  const Suite target = suite_named("tdibm_e").value();
-  const std::vector<std::uint8_t> input = {128, 1, 2, 3, 4, 5, 6, 7, 0x88, 9};
-  EXPECT_EQ(claim_input(target, input)->seed, 0x8807060504030201U);
-  EXPECT_EQ(claim_input(target, std::span(input).first(2))->seed, 1U);
+TEST(ClaimInput, OfNoClaimOfTheSuiteIsNone) {
+  const Suite suite = suite_named("tdibm_e").value();
+  const Suite other = suite_named("linear").value();
+  EXPECT_FALSE(claim_input(suite, {}));
+  EXPECT_FALSE(claim_input(suite, to_bytes({other.claims[0], {}})));
+  const auto known_false = *property_named("tdibm.trace");
+  EXPECT_FALSE(claim_input(suite, to_bytes({known_false, {}})));
+}
+
+TEST(ClaimInput, OfATextIsItsBytes) {
+  const std::vector<std::uint8_t> text = {200, 7};
+  EXPECT_EQ(claim_input(suite_named("query_csv").value(), text)->choices, (ChoiceNumbers{200, 7}));
 }
 
 }  // namespace

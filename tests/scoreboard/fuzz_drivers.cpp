@@ -13,6 +13,7 @@
 #include "fuzz/margins.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "fuzz/mutator/mutate.hpp"
+#include "generators/draw/choice_bytes.hpp"
 #include "properties/suites.hpp"
 #include "property_turns.hpp"
 #include "sound.hpp"
@@ -86,7 +87,7 @@ std::string check_decoded(std::span<const std::uint8_t> data) {
   if (data[0] >= kIsProperty) {
     const auto& list = fuzzed_properties();
     const Property& property = list[data[1] % list.size()];
-    Draw choices = Draw::from_bytes(data.subspan(kPropertyHead));
+    Draw choices = Draw::from_numbers(choices_of(data.subspan(kPropertyHead)));
     const Check check = run(property, choices);
     const bool fails = check.status == Check::Status::kFails;
     return fails ? fmt::format("{}: {}", property.name, check.text) : "";
