@@ -31,7 +31,7 @@ SENSE = {
     "--max-seconds": [b"9" * 40],  # any time above 0
     "--seconds": [b"9" * 40],
     "--t-max-factors": [b"9" * 40],  # any number from 1 on
-    "--choices": [b"x", b"9" * 40],  # numbers
+    "--choices": [b""],  # no choices: the simplest input
     # Any folder.
     "--known": [b"."],
     "corpus": [b"."],
