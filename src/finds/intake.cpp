@@ -57,8 +57,8 @@ Result<Store::Put> Intake::take(const NamedCase& entry) {
   const std::string trees = trees_path(entry.file);
   const std::optional<Failure> failure = named_by_failure(entry);
   if (!failure) return store_.put_named(fs::path(entry.id).stem(), entry.value, trees, again());
-  if (fails_so(entry, *failure)) return put(*failure, entry.value, trees, again());
   if (!can_be_asked(failure->who)) return put_aside(entry, *failure);
+  if (fails_so(entry, *failure)) return put(*failure, entry.value, trees, again());
   doubtful_.push_back(entry.id);
   return Store::Put::kKnown;
 }
@@ -106,8 +106,7 @@ Result<bool> Intake::has(const Failure& failure) {
 /// Whether the method of the failure fails so on an entry, when it is asked as the entry says.
 bool Intake::fails_so(const NamedCase& entry, const Failure& failure) {
   const auto known = check_case(entry);
-  return known && can_be_asked(failure.who) &&
-         confirm_.failure_as_asked(failure.who, *known) == failure;
+  return known && confirm_.failure_as_asked(failure.who, *known) == failure;
 }
 
 /// The same of an entry that hides finds from then on.
