@@ -18,7 +18,7 @@ set(ccdfuzz_public_headers
   method/method.hpp
   numeric/dyadic.hpp numeric/eigen_traits.hpp numeric/rational.hpp base/result.hpp base/verify.hpp
   case/answer.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp
-  case/checked_case.hpp case/judge.hpp case/outcome.hpp base/output_file.hpp case/query.hpp case/tree_file.hpp)
+  case/checked_case.hpp case/judge.hpp case/query_csv.hpp case/taxonomy.hpp case/outcome.hpp base/output_file.hpp case/query.hpp case/tree_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/${folder})
@@ -27,6 +27,18 @@ endforeach()
 set(ccdfuzz_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ccdfuzz)
 install(EXPORT ccdfuzz_targets NAMESPACE ccdfuzz:: DESTINATION ${ccdfuzz_config_dir}
         FILE ccdfuzz-targets.cmake)
+# <ccdfuzz/rapidcheck.hpp> and ccdfuzz::rapidcheck, where there is RapidCheck.
+if(TARGET ccdfuzz_rapidcheck)
+  foreach(header contact.hpp draw_contact.hpp generate.hpp draw/draw.hpp draw/random.hpp)
+    cmake_path(GET header PARENT_PATH folder)
+    install(FILES ${PROJECT_SOURCE_DIR}/generators/${header}
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/generators/${folder})
+  endforeach()
+  install(FILES ${PROJECT_SOURCE_DIR}/generators/rc/rapidcheck.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz)
+  install(TARGETS ccdfuzz_rapidcheck EXPORT ccdfuzz_rapidcheck_targets)
+  install(EXPORT ccdfuzz_rapidcheck_targets NAMESPACE ccdfuzz:: DESTINATION ${ccdfuzz_config_dir}
+          FILE ccdfuzz-rapidcheck-targets.cmake)
+endif()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/ccdfuzz-config.cmake.in
   ${PROJECT_BINARY_DIR}/ccdfuzz-config.cmake INSTALL_DESTINATION ${ccdfuzz_config_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/ccdfuzz-config-version.cmake

@@ -8,13 +8,18 @@ namespace ccdfuzz::gen {
 
 namespace {
 
+/// A contact of any class: of each as often as of any other, and a few of what is made most often.
 Contact drawn_contact(Draw& draw, const ContactRange& range) {
+  const std::uint64_t wanted = draw.below(kContactClasses.size() + 1);
   const auto made = draw.until(
       [&] {
         const Result<Case> drawn = draw_contact(draw, range);
         return drawn ? contact_of(*drawn) : std::nullopt;
       },
-      [](const std::optional<Contact>& contact) { return contact.has_value(); });
+      [&](const std::optional<Contact>& contact) {
+        if (!contact || wanted == 0) return contact.has_value();
+        return contact_class_of(*contact) == kContactClasses.at(wanted - 1);
+      });
   return *made;
 }
 

@@ -13,19 +13,22 @@ std::string point_text(const Vec3<double>& p) {
   return fmt::format("({}, {}, {})", p[0], p[1], p[2]);
 }
 
-std::string witness_text(const Witness& witness) {
+/// With the parameters that the shapes have.
+std::string witness_text(const Witness& witness, const Query& query) {
   std::string text = fmt::format("touch at t = {}", to_text(witness.t));
   for (std::size_t s = 0; s < 2; ++s) {
     const auto& [u, v] = witness.uv[s];
-    text += fmt::format("{} of patch {} at u = {}, v = {}", s == 0 ? "," : " and", s + 1,
-                        to_text(u), to_text(v));
+    const int parameters = query.patches[s].shape.parameter_count();
+    text += fmt::format("{} patch {}", s == 0 ? ":" : ", and", s + 1);
+    if (parameters > 0) text += " at u = " + to_text(u);
+    if (parameters > 1) text += ", v = " + to_text(v);
   }
   return text + '\n';
 }
 
 std::string truth_text(const Case& value) {
   const Truth& truth = value.truth;
-  if (truth.witness) return witness_text(*truth.witness);
+  if (truth.witness) return witness_text(*truth.witness, value.query);
   if (!truth.collides) return "whether they touch is not known\n";
   return *truth.collides ? "they touch\n" : "they do not touch\n";
 }

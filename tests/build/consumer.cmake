@@ -1,4 +1,4 @@
-# cmake -D BUILD=… -D SOURCE=… -D WORK=… -D CXX=… -D CONFIG=… -D FLAGS=… -D CASES=… -P consumer.cmake
+# cmake -D BUILD=… -D SOURCE=… -D WORK=… -D CXX=… -D CONFIG=… -D FLAGS=… -D CASES=… -D EXAMPLE=… -P consumer.cmake
 # Installs the build into WORK, and configures, builds and runs the consumer project against it.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
@@ -28,4 +28,41 @@ if(NOT answers STREQUAL answers_fast_math)
   file(WRITE ${WORK}/answers.txt "${answers}")
   file(WRITE ${WORK}/answers_fast_math.txt "${answers_fast_math}")
   message(FATAL_ERROR "built with -ffast-math the same program is told otherwise: compare ${WORK}/answers*.txt")
+endif()
+
+# The example of RapidCheck finds its fault, shows it to people and to the command line, and shows it again.
+run("configure the example" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${EXAMPLE} -B ${WORK}/example
+    -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=${CONFIG}
+    -DCMAKE_CXX_FLAGS=${FLAGS})
+run("build the example" ${CMAKE_COMMAND} --build ${WORK}/example)
+function(run_example params)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env RC_PARAMS=${params} ${WORK}/example/my_ccd_test ${ARGN}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  foreach(wanted "FAILED  . Mine.MissesNothing" "as a case, for ccdfuzz")
+    if(NOT out MATCHES ${wanted})
+      message(FATAL_ERROR "the example (${status}) does not say \"${wanted}\":\n${out}")
+    endif()
+  endforeach()
+  if(out MATCHES "<[?][?][?]>" OR out MATCHES "FAILED  . TdibmC")
+    message(FATAL_ERROR "the example shows what it should not:\n${out}")
+  endif()
+  set(out "${out}" PARENT_SCOPE)
+endfunction()
+run_example(seed=1)
+if(NOT out MATCHES "[0-9]% - .VV")
+  message(FATAL_ERROR "the example does not show how many contacts were of each class:\n${out}")
+endif()
+string(REGEX MATCH "{\"format[^\n]*}" case "${out}")
+file(WRITE ${WORK}/example.json "${case}")
+run("verify what was found" ${BUILD}/ccdfuzz verify ${WORK}/example.json)
+string(LENGTH "${case}" length)
+if(length GREATER 600)
+  message(FATAL_ERROR "what was found did not shrink: ${case}")
+endif()
+if(NOT out MATCHES "RC_PARAMS=\"(reproduce=[^\"]*)\"")
+  message(FATAL_ERROR "the example does not say how it is shown again:\n${out}")
+endif()
+run_example(${CMAKE_MATCH_1} --gtest_filter=Mine.*)
+if(NOT out MATCHES "after 1 test")
+  message(FATAL_ERROR "RC_PARAMS=${CMAKE_MATCH_1} does not show it again:\n${out}")
 endif()

@@ -39,13 +39,13 @@ bool anything(const Contact&) {
 }
 
 RC_GTEST_PROP(RcGenerators, ContactsKeepAnExactWitnessHoweverTheyShrink, (std::uint64_t seed)) {
-  for (const Contact& made : family_of(gen::contact(), seed, 20)) {
+  for (const Contact& made : family_of(gen::contact(), seed, 8)) {
     RC_ASSERT(check_truth(case_of(made)).has_value());
   }
 }
 
 RC_GTEST_PROP(RcGenerators, MutantsKeepAnExactWitnessHoweverTheyShrink, (std::uint64_t seed)) {
-  for (const Contact& made : family_of(gen::mutant(gen::contact()), seed, 20)) {
+  for (const Contact& made : family_of(gen::mutant(gen::contact()), seed, 8)) {
     RC_ASSERT(check_truth(case_of(made)).has_value());
   }
 }

@@ -11,7 +11,7 @@ TEST(Show, AContactReadsAsWhatItIs) {
   known.origin.kind.clear();
   known.origin.generator.clear();
   EXPECT_EQ(rc::toString(falling_point()),
-            "VE touch at t = 1, of patch 1 at u = 0, v = 0 and of patch 2 at u = 1/2, v = 0\n"
+            "VE touch at t = 1: patch 1, and patch 2 at u = 1/2\n"
             "patch 1, point:\n"
             "  (0, 0, 1) + t (0, 0, -1)\n"
             "patch 2, curve(1):\n"
