@@ -25,6 +25,7 @@
 #include "properties/draw_linear.hpp"
 #include "properties/fp_environment.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -42,24 +43,29 @@ std::string bits(const Result<double>& x) {
   return x ? bits(*x) : "refused ";
 }
 
-/// FpGuard: sound within, and what it was on leaving.
-Check check_guard(Draw&) {
+void check_guard(Draw& d) {
   for (const FpEnvironment& environment : fp_environments()) {
+    show(d, "environment", environment.name);
     const InFpEnvironment in(environment);
-    bool sound = false;
     {
       const FpGuard guard;
       volatile double least_normal = std::numeric_limits<double>::min(), one = 1;
-      const bool keeps_subnormals = least_normal / 2 != 0;
-      const bool to_nearest = one + 0x1.8p-53 == 1 + 0x1p-52 && one + 0x1p-54 == 1;
-      sound = FpGuard::holds() && keeps_subnormals && to_nearest;
+      CLAIM(FpGuard::holds());
+      CLAIM(least_normal / 2 != 0);
+      CLAIM(one + 0x1.8p-53 == 1 + 0x1p-52);
+      CLAIM(one + 0x1p-54 == 1);
     }
-    if (!sound) return Check::fails(fmt::format("{}: not sound within", environment.name));
-    if (fp_control() != environment.control) {
-      return Check::fails(fmt::format("{}: it leaves {:#x}", environment.name, fp_control()));
-    }
+    show(d, "left", fp_control());
+    CLAIM(fp_control() == environment.control);
   }
-  return Check::holds();
+}
+
+/// Calls text() as the thread is, and in every environment.
+template <class Text>
+void claim_same_in_environments(Draw& d, const Text& text) {
+  const std::string differs = differs_in_some_environment(text);
+  show(d, "differs", differs);
+  CLAIM(differs.empty());
 }
 
 /// Any double, every other time a subnormal one.
@@ -69,13 +75,13 @@ double draw_tiny_or_any(Draw& choices) {
   return choices.coin() ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & kNoExponent) : x;
 }
 
-Check check_exact_numbers(Draw& choices) {
-  const double x = draw_tiny_or_any(choices), y = draw_tiny_or_any(choices);
-  const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(choices.integer(-1100, 10)));
-  const Rational q = choices.coin() ? Rational(exact(x) + off) : exact(x);
+void check_exact_numbers(Draw& d) {
+  const double x = draw_tiny_or_any(d), y = draw_tiny_or_any(d);
+  const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(d.integer(-1100, 10)));
+  const Rational q = d.coin() ? Rational(exact(x) + off) : exact(x);
   const std::string decimal =
-      fmt::format("{}e{}", choices.integer(-999'999'999, 999'999'999), choices.integer(-340, 22));
-  const auto text = [&] {
+      fmt::format("{}e{}", d.integer(-999'999'999, 999'999'999), d.integer(-340, 22));
+  claim_same_in_environments(d, [&] {
     const DoubleParts parts = parts_of(x);
     const Dyadic dyadic = Dyadic::exact(x);
     const std::string shortest = json_number(x), hex = to_hex(x);
@@ -90,9 +96,7 @@ Check check_exact_numbers(Draw& choices) {
     out += bits(parse_real({JsonKind::kNumber, decimal, {}, {}}));
     out += bits(parse_real({JsonKind::kString, hex, {}, {}}));
     return out;
-  };
-  const std::string differs = differs_in_some_environment(text);
-  return differs.empty() ? Check::holds() : Check::fails(differs);
+  });
 }
 
 /// All coordinates times 2^shift, if doubles hold them.
@@ -114,17 +118,13 @@ void scale_if_exact(Query& query, long shift) {
 
 /// A contact, most often among subnormal numbers, or a linear query; then, perhaps, one patch moved
 /// by as little as a number can be.
-Result<Case> draw_tiny_case(Draw& choices) {
+Case draw_tiny_case(Draw& choices) {
   constexpr ContactRange kSubnormal{-1066, -1010, 2};
   Case drawn;
   if (const std::uint64_t kind = choices.choose(3); kind < 3) {
-    Result<Case> contact = draw_contact(choices, kind < 2 ? kSubnormal : ContactRange());
-    if (!contact) return contact;
-    drawn = *std::move(contact);
+    drawn = supposed(draw_contact(choices, kind < 2 ? kSubnormal : ContactRange()));
   } else {
-    Result<Query> linear = draw_linear(choices);
-    if (!linear) return tl::unexpected(linear.error());
-    drawn.query = *std::move(linear);
+    drawn.query = supposed(draw_linear(choices));
     scale_if_exact(drawn.query, static_cast<long>(choices.integer(-1060, 0)));
     drawn.truth.witness = Witness{exact(drawn.query.t_max) / 2, {}};
   }
@@ -206,15 +206,6 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   return out + json;
 }
 
-Check check_judgement(Draw& choices) {
-  const Result<Case> drawn = draw_tiny_case(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const WildClaims claims = draw_wild_claims(choices, *drawn);
-  const std::string differs =
-      differs_in_some_environment([&] { return judgement(*drawn, claims); });
-  return differs.empty() ? Check::holds() : Check::fails(differs);
-}
-
 std::string bits(const Answer& answer) {
   std::string out = fmt::format("{} {}", static_cast<int>(answer.verdict), bits(answer.toi));
   for (const Uv<double>& uv : answer.uv) out += bits(uv[0]) + bits(uv[1]);
@@ -236,10 +227,7 @@ std::string said_by(const std::string& spec, const Case& value) {
   const Witness& witness = *value.truth.witness;
   std::string out;
   if (spec == "oracle") {
-    OracleOptions little;
-    little.max_pops = 24;
-    little.max_tree_nodes = 200;
-    const Decision decision = decide(value.query, little);
+    const Decision decision = decide(value.query, {.max_pops = 24, .max_tree_nodes = 200});
     Case decided = value;
     decided.truth = decision.truth;
     return to_json(decided) + fmt::format(" {:x}", std::hash<std::string>()(decision.tree));
@@ -254,65 +242,66 @@ std::string said_by(const std::string& spec, const Case& value) {
   return out;
 }
 
-Check check_methods(Draw& choices) {
+void check_methods(Draw& d) {
   const std::vector<MethodInfo>& methods = registered_methods();
-  std::string spec = methods[choices.choose(methods.size() - 1)].spec;
+  std::string spec = methods[d.choose(methods.size() - 1)].spec;
   if (spec.ends_with(":F")) spec.replace(spec.size() - 1, 1, "1e-12");
-  const Result<Case> drawn = draw_tiny_case(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const std::string differs = differs_in_some_environment([&] { return said_by(spec, *drawn); });
-  if (differs.empty()) return Check::holds();
-  return Check::fails(fmt::format("{}: {}\n{}", spec, differs, to_json(*drawn)));
+  const Case drawn = draw_tiny_case(d);
+  show(d, "method", spec);
+  show(d, "case", drawn);
+  claim_same_in_environments(d, [&] { return said_by(spec, drawn); });
 }
 
-/// A contact stays, in a trace and in a query, whatever environment the caller has.
-Check check_contact_stays(Draw& choices) {
-  const char* const spec = choices.coin() ? "tdibm-c" : "tdibm-rational";
-  const FpEnvironment& environment =
-      fp_environments()[choices.choose(fp_environments().size() - 1)];
+void check_contact_stays(Draw& d) {
+  const char* const spec = d.coin() ? "tdibm-c" : "tdibm-rational";
+  const FpEnvironment& environment = fp_environments()[d.choose(fp_environments().size() - 1)];
   constexpr ContactRange kSubnormal{-1066, -1010, 2}, kAnywhere{-1000, 900, 3};
-  const Result<Case> drawn = draw_contact(choices, choices.coin() ? kAnywhere : kSubnormal);
-  if (!drawn) return Check::discarded(drawn.error().message());
+  const Case drawn = supposed(draw_contact(d, d.coin() ? kAnywhere : kSubnormal));
   Outcome outcome = Outcome::kError;
   bool lost = true;
   {
     const InFpEnvironment in(environment);
     const SearchOptions options{.precision = 0x1p-4, .max_pops = 60};
-    const CheckedCase known = checked_contact(*drawn);
-    outcome = judge(known, (*make_method(spec))->answer(drawn->query, options));
-    lost = (*make_tracer(spec))
-               ->trace(drawn->query, *drawn->truth.witness, {.precision = 0x1p-5})
-               .lost;
+    const CheckedCase known = checked_contact(drawn);
+    outcome = judge(known, (*make_method(spec))->answer(drawn.query, options));
+    lost =
+        (*make_tracer(spec))->trace(drawn.query, *drawn.truth.witness, {.precision = 0x1p-5}).lost;
   }
-  if (!lost && !is_false_negative(outcome) && outcome != Outcome::kError) return Check::holds();
-  return Check::fails(fmt::format("{}, {}: {}, {}\n{}", spec, environment.name, name_of(outcome),
-                                  lost ? "lost" : "not lost", to_json(*drawn)));
+  show(d, "method", spec);
+  show(d, "environment", environment.name);
+  show(d, "outcome", outcome);
+  show(d, "contact", drawn);
+  CLAIM(!lost);
+  CLAIM(!is_false_negative(outcome));
+  CLAIM(outcome != Outcome::kError);
 }
 
 }  // namespace
 
 std::vector<Property> any_environment_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
   constexpr auto kSource = "src/base/fp_guard.hpp";
   return {
       {"fp_guard.sound_and_restored",
        "Within a guard the environment is sound, and on leaving it is the caller's again", kSource,
-       kHolds, check_guard},
+       check_guard},
       {"double.exact_in_any_environment",
        "Conversions between doubles, exact numbers and texts do not depend on the floating-point "
        "environment",
-       "src/base/double_parts.hpp", kHolds, check_exact_numbers},
+       "src/base/double_parts.hpp", check_exact_numbers},
       {"checker.same_in_any_environment",
        "The checker and the judge say the same in every floating-point environment", kSource,
-       kHolds, check_judgement},
+       [](Draw& d) {
+         const Case drawn = draw_tiny_case(d);
+         const WildClaims claims = draw_wild_claims(d, drawn);
+         claim_same_in_environments(d, [&] { return judgement(drawn, claims); });
+       }},
       {"methods.same_in_any_environment",
        "Answers, traces and certificates are the same bits in every floating-point environment",
-       kSource, kHolds, check_methods},
+       kSource, check_methods},
       {"methods.no_false_negative_in_any_environment",
        "tdibm-c and tdibm-rational lose no contact, in a trace or a query, and none is late, in "
-       "any "
-       "floating-point environment",
-       kSource, kHolds, check_contact_stays},
+       "any floating-point environment",
+       kSource, check_contact_stays},
   };
 }
 

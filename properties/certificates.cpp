@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -10,50 +8,30 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "generators/draw_contact.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/finalize.hpp"
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
 #include "numeric/products.hpp"
-#include "properties/accepted.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// The two points of a witness stay apart if one patch is moved, along whichever axis.
-Check check_moved_contact(Draw& choices) {
-  Result<Case> drawn = draw_contact(choices, {0, 0});
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const auto axis = static_cast<int>(choices.choose(2));
-  const double by =
-      std::ldexp(choices.coin() ? 1.0 : -1.0, static_cast<int>(choices.integer(-16, 8)));
-  for (Vec3<double>& p : drawn->query.patches[choices.choose(1)].positions) p[axis] += by;
-  return accepted_iff(check_truth(*drawn).has_value(), false, "a contact that was moved apart",
-                      *drawn);
+/// k·2^-20, of either sign.
+Rational draw_offset(Draw& choices) {
+  return Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
 }
 
-/// A witness proves a contact in [0, t_max] iff it comes no later than t_max.
-Check check_contact_in_time(Draw& choices) {
-  Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const Witness& witness = *drawn->truth.witness;
-  const double t = *to_double_exactly(witness.t);
-  drawn->query.t_max = t * std::ldexp(static_cast<double>(choices.integer(0, 16)), -3);
-  return accepted_iff(check_witness(drawn->query, witness).has_value(), t <= drawn->query.t_max,
-                      "a witness", *drawn);
-}
-
-/// Nothing is clear beyond a contact that is proven.
-Check check_clear_until(Draw& choices) {
-  Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded(drawn.error().message());
-  const Rational& t = drawn->truth.witness->t;
-  const Rational off = Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
-  const Rational until = t + off;
-  drawn->truth.clear_until = until;
-  return accepted_iff(check_truth(*drawn).has_value(), 0 <= until && until <= t, "clear_until",
-                      *drawn);
+void check_clear_until(Draw& d) {
+  Case drawn = supposed(draw_contact(d, {}));
+  const Rational& t = drawn.truth.witness->t;
+  const Rational until = t + draw_offset(d);
+  drawn.truth.clear_until = until;
+  show(d, "case", drawn);
+  CLAIM(check_truth(drawn).has_value() == (0 <= until && until <= t));
 }
 
 Scene draw_one_sided_scene(Draw& choices) {
@@ -63,15 +41,14 @@ Scene draw_one_sided_scene(Draw& choices) {
 
 /// A plane with one thing changed: on the wrong side of a patch by less than anything that moves,
 /// or turned round, or later, or before patches that do not come nearer.
-Check check_changed_plane(Draw& choices) {
-  Scene scene = draw_one_sided_scene(choices);
+void check_changed_plane(Draw& d) {
+  Scene scene = draw_one_sided_scene(d);
   MovingPlane plane = moving_plane(scene, scene.normal);
   enum class Change : std::uint8_t { kNone, kSide, kOffset, kLater, kTurned, kNotNearer };
-  const Change change =
-      choices.pick(std::array{Change::kNone, Change::kSide, Change::kOffset, Change::kLater,
-                              Change::kTurned, Change::kNotNearer});
-  const std::uint64_t side = choices.choose(1);
-  const Rational little = power_of_two(static_cast<int>(choices.integer(-16, 3)));
+  const Change change = d.pick(std::array{Change::kNone, Change::kSide, Change::kOffset,
+                                          Change::kLater, Change::kTurned, Change::kNotNearer});
+  const std::uint64_t side = d.choose(1);
+  const Rational little = power_of_two(static_cast<int>(d.integer(-16, 3)));
   switch (change) {
     case Change::kNone:
       break;
@@ -96,20 +73,20 @@ Check check_changed_plane(Draw& choices) {
       scene.patches[side].positions = scene.patches[side].at(scene.contact.t);
       break;
   }
-  const auto query = to_query(scene);
-  if (!query) return Check::discarded("a number is not a double");
-  Case about;
-  about.query = *query;
-  return accepted_iff(check_plane(*query, plane).has_value(), change == Change::kNone,
-                      fmt::format("a plane after change {}", static_cast<int>(change)), about);
+  Case changed;
+  changed.query = supposed(to_query(scene));
+  changed.truth.clearance = plane;
+  show(d, "change", static_cast<int>(change));
+  show(d, "case", changed);
+  CLAIM(check_plane(changed.query, plane).has_value() == (change == Change::kNone));
 }
 
-/// A scene in which a corner of either patch lies beyond the contact plane: it separates nothing.
-Check check_plane_of_scene(Draw& choices) {
-  Scene scene = draw_one_sided_scene(choices);
-  const std::size_t side = choices.choose(1);
-  const std::size_t corner = choices.pick(std::array<std::size_t, 3>{0, 2, 5});
-  const Dyadic far(Integer(1), static_cast<long>(choices.integer(0, 8)));
+/// A scene in which a corner of either patch lies beyond the contact plane.
+void check_plane_of_scene(Draw& d) {
+  Scene scene = draw_one_sided_scene(d);
+  const std::size_t side = d.choose(1);
+  const std::size_t corner = d.pick(std::array<std::size_t, 3>{0, 2, 5});
+  const Dyadic far(Integer(1), static_cast<long>(d.integer(0, 8)));
   const Vec3<Dyadic> step = scene.normal * far;
   MovingPatch<Dyadic>& patch = scene.patches[side];
   Vec3<Dyadic>& moved = patch.positions[corner];
@@ -117,101 +94,114 @@ Check check_plane_of_scene(Draw& choices) {
   const Points<Dyadic> points = patch.at(scene.contact.t);
   const Vec3<Dyadic> contact = weighted_sum(bernstein_weights(scene.contact.x[side]), points);
   const int above = dot<Dyadic>(scene.normal, Vec3<Dyadic>(points[corner] - contact)).sign();
-  if (side == 0 ? above >= 0 : above <= 0) return Check::discarded("it stays on its side");
-  if (!moving_plane_separates(scene, scene.normal)) return Check::holds();
-  const auto query = to_query(scene);
-  Case about;
-  if (query) about.query = *query;
-  return Check::fails(
-      fmt::format("corner {} of patch {} is beyond\n{}", corner, side + 1, to_json(about)));
+  suppose(side == 0 ? above < 0 : above > 0);
+  show(d, "patch", side + 1);
+  show(d, "corner", corner);
+  for (const MovingPatch<Dyadic>& shown : scene.patches) {
+    show(d, "positions", shown.positions);
+    show(d, "velocities", shown.velocities);
+  }
+  CLAIM(!moving_plane_separates(scene, scene.normal));
 }
 
 /// A contact box about a point that falls through a flat triangle: unknowns u, v and t, in each of
 /// which the contact is off the centre by a number of its own. It proves the contact iff none is
 /// further off than the radius, the box stays inside of the triangle and in t ≥ 0, and its matrix
 /// is regular.
-Check check_contact_box(Draw& choices) {
+void check_contact_box(Draw& d) {
   constexpr int kSteps = 16;
   const auto steps = [](std::int64_t n) { return std::ldexp(static_cast<double>(n), -4); };
   std::array<std::int64_t, 3> x, off;
-  for (auto& place : x) place = choices.integer(0, kSteps);
-  for (auto& place : off) place = choices.integer(-2, 2);
-  const std::int64_t radius = choices.integer(1, 4);
-  const double scale = std::ldexp(1.0, static_cast<int>(choices.integer(-20, 20)));
-  Query query;
-  query.patches[0] = {Shape::triangle(1), {{0, 0, 0}, {0, scale, 0}, {scale, 0, 0}}, {}};
-  query.patches[0].velocities.resize(3, Vec3<double>(0, 0, 0));
-  query.patches[1] = {
+  for (auto& place : x) place = d.integer(0, kSteps);
+  for (auto& place : off) place = d.integer(-2, 2);
+  const std::int64_t radius = d.integer(1, 4);
+  const double scale = std::ldexp(1.0, static_cast<int>(d.integer(-20, 20)));
+  Case about;
+  auto& [triangle, point] = about.query.patches;
+  triangle = {Shape::triangle(1), {{0, 0, 0}, {0, scale, 0}, {scale, 0, 0}}, {}};
+  triangle.velocities.resize(3, Vec3<double>(0, 0, 0));
+  point = {
       Shape::point(),
       {{scale * steps(x[0] + off[0]), scale * steps(x[1] + off[1]), scale * steps(x[2] + off[2])}},
       {{0, 0, -scale}}};
-  ContactBox box;
+  ContactBox& box = about.truth.contact_box.emplace();
   box.centre = {steps(x[0]), steps(x[1]), 0, 0, steps(x[2])};
   box.varied = {0, 1, ContactBox::kTime};
   box.radius.fill(steps(radius));
-  for (std::size_t i = 0; i < 3; ++i) box.inverse[i] = {0, 0, 0};
   for (std::size_t i = 0; i < 3; ++i) box.inverse[i][i] = 1 / scale;
-  const std::uint64_t without = choices.choose(7);  // a row of the matrix, or none
+  const std::uint64_t without = d.choose(7);  // a row of the matrix, or none
   if (without < 3) box.inverse[without] = {0, 0, 0};
   const bool inside = x[0] >= radius && x[1] >= radius &&
                       x[0] + x[1] + 2 * radius <= std::int64_t{kSteps} && x[2] >= radius;
   const bool near = std::ranges::all_of(off, [&](auto o) { return std::abs(o) <= radius; });
-  Case about;
-  about.query = query;
-  about.truth.contact_box = box;
-  return accepted_iff(check_box(query, box).has_value(), inside && near && without >= 3, "the box",
-                      about);
+  const bool regular = without >= 3;
+  show(d, "case", about);
+  CLAIM(check_box(about.query, box).has_value() == (inside && near && regular));
 }
 
-/// The checker refuses a witness at another time unless the patches touch there too.
-Check check_wrong_witness(Draw& choices) {
-  Result<Case> drawn = draw_contact(choices, {});
-  if (!drawn) return Check::discarded("a number is not a double");
-  Witness& witness = *drawn->truth.witness;
-  const Rational off = Rational(static_cast<long>(choices.integer(-4, 4))) * power_of_two(-20);
-  if (choices.coin()) {
+/// A witness at another time or place, where the patches may touch too.
+void check_wrong_witness(Draw& d) {
+  Case drawn = supposed(draw_contact(d, {}));
+  Witness& witness = *drawn.truth.witness;
+  const Rational off = draw_offset(d);
+  if (d.coin()) {
     witness.t += off;
   } else {
-    witness.uv[choices.choose(1)][choices.choose(1)] += off;
+    witness.uv[d.choose(1)][d.choose(1)] += off;
   }
   std::array<Vec3<Rational>, 2> points;
-  bool inside = witness.t >= 0 && witness.t <= exact(drawn->query.t_max);
+  bool inside = witness.t >= 0 && witness.t <= exact(drawn.query.t_max);
   for (std::size_t s = 0; s < 2; ++s) {
-    const auto patch = exact_patch<Rational>(drawn->query.patches[s]);
+    const auto patch = exact_patch<Rational>(drawn.query.patches[s]);
     inside = inside && patch.shape.contains(witness.uv[s]);
     points[s] = evaluate<Rational>(patch, witness.uv[s], witness.t);
   }
-  const bool is_contact = inside && points[0] == points[1];
-  return accepted_iff(check_truth(*drawn).has_value(), is_contact, "a witness", *drawn);
+  show(d, "case", drawn);
+  CLAIM(check_truth(drawn).has_value() == (inside && points[0] == points[1]));
 }
 
 }  // namespace
 
 std::vector<Property> certificates_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
+  constexpr auto kWitness = "src/certify/checker/check_witness.hpp";
   return {
       {"checker.refuses_wrong_witnesses", "A witness is accepted iff the patches touch in it",
-       "src/certify/checker/check_witness.hpp", kHolds, check_wrong_witness},
+       kWitness, check_wrong_witness},
       {"checker.refuses_moved_contacts",
-       "A witness is refused once a patch was moved along any axis",
-       "src/certify/checker/check_witness.hpp", kHolds, check_moved_contact},
+       "A witness is refused once a patch was moved along any axis", kWitness,
+       [](Draw& d) {
+         Case moved = supposed(draw_contact(d, {0, 0}));
+         const auto axis = static_cast<int>(d.choose(2));
+         const double by = std::ldexp(d.coin() ? 1.0 : -1.0, static_cast<int>(d.integer(-16, 8)));
+         for (Vec3<double>& p : moved.query.patches[d.choose(1)].positions) p[axis] += by;
+         show(d, "case", moved);
+         CLAIM(!check_truth(moved));
+       }},
       {"checker.refuses_contacts_after_t_max",
-       "A witness proves a contact in [0, t_max] iff it is no later",
-       "src/certify/checker/check_witness.hpp", kHolds, check_contact_in_time},
+       "A witness proves a contact in [0, t_max] iff it is no later", kWitness,
+       [](Draw& d) {
+         Case asked = supposed(draw_contact(d, {}));
+         const Witness& witness = *asked.truth.witness;
+         const double t = *to_double_exactly(witness.t);
+         double& t_max = asked.query.t_max;
+         t_max = t * std::ldexp(static_cast<double>(d.integer(0, 16)), -3);
+         show(d, "case", asked);
+         CLAIM(check_witness(asked.query, witness).has_value() == (t <= t_max));
+       }},
       {"checker.refuses_clearance_past_a_contact",
        "clear_until is refused iff a contact before it is proven, or it is negative",
-       "src/certify/checker/check_truth.hpp", kHolds, check_clear_until},
+       "src/certify/checker/check_truth.hpp", check_clear_until},
       {"checker.refuses_changed_planes",
        "A moving plane is accepted, and refused once either patch, the plane or its time was "
        "changed so that it proves nothing",
-       "src/certify/checker/check_plane.hpp", kHolds, check_changed_plane},
+       "src/certify/checker/check_plane.hpp", check_changed_plane},
       {"checker.refuses_changed_boxes",
        "A contact box is accepted iff its centre is near enough to the contact, it lies in the "
        "domain and in t >= 0, and its matrix is regular",
-       "src/certify/checker/check_box.hpp", kHolds, check_contact_box},
+       "src/certify/checker/check_box.hpp", check_contact_box},
       {"generator.refuses_planes",
        "No plane is found to separate patches of which either reaches beyond it",
-       "generators/moving_plane.hpp", kHolds, check_plane_of_scene},
+       "generators/moving_plane.hpp", check_plane_of_scene},
   };
 }
 

@@ -11,6 +11,7 @@
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -36,18 +37,16 @@ Query query_of(Draw& choices, const Shape& a, const Shape& b) {
   return {{patch_at(choices, a, -16), patch_at(choices, b, 16)}, 1};
 }
 
-/// One thing of a case at a limit of the reader, or one past it.
-Check check_limits_of_a_file(Draw& choices) {
-  const std::uint64_t past = choices.choose(1);
+void check_limits_of_a_file(Draw& d) {
+  const std::uint64_t past = d.choose(1);
   Case value;
-  value.query = query_of(choices, Shape::point(), Shape::point());
+  value.query = query_of(d, Shape::point(), Shape::point());
   std::string text, limit;
-  switch (choices.choose(2)) {
+  switch (d.choose(2)) {
     case 0: {
-      const std::string digits(kMaxRationalDigits + past,
-                               static_cast<char>('1' + choices.choose(8)));
+      const std::string digits(kMaxRationalDigits + past, static_cast<char>('1' + d.choose(8)));
       Rational t{Integer(digits)};
-      if (choices.coin()) t = 1 / t;
+      if (d.coin()) t = 1 / t;
       value.truth.witness = Witness{t, {}};
       text = to_json(value);
       limit = fmt::format("truth.witness.t: has a numerator or denominator of {} digits",
@@ -67,24 +66,23 @@ Check check_limits_of_a_file(Draw& choices) {
       const std::string zeros(kMaxNumberLength + past - kBefore.size() - kAfter.size(), '0');
       text = to_json(value);
       const std::size_t at = text.find(kTMax);
-      if (at == std::string::npos) return Check::fails("no t_max in " + text);
+      CLAIM(at != std::string::npos);
       text.replace(at, kTMax.size(), fmt::format("\"t_max\":\"{}{}{}\"", kBefore, zeros, kAfter));
       limit = fmt::format("has {} characters", kMaxNumberLength + past);
     }
   }
   const Result<Case> read = parse_case(text, "file");
-  if (past == 0) return read ? Check::holds() : Check::fails("refused: " + read.error().message());
-  if (read) return Check::fails("read past a limit: " + limit);
-  return names(read.error(), limit)
-             ? Check::holds()
-             : Check::fails(limit + " expected, not " + read.error().message());
+  show(d, "limit", limit);
+  show(d, "read", read);
+  CLAIM(read.has_value() == (past == 0));
+  CLAIM(read || names(read.error(), limit));
 }
 
-/// A double printed to any number of digits is read back iff that is enough of them to tell it from
-/// other doubles and no more, or it is all that there are.
-Check check_long_decimals(Draw& choices) {
-  const double x = std::abs(choices.finite_double());
-  const auto digits = static_cast<int>(choices.integer(1, 60));  // behind the first
+/// A double printed to any number of digits: enough to tell it from other doubles or not, or more,
+/// or all that there are.
+void check_long_decimals(Draw& d) {
+  const double x = std::abs(d.finite_double());
+  const auto digits = static_cast<int>(d.integer(1, 60));  // behind the first
   const auto printed = [x](int count) { return fmt::format("{:.{}e}", x, count); };
   const std::string text = printed(digits);
   // No double has more than 767 significant digits.
@@ -93,86 +91,87 @@ Check check_long_decimals(Draw& choices) {
       all.substr(0, all.find('e')).substr(static_cast<std::size_t>(2 + digits));
   const bool is_all = rest.find_first_not_of('0') == std::string::npos;
   const Result<double> read = parse_exact_real({JsonKind::kNumber, text, {}, {}});
-  const std::string shown = fmt::format("{} of {}", text, to_hex(x));
+  show(d, "double", x);
+  show(d, "printed", text);
+  show(d, "read", read);
   if (read) {
-    if (digits > 16 && !is_all) return Check::fails("rounded: " + shown);
-    if (digits >= 16 && *read != x) return Check::fails("read as another: " + shown);
-    return Check::holds();
+    CLAIM(digits <= 16 || is_all);
+    CLAIM(digits < 16 || *read == x);
+  } else {
+    suppose(digits >= 16 || !names(read.error(), "range"));  // rounded out of it
+    CLAIM(digits > 16 && !is_all);
   }
-  const bool is_out_of_range = names(read.error(), "range");
-  if (is_out_of_range && digits < 16) return Check::discarded("rounded out of range");
-  return digits > 16 && !is_all ? Check::holds() : Check::fails("refused: " + shown);
 }
 
 /// A certificate with a number of many words, which its check must multiply by others as long.
-Check check_work_is_counted(Draw& choices) {
-  const std::uint64_t words = 16 + choices.choose(48);
+void check_work_is_counted(Draw& d) {
+  const std::uint64_t words = 16 + d.choose(48);
   const Rational most = power_of_two(static_cast<long>(64 * words));
   const Rational big = (most - 1) / most;
   const std::uint64_t square = words * words;
-  const auto outcome = [&](const char* what, std::uint64_t budget, const auto& check) {
+  const auto counted = [&](const char* what, std::uint64_t budget, const auto& check) {
     const Result<void> within = check(budget), freely = check(kMostWork);
-    const std::string wanted = fmt::format("exceeds the work budget of {} ", budget);
-    if (within || !names(within.error(), wanted)) {
-      return Check::fails(fmt::format("{} of {} words is checked within {}", what, words, budget));
-    }
-    if (!freely && names(freely.error(), "work budget")) {
-      return Check::fails(fmt::format("{} of {} words exceeds the budget", what, words));
-    }
-    return Check::holds();
+    show(d, "certificate", what);
+    show(d, "words", words);
+    show(d, "budget", budget);
+    show(d, "within", within);
+    show(d, "freely", freely);
+    CLAIM(!within);
+    CLAIM(names(within.error(), fmt::format("exceeds the work budget of {} ", budget)));
+    CLAIM(freely || !names(freely.error(), "work budget"));
   };
-  switch (choices.choose(4)) {
+  switch (d.choose(4)) {
     case 0: {
-      const Query query = query_of(choices, Shape::triangle(2), Shape::tensor(2, 2));
+      const Query query = query_of(d, Shape::triangle(2), Shape::tensor(2, 2));
       const Witness witness{big, {Uv<Rational>{big / 2, 1 - big}, Uv<Rational>{big, big}}};
-      return outcome("a witness", 256 * square, [&](std::uint64_t most_work) {
+      return counted("a witness", 256 * square, [&](std::uint64_t most_work) {
         return check_contact(query, witness, most_work);
       });
     }
     case 1: {
-      const Query query = query_of(choices, Shape::triangle(2), Shape::curve(3));
+      const Query query = query_of(d, Shape::triangle(2), Shape::curve(3));
       const MovingPlane plane{big, {big, 0, 1}, 0};
-      return outcome("a plane", 64 * square,
+      return counted("a plane", 64 * square,
                      [&](std::uint64_t most_work) { return check_plane(query, plane, most_work); });
     }
     case 2: {
-      const Query query = query_of(choices, Shape::triangle(2), Shape::curve(3));
+      const Query query = query_of(d, Shape::triangle(2), Shape::curve(3));
       TreeBits tree;
       tree.leaf({0, 0, 1});
-      return outcome("a tree", 32 * words, [&](std::uint64_t most_work) {
+      return counted("a tree", 32 * words, [&](std::uint64_t most_work) {
         return check_tree(query, big, tree.bytes(), most_work).map([](std::uint64_t) {});
       });
     }
     case 3: {
-      const Query query = query_of(choices, Shape::point(), Shape::triangle(1));
-      return outcome("a linear clearance", 16 * square, [&](std::uint64_t most_work) {
+      const Query query = query_of(d, Shape::point(), Shape::triangle(1));
+      return counted("a linear clearance", 16 * square, [&](std::uint64_t most_work) {
         return check_linear_clearance(query, {big, true}, most_work);
       });
     }
     default: {
-      const Query query = query_of(choices, Shape::point(), Shape::triangle(1));
+      const Query query = query_of(d, Shape::point(), Shape::triangle(1));
       const ContactRoot root{{-big.get_num(), big.get_den()}, 0, 1};
-      return outcome("a root", 40 * square, [&](std::uint64_t most_work) {
+      return counted("a root", 40 * square, [&](std::uint64_t most_work) {
         return check_contact_root(query, root, most_work);
       });
     }
   }
 }
 
-/// A part is split as often as the format allows, or once more.
-Check check_splits(Draw& choices) {
-  const std::uint64_t past = choices.choose(1);
-  const bool second = choices.coin();
-  const Query query = query_of(choices, Shape::curve(1), Shape::curve(1));
+void check_splits(Draw& d) {
+  const std::uint64_t past = d.choose(1);
+  const int side = d.coin() ? 1 : 0;
+  const Query query = query_of(d, Shape::curve(1), Shape::curve(1));
   TreeBits tree;
-  for (std::uint64_t i = 0; i < kMaxPartDepth + past; ++i) tree.split(second ? 1 : 0);
+  for (std::uint64_t i = 0; i < kMaxPartDepth + past; ++i) tree.split(side);
   for (std::uint64_t i = 0; i < kMaxPartDepth + past + 1; ++i) tree.leaf({0, 0, 1});
   const auto checked = check_tree(query, 1, tree.bytes());
   const bool is_refused =
       !checked && names(checked.error(), fmt::format("split more than {} times", kMaxPartDepth));
-  if (is_refused == (past == 1)) return Check::holds();
-  return Check::fails(fmt::format("{} splits of patch {}: {}", kMaxPartDepth + past, second ? 2 : 1,
-                                  checked ? "accepted" : checked.error().message()));
+  show(d, "side", side);
+  show(d, "splits", kMaxPartDepth + past);
+  show(d, "checked", checked);
+  CLAIM(is_refused == (past == 1));
 }
 
 /// Up to kMaxRationalDigits of them, most of them the same.
@@ -223,17 +222,17 @@ std::string draw_any_tree(Draw& choices) {
 
 /// What a file may say, up to the limits of the reader. Nothing is claimed but that it is read, and
 /// that the checker answers: how long it takes and how much memory is the driver's to see.
-Check check_any_case(Draw& choices) {
-  const bool linear = choices.coin();
+void check_any_case(Draw& d) {
+  const bool linear = d.coin();
   std::array<double, 6> numbers{};
-  for (double& x : numbers) x = choices.finite_double();
+  for (double& x : numbers) x = d.finite_double();
   Case value;
   value.query.t_max = std::abs(numbers[0]);
   for (MovingPatch<double>& patch : value.query.patches) {
-    patch.shape = draw_shape(choices, linear);
+    patch.shape = draw_shape(d, linear);
     const auto count = static_cast<std::size_t>(patch.shape.control_count());
     // Each number a few times over, in an order that depends on the choices.
-    std::size_t step = 1 + choices.choose(4), at = 0;
+    std::size_t step = 1 + d.choose(4), at = 0;
     const auto next = [&] { return numbers[(at += step) % numbers.size()]; };
     for (std::size_t i = 0; i < count; ++i) {
       patch.positions.emplace_back(next(), next(), next());
@@ -241,23 +240,22 @@ Check check_any_case(Draw& choices) {
       if (i % 5 == 4) ++step;
     }
   }
-  const auto fraction = [&] { return draw_long_fraction(choices); };
+  const auto fraction = [&] { return draw_long_fraction(d); };
   Truth& truth = value.truth;
   std::string tree;
-  switch (choices.choose(5)) {
+  switch (d.choose(5)) {
     case 0:
       truth.witness = Witness{
           fraction(), {Uv<Rational>{fraction(), fraction()}, Uv<Rational>{fraction(), fraction()}}};
       break;
     case 1: {
       ContactBox box;
-      box.centre = {std::abs(choices.finite_double()), 0.25, std::abs(choices.finite_double()), 0.5,
-                    std::abs(choices.finite_double())};
+      box.centre = {std::abs(d.finite_double()), 0.25, std::abs(d.finite_double()), 0.5,
+                    std::abs(d.finite_double())};
       box.varied = {0, 2, 4};
-      for (double& radius : box.radius)
-        radius = std::max(std::abs(choices.finite_double()), 0x1p-1074);
+      for (double& radius : box.radius) radius = std::max(std::abs(d.finite_double()), 0x1p-1074);
       for (auto& row : box.inverse) {
-        for (double& x : row) x = choices.finite_double();
+        for (double& x : row) x = d.finite_double();
       }
       truth.contact_box = box;
       break;
@@ -266,48 +264,48 @@ Check check_any_case(Draw& choices) {
       truth.clearance = MovingPlane{fraction(), {fraction(), fraction(), fraction()}, fraction()};
       break;
     case 3:
-      tree = draw_any_tree(choices);
+      tree = draw_any_tree(d);
       truth.clearance = MissTree{fraction(), {0, 1, std::string(32, '0')}};
       break;
     case 4:
-      truth.clearance = LinearClearance{fraction(), choices.coin()};
+      truth.clearance = LinearClearance{fraction(), d.coin()};
       break;
     default: {
       ContactRoot root{{}, fraction(), fraction()};
-      for (std::uint64_t k = choices.choose(kMaxRootDegree); k > 0; --k) {
-        root.polynomial.push_back(draw_long_integer(choices));
-        if (choices.coin()) root.polynomial.back() = -root.polynomial.back();
+      for (std::uint64_t k = d.choose(kMaxRootDegree); k > 0; --k) {
+        root.polynomial.push_back(draw_long_integer(d));
+        if (d.coin()) root.polynomial.back() = -root.polynomial.back();
       }
       truth.contact_root = std::move(root);
     }
   }
   const Result<Case> read = parse_case(to_json(value), "file");
-  if (!read) return Check::fails("refused: " + read.error().message());
+  show(d, "read", read);
+  show(d, "tree", AsHex{tree});
+  CLAIM(read.has_value());
   (void)check_truth(*read);
   if (read->truth.clearance) (void)check_clearance(read->query, *read->truth.clearance, tree);
-  return Check::holds();
 }
 
 }  // namespace
 
 std::vector<Property> limits_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
   return {
       {"limits.of_any_case",
        "Whatever a case says within the limits of the reader, the checker answers",
-       "src/certify/checker/work.hpp", kHolds, check_any_case},
+       "src/certify/checker/work.hpp", check_any_case},
       {"limits.of_a_file",
        "A case at a limit of the reader is read, and one past it is refused, naming field and "
        "limit",
-       "the case format", kHolds, check_limits_of_a_file},
+       "the case format", check_limits_of_a_file},
       {"limits.of_a_decimal",
        "A decimal of more than 17 significant digits is read iff it is a double exactly",
-       "the case format", kHolds, check_long_decimals},
+       "the case format", check_long_decimals},
       {"limits.of_work",
        "A certificate with long numbers is refused within a small budget, which names the budget",
-       "src/certify/checker/work.hpp", kHolds, check_work_is_counted},
+       "src/certify/checker/work.hpp", check_work_is_counted},
       {"limits.of_splits", "A part of a miss tree is split 60 times and no more",
-       "src/certify/checker/miss_tree.hpp", kHolds, check_splits},
+       "src/certify/checker/miss_tree.hpp", check_splits},
   };
 }
 

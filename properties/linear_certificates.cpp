@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "case/case_json.hpp"
@@ -7,29 +5,26 @@
 #include "certify/linear/first_contact.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-Check refuted(const char* what, const Query& query, const Truth& certificate) {
-  return Check::fails(fmt::format("{}\n{}", what, to_json({query, certificate, {}, {}})));
-}
-
 /// A clearance that ends before, at or after the first contact, or before t = 0. If after, at a
 /// time of which the contact's is so many eighths, where halving comes to it: else the checker
 /// refuses, too, but only after 4,000 halvings.
-Check check_clearance_of_linear(Draw& choices) {
-  const Result<Query> query = draw_linear(choices);
-  if (!query) return Check::discarded(query.error().message());
-  auto contact = linear::first_contact(*query);
-  LinearClearance clearance{exact(query->t_max), choices.coin()};
+void check_clearance_of_linear(Draw& d) {
+  Case asked;
+  asked.query = supposed(draw_linear(d));
+  auto contact = linear::first_contact(asked.query);
+  LinearClearance clearance{exact(asked.query.t_max), d.coin()};
   if (contact) {
     contact->time.narrow(power_of_two(-64));
     clearance.until = contact->time.lo();
   }
   const bool known = !contact || contact->time.is_rational();
-  const auto eighths = choices.integer(0, 16);
+  const auto eighths = d.integer(0, 16);
   if (eighths == 0) {
     clearance.until = -power_of_two(-64);
   } else if (contact && (known || eighths > 8)) {
@@ -43,31 +38,25 @@ Check check_clearance_of_linear(Draw& choices) {
         contact->time.sign_of(linear::Polynomial({-until.get_num(), until.get_den()}));
     clear = clearance.closed ? after > 0 : after >= 0;
   }
-  const bool accepted = check_linear_clearance(*query, clearance).has_value();
-  if (accepted == clear) return Check::holds();
-  Truth truth;
-  truth.clearance = clearance;
-  return refuted(accepted ? "accepts a clearance that is none" : "refuses a clearance", *query,
-                 truth);
+  asked.truth.clearance = clearance;
+  show(d, "clear", clear);
+  show(d, "case", asked);
+  CLAIM(check_linear_clearance(asked.query, clearance).has_value() == clear);
 }
 
-/// Patch 1 along an edge of either patch as it is at t, which leaves coplanar what is; nullopt if
+/// Patch 1 along an edge of either patch as it is at t, which leaves coplanar what is. Discarded if
 /// that asks for numbers that no double holds.
-std::optional<Query> moved_along_an_edge(Draw& choices, const Query& query, const Rational& t) {
+void move_along_an_edge(Draw& choices, Query& query, const Rational& t) {
   const auto corners = linear::exact_patches(query)[choices.choose(1)].at(t);
-  if (corners.size() < 2) return std::nullopt;
+  suppose(corners.size() >= 2);
   const std::size_t from = choices.choose(corners.size() - 2);
   const auto times = static_cast<long>(choices.integer(-3, 3));
-  Query moved = query;
   for (int k = 0; k < 3; ++k) {
     const Rational step = times * (corners[from + 1][k] - corners[from][k]);
-    for (Vec3<double>& p : moved.patches[0].positions) {
-      const auto x = to_double_exactly(exact(p[k]) + step);
-      if (!x) return std::nullopt;
-      p[k] = *x;
+    for (Vec3<double>& p : query.patches[0].positions) {
+      p[k] = supposed(to_double_exactly(exact(p[k]) + step));
     }
   }
-  return moved;
 }
 
 bool touch_within(const Query& query, const Rational& from, const Rational& by) {
@@ -92,19 +81,16 @@ std::vector<Integer> with_root(const Rational& t) {
 
 enum class RootChange : std::uint8_t { kNone, kElsewhere, kMoved, kOtherTime, kEarlier };
 
-/// One thing of a contact's certificate changed, be it the query. False: no double holds a number.
-bool change_root(Draw& choices, RootChange change, Query& query, ContactRoot& root) {
+/// One thing of a contact's certificate changed, be it the query.
+void change_root(Draw& choices, RootChange change, Query& query, ContactRoot& root) {
   const Rational middle = (root.from + root.by) / 2;
   const Rational share = Rational(static_cast<long>(choices.integer(1, 7))) / 8;
   switch (change) {
     case RootChange::kNone:
       break;
     case RootChange::kElsewhere:
-      if (const auto moved = moved_along_an_edge(choices, query, middle)) {
-        query = *moved;
-        break;
-      }
-      return false;
+      move_along_an_edge(choices, query, middle);
+      break;
     case RootChange::kMoved: {
       const auto axis = static_cast<int>(choices.choose(2));
       const double by = std::ldexp(1.0, static_cast<int>(choices.integer(-16, 2)));
@@ -120,22 +106,19 @@ bool change_root(Draw& choices, RootChange change, Query& query, ContactRoot& ro
       if (choices.coin()) root.polynomial = with_root((root.from + root.by) / 2);
       break;
   }
-  return true;
 }
 
 /// The root of the first contact, as it is or with one thing changed. What is accepted must be a
 /// contact; what is one is accepted on a short enough interval (check_linear.hpp).
-Check check_root_of_linear(Draw& choices) {
-  const Result<Query> drawn = draw_linear(choices);
-  if (!drawn) return Check::discarded(drawn.error().message());
-  auto contact = linear::first_contact(*drawn);
-  if (!contact) return Check::discarded("there is no contact");
-  linear::RealRoot& time = contact->time;
+void check_root_of_linear(Draw& d) {
+  Case asked;
+  Query& query = asked.query;
+  query = supposed(draw_linear(d));
+  linear::RealRoot time = supposed(linear::first_contact(query)).time;
   const auto change =
-      choices.pick(std::array{RootChange::kNone, RootChange::kElsewhere, RootChange::kMoved,
-                              RootChange::kOtherTime, RootChange::kEarlier});
-  Query query = *drawn;
-  ContactRoot root;
+      d.pick(std::array{RootChange::kNone, RootChange::kElsewhere, RootChange::kMoved,
+                        RootChange::kOtherTime, RootChange::kEarlier});
+  ContactRoot& root = asked.truth.contact_root.emplace();
   // Shorter intervals than the oracle tries are not needed.
   constexpr int kMostRounds = 64;
   for (int round = 1; round <= kMostRounds; ++round) {
@@ -147,30 +130,27 @@ Check check_root_of_linear(Draw& choices) {
       root.by += width;
     }
     if (root.from < 0 || change != RootChange::kNone) break;
-    if (check_contact_root(query, root)) return Check::holds();
+    if (check_contact_root(query, root)) return;
   }
-  Truth truth;
-  truth.contact_root = root;
-  if (change == RootChange::kNone && root.from >= 0) {
-    return refuted("refuses the root of a contact", query, truth);
-  }
-  if (!change_root(choices, change, query, root)) return Check::discarded("not a double");
-  truth.contact_root = root;
-  if (!check_contact_root(query, root) || is_contact(query, root)) return Check::holds();
-  return refuted("accepts the root of no contact", query, truth);
+  show(d, "case", asked);
+  const bool is_refused = change == RootChange::kNone && root.from >= 0;
+  CLAIM(!is_refused);
+  change_root(d, change, query, root);
+  show(d, "changed", asked);
+  CLAIM(!check_contact_root(query, root) || is_contact(query, root));
 }
 
 }  // namespace
 
 std::vector<Property> linear_certificates_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
+  constexpr auto kSource = "src/certify/checker/check_linear.hpp";
   return {
       {"checker.refuses_wrong_linear_clearances",
        "A linear clearance is accepted iff it ends before the first contact, or with it and open",
-       "src/certify/checker/check_linear.hpp", kHolds, check_clearance_of_linear},
+       kSource, check_clearance_of_linear},
       {"checker.refuses_wrong_roots",
-       "The root of a contact is accepted, and after a change only if it is one still",
-       "src/certify/checker/check_linear.hpp", kHolds, check_root_of_linear},
+       "The root of a contact is accepted, and after a change only if it is one still", kSource,
+       check_root_of_linear},
   };
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "certify/checker/miss_tree.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -34,18 +33,14 @@ void move_along(Query& query, int axis, double by) {
   for (Vec3<double>& p : query.patches[1].positions) p[axis] += by;
 }
 
-std::string text_of(const Query& query, const std::string& tree) {
-  return fmt::format("tree {}\n{}", to_hex_bytes(tree), to_text(query));
-}
-
 /// One leaf for all of [0, 1]: it proves absence of contact iff patch 1 stays below patch 2 on its
 /// axis; touching at one end is no proof.
-Check check_leaf(Draw& choices) {
-  Query query = draw_small_query(choices);
+void check_leaf(Draw& d) {
+  Query query = draw_small_query(d);
   TreeAxis axis{};
-  const auto along = static_cast<int>(choices.choose(2));
+  const auto along = static_cast<int>(d.choose(2));
   for (int k = 0; k < 3; ++k) {
-    axis[static_cast<std::size_t>(k)] = k == along ? 1 : choices.integer(-3, 3);
+    axis[static_cast<std::size_t>(k)] = k == along ? 1 : d.integer(-3, 3);
   }
   const auto height = [&](const Vec3<double>& p) {
     return static_cast<double>(axis[0]) * p[0] + static_cast<double>(axis[1]) * p[1] +
@@ -58,14 +53,14 @@ Check check_leaf(Draw& choices) {
     for (const Vec3<double>& p : query.patches[1].at(t)) least = std::min(least, height(p));
     overlap = std::max(overlap, most - least);
   }
-  const double gap = std::ldexp(static_cast<double>(choices.integer(-2, 2)), -10);
+  const double gap = std::ldexp(static_cast<double>(d.integer(-2, 2)), -10);
   move_along(query, along, overlap + gap);
   TreeBits tree;
   tree.leaf(axis);
-  const bool accepted = check_tree(query, Rational(1), tree.bytes()).has_value();
-  if (accepted == (gap > 0)) return Check::holds();
-  return Check::fails(fmt::format("{} a gap of {}: {}", accepted ? "accepts" : "refuses", gap,
-                                  text_of(query, tree.bytes())));
+  show(d, "gap", gap);
+  show(d, "tree", AsHex{tree.bytes()});
+  show(d, "query", query);
+  CLAIM(check_tree(query, Rational(1), tree.bytes()).has_value() == (gap > 0));
 }
 
 /// Draws a subtree for parts that any leaf of this axis separates.
@@ -97,27 +92,27 @@ struct TreeDraw {
 
 /// Patches far apart: every whole tree of leaves that separate them is accepted; one that is cut
 /// off, goes on, has a time outside of its window or a leaf that does not separate is refused.
-Check check_tree_form(Draw& choices) {
-  Query query = draw_small_query(choices);
+void check_tree_form(Draw& d) {
+  Query query = draw_small_query(d);
   move_along(query, 0, 64);
   enum class Change : std::uint8_t { kNone, kCutOff, kMoreNodes, kMoreBytes, kTime, kLeaf };
-  const Change change = choices.pick(std::array{Change::kNone, Change::kCutOff, Change::kMoreNodes,
-                                                Change::kMoreBytes, Change::kTime, Change::kLeaf});
-  TreeDraw draw{choices, query, {1, 0, 0}, {}};
+  const Change change = d.pick(std::array{Change::kNone, Change::kCutOff, Change::kMoreNodes,
+                                          Change::kMoreBytes, Change::kTime, Change::kLeaf});
+  TreeDraw draw{d, query, {1, 0, 0}, {}};
   TreeBits& bits = draw.bits;
   constexpr int kDepth = 3;
   if (change == Change::kTime) {
     // [0, 1] is cut at `first`; the earlier half, or the later one, is cut where it is not.
-    const std::uint64_t first = 1 + choices.choose(kTimeSteps - 2);
-    const bool earlier = choices.coin();
+    const std::uint64_t first = 1 + d.choose(kTimeSteps - 2);
+    const bool earlier = d.coin();
     const std::uint64_t second =
-        earlier ? first + choices.choose(kTimeSteps - 1 - first) : 1 + choices.choose(first - 1);
+        earlier ? first + d.choose(kTimeSteps - 1 - first) : 1 + d.choose(first - 1);
     bits.time(first);
     if (!earlier) bits.leaf(draw.axis);
     bits.time(second);
     for (int leaf = earlier ? 3 : 2; leaf > 0; --leaf) bits.leaf(draw.axis);
   } else if (change == Change::kLeaf) {
-    bits.time(1 + choices.choose(kTimeSteps - 2));
+    bits.time(1 + d.choose(kTimeSteps - 2));
     bits.leaf(draw.axis);
     bits.leaf({-1, 0, 0});
   } else {
@@ -127,64 +122,56 @@ Check check_tree_form(Draw& choices) {
   std::string bytes = bits.bytes();
   if (change == Change::kCutOff) bytes.pop_back();
   if (change == Change::kMoreBytes) bytes.push_back('\0');
-  const bool accepted = check_tree(query, Rational(1), bytes).has_value();
-  if (accepted == (change == Change::kNone)) return Check::holds();
-  return Check::fails(fmt::format("{} a tree after change {}: {}", accepted ? "accepts" : "refuses",
-                                  static_cast<int>(change), text_of(query, bytes)));
+  show(d, "change", static_cast<int>(change));
+  show(d, "tree", AsHex{bytes});
+  show(d, "query", query);
+  CLAIM(check_tree(query, Rational(1), bytes).has_value() == (change == Change::kNone));
 }
 
-/// The bits of a miss tree come back as the nodes that were written.
-Check check_tree_bits(Draw& choices) {
+void check_tree_bits(Draw& d) {
   TreeBits bits;
   std::vector<TreeNode> nodes;
-  std::string text;
-  for (std::int64_t n = choices.integer(1, 12); n > 0; --n) {
+  for (std::int64_t n = d.integer(1, 12); n > 0; --n) {
     TreeNode node;
-    node.kind = static_cast<TreeNodeKind>(choices.choose(2));
+    node.kind = static_cast<TreeNodeKind>(d.choose(2));
     switch (node.kind) {
       case TreeNodeKind::kLeaf: {
         constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
-        for (std::int64_t& x : node.axis) x = choices.integer(-kMost, kMost);
+        for (std::int64_t& x : node.axis) x = d.integer(-kMost, kMost);
         bits.leaf(node.axis);
-        text += fmt::format(" leaf {} {} {}", node.axis[0], node.axis[1], node.axis[2]);
+        show(d, "leaf", node.axis);
         break;
       }
       case TreeNodeKind::kSplit:
-        node.side = static_cast<int>(choices.choose(1));
+        node.side = static_cast<int>(d.choose(1));
         bits.split(node.side);
-        text += fmt::format(" split {}", node.side);
+        show(d, "split", node.side);
         break;
       case TreeNodeKind::kTime:
-        node.time = 1 + choices.choose(kTimeSteps - 2);
+        node.time = 1 + d.choose(kTimeSteps - 2);
         bits.time(node.time);
-        text += fmt::format(" time {}", node.time);
+        show(d, "time", node.time);
     }
     nodes.push_back(node);
   }
   TreeReader reader(bits.bytes());
-  for (const TreeNode& node : nodes) {
-    const auto read = reader.next();
-    const bool same = read && read->kind == node.kind && read->side == node.side &&
-                      read->time == node.time && read->axis == node.axis;
-    if (!same) return Check::fails("nodes" + text);
-  }
-  return reader.at_end() ? Check::holds() : Check::fails("something is left after" + text);
+  for (const TreeNode& node : nodes) CLAIM(reader.next() == node);
+  CLAIM(reader.at_end());
 }
 
 }  // namespace
 
 std::vector<Property> miss_trees_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
   return {
       {"checker.refuses_touching_leaves",
        "A leaf of a miss tree is accepted iff its axis separates at both ends, touching being none",
-       "src/certify/checker/check_tree.hpp", kHolds, check_leaf},
+       "src/certify/checker/check_tree.hpp", check_leaf},
       {"checker.refuses_malformed_trees",
        "A whole tree of separating leaves is accepted, and refused once it is cut off, goes on, or "
        "has a time outside of its window",
-       "src/certify/checker/miss_tree.hpp", kHolds, check_tree_form},
+       "src/certify/checker/miss_tree.hpp", check_tree_form},
       {"miss_tree.round_trip", "The bits of a miss tree read as the nodes that were written",
-       "the case format", kHolds, check_tree_bits},
+       "the case format", check_tree_bits},
   };
 }
 

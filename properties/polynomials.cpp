@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
 #include "certify/checker/nonnegative.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -151,31 +150,28 @@ Rational draw_gap(Draw& choices, int least) {
   return units * draw_little(choices);
 }
 
-Check decided_iff(const Shape& shape, const std::vector<Rational>& coefficients, bool expected,
-                  const char* what) {
-  if (is_nonnegative(shape, coefficients) == expected) return Check::holds();
-  std::string text =
-      fmt::format("{} {}, {}:", expected ? "does not see" : "takes for ≥ 0", what, to_text(shape));
-  for (const Rational& c : coefficients) text += " " + to_text(c);
-  return Check::fails(text);
+bool is_seen(Draw& d, const Shape& shape, const std::vector<Rational>& coefficients) {
+  show(d, "shape", shape);
+  show(d, "coefficients", coefficients);
+  return is_nonnegative(shape, coefficients);
 }
 
-/// Of total degree at most 2 the decision is for certain, in whatever shape.
-Check check_quadratics(Draw& choices) {
+void check_quadratics(Draw& d) {
   constexpr int kMaxShapeDegree = 3;
-  const Shape shape = draw_shape(choices, kMaxShapeDegree);
-  Polynomial drawn = draw_terms(choices, shape, 2);
-  const Rational gap = draw_gap(choices, -1);
-  const Rational constant = gap - least_of_quadratic(shape, drawn);
+  const Shape shape = draw_shape(d, kMaxShapeDegree);
+  Polynomial drawn = draw_terms(d, shape, 2);
+  const Rational least = draw_gap(d, -1);
+  const Rational constant = least - least_of_quadratic(shape, drawn);
   drawn.push_back({0, 0, constant});
-  return decided_iff(shape, coefficients_of(shape, drawn), gap >= 0, "a least value of known sign");
+  show(d, "least", least);
+  CLAIM(is_seen(d, shape, coefficients_of(shape, drawn)) == (least >= 0));
 }
 
-/// Nothing of any degree is ≥ 0 that is not so at a point of a lattice.
-Check check_negative_somewhere(Draw& choices) {
+/// Negative at a point of a lattice.
+void check_negative_somewhere(Draw& d) {
   constexpr int kMaxShapeDegree = 3, kSteps = 4;
-  const Shape shape = draw_shape(choices, kMaxShapeDegree);
-  Polynomial drawn = draw_terms(choices, shape, shape.n + shape.m);
+  const Shape shape = draw_shape(d, kMaxShapeDegree);
+  Polynomial drawn = draw_terms(d, shape, shape.n + shape.m);
   std::optional<Rational> least;
   for (int i = 0; i <= kSteps; ++i) {
     for (int j = 0; j <= kSteps; ++j) {
@@ -185,10 +181,10 @@ Check check_negative_somewhere(Draw& choices) {
       if (!least || value < *least) least = value;
     }
   }
-  const Rational below = draw_little(choices);
+  const Rational below = draw_little(d);
   const Rational constant = -*least - below;
   drawn.push_back({0, 0, constant});
-  return decided_iff(shape, coefficients_of(shape, drawn), false, "what is negative somewhere");
+  CLAIM(!is_seen(d, shape, coefficients_of(shape, drawn)));
 }
 
 /// A polynomial in one variable that is ≥ 0 on [0, 1], of whichever kind is_nonnegative promises
@@ -209,19 +205,19 @@ std::vector<Rational> draw_row(Draw& choices, int degree) {
   return coefficients_of(curve, drawn);
 }
 
-/// Rows that are ≥ 0 along u, v or, on a triangle, its third edge.
-Check check_rows(Draw& choices) {
+/// Rows along u, v or, on a triangle, its third edge.
+void check_rows(Draw& d) {
   constexpr int kMostDegree = 4;
-  const bool triangle = choices.coin();
-  const auto n = static_cast<int>(choices.integer(1, kMostDegree));
-  const auto m = static_cast<int>(choices.integer(1, kMostDegree));
+  const bool triangle = d.coin();
+  const auto n = static_cast<int>(d.integer(1, kMostDegree));
+  const auto m = static_cast<int>(d.integer(1, kMostDegree));
   const Shape shape = triangle ? Shape::triangle(n) : Shape::tensor(n, m);
-  const std::uint64_t direction = choices.choose(triangle ? 2 : 1);
+  const std::uint64_t direction = d.choose(triangle ? 2 : 1);
   std::vector<Rational> coefficients(static_cast<std::size_t>(shape.control_count()));
   const int rows = direction == 1 && !triangle ? shape.m : shape.n;
   for (int r = 0; r <= rows; ++r) {
     const int degree = triangle ? shape.n - r : shape.n + shape.m - rows;
-    const std::vector<Rational> row = draw_row(choices, degree);
+    const std::vector<Rational> row = draw_row(d, degree);
     for (int k = 0; k <= degree; ++k) {
       const int place = direction == 0   ? shape.index(r, k)
                         : direction == 1 ? shape.index(k, r)
@@ -229,26 +225,25 @@ Check check_rows(Draw& choices) {
       coefficients[static_cast<std::size_t>(place)] = row[static_cast<std::size_t>(k)];
     }
   }
-  return decided_iff(shape, coefficients, true, "rows that are ≥ 0");
+  CLAIM(is_seen(d, shape, coefficients));
 }
 
 }  // namespace
 
 std::vector<Property> polynomials_claims() {
-  constexpr auto kHolds = Expectation::kHolds;
   constexpr auto kSource = "src/certify/checker/nonnegative.hpp";
   return {
       {"checker.decides_quadratics",
        "A polynomial of total degree at most 2 is seen to be >= 0 iff its least value is, among "
        "those of corners, edges and where it is level",
-       kSource, kHolds, check_quadratics},
+       kSource, check_quadratics},
       {"checker.refuses_negative_polynomials",
        "No polynomial of any degree that is negative at a point is taken for one that is >= 0",
-       kSource, kHolds, check_negative_somewhere},
+       kSource, check_negative_somewhere},
       {"checker.sees_nonnegative_rows",
        "A polynomial whose rows along either parameter, or any edge of a triangle, are >= 0 is "
        "seen to be so",
-       kSource, kHolds, check_rows},
+       kSource, check_rows},
   };
 }
 

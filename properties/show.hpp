@@ -24,7 +24,7 @@ inline std::string to_hex_text(const AsHex& text) {
 }
 
 /// The text of a value in a failure: doubles are hex floats, cases and queries JSON, what the
-/// project writes as text that text, and sequences the texts of their elements.
+/// project writes as text that text, sequences the texts of their elements, and errors messages.
 template <class T>
 std::string shown(const T& value) {
   if constexpr (std::same_as<T, double>) {
@@ -35,6 +35,10 @@ std::string shown(const T& value) {
     return fmt::format("{}", value);
   } else if constexpr (std::convertible_to<T, std::string_view>) {
     return std::string(std::string_view(value));
+  } else if constexpr (std::same_as<T, Result<void>>) {
+    return value ? "accepted" : value.error().message();
+  } else if constexpr (requires { value.error().message(); }) {
+    return value ? shown(*value) : value.error().message();
   } else if constexpr (requires { value.has_value(); }) {
     return value.has_value() ? shown(*value) : "none";
   } else if constexpr (requires { to_hex_text(value); }) {

@@ -38,6 +38,8 @@ struct TreeNode {
   int side = 0;            ///< split
   std::uint64_t time = 0;  ///< time
   TreeAxis axis{};         ///< leaf
+
+  friend bool operator==(const TreeNode&, const TreeNode&) = default;
 };
 
 /// Reads nodes one after the other; whether they make a tree is for the caller to say.

@@ -19,9 +19,9 @@ struct OracleOptions {
   double max_seconds = SearchOptions::kNoTimeLimit;
   double (*clock)() = nullptr;  ///< as of SearchOptions
   /// A contact that is known already.
-  std::optional<Witness> known;
+  std::optional<Witness> known = {};
   /// A time up to which absence of contact is wanted, if it can be had: an earlier claim, say.
-  std::optional<Rational> wanted_clear;
+  std::optional<Rational> wanted_clear = {};
 };
 
 /// What the oracle found out. Every statement in truth has its certificate there, which the checker
