@@ -14,6 +14,12 @@ namespace ccdfuzz {
 inline constexpr ContactRange kOrdinary;
 /// The products of two coordinates are subnormal or 0.
 inline constexpr ContactRange kTiny{-545, -530};
+/// Nothing that is drawn under- or overflows a double; products do both. Half of the contacts are
+/// in other coordinates.
+inline constexpr ContactRange kElsewhere{
+    .lowest = -1000, .highest = 900, .max_degree = 5, .elsewhere = true};
+/// Coordinates of many bits, and contacts just before or after the times that windows end at.
+inline constexpr ContactRange kManyBits{0, 0, 2, 32, true};
 
 /// What fuzzing asks with: coarse, and cheap.
 inline constexpr SearchOptions kQuickSearch = {0x1p-6, 300, SearchOptions().max_bytes};

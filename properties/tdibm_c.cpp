@@ -7,9 +7,6 @@ std::vector<Property> tdibm_c_claims() {
   constexpr auto kMethod = "tdibm-c", kSource = "src/ccd/certified/DERIVATION.md";
   // Nothing that is drawn under- or overflows a double; products do both.
   constexpr ContactRange kAnywhere{-1000, 900, 5};
-  constexpr ContactRange kTraced{
-      .lowest = -1000, .highest = 900, .max_degree = 5, .elsewhere = true};
-  constexpr ContactRange kManyBits{0, 0, 2, 32, true};
   // What users ask with, but for a budget that static and grazing contacts run out of.
   constexpr SearchOptions kFullSearch = {1e-4, 2000, SearchOptions().max_bytes};
   return {
@@ -30,7 +27,7 @@ std::vector<Property> tdibm_c_claims() {
        "No contact of a degenerate linear query is missed, and none reported late", kSource,
        misses_nothing_linear(kMethod, kFullSearch)},
       {"tdibm-c.trace", "No pair of boxes that holds a contact is dropped on the way", kSource,
-       keeps_contacts(kMethod, kTraced)},
+       keeps_contacts(kMethod, kElsewhere)},
       {"tdibm-c.contact_swapped", "No contact is lost when the patches change places", kSource,
        misses_nothing_after(kMethod, Symmetry::kSwapPatches)},
       {"tdibm-c.contact_reparametrised",

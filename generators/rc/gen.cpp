@@ -1,5 +1,6 @@
 #include "base/verify.hpp"
 #include "fuzz/mutator/mutate.hpp"
+#include "generators/draw/mutate_choices.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/rc/drawn.hpp"
 #include "generators/rc/rapidcheck.hpp"
@@ -26,16 +27,12 @@ Contact drawn_contact(Draw& draw, const ContactRange& range) {
 }  // namespace
 
 rc::Gen<ChoiceNumbers> choices() {
-  constexpr int kSize = 300;
-  const auto number =
-      rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(0, 8), rc::gen::inRange<std::uint64_t>(0, 256),
-                     rc::gen::arbitrary<std::uint64_t>());
-  const auto sequence = rc::gen::resize(kSize, rc::gen::container<ChoiceNumbers>(number));
   const Maker<ChoiceNumbers> same = [](const ChoiceNumbers& numbers) {
     return Made<ChoiceNumbers>{std::make_shared<const ChoiceNumbers>(numbers), numbers};
   };
-  return rc::Gen<ChoiceNumbers>([sequence, same](const rc::Random& random, int size) {
-    const Made<ChoiceNumbers> made = *same(sequence(random, size).value());
+  return rc::Gen<ChoiceNumbers>([same](const rc::Random& random, int) {
+    Draw draw{Random(rc::Random(random).next())};
+    const Made<ChoiceNumbers> made = *same(drawn_choices(draw));
     return shrinking(made, ChoiceShrinker(made.numbers), same);
   });
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
+
 namespace ccdfuzz {
 
 std::string to_hex_bytes(std::string_view bytes) {

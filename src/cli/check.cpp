@@ -10,6 +10,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "finds/entries.hpp"
 #include "generators/draw/choice_bytes.hpp"
 #include "numeric/effort.hpp"
 #include "properties/suites.hpp"

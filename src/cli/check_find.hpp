@@ -13,8 +13,6 @@
 
 namespace ccdfuzz {
 
-/// Where the claims are, in a folder of finds or a corpus.
-inline constexpr const char* kClaims = "claims";
 /// Runs of a property to shrink a failure of it.
 inline constexpr std::uint64_t kShrinkTries = 4000;
 

@@ -18,7 +18,7 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
        !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
     std::error_code vanished;
     const std::string name = it->path().filename().string();
-    const bool hidden = name.starts_with('.') || name == "claims";
+    const bool hidden = name.starts_with('.') || name == kClaims;
     if (hidden) it.disable_recursion_pending();
     if (hidden || it->path().extension() != ".json" || it->is_directory(vanished)) continue;
     paths.push_back(it->path().string());

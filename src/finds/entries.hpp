@@ -8,8 +8,11 @@
 
 namespace ccdfuzz {
 
+/// Where the inputs of properties are, in a folder of finds or a corpus.
+inline constexpr const char* kClaims = "claims";
+
 /// The paths of all entries (every .json whose name does not start with a dot) of a folder and its
-/// sub-folders, in order; but for folders called "claims", which hold inputs of properties. Errors:
+/// sub-folders, in order; but for folders called kClaims. Errors:
 /// the folder or a sub-folder cannot be read, or an entry is not a regular file, as a pipe, naming
 /// it.
 Result<std::vector<std::string>> list_entries(const std::string& folder);

@@ -17,45 +17,41 @@
 namespace ccdfuzz {
 namespace {
 
-Check holds(Draw& choices) {
+void holds(Draw& choices) {
   choices.choose(9);
-  return Check::holds();
 }
 
 /// True of every input with a byte of text; the counterexample is the empty one.
-Check fails_on_empty(Draw& choices) {
-  return choices.text(8).empty() ? Check::fails("the text is empty") : Check::holds();
+void fails_on_empty(Draw& choices) {
+  if (choices.text(8).empty()) throw Refuted("the text is empty");
 }
 
 /// Shrinks to the byte 0.
-Check fails_on_all(Draw& choices) {
-  return Check::fails("drew " + std::to_string(choices.choose(1) == 0 ? 0 : 1));
+void fails_on_all(Draw& choices) {
+  throw Refuted("drew " + std::to_string(choices.choose(1) == 0 ? 0 : 1));
 }
 
-Check is_discarded(Draw& choices) {
+void is_discarded(Draw& choices) {
   choices.choose(9);
-  return Check::discarded("");
+  throw Discarded();
 }
 
 bool one_in_a_hundred(Draw& choices) {
   return choices.choose(std::uint64_t{1} << 40) % 100 == 99;
 }
 
-Check segfaults(Draw& choices) {
+void segfaults(Draw& choices) {
   if (one_in_a_hundred(choices)) std::raise(SIGSEGV);
-  return Check::holds();
 }
 
-Check aborts(Draw& choices) {
+void aborts(Draw& choices) {
   if (one_in_a_hundred(choices)) std::abort();
-  return Check::holds();
 }
 
 /// More than any process is given.
-Check wants_memory(Draw& choices) {
+void wants_memory(Draw& choices) {
   std::vector<std::string> all;
   while (one_in_a_hundred(choices)) all.emplace_back(std::size_t{1} << 40, 'x');
-  return Check::holds();
 }
 
 /// Deeper than any stack; the sum keeps the calls from becoming a loop.
@@ -64,18 +60,16 @@ int depth(volatile int* below) {
   return here[0] == 1'000'000'000 ? 0 : depth(here) + here[0];
 }
 
-Check overflows_the_stack(Draw& choices) {
+void overflows_the_stack(Draw& choices) {
   volatile int none = 0;
   if (one_in_a_hundred(choices)) none = depth(&none);
-  return Check::holds();
 }
 
 /// Fails on large numbers, and aborts on what they are shrunk to.
-Check aborts_when_shrunk(Draw& choices) {
+void aborts_when_shrunk(Draw& choices) {
   const std::uint64_t number = choices.choose(std::uint64_t{1} << 40);
-  if (number > 1000) return Check::fails("a large number");
+  if (number > 1000) throw Refuted("a large number");
   if (number > 500) std::abort();
-  return Check::holds();
 }
 
 /// Whoever checks, not the child that this runs in.
@@ -83,75 +77,75 @@ void interrupt_who_checks() {
   ::kill(std::atoi(std::getenv("MISBEHAVING_PROPERTIES")), SIGINT);
 }
 
-Check interrupts_and_hangs(Draw&) {
+void interrupts_and_hangs(Draw&) {
   interrupt_who_checks();
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
 }
 
-Check hangs(Draw& choices) {
-  if (!one_in_a_hundred(choices)) return Check::holds();
+void hangs(Draw& choices) {
+  if (!one_in_a_hundred(choices)) return;
   std::cout << "hanging" << std::endl;  // NOLINT: whoever waits for it must see it
   for (;;) std::this_thread::sleep_for(std::chrono::seconds(1000));
 }
 
 /// Once: whoever asks twice wants the program to end at once.
-Check interrupts(Draw& choices) {
+void interrupts(Draw& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
   if (!done.test_and_set()) interrupt_who_checks();
-  return holds(choices);
+  holds(choices);
 }
 
 /// Fails at once, and aborts a few inputs later.
-Check fails_then_aborts(Draw&) {
+void fails_then_aborts(Draw&) {
   static std::atomic<int> done = 0;
   if (++done > 50) std::abort();
-  return Check::fails("before it aborts");
+  throw Refuted("before it aborts");
 }
 
 /// As a property with a race or stale state does.
-Check fails_once(Draw& choices) {
+void fails_once(Draw& choices) {
   static std::atomic_flag done = ATOMIC_FLAG_INIT;
-  return done.test_and_set() ? holds(choices) : Check::fails("the first time");
+  if (!done.test_and_set()) throw Refuted("the first time");
+  holds(choices);
 }
 
 /// The simplest input is hundreds of runs away, and aborts where it comes to that.
-Check takes_long_to_shrink(Draw& choices, int runs) {
+void takes_long_to_shrink(Draw& choices, int runs) {
   static std::atomic<int> done = 0;
   if (++done > runs) std::abort();
   int large = 0;
   for (int i = 0; i < 100; ++i) large += choices.choose(1000) > 100 ? 1 : 0;
-  return large < 20 ? Check::holds() : Check::fails("many are large");
+  if (large >= 20) throw Refuted("many are large");
 }
 
-Check interrupts_when_shrunk(Draw& choices) {
+void interrupts_when_shrunk(Draw& choices) {
   static std::atomic<int> done = 0;
   if (++done == 20) interrupt_who_checks();
-  return takes_long_to_shrink(choices, 100);
+  takes_long_to_shrink(choices, 100);
 }
 
-Check is_slow(Draw& choices) {
+void is_slow(Draw& choices) {
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  return takes_long_to_shrink(choices, 200);
+  takes_long_to_shrink(choices, 200);
 }
 
 std::vector<Property> misbehaving() {
-  constexpr auto kHolds = Expectation::kHolds;
-  return {{"made_up.holds", "", "", kHolds, holds},
-          {"made_up.fails_on_empty", "", "", kHolds, fails_on_empty},
-          {"made_up.fails_on_all", "", "", kHolds, fails_on_all},
-          {"made_up.is_discarded", "", "", kHolds, is_discarded},
-          {"made_up.segfaults", "", "", kHolds, segfaults},
-          {"made_up.aborts", "", "", kHolds, aborts},
-          {"made_up.overflows_the_stack", "", "", kHolds, overflows_the_stack},
-          {"made_up.aborts_when_shrunk", "", "", kHolds, aborts_when_shrunk},
-          {"made_up.fails_then_aborts", "", "", kHolds, fails_then_aborts},
-          {"made_up.fails_once", "", "", kHolds, fails_once},
-          {"made_up.interrupts_when_shrunk", "", "", kHolds, interrupts_when_shrunk},
-          {"made_up.is_slow", "", "", kHolds, is_slow},
-          {"made_up.interrupts", "", "", kHolds, interrupts},
-          {"made_up.wants_memory", "", "", kHolds, wants_memory},
-          {"made_up.hangs", "", "", kHolds, hangs},
-          {"made_up.interrupts_and_hangs", "", "", kHolds, interrupts_and_hangs}};
+  return {{"made_up.holds", "", "", holds},
+          {"made_up.fails_on_empty", "", "", fails_on_empty},
+          {"made_up.fails_on_all", "", "", fails_on_all},
+          {"made_up.is_discarded", "", "", is_discarded},
+          {"made_up.segfaults", "", "", segfaults},
+          {"made_up.aborts", "", "", aborts},
+          {"made_up.overflows_the_stack", "", "", overflows_the_stack},
+          {"made_up.aborts_when_shrunk", "", "", aborts_when_shrunk},
+          {"made_up.fails_then_aborts", "", "", fails_then_aborts},
+          {"made_up.fails_once", "", "", fails_once},
+          {"made_up.interrupts_when_shrunk", "", "", interrupts_when_shrunk},
+          {"made_up.is_slow", "", "", is_slow},
+          {"made_up.interrupts", "", "", interrupts},
+          {"made_up.wants_memory", "", "", wants_memory},
+          {"made_up.hangs", "", "", hangs},
+          {"made_up.interrupts_and_hangs", "", "", interrupts_and_hangs}};
 }
 
 }  // namespace
