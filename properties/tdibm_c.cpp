@@ -6,7 +6,7 @@ namespace ccdfuzz {
 std::vector<Property> tdibm_c_claims() {
   constexpr auto kMethod = "tdibm-c", kSource = "src/ccd/certified/DERIVATION.md";
   // Nothing that is drawn under- or overflows a double; products do both.
-  constexpr ContactRange kAnywhere{-1000, 900, 5};
+  constexpr ContactRange kAllScales{-1000, 900, 5};
   // What users ask with, but for a budget that static and grazing contacts run out of.
   constexpr SearchOptions kFullSearch = {1e-4, 2000, SearchOptions().max_bytes};
   return {
@@ -18,7 +18,7 @@ std::vector<Property> tdibm_c_claims() {
       {"tdibm-c.no_false_negative_anywhere",
        "No proven contact is missed, and none reported late, for coordinates from 2^-1000 to "
        "2^900, degrees up to 5 and the default precision",
-       kSource, misses_nothing(kMethod, kAnywhere, kFullSearch)},
+       kSource, misses_nothing(kMethod, kAllScales, kFullSearch)},
       {"tdibm-c.no_false_negative_fine",
        "No proven contact is missed, and none reported late, for coordinates of many bits and "
        "contacts about the ends of windows",
