@@ -13,7 +13,7 @@ cmake --build "$build" --target fuzz_targets witnessed_inputs
 seeds=$WORK/seeds
 rm -rf "$seeds"
 mkdir -p "$seeds"
-"$build/fuzz/witnessed_inputs" encode "$seeds/cases" corpus/*/*.json
+"$build/fuzz/witnessed_inputs" encode "$seeds/cases" corpus
 
 while IFS= read -r target; do
   name=fuzz_$target

@@ -1,6 +1,6 @@
 // The inputs of fuzz_query and fuzz_witnessed, with any compiler: made of cases, shown as cases, or
 // run again. There is one program for each of the two targets, query_inputs and witnessed_inputs:
-//   encode FOLDER CASES...   a file for each case with a witness, as seeds
+//   encode FOLDER CORPUS     a file for each case with a witness, as seeds
 //   decode FILE...           the cases that a file is (cases_of), each as one line of JSON
 //   run FILE...              what the fuzz target does with it
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 #include "case/case_files.hpp"
 #include "case/case_json.hpp"
 #include "finds/content_address.hpp"
+#include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -33,12 +34,14 @@ std::optional<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
   return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(in), {});
 }
 
-int encode(const std::string& folder, const std::vector<std::string>& paths) {
+int encode(const std::string& folder, const std::string& corpus) {
+  const Result<std::vector<std::string>> paths = corpus_files(corpus);
+  if (!paths) return refuse(paths.error().message());
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return refuse(fmt::format("{}: {}", folder, error.message()));
   size_t written = 0;
-  CaseStream cases(paths);
+  CaseStream cases(*paths);
   for (;;) {
     const Result<std::optional<NamedCase>> next = cases.next();
     if (!next) return refuse(next.error().message());
@@ -80,11 +83,9 @@ int main(int argc, char** argv) {
   using namespace ccdfuzz;  // NOLINT: the program's own
   const std::vector<std::string> words(argv + 1, argv + argc);
   const std::string mode = words.empty() ? "" : words[0];
-  if (mode == "encode" && words.size() >= 3) {
-    return encode(words[1], {words.begin() + 2, words.end()});
-  }
+  if (mode == "encode" && words.size() == 3) return encode(words[1], words[2]);
   if ((mode == "run" || mode == "decode") && words.size() >= 2) {
     return for_each_file({words.begin() + 1, words.end()}, mode == "decode");
   }
-  return refuse("say: encode FOLDER CASES..., decode FILE..., or run FILE...");
+  return refuse("say: encode FOLDER CORPUS, decode FILE..., or run FILE...");
 }

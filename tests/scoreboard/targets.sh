@@ -21,7 +21,7 @@ mapfile -t faults < <(awk -F': ' '
   END { if (name) print name }' $here/faults.txt)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-"$build"/fuzz/witnessed_inputs encode "$scratch/seeds" corpus/*/*.json >/dev/null
+"$build"/fuzz/witnessed_inputs encode "$scratch/seeds" corpus >/dev/null
 
 # Sets status, runs and used (CPU seconds).
 run_target() {  # target, seconds, fault or nothing
