@@ -2,11 +2,12 @@
 # What guides best, in one table: how many kinds of contacts (class, level, axes, what is wrong) each
 # method loses within some CPU time, from nothing, on draws alone, on what libFuzzer makes of
 # coverage alone and of the margins as extra counters, and on what a hunt breeds by chance and by
-# margins. Medians over seeds.
-#   bench/fuzz_guidance.sh FIRST_FINDS TARGET [SECONDS [RUNS [METHOD...]]]
+# margins. Medians over seeds. libFuzzer runs as always: an input names its method (fuzz/unproven.hpp),
+# and one run has the time of all methods together; the others have each method's time for it alone.
+#   bench/fuzz_guidance.sh FIRST_FINDS TARGET [SECONDS [RUNS]]
 # FIRST_FINDS: the program ccdfuzz_first_finds. TARGET: fuzz_witnessed. Both without sanitizers, or
-# both with. SECONDS: of CPU time for each run, a whole number (default 10). RUNS: how many seeds
-# (default 5). METHOD: by default all that lose contacts.
+# both with. SECONDS: of CPU time for each method and run, a whole number (default 10). RUNS: how many
+# seeds (default 5).
 set -euo pipefail
 
 refuse() {
@@ -26,23 +27,22 @@ fi
 first_finds=$(realpath "$1") target=$(realpath "$2") seconds=${3:-10} runs=${4:-5}
 [[ $seconds =~ ^[1-9][0-9]*$ ]] || refuse "SECONDS: \"$seconds\" is no whole number above 0"
 [[ $runs =~ ^[1-9][0-9]*$ ]] || refuse "RUNS: \"$runs\" is no whole number above 0"
-shift $(($# < 4 ? $# : 4))
-methods=("$@")
-[ $# -gt 0 ] || methods=(tdibm tdibm-h:1e-16 tdibm-h:1e-12 tdibm-e-literal tdibm-e trad)
 cd "$(dirname "$0")/.."
+mapfile -t methods < <(sed -n '/kUnproven = {/,/};/p' fuzz/unproven.hpp | grep -o '"[^"]*"' | tr -d '"')
 mapfile -t options < <(fuzz/target_options.sh witnessed)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-kinds_kept() {  # method, seed, "margins" or nothing
-  local status
+# The places of the methods that lost something, one a kind.
+kinds_kept() {  # seed, "margins" or nothing
+  local status kept
   rm -rf "$scratch/lost" "$scratch/corpus"
   mkdir "$scratch/lost" "$scratch/corpus"
   # The target's own time is the wall's; the limit of the shell is of CPU time, and ends it.
   (
-    ulimit -t "$seconds"
-    [ -n "$3" ] || export CCDFUZZ_WITHOUT_MARGINS=1
-    CCDFUZZ_TRACED_METHOD=$1 CCDFUZZ_LOST=$scratch/lost "$target" -seed="$2" "${options[@]}" \
+    ulimit -t $((seconds * ${#methods[@]}))
+    [ -n "$2" ] || export CCDFUZZ_WITHOUT_MARGINS=1
+    CCDFUZZ_LOST=$scratch/lost "$target" -seed="$1" "${options[@]}" \
       -artifact_prefix="$scratch/" "$scratch/corpus" >"$scratch/log" 2>&1
   ) 2>/dev/null && status=0 || status=$?
   # SIGXCPU or SIGKILL of the limit, or libFuzzer's word for the former; nothing else ends it.
@@ -51,21 +51,29 @@ kinds_kept() {  # method, seed, "margins" or nothing
     *) tail "$scratch/log" >&2; return 1 ;;
   esac
   if ! grep -q '^#[0-9]' "$scratch/log"; then tail "$scratch/log" >&2; return 1; fi
-  find "$scratch/lost" -type f | wc -l
+  for kept in "$scratch/lost"/*; do head -c 1 "$kept" | od -An -tu1; done
 }
 
-median_of_libfuzzer() {  # method, "margins" or nothing
-  local seed
-  for ((seed = 1; seed <= runs; ++seed)); do kinds_kept "$1" "$seed" "$2" || return; done |
-    sort -n | sed -n "$((runs / 2 + 1))p"
+# Into "$scratch/$1", of each method a line: the median over the seeds.
+medians_of_libfuzzer() {  # "margins" or "coverage"
+  local seed place
+  for ((seed = 1; seed <= runs; ++seed)); do
+    kinds_kept "$seed" "${1#coverage}" >"$scratch/kinds.$seed" || return
+  done
+  for place in "${!methods[@]}"; do
+    for ((seed = 1; seed <= runs; ++seed)); do grep -cx " *$place" "$scratch/kinds.$seed" || true; done |
+      sort -n | sed -n "$((runs / 2 + 1))p"
+  done >"$scratch/$1"
 }
 
+medians_of_libfuzzer coverage
+medians_of_libfuzzer margins
 echo "| kinds lost in $seconds s | draws | coverage | and margins | bred by chance | bred by margins |"
 echo '|---|---|---|---|---|---|'
-for method in "${methods[@]}"; do
-  row=$("$first_finds" --kinds --only "$method" --seconds "$seconds" --seeds "$runs" | tail -n 1)
+for place in "${!methods[@]}"; do
+  row=$("$first_finds" --kinds --only "${methods[place]}" --seconds "$seconds" --seeds "$runs" | tail -n 1)
   IFS='|' read -r _ name draws chance margins _ <<<"$row"
-  coverage=$(median_of_libfuzzer "$method" '')
-  counters=$(median_of_libfuzzer "$method" margins)
+  coverage=$(sed -n "$((place + 1))p" "$scratch/coverage")
+  counters=$(sed -n "$((place + 1))p" "$scratch/margins")
   echo "|$name|$draws| $coverage | $counters |$chance|$margins|"
 done

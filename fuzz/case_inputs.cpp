@@ -1,6 +1,6 @@
 // The inputs of fuzz_query and fuzz_witnessed, with any compiler: made of cases, shown as cases, or
 // run again. There is one program for each of the two targets, query_inputs and witnessed_inputs:
-//   encode FOLDER CORPUS     a file for each case with a witness, as seeds
+//   encode FOLDER CORPUS     a file for each case with a witness and method, as seeds
 //   decode FILE...           the cases that a file is (cases_of), each as one line of JSON
 //   run FILE...              what the fuzz target does with it
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 #include "finds/content_address.hpp"
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/unproven.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -34,6 +35,13 @@ std::optional<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
   return std::vector<std::uint8_t>(std::istreambuf_iterator<char>(in), {});
 }
 
+bool write_bytes(const fs::path& path, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::streamsize>(bytes.size()));
+  return static_cast<bool>(out.flush());
+}
+
 int encode(const std::string& folder, const std::string& corpus) {
   const Result<std::vector<std::string>> paths = corpus_files(corpus);
   if (!paths) return refuse(paths.error().message());
@@ -47,14 +55,14 @@ int encode(const std::string& folder, const std::string& corpus) {
     if (!next) return refuse(next.error().message());
     if (!*next) break;
     const auto q = contact_of((*next)->value);
-    const auto bytes = q ? to_bytes(*q) : std::nullopt;
-    if (!bytes) continue;
-    const fs::path file = fs::path(folder) / content_address(q->query);
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes->data()),
-              static_cast<std::streamsize>(bytes->size()));
-    if (!out.flush()) return refuse(fmt::format("{}: cannot write", file.string()));
-    ++written;
+    for (std::uint8_t method = 0; q && method < kUnproven.size(); ++method) {
+      const auto bytes = to_bytes(*q, method);
+      if (!bytes) break;
+      const fs::path file =
+          fs::path(folder) / fmt::format("{}-{}", content_address(q->query), method);
+      if (!write_bytes(file, *bytes)) return refuse(fmt::format("{}: cannot write", file.string()));
+      ++written;
+    }
   }
   std::cout << fmt::format("{} seeds in {}\n", written, folder);
   return 0;

@@ -9,11 +9,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Margins and slacks from 2^-64 to 2^64 of their unit, in buckets of four doublings.
-constexpr std::size_t kBuckets = 32;
 constexpr double kLeast = -64, kDoublingsEach = 4;
-constexpr std::size_t kLevels = 24;  // the last stands for all that are deeper
-constexpr std::size_t kPerMethod = kLevels * kBuckets * 2;
 
 struct Nearness {
   double distance;
@@ -37,7 +33,7 @@ std::optional<Nearness> nearness_of(const Trace& trace) {
 // libFuzzer reads this section. Static, or unread by anybody, it would be left out.
 extern "C" {
 __attribute__((section("__libfuzzer_extra_counters"))) volatile std::uint8_t
-    ccdfuzz_margin_counters[ccdfuzz::Margins::kMethods * ccdfuzz::kPerMethod];
+    ccdfuzz_margin_counters[ccdfuzz::Margins::kCounters];
 }
 
 namespace ccdfuzz {

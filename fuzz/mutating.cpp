@@ -11,23 +11,32 @@ namespace ccdfuzz {
 
 namespace {
 
-std::size_t put(const Contact& q, std::span<std::uint8_t> out) {
-  const auto bytes = to_bytes(q);
+std::size_t put(const Contact& q, std::uint8_t method, std::span<std::uint8_t> out) {
+  const auto bytes = to_bytes(q, method);
   if (!bytes || bytes->size() > out.size()) return 0;
   std::copy(bytes->begin(), bytes->end(), out.begin());
   return bytes->size();
 }
 
+/// Mostly the same one: margins say how near *it* came to losing the contact.
+std::uint8_t mutated_method(std::uint8_t method, std::uint64_t count, Draw& draw) {
+  constexpr std::uint64_t kChangedIn = 8;
+  if (count < 2 || draw.below(kChangedIn) != 0) return method;
+  return static_cast<std::uint8_t>((method + 1 + draw.below(count - 1)) % count);
+}
+
 }  // namespace
 
 std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
-                        std::uint64_t every) {
+                        const CaseMutation& options) {
   Draw draw{Random(seed)};
-  if (draw.below(every) == 0 && LLVMFuzzerMutate != nullptr) {
-    return LLVMFuzzerMutate(data, size, max_size);
+  const std::uint8_t method = mutated_method(method_number({data, size}), options.methods, draw);
+  if (draw.below(options.own_in) == 0 && LLVMFuzzerMutate != nullptr && size > 1) {
+    data[0] = method;
+    return 1 + LLVMFuzzerMutate(data + 1, size - 1, max_size - 1);
   }
   const Contact q = contact_of_bytes(std::span(data, size)).value_or(falling_point());
-  return put(mutate(q, q, draw), {data, max_size});
+  return put(mutate(q, q, draw), method, {data, max_size});
 }
 
 }  // namespace ccdfuzz
@@ -43,5 +52,5 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std:
   if (!mother || !father) return 0;
   Contact child = *mother;
   if (!splice(child, *father, draw)) return 0;
-  return put(mutate(child, *father, draw), {out, max_size});
+  return put(mutate(child, *father, draw), method_number({data1, size1}), {out, max_size});
 }

@@ -1,28 +1,23 @@
 // Any queries: contacts, near-misses, and numbers without sense. The oracle decides each, the
 // checker checks what it says, and the methods are judged by it: those that are proven to miss
-// nothing must not. The bytes are a case (fuzz/mutator/case_bytes.hpp), whose contact may be
-// broken.
+// nothing must not, and of the others the one that the input names. The bytes are a method and a
+// case (fuzz/mutator/case_bytes.hpp), whose contact may be broken.
 #include <fmt/format.h>
 
 #include <array>
 #include <cstdlib>
 #include <iostream>
-#include <numeric>
 
 #include "fuzz/lost_inputs.hpp"
 #include "fuzz/mutating.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/unproven.hpp"
 #include "method/by_spec.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace {
 
 using namespace ccdfuzz;  // NOLINT: a target is a file of its own
-
-/// One of these looks at each input.
-constexpr std::array kOthers = {
-    "tdibm",   "tdibm-h:1e-16",   "tdibm-h:1e-12", "tdibm-h:1e-12@absolute",
-    "tdibm-e", "tdibm-e-literal", "trad"};
 
 constexpr SearchOptions kFine = {SearchOptions().precision, 100, 16 << 20};
 /// Larger patches take the exact method seconds.
@@ -32,7 +27,7 @@ constexpr int kMostControls = 24;
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
-  return mutate_case(data, size, max_size, seed, 2);
+  return mutate_case(data, size, max_size, seed, {.own_in = 2, .methods = kUnproven.size()});
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -53,11 +48,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::cerr << why.what() << '\n';
     std::abort();
   }
-  const std::size_t sum = std::accumulate(data, data + size, std::size_t{0});
-  const char* other = kOthers[sum % kOthers.size()];
-  if (is_false_negative(outcome_on(methods[other], known, kFine))) {
+  const char* const unproven = kUnproven[unproven_of({data, size})];
+  if (is_false_negative(outcome_on(methods[unproven], known, kFine))) {
     lost_inputs.keep({data, size},
-                     fmt::format("{} {} {}", other, to_text(shapes[0]), to_text(shapes[1])));
+                     fmt::format("{} {} {}", unproven, to_text(shapes[0]), to_text(shapes[1])));
   }
   return 0;
 }

@@ -65,6 +65,7 @@ struct CaseParts {
 
 std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
+  in.byte();  // the method
   CaseParts parts;
   for (MovingPatch<double>& patch : parts.query.patches) {
     constexpr int kKinds = 4;
@@ -93,8 +94,9 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
 
 }  // namespace
 
-std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q) {
+std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method) {
   ByteWriter out;
+  out.byte(method);
   for (const MovingPatch<double>& patch : q.query.patches) {
     out.byte(static_cast<int>(patch.shape.kind));
     out.byte(patch.shape.n);
@@ -114,6 +116,10 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q) {
     }
   }
   return out.take();
+}
+
+std::uint8_t method_number(std::span<const std::uint8_t> bytes) {
+  return bytes.empty() ? 0 : bytes.front();
 }
 
 std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes) {

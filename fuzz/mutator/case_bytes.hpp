@@ -9,10 +9,14 @@
 
 namespace ccdfuzz {
 
-/// A contact and its query as bytes, for fuzzers: three bytes for the shape of each patch (kind and
-/// degrees), then as doubles, lowest byte first, t_max, t, uv of both contacts, and of each patch
-/// the positions and the velocities. nullopt if t or a parameter is no double.
-std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q);
+/// A contact and its query as bytes, for fuzzers: one byte for the method that is to be asked (its
+/// place in the target's list), three for the shape of each patch (kind and degrees), then as
+/// doubles, lowest byte first, t_max, t, uv of both contacts, and of each patch the positions and
+/// the velocities. nullopt if t or a parameter is no double.
+std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method = 0);
+
+/// The method that the bytes are for; 0 if there are none.
+std::uint8_t method_number(std::span<const std::uint8_t> bytes);
 
 /// The query that the bytes are; made whole (repair) where they are not a contact any more, as
 /// after another's mutations. nullopt if they are no valid query with a contact within t_max.

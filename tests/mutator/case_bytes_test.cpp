@@ -20,6 +20,19 @@ TEST(CaseBytes, GiveTheSameQueryAgain) {
   }
 }
 
+TEST(CaseBytes, BeginWithTheMethodWhichChangesNoQuery) {
+  const Contact q = mutation_bases().front();
+  for (const int method : {0, 1, 200, 255}) {
+    const auto bytes = to_bytes(q, static_cast<std::uint8_t>(method)).value();
+    EXPECT_EQ(bytes[0], method);
+    EXPECT_EQ(method_number(bytes), method);
+    EXPECT_EQ(contact_of_bytes(bytes)->query, q.query);
+    EXPECT_EQ(query_of(bytes), q.query);
+    EXPECT_EQ(cases_of(bytes), std::vector{case_of(q)});
+  }
+  EXPECT_EQ(method_number({}), 0);
+}
+
 TEST(CaseBytes, AreMadeWholeOrRefusedWhateverWasDoneToThem) {
   const std::vector<Contact> bases = mutation_bases();
   Draw random{Random(3)};

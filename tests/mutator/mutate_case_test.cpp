@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "bases.hpp"
+#include "fuzz/margins.hpp"
+#include "fuzz/mutating.hpp"
+#include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/unproven.hpp"
+#include "share.hpp"
+
+extern "C" {
+extern volatile std::uint8_t ccdfuzz_margin_counters[];
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
+                                      const std::uint8_t* data2, std::size_t size2,
+                                      std::uint8_t* out, std::size_t max_size, unsigned int seed);
+
+// Stands in for libFuzzer's: it may write anything.
+std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
+  std::fill_n(data, size, static_cast<std::uint8_t>(0xA5));
+  if (size < max_size) data[size++] = 0xA5;
+  return size;
+}
+}
+
+namespace ccdfuzz {
+namespace {
+
+constexpr std::size_t kMaxSize = 8192;
+constexpr std::uint8_t kMethod = 4;
+
+std::vector<std::uint8_t> mutant_of(const Contact& q, unsigned seed, std::uint64_t own_in) {
+  std::vector<std::uint8_t> bytes = to_bytes(q, kMethod).value();
+  const std::size_t size = bytes.size();
+  bytes.resize(kMaxSize);
+  bytes.resize(mutate_case(bytes.data(), size, kMaxSize, seed,
+                           {.own_in = own_in, .methods = kUnproven.size()}));
+  return bytes;
+}
+
+/// Which methods noted a margin for the input, by their place among those traced.
+std::vector<std::size_t> methods_that_note(const std::vector<std::uint8_t>& bytes) {
+  volatile std::uint8_t* const counters = ccdfuzz_margin_counters;
+  std::fill_n(counters, Margins::kCounters, std::uint8_t{0});
+  EXPECT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+  std::vector<std::size_t> methods;
+  for (std::size_t m = 0; m < Margins::kMethods; ++m) {
+    const auto from = counters + m * Margins::kPerMethod;
+    if (std::any_of(from, from + Margins::kPerMethod, [](std::uint8_t c) { return c != 0; })) {
+      methods.push_back(m);
+    }
+  }
+  return methods;
+}
+
+class MutateCase : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(MutateCase, KeepsTheMethodSevenTimesInEight) {
+  const std::vector<Contact> bases = mutation_bases();
+  constexpr unsigned kTries = 4000 / kOneIn;
+  std::array<unsigned, kUnproven.size()> with_method{};
+  for (unsigned seed = 1; seed <= kTries; ++seed) {
+    const auto mutant = mutant_of(bases[seed % bases.size()], seed, GetParam());
+    ASSERT_GT(mutant.size(), 1U);
+    ASSERT_LT(mutant[0], kUnproven.size());
+    ++with_method[mutant[0]];
+  }
+  EXPECT_GE(with_method[kMethod], kTries * 80 / 100);
+  EXPECT_LE(with_method[kMethod], kTries * 93 / 100);
+  for (const unsigned count : with_method) EXPECT_GT(count, 0U);
+}
+
+// The fuzzer's own moves each time, or never in practice.
+INSTANTIATE_TEST_SUITE_P(OwnMoves, MutateCase, testing::Values(1, 1'000'000));
+
+TEST(MutateCase, AnInputThatIsNoneBecomesOne) {
+  std::vector<std::uint8_t> bytes(kMaxSize);
+  bytes.resize(mutate_case(bytes.data(), 0, kMaxSize, 1, {.own_in = 1, .methods = 1}));
+  EXPECT_TRUE(contact_of_bytes(bytes));
+  EXPECT_EQ(method_number(bytes), 0);
+}
+
+TEST(CrossOver, KeepsTheMethodOfTheFirst) {
+  const std::vector<Contact> bases = mutation_bases();
+  const auto mother = to_bytes(bases[0], kMethod).value(), father = to_bytes(bases[1], 1).value();
+  unsigned children = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::vector<std::uint8_t> child(kMaxSize);
+    child.resize(LLVMFuzzerCustomCrossOver(mother.data(), mother.size(), father.data(),
+                                           father.size(), child.data(), kMaxSize, seed));
+    if (child.empty()) continue;
+    ++children;
+    ASSERT_EQ(method_number(child), kMethod);
+  }
+  EXPECT_GT(children, 0U);
+}
+
+// What guides: a child of an input that nearly lost a contact must be asked of the same method.
+TEST(WitnessedTarget, NotesMarginsOfTheMethodThatTheFirstByteNames) {
+  constexpr std::size_t kSound = 2;
+  const std::vector<Contact> bases = mutation_bases();
+  for (std::uint8_t method = 0; method < kUnproven.size(); ++method) {
+    std::vector<std::size_t> seen;
+    for (const Contact& q : bases) {
+      for (const std::size_t m : methods_that_note(to_bytes(q, method).value())) {
+        if (m >= kSound) seen.push_back(m);
+      }
+    }
+    ASSERT_FALSE(seen.empty()) << kUnproven[method];
+    EXPECT_EQ(std::ranges::count(seen, kSound + method), std::ssize(seen)) << kUnproven[method];
+  }
+}
+
+TEST(WitnessedTarget, ReadsAnyFirstByte) {
+  const auto bytes = to_bytes(falling_point(), 255).value();
+  EXPECT_LT(unproven_of(bytes), kUnproven.size());
+  EXPECT_EQ(LLVMFuzzerTestOneInput(bytes.data(), bytes.size()), 0);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
