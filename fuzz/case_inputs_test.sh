@@ -12,7 +12,7 @@ if "$program" decode "$program" 2>/dev/null; then exit 1; fi
 rm -rf "$seeds"
 mkdir "$seeds.one" "$seeds.lost"
 trap 'rm -rf "$seeds.one"' EXIT
-cp "$corpus"/regressions/tdibm-e-underflow.json "$seeds.one"
+cp "$corpus"/cases/tdibm-e-underflow.json "$seeds.one"
 "$program" encode "$seeds" "$seeds.one"
 CCDFUZZ_LOST=$seeds.lost "$program" run "$seeds"/*
 [ "$(for lost in "$seeds.lost"/*; do head -c 1 "$lost" | od -An -tu1; done)" -eq 4 ]

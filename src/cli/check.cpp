@@ -224,6 +224,13 @@ struct InputRow {
   }
 };
 
+/// The find that an input is which somebody else has shrunk, as RapidCheck does.
+ClaimFind find_of(const InputRow& row, const ChoiceNumbers& choices) {
+  ClaimFind find(row.property, "", row.check.text, check_command(row.property.name, choices));
+  find.set_least({.numbers = choices, .check = row.check, .is_cut_short = true});
+  return find;
+}
+
 /// One input of one property, as a find prints it.
 int check_choices(const CheckArguments& options, Session& session) {
   if (options.names.size() != 1) throw BadInput{{"--choices", "needs the name of one property"}};
@@ -240,6 +247,10 @@ int check_choices(const CheckArguments& options, Session& session) {
     print_out(fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
                           fails && row.is_known_false() ? ", as is known" : "",
                           check.text.empty() ? "" : ": ", check.text));
+  }
+  if (fails && options.save) {
+    const std::string path = need(save_find(*options.save, find_of(row, *numbers)));
+    if (!session.json) print_out(fmt::format("saved: {}\n", path));
   }
   if (check.status == Check::Status::kDiscarded) {
     print_err("ccdfuzz: nothing was checked: the input was discarded\n");
@@ -322,14 +333,16 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
   seconds.excludes(count);
   const Option seed = command.whole("--seed", options->inputs.seed, "Seed of the inputs");
   const Option first = command.whole("--first", options->inputs.first, "Index of the first input");
-  const Option save = command.text(
+  command.text(
       "--save", options->save,
-      fmt::format("Folder for what fails that should hold, as found and then shrunk; by default {}",
-                  kFolder));
+      fmt::format(
+          "Folder for what fails that should hold, as found and then shrunk; by default {}, "
+          "and none with --choices",
+          kFolder));
   Option choices = command.text("--choices", options->choices,
                                 "Instead: one input of one property, as a find prints it");
   const Option threads = command.threads();
-  for (const Option& other : {count, seconds, seed, first, save, threads}) choices.excludes(other);
+  for (const Option& other : {count, seconds, seed, first, threads}) choices.excludes(other);
   command.json("One JSON object per property");
 }
 

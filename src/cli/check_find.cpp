@@ -35,11 +35,15 @@ std::string test_name(std::string_view property) {
 /// The inputs of fuzz targets end at 1 MiB, each byte of which may be a choice.
 constexpr std::size_t kMostFindBytes = 16 << 20;
 
-std::string path_of(const std::string& folder, const std::string& property,
-                    const std::string& error) {
+std::string stem_of(const std::string& property, const std::string& error) {
   std::string name = error.empty() ? property : property + "-" + error;
   std::ranges::replace(name, ' ', '-');
-  return fmt::format("{}/{}.json", folder, name);
+  return name;
+}
+
+std::string path_of(const std::string& folder, const std::string& property,
+                    const std::string& error) {
+  return fmt::format("{}/{}.json", folder, stem_of(property, error));
 }
 
 }  // namespace
@@ -79,6 +83,10 @@ void ClaimFind::set_least(const Counterexample& least) {
   shrunk = least.is_cut_short && error != "hang" ? Shrunk::kCutShort : Shrunk::kToTheEnd;
   choices = least.numbers;
   text = least.check.text;
+}
+
+std::string ClaimFind::stem() const {
+  return stem_of(property, error);
 }
 
 std::string ClaimFind::reproduce() const {

@@ -61,6 +61,8 @@ struct ClaimFind {
   ClaimFind() = default;
   ClaimFind(const Property& property, std::string error, std::string text, std::string command);
 
+  /// The name of its file in a folder of finds, without ".json".
+  std::string stem() const;
   /// One command that shows what it was shrunk to, or what failed first.
   std::string reproduce() const;
   /// A GoogleTest test that fails as the property does; empty before.

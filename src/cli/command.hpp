@@ -165,7 +165,7 @@ void add_export(CommandLine& line);
 void add_generate(CommandLine& line);
 void add_hunt(CommandLine& line);
 void add_import(CommandLine& line);
-void add_merge(CommandLine& line);
+void add_merge(CommandLine& line, const std::vector<Property>& known);
 void add_methods(CommandLine& line);
 void add_minimize(CommandLine& line);
 void add_properties(CommandLine& line);

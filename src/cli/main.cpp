@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
   ccdfuzz::add_export(line);
   ccdfuzz::add_verify(line);
   ccdfuzz::add_prove(line);
-  ccdfuzz::add_merge(line);
+  ccdfuzz::add_merge(line, ccdfuzz::properties());
   ccdfuzz::add_triage(line, ccdfuzz::suite_named);
   ccdfuzz::add_replay(line, ccdfuzz::properties());
   ccdfuzz::add_minimize(line);

@@ -6,6 +6,7 @@
 #include "base/run_file.hpp"
 #include "cli/command.hpp"
 #include "cli/made_cases.hpp"
+#include "cli/merge_claims.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/intake.hpp"
@@ -17,6 +18,7 @@ namespace ccdfuzz {
 namespace {
 
 struct MergeOptions {
+  std::vector<Property> known;
   std::vector<std::string> inputs;
   std::string output;
 };
@@ -87,6 +89,7 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
 struct MergedCorpora {
   std::uint64_t entries = 0, taken = 0, now = 0;
   Intake::Settled settled = {};
+  MergedClaims claims = {};
 
   static void fields(auto& archive, auto& merged) {
     archive("entries", merged.entries);
@@ -94,17 +97,22 @@ struct MergedCorpora {
     archive("now", merged.now);
     archive("asked_again", merged.settled.asked);
     archive.optional("not_asked", merged.settled.kept);
+    archive.optional("claims", merged.claims.entries);
+    archive.optional("claims_taken_over", merged.claims.taken);
+    archive.optional("claims_now", merged.claims.now);
+    archive.optional("claims_without_input", merged.claims.without_input);
   }
 };
 
 int merge_corpora(const MergeOptions& options, Session& session) {
-  const auto& [inputs, output] = options;
+  const auto& [known, inputs, output] = options;
   Store store = need(Store::open(output));
   Intake intake(
       store, [] { return Asker({}); },
       [] { return Asker({.max_seconds = kLongestQuerySeconds}, MethodSet(make_served_method)); });
   MergedCorpora merged;
   for (const std::string& input : inputs) {
+    if (is_claims_folder(input)) continue;
     need(for_each_entry(input, [&](const NamedCase& entry) {
       ++merged.entries;
       if (need(intake.take(entry)) != Store::Put::kKnown) ++merged.taken;
@@ -113,9 +121,18 @@ int merge_corpora(const MergeOptions& options, Session& session) {
   merged.taken += need(intake.take_doubtful());
   merged.now = need(list_entries(output)).size();
   merged.settled = intake.settled();
+  merged.claims = merge_claims(inputs, output, known);
   if (session.json) print_row(merged);
   session.summary(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}",
                               merged.entries, inputs.size(), merged.taken, merged.now, output));
+  if (const MergedClaims& claims = merged.claims; claims.entries > 0) {
+    session.summary(fmt::format(
+        "{} inputs of properties, {} taken over, {} now in {}/{}{}", claims.entries, claims.taken,
+        claims.now, output, kClaims,
+        claims.without_input == 0
+            ? ""
+            : fmt::format("; {} did not fail again and have no choices", claims.without_input)));
+  }
   if (merged.settled.asked > 0) {
     session.summary(
         fmt::format("{} expectations that two entries of a query left in doubt are now "
@@ -134,6 +151,9 @@ int merge_corpora(const MergeOptions& options, Session& session) {
 int run_merge(const MergeOptions& options, Session& session) {
   // Standard output takes the table.
   if (options.output == "-") throw BadInput{{"--output", "- is neither a file nor a folder"}};
+  if (is_claims_folder(options.output)) {
+    throw BadInput{{"--output", options.output + " is a folder of claims: name its corpus"}};
+  }
   const auto is_folder = [](const std::string& path) {
     return std::filesystem::is_directory(path);
   };
@@ -150,12 +170,14 @@ int run_merge(const MergeOptions& options, Session& session) {
 
 }  // namespace
 
-void add_merge(CommandLine& line) {
+void add_merge(CommandLine& line, const std::vector<Property>& known) {
   auto [command, options] = line.add<MergeOptions>(
       "merge", "Put the shares of a run together, as one run would have made it", run_merge);
+  options->known = known;
   command
       .texts("input", options->inputs,
-             "Shares of a data set (generate), or folders of answers (evaluate), or corpora (hunt)")
+             "Shares of a data set (generate), or folders of answers (evaluate), or corpora (hunt) "
+             "and folders of claims (check, triage)")
       .required();
   command
       .text("-o,--output", options->output,

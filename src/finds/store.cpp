@@ -220,8 +220,12 @@ Result<Store> Store::open(const std::string& folder) {
   std::error_code error;
   fs::create_directories(state->folder, error);
   if (error) return system_error(folder, "make the folder", error.value());
-  state->home = state->folder + "/regressions";
-  if (!fs::is_directory(state->home, error)) state->home = state->folder;
+  state->home = state->folder + "/cases";
+  if (!fs::is_directory(state->home, error)) {
+    const std::string old = state->folder + "/regressions";
+    if (fs::is_directory(old, error)) return input_error(old, "is called cases now: rename it");
+    state->home = state->folder;
+  }
 
   const auto lock = FolderLock::take(state->home);
   if (!lock) return tl::unexpected(lock.error());

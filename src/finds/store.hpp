@@ -35,9 +35,9 @@ class Store {
     kKnown,    ///< nothing new, nothing written
   };
 
-  /// Opens a folder, making it if need be. If it has a sub-folder `regressions`, finds are written
-  /// there. Errors: the folder cannot be made, read, written or locked; an entry in it cannot be
-  /// read.
+  /// Opens a folder, making it if need be. If it has a sub-folder `cases`, finds are written there.
+  /// Errors: the folder cannot be made, read, written or locked; an entry in it cannot be read; it
+  /// has no `cases` but `regressions`, as that was called.
   static Result<Store> open(const std::string& folder);
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;

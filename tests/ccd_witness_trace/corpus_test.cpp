@@ -13,7 +13,7 @@ namespace {
 // that is late in those that it would have come to before.
 TEST(Corpus, WhereAMethodMissesItLosesTheWitnessAndTheSoundOnesKeepIt) {
   int entries = 0, losses = 0;
-  for (const auto& file : std::filesystem::directory_iterator(CCDFUZZ_CORPUS "/regressions")) {
+  for (const auto& file : std::filesystem::directory_iterator(CCDFUZZ_CORPUS "/cases")) {
     if (file.path().extension() != ".json") continue;
     SCOPED_TRACE(file.path().filename());
     const auto cases = read_cases(file.path());
@@ -49,7 +49,7 @@ TEST(Corpus, TheNamedEntriesShowTheirFault) {
        {Named{"tdibm-e-underflow", "tdibm-e"}, Named{"tdibm-e-overflow", "tdibm-e"},
         Named{"tdibm-e-literal-twin-shield", "tdibm-e-literal"},
         Named{"tdibm-h-common-velocity", "tdibm-h:1e-12"}}) {
-    const std::string path = std::string(CCDFUZZ_CORPUS "/regressions/") + named.entry + ".json";
+    const std::string path = std::string(CCDFUZZ_CORPUS "/cases/") + named.entry + ".json";
     const auto cases = read_cases(path);
     ASSERT_TRUE(cases) << cases.error().message();
     const Case& entry = cases->front().value;

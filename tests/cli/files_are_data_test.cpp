@@ -12,8 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kHonestEntry =
-    CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json";
+constexpr const char* kHonestEntry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
 
 /// A corpus of one entry, whose expectations name a plug-in program; it leaves a mark when it runs.
 class Trap {

@@ -346,7 +346,7 @@ TEST(Export, AsCatch2Compiles) {
 
 TEST(Minimize, WritesAnEntryThatFailsAlikeAndRefusesWhatDoesNotFail) {
   const ScratchFolder folder;
-  const std::string underflow = CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json";
+  const std::string underflow = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
   const std::string small = folder / "small.json";
   const Finished shrunk =
       ccdfuzz({"minimize", underflow, "--method", "tdibm-e", "-o", small, "--json"});

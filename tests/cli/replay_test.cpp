@@ -116,8 +116,7 @@ TEST(Replay, UpdateTakesNoBudgetOfTheCommandLine) {
 }
 
 TEST(Replay, SaysByHowMuchAHitIsLate) {
-  const std::string late =
-      CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-late-past-the-contact.json";
+  const std::string late = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-late-past-the-contact.json";
   const Finished finished = ccdfuzz({"replay", late, "--methods", "tdibm", "--expect", "correct"});
   EXPECT_EQ(finished.code, 1);
   EXPECT_NE(finished.out.find("late by 1.29e-14 (right root)"), std::string::npos) << finished.out;

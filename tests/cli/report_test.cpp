@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json";
+const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
 const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
 TEST(ReportCommand, OfAnEvaluationShowsAFileOfCases) {

@@ -6,7 +6,7 @@ namespace ccdfuzz {
 namespace {
 
 std::string regression(const std::string& name) {
-  return CCDFUZZ_SOURCE_DIR "/corpus/regressions/" + name + ".json";
+  return CCDFUZZ_SOURCE_DIR "/corpus/cases/" + name + ".json";
 }
 
 /// Two points that meet at t = 1/2; `truth` is what the case says of that.

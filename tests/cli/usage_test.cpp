@@ -102,8 +102,7 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,,2"}, "\"\""},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1,2,1"}, "twice"},
       {{"evaluate", "x.jsonl", "--t-max-factors", "1+2^-2000"}, "--t-max-factors: \"1+2^-2000\""},
-      {{"minimize", CCDFUZZ_SOURCE_DIR "/corpus/regressions/tdibm-e-underflow.json", "--method",
-        "nope"},
+      {{"minimize", CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json", "--method", "nope"},
        "--method: unknown method \"nope\""},
   };
   for (const BadUsage& bad : table) {

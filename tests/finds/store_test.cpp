@@ -198,15 +198,26 @@ TEST(Store, RefusesARefutedFind) {
   EXPECT_THAT(done.error().message(), testing::StartsWith("truth.witness.uv: "));
 }
 
-TEST(Store, WritesToRegressionsWhereThatIsAndKnowsTheSeeds) {
+TEST(Store, RefusesACorpusOfTheOldLayout) {
   const ScratchFolder folder;
   fs::create_directories(folder / "regressions");
+  const auto refused = Store::open(folder.path());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(),
+            (folder / "regressions") + ": is called cases now: rename it");
+  fs::rename(folder / "regressions", folder / "cases");
+  EXPECT_TRUE(Store::open(folder.path()));
+}
+
+TEST(Store, WritesToCasesWhereThatIsAndKnowsTheSeeds) {
+  const ScratchFolder folder;
+  fs::create_directories(folder / "cases");
   fs::create_directories(folder / "seeds");
   ASSERT_TRUE(write_file(folder / "seeds/a.json", to_json(find_of(3)) + "\n"));
   Store store = open_store(folder.path());
   EXPECT_EQ(put(store, find_of(7)), Put::kKnown);
   EXPECT_EQ(put(store, find_of(7, "trad")), Put::kNew);
-  EXPECT_TRUE(fs::exists(folder / "regressions/trad-missed-VV-at-an-end.json"));
+  EXPECT_TRUE(fs::exists(folder / "cases/trad-missed-VV-at-an-end.json"));
   EXPECT_EQ(put(store, find_of(1)), Put::kNew);
   EXPECT_TRUE(fs::exists(folder / "seeds/a.json"));
 }

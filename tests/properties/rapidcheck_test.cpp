@@ -20,8 +20,8 @@ namespace {
 
 /// The one command that shows a failure again, whatever becomes of RapidCheck's seeds.
 std::string replay_command(const Property& property, const Draw& choices) {
-  return fmt::format("reproduce: {} check {} --choices {}", CCDFUZZ_EXECUTABLE, property.name,
-                     to_word(choices.numbers()));
+  return fmt::format("reproduce (--save keeps it): {} check {} --choices {}", CCDFUZZ_EXECUTABLE,
+                     property.name, to_word(choices.numbers()));
 }
 
 class EveryProperty : public testing::TestWithParam<Property> {};

@@ -30,9 +30,9 @@ const page = (name) => join(work, name, 'index.html');
 // None, one and thousands of counterexamples; a corpus; a hunt.
 run('generate', '--contact', 'VF', '--kind', 'RP', '--count', '3', '-o', data('clear.jsonl'));
 run('evaluate', data('clear.jsonl'), '--methods', 'tdibm-c', '--report', data('none'));
-const first = readdirSync(join(corpus, 'regressions')).filter((f) => f.startsWith('tdibm-e-underflow'))[0];
+const first = readdirSync(join(corpus, 'cases')).filter((f) => f.startsWith('tdibm-e-underflow'))[0];
 mkdirSync(data('one-entry'));
-copyFileSync(join(corpus, 'regressions', first), join(data('one-entry'), first));
+copyFileSync(join(corpus, 'cases', first), join(data('one-entry'), first));
 run('report', data('one-entry'), '-o', data('one'));
 run('generate', '--contact', 'VV', '--kind', 'RP', '--count', '6300', '--construction', 'one-sided', '-o', data('many.jsonl'));
 run('evaluate', data('many.jsonl'), '--methods', 'tdibm', '--report', data('many'));

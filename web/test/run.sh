@@ -25,7 +25,7 @@ flock -u 9
 
 case $1 in
   bundle) exec node "$web/build.mjs" --check ;;
-  gltf) exec node "$web/test/gltf.mjs" "$web/../corpus/regressions" "$2" ;;
+  gltf) exec node "$web/test/gltf.mjs" "$web/../corpus/cases" "$2" ;;
   page)
     shift
     command -v chromium >/dev/null || command -v chromium-browser >/dev/null ||

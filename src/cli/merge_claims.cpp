@@ -1,0 +1,79 @@
+#include "cli/merge_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/hash_name.hpp"
+#include "base/json_write.hpp"
+#include "base/output_file.hpp"
+#include "cli/check_find.hpp"
+#include "cli/session.hpp"
+#include "finds/entries.hpp"
+#include "properties/suites.hpp"
+
+namespace ccdfuzz {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string claims_of(const std::string& corpus) {
+  return is_claims_folder(corpus) ? corpus : fmt::format("{}/{}", corpus, kClaims);
+}
+
+bool stands_in(const std::string& folder, const ClaimFind& find) {
+  return std::ranges::any_of(need(list_entries(folder)), [&](const std::string& path) {
+    const ClaimFind standing = need(read_find(path));
+    return standing.property == find.property && standing.choices == find.choices;
+  });
+}
+
+/// Returns whether the folder changed.
+bool take(const ClaimFind& find, const std::string& stem, const std::string& folder) {
+  if (stands_in(folder, find)) return false;
+  const std::string own = fmt::format("{}/{}.json", folder, stem), json = to_json(find);
+  if (stem == find.stem()) {
+    const auto standing = need(saved_find(folder, find.property, find.error));
+    if (!standing || standing->expect == find.expect) {
+      need(save_find(folder, find));
+      return !standing || find.replaces(*standing);
+    }
+  }
+  const bool is_free = !fs::exists(fs::symlink_status(own));
+  need(write_file(is_free ? own : fmt::format("{}/{}.json", folder, hash_name(json)),
+                  readable_json(json) + "\n"));
+  return true;
+}
+
+}  // namespace
+
+bool is_claims_folder(const std::string& path) {
+  const fs::path plain = fs::path(path).lexically_normal();
+  return (plain.has_filename() ? plain : plain.parent_path()).filename() == kClaims;
+}
+
+MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::string& into,
+                          const std::vector<Property>& known) {
+  MergedClaims merged;
+  const std::string folder = fmt::format("{}/{}", into, kClaims);
+  for (const std::string& corpus : corpora) {
+    if (!fs::is_directory(claims_of(corpus))) continue;
+    need(make_find_folder(folder));
+    for (const std::string& path : need(list_entries(claims_of(corpus)))) {
+      const ClaimFind find = need(read_find(path));
+      if (const auto property = property_named(find.property, known); !property) {
+        throw BadInput{{path + ": property", property.error().what}};
+      }
+      ++merged.entries;
+      const bool has_input = find.shrunk != Shrunk::kNot;
+      if (!has_input) ++merged.without_input;
+      if (has_input && take(find, fs::path(path).stem(), folder)) ++merged.taken;
+    }
+  }
+  if (fs::is_directory(folder)) merged.now = need(list_entries(folder)).size();
+  return merged;
+}
+
+}  // namespace ccdfuzz

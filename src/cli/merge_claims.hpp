@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "properties/property.hpp"
+
+namespace ccdfuzz {
+
+/// What a merge did with inputs of claims.
+struct MergedClaims {
+  std::uint64_t entries = 0, taken = 0, now = 0;
+  std::uint64_t without_input = 0;  ///< finds that did not fail again, which have no choices
+};
+
+/// Whether a path is of a folder of inputs of claims itself, by its name (kClaims).
+bool is_claims_folder(const std::string& path);
+
+/// Takes the inputs of claims of corpora (in their folders kClaims, or in such a folder itself)
+/// over into that of another corpus, which is made if there are any. An entry that is called by its
+/// claim and error (ClaimFind::stem) takes the place of one that is shrunk less; one that must show
+/// something else than what stands there, or that has another's name, is called by its hash. An
+/// input that stands there already stays as it is. known: all the properties that there are. Throws
+/// BadInput: of a folder or file; an entry of an unknown property, naming it.
+MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::string& into,
+                          const std::vector<Property>& known);
+
+}  // namespace ccdfuzz
