@@ -27,13 +27,16 @@ endforeach()
 set(ccdfuzz_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ccdfuzz)
 install(EXPORT ccdfuzz_targets NAMESPACE ccdfuzz:: DESTINATION ${ccdfuzz_config_dir}
         FILE ccdfuzz-targets.cmake)
+# <ccdfuzz/mutate.hpp>, for libFuzzer, and what <ccdfuzz/rapidcheck.hpp> includes besides.
+foreach(header fuzz/mutator/case_bytes.hpp generators/contact.hpp generators/draw_contact.hpp
+        generators/generate.hpp generators/draw/draw.hpp generators/draw/random.hpp)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/${folder})
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/fuzz/mutator/mutate.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz)
+
 # <ccdfuzz/rapidcheck.hpp> and ccdfuzz::rapidcheck, where there is RapidCheck.
 if(TARGET ccdfuzz_rapidcheck)
-  foreach(header contact.hpp draw_contact.hpp generate.hpp draw/draw.hpp draw/random.hpp)
-    cmake_path(GET header PARENT_PATH folder)
-    install(FILES ${PROJECT_SOURCE_DIR}/generators/${header}
-            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/generators/${folder})
-  endforeach()
   install(FILES ${PROJECT_SOURCE_DIR}/generators/rc/rapidcheck.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz)
   install(TARGETS ccdfuzz_rapidcheck EXPORT ccdfuzz_rapidcheck_targets)
   install(EXPORT ccdfuzz_rapidcheck_targets NAMESPACE ccdfuzz:: DESTINATION ${ccdfuzz_config_dir}

@@ -9,8 +9,7 @@
 #include <iostream>
 
 #include "fuzz/lost_inputs.hpp"
-#include "fuzz/mutating.hpp"
-#include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
 #include "method/by_spec.hpp"
 #include "properties/against_oracle.hpp"

@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "base/text.hpp"
-#include "fuzz/libfuzzer.hpp"
+#include "fuzz/mutator/libfuzzer.hpp"
 #include "generators/draw/choice_bytes.hpp"
 #include "generators/draw/mutate_choices.hpp"
 #include "properties/claim_input.hpp"

@@ -12,8 +12,7 @@
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "fuzz/lost_inputs.hpp"
 #include "fuzz/margins.hpp"
-#include "fuzz/mutating.hpp"
-#include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
 #include "method/by_spec.hpp"
 

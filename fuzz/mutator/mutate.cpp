@@ -2,6 +2,7 @@
 
 #include "fuzz/mutator/aimed_moves.hpp"
 #include "fuzz/mutator/exact_moves.hpp"
+#include "fuzz/mutator/moves.hpp"
 
 namespace ccdfuzz {
 

@@ -1,4 +1,4 @@
-# cmake -D BUILD=… -D SOURCE=… -D WORK=… -D CXX=… -D CONFIG=… -D FLAGS=… -D CASES=… -D EXAMPLE=… -P consumer.cmake
+# cmake -D BUILD=… -D SOURCE=… -D WORK=… -D CXX=… -D CONFIG=… -D FLAGS=… -D CASES=… -D EXAMPLES=… -D CLANG=… -P consumer.cmake
 # Installs the build into WORK, and configures, builds and runs the consumer project against it.
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
@@ -31,7 +31,7 @@ if(NOT answers STREQUAL answers_fast_math)
 endif()
 
 # The example of RapidCheck finds its fault, shows it to people and to the command line, and shows it again.
-run("configure the example" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${EXAMPLE} -B ${WORK}/example
+run("configure the example" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${EXAMPLES}/rapidcheck -B ${WORK}/example
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=${CONFIG}
     -DCMAKE_CXX_FLAGS=${FLAGS})
 run("build the example" ${CMAKE_COMMAND} --build ${WORK}/example)
@@ -65,4 +65,28 @@ endif()
 run_example(${CMAKE_MATCH_1} --gtest_filter=Mine.*)
 if(NOT out MATCHES "after 1 test")
   message(FATAL_ERROR "RC_PARAMS=${CMAKE_MATCH_1} does not show it again:\n${out}")
+endif()
+
+# The example of libFuzzer finds its fault from nothing, shows it as a case, and leaves an input for triage.
+if(NOT CLANG)
+  message(STATUS "no clang: the example of libFuzzer is not built")
+  return()
+endif()
+run("configure the example of libFuzzer" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${EXAMPLES}/libfuzzer
+    -B ${WORK}/fuzz -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CLANG}
+    -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_FLAGS=${FLAGS})
+run("build the example of libFuzzer" ${CMAKE_COMMAND} --build ${WORK}/fuzz)
+execute_process(COMMAND ${WORK}/fuzz/my_ccd_fuzz -seed=1 -runs=100000 -artifact_prefix=${WORK}/
+                RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
+string(REGEX MATCH "{\"format[^\n]*}" case "${out}")
+if(NOT status OR NOT case)
+  message(FATAL_ERROR "the example of libFuzzer (${status}) finds nothing:\n${out}")
+endif()
+file(WRITE ${WORK}/fuzz.json "${case}")
+run("verify what libFuzzer found" ${BUILD}/ccdfuzz verify ${WORK}/fuzz.json)
+file(GLOB input ${WORK}/crash-*)
+execute_process(COMMAND ${BUILD}/ccdfuzz triage ${input} -o ${WORK}/finds --methods tdibm-c --json
+                RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE out)
+if(status OR NOT out MATCHES "\"inputs\":1,")
+  message(FATAL_ERROR "triage does not read ${input} (${status}):\n${out}")
 endif()

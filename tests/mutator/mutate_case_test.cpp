@@ -6,8 +6,7 @@
 
 #include "bases.hpp"
 #include "fuzz/margins.hpp"
-#include "fuzz/mutating.hpp"
-#include "fuzz/mutator/case_bytes.hpp"
+#include "fuzz/mutator/mutate.hpp"
 #include "fuzz/unproven.hpp"
 #include "share.hpp"
 

@@ -7,6 +7,7 @@
 #include "bases.hpp"
 #include "case/case_json.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "fuzz/mutator/moves.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

@@ -1,10 +1,7 @@
-#include "fuzz/mutating.hpp"
-
 #include <algorithm>
 
-#include "fuzz/libfuzzer.hpp"
-#include "fuzz/mutator/case_bytes.hpp"
 #include "fuzz/mutator/exact_moves.hpp"
+#include "fuzz/mutator/libfuzzer.hpp"
 #include "fuzz/mutator/mutate.hpp"
 
 namespace ccdfuzz {
@@ -39,18 +36,14 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
   return put(mutate(q, q, draw), method, {data, max_size});
 }
 
-}  // namespace ccdfuzz
-
-extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t size1,
-                                                 const std::uint8_t* data2, std::size_t size2,
-                                                 std::uint8_t* out, std::size_t max_size,
-                                                 unsigned int seed) {
-  using namespace ccdfuzz;  // NOLINT: of this function alone
+std::size_t cross_cases(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,
+                        std::uint8_t* out, std::size_t max_size, unsigned seed) {
   Draw draw{Random(seed)};
-  const auto mother = contact_of_bytes(std::span(data1, size1));
-  const auto father = contact_of_bytes(std::span(data2, size2));
+  const auto mother = contact_of_bytes(first), father = contact_of_bytes(second);
   if (!mother || !father) return 0;
   Contact child = *mother;
   if (!splice(child, *father, draw)) return 0;
-  return put(mutate(child, *father, draw), method_number({data1, size1}), {out, max_size});
+  return put(mutate(child, *father, draw), method_number(first), {out, max_size});
 }
+
+}  // namespace ccdfuzz
