@@ -61,7 +61,7 @@ std::optional<Absence> prove_first_contact(const Scene& scene, const Query& quer
 bool proven_by_search(const Query& query, const Dyadic& until, std::uint64_t max_pops) {
   const std::optional<double> horizon = until.to_double_exactly();
   return horizon && certified_clear(query, *horizon) &&
-         proves_clear(query, until.rational(), max_pops);
+         proves_clear(query, until.rational(), {.pops = max_pops});
 }
 
 bool miss_is_proven(const Query& query, std::uint64_t max_pops) {

@@ -184,7 +184,7 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   add("tree", check_tree(query, t / 2, claims.tree).has_value());
   const CheckedCase known = checked_contact(value);
   for (const double toi : {0.0, -kLeastDouble, kLeastDouble, query.t_max, next_up(query.t_max)}) {
-    Answer hit{Verdict::kHit, toi, {}, 0, 0, 0, {}};
+    Answer hit = Answer::hit(toi);
     hit.uv[0] = {-kLeastDouble, 0};
     AnswerTerms terms;
     out += fmt::format("{} ", name_of(judge(known, hit, terms)));
@@ -194,7 +194,7 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   for (const double t_max : {0.0, kLeastDouble, query.t_max}) {
     const CheckedCase up_to = known.with_t_max(t_max);
     add("collides", up_to.value().truth.collides.value_or(false));
-    const Answer too_late{Verdict::kHit, next_up(t_max), {}, 0, 0, 0, {}};
+    const Answer too_late = Answer::hit(next_up(t_max));
     out += fmt::format("{} ", name_of(judge(up_to, too_late)));
   }
   Query before_zero = query;
@@ -237,7 +237,7 @@ std::string said_by(const std::string& spec, const Case& value) {
     out += ", " + bits((*make_tracer(spec))->trace(value.query, witness, {.precision = 0x1p-5}));
   }
   if (spec == "tdibm-rational") {
-    out += proves_clear(value.query, witness.t, 24) ? ", clear" : ", not clear";
+    out += proves_clear(value.query, witness.t, {.pops = 24}) ? ", clear" : ", not clear";
   }
   return out;
 }

@@ -26,6 +26,8 @@ namespace {
 constexpr size_t kMostPrintedBytes = 1 << 20;  ///< between two questions
 /// How long a process that closed its output may take to die before it is killed.
 constexpr auto kTimeToDie = std::chrono::milliseconds(500);
+/// And one that was told to end, which first ends all that it has started: thousands of processes.
+constexpr auto kTimeToEnd = std::chrono::seconds(5);
 /// How long a process may be dead, its output held open by another, before that is noticed.
 constexpr long kMostBetweenLooks = 50;  // ms
 
@@ -188,7 +190,8 @@ void Child::start() {
 void Child::kill() {
   if (pid_ > 0) {
     ::kill(pid_, SIGTERM);  // it ends whatever the plug-in has started, and itself
-    if (await_end(nullptr, nullptr) != pid_) {
+    ::kill(pid_, SIGCONT);  // should the plug-in have stopped it
+    if (await_end(kTimeToEnd, nullptr, nullptr) != pid_) {
       ::kill(-pid_, SIGKILL);
       ::kill(pid_, SIGKILL);  // the group is not there before the child runs
       ::waitpid(pid_, nullptr, 0);
@@ -303,9 +306,9 @@ bool Child::is_dead() const {
          info.si_pid == pid_;
 }
 
-/// Waits a little. Returns pid_ iff it has ended.
-pid_t Child::await_end(int* status, rusage* used) const {
-  const auto until = Clock::now() + kTimeToDie;
+/// Waits so long at most. Returns pid_ iff it has ended.
+pid_t Child::await_end(Clock::duration most, int* status, rusage* used) const {
+  const auto until = Clock::now() + most;
   pid_t gone = 0;
   while ((gone = ::wait4(pid_, status, WNOHANG, used)) == 0 && Clock::now() < until) {
     ::poll(nullptr, 0, 1);
@@ -317,7 +320,7 @@ pid_t Child::await_end(int* status, rusage* used) const {
 Fault Child::ended() {
   int status = 0;
   rusage used{};
-  const pid_t gone = await_end(&status, &used);
+  const pid_t gone = await_end(kTimeToDie, &status, &used);
   read_printed();
   const std::string printed = printed_text_;
   if (gone != pid_) {

@@ -81,7 +81,7 @@ class Child {
                                                Clock::time_point until);
   bool is_dead() const;
   Fault ended();
-  pid_t await_end(int* status, rusage* used) const;
+  pid_t await_end(Clock::duration most, int* status, rusage* used) const;
   Fault stopped(const std::string& name, const std::string& note);
   bool read_reply();
   bool read_printed();

@@ -37,6 +37,8 @@ struct Answer {
   std::uint64_t pops = 0;
   /// The most memory that the queue, and what a method keeps of the patches for it, took, in bytes.
   std::uint64_t bytes = 0;
+  /// Operations on 64-bit words of exact arithmetic, where doubles did not decide.
+  std::uint64_t work = 0;
   double seconds = 0;
   /// refused: the field that is not taken, its value, and what is. undecided: why. Otherwise what
   /// went wrong; empty if nothing is to be said.

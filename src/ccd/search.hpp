@@ -116,6 +116,13 @@ auto time_parts(const Window& w) {
   }
 }
 
+/// What an inclusion counts that computes exactly.
+template <class Inclusion>
+std::uint64_t exact_work(const Inclusion& inclusion) {
+  if constexpr (requires { inclusion.exact_work(); }) return inclusion.exact_work();
+  return 0;
+}
+
 /// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline):
 /// a queue of cell pairs by ascending start of their window, deeper first on ties, older first
 /// after that; a pair whose cells are narrow enough is a hit at the start of its window; any other
@@ -129,6 +136,7 @@ auto time_parts(const Window& w) {
 ///       parent pair is split, and once for the whole patches
 ///   std::optional<Window> test(int part_a, int part_b, Window w)
 ///       the part of w in which the two parts may touch; nothing if they are separated throughout
+/// Its exact_work(), if it has one, is what it did since begin, for max_work.
 /// An Inclusion with kSplitsTime has each window halved too, before the test: then a hit is as
 /// narrow in time, relative to the time step, as in the parameters.
 /// Guarantee: if test never drops a contact time of a pair that touches in w, then neither the
@@ -142,6 +150,7 @@ class Search {
     const FpGuard guard;
     const auto start = std::chrono::steady_clock::now();
     Answer answer = decide(query, options, inclusion);
+    answer.work = exact_work(inclusion);
     queue_.clear();
     queue_.keep_at_most(kKeptBytes / 4);  // the rest is for the inclusion's tables
     const auto end = std::chrono::steady_clock::now();
@@ -197,6 +206,9 @@ class Search {
         for (int a = 0; a < parts.count[0]; ++a) {
           for (int b = 0; b < parts.count[1]; ++b) {
             if (deadline.passed(work_of_test)) return give_up(answer, entry.window.lo, "time");
+            if (exact_work(inclusion) > options.max_work) {
+              return give_up(answer, entry.window.lo, "work");
+            }
             if (const auto w = inclusion.test(a, b, window)) {
               push(*w, {parts.cells[0][a], parts.cells[1][b]});
             }

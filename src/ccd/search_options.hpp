@@ -6,7 +6,7 @@
 namespace ccdfuzz {
 
 /// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
-/// still be. max_pops and max_bytes are deterministic. Their defaults let every generated query
+/// still be. max_pops, max_bytes and max_work are deterministic. Their defaults let every generated query
 /// end, and end what cannot (patches that coincide over an area need 4^depth pairs): tdibm-c
 /// within about a second, by memory. A solver holds at most max_bytes, a sixth of it and
 /// kGrowthBytes while it answers, and buffers whose size follows from the degrees alone, below 12
@@ -19,10 +19,17 @@ struct SearchOptions {
   double precision = 1e-4;  ///< parameter width at which a pair of cells is a hit; in (0, 1]
   std::uint64_t max_pops = 1'000'000;   ///< pairs taken from the queue
   std::uint64_t max_bytes = 128 << 20;  ///< memory of the queue and, of tdibm-c, the cells
+  /// Operations on 64-bit words that tdibm-rational spends where doubles do not decide: about a
+  /// nanosecond each. Integers are as long as the exponents of a query are far apart.
+  std::uint64_t max_work = kMostExactWork;
   /// Wall time, not NaN; the clock is read by counted work (Deadline), also while a pair is split.
   double max_seconds = kNoTimeLimit;
   /// The clock that max_seconds is of, in seconds; null: a steady one of the machine. For tests.
   double (*clock)() = nullptr;
+
+  /// About a minute. Measured, generated queries of two triangle(2) take up to 2^31, in the family
+  /// mixed-scales, and of two tensor(8,8) up to 2^36.
+  static constexpr std::uint64_t kMostExactWork = std::uint64_t{1} << 36;
 
   /// What the memory may grow by from one look at max_bytes to the next.
   static constexpr std::uint64_t kGrowthBytes = 1 << 20;

@@ -20,7 +20,7 @@ struct QueryOptions {
 /// The work of an answer is its pops times this: measured, a pair of boxes of two patches with n
 /// control points together takes about 15·n·(n + 100) ns with the methods of the paper, 0.63 ms for
 /// two tensor(8,8) and 0.02 ms for two triangle(2). tdibm-c takes an eighth or less of that;
-/// tdibm-rational as much, and more where its numbers grow long.
+/// tdibm-rational as much, and Answer::work where doubles do not decide.
 std::uint64_t work_of_a_pop(const Query& query) {
   const std::uint64_t points =
       query.patches[0].positions.size() + query.patches[1].positions.size();
@@ -30,21 +30,24 @@ std::uint64_t work_of_a_pop(const Query& query) {
 /// What a run may do where no --max-pops is given, on every machine and number of threads alike.
 class DefaultBudget {
  public:
-  /// Pairs of boxes that a method may look at, so that all default methods together take about 5 s
-  /// on two close patches that none can decide.
-  static std::uint64_t pops_of(const Query& query) {
+  /// Limits an answer, so that all default methods together take about 5 s on two close patches
+  /// that none can decide.
+  static void limit(SearchOptions& search, const Query& query) {
     const std::uint64_t pops = kWorkOfAnAnswer / work_of_a_pop(query);
-    return std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
+    const std::uint64_t most = std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
+    search.max_pops = search.max_pops == 0 ? most : std::min(search.max_pops, most);
+    search.max_work = kWorkOfAnAnswer * kExactWork;
   }
 
   void add(const Query& query, const Answer& answer) {
-    work_ += answer.pops * work_of_a_pop(query);
+    work_ += answer.pops * work_of_a_pop(query) + answer.work / kExactWork;
     ++answers_;
   }
   bool is_spent() const { return work_ >= kWorkOfARun + answers_ * kCreditOfAnAnswer; }
 
  private:
   static constexpr std::uint64_t kWorkOfAnAnswer = 40'000'000;  // times 15 ns: 0.6 s
+  static constexpr std::uint64_t kExactWork = 12;               // takes as long: measured, 9 to 24 ns
   /// A run may take this and kCreditOfAnAnswer for each answer given, so that a file of many of the
   /// costliest cases ends, too: about 20 s and 0.05 s an answer. Ordinary data sets stay below:
   /// measured, an answer takes 17,000 in the mean for VV RP and 2,200,000 for FF RN of triangle(2).
@@ -92,10 +95,7 @@ int run_query(const QueryOptions& options, Session& session) {
         if (spent) return Judged();  // is not shown
         const CheckedCase& asked = need(shared.checked());
         SearchOptions search = options.search.options_for(shared.named().value);
-        if (by_default) {
-          const std::uint64_t most = DefaultBudget::pops_of(asked.query());
-          search.max_pops = search.max_pops == 0 ? most : std::min(search.max_pops, most);
-        }
+        if (by_default) DefaultBudget::limit(search, asked.query());
         return ask(methods.local()[options.methods[m]], asked, search);
       },
       [&](const SharedCase& shared, size_t m, const Judged& judged) {

@@ -20,7 +20,7 @@ enum class Standing {
   kHolds,          ///< whether the patches touch in [0, t_max] is proven by a certificate
   kHoldsByMethod,  ///< that they do not has no certificate: the exact method found it again
   kRefuted,        ///< exact arithmetic contradicts the case
-  kUnproven,       ///< the absence of contact that it claims could not be proven again
+  kUnproven,       ///< what it claims could not be proven again, or would take too long
   kNoClaim,        ///< the case says neither that there is a contact nor until when there is none
 };
 
@@ -47,18 +47,18 @@ struct Verified {
   }
 };
 
-/// proves_clear within half the work of a certificate, as which it counts: measured, a pair of
-/// cells of two patches with n control points together takes as long as 8·n·(n + 100) operations
-/// there.
-bool method_proves(const Query& query, const Rational& until) {
+/// proves_clear within the work of a certificate, as which it counts, half of it for doubles:
+/// measured, a pair of cells of two patches with n control points together takes there as long as
+/// 8·n·(n + 100) operations. Returns whether it is proven and whether a limit was met.
+std::pair<bool, bool> method_proves(const Query& query, const Rational& until) {
   const std::uint64_t points =
       query.patches[0].positions.size() + query.patches[1].positions.size();
   const std::uint64_t of_a_pop = 8 * points * (points + 100);
-  std::uint64_t pops = 0;
-  const bool proven =
-      proves_clear(query, until, std::min<std::uint64_t>(100'000, kMostWork / 2 / of_a_pop), &pops);
-  do_work_here(pops * of_a_pop);
-  return proven;
+  const ClearEffort most = {std::min(ClearEffort().pops, kMostWork / 2 / of_a_pop), kMostWork / 2};
+  ClearEffort spent;
+  const bool proven = proves_clear(query, until, most, &spent);
+  do_work_here(spent.pops * of_a_pop + spent.work);
+  return {proven, spent.pops >= most.pops || spent.work >= most.work};
 }
 
 /// Everything the case claims: all that has a certificate by the checker, whatever else it says of
@@ -67,7 +67,8 @@ Verified verify(const NamedCase& named) {
   const Case& value = named.value;
   const Truth& truth = value.truth;
   if (const auto checked = check_case(value, trees_path(named.file)); !checked) {
-    return {named.id, Standing::kRefuted, checked.error().message()};
+    const InputError& error = checked.error();
+    return {named.id, error.is_limit ? Standing::kUnproven : Standing::kRefuted, error.message()};
   }
   if (!truth.collides && !truth.clear_until && !truth.clearance) {
     return {named.id, Standing::kNoClaim, "the case has no truth"};
@@ -78,9 +79,10 @@ Verified verify(const NamedCase& named) {
   // A later claim includes an earlier one, also at the very end: [0, c) lies in [0, c].
   if (truth.clear_until && *truth.clear_until > clear_until) clear_until = *truth.clear_until;
   if (truth.collides != false && clear_until == 0) return {named.id};
-  if (!method_proves(value.query, clear_until)) {
+  if (const auto [proven, at_limit] = method_proves(value.query, clear_until); !proven) {
     return {named.id, Standing::kUnproven,
-            fmt::format("no proof found that nothing touches up to t = {}", shown(clear_until))};
+            fmt::format("no proof found {}that nothing touches up to t = {}",
+                        at_limit ? "within the work of a case " : "", shown(clear_until))};
   }
   // That there is a contact is proven all the same.
   if (truth.collides == true) {

@@ -157,6 +157,27 @@ TEST(TdibmRational, UsesTheNarrowestTierThatSuffices) {
   EXPECT_GT(in_gmp.gmp, 0U);
 }
 
+TEST(TdibmRational, WorkGrowsWithTheLengthOfItsIntegersAndIsBounded) {
+  SearchOptions options;
+  TdibmRational method;
+  const auto work_at = [&](double unit) {
+    return method.answer(touching(Shape::triangle(2), unit), options).work;
+  };
+  const std::uint64_t in_128 = work_at(1), in_512 = work_at(0x1p-300), in_gmp = work_at(0x1p-900);
+  EXPECT_GT(in_128, 0U);
+  EXPECT_GT(in_512, 2 * in_128);
+  EXPECT_GT(in_gmp, 2 * in_512);
+  options.max_work = in_gmp;
+  EXPECT_EQ(method.answer(touching(Shape::triangle(2), 0x1p-900), options).verdict, Verdict::kHit);
+  options.max_work = in_gmp / 2;
+  const Answer ended = method.answer(touching(Shape::triangle(2), 0x1p-900), options);
+  EXPECT_EQ(ended.verdict, Verdict::kUndecided);
+  EXPECT_EQ(ended.note, "work budget exhausted");
+  EXPECT_TRUE(ended.toi && *ended.toi <= 1);
+  EXPECT_GT(ended.work, options.max_work);
+  EXPECT_LT(ended.work, in_gmp);
+}
+
 TEST(TdibmRational, DecidesExponentsFromOneEndOfTheRangeToTheOther) {
   // A gap of the least double, or none, under a triangle of size 2^1000.
   for (const double height : {0.0, 0x1p-1074, -0x1p-1074}) {

@@ -118,7 +118,7 @@ TEST_F(Hostile, TheLongestWitnessThatIsReadIsWithinTheWorkBudgetOrRefused) {
   const std::string path = file(value);
   const Finished verified = limited("verify " + path);
   EXPECT_EQ(verified.code, 1) << verified.err;
-  EXPECT_THAT(verified.out, HasSubstr("truth.witness: exceeds the work budget"));
+  EXPECT_THAT(verified.out, HasSubstr("unproven  truth.witness: exceeds the work budget"));
   const Finished asked = limited("query " + path);
   EXPECT_EQ(asked.code, 2) << asked.out;
   EXPECT_THAT(asked.err, HasSubstr("truth.witness: exceeds the work budget"));
@@ -228,6 +228,35 @@ TEST_F(Hostile, AFileOfManyAbsencesByWordEndsAtTheLimitOfARun) {
   const Finished verified = limited("verify --max-work 1000000000 --threads 1 " + path);
   EXPECT_EQ(verified.code, 2) << verified.out;
   EXPECT_THAT(verified.err, HasSubstr(":1: checking the cases up to this one takes more than "));
+}
+
+/// near_tensors in the smallest numbers, one of them moved by a large one.
+Query tensors_of_far_exponents() {
+  Query query = near_tensors();
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& p : patch.positions) p *= 0x1p-600;
+    for (Vec3<double>& v : patch.velocities) v *= 0;
+  }
+  query.patches[0].velocities[0][0] = 0.5;
+  return query;
+}
+
+TEST_F(Hostile, AnAbsenceByWordInNumbersFarApartIsUnprovenAfterTheWorkOfACase) {
+  Case value;
+  value.query = tensors_of_far_exponents();
+  value.truth.collides = false;
+  value.truth.proof = "rational-tdibm";
+  const Finished verified = limited("verify " + file(value));
+  EXPECT_EQ(verified.code, 1) << verified.err;
+  EXPECT_THAT(verified.out, HasSubstr("unproven  no proof found within the work of a case"));
+}
+
+TEST_F(Hostile, AQueryOfNumbersFarApartIsLeftUndecidedByTheExactMethod) {
+  Case value;
+  value.query = tensors_of_far_exponents();
+  const Finished asked = limited("query --json --methods tdibm-rational " + file(value));
+  EXPECT_EQ(asked.code, 0) << asked.err;
+  EXPECT_THAT(asked.out, HasSubstr("work budget exhausted"));
 }
 
 TEST_F(Hostile, ATreeOfNestedSplitsIsRefused) {

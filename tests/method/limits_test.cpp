@@ -94,7 +94,7 @@ TEST(Memory, AThreadThatDecidesKeepsLittle) {
   options.max_pops = 3'000;
   options.max_tree_nodes = 100;
   decide(parallel(Shape::tensor(3, 3), 0x1p-28), options);
-  proves_clear(parallel(Shape::triangle(2), 0x1p-20), 1, 300);
+  proves_clear(parallel(Shape::triangle(2), 0x1p-20), 1, {.pops = 300});
   EXPECT_LE(allocated_bytes() - before, static_cast<long>(3 * kKeptBytes));
 }
 

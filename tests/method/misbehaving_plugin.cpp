@@ -1,4 +1,5 @@
 // A plug-in that does what its option says, each of them something that no plug-in may do.
+#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -48,9 +49,10 @@ void misbehave(const std::string& does) {
 }
 
 /// Starts a process in a session of its own that would stay for ever. Returns its id.
-pid_t leave_behind() {
+pid_t leave_behind(const char* name = "left") {
   const pid_t left = ::fork();
   if (left != 0) return left;
+  ::prctl(PR_SET_NAME, name);
   ::setsid();
   std::signal(SIGTERM, SIG_IGN);
   while (true) ::pause();
@@ -81,6 +83,9 @@ std::int32_t answer(void* state, const ccdfuzz_query* query, ccdfuzz_answer* out
   misbehave(s.does);
   if (s.does == "silent") return 0;
   if (s.does == "leave") out->iterations = static_cast<std::uint64_t>(leave_behind());
+  if (s.does == "crowd") {
+    for (int i = 0; i < 1000; ++i) out->iterations += leave_behind("ccdfuzz-crowd") > 0 ? 1U : 0U;
+  }
   if (s.does == "leave-and-exit") {
     std::fprintf(stderr, "%d", static_cast<int>(leave_behind()));
     std::exit(7);

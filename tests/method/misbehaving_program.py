@@ -73,6 +73,9 @@ for line in sys.stdin:
             sys.exit(1)
         if options == "word":
             reply["verdict"] = "maybe"
+        if options.startswith("says "):
+            key, value = options.split()[1:]
+            reply[key] = json.loads(value)
         if options == "no toi":
             del reply["toi"]
     print(json.dumps(reply), flush=True)

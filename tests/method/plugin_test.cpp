@@ -112,7 +112,17 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"exit", "exit 3", "gave up"}, Misdeed{"kill", "crash SIGKILL", ""},
                     Misdeed{"hang:seconds=1", "hang", ""}, Misdeed{"close", "garbage", ""},
                     Misdeed{"memory:mb=500", "exit 1", "MemoryError"},
-                    Misdeed{"word", "garbage", "maybe"}, Misdeed{"no toi", "toi missing", ""}));
+                    Misdeed{"word", "garbage", "maybe"}, Misdeed{"no toi", "toi missing", ""},
+                    Misdeed{"says toi [0,Infinity]", "toi infinite", "until the time inf"},
+                    Misdeed{"says toi [0,\"soon\"]", "garbage", "until \"soon\""},
+                    Misdeed{"says toi [0.5,0.25]", "toi order", ""},
+                    Misdeed{"says iterations -1", "garbage", "iterations -1"},
+                    Misdeed{"says iterations 0.5", "garbage", "iterations 0.5"},
+                    Misdeed{"says bytes 1e300", "garbage", "bytes 1e+300"},
+                    Misdeed{"says seconds -1", "garbage", "seconds -1"},
+                    Misdeed{"says seconds Infinity", "garbage", "seconds \"Infinity\""},
+                    Misdeed{"says tolerance \"small\"", "garbage", "tolerance \"small\""},
+                    Misdeed{"says id 1.5", "stale", "1.5"}));
 
 TEST(Plugin, ThatLiesAboutItsTableIsKnownByThat) {
   ::setenv("CCDFUZZ_TEST_LYING_TABLE", "1", 1);
@@ -241,6 +251,26 @@ TEST(Plugin, LeavesNoProcessBehindThatItStarted) {
   const std::string printed = "it printed: ";
   ASSERT_NE(note.find(printed), std::string::npos) << note;
   EXPECT_FALSE(lives(std::stoi(note.substr(note.find(printed) + printed.size()))));
+}
+
+/// Processes of this name.
+size_t count_of(const std::string& name) {
+  size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "comm");
+    std::string line;
+    if (std::getline(file, line) && line == name) ++count;
+  }
+  return count;
+}
+
+TEST(Plugin, LeavesNothingOfAThousandProcessesThatItStarted) {
+  {
+    const auto method = made(kMisbehaving + ":crowd:repeat=no:seconds=60");
+    EXPECT_EQ(method->answer(falling_vertex(), {}).pops, 1000U);
+    EXPECT_EQ(count_of("ccdfuzz-crowd"), 1000U);
+  }
+  EXPECT_EQ(count_of("ccdfuzz-crowd"), 0U);
 }
 
 bool ends_soon(pid_t pid) {

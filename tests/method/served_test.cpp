@@ -129,7 +129,7 @@ struct Aborting : Method {
 struct Echoing : Method {
   Answered answer(const Query& query, const SearchOptions& options) override {
     Answered given{
-        {Verdict::kHit, query.t_max, {{{0.25, 0.5}, {1, -0.0}}}, 0, 77, 0, "a \"note\""}};
+        {Verdict::kHit, query.t_max, {{{0.25, 0.5}, {1, -0.0}}}, 0, 77, 0, 0, "a \"note\""}};
     given.pops = options.max_pops;
     given.bytes = options.max_bytes;
     given.seconds = options.max_seconds;

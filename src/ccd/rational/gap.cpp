@@ -57,6 +57,7 @@ int top_of(double m) {
 void Gap::begin(const Query& query) {
   query_ = &query;
   units_ = Units::of(query);
+  exact_work_ = 0;
   std::apply([](auto&... tier) { ((tier.loaded = false), ...); }, tiers_);
 
   int top = std::numeric_limits<int>::min() / 2;
@@ -163,9 +164,11 @@ int Gap::exact_sign(int below, double t, const Extremes& at) {
       std::span(marks[1]).first(static_cast<size_t>(selected_[1].count))};
   const auto ask = [&]<class Int>(std::uint64_t& count) {
     ++count;
-    return std::get<Tier<Int>>(tiers_)
-        .of(*query_, units_)
-        .gap_sign(below, cells_, axis_, unscaled(t), candidates);
+    ExactScene<Int>& scene = std::get<Tier<Int>>(tiers_).of(*query_, units_);
+    const std::uint64_t before = scene.work();
+    const int sign = scene.gap_sign(below, cells_, axis_, unscaled(t), candidates);
+    exact_work_ += scene.work() - before;
+    return sign;
   };
   const int bits = units_.bits_needed(axis_bits_, cells_[0].depth);
   if (bits <= 128) return ask.operator()<WideInt<128>>(counts_.int128);

@@ -77,6 +77,8 @@ class Gap {
   int length_shift() const { return length_shift_; }
 
   const TierCounts& counts() const { return counts_; }
+  /// Operations on 64-bit words of the exact tiers since begin().
+  std::uint64_t exact_work() const { return exact_work_; }
 
  private:
   int exact_sign(int below, double t, const Extremes& at);
@@ -112,6 +114,7 @@ class Gap {
 
   std::tuple<Tier<WideInt<128>>, Tier<WideInt<256>>, Tier<WideInt<512>>, Tier<Integer>> tiers_;
   TierCounts counts_;
+  std::uint64_t exact_work_ = 0;
 };
 
 }  // namespace ccdfuzz::exact_ccd

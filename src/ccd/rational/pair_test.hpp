@@ -23,6 +23,7 @@ class PairTest {
                              ExclusionObserver& observer);
 
   Gap& gap() { return gap_; }
+  std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:
   const Frame& frame(int side, int part, double t);

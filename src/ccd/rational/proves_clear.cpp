@@ -7,19 +7,23 @@
 
 namespace ccdfuzz {
 
-bool proves_clear(const Query& query, const Rational& until, std::uint64_t max_pops,
-                  std::uint64_t* pops) {
+bool proves_clear(const Query& query, const Rational& until, const ClearEffort& most,
+                  ClearEffort* spent) {
   const FpGuard guard;
   CCDFUZZ_VERIFY(sgn(until) >= 0);
   Query horizon = query;
   horizon.t_max = round_up(until);  // proves at least what was asked
-  if (!is_finite(horizon.t_max)) return false;
+  if (!is_finite(horizon.t_max)) {
+    if (spent != nullptr) *spent = {0, 0};
+    return false;
+  }
   SearchOptions options;
   options.precision = 0x1p-30;
-  options.max_pops = max_pops;
+  options.max_pops = most.pops;
+  options.max_work = most.work;
   thread_local TdibmRational method;
   const Answer answer = method.answer(horizon, options);
-  if (pops != nullptr) *pops = answer.pops;
+  if (spent != nullptr) *spent = {answer.pops, answer.work};
   return answer.verdict == Verdict::kMiss;
 }
 

@@ -72,7 +72,7 @@ class Work {
   std::uint64_t most_, left_;
 };
 
-/// check(work). Errors: those of check; it exceeds the budget, naming `where`.
+/// check(work). Errors: those of check; it exceeds the budget, naming `where` (is_limit).
 template <class Check>
 auto within_work(const char* where, std::uint64_t most, const Check& check)
     -> decltype(check(std::declval<Work&>())) {
@@ -80,8 +80,9 @@ auto within_work(const char* where, std::uint64_t most, const Check& check)
   try {
     return check(work);
   } catch (const Work::Exceeded&) {
-    return input_error(
-        where, fmt::format("exceeds the work budget of {} operations on 64-bit words", most));
+    return tl::unexpected<InputError>(
+        {where, fmt::format("exceeds the work budget of {} operations on 64-bit words", most),
+         true});
   }
 }
 

@@ -102,10 +102,46 @@ std::optional<double> number_of(const JsonValue* value) {
   return real ? std::optional(*real) : std::nullopt;
 }
 
-std::uint64_t whole_of(const JsonValue* value) {
+/// A whole number in [0, 2^63).
+std::optional<std::uint64_t> whole_of(const JsonValue* value) {
   const std::optional<double> number = number_of(value);
-  constexpr double kMost = 0x1p63;
-  return number && *number >= 0 && *number < kMost ? static_cast<std::uint64_t>(*number) : 0;
+  if (!number || !(*number >= 0 && *number < 0x1p63)) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(*number);
+  return static_cast<double>(whole) == *number ? std::optional(whole) : std::nullopt;
+}
+
+bool is_given(const JsonValue* value) {
+  return value != nullptr && value->kind != JsonKind::kNull;
+}
+
+/// Reads a count that may be left out or null.
+tl::expected<void, Fault> read_count(const JsonValue& object, std::string_view key,
+                                     std::uint64_t& out) {
+  const JsonValue* value = object.find(key);
+  if (!is_given(value)) return {};
+  const std::optional<std::uint64_t> count = whole_of(value);
+  if (!count) {
+    return garbage_answer(
+        fmt::format("says {} {}, which is no whole number in [0, 2^63)", key, shown(*value)));
+  }
+  out = *count;
+  return {};
+}
+
+/// Reads what it may have measured: left out or null, NaN, or a number in [0, most]. Returns whether
+/// there is one.
+tl::expected<bool, Fault> read_measure(const JsonValue& object, std::string_view key, double most,
+                                       double& out) {
+  const JsonValue* value = object.find(key);
+  if (!is_given(value)) return false;
+  const std::optional<double> number = number_of(value);
+  if (!number || *number < 0 || *number > most) {
+    return garbage_answer(
+        fmt::format("says {} {}, which is no number in [0, {}]", key, shown(*value), most));
+  }
+  if (std::isnan(*number)) return false;
+  out = *number;
+  return true;
 }
 
 /// Reads a claim that may be left out. A claim that cannot be read is none that may be guessed at.
@@ -188,10 +224,11 @@ tl::expected<PluginDescription::Pair, Fault> read_pair(const JsonValue& value) {
       return garbage_answer(fmt::format("accepts a shape \"{}\" that there is not", shape));
     }
     pair.shapes[side] = *kind;
-    const JsonValue* degree = value.items[side].find("max_degree");
-    pair.max_degrees[side] =
-        degree == nullptr ? kMaxDegree
-                          : static_cast<int>(std::min<std::uint64_t>(whole_of(degree), kMaxDegree));
+    std::uint64_t degree = kMaxDegree;
+    if (auto read = read_count(value.items[side], "max_degree", degree); !read) {
+      return tl::unexpected(read.error());
+    }
+    pair.max_degrees[side] = static_cast<int>(std::min<std::uint64_t>(degree, kMaxDegree));
   }
   return pair;
 }
@@ -214,7 +251,14 @@ tl::expected<void, Fault> read_toi(const JsonValue* value, double t_max, PluginA
                         fmt::format("hit at the time {}, and t_max is {}", *toi, t_max));
   }
   out.answer.toi = *toi;
-  out.toi_upper = number_of(upper).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (is_given(upper)) {
+    const std::optional<double> last = number_of(upper);
+    if (!last) return garbage_answer(fmt::format("hit until {}, which is no time", shown(*upper)));
+    if (std::isinf(*last)) {
+      return answer_fault("toi infinite", fmt::format("hit until the time {}", *last));
+    }
+    out.toi_upper = *last;
+  }
   if (out.toi_upper < *toi) {
     return answer_fault("toi order", fmt::format("hit between {} and {}", *toi, out.toi_upper));
   }
@@ -317,22 +361,24 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
   if (const JsonValue* named = object->find("fault"); named != nullptr) {
     return answer_fault(named->text, message);
   }
-  if (const JsonValue* echoed = object->find("id"); echoed == nullptr || whole_of(echoed) != id) {
+  if (const JsonValue* echoed = object->find("id"); whole_of(echoed) != id) {
     return answer_fault("stale", fmt::format("answered question {} when asked question {}",
                                              echoed == nullptr ? "none" : shown(*echoed), id));
   }
   PluginAnswer out;
   out.answer.note = message;
-  out.answer.pops = whole_of(object->find("iterations"));
-  out.answer.bytes = whole_of(object->find("bytes"));
-  out.tolerance =
-      number_of(object->find("tolerance")).value_or(std::numeric_limits<double>::quiet_NaN());
-  if (out.tolerance < 0) {
-    return garbage_answer(fmt::format("has achieved a tolerance of {}", out.tolerance));
-  }
-  const std::optional<double> seconds = number_of(object->find("seconds"));
-  out.has_seconds = seconds && *seconds >= 0;
-  if (out.has_seconds) out.answer.seconds = *seconds;
+  constexpr double kAnyTolerance = std::numeric_limits<double>::infinity();
+  constexpr double kMostSeconds = 1e9;
+  const auto costs =
+      read_count(*object, "iterations", out.answer.pops)
+          .and_then([&] { return read_count(*object, "bytes", out.answer.bytes); })
+          .and_then(
+              [&] { return read_measure(*object, "tolerance", kAnyTolerance, out.tolerance); })
+          .and_then([&](bool) {
+            return read_measure(*object, "seconds", kMostSeconds, out.answer.seconds);
+          });
+  if (!costs) return tl::unexpected(costs.error());
+  out.has_seconds = *costs;
   const std::string verdict = text_of(*object, "verdict");
   if (verdict == "error") return answer_fault("error", "says that it failed: " + message);
   if (verdict == "miss") {
