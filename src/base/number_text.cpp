@@ -82,8 +82,8 @@ Result<double> parse_number(const std::string& where, const std::string& text) {
 
 Result<double> parse_seconds(const std::string& where, const std::string& text) {
   return parse_number(where, text).and_then([&](double seconds) -> Result<double> {
-    if (seconds > 0) return seconds;
-    return input_error(where, fmt::format("{} is not above 0", text));
+    if (0 < seconds && seconds <= kMostSeconds) return seconds;
+    return input_error(where, fmt::format("{} is not in (0, {}]", text, kMostSeconds));
   });
 }
 

@@ -15,7 +15,10 @@ namespace ccdfuzz {
 /// rounding loses, as in 1+2^-60; `where` is the option's name.
 Result<double> parse_number(const std::string& where, const std::string& text);
 
-/// One above 0: how many seconds.
+/// More than 30 years: no limit of a run.
+inline constexpr double kMostSeconds = 1e9;
+
+/// One in (0, kMostSeconds]: how many seconds.
 Result<double> parse_seconds(const std::string& where, const std::string& text);
 
 /// A list of them, separated by commas.

@@ -101,6 +101,7 @@ tl::unexpected<InputError> OutputFile::failed(const char* doing, int error) {
 }
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
+  if (path == "-") return input_error(path, "is no file here; /dev/stdout is standard output");
   OutputFile file;
   file.path_ = path;
   std::error_code ignored;

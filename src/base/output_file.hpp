@@ -11,7 +11,7 @@ namespace ccdfuzz {
 /// A file that appears whole or not at all: written under a temporary name in the same folder,
 /// flushed to the disk and renamed over its path by commit(). Until then, and for ever if commit
 /// is never reached, what stood at the path stays. A path that is a device or a pipe is written
-/// directly. Errors: what the system says, naming the path.
+/// directly. Errors: what the system says, naming the path; "-", which others take for stdout.
 class OutputFile {
  public:
   static Result<OutputFile> create(const std::string& path);

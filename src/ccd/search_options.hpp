@@ -6,8 +6,8 @@
 namespace ccdfuzz {
 
 /// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
-/// still be. max_pops, max_bytes and max_work are deterministic. Their defaults let every generated query
-/// end, and end what cannot (patches that coincide over an area need 4^depth pairs): tdibm-c
+/// still be. max_pops, max_bytes and max_work are deterministic. Their defaults let every generated
+/// query end, and end what cannot (patches that coincide over an area need 4^depth pairs): tdibm-c
 /// within about a second, by memory. A solver holds at most max_bytes, a sixth of it and
 /// kGrowthBytes while it answers, and buffers whose size follows from the degrees alone, below 12
 /// MiB; between queries it keeps at most kKeptBytes of all that (numeric/block_array.hpp).

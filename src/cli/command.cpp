@@ -30,9 +30,12 @@ namespace {
 std::string called_as = "ccdfuzz";
 std::string typed;
 
+/// Of a long line only both ends: a value of an option may be of any length.
 void print_shown_lines(const std::string& text, const char* first_margin, const char* margin) {
+  constexpr size_t kLongest = 2000, kEnd = kLongest / 2;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); first_margin = margin) {
+    if (line.size() > kLongest) line.replace(kEnd, line.size() - kLongest, " … ");
     print_err(fmt::format("{}{}\n", first_margin, shown_line(line)));
   }
 }
@@ -41,6 +44,21 @@ void print_shown_lines(const std::string& text, const char* first_margin, const 
 int complain(const std::string& message, int code) {
   print_shown_lines(message, "ccdfuzz: ", "  ");
   return code;
+}
+
+/// Says of which option of the command the path is that the error stands at, if it is of one: the
+/// option's value, or what is in it or beside it.
+void name_option(const CLI::App& command, InputError& error) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional()) continue;
+    for (const std::string& value : option->results()) {
+      if (!error.where.starts_with(value)) continue;
+      const std::string rest = error.where.substr(value.size());
+      if (!rest.empty() && rest[0] != '/' && rest[0] != '.') continue;
+      error.where = fmt::format("{}: {}", option->get_name(), error.where);
+      return;
+    }
+  }
 }
 
 /// A closed one would become the next file that is opened, and messages would go into it. Opened
@@ -235,10 +253,6 @@ int CommandLine::parse_and_run(int argc, char** argv) {
   end_on_signals();
   try {
     return parse_and_run_chosen(argc, argv);
-  } catch (const std::filesystem::filesystem_error& error) {
-    return complain(
-        system_error(error.path1().string(), "read", error.code().value()).value().message(),
-        kBadInput);
   } catch (const std::exception& error) {
     return complain(fmt::format("internal error: {}", error.what()), kInternal);
   }
@@ -272,7 +286,10 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   } catch (const BadInput& bad) {
     session_->end_table();
     error = bad.error;
+  } catch (const std::filesystem::filesystem_error& refused) {
+    error = system_error(refused.path1().string(), "read", refused.code().value()).value();
   }
+  if (error) name_option(*app_->get_subcommands().front(), *error);
   // What was printed before an error must be out before the complaint, and an unwritable stdout is
   // an error of its own unless there is one already.
   const Result<void> flushed = flush_stdout();

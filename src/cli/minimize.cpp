@@ -75,6 +75,7 @@ void write_minimised(const MinimizeOptions& options, Case value, bool json) {
 }
 
 int run_minimize(const MinimizeOptions& options, Session& session) {
+  if (options.output == "-") throw BadInput{{"--output", "- is no file; the default is stdout"}};
   const NamedCase found = need(read_case(options.file));
   Asker asker = asker_for(found, options);
   const CheckedCase known = need(check_case(found));

@@ -47,7 +47,7 @@ class DefaultBudget {
 
  private:
   static constexpr std::uint64_t kWorkOfAnAnswer = 40'000'000;  // times 15 ns: 0.6 s
-  static constexpr std::uint64_t kExactWork = 12;               // takes as long: measured, 9 to 24 ns
+  static constexpr std::uint64_t kExactWork = 12;  // takes as long: measured, 9 to 24 ns
   /// A run may take this and kCreditOfAnAnswer for each answer given, so that a file of many of the
   /// costliest cases ends, too: about 20 s and 0.05 s an answer. Ordinary data sets stay below:
   /// measured, an answer takes 17,000 in the mean for VV RP and 2,200,000 for FF RN of triangle(2).

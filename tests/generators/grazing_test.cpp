@@ -134,7 +134,8 @@ TEST(Grazing, FewPopsThrowAwayMore) {
     options.proof_pops = kPops;
     const Generated made = generate(options, i);
     few += made.discards;
-    EXPECT_TRUE(proves_clear(made.value.query, *made.value.truth.clear_until, {.pops = kPops})) << i;
+    EXPECT_TRUE(proves_clear(made.value.query, *made.value.truth.clear_until, {.pops = kPops}))
+        << i;
   }
   EXPECT_GT(few[Discard::kFirstContact], many[Discard::kFirstContact]);
 }

@@ -58,12 +58,11 @@ class Deciding {
     // A pair of cells costs the exact method about as much as a dozen cost the other.
     const bool is_exact = std::is_same_v<Method, TdibmRational>;
     const std::uint64_t pops = is_exact ? options_.max_pops / 12 : options_.max_pops;
-    const Answer answer = method.answer(
-        query_, {.precision = precision,
-                 .max_pops = pops,
-                 .max_bytes = options_.max_bytes,
-                 .max_seconds = deadline_.left(),
-                 .clock = options_.clock});
+    const Answer answer = method.answer(query_, {.precision = precision,
+                                                 .max_pops = pops,
+                                                 .max_bytes = options_.max_bytes,
+                                                 .max_seconds = deadline_.left(),
+                                                 .clock = options_.clock});
     out_.pops += answer.pops;
     if (answer.verdict != Verdict::kMiss && answer.toi) clear_ = std::max(clear_, *answer.toi);
     if (answer.verdict == Verdict::kUndecided) out_.note = answer.note;

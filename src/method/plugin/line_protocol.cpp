@@ -128,8 +128,8 @@ tl::expected<void, Fault> read_count(const JsonValue& object, std::string_view k
   return {};
 }
 
-/// Reads what it may have measured: left out or null, NaN, or a number in [0, most]. Returns whether
-/// there is one.
+/// Reads what it may have measured: left out or null, NaN, or a number in [0, most]. Returns
+/// whether there is one.
 tl::expected<bool, Fault> read_measure(const JsonValue& object, std::string_view key, double most,
                                        double& out) {
   const JsonValue* value = object.find(key);
