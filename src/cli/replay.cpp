@@ -199,7 +199,9 @@ class Replay {
     Case now = entry.value;
     for (const ReplayRow& row : rows) now.expect[row.method] = row.got;
     const std::filesystem::path parent = std::filesystem::path(entry.id).parent_path();
-    const FolderLock lock = need(FolderLock::take(parent.empty() ? "." : parent.string()));
+    const std::string folder = parent.empty() ? "." : parent.string();
+    const FolderLock lock = need(FolderLock::take(folder));
+    if (cleared_.insert(folder).second) remove_leftovers(folder);
     if (!(need(read_case(entry.id)).value == entry.value)) {
       print_err(fmt::format("ccdfuzz: {}: changed meanwhile; it is left as it is\n", entry.id));
       return;
@@ -255,6 +257,7 @@ class Replay {
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
   ReplayedClaims claims_;
   std::set<std::string> asked_;
+  std::set<std::string> cleared_;  ///< folders of what killed writers left
   NotAllowed not_allowed_;
   CaseCount case_counts_;
 };
