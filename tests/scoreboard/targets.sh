@@ -4,6 +4,7 @@
 # seconds of CPU time until the target stops on its own.
 #   tests/scoreboard/targets.sh BUILD [SECONDS [TARGET...]]
 # BUILD: a build by clang with -DCCDFUZZ_FUZZ=ON -DCCDFUZZ_SCOREBOARD=ON, target planted_fuzz_targets.
+# SECONDS: of CPU time for each fault, a whole number (default 40).
 # Exits 1 if a target stops without a fault, or with none.
 set -euo pipefail
 usage() { sed -n '2,/^[^#]/s/^# \{0,1\}//p' "$0"; }
@@ -12,7 +13,7 @@ case ${1-} in
   -h | --help) usage; exit ;;
 esac
 build=$(cd "$1" && pwd) || exit 2
-seconds=${2:-60}
+seconds=${2:-40}
 shift $(($# < 2 ? $# : 2))
 cd "$(dirname "$0")/../.."
 here=tests/scoreboard
@@ -22,6 +23,14 @@ mapfile -t faults < <(awk -F': ' '
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 "$build"/fuzz/witnessed_inputs encode "$scratch/seeds" corpus >/dev/null
+
+# The limit of the shell is of CPU time; whoever reaches it has noticed nothing.
+run_limited() {  # seconds, fault or nothing, program, arguments...
+  (
+    ulimit -S -t "$1"
+    CCDFUZZ_FAULT=$2 exec "${@:3}"
+  ) >"$scratch/log" 2>&1
+}
 
 # Sets status, runs and used (CPU seconds).
 run_target() {  # target, seconds, fault or nothing
@@ -35,11 +44,13 @@ run_target() {  # target, seconds, fault or nothing
   mkdir "$scratch/corpus"
   status=0
   local TIMEFORMAT=%U
-  { time CCDFUZZ_FAULT=${3-} "$build/tests/scoreboard/planted_fuzz_$1" -seed=1 -timeout=20 \
-      -max_total_time="$2" -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/corpus" \
-      "${options[@]}" >"$scratch/log" 2>&1 || status=$?; } 2>"$scratch/time"
-  used=$(tail -n 1 "$scratch/time")
+  { time run_limited "$2" "${3-}" "$build/tests/scoreboard/planted_fuzz_$1" -seed=1 -timeout=20 \
+    -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/corpus" "${options[@]}" \
+    || status=$?; } 2>"$scratch/time"
+  used=$(grep -x "[0-9.]*" "$scratch/time" | tail -n 1)  # the shell says there, too, what ended it
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$scratch/log")
+  [ $status -ne $((128 + $(kill -l XCPU))) ] || status=0
+  [ -n "$runs" ] || runs=$(sed -n 's/^#\([0-9]*\).*/\1/p' "$scratch/log" | tail -n 1)
 }
 
 wrong=0
