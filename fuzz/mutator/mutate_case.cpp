@@ -18,6 +18,7 @@ std::size_t put(const Contact& q, std::uint8_t method, std::span<std::uint8_t> o
 /// Mostly the same one: margins say how near *it* came to losing the contact.
 std::uint8_t mutated_method(std::uint8_t method, std::uint64_t count, Draw& draw) {
   constexpr std::uint64_t kChangedIn = 8;
+  if (method >= count) return static_cast<std::uint8_t>(draw.below(count));
   if (count < 2 || draw.below(kChangedIn) != 0) return method;
   return static_cast<std::uint8_t>((method + 1 + draw.below(count - 1)) % count);
 }

@@ -75,6 +75,18 @@ TEST_P(MutateCase, KeepsTheMethodSevenTimesInEight) {
 // The fuzzer's own moves each time, or never in practice.
 INSTANTIATE_TEST_SUITE_P(OwnMoves, MutateCase, testing::Values(1, 1'000'000));
 
+// libFuzzer begins with a line feed where it has no corpus.
+TEST(MutateCase, AnInputThatNamesNoMethodIsGivenAnyOne) {
+  std::array<unsigned, kUnproven.size()> with_method{};
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::vector<std::uint8_t> bytes(kMaxSize, '\n');
+    bytes.resize(mutate_case(bytes.data(), 1, kMaxSize, seed, {.methods = kUnproven.size()}));
+    ASSERT_LT(method_number(bytes), kUnproven.size());
+    ++with_method[method_number(bytes)];
+  }
+  for (const unsigned count : with_method) EXPECT_GT(count, 0U);
+}
+
 TEST(MutateCase, AnInputThatIsNoneBecomesOne) {
   std::vector<std::uint8_t> bytes(kMaxSize);
   bytes.resize(mutate_case(bytes.data(), 0, kMaxSize, 1, {.own_in = 1, .methods = 1}));
