@@ -262,24 +262,35 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
   }
 }
 
+void case_fields(auto& archive, auto& value) {
+  const int version = archive.format("ccdfuzz-case", 1, 2);
+  archive.reserved({"separation", "weights", "bodies"});
+  archive("patches", value.query.patches);
+  archive("t_max", value.query.t_max, not_negative);
+  archive.optional("truth", value.truth);
+  archive.optional("origin", value.origin);
+  if (version > 1) archive.optional("asked", value.asked);
+  archive.optional("expect", value.expect);
+  if constexpr (kReads<decltype(archive)>) {
+    if (version == 1) carry_over_version_1(archive.object(), value);
+  }
+}
+
 }  // namespace
 
-template <>
-struct JsonForm<Case> {
-  static void fields(auto& archive, auto& value) {
-    const int version = archive.format("ccdfuzz-case", 1, 2);
-    archive.reserved({"separation", "weights", "bodies"});
-    archive("patches", value.query.patches);
-    archive("t_max", value.query.t_max, not_negative);
-    archive.optional("truth", value.truth);
-    archive.optional("origin", value.origin);
-    if (version > 1) archive.optional("asked", value.asked);
-    archive.optional("expect", value.expect);
-    if constexpr (kReads<decltype(archive)>) {
-      if (version == 1) carry_over_version_1(archive.object(), value);
-    }
-  }
-};
+void JsonForm<Case>::write(std::string& json, const Case& value) {
+  CCDFUZZ_VERIFY(is_finite(value.query.t_max));
+  json += '{';
+  JsonWriter writer(json);
+  case_fields(writer, value);
+  json += '}';
+}
+
+void JsonForm<Case>::read(const JsonCursor& from, Case& value) {
+  JsonReader reader(from);
+  case_fields(reader, value);
+  reader.refuse_others();
+}
 
 template <>
 struct JsonForm<Query> {
@@ -294,11 +305,13 @@ Result<Query> parse_query(std::string_view json, const std::string& file) {
 }
 
 Result<Case> parse_case(std::string_view json, const std::string& file) {
-  return from_json<Case>(json, file);
+  Case value;
+  return read_json_text(json, file, [&](const JsonCursor& top) { read_json(top, value); }).map([&] {
+    return std::move(value);
+  });
 }
 
 std::string to_json(const Case& value, JsonLayout layout) {
-  CCDFUZZ_VERIFY(is_finite(value.query.t_max));
   std::string json;
   write_json(json, value);
   return layout == JsonLayout::kOneLine ? json : readable_json(json);

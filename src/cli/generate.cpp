@@ -66,13 +66,9 @@ Plan paper_plan(const GenerateOptions& options) {
             const double begin = thread_cpu_seconds();
             PaperCases paper = make_paper_cases(item, seed);
             const std::string_view kind = item.kind == CaseKind::kRP ? "RP+RN" : name_of(item.kind);
-            MadeCases made{0,
-                           {},
-                           {std::move(paper.tree)},
-                           cost_of(item.contact, kind, paper.cases.size(), paper.discards,
-                                   thread_cpu_seconds() - begin)};
-            for (Case& value : paper.cases) made.cases.push_back({std::move(value)});
-            return made;
+            GenerationCost cost = cost_of(item.contact, kind, paper.cases.size(), paper.discards,
+                                          thread_cpu_seconds() - begin);
+            return MadeCases{i, std::move(paper.cases), {std::move(paper.tree)}, std::move(cost)};
           },
           "constructions"};
 }
@@ -118,7 +114,7 @@ Plan plain_plan(const GenerateOptions& options) {
             const double begin = thread_cpu_seconds();
             Generated made = generate(g, first + i);
             return MadeCases{i,
-                             {{std::move(made.value)}},
+                             {std::move(made.value)},
                              {},
                              cost_of(g.contact, name_of(g.kind), 1, made.discards,
                                      thread_cpu_seconds() - begin)};

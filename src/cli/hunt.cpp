@@ -73,7 +73,7 @@ struct HuntFindRow {
     archive("generator", value.origin.generator);
     archive("expect", value.expect);
     if (is_stored) archive("reproduce", command_of(row.find));
-    if (!is_stored) archive("case", RawJson{to_json(value)});
+    if (!is_stored) archive("case", value);
   }
 };
 

@@ -29,7 +29,7 @@ Result<MadeSet> MadeSet::open(const std::string& path) {
 
 Result<void> MadeSet::add(MadeCases made) {
   add_cost(costs_, made.cost);
-  for (auto& [value] : made.cases) {
+  for (Case& value : made.cases) {
     ++cases_;
     Result<void> written;
     if (!made.tree.bytes.empty()) {

@@ -11,22 +11,6 @@
 
 namespace ccdfuzz {
 
-/// A case as a text within a line of JSON.
-struct StoredCase {
-  Case value;
-};
-template <>
-struct JsonForm<StoredCase> {
-  static void write(std::string& json, const StoredCase& text) {
-    json += json_string(to_json(text.value));
-  }
-  static void read(const JsonCursor& from, StoredCase& text) {
-    Result<Case> read = parse_case(from.string(), "case");
-    if (!read) from.refuse(read.error().message());
-    text.value = *std::move(read);
-  }
-};
-
 /// Bytes as hexadecimal digits.
 struct HexBytes {
   std::string bytes;
@@ -40,7 +24,7 @@ struct JsonForm<HexBytes> {
 /// The cases of one construction and what they cost: a line of the run file of `generate`.
 struct MadeCases {
   std::uint64_t index = 0;  ///< of the construction, in the whole run
-  std::vector<StoredCase> cases;
+  std::vector<Case> cases;
   HexBytes tree;  ///< the miss tree of them all; empty: they have none
   GenerationCost cost;
 

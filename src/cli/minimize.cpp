@@ -29,7 +29,7 @@ struct MinimisedRow {
   Failure failure;
   std::uint64_t trials;
   std::uint64_t bits_before, bits;
-  std::string minimised;
+  const Case& minimised;
 
   static void fields(auto& archive, auto& row) {
     archive("case", row.id);
@@ -37,7 +37,7 @@ struct MinimisedRow {
     archive("trials", row.trials);
     archive("bits_before", row.bits_before);
     archive("bits", row.bits);
-    archive("minimised", RawJson{row.minimised});
+    archive("minimised", row.minimised);
   }
 };
 
@@ -93,7 +93,7 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   const auto bits = [](const Case& value) { return size_of(value.query).significant_bits; };
   if (session.json) {
     print_row(MinimisedRow{found.id, failure, minimised.trials, bits(found.value),
-                           bits(minimised.value), to_json(minimised.value)});
+                           bits(minimised.value), minimised.value});
   } else {
     print_err(fmt::format("{}: from {} to {} in {} trials\n", to_text(failure),
                           size_text(found.value.query), size_text(minimised.value.query),

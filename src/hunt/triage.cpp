@@ -22,7 +22,7 @@ constexpr const char* kOracle = "oracle";
 
 struct Errand {
   std::string name, method;
-  std::string value;  ///< a case, as JSON
+  Case value;
 
   static void fields(auto& archive, auto& errand) {
     archive("errand", errand.name);
@@ -31,13 +31,17 @@ struct Errand {
   }
 };
 
-struct Told {
-  std::string text;
-
-  static void fields(auto& archive, auto& told) { archive("text", told.text); }
-};
-
 }  // namespace
+
+struct TriageErrands::Told {
+  std::string text;
+  std::optional<Case> decided;
+
+  static void fields(auto& archive, auto& told) {
+    archive.optional("text", told.text);
+    archive.optional("decided", told.decided);
+  }
+};
 
 Case decided_with_little_effort(const Case& candidate) {
   OracleOptions little;
@@ -82,7 +86,7 @@ Triage::Triage(Store& store, TriageOptions options)
 Asker Triage::make_asker() {
   return Asker(options_.search, MethodSet(options_.make),
                [this](const std::string& method, const Case& value) {
-                 return told("loss", value, method).value_or("");
+                 return told("loss", value, method).value_or(Told()).text;
                });
 }
 
@@ -118,10 +122,10 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
   if (!fails) ++tally_.harmless;
   if (sound_fails) return {};
   const auto refutation = told("refute", known);
-  if (refutation && refutation->empty()) return {};
+  if (refutation && refutation->text.empty()) return {};
   ++tally_.refuting;
   options_.warn(fmt::format("no full run of a sound method fails, but: {}",
-                            refutation ? *refutation : refutation.error().name));
+                            refutation ? refutation->text : refutation.error().name));
   return {};
 }
 
@@ -138,28 +142,24 @@ Result<std::optional<Case>> Triage::take_in(const Confirmed& confirmed) {
 }
 
 std::string TriageErrands::done(const std::string& question) const {
-  const Errand errand = from_json<Errand>(question, "the question").value();
-  const Case value = parse_case(errand.value, "the question").value();
-  if (errand.name == "decide") return to_json(Told{to_json(decide(value))});
-  if (errand.name == "refute") return to_json(Told{refute(value)});
+  const auto [name, method, value] = from_json<Errand>(question, "the question").value();
+  if (name == "decide") return to_json(Told{"", decide(value)});
+  if (name == "refute") return to_json(Told{refute(value), {}});
   TracerSet tracers;
-  return to_json(Told{cause_of_loss(errand.method, value, tracers)});
+  return to_json(Told{cause_of_loss(method, value, tracers), {}});
 }
 
-tl::expected<std::string, Fault> Triage::told(const char* errand, const Case& value,
-                                              const std::string& method) {
+tl::expected<TriageErrands::Told, Fault> Triage::told(const char* errand, const Case& value,
+                                                      const std::string& method) {
   if (!errands_) {
     errands_.emplace(value_or_throw(served_child(options_.errands, kServedLimits)));
   }
-  return ask_served<Told>(*errands_, to_json(Errand{errand, method, to_json(value)}))
-      .map([](const Told& told) { return told.text; });
+  return ask_served<Told>(*errands_, to_json(Errand{errand, method, value}));
 }
 
 tl::expected<Case, Fault> Triage::with_truth(const Case& candidate) {
   if (candidate.truth.collides) return candidate;
-  return told("decide", candidate).map([](const std::string& json) {
-    return parse_case(json, "what the oracle decided").value();
-  });
+  return told("decide", candidate).map([](const Told& told) { return told.decided.value(); });
 }
 
 std::optional<Triage::Confirmed> Triage::confirm(const std::string& method, const Case& known) {

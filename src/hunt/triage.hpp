@@ -27,6 +27,7 @@ struct TriageErrands {
   /// What on a case refutes the claims that fuzz targets stop on, besides full runs.
   std::function<std::string(const Case&)> refute = refutation_by_sound_methods;
 
+  struct Told;
   /// The answer to a line of Triage.
   std::string done(const std::string& question) const;
 };
@@ -88,8 +89,9 @@ class Triage {
 
   Asker make_asker();
   /// What a child says of a case, or what it did instead. method: of a loss.
-  tl::expected<std::string, Fault> told(const char* errand, const Case& value,
-                                        const std::string& method = "");
+  using Told = TriageErrands::Told;
+  tl::expected<Told, Fault> told(const char* errand, const Case& value,
+                                 const std::string& method = "");
   /// TriageErrands::decide of a case without truth, or what it did instead.
   tl::expected<Case, Fault> with_truth(const Case& candidate);
   std::optional<Confirmed> confirm(const std::string& method, const Case& known);
