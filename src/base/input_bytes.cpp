@@ -124,4 +124,20 @@ Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zst
   return file;
 }
 
+Result<std::string> read_file(const std::string& path, size_t most) {
+  constexpr size_t kPiece = 1 << 16;
+  if (auto regular = refuse_irregular(path); !regular) return tl::unexpected(regular.error());
+  auto file = open_input(path, false);
+  if (!file) return tl::unexpected(file.error());
+  std::string bytes;
+  for (;;) {
+    const Result<std::string> piece = (*file)->read(kPiece);
+    if (!piece || piece->empty()) return piece.map([&](const auto&) { return std::move(bytes); });
+    bytes += *piece;
+    if (bytes.size() > most) {
+      return input_error(path, fmt::format("has more than {} bytes", most));
+    }
+  }
+}
+
 }  // namespace ccdfuzz

@@ -33,4 +33,8 @@ class InputBytes {
 /// Opens a file. Errors: it does not exist, is a folder, cannot be read, naming the path.
 Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zstd);
 
+/// All of a file that is not compressed. Errors: as refuse_irregular and open_input; it has more
+/// than `most` bytes; naming the path.
+Result<std::string> read_file(const std::string& path, size_t most);
+
 }  // namespace ccdfuzz

@@ -114,10 +114,9 @@ bool ClaimFind::replaces(const ClaimFind& other) const {
 }
 
 Result<ClaimFind> read_find(const std::string& path) {
-  return refuse_irregular(path)
-      .and_then([&] { return open_input(path, false); })
-      .and_then([](const auto& in) { return in->read(kMostFindBytes); })
-      .and_then([&](const std::string& json) { return from_json<ClaimFind>(json, path); });
+  return read_file(path, kMostFindBytes).and_then([&](const std::string& json) {
+    return from_json<ClaimFind>(json, path);
+  });
 }
 
 Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,

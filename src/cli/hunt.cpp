@@ -13,9 +13,7 @@
 #include "case/expected_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/course_notes.hpp"
 #include "cli/hunt_page.hpp"
-#include "cli/hunt_table.hpp"
 #include "cli/refusals.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
@@ -150,6 +148,7 @@ void write_hunt_page(const HuntReport& report, const HuntArguments& options,
                      const HuntCourse& course, bool json) {
   HuntRecord record{command_line(),
                     options.corpus,
+                    "",
                     report.seconds,
                     report.cells,
                     {},

@@ -6,14 +6,33 @@
 #include <filesystem>
 #include <map>
 
-#include "cli/hunt_table.hpp"
+#include "base/input_bytes.hpp"
+#include "base/output_file.hpp"
 #include "cli/output.hpp"
 #include "cli/reproduction.hpp"
+#include "eval/row_columns.hpp"
 #include "finds/entries.hpp"
 
 namespace ccdfuzz {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// A record has 200 samples and some thousand paths.
+constexpr std::size_t kMostRecordBytes = 256 << 20;
+
+/// The store and what was found in it as they stand seen from here: as the hunt was told, unless
+/// the record has been moved and the store with it.
+void follow_store(const std::string& folder, HuntRecord& record) {
+  std::error_code error;
+  const fs::path beside = fs::canonical(fs::path(folder) / record.store_from, error);
+  if (error || fs::equivalent(beside, record.store, error)) return;
+  for (std::string& path : record.finds) {
+    path = (beside / fs::path(path).lexically_relative(record.store)).string();
+  }
+  record.store = beside.string();
+}
 
 ReportedCase reported_find(const std::string& path, const Case& value, bool is_new) {
   ReportedCase reported;
@@ -39,6 +58,54 @@ void add_absent_finds(const HuntRecord& record, ReportPage& report) {
 
 }  // namespace
 
+std::string hunt_record_path(const std::string& folder) {
+  return folder + "/hunt.jsonl";
+}
+
+Result<void> write_hunt_record(const std::string& folder, HuntRecord record) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return input_error(folder, "cannot make the folder: " + error.message());
+  record.store_from = fs::proximate(record.store, folder, error).string();
+  return write_file(hunt_record_path(folder), to_json(record) + "\n");
+}
+
+Result<HuntRecord> read_hunt_record(const std::string& folder) {
+  const std::string path = hunt_record_path(folder);
+  return read_file(path, kMostRecordBytes)
+      .and_then([&](const std::string& json) { return from_json<HuntRecord>(json, path); })
+      .map([&](HuntRecord record) {
+        if (!record.store_from.empty()) follow_store(folder, record);
+        return record;
+      });
+}
+
+Table hunt_table(const std::vector<HuntCell>& cells) {
+  std::vector<Column<HuntCell>> columns = {
+      text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }),
+      text_column<HuntCell>("method", [](const HuntCell& cell) { return cell.method; }),
+      asked_column<HuntCell>(),
+      measured_column<HuntCell>("mean",
+                                [](const HuntCell& cell) {
+                                  return duration_text(cell.cpu_seconds /
+                                                       static_cast<double>(cell.tally.n));
+                                }),
+      outcome_column<HuntCell>("FN missed", Outcome::kMissed, &Tally::positives),
+      outcome_column<HuntCell>("FN late", Outcome::kLate, &Tally::positives),
+      outcome_column<HuntCell>("FP", Outcome::kFalsePositive, &Tally::negatives),
+      outcome_column<HuntCell>("undecided", Outcome::kUndecided, &Tally::n),
+      outcome_column<HuntCell>("error", Outcome::kError, &Tally::n)};
+  add_refused_column(columns, cells);
+  columns.push_back({"mutants", [](const HuntCell& cell) {
+                       return TableCell{fmt::format("{}", cell.bred.mutants)};
+                     }});
+  columns.push_back({"lost", [](const HuntCell& cell) {
+                       return count_cell(cell.bred.lost, cell.bred.mutants, true);
+                     }});
+  return table_of(cells, columns,
+                  [](const HuntCell& a, const HuntCell& b) { return a.contact == b.contact; });
+}
+
 Result<ReportPage> hunt_page(const HuntRecord& record) {
   ReportPage report;
   report.title = fmt::format("Hunt of {:.0f} s", record.seconds);
@@ -52,7 +119,7 @@ Result<ReportPage> hunt_page(const HuntRecord& record) {
   }
   report.tables.push_back(
       report_table("hunt", "What the hunt asked, bred and lost", hunt_table(record.cells)));
-  if (std::error_code error; !std::filesystem::is_directory(record.store, error)) {
+  if (std::error_code error; !fs::is_directory(record.store, error)) {
     add_absent_finds(record, report);
     return report;
   }

@@ -34,9 +34,10 @@ struct TriageArguments {
   bool remove = false;
 };
 
-/// The cases of a file: a case file, or an input of a fuzz target. Errors: it is neither.
+/// The cases of a file: a case file or a query CSV, or an input of a fuzz target. Errors: it is
+/// none.
 Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
-  if (case_file_kind(path)) return read_checked_cases(path);
+  if (case_file_kind(path) || path.ends_with(".csv")) return read_checked_cases(path);
   const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
   if (!bytes) return tl::unexpected(bytes.error());
   std::vector<NamedCase> cases;
@@ -156,7 +157,8 @@ void add_triage(CommandLine& line, const FindSuite& find_suite) {
   options->find_suite = find_suite;
   command
       .texts("input", options->inputs,
-             "Inputs of fuzz_query or fuzz_witnessed, case files, or folders of either")
+             "Inputs of fuzz_query or fuzz_witnessed, case files (.csv among them), or folders of "
+             "either")
       .required();
   Option target = command.text("--target", options->target,
                                "The inputs are those of this other target, whose claims fail on "

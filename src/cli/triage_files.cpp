@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
+#include "base/input_bytes.hpp"
 #include "base/output_file.hpp"
 #include "cli/session.hpp"
 
@@ -46,20 +45,9 @@ Result<std::vector<std::string>> triage_files(const std::vector<std::string>& in
 }
 
 Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) return input_error(path, "is no file");
-  std::ifstream in(path, std::ios::binary);
-  std::vector<std::uint8_t> bytes;
-  std::array<char, 1 << 16> part;
-  while (in) {
-    in.read(part.data(), part.size());
-    bytes.insert(bytes.end(), part.begin(), part.begin() + in.gcount());
-    if (bytes.size() > kMostInputBytes) {
-      return input_error(path, "is larger than the inputs of fuzz targets are, 1 MiB");
-    }
-  }
-  if (!in.eof()) return input_error(path, "cannot be read");
-  return bytes;
+  return read_file(path, kMostInputBytes).map([](const std::string& bytes) {
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  });
 }
 
 void TriageWalk::go(const std::vector<std::string>& files, const Read& read) {

@@ -32,7 +32,7 @@ struct TriageCounts {
 /// is not there or cannot be read.
 Result<std::vector<std::string>> triage_files(const std::vector<std::string>& inputs);
 
-/// An input of a fuzz target. Errors: no file; it cannot be read; it is larger than any.
+/// An input of a fuzz target. Errors: as read_file; it is larger than any.
 Result<std::vector<std::uint8_t>> read_bytes(const std::string& path);
 
 /// Goes through files, with progress.

@@ -79,7 +79,6 @@ struct MethodInfo {
 
   /// Of a plug-in, as records of hunts have it.
   static void fields(auto& archive, auto& info) {
-    archive.constant("row", "plugin");
     archive("method", info.spec);
     archive("source", info.source);
     archive("description", info.description);

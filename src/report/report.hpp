@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/fields.hpp"
 #include "base/table.hpp"
 #include "case/case.hpp"
 #include "eval/rows.hpp"
@@ -53,7 +54,6 @@ struct HuntSample {
   std::vector<std::optional<std::uint64_t>> margins;
 
   static void fields(auto& archive, auto& sample) {
-    archive.constant("row", "sample");
     archive("seconds", sample.seconds);
     archive("queries", sample.queries);
     archive("mutants", sample.mutants);
@@ -66,6 +66,14 @@ struct HuntSample {
 struct HuntCourse {
   std::vector<std::string> methods;
   std::vector<HuntSample> samples;  ///< in order
+
+  static void fields(auto& archive, auto& course) {
+    archive("methods", course.methods);
+    archive("samples", course.samples, Each{[&](const HuntSample& sample) {
+              const bool is_whole = sample.margins.size() == course.methods.size();
+              return std::string(is_whole ? "" : "has not one margin for each method");
+            }});
+  }
 };
 
 /// Everything that a page shows. Parts that are empty have no tab in it.

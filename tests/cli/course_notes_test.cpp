@@ -1,4 +1,4 @@
-#include "cli/course_notes.hpp"
+#include "cli/hunt_page.hpp"
 
 #include <gtest/gtest.h>
 

@@ -60,13 +60,13 @@ TEST(ReportCommand, ShowsTheFolderOfAnEvaluation) {
   EXPECT_EQ(page_data(folder / "page")["groups"], page_data(folder / "again")["groups"]);
 }
 
-/// The lines of a hunt's record without what is of time or of its own folders.
-std::vector<nlohmann::ordered_json> record_without_times(const std::string& path) {
-  std::vector<nlohmann::ordered_json> rows = json_lines(read_text(path));
-  for (nlohmann::ordered_json& row : rows) {
-    for (const char* key : {"seconds", "cpu_seconds", "command", "store", "path"}) row.erase(key);
-  }
-  return rows;
+/// A hunt's record without what is of time or of its own folders.
+nlohmann::ordered_json record_without_times(const std::string& path) {
+  auto record = nlohmann::ordered_json::parse(read_text(path));
+  for (const char* key : {"seconds", "command", "store", "finds"}) record.erase(key);
+  for (auto& cell : record["cells"]) cell.erase("cpu_seconds");
+  for (auto& sample : record["course"]["samples"]) sample.erase("seconds");
+  return record;
 }
 
 TEST(ReportCommand, ShowsTheFolderOfAHunt) {
@@ -78,13 +78,14 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
                  "3", "--threads", threads, "--corpus", own + "/finds", "--report", own + "/page"});
     ASSERT_EQ(hunted.code, 0) << hunted.err;
   }
-  const auto rows = record_without_times(folder / "1/page/hunt.jsonl");
-  EXPECT_EQ(rows, record_without_times(folder / "2/page/hunt.jsonl"))
+  const auto record_of_one = record_without_times(folder / "1/page/hunt.jsonl");
+  EXPECT_EQ(record_of_one, record_without_times(folder / "2/page/hunt.jsonl"))
       << "a hunt by cases repeats exactly, its course included";
-  EXPECT_EQ(rows[0]["methods"].size(), 2U);
-  EXPECT_EQ(rows.back()["row"], "sample");
-  EXPECT_GT(rows.back()["mutants"], 0);
-  EXPECT_TRUE(rows.back()["margins"][1].is_number_unsigned()) << rows.back();
+  const auto& course = record_of_one["course"];
+  EXPECT_EQ(course["methods"].size(), 2U);
+  const auto& last = course["samples"].back();
+  EXPECT_GT(last["mutants"], 0);
+  EXPECT_TRUE(last["margins"][1].is_number_unsigned()) << last;
 
   const Finished again = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
   EXPECT_EQ(again.code, 0) << again.err;
@@ -95,7 +96,7 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
   write_text(folder / "1/page/hunt.jsonl", record);
   const Finished refused = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("hunt.jsonl:2: n: -"));
+  EXPECT_THAT(refused.err, HasSubstr("hunt.jsonl: cells[0].n: -"));
 }
 
 TEST(ReportCommand, ShowsAPluginsAnswers) {
@@ -161,17 +162,16 @@ TEST(ReportCommand, ShowsTheEndOfAHuntByTime) {
     if (hunted.code != 1) break;
   }
   ASSERT_EQ(hunted.code, 0) << hunted.err;
-  std::uint64_t queries = 0, mutants = 0, finds = 0;
-  const auto rows = json_lines(read_text(folder / "page/hunt.jsonl"));
-  for (const nlohmann::ordered_json& row : rows) {
-    finds += row.value("row", "") == "find" ? 1 : 0;
-    if (row.value("row", "") != "cell") continue;
-    queries += row["n"].get<std::uint64_t>();
-    mutants += row["mutants"].get<std::uint64_t>();
+  std::uint64_t queries = 0, mutants = 0;
+  const auto record = nlohmann::ordered_json::parse(read_text(folder / "page/hunt.jsonl"));
+  for (const nlohmann::ordered_json& cell : record["cells"]) {
+    queries += cell["n"].get<std::uint64_t>();
+    mutants += cell["mutants"].get<std::uint64_t>();
   }
-  EXPECT_EQ(rows.back()["queries"], queries);
-  EXPECT_EQ(rows.back()["mutants"], mutants);
-  EXPECT_EQ(rows.back()["finds"], finds);
+  const auto& last = record["course"]["samples"].back();
+  EXPECT_EQ(last["queries"], queries);
+  EXPECT_EQ(last["mutants"], mutants);
+  EXPECT_EQ(last["finds"], record["finds"].size());
 }
 
 TEST(ReportCommand, ShowsTheScoreboard) {
