@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <set>
 
 #include "base/hash_name.hpp"
 #include "base/json_write.hpp"
@@ -11,6 +12,7 @@
 #include "cli/check_find.hpp"
 #include "cli/session.hpp"
 #include "finds/entries.hpp"
+#include "generators/draw/choice_bytes.hpp"
 #include "properties/suites.hpp"
 
 namespace ccdfuzz {
@@ -23,24 +25,36 @@ std::string claims_of(const std::string& corpus) {
   return is_claims_folder(corpus) ? corpus : fmt::format("{}/{}", corpus, kClaims);
 }
 
-bool stands_in(const std::string& folder, const ClaimFind& find) {
-  return std::ranges::any_of(need(list_entries(folder)), [&](const std::string& path) {
-    const ClaimFind standing = need(read_find(path));
-    return standing.property == find.property && standing.choices == find.choices;
-  });
+/// The same for the same input of the same claim, and for no other.
+std::string input_of(const ClaimFind& find) {
+  return hash_name(fmt::format("{} {}", find.property, to_word(find.choices)));
 }
 
-/// Returns whether the folder changed.
-bool take(const ClaimFind& find, const std::string& stem, const std::string& folder) {
-  if (stands_in(folder, find)) return false;
+/// The inputs that stand in a folder (input_of).
+std::set<std::string> inputs_in(const std::string& folder) {
+  std::set<std::string> inputs;
+  for (const std::string& path : need(list_entries(folder))) {
+    inputs.insert(input_of(need(read_find(path))));
+  }
+  return inputs;
+}
+
+/// Returns whether the folder changed. inputs: those that stand in it.
+bool take(const ClaimFind& find, const std::string& stem, const std::string& folder,
+          std::set<std::string>& inputs) {
+  if (inputs.contains(input_of(find))) return false;
   const std::string own = fmt::format("{}/{}.json", folder, stem), json = to_json(find);
   if (stem == find.stem()) {
     const auto standing = need(saved_find(folder, find.property, find.error));
     if (!standing || standing->expect == find.expect) {
       need(save_find(folder, find));
-      return !standing || find.replaces(*standing);
+      if (standing && !find.replaces(*standing)) return false;
+      if (standing) inputs.erase(input_of(*standing));
+      inputs.insert(input_of(find));
+      return true;
     }
   }
+  inputs.insert(input_of(find));
   const bool is_free = !fs::exists(fs::symlink_status(own));
   need(write_file(is_free ? own : fmt::format("{}/{}.json", folder, hash_name(json)),
                   readable_json(json) + "\n"));
@@ -58,9 +72,11 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
                           const std::vector<Property>& known) {
   MergedClaims merged;
   const std::string folder = fmt::format("{}/{}", into, kClaims);
+  std::optional<std::set<std::string>> inputs;  // in it
   for (const std::string& corpus : corpora) {
     if (!fs::is_directory(claims_of(corpus))) continue;
     need(make_find_folder(folder));
+    if (!inputs) inputs = inputs_in(folder);
     for (const std::string& path : need(list_entries(claims_of(corpus)))) {
       const ClaimFind find = need(read_find(path));
       if (const auto property = property_named(find.property, known); !property) {
@@ -69,7 +85,7 @@ MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::st
       ++merged.entries;
       const bool has_input = find.shrunk != Shrunk::kNot;
       if (!has_input) ++merged.without_input;
-      if (has_input && take(find, fs::path(path).stem(), folder)) ++merged.taken;
+      if (has_input && take(find, fs::path(path).stem(), folder, *inputs)) ++merged.taken;
     }
   }
   if (fs::is_directory(folder)) merged.now = need(list_entries(folder)).size();
