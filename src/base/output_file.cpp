@@ -174,6 +174,13 @@ Result<void> OutputFile::commit() {
   return {};
 }
 
+Result<void> make_folder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return system_error(folder, "make the folder", error.value());
+  return {};
+}
+
 Result<void> write_file(const std::string& path, std::string_view bytes) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(file.error());

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "base/text.hpp"
 #include "cli/command.hpp"
@@ -60,23 +61,20 @@ void for_each_query(const BenchOptions& options, ContactClass contact, const OnQ
 template <class SecondsOf>
 std::optional<double> ratio(const Race::Runner& runner, const Race::Runner& base,
                             const SecondsOf& seconds_of) {
-  if (runner.not_asked + base.not_asked > 0) return std::nullopt;
-  return seconds_of(runner) / seconds_of(base);
+  if (runner.tally.not_asked() + base.tally.not_asked() > 0) return std::nullopt;
+  return seconds_of(runner.tally.seconds) / seconds_of(base.tally.seconds);
 }
 
-double total(const Race::Runner& runner) {
-  return runner.seconds;
-}
-double median(const Race::Runner& runner) {
-  return runner.timings.median();
-}
+constexpr auto kTotal = std::mem_fn(&LogHistogram::sum);
+constexpr auto kMedian = std::mem_fn(&LogHistogram::median);
 
 /// ≥ where the budget cut some queries short.
 std::string ratio_text(const Race::Runner& runner, const std::optional<double>& times) {
   if (!times) return "-";
   const double ratio = *times;
   const char* format = ratio < 10 ? "{}{:.2f}×" : "{}{:.0f}×";
-  return fmt::format(fmt::runtime(format), runner.undecided > 0 ? "≥ " : "", ratio);
+  return fmt::format(fmt::runtime(format), runner.tally.count(Outcome::kUndecided) > 0 ? "≥ " : "",
+                     ratio);
 }
 
 /// What one method needed on the queries of one class, beside the first.
@@ -88,40 +86,43 @@ struct BenchRow {
 
   static void fields(auto& archive, auto& row) {
     const Race::Runner& runner = row.runner;
+    const Tally& tally = runner.tally;
     archive("class", row.contact);
     archive("method", runner.spec);
     archive("base", row.base.spec);
-    archive("n", runner.asked);
-    archive("total_seconds", runner.seconds);
-    archive("median_seconds", runner.timings.median());
-    archive("pops", runner.pops);
+    archive("n", tally.n);
+    archive("total_seconds", tally.seconds.sum());
+    archive("median_seconds", tally.seconds.median());
+    archive("pops", tally.pops);
     archive("max_pops", row.max_pops);
-    archive("undecided", runner.undecided);
-    archive("not_asked", runner.not_asked);
-    archive("total_ratio", ratio(runner, row.base, total));
-    archive("median_ratio", ratio(runner, row.base, median));
+    archive("undecided", tally.count(Outcome::kUndecided));
+    archive("not_asked", tally.not_asked());
+    archive("total_ratio", ratio(runner, row.base, kTotal));
+    archive("median_ratio", ratio(runner, row.base, kMedian));
     archive("overrun_seconds", runner.overrun);
   }
 };
 
 std::vector<TableCell> bench_cells(const BenchRow& row) {
   const Race::Runner& runner = row.runner;
-  const auto n = static_cast<double>(runner.asked);
-  const bool any = runner.asked > 0;
+  const Tally& tally = runner.tally;
+  const bool any = tally.n > 0;
   const auto count_or_nothing = [](std::uint64_t count) {
     return count > 0 ? fmt::format("{}", count) : "";
   };
-  return {{std::string(name_of(row.contact))},
-          {runner.spec},
-          {fmt::format("{}", runner.asked)},
-          {any ? duration_text(runner.seconds / n) : "-"},
-          {any ? duration_text(runner.timings.median()) : "-"},
-          {any ? fmt::format("{:.1f}", static_cast<double>(runner.pops) / n) : "-"},
-          {count_or_nothing(runner.undecided)},
-          {count_or_nothing(runner.not_asked)},
-          {ratio_text(runner, ratio(runner, row.base, total))},
-          {ratio_text(runner, ratio(runner, row.base, median))},
-          {runner.overrun ? duration_text(*runner.overrun) : ""}};
+  return {
+      {std::string(name_of(row.contact))},
+      {runner.spec},
+      {fmt::format("{}", tally.n)},
+      {any ? duration_text(tally.seconds.mean()) : "-"},
+      {any ? duration_text(tally.seconds.median()) : "-"},
+      {any ? fmt::format("{:.1f}", static_cast<double>(tally.pops) / static_cast<double>(tally.n))
+           : "-"},
+      {count_or_nothing(tally.count(Outcome::kUndecided))},
+      {count_or_nothing(tally.not_asked())},
+      {ratio_text(runner, ratio(runner, row.base, kTotal))},
+      {ratio_text(runner, ratio(runner, row.base, kMedian))},
+      {runner.overrun ? duration_text(*runner.overrun) : ""}};
 }
 
 int run_bench(const BenchOptions& options, Session& session) {

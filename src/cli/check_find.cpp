@@ -59,10 +59,9 @@ std::string check_command(std::string_view property, std::uint64_t seed, std::ui
 }
 
 Result<void> make_find_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return system_error(folder, "make the folder", error.value());
-  return OutputFile::create(folder + "/a file").map([](const OutputFile&) {});
+  return make_folder(folder)
+      .and_then([&] { return OutputFile::create(folder + "/a file"); })
+      .map([](const OutputFile&) {});
 }
 
 std::string_view name_of(Shrunk shrunk) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/hash_name.hpp"
 #include "base/input_bytes.hpp"
@@ -137,9 +136,7 @@ struct Kept {
 };
 
 Kept open_kept(const std::string& folder, const RunHeader& header) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw BadInput{{folder, "cannot make the folder: " + error.message()}};
+  need(make_folder(folder));
   const std::string path = answers_path(folder), partial = RunFile::path_for(path);
   // Whether the result can be written is to be known before the work is done.
   need(OutputFile::create(path));

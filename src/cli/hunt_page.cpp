@@ -63,9 +63,8 @@ std::string hunt_record_path(const std::string& folder) {
 }
 
 Result<void> write_hunt_record(const std::string& folder, HuntRecord record) {
+  if (auto made = make_folder(folder); !made) return made;
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) return input_error(folder, "cannot make the folder: " + error.message());
   record.store_from = fs::proximate(record.store, folder, error).string();
   return write_file(hunt_record_path(folder), to_json(record) + "\n");
 }

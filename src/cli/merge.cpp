@@ -58,9 +58,7 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   std::vector<std::string> paths;
   for (const std::string& folder : options.inputs) paths.push_back(answers_path(folder));
   MergedRun run = need(MergedRun::open(paths));
-  std::error_code error;
-  std::filesystem::create_directories(options.output, error);
-  if (error) throw BadInput{{options.output, "cannot make the folder: " + error.message()}};
+  need(make_folder(options.output));
   OutputFile answers = need(OutputFile::create(answers_path(options.output)));
   need(answers.write(to_json(run.header()) + "\n"));
   Rows rows;

@@ -12,10 +12,11 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "cli/triage_claims.hpp"
 #include "cli/triage_files.hpp"
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
+#include "hunt/served_claim.hpp"
+#include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
 
@@ -111,6 +112,111 @@ std::string folder_of_properties(const std::string& folder) {
   return fmt::format("{}/{}", folder, kClaims);
 }
 
+/// A find, as a row of the JSON output.
+struct ClaimFindRow {
+  const std::string& input;
+  const ClaimFind& find;
+  const std::string& path;
+
+  std::string outcome() const { return find.error.empty() ? "refuted claim" : find.error; }
+
+  static void fields(auto& archive, auto& row) {
+    const ClaimFind& find = row.find;
+    const bool fails_again = find.shrunk != Shrunk::kNot;
+    archive.constant("row", "find");
+    archive("input", row.input);
+    archive("property", find.property);
+    archive("outcome", row.outcome());
+    archive("text", fails_again ? find.text : find.found);
+    archive("reproduce", find.reproduce());
+    archive("fails_again", fails_again);
+    archive("cut_short", find.shrunk == Shrunk::kCutShort);
+    archive("saved", row.path);
+  }
+};
+
+/// Confirms the inputs of one target, each in a process apart, shrinks and stores what is new: of
+/// each claim one counterexample, and one of each error that putting an input to it ends in. One
+/// that could not be shrunk to the end is stored until there is a better. Prints each. Throws
+/// BadInput: of the folder or a file.
+class ClaimTriage {
+ public:
+  /// suite: the target's. folder: of finds of claims. known: one more such folder; may be empty, or
+  /// not there. stop: true ends shrinking.
+  ClaimTriage(Suite suite, std::string folder, std::string known, std::function<bool()> stop,
+              bool json, TriageWalk& walk)
+      : suite_(std::move(suite)),
+        folder_(std::move(folder)),
+        known_(std::move(known)),
+        stop_(std::move(stop)),
+        json_(json),
+        walk_(walk) {}
+
+  /// Whether there is nothing left to do with it.
+  bool add(const std::string& file, std::span<const std::uint8_t> bytes) {
+    TriageTally& tally = walk_.counts().tally;
+    ++tally.inputs;
+    const auto input = claim_input(suite_, bytes);
+    if (!input) {
+      ++tally.harmless;
+      return true;
+    }
+    const Property& property = input->property;
+    ServedClaim served(property);
+    const InputRun run = served.on(input->choices);
+    if (!run.fails()) {
+      ++tally.harmless;
+      return true;
+    }
+    ++tally.failures;
+    ClaimFind find(property, run.error, run.check.text,
+                   check_command(property.name, input->choices));
+    const std::optional<ClaimFind> known = known_find(find);
+    if (known && known->is_complete()) {
+      ++tally.known;
+      return true;
+    }
+    if (const auto least = served.least(run, {kShrinkTries, stop_})) {
+      find.set_least(*least);
+    }
+    if (known && !find.replaces(*known)) {
+      ++tally.known;
+      return !stop_();
+    }
+    const std::string path = need(save_find(folder_, find));
+    walk_.note_find();
+    tell({file, find, path});
+    return find.is_complete() || !stop_();
+  }
+
+ private:
+  /// What stands in the folder, or what is complete elsewhere: what is not hides nothing here.
+  std::optional<ClaimFind> known_find(const ClaimFind& find) const {
+    const auto in = [&](const std::string& folder) {
+      return need(saved_find(folder, find.property, find.error));
+    };
+    std::optional<ClaimFind> here = in(folder_);
+    if ((here && here->is_complete()) || known_.empty()) return here;
+    std::optional<ClaimFind> elsewhere = in(known_);
+    return elsewhere && elsewhere->is_complete() ? elsewhere : here;
+  }
+
+  void tell(const ClaimFindRow& row) const {
+    if (json_) return print_row(row);
+    const Shrunk shrunk = row.find.shrunk;
+    const char* state = shrunk == Shrunk::kToTheEnd   ? ""
+                        : shrunk == Shrunk::kCutShort ? ", not shrunk to the end"
+                                                      : ", not shrunk";
+    print_out(fmt::format("{}: {}{}: {}\n", row.outcome(), row.find.property, state, row.path));
+  }
+
+  Suite suite_;
+  std::string folder_, known_;
+  std::function<bool()> stop_;
+  bool json_;
+  TriageWalk& walk_;
+};
+
 void triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,
                    const std::vector<std::string>& files, TriageWalk& walk) {
   if (*arguments.target == "query" || *arguments.target == "witnessed") {
@@ -123,9 +229,15 @@ void triage_target(const TriageArguments& arguments, const std::function<bool()>
   if (!known.empty() && !std::filesystem::is_directory(known, error)) {
     throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
   }
-  triage_claims({*target, folder_of_properties(arguments.output),
-                 known.empty() ? "" : folder_of_properties(known), stop, arguments.json},
-                files, walk);
+  const std::string folder = folder_of_properties(arguments.output);
+  need(make_find_folder(folder));
+  ClaimTriage triage(*target, folder, known.empty() ? "" : folder_of_properties(known), stop,
+                     arguments.json, walk);
+  walk.go(files, [&](const std::string& file) {
+    return read_bytes(file).map([&](std::vector<std::uint8_t> bytes) -> TriageWalk::Work {
+      return [&triage, file, bytes = std::move(bytes)] { return triage.add(file, bytes); };
+    });
+  });
 }
 
 int run_triage(const TriageArguments& arguments, Session& session) {

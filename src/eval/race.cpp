@@ -36,15 +36,12 @@ void Race::ask(const Query& query) {
         runner.overrun = std::max(runner.overrun.value_or(0), over);
       }
     }
-    if (answer.verdict == Verdict::kRefused) {
-      ++runner.not_asked;
-      continue;
-    }
-    ++runner.asked;
-    runner.seconds += least;
-    runner.timings.add(least);
-    runner.pops += answer.pops;
-    runner.undecided += answer.verdict == Verdict::kUndecided ? 1 : 0;
+    answer.seconds = least;
+    runner.tally.add(answer,
+                     answer.verdict == Verdict::kRefused     ? Outcome::kNotAsked
+                     : answer.verdict == Verdict::kUndecided ? Outcome::kUndecided
+                                                             : Outcome::kUnknown,
+                     std::nullopt);
   }
 }
 

@@ -22,12 +22,7 @@ class Race {
   struct Runner {
     std::string spec;
     std::unique_ptr<Method> method;
-    std::uint64_t asked = 0;      ///< queries that it did not refuse
-    std::uint64_t not_asked = 0;  ///< that it refused: in no other number
-    double seconds = 0;           ///< of all queries so far
-    LogHistogram timings;
-    std::uint64_t pops = 0;
-    std::uint64_t undecided = 0;  ///< cut short by the budget: the time is a lower bound
+    Tally tally;  ///< by outcomes undecided (the time is a lower bound), not asked and unknown
     /// By how much an answer exceeded the time limit at most, in seconds of wall time; with a
     /// limit.
     std::optional<double> overrun;

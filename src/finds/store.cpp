@@ -130,9 +130,7 @@ Result<std::optional<NamedCase>> entry_at(const std::string& path) {
 
 /// Locks the folder, which is made again if it was removed.
 Result<FolderLock> Store::State::enter() {
-  std::error_code error;
-  fs::create_directories(home, error);
-  if (error) return system_error(home, "make the folder", error.value());
+  if (auto made = make_folder(home); !made) return tl::unexpected(made.error());
   auto lock = FolderLock::take(home);
   if (!lock) return lock;
   if (OpenFolder now = lock->folder(); !(now == home_folder)) {
@@ -217,9 +215,8 @@ Result<Store> Store::open(const std::string& folder) {
   state->folder = fs::path(folder).lexically_normal().string();
   if (state->folder.size() > 1 && state->folder.ends_with('/')) state->folder.pop_back();
   if (state->folder.empty()) return input_error("", "the name of the folder of finds is empty");
+  if (auto made = make_folder(state->folder); !made) return tl::unexpected(made.error());
   std::error_code error;
-  fs::create_directories(state->folder, error);
-  if (error) return system_error(folder, "make the folder", error.value());
   state->home = state->folder + "/cases";
   if (!fs::is_directory(state->home, error)) {
     const std::string old = state->folder + "/regressions";

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "base/output_file.hpp"
@@ -57,9 +56,7 @@ void keep_most_telling(ReportPage& report, std::size_t most) {
 
 Result<void> write_report(ReportPage report, const std::string& folder, int threads,
                           std::size_t most_bytes) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return input_error(folder, "cannot make the folder: " + error.message());
+  if (auto made = make_folder(folder); !made) return made;
   std::string page = report_page(report, threads);
   while (page.size() > most_bytes && !report.cases.empty()) {
     // Cases are most of what a page can have too much of; the tenth is for those that are larger.
