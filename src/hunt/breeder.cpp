@@ -6,7 +6,6 @@
 #include "certify/checker/check_case.hpp"
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
-#include "hunt/standing.hpp"
 
 namespace ccdfuzz {
 

@@ -3,7 +3,8 @@
 #include "base/verify.hpp"
 #include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
-#include "hunt/draw_linear_case.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "properties/draw_linear.hpp"
 
 namespace ccdfuzz {
 
@@ -14,6 +15,28 @@ CheckedCase checked(Case made) {
   Result<CheckedCase> known = check_case(std::move(made), "");
   CCDFUZZ_VERIFY(known.has_value());
   return *std::move(known);
+}
+
+/// Linear case number `index` of such a class: degenerate in any of the ways that linear codes fail
+/// on (draw_linear), with a truth that exact arithmetic decides and the checker accepts. Depends on
+/// the arguments alone.
+Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    Draw choices = Draw::mostly_small(Random::keyed(
+        {seed, index, static_cast<std::uint64_t>(contact), attempt, 0x6c696e656172}));  // "linear"
+    const Result<Query> query = draw_linear(choices);
+    if (!query || linear_class_of(*query) != contact) continue;
+    Case drawn;
+    drawn.query = *query;
+    drawn.truth = decide(*query).truth;
+    if (!drawn.truth.collides) continue;
+    drawn.origin.contact = name_of(contact);
+    drawn.origin.kind = name_of(*drawn.truth.collides ? CaseKind::kRP : CaseKind::kRN);
+    drawn.origin.generator = "linear";
+    drawn.origin.seed = seed;
+    drawn.origin.index = index;
+    return drawn;
+  }
 }
 
 }  // namespace

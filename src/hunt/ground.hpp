@@ -6,9 +6,18 @@
 #include "bezier/shape.hpp"
 #include "case/query.hpp"
 #include "case/scale.hpp"
-#include "hunt/linear_class.hpp"
+#include "case/taxonomy.hpp"
 
 namespace ccdfuzz {
+
+/// The classes that linear queries come in, by their shapes: vertex-face, edge-edge, vertex-edge,
+/// vertex-vertex.
+inline constexpr std::array kLinearClasses = {ContactClass::kVF, ContactClass::kEE,
+                                              ContactClass::kVE, ContactClass::kVV};
+
+/// The class of a query by its shapes, in either order: points, and curves and triangles of degree
+/// 1. None of others, which are not linear.
+std::optional<ContactClass> linear_class_of(const Query& query);
 
 /// Which queries a hunt is about; by default all.
 struct HuntGround {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "ccd/witness_trace/trace.hpp"
 #include "generators/contact.hpp"
 #include "generators/draw/draw.hpp"
 
@@ -34,6 +35,14 @@ struct Standing {
   Niche niche;
   double nearness = 0;  ///< to being lost: less is nearer
 };
+
+/// How nearly the contact of q was lost in its trace, and what decided that. Of methods that
+/// compare at the ends of windows: the slack. Of the others: how far apart the patches still are
+/// where the nearest exclusion ends, by the speed at which they close in the contact, in units of
+/// what rounding may do to a height (2^-53 of the largest on the way). Time alone would favour
+/// patches that are fast, not those whose heights are rounded most. Computed in double precision: a
+/// guide, no proof.
+Standing standing_of(const Contact& q, const Trace& trace);
 
 /// The contacts that came nearest to being lost, one a niche: so none takes the place of all
 /// others, whatever it is that it nearly fails by.

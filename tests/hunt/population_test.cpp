@@ -1,4 +1,4 @@
-#include "hunt/standing.hpp"
+#include "hunt/population.hpp"
 
 #include <gtest/gtest.h>
 

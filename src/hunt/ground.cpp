@@ -1,4 +1,4 @@
-#include "hunt/linear_class.hpp"
+#include "hunt/ground.hpp"
 
 namespace ccdfuzz {
 
