@@ -1,0 +1,22 @@
+#!/bin/sh
+# script/night: a night of a second, in a folder of its own. Its argument is the folder of the build.
+set -eu
+source=$(cd "$(dirname "$0")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/script"
+cp "$source/script/night" "$work/script/night"
+export CCDFUZZ_BUILD="$1" CCDFUZZ_NIGHT_TESTS='^rc[.]'
+
+for wrong in '--seed 0' '--seconds 1.5' '--seconds' '--nights 2'; do
+  code=0
+  # shellcheck disable=SC2086
+  "$work/script/night" $wrong >"$work/out" 2>&1 || code=$?
+  [ "$code" = 2 ] || { echo "$wrong: exit code $code" && exit 1; }
+  grep -q -- "${wrong%% *}" "$work/out" || { echo "$wrong: not named" && cat "$work/out" && exit 1; }
+done
+
+"$work/script/night" --seed 20261125 --seconds 1 >"$work/out" 2>&1 || { cat "$work/out" && exit 1; }
+for said in 'seed 20261125, 1 s' '100% tests passed' 'tdibm-c' 'counterexamples in finds'; do
+  grep -q -- "$said" "$work/out" || { echo "not said: $said" && cat "$work/out" && exit 1; }
+done
