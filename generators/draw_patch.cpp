@@ -115,10 +115,8 @@ Query draw_any_query(Draw& choices) {
     patch.shape = draw_shape(choices, 2);
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {
       points->resize(static_cast<std::size_t>(patch.shape.control_count()));
-      for (Vec3<double>& p : *points) {
-        for (int k = 0; k < 3; ++k) p[k] = choices.finite_double();
-      }
     }
+    for_each_coordinate(patch, [&](double& x) { x = choices.finite_double(); });
   }
   drawn.t_max = std::abs(choices.finite_double());
   return drawn;

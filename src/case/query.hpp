@@ -16,6 +16,17 @@ struct Query {
   friend bool operator==(const Query&, const Query&) = default;
 };
 
+/// Calls visit on each coordinate of a patch: of the positions, point by point, then of the
+/// velocities.
+template <class Patch, class Visit>
+void for_each_coordinate(Patch& patch, const Visit& visit) {
+  for (auto* points : {&patch.positions, &patch.velocities}) {
+    for (auto& p : *points) {
+      for (int k = 0; k < 3; ++k) visit(p[k]);
+    }
+  }
+}
+
 /// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
 /// Errors: the field that is wrong, its value, and what it may be.
 Result<void> validate(const Query& query, const std::string& where);

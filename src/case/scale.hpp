@@ -13,14 +13,11 @@ inline bool is_within_scale(const Query& query, int bits) {
   const auto fits = [&](double x) {
     return x == 0 || (std::abs(x) >= least && std::abs(x) <= most);
   };
+  bool all_fit = fits(query.t_max);
   for (const MovingPatch<double>& patch : query.patches) {
-    for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (const Vec3<double>& p : *points) {
-        if (!fits(p[0]) || !fits(p[1]) || !fits(p[2])) return false;
-      }
-    }
+    for_each_coordinate(patch, [&](double x) { all_fit = all_fit && fits(x); });
   }
-  return fits(query.t_max);
+  return all_fit;
 }
 
 }  // namespace ccdfuzz

@@ -12,16 +12,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Calls visit on every coordinate, in the order of the file.
-template <class Visit>
-void for_each_coordinate(const MovingPatch<double>& patch, const Visit& visit) {
-  for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
-    for (const Vec3<double>& p : *points) {
-      for (int k = 0; k < 3; ++k) visit(p[k]);
-    }
-  }
-}
-
 void append_bits(std::string& bytes, double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(bits >> shift & 0xff);

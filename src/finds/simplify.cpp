@@ -21,13 +21,7 @@ constexpr std::array kArrays = {&MovingPatch<double>::positions, &MovingPatch<do
 
 template <class Visit>
 void visit_coordinates(Contact& q, const Visit& visit) {
-  for (MovingPatch<double>& patch : q.query.patches) {
-    for (const auto array : kArrays) {
-      for (Vec3<double>& p : patch.*array) {
-        for (int k = 0; k < 3; ++k) visit(p[k]);
-      }
-    }
-  }
+  for (MovingPatch<double>& patch : q.query.patches) for_each_coordinate(patch, visit);
 }
 
 int significant_bits(double x) {
