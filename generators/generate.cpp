@@ -84,7 +84,7 @@ bool is_made(Family family, ContactClass contact, CaseKind kind) {
 
 Result<void> validate(const GeneratorOptions& options) {
   if (const int e = eps_t_exponent(options); e < -40 || e > -1) {
-    return input_error("--eps-t", fmt::format("exponent {} is not between -40 and -1", e));
+    return input_error("--eps-t", fmt::format("2^{} is not in [2^-40, 2^-1]", e));
   }
   if (options.proof_pops == 0) return input_error("proof_pops", "0 is not at least 1");
   if (is_shaped(options)) return validate_shaped(options);

@@ -203,18 +203,18 @@ void check_terms_of_space(Draw& d) {
   Answer answer = says(Verdict::kHit, sixteenths(d.integer(0, 16)));
   answer.uv[1][0] = sixteenths(d.integer(-2, 18));
   AnswerTerms terms;
-  terms.has_uv = !d.coin();
+  answer.has_uv = !d.coin();
   if (d.coin()) terms.space_tolerance = draw_next_to(d, 5 * size);
 
   const bool abreast = *answer.toi - passing == answer.uv[1][0];
   const bool on_line = answer.uv[1][0] >= 0 && answer.uv[1][0] <= 1;
   Outcome expected = Outcome::kFalsePositive;
-  if (terms.space_tolerance > 0 && !terms.has_uv) {
+  if (terms.space_tolerance > 0 && !answer.has_uv) {
     expected = Outcome::kUnknown;
   } else if (abreast && on_line && terms.space_tolerance >= 5 * size) {
     expected = Outcome::kCorrect;
   }
-  show(d, "has_uv", terms.has_uv);
+  show(d, "has_uv", answer.has_uv);
   show(d, "u", answer.uv[1][0]);
   show(d, "space_tolerance", terms.space_tolerance);
   show(d, "case", asked);

@@ -193,8 +193,8 @@ void Child::kill() {
     ::kill(pid_, SIGCONT);  // should the plug-in have stopped it
     if (await_end(kTimeToEnd, nullptr, nullptr) != pid_) {
       ::kill(-pid_, SIGKILL);
-      ::kill(pid_, SIGKILL);  // the group is not there before the child runs
-      ::waitpid(pid_, nullptr, 0);
+      ::kill(pid_, SIGKILL);                    // the group is not there before the child runs
+      await_end(kTimeToEnd, nullptr, nullptr);  // who traces it may keep it for longer
     }
     pid_ = -1;
   }

@@ -9,12 +9,15 @@
 #include <optional>
 #include <utility>
 
+#include "base/fp_guard.hpp"
+
 namespace ccdfuzz {
 
 /// Runs work(item) on `threads` threads for each item that next() gives, until it gives nothing,
 /// and hands the results to sink one at a time in the order of the items, so that what sink sees
 /// does not depend on the number of threads. next returns a std::optional and is called by one
-/// thread at a time. All three may throw: the first exception ends the run and is thrown here. At
+/// thread at a time. All three run in a sound floating-point environment, whatever the threads were
+/// started in (FpGuard), and may throw: the first exception ends the run and is thrown here. At
 /// most 64 items per thread are held. Requires threads ≥ 1. Returns how many results reached sink.
 template <class Result, class Next, class Work, class Sink>
 size_t stream_in_order(int threads, const Next& next, const Work& work, const Sink& sink) {
@@ -32,13 +35,18 @@ size_t stream_in_order(int threads, const Next& next, const Work& work, const Si
         in_flight,
         tbb::make_filter<void, Item>(tbb::filter_mode::serial_in_order,
                                      [&](tbb::flow_control& control) -> Item {
+                                       const FpGuard guard;
                                        Item item = next();
                                        if (!item) control.stop();
                                        return item;
                                      }) &
             tbb::make_filter<Item, Result>(tbb::filter_mode::parallel,
-                                           [&](Item item) { return work(*std::move(item)); }) &
+                                           [&](Item item) {
+                                             const FpGuard guard;
+                                             return work(*std::move(item));
+                                           }) &
             tbb::make_filter<Result, void>(tbb::filter_mode::serial_in_order, [&](Result result) {
+              const FpGuard guard;
               sink(std::move(result));
               ++done;
             }));

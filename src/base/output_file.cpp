@@ -23,6 +23,8 @@ namespace ccdfuzz {
 
 namespace {
 
+constexpr const char* kNoPath = "is no path here; ./- is, and /dev/stdout is standard output";
+
 namespace fs = std::filesystem;
 
 constexpr std::string_view kTemporaryPrefix = ".ccdfuzz-tmp-";
@@ -101,7 +103,7 @@ tl::unexpected<InputError> OutputFile::failed(const char* doing, int error) {
 }
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
-  if (path == "-") return input_error(path, "is no file here; /dev/stdout is standard output");
+  if (path == "-") return input_error(path, kNoPath);
   OutputFile file;
   file.path_ = path;
   std::error_code ignored;
@@ -175,6 +177,7 @@ Result<void> OutputFile::commit() {
 }
 
 Result<void> make_folder(const std::string& folder) {
+  if (folder == "-") return input_error(folder, kNoPath);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) return system_error(folder, "make the folder", error.value());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "base/line_reader.hpp"
 #include "base/output_file.hpp"
@@ -109,6 +110,19 @@ Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
 }
 
 }  // namespace
+
+void SourceBytes::add(const NamedCase& named) {
+  if (bytes_ > 0 && named.file == file_) return;
+  file_ = named.file;
+  const std::uint64_t size = size_of(file_);
+  is_known_ = is_known_ && size > 0;
+  bytes_ += size;
+}
+
+std::uint64_t SourceBytes::times(std::uint64_t each) const {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return is_known_ && bytes_ < kMost / each ? bytes_ * each : kMost;
+}
 
 Result<std::unique_ptr<CaseFile>> CaseFile::open(const std::string& path, const CsvOptions& csv) {
   if (csv.any_name || path.ends_with(".csv")) {

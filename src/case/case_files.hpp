@@ -20,6 +20,20 @@ struct NamedCase {
   std::uint64_t bytes = 0;                    ///< of its text in the file
 };
 
+/// How large the files are that the cases of a run came from: compressed, a case may take a byte.
+class SourceBytes {
+ public:
+  /// The next case of the run.
+  void add(const NamedCase& named);
+  /// each · bytes, at least 1; no limit where a case came from a pipe or was never in a file.
+  std::uint64_t times(std::uint64_t each) const;
+
+ private:
+  std::string file_;  ///< of the last case
+  std::uint64_t bytes_ = 0;
+  bool is_known_ = true;
+};
+
 /// No case comes near this; it bounds the memory that a wrong file takes.
 inline constexpr size_t kMaxCaseBytes = 1 << 20;
 

@@ -111,7 +111,7 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
     return Outcome::kCorrect;
   }
   if (compare(terms.space_tolerance, 0) > 0) {
-    if (!terms.has_uv) return Outcome::kUnknown;
+    if (!answer.has_uv) return Outcome::kUnknown;
     if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
   }
   return Outcome::kFalsePositive;

@@ -16,7 +16,6 @@ struct AnswerTerms {
   double time_tolerance = 0;
   /// A hit so near is a contact: what uv says must be this near at toi. ≥ 0, finite.
   double space_tolerance = 0;
-  bool has_uv = true;  ///< the answer says where
   /// A hit is true so much before a contact that comes after t_max. ≥ 0, finite.
   double early_tolerance = 0;
   /// Patches that come nearer than this are for it to report as if they touched; unless contacts at

@@ -20,7 +20,7 @@ struct AnswerRow {
     archive("method", row.method);
     archive("verdict", answer.verdict);
     archive("toi", answer.has_toi() ? answer.toi : std::nullopt);
-    archive("uv", is_hit ? std::optional(answer.uv) : std::nullopt);
+    archive("uv", is_hit && answer.has_uv ? std::optional(answer.uv) : std::nullopt);
     archive("outcome", row.judged.outcome);
     archive.optional("late_by", row.judged.late_by);
     archive("pops", answer.pops);

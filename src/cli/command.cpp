@@ -54,7 +54,7 @@ void name_option(const CLI::App& command, InputError& error) {
     for (const std::string& value : option->results()) {
       if (!error.where.starts_with(value)) continue;
       const std::string rest = error.where.substr(value.size());
-      if (!rest.empty() && rest[0] != '/' && rest[0] != '.') continue;
+      if (!rest.empty() && rest.find_first_of("/.:") != 0) continue;
       error.where = fmt::format("{}: {}", option->get_name(), error.where);
       return;
     }

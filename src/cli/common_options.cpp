@@ -91,7 +91,7 @@ std::vector<Option> SearchFlags::add_budget_to(Command& command) {
 SearchOptions SearchFlags::options() const {
   SearchOptions options;
   if (precision) options.precision = *precision;
-  options.max_pops = max_pops;
+  if (max_pops != 0) options.max_pops = max_pops;
   options.max_seconds = max_seconds;
   return options;
 }
@@ -102,7 +102,7 @@ SearchOptions SearchFlags::options_for(const Case& value) const {
   if (!precision) search.precision = own.precision;
   // A file may ask for less work than the command's limit, never for more.
   if (own.max_pops != Asked().max_pops) {
-    search.max_pops = max_pops == 0 ? own.max_pops : std::min(max_pops, own.max_pops);
+    search.max_pops = std::min(search.max_pops, own.max_pops);
   }
   return search;
 }

@@ -25,7 +25,7 @@ std::vector<std::string> default_methods();
 /// --precision, --max-pops and --max-seconds, the limits of one query.
 struct SearchFlags {
   std::optional<double> precision;  ///< absent: 1e-4, or what the case says (asked)
-  std::uint64_t max_pops = SearchOptions().max_pops;
+  std::uint64_t max_pops = SearchOptions().max_pops;  ///< 0: that, within a DefaultBudget
   double max_seconds = SearchOptions::kNoTimeLimit;
 
   void add_to(Command& command);

@@ -217,7 +217,9 @@ int run_generate(const GenerateOptions& options, Session& session) {
     if (options.paper) {
       throw BadInput{{"--output", "the paper's set goes to a file, which --paper needs"}};
     }
-    if (!options.shard.empty()) throw BadInput{{"--output", "a share goes to a file"}};
+    if (!options.shard.empty())
+      throw BadInput{{"--shard", fmt::format("the share {} goes to a file, which --output names",
+                                             options.shard)}};
     if (session.json) {
       throw BadInput{{"--json", "stdout takes the cases already; name a file with --output"}};
     }

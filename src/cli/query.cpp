@@ -3,6 +3,7 @@
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/default_budget.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
 #include "finds/replay.hpp"
@@ -15,48 +16,6 @@ struct QueryOptions {
   std::vector<std::string> files;
   std::vector<std::string> methods = default_methods();
   SearchFlags search;
-};
-
-/// The work of an answer is its pops times this: measured, a pair of boxes of two patches with n
-/// control points together takes about 15·n·(n + 100) ns with the methods of the paper, 0.63 ms for
-/// two tensor(8,8) and 0.02 ms for two triangle(2). tdibm-c takes an eighth or less of that;
-/// tdibm-rational as much, and Answer::work where doubles do not decide.
-std::uint64_t work_of_a_pop(const Query& query) {
-  const std::uint64_t points =
-      query.patches[0].positions.size() + query.patches[1].positions.size();
-  return points * (points + 100);
-}
-
-/// What a run may do where no --max-pops is given, on every machine and number of threads alike.
-class DefaultBudget {
- public:
-  /// Limits an answer, so that all default methods together take about 5 s on two close patches
-  /// that none can decide.
-  static void limit(SearchOptions& search, const Query& query) {
-    const std::uint64_t pops = kWorkOfAnAnswer / work_of_a_pop(query);
-    const std::uint64_t most = std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);
-    search.max_pops = search.max_pops == 0 ? most : std::min(search.max_pops, most);
-    search.max_work = kWorkOfAnAnswer * kExactWork;
-  }
-
-  void add(const Query& query, const Answer& answer) {
-    work_ += answer.pops * work_of_a_pop(query) + answer.work / kExactWork;
-    ++answers_;
-  }
-  bool is_spent() const { return work_ >= kWorkOfARun + answers_ * kCreditOfAnAnswer; }
-
- private:
-  static constexpr std::uint64_t kWorkOfAnAnswer = 40'000'000;  // times 15 ns: 0.6 s
-  static constexpr std::uint64_t kExactWork = 12;  // takes as long: measured, 9 to 24 ns
-  /// A run may take this and kCreditOfAnAnswer for each answer given, so that a file of many of the
-  /// costliest cases ends, too: about 20 s and 0.05 s an answer. Ordinary data sets stay below:
-  /// measured, an answer takes 17,000 in the mean for VV RP and 2,200,000 for FF RN of triangle(2).
-  /// It takes 6,500,000 for FF RN of tensor(8,8), of which 50 cases are within.
-  static constexpr std::uint64_t kDefaultMethodCount = 7;
-  static constexpr std::uint64_t kWorkOfARun = 4 * kDefaultMethodCount * kWorkOfAnAnswer;
-  static constexpr std::uint64_t kCreditOfAnAnswer = kWorkOfAnAnswer / 12;
-
-  std::uint64_t work_ = 0, answers_ = 0;
 };
 
 std::vector<TableCell> query_cells(const AnswerRow& row) {
@@ -105,7 +64,7 @@ int run_query(const QueryOptions& options, Session& session) {
           spent = true;
         }
         if (spent) return;
-        budget.add(named.value.query, judged.answer);
+        budget.add(named, judged.answer);
         ++done;
         if (m == 0) counts.add(named.value);
         if (judged.answer.verdict == Verdict::kUndecided && judged.error.empty()) ++undecided;
@@ -120,12 +79,7 @@ int run_query(const QueryOptions& options, Session& session) {
                     "about 5 s a case; more: --max-pops {}",
                     undecided, done, SearchOptions().max_pops));
   }
-  if (!first_left.empty()) {
-    throw BadInput{{first_left,
-                    "this case and all after it are left undecided: the default budget of a run, "
-                    "about 20 s of counted work and 0.05 s an answer, is spent; --max-pops N sets "
-                    "one for each answer instead"}};
-  }
+  if (!first_left.empty()) throw BadInput{DefaultBudget::spent_before(first_left)};
   return session.exit_code(kDone);
 }
 

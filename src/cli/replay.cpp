@@ -15,6 +15,7 @@
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/default_budget.hpp"
 #include "cli/replay_claims.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
@@ -117,7 +118,11 @@ Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& o
     }
     ++it;
   }
-  result.rows = replayer.replay(entry.id, *known, wanted, options.search.options_for(entry.value));
+  SearchOptions search = options.search.options_for(entry.value);
+  // An entry was kept with its answers, and may be one of the costly: about 10 s an answer.
+  constexpr std::uint64_t kTimes = 16;
+  if (options.search.max_pops == 0) DefaultBudget::limit(search, known->query(), kTimes);
+  result.rows = replayer.replay(entry.id, *known, wanted, search);
   // What a method does not take, it need not answer.
   if (options.expect) {
     std::erase_if(result.rows,
@@ -157,6 +162,9 @@ class Replay {
  private:
   void add(const SharedCase& shared, const Replayed& done) {
     const NamedCase& entry = shared.named();
+    if (options_.search.max_pops == 0 && budget_.is_spent()) {
+      throw BadInput{DefaultBudget::spent_before(entry.id)};
+    }
     ++entries_;
     case_counts_.add(entry.value);
     if (!done.refuted.empty()) {
@@ -173,6 +181,7 @@ class Replay {
     for (const ReplayRow& row : done.rows) {
       ++expectations_;
       asked_.insert(row.method);
+      budget_.add(entry, row.judged.answer);
       ++counts_[static_cast<size_t>(row.change())];
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
@@ -255,6 +264,7 @@ class Replay {
   Session& session_;
   std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
+  DefaultBudget budget_;
   ReplayedClaims claims_;
   std::set<std::string> asked_;
   std::set<std::string> cleared_;  ///< folders of what killed writers left
@@ -264,7 +274,7 @@ class Replay {
 
 int run_replay(const ReplayOptions& options, Session& session) {
   const SearchFlags& search = options.search;
-  if (options.update && (search.precision || search.max_pops != SearchFlags().max_pops ||
+  if (options.update && (search.precision || search.max_pops != 0 ||
                          search.max_seconds != SearchFlags().max_seconds)) {
     throw BadInput{{"--update",
                     "excludes --precision, --max-pops and --max-seconds: an entry "
@@ -287,7 +297,9 @@ void add_replay(CommandLine& line, const std::vector<Property>& known) {
   command.flag("--update", options->update,
                "Writes what methods show now into the entries, and exits with 0");
   command.allow_plugins();
-  options->search.add_to(command);
+  options->search.max_pops = 0;  // DefaultBudget
+  options->search.add_precision_to(command);
+  options->search.add_budget_to(command).front().without_default();
   command.threads();
   command.json("One JSON object per expectation");
   command.max_work();

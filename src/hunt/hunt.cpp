@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/cpu_time.hpp"
+#include "base/fp_guard.hpp"
 #include "base/verify.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/schedule.hpp"
@@ -87,6 +88,7 @@ class Hunt {
   }
 
   HuntReport run() {
+    const FpGuard guard;
     {
       std::vector<std::jthread> workers;
       for (int t = 1; t < options_.threads; ++t) workers.emplace_back([this] { work(); });
@@ -121,8 +123,9 @@ class Hunt {
     return search;
   }
 
-  /// One thread.
+  /// One thread, in whatever floating-point environment it was started.
   void work() {
+    const FpGuard guard;
     try {
       Tools tools(options_.search);
       std::unique_lock lock(mutex_);

@@ -267,8 +267,9 @@ TEST(JudgeByTerms, AHitWithinItsToleranceInSpaceIsNotFalse) {
   EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5 + 0x1p-40), terms), Outcome::kFalsePositive);
   terms.space_tolerance = std::nextafter(0.25, 0);
   EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5), terms), Outcome::kFalsePositive);
-  terms.has_uv = false;
-  EXPECT_EQ(judge(checked_or_unknown(passing), hit(0.5), terms), Outcome::kUnknown);
+  Answer somewhere = hit(0.5);
+  somewhere.has_uv = false;
+  EXPECT_EQ(judge(checked_or_unknown(passing), somewhere, terms), Outcome::kUnknown);
   // Parameters outside of the patch are no place on it.
   terms = {true, true, 0, 0.25, true};
   query.patches[1] = {Shape::curve(1), {{0, 0.25, 0}, {1, 0.25, 0}}, {{0, 0, 0}, {0, 0, 0}}};

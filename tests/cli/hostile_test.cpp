@@ -230,6 +230,30 @@ TEST_F(Hostile, AFileOfManyAbsencesByWordEndsAtTheLimitOfARun) {
   EXPECT_THAT(verified.err, HasSubstr(":1: checking the cases up to this one takes more than "));
 }
 
+TEST_F(Hostile, ManyCasesInAFewCompressedBytesEndAtALimitThatCountsBytes) {
+  Truth truth;
+  truth.collides = false;
+  truth.proof = "rational-tdibm";
+  const std::string path = folder_ / "cases.jsonl.zst";
+  CaseWriter writer = CaseWriter::open(path).value();
+  Case value;
+  value.query = near_tensors();
+  value.truth = truth;
+  for (int i = 0; i < 5000; ++i) ASSERT_TRUE(writer.write(value));
+  ASSERT_TRUE(writer.finish());
+  EXPECT_LT(std::filesystem::file_size(path), 10'000U);
+  const Finished verified = limited("verify " + path);
+  EXPECT_EQ(verified.code, 2) << verified.out;
+  EXPECT_THAT(verified.err, HasSubstr("checking the cases up to this one takes more than "));
+  for (const char* command :
+       {"query --json --methods tdibm", "replay --json --methods tdibm --expect correct"}) {
+    const Finished asked =
+        shell(fmt::format("ulimit -v 1048576; ulimit -t 120; \"$ccdfuzz\" {} {}", command, path));
+    EXPECT_EQ(asked.code, 2) << asked.out;
+    EXPECT_THAT(asked.err, HasSubstr("this case and all after it are left undecided"));
+  }
+}
+
 /// In small numbers and nearer than planes tell apart, one of them moved by a large number.
 Query tensors_of_far_exponents() {
   Query query = {{tensor8(0, 0), tensor8(0.25, 0)}, 1};

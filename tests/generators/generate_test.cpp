@@ -235,7 +235,7 @@ TEST(Generate, RefusesWhatItDoesNotMake) {
   options.eps_t_exponent = 0;
   const Result<void> eps = validate(options);
   ASSERT_FALSE(eps);
-  EXPECT_EQ(eps.error().message(), "--eps-t: exponent 0 is not between -40 and -1");
+  EXPECT_EQ(eps.error().message(), "--eps-t: 2^0 is not in [2^-40, 2^-1]");
   options = {};
   options.proof_pops = 0;
   const Result<void> pops = validate(options);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cfenv>
 
 #include "base/cpu_time.hpp"
+#include "case/case_json.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {
@@ -52,6 +54,34 @@ TEST(Hunt, MutantsOfNothingTakeNoTime) {
   ground.shapes = {Shape::triangle(1), Shape::triangle(1)};
   const Shares shares = shares_of(ground);
   EXPECT_TRUE(shares.queries > 0 || shares.of_draws > 0.75) << shares.of_draws;
+}
+
+// Threads inherit the environment of whoever starts them.
+TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
+  const auto hunted = [](int threads) {
+    const ScratchFolder folder;
+    Store store = Store::open(folder.path()).value();
+    HuntOptions options;
+    options.methods = {"tdibm"};
+    options.cases = 2;
+    options.threads = threads;
+    options.seed = 3;
+    const std::atomic<bool> stop = false;
+    const HuntReport report = hunt(
+        options, store, [](const HuntProgress&) {}, stop);
+    const std::vector<NamedCase> entries = store.load().value();
+    std::string finds;
+    for (const NamedCase& find : entries) finds += to_json(find.value);
+    return finds;
+  };
+  const std::string expected = hunted(1);
+  EXPECT_NE(expected, "");
+  for (const int rounding : {FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(rounding);
+    const std::string finds = hunted(2);
+    std::fesetround(FE_TONEAREST);
+    EXPECT_TRUE(finds == expected) << "rounding " << rounding;
+  }
 }
 
 }  // namespace

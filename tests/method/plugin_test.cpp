@@ -122,6 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"says seconds -1", "garbage", "seconds -1"},
                     Misdeed{"says seconds Infinity", "garbage", "seconds \"Infinity\""},
                     Misdeed{"says tolerance \"small\"", "garbage", "tolerance \"small\""},
+                    Misdeed{"says uv \"here\"", "garbage", "uv is not"},
+                    Misdeed{"says uv [[0,0]]", "garbage", "uv is not"},
                     Misdeed{"says id 1.5", "stale", "1.5"}));
 
 TEST(Plugin, ThatLiesAboutItsTableIsKnownByThat) {
@@ -189,9 +191,9 @@ TEST(Plugin, SaysWhatItIsAndClaims) {
   EXPECT_EQ(naive->description, "naive Newton 1.0");
   EXPECT_FALSE(naive->claims_no_false_negative);
   EXPECT_TRUE(method_info(kMisbehaving + ":nan")->claims_no_false_negative);
-  const AnswerTerms terms = made(kLinear)->answer(falling_vertex(), {}).terms;
-  EXPECT_EQ(terms.time_tolerance, 1e-12);
-  EXPECT_TRUE(terms.has_uv);
+  const Answered answered = made(kLinear)->answer(falling_vertex(), {});
+  EXPECT_EQ(answered.terms.time_tolerance, 1e-12);
+  EXPECT_TRUE(answered.has_uv);
 }
 
 // A file may hold any spec: looking it up must start nothing.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@ thread_local std::uint64_t done_here = 0;
 struct Spent {
   std::optional<std::uint64_t> most;
   std::uint64_t all = 0, cases = 0, of_last = 0;
+  SourceBytes source;
   std::string last;
 } spent;
 
@@ -40,12 +42,14 @@ Result<void> RunWork::add(const NamedCase& named, std::uint64_t work) {
     spent.last = named.id;
     spent.of_last = 0;
     ++spent.cases;
+    spent.source.add(named);
   }
   if (work > spent.of_last) {
     spent.all += work - spent.of_last;
     spent.of_last = work;
   }
-  const std::uint64_t most = spent.most.value_or(kStart + spent.cases * kEachCase);
+  const std::uint64_t by_size = std::min(spent.cases * kEachCase, spent.source.times(kEachByte));
+  const std::uint64_t most = spent.most.value_or(kStart + by_size);
   if (spent.all <= most) return {};
   return input_error(
       named.id,

@@ -265,11 +265,13 @@ tl::expected<void, Fault> read_toi(const JsonValue* value, double t_max, PluginA
   return {};
 }
 
-/// [[u, v], [u, v]] with numbers, or with null where it does not know.
+/// [[u, v], [u, v]] with numbers, or with null where it does not know; left out or null.
 tl::expected<void, Fault> read_uv(const JsonValue* value, PluginAnswer& out) {
-  if (value == nullptr || value->kind != JsonKind::kArray) return {};
-  if (value->items.size() != 2) return garbage_answer("uv is not [[u, v], [u, v]]");
-  out.has_uv = true;
+  out.answer.has_uv = false;
+  if (!is_given(value)) return {};
+  if (value->kind != JsonKind::kArray || value->items.size() != 2)
+    return garbage_answer("uv is not [[u, v], [u, v]]");
+  out.answer.has_uv = true;
   for (size_t side = 0; side < 2; ++side) {
     const JsonValue& uv = value->items[side];
     if (uv.kind != JsonKind::kArray || uv.items.size() > 2) {
@@ -278,11 +280,11 @@ tl::expected<void, Fault> read_uv(const JsonValue* value, PluginAnswer& out) {
     for (size_t k = 0; k < uv.items.size(); ++k) {
       const std::optional<double> number = number_of(&uv.items[k]);
       if (number && std::isnan(*number)) return answer_fault("uv NaN", "hit at the parameter NaN");
-      if (!number || std::isinf(*number)) out.has_uv = false;
+      if (!number || std::isinf(*number)) out.answer.has_uv = false;
       out.answer.uv[side][k] = number.value_or(0);
     }
   }
-  if (!out.has_uv) out.answer.uv = {};
+  if (!out.answer.has_uv) out.answer.uv = {};
   return {};
 }
 

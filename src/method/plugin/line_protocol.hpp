@@ -68,7 +68,6 @@ Described read_description(const std::string& line);
 struct PluginAnswer {
   Answer answer;  ///< toi is the lower bound
   double toi_upper = std::numeric_limits<double>::quiet_NaN();
-  bool has_uv = false;
   double tolerance = std::numeric_limits<double>::quiet_NaN();  ///< achieved
   bool has_seconds = false;
 
