@@ -12,6 +12,7 @@
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/stress.hpp"
 
@@ -23,43 +24,12 @@ std::string_view name_of(Discard reason) {
   return names.at(static_cast<size_t>(reason));
 }
 
-namespace {
-
-struct FamilyWords {
-  std::string_view name, description;
-};
-
-constexpr std::array<FamilyWords, kFamilies.size()> kFamilyWords = {{
-    {"regular", "the contact that --contact names, and nothing else"},
-    {"flat-grazing", "nearly flat, sliding along each other on a plane through the origin"},
-    {"common-velocity", "both with the same velocity of 2^8 to 2^20 on top of their own"},
-    {"scaled", "all numbers times 2^k, k from -1000 to 900"},
-    {"twins", "two control points a few ulps apart hide under a third"},
-    {"interior-time", "t* < t_max"},
-    {"at-start", "in touch at t = 0; witness only"},
-    {"resting", "in touch from start to end, without relative velocity; witness only"},
-    {"sliding", "slide onto each other at t* and stay in touch for a time; witness only"},
-    {"shared-edge", "touch along an edge of both, or a part of it; EE VE VV"},
-    {"ruled", "touch along a line of parameters; FF EF VF"},
-    {"several", "touch in two points at once, or more; of FF witness only"},
-    {"area", "touch over an area, one being a part of the other at t*; curved ones witness only"},
-    {"degenerate", "collapsed edges, repeated control points, no area"},
-    {"sliver", "2^4 to 2^30 times as long as wide"},
-    {"high-curvature", "much taller than wide above the contact plane"},
-    {"mixed-scales", "one much smaller than the other, coordinates of different sizes"},
-    {"far-away", "as far from the origin as the bits allow"},
-    {"concurrent-lines", "all control points pass through one point at one time, or nearly"},
-    {"anywhere", "contacts of these families and others in any scale and place; some witness only"},
-}};
-
-}  // namespace
-
 std::string_view name_of(Family family) {
-  return kFamilyWords.at(static_cast<size_t>(family)).name;
+  return row_of(family).name;
 }
 
 std::string_view description_of(Family family) {
-  return kFamilyWords.at(static_cast<size_t>(family)).description;
+  return row_of(family).description;
 }
 
 namespace {

@@ -25,63 +25,39 @@ constexpr const auto& all_of(Construction) {
 }
 std::string_view name_of(Construction construction);
 
-/// What is wanted of the cases beyond contact class and kind. All but the first are stress
-/// families: each has an exact witness, whatever the construction asked for, and is made to bring
-/// out one weakness or is a contact of another kind. The first five make positives of quadratic
-/// triangles and claim nothing of the time before the contact, unless shapes are asked for. The
-/// others, of random shapes unless they are asked for, prove by a moving plane that nothing touches
-/// before t*, but where it says that they do not.
+/// What is wanted of the cases beyond contact class and kind; shaped/families.cpp has a row for
+/// each. All but the first are stress families: each has an exact witness, whatever the
+/// construction asked for, and is made to bring out one weakness or is a contact of another kind.
+/// The first five make positives of quadratic triangles and claim nothing of the time before the
+/// contact, unless shapes are asked for. The others, of random shapes unless they are asked for,
+/// prove by a moving plane that nothing touches before t*, but where it says that they do not.
 enum class Family : std::uint8_t {
   kRegular,
-  /// Patches that are nearly flat, far from the origin on a plane through it, and slide along each
-  /// other: they touch at t* ≤ t_max and at no other time. Against absolute pull-apart.
   kFlatGrazing,
-  /// Both patches have the same velocity of 2^8 to 2^20 on top of their own. Against pull-apart
-  /// relative to the intercept.
   kCommonVelocity,
-  /// All numbers times 2^k, k from −1000 to 900, most near where products of two underflow.
   kScaled,
-  /// Two control points with positions and velocities a few ulps apart hide under a third.
   kTwins,
-  /// t* < t_max, a dyadic rational.
   kInteriorTime,
-  /// t* = 0: they touch at the start, and then cross, part or both.
   kAtStart,
-  /// No relative velocity: they touch, from the start to the end.
   kResting,
-  /// They slide onto each other at t* and stay in touch for a time; witness only.
   kSliding,
-  /// They touch along a whole edge of both, or a part of it.
   kSharedEdge,
-  /// They touch along a line of one's parameters.
   kRuled,
-  /// They touch in two points at once, or more; FF: witness only.
   kSeveral,
-  /// They touch over an area, one being a part of the other at t*; curved ones: witness only.
   kArea,
-  /// Collapsed edges, repeated control points, no area.
   kDegenerate,
-  /// 2^4 to 2^30 times as long as wide.
   kSliver,
-  /// Much taller than wide above the contact plane.
   kHighCurvature,
-  /// One patch much smaller than the other; coordinates of sizes of their own, 2^-900 to 2^800.
   kMixedScales,
-  /// As far from the origin as the bits allow, some as fast.
   kFarAway,
-  /// All control points pass through one point at one time, exactly or but for a few ulps, so that
-  /// the lines they make on every axis cross in one point.
   kConcurrentLines,
-  /// A contact of any of these families, or a planted one (planted.hpp), in other coordinates
-  /// (elsewhere.hpp): in all scales and places. Of the time before it says what that one does.
   kAnywhere,
 };
-inline constexpr std::array kFamilies = {
-    Family::kRegular,     Family::kFlatGrazing,  Family::kCommonVelocity,  Family::kScaled,
-    Family::kTwins,       Family::kInteriorTime, Family::kAtStart,         Family::kResting,
-    Family::kSliding,     Family::kSharedEdge,   Family::kRuled,           Family::kSeveral,
-    Family::kArea,        Family::kDegenerate,   Family::kSliver,          Family::kHighCurvature,
-    Family::kMixedScales, Family::kFarAway,      Family::kConcurrentLines, Family::kAnywhere};
+inline constexpr auto kFamilies = [] {
+  std::array<Family, static_cast<size_t>(Family::kAnywhere) + 1> all{};
+  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
+  return all;
+}();
 constexpr const auto& all_of(Family) {
   return kFamilies;
 }

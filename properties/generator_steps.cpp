@@ -16,7 +16,7 @@
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/shaped/features.hpp"
-#include "generators/shaped/point_contacts.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/static_contact.hpp"
 #include "numeric/products.hpp"
 #include "properties/property.hpp"
@@ -234,7 +234,7 @@ std::vector<Property> generator_steps_claims() {
        "Grazing patches meet at t*, slide along the contact plane, and are apart in a near-miss",
        "Section 5.2", check_grazing},
       {"generator.grazing_shapes", "The same of patches of any shapes",
-       "generators/shaped/point_contacts.hpp", check_grazing_shapes},
+       "generators/shaped/families.hpp", check_grazing_shapes},
       {"generator.cases", "A generated case has the truth, the class and the numbers that it says",
        "Section 5.1, Step VI, Section 5.4", check_generated},
       {"generator.clearance", "Nothing proves a contact where a case claims that there is none",

@@ -1,4 +1,4 @@
-#include "generators/shaped/extended_contacts.hpp"
+#include "generators/shaped/families.hpp"
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ std::vector<std::array<ShapeEdge, 2>> edges_alike(const ShapePair& shapes) {
   return pairs;
 }
 
-ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+ContactScene on_a_shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const auto pairs = edges_alike(shapes);
   const std::array<ShapeEdge, 2> edges = pairs[draw.below(pairs.size())];
@@ -71,7 +71,7 @@ ContactScene shared_edge(ContactClass contact, const ShapePair& shapes, Draw& dr
   return scene;
 }
 
-ContactScene ruled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+ContactScene along_a_line(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const size_t flat = features[0] == Feature::kFace ? draw.below(2) : 1;
   ContactScene scene;
@@ -188,7 +188,7 @@ ContactSide plate_under(Feature feature, const Shape& shape, const std::array<Uv
   return side;
 }
 
-ContactScene several(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+ContactScene in_several_points(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const TwoPoints upper = two_points(features[0], shapes[0], draw);
   ContactScene scene;
@@ -246,7 +246,7 @@ Uv<Dyadic> on_whole(const Shape& shape, const std::array<Uv<Dyadic>, 3>& part,
   return at;
 }
 
-ContactScene area_contact(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+ContactScene over_an_area(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   const std::array<Feature, 2> features = features_of(contact);
   const Shape& shape = shapes[0];
   const bool curved = draw.coin();
@@ -289,40 +289,50 @@ bool can_have_two_points(Feature feature, const Shape& shape) {
   return false;
 }
 
+template <class Make>
+PlacedScene placed(const Make& make, ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made;
+  made.scene = make(contact, shapes, draw);
+  made.placement = random_placement(draw);
+  return made;
+}
+
 }  // namespace
 
-bool can_extend(Family family, ContactClass contact, const ShapePair& shapes) {
-  using enum ContactClass;
-  const bool surfaces = shapes[0].parameter_count() == 2 && shapes[1].parameter_count() == 2;
-  switch (family) {
-    case Family::kSharedEdge:
-      return (contact == kEE || contact == kVE || contact == kVV) && !edges_alike(shapes).empty();
-    case Family::kRuled:
-      return (contact == kFF || contact == kEF || contact == kVF) &&
-             shapes[0].kind != ShapeKind::kPoint;
-    case Family::kSeveral:
-      return can_have_two_points(features_of(contact)[0], shapes[0]) &&
-             shapes[1].kind != ShapeKind::kPoint;
-    case Family::kArea:
-      return surfaces && shapes[0] == shapes[1];
-    default:
-      return false;
-  }
+namespace families {
+
+bool have_edges_alike(ContactClass, const ShapePair& shapes) {
+  return !edges_alike(shapes).empty();
 }
 
-ContactScene extended_contact(Family family, ContactClass contact, const ShapePair& shapes,
-                              Draw& draw) {
-  CCDFUZZ_VERIFY(can_extend(family, contact, shapes));
-  switch (family) {
-    case Family::kSharedEdge:
-      return shared_edge(contact, shapes, draw);
-    case Family::kRuled:
-      return ruled(contact, shapes, draw);
-    case Family::kSeveral:
-      return several(contact, shapes, draw);
-    default:
-      return area_contact(contact, shapes, draw);
-  }
+PlacedScene shared_edge(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return placed(on_a_shared_edge, contact, shapes, draw);
 }
 
+bool have_a_line(ContactClass, const ShapePair& shapes) {
+  return shapes[0].kind != ShapeKind::kPoint;
+}
+
+PlacedScene ruled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return placed(along_a_line, contact, shapes, draw);
+}
+
+bool have_two_points(ContactClass contact, const ShapePair& shapes) {
+  return can_have_two_points(features_of(contact)[0], shapes[0]) &&
+         shapes[1].kind != ShapeKind::kPoint;
+}
+
+PlacedScene several(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return placed(in_several_points, contact, shapes, draw);
+}
+
+bool are_equal_surfaces(ContactClass, const ShapePair& shapes) {
+  return shapes[0].parameter_count() == 2 && shapes[0] == shapes[1];
+}
+
+PlacedScene area(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return placed(over_an_area, contact, shapes, draw);
+}
+
+}  // namespace families
 }  // namespace ccdfuzz

@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "generators/grazing.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/heights.hpp"
-#include "generators/shaped/point_contacts.hpp"
 
 namespace ccdfuzz {
 
@@ -102,18 +102,12 @@ ContactScene sliding_onto_a_plate(ContactClass contact, const ShapePair& shapes,
   return scene;
 }
 
-/// Nearly flat, far away on a plane through the origin that is the contact plane. Parameters have
-/// few bits, so that heights of 2^-20 and coordinates up to 2^16 fit into one double.
-PlacedScene flat_grazing_of_shapes(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  constexpr long kFlatness = 20;
-  PlacedScene made;
-  made.placement.frame = random_frame(draw);
-  made.scene = touching_at(contact, shapes, kFewBits, kBowlUnit - kFlatness, draw);
-  let_graze(made.scene, draw);
-  if (draw.coin()) made.scene.t = time_before_one(draw);
-  const int bits = static_cast<int>(draw.integer(32, 38));
-  const Planar where = {draw.lattice(bits, -28), draw.lattice(bits, -28)};
-  made.placement.shift = point_of(made.placement.frame, where, Dyadic());
+/// The regular scene, for `change` to vary.
+template <class Change>
+PlacedScene changed(ContactClass contact, const ShapePair& shapes, Draw& draw,
+                    const Change& change) {
+  PlacedScene made = families::regular(contact, shapes, draw);
+  change(made);
   return made;
 }
 
@@ -135,32 +129,69 @@ ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw)
   return scene;
 }
 
-PlacedScene moving_variant(Family family, ContactClass contact, const ShapePair& shapes,
-                           Draw& draw) {
-  if (family == Family::kFlatGrazing) return flat_grazing_of_shapes(contact, shapes, draw);
+PlacedScene families::regular(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement = random_placement(draw);
-  ContactScene& scene = made.scene;
-  if (family == Family::kSliding) {
-    scene = sliding_onto_a_plate(contact, shapes, draw);
-    return made;
-  }
-  scene = touching(contact, shapes, draw);
-  if (family == Family::kInteriorTime) scene.t = time_before_one(draw);
-  if (family == Family::kAtStart) let_start(scene, draw);
-  if (family == Family::kResting) let_rest(scene);
-  if (family == Family::kCommonVelocity) {
+  made.scene = touching(contact, shapes, draw);
+  return made;
+}
+
+PlacedScene families::interior_time(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return changed(contact, shapes, draw,
+                 [&](PlacedScene& made) { made.scene.t = time_before_one(draw); });
+}
+
+PlacedScene families::at_start(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return changed(contact, shapes, draw, [&](PlacedScene& made) { let_start(made.scene, draw); });
+}
+
+PlacedScene families::resting(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return changed(contact, shapes, draw, [](PlacedScene& made) { let_rest(made.scene); });
+}
+
+PlacedScene families::common_velocity(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return changed(contact, shapes, draw, [&](PlacedScene& made) {
     const long exponent = static_cast<long>(draw.integer(8, 20));
     made.placement.drift = draw.vector(10, exponent - 10);
-  }
+  });
+}
+
+PlacedScene families::scaled(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  return changed(contact, shapes, draw, [&](PlacedScene& made) {
+    made.scene.t_max = 2;
+    // Most where products of two projections underflow; a subnormal has no room for all bits.
+    const bool near_underflow = draw.below(4) != 0;
+    const auto exponent =
+        static_cast<long>(near_underflow ? draw.integer(-547, -530) : draw.integer(-1000, 900));
+    made.placement.exponent.fill(exponent);
+  });
+}
+
+PlacedScene families::sliding(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made;
+  made.placement = random_placement(draw);
+  made.scene = sliding_onto_a_plate(contact, shapes, draw);
+  return made;
+}
+
+/// Nearly flat, far away on a plane through the origin that is the contact plane. Parameters have
+/// few bits, so that heights of 2^-20 and coordinates up to 2^16 fit into one double.
+PlacedScene families::flat_grazing(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  constexpr long kFlatness = 20;
+  PlacedScene made;
+  made.placement.frame = random_frame(draw);
+  made.scene = touching_at(contact, shapes, kFewBits, kBowlUnit - kFlatness, draw);
+  let_graze(made.scene, draw);
+  if (draw.coin()) made.scene.t = time_before_one(draw);
+  const int bits = static_cast<int>(draw.integer(32, 38));
+  const Planar where = {draw.lattice(bits, -28), draw.lattice(bits, -28)};
+  made.placement.shift = point_of(made.placement.frame, where, Dyadic());
   return made;
 }
 
 PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,
                             Draw& draw) {
-  PlacedScene made;
-  made.placement = random_placement(draw);
-  made.scene = touching(contact, shapes, draw);
+  PlacedScene made = families::regular(contact, shapes, draw);
   let_graze(made.scene, draw);
   if (near_miss) {
     const Dyadic gap(1, static_cast<long>(draw.integer(kLeastGap, kLargestGap)));

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "generators/shaped/families.hpp"
 #include "generators/shaped/heights.hpp"
-#include "generators/shaped/point_contacts.hpp"
 
 namespace ccdfuzz {
 
@@ -94,23 +94,6 @@ void make_degenerate(ContactSide& side, Draw& draw) {
   centre(side);
 }
 
-ContactScene degenerate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  ContactScene scene = coarse_scene(contact, shapes, draw);
-  const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
-  for (size_t s = 0; s < 2; ++s) {
-    if ((which >> s & 1) == 0) continue;
-    ContactSide& side = scene.sides[s];
-    const bool lift = draw.coin();
-    const Dyadic height(s == 0 ? 1 : -1, -static_cast<long>(draw.integer(2, 8)));
-    for_each_control(side.shape, [&](int i, int j) {
-      Dyadic& z = side.points[static_cast<size_t>(side.shape.index(i, j))][2];
-      z = lift && !bears(side.shape, side.at, i, j) ? height : Dyadic();
-    });
-    make_degenerate(side, draw);
-  }
-  return scene;
-}
-
 /// Under these velocities all control points of the side pass through one point at one time, so
 /// that the lines that they make on any axis all cross in one point. Patch 1 falls and patch 2
 /// rises, so that point is beyond all of the patch if it comes after t*, else before it.
@@ -132,12 +115,29 @@ void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_e
   }
 }
 
-PlacedScene concurrent_lines(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+/// A coarse scene to be changed, near the origin.
+PlacedScene near_origin(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement.frame = random_frame(draw);
   made.placement.shift = small_shift(draw);
+  made.scene = coarse_scene(contact, shapes, draw);
+  return made;
+}
+
+/// One side of the scene, the other, or both.
+template <class Change>
+void change_sides(ContactScene& scene, Draw& draw, const Change& change) {
+  const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
+  for (size_t s = 0; s < 2; ++s) {
+    if ((which >> s & 1) != 0) change(s, scene.sides[s]);
+  }
+}
+
+}  // namespace
+
+PlacedScene families::concurrent_lines(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made = near_origin(contact, shapes, draw);
   ContactScene& scene = made.scene;
-  scene = coarse_scene(contact, shapes, draw);
   scene.t = Dyadic(1, -1);
   const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
   const bool after = draw.coin();
@@ -158,11 +158,8 @@ PlacedScene concurrent_lines(ContactClass contact, const ShapePair& shapes, Draw
 
 /// One patch much smaller than the other one; in space coordinates of different sizes too, up to
 /// the ends of what a double holds.
-PlacedScene mixed_scales(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  PlacedScene made;
-  made.placement.frame = random_frame(draw);
-  made.placement.shift = small_shift(draw);
-  made.scene = coarse_scene(contact, shapes, draw);
+PlacedScene families::mixed_scales(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made = near_origin(contact, shapes, draw);
   const auto shrink = -static_cast<long>(draw.integer(1, spare_bits(made.scene)));
   ContactSide& smaller = made.scene.sides[draw.below(2)];
   scale_axes(smaller.points, 0, 2, shrink);
@@ -176,7 +173,7 @@ PlacedScene mixed_scales(ContactClass contact, const ShapePair& shapes, Draw& dr
 }
 
 /// As far from the origin as the numbers have bits for.
-PlacedScene far_away(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+PlacedScene families::far_away(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   PlacedScene made;
   made.placement.frame = random_frame(draw);
   made.scene = coarse_scene(contact, shapes, draw);
@@ -187,45 +184,34 @@ PlacedScene far_away(ContactClass contact, const ShapePair& shapes, Draw& draw) 
   return made;
 }
 
-PlacedScene scaled_alike(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  PlacedScene made;
-  made.placement = random_placement(draw);
-  made.scene = touching(contact, shapes, draw);
-  made.scene.t_max = 2;
-  // Most where products of two projections underflow; a subnormal has no room for all bits.
-  const bool near_underflow = draw.below(4) != 0;
-  const auto exponent =
-      static_cast<long>(near_underflow ? draw.integer(-547, -530) : draw.integer(-1000, 900));
-  made.placement.exponent.fill(exponent);
+PlacedScene families::degenerate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made = near_origin(contact, shapes, draw);
+  change_sides(made.scene, draw, [&](size_t s, ContactSide& side) {
+    const bool lift = draw.coin();
+    const Dyadic height(s == 0 ? 1 : -1, -static_cast<long>(draw.integer(2, 8)));
+    for_each_control(side.shape, [&](int i, int j) {
+      Dyadic& z = side.points[static_cast<size_t>(side.shape.index(i, j))][2];
+      z = lift && !bears(side.shape, side.at, i, j) ? height : Dyadic();
+    });
+    make_degenerate(side, draw);
+  });
   return made;
 }
 
-}  // namespace
-
-PlacedScene odd_variant(Family family, ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  if (family == Family::kScaled) return scaled_alike(contact, shapes, draw);
-  if (family == Family::kMixedScales) return mixed_scales(contact, shapes, draw);
-  if (family == Family::kFarAway) return far_away(contact, shapes, draw);
-  if (family == Family::kConcurrentLines) return concurrent_lines(contact, shapes, draw);
-  PlacedScene made;
-  made.placement.frame = random_frame(draw);
-  made.placement.shift = small_shift(draw);
-  if (family == Family::kDegenerate) {
-    made.scene = degenerate(contact, shapes, draw);
-    return made;
-  }
-  made.scene = coarse_scene(contact, shapes, draw);
+PlacedScene families::sliver(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made = near_origin(contact, shapes, draw);
   const int most = std::max(kLeastSqueeze, spare_bits(made.scene));
-  const std::uint64_t which = draw.integer(1, 3);  // bits: patch 1, patch 2
-  for (size_t s = 0; s < 2; ++s) {
-    if ((which >> s & 1) == 0) continue;
-    Points<Dyadic>& points = made.scene.sides[s].points;
-    if (family == Family::kSliver) {
-      scale_axes(points, 1, 1, -static_cast<long>(draw.integer(kLeastSqueeze, most)));
-    } else {
-      scale_axes(points, 2, 2, static_cast<long>(draw.integer(4, 12)));
-    }
-  }
+  change_sides(made.scene, draw, [&](size_t, ContactSide& side) {
+    scale_axes(side.points, 1, 1, -static_cast<long>(draw.integer(kLeastSqueeze, most)));
+  });
+  return made;
+}
+
+PlacedScene families::high_curvature(ContactClass contact, const ShapePair& shapes, Draw& draw) {
+  PlacedScene made = near_origin(contact, shapes, draw);
+  change_sides(made.scene, draw, [&](size_t, ContactSide& side) {
+    scale_axes(side.points, 2, 2, static_cast<long>(draw.integer(4, 12)));
+  });
   return made;
 }
 

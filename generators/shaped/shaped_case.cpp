@@ -6,7 +6,7 @@
 
 #include "base/verify.hpp"
 #include "generators/first_contact.hpp"
-#include "generators/shaped/extended_contacts.hpp"
+#include "generators/shaped/families.hpp"
 #include "generators/stress.hpp"
 
 namespace ccdfuzz {
@@ -17,11 +17,6 @@ constexpr ShapePair kTwoQuadratics = {Shape::triangle(2), Shape::triangle(2)};
 
 bool is_quadratic_family(Family family) {
   return std::ranges::find(kQuadraticFamilies, family) != kQuadraticFamilies.end();
-}
-
-bool is_extended(Family family) {
-  return family == Family::kSharedEdge || family == Family::kRuled || family == Family::kSeveral ||
-         family == Family::kArea;
 }
 
 bool is_sliding_kind(CaseKind kind) {
@@ -55,7 +50,8 @@ Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shap
                                      name_of(options.kind), name_of(options.contact), shape));
     }
   }
-  if (is_extended(options.family) && !can_extend(options.family, options.contact, shapes)) {
+  const FamilyRow& row = row_of(options.family);
+  if (row.fits != nullptr && !row.fits(options.contact, shapes)) {
     return input_error("--shape", fmt::format("{} and {} have no contact {} of {}",
                                               to_text(shapes[0]), to_text(shapes[1]),
                                               name_of(options.family), name_of(options.contact)));
@@ -77,28 +73,10 @@ ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
 }
 
 PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Draw& draw) {
-  const ContactClass contact = options.contact;
   if (is_sliding_kind(options.kind)) {
-    return grazing_variant(options.kind == CaseKind::kNMN, contact, shapes, draw);
+    return grazing_variant(options.kind == CaseKind::kNMN, options.contact, shapes, draw);
   }
-  if (is_extended(options.family)) {
-    PlacedScene made;
-    made.scene = extended_contact(options.family, contact, shapes, draw);
-    made.placement = random_placement(draw);
-    return made;
-  }
-  switch (options.family) {
-    case Family::kRegular:
-    case Family::kInteriorTime:
-    case Family::kAtStart:
-    case Family::kResting:
-    case Family::kSliding:
-    case Family::kFlatGrazing:
-    case Family::kCommonVelocity:
-      return moving_variant(options.family, contact, shapes, draw);
-    default:
-      return odd_variant(options.family, contact, shapes, draw);
-  }
+  return row_of(options.family).make(options.contact, shapes, draw);
 }
 
 /// Turns the positive case of a separated scene into the negative one that ends before the contact.
@@ -122,16 +100,11 @@ bool is_shaped(const GeneratorOptions& options) {
 }
 
 bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind) {
-  using enum ContactClass;
   if (family == Family::kTwins) return false;
   if (is_sliding_kind(kind)) return family == Family::kRegular;
-  const bool to_boundary = contact == kEE || contact == kVE || contact == kVV;
-  if (family == Family::kSharedEdge && !to_boundary) return false;
-  if (family == Family::kRuled && to_boundary) return false;
-  if (kind == CaseKind::kRP) return true;
-  if (family == Family::kSeveral && contact == kFF) return false;
-  return family != Family::kAtStart && family != Family::kResting && family != Family::kSliding &&
-         family != Family::kFlatGrazing && family != Family::kAnywhere;
+  const FamilyRow& row = row_of(family);
+  const auto classes = kind == CaseKind::kRP ? row.positives : row.negatives;
+  return std::ranges::find(classes, contact) != classes.end();
 }
 
 Result<void> validate_shaped(const GeneratorOptions& options) {

@@ -1,5 +1,5 @@
 // What the contacts are that the families name, on their scenes, where nothing is rounded.
-#include "generators/shaped/extended_contacts.hpp"
+#include "generators/shaped/families.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,14 +20,15 @@ constexpr std::array kSomeShapes = {Shape::triangle(1),  Shape::triangle(2),  Sh
 template <class Check>
 int for_each_extended_scene(Family family, const Check& check) {
   int scenes = 0;
-  for (const ContactClass contact : kContactClasses) {
+  const FamilyRow& row = row_of(family);
+  for (const ContactClass contact : row.positives) {
     for (const Shape& first : kSomeShapes) {
       for (const Shape& second : kSomeShapes) {
-        if (!can_extend(family, contact, {first, second}) || ++scenes % kOneIn != 0) continue;
+        if (!row.fits(contact, {first, second}) || ++scenes % kOneIn != 0) continue;
         SCOPED_TRACE(fmt::format("{} {} {} {}", name_of(family), name_of(contact), to_text(first),
                                  to_text(second)));
         Draw random{Random(static_cast<std::uint64_t>(scenes))};
-        check(contact, extended_contact(family, contact, {first, second}, random));
+        check(contact, row.make(contact, {first, second}, random).scene);
       }
     }
   }

@@ -1,0 +1,89 @@
+#include "generators/shaped/families.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+using enum ContactClass;
+using Classes = std::span<const ContactClass>;
+
+constexpr Classes kAll = kContactClasses;
+constexpr Classes kNone;
+constexpr std::array kOfBoundaries = {kEE, kVE, kVV};
+constexpr std::array kOfAFace = {kFF, kEF, kVF};
+constexpr std::array kButFF = {kEF, kEE, kVF, kVE, kVV};
+
+constexpr std::array<FamilyRow, kFamilies.size()> kRows = {{
+    {Family::kRegular, "regular", "the contact that --contact names, and nothing else", kAll, kAll,
+     families::regular},
+    // They touch at t* ≤ t_max and at no other time. Against absolute pull-apart.
+    {Family::kFlatGrazing, "flat-grazing",
+     "nearly flat, sliding along each other on a plane through the origin", kAll, kNone,
+     families::flat_grazing},
+    // Against pull-apart relative to the intercept.
+    {Family::kCommonVelocity, "common-velocity",
+     "both with the same velocity of 2^8 to 2^20 on top of their own", kAll, kAll,
+     families::common_velocity},
+    // Most near where products of two underflow.
+    {Family::kScaled, "scaled", "all numbers times 2^k, k from -1000 to 900", kAll, kAll,
+     families::scaled},
+    {Family::kTwins, "twins", "two control points a few ulps apart hide under a third", kAll,
+     kNone},
+    // t* is a dyadic rational.
+    {Family::kInteriorTime, "interior-time", "t* < t_max", kAll, kAll, families::interior_time},
+    // They then cross, part or both.
+    {Family::kAtStart, "at-start", "in touch at t = 0; witness only", kAll, kNone,
+     families::at_start},
+    {Family::kResting, "resting",
+     "in touch from start to end, without relative velocity; witness only", kAll, kNone,
+     families::resting},
+    {Family::kSliding, "sliding",
+     "slide onto each other at t* and stay in touch for a time; witness only", kAll, kNone,
+     families::sliding},
+    {Family::kSharedEdge, "shared-edge", "touch along an edge of both, or a part of it; EE VE VV",
+     kOfBoundaries, kOfBoundaries, families::shared_edge, families::have_edges_alike},
+    {Family::kRuled, "ruled", "touch along a line of parameters; FF EF VF", kOfAFace, kOfAFace,
+     families::ruled, families::have_a_line},
+    {Family::kSeveral, "several", "touch in two points at once, or more; of FF witness only", kAll,
+     kButFF, families::several, families::have_two_points},
+    {Family::kArea, "area",
+     "touch over an area, one being a part of the other at t*; curved ones witness only", kAll,
+     kAll, families::area, families::are_equal_surfaces},
+    {Family::kDegenerate, "degenerate", "collapsed edges, repeated control points, no area", kAll,
+     kAll, families::degenerate},
+    {Family::kSliver, "sliver", "2^4 to 2^30 times as long as wide", kAll, kAll, families::sliver},
+    {Family::kHighCurvature, "high-curvature", "much taller than wide above the contact plane",
+     kAll, kAll, families::high_curvature},
+    // Coordinates of sizes of their own, 2^-900 to 2^800.
+    {Family::kMixedScales, "mixed-scales",
+     "one much smaller than the other, coordinates of different sizes", kAll, kAll,
+     families::mixed_scales},
+    // Some as fast.
+    {Family::kFarAway, "far-away", "as far from the origin as the bits allow", kAll, kAll,
+     families::far_away},
+    // Exactly, or but for a few ulps: the lines that they make on every axis cross in one point.
+    {Family::kConcurrentLines, "concurrent-lines",
+     "all control points pass through one point at one time, or nearly", kAll, kAll,
+     families::concurrent_lines},
+    // Or a planted one (planted.hpp), in other coordinates (elsewhere.hpp). Of the time before it
+    // says what that one does.
+    {Family::kAnywhere, "anywhere",
+     "contacts of these families and others in any scale and place; some witness only", kAll,
+     kNone},
+}};
+
+constexpr bool are_in_order() {
+  for (size_t i = 0; i < kRows.size(); ++i) {
+    if (kRows[i].family != kFamilies[i]) return false;
+  }
+  return true;
+}
+static_assert(are_in_order());
+
+}  // namespace
+
+const FamilyRow& row_of(Family family) {
+  return kRows.at(static_cast<size_t>(family));
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+
+#include "generators/generate.hpp"
+#include "generators/shaped/contact_scene.hpp"
+
+namespace ccdfuzz {
+
+using ShapePair = std::array<Shape, 2>;
+
+/// A scene, and where to put it.
+struct PlacedScene {
+  ContactScene scene;
+  Placement placement;
+};
+
+/// What is known of a family.
+struct FamilyRow {
+  using Make = PlacedScene(ContactClass contact, const ShapePair& shapes, Draw& draw);
+  using Fits = bool(ContactClass contact, const ShapePair& shapes);
+
+  Family family;
+  std::string_view name;
+  std::string_view description;  ///< in a few words, without a full stop
+  std::span<const ContactClass> positives;
+  /// Those that a moving plane separates before t*, where RN cases end.
+  std::span<const ContactClass> negatives;
+  /// A scene of any shapes that have the features of the class and fit. Null for twins and
+  /// anywhere, which generate() makes.
+  Make* make = nullptr;
+  Fits* fits = nullptr;  ///< null: all shapes do
+};
+
+const FamilyRow& row_of(Family family);
+
+/// A random frame; shift and drift of many bits, as large as the patches.
+Placement random_placement(Draw& draw);
+
+/// Patches that touch in one point, each on its own side of the contact plane, and approach each
+/// other: one-sided scenes (generators/one_sided.hpp) of any shapes. A degree of 1 can leave a
+/// patch flat, and its contact a line or an area. t* = t_max = 1.
+ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw);
+
+/// The regular scene with all velocities in the contact plane, for near-hits and near-misses; the
+/// latter has patch 2 moved away by 2^-20 to 2^-8.
+PlacedScene grazing_variant(bool near_miss, ContactClass contact, const ShapePair& shapes,
+                            Draw& draw);
+
+namespace families {
+
+/// moving_variants.cpp: `touching`, or varied in its motion or its scale.
+FamilyRow::Make regular, interior_time, at_start, resting, sliding, flat_grazing, common_velocity,
+    scaled;
+
+/// odd_variants.cpp: varied in its shape or its numbers.
+FamilyRow::Make degenerate, sliver, high_curvature, mixed_scales, far_away, concurrent_lines;
+
+/// extended_contacts.cpp: more than one point, all in the contact plane but for area, at
+/// t* = t_max = 1. The contact that the scene names is one of them.
+///   shared_edge  an edge of one patch is a part of an edge of the other, or all of it
+///   ruled        one patch touches the flat other one along a line of its parameters
+///   several      one patch touches the straight other one in two points, or more
+///   area         one patch is a part of the other: both flat, or curved and moved by one velocity
+/// Before t* the plane separates the patches, but curved ones of area, and several of FF, whose
+/// heights the checker does not see to be ≥ 0.
+FamilyRow::Make shared_edge, ruled, several, area;
+FamilyRow::Fits have_edges_alike, have_a_line, have_two_points, are_equal_surfaces;
+
+}  // namespace families
+}  // namespace ccdfuzz
