@@ -120,5 +120,27 @@ TEST(Oracle, FindsContactsAtTheBeginning) {
   EXPECT_EQ(decide(query).truth.collides, false);
 }
 
+/// A wavy patch at rest, its control points so much higher.
+MovingPatch<double> wavy(double height) {
+  MovingPatch<double> patch{Shape::tensor(8, 8), {}, Points<double>(81, {0, 0, 0})};
+  for (int i = 0; i <= 8; ++i) {
+    for (int j = 0; j <= 8; ++j) {
+      const bool inside = 0 < i && i < 8 && 0 < j && j < 8;
+      const double wave = inside ? ((i * i * 7 + j * 5) % 16 - 8) / 32.0 : 0;
+      patch.positions.push_back({i / 8.0, j / 8.0, wave + height});
+    }
+  }
+  return patch;
+}
+
+TEST(Oracle, LeavesUndecidedWhatTakesTheCheckerTooLong) {
+  OracleOptions options;
+  options.max_pops = 71'000;
+  const Decision decision = decide({{wavy(0), wavy(0x1p-9)}, 1}, options);
+  EXPECT_FALSE(decision.truth.collides);
+  EXPECT_FALSE(decision.truth.clearance);
+  EXPECT_NE(decision.note.find("exceeds the work budget"), std::string::npos) << decision.note;
+}
+
 }  // namespace
 }  // namespace ccdfuzz
