@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/cpu_time.hpp"
+#include "bench/median.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "hunt/breeder.hpp"
 #include "hunt/draw.hpp"
@@ -197,11 +198,6 @@ class Run {
   std::uint64_t lost_draws_ = 0;
   std::set<std::string> kinds_;
 };
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
 
 std::string seconds_text(const std::vector<double>& seconds, double most) {
   const auto found = std::ranges::count_if(seconds, [](double s) { return s < kNever; });

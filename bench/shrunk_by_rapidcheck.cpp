@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <functional>
 
+#include "bench/median.hpp"
 #include "finds/content_address.hpp"
 #include "generators/rc/rapidcheck.hpp"
 
@@ -119,12 +120,6 @@ std::optional<Found> find(const PlantedFault& fault, std::uint64_t seed) {
   return result.match(failure) ? std::optional(found) : std::nullopt;
 }
 
-template <class Value>
-Value median_of(std::vector<Value> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
-
 int run(std::uint64_t seeds) {
   std::vector<double> shares;
   fmt::print(
@@ -146,13 +141,13 @@ int run(std::uint64_t seeds) {
       fmt::print("| {} | 0 of {} seeds | | | | |\n", fault.says, seeds);
       continue;
     }
-    shares.push_back(median_of(shares_here));
+    shares.push_back(median(shares_here));
     fmt::print("| {} | {} of {} seeds | {:.2f} | {:.2f} | {} | {} |\n", fault.says, seconds.size(),
-               seeds, median_of(seconds), *std::ranges::max_element(seconds), median_of(drawn),
-               median_of(shrunk));
+               seeds, median(seconds), *std::ranges::max_element(seconds), median(drawn),
+               median(shrunk));
   }
   fmt::print("\nof the bits drawn, shrinking leaves {:.1f} % in the median\n",
-             100 * median_of(shares));
+             100 * median(shares));
   return shares.size() == planted_faults().size() ? 0 : 1;
 }
 

@@ -12,6 +12,12 @@
 namespace ccdfuzz {
 namespace {
 
+HuntReport hunt_into(Store& store, const HuntOptions& options) {
+  const std::atomic<bool> stop = false;
+  return hunt(
+      options, store, [](const HuntProgress&) {}, stop);
+}
+
 struct Shares {
   double of_draws;  ///< of the CPU time
   std::uint64_t queries = 0, mutants = 0;
@@ -24,10 +30,8 @@ Shares shares_of(const HuntGround& ground) {
   options.methods = {"tdibm-c"};
   options.seconds = 2;
   options.ground = ground;
-  const std::atomic<bool> stop = false;
   const double start = thread_cpu_seconds();
-  const HuntReport report = hunt(
-      options, store, [](const HuntProgress&) {}, stop);
+  const HuntReport report = hunt_into(store, options);
   Shares shares{report.draw_cpu_seconds / (thread_cpu_seconds() - start)};
   for (const HuntCell& cell : report.cells) {
     shares.queries += cell.tally.n;
@@ -66,9 +70,7 @@ TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
     options.cases = 2;
     options.threads = threads;
     options.seed = 3;
-    const std::atomic<bool> stop = false;
-    const HuntReport report = hunt(
-        options, store, [](const HuntProgress&) {}, stop);
+    hunt_into(store, options);
     const std::vector<NamedCase> entries = store.load().value();
     std::string finds;
     for (const NamedCase& find : entries) finds += to_json(find.value);

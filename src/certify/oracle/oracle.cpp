@@ -167,14 +167,21 @@ class Deciding {
 
 }  // namespace
 
+namespace {
+
+Decision undecided(const InputError& why, std::uint64_t pops) {
+  Decision decision;
+  decision.pops = pops;
+  decision.note = why.message();
+  return decision;
+}
+
+}  // namespace
+
 Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
-  if (const Result<void> valid = validate(query, ""); !valid) {
-    Decision undecided;
-    undecided.note = valid.error().message();
-    return undecided;
-  }
+  if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
   const Decision found =
       linear::is_linear(query) ? decide_linear(query, options) : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept, or that takes it too long.
@@ -184,10 +191,7 @@ Decision decide(const Query& query, const OracleOptions& options) {
   }
   if (checked) return found;
   CCDFUZZ_VERIFY(checked.error().is_limit);  // else a proof of ours is wrong
-  Decision undecided;
-  undecided.pops = found.pops;
-  undecided.note = checked.error().message();
-  return undecided;
+  return undecided(checked.error(), found.pops);
 }
 
 Answer Oracle::answer(const Query& query, const SearchOptions& options) {
