@@ -12,7 +12,7 @@ struct ContactRange {
   int lowest = -40;
   int highest = 40;
   int max_degree = 3;
-  int coordinate_bits = 5;  ///< of a control point's place relative to the contact; at most 40
+  int coordinate_bits = 5;  ///< for the place of a control point, from the contact; at most 40
   /// The contact comes up to 7·2^-43 before or after the time that it would come at else.
   bool off_grid = false;
   /// True: half of the contacts are put into other coordinates (generators/elsewhere.hpp).

@@ -8,7 +8,7 @@ namespace ccdfuzz {
 /// The case in other coordinates, with the truth that similar() leaves it. By chance it is moved
 /// and given a common velocity, each of up to 2^40 times the patches' size; its numbers are
 /// multiplied by 2^-1000 to 2^900, and time by 2^-100 to 2^100. All is exact: what doubles have no
-/// room for is left out. Of choices that are 0 nothing changes.
+/// room for is left out. Choices that are 0 change nothing.
 Case elsewhere(const Case& base, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -7,7 +7,7 @@ namespace ccdfuzz {
 
 /// A part of a parent patch, and where a point of the parent lies on it.
 struct LocalPatch {
-  std::array<Barycentric, 3> corners;  ///< of the part, on the parent
+  std::array<Barycentric, 3> corners;  ///< the part's, on the parent
   Barycentric x;                       ///< on the part
 };
 

@@ -73,8 +73,8 @@ struct GeneratorOptions {
   CaseKind kind = CaseKind::kRP;
   Construction construction = Construction::kPaper;
   Family family = Family::kRegular;
-  /// Of patch 1 and patch 2; by default both are quadratic triangles in kRegular and the first five
-  /// stress families, and random in the others. Other shapes are made one-sided only.
+  /// The shapes of patches 1 and 2; by default both are quadratic triangles in kRegular and the
+  /// first five stress families, and random in the others. Other shapes are made one-sided only.
   std::optional<std::array<Shape, 2>> shapes;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.

@@ -113,8 +113,8 @@ class Draw {
   Source source_;
   bool is_recording_ = false;
   Random random_;
-  ChoiceNumbers numbers_;  ///< that are stored
-  std::size_t next_ = 0;   ///< of them
+  ChoiceNumbers numbers_;  ///< the stored choices
+  std::size_t next_ = 0;   ///< the next of them
   ChoiceNumbers made_;
   Watch watch_;
   std::string* story_ = nullptr;

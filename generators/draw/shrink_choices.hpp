@@ -37,9 +37,9 @@ class ChoiceShrinker {
   bool is_better_ = false;  ///< in this pass
   Step last_ = Step::kWithout;
   bool is_left_out_ = false;  ///< the part at at_ was tried to be left out, and not yet made 0
-  std::size_t length_ = 0;    ///< of parts; 0: single numbers
+  std::size_t length_ = 0;    ///< that parts have; 0: single numbers
   std::size_t at_ = 0;        ///< the part begins here, or the number stands here
-  std::size_t tried_ = 0;     ///< of simpler values of the number at at_
+  std::size_t tried_ = 0;     ///< how many simpler values of the number at at_
 };
 
 /// The least that could be found with at most `tries` calls of `keeps`, which says whether a

@@ -51,7 +51,7 @@ rc::Gen<std::string> method();
 
 namespace rc {
 
-/// Of degree at most 4.
+/// A shape has at most degree 4.
 template <>
 struct Arbitrary<ccdfuzz::Shape> {
   static Gen<ccdfuzz::Shape> arbitrary();

@@ -4,7 +4,8 @@
 
 namespace ccdfuzz {
 
-/// Of a number's text. The longest decimal that is exactly a double has 1,077 characters.
+/// The longest text of a number that is read. The longest decimal that is exactly a double has
+/// 1,077 characters.
 inline constexpr size_t kMaxNumberLength = 2000;
 
 /// The double that a JSON number's text or a hex float's text ("0x1.8p-3") stands for. Decimal

@@ -17,10 +17,10 @@ namespace ccdfuzz {
 /// to be merged.
 struct RunHeader {
   std::string run;                           ///< the command
-  std::string version;                       ///< of the program
+  std::string version;                       ///< the program's
   std::vector<std::string> inputs;           ///< the files that it reads
   std::map<std::string, std::string> asked;  ///< all else that decides the result, by name
-  std::uint64_t items = 0;                   ///< of all shares together; 0: nobody knows
+  std::uint64_t items = 0;                   ///< in all shares together; 0: not known
   Shard shard;
 
   static void fields(auto& archive, auto& header) {

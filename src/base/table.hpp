@@ -22,7 +22,7 @@ class Table {
   struct Column {
     std::string title;
     Align align = Align::kRight;
-    size_t least_width = 0;  ///< of aligned text
+    size_t least_width = 0;  ///< for aligned text
   };
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
@@ -58,7 +58,7 @@ class Table {
 
   std::string header_text(const std::vector<size_t>& widths, bool colour) const;
   std::string row_text(const Row& row, const std::vector<size_t>& widths, bool colour) const;
-  /// Of the columns with the rows from this one on.
+  /// The widths of the columns, for the rows from this one on.
   std::vector<size_t> widths_from(size_t row) const;
 
   std::vector<Column> columns_;

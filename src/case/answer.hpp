@@ -43,7 +43,7 @@ struct Answer {
   /// refused: the field that is not taken, its value, and what is. undecided: why. Otherwise what
   /// went wrong; empty if nothing is to be said.
   std::string note;
-  bool has_uv = true;  ///< of a hit: it says where
+  bool has_uv = true;  ///< for a hit: it says where
 
   static Answer hit(double at) {
     Answer answer;

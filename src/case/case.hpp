@@ -64,7 +64,7 @@ struct Origin {
   std::optional<std::uint64_t> seed;
   std::optional<std::uint64_t> index;
   std::string ccdfuzz;  ///< version
-  std::string name;     ///< of a named corpus entry
+  std::string name;     ///< if it is a named corpus entry
   std::string note;     ///< for readers
   /// Any further keys of the file, each with its string or number as JSON text; kept as they are.
   std::map<std::string, std::string> more;
@@ -81,7 +81,7 @@ inline std::string_view proof_word(const Clearance& clearance) {
 /// What a method must show on a case.
 struct Expected {
   Outcome outcome = Outcome::kUnknown;
-  /// Of an error its name ("hang"); of a lost contact what lost it ("left root"). May be empty.
+  /// An error's name ("hang"), or what lost a contact ("left root"). May be empty.
   std::string cause;
 
   Expected() = default;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr size_t kPiece = 1 << 16;
 
-/// Of a file; 0 of a pipe and of what is not there.
+/// The size of a file; 0 for a pipe and for what is not there.
 std::uint64_t size_of(const std::string& path) {
   std::error_code none;
   const std::uintmax_t size = fs::file_size(path, none);

@@ -17,7 +17,7 @@ struct NamedCase {
   Case value;
   std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
   std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
-  std::uint64_t bytes = 0;                    ///< of its text in the file
+  std::uint64_t bytes = 0;                    ///< the length of its text in the file
 };
 
 /// How large the files are that the cases of a run came from: compressed, a case may take a byte.
@@ -29,7 +29,7 @@ class SourceBytes {
   std::uint64_t times(std::uint64_t each) const;
 
  private:
-  std::string file_;  ///< of the last case
+  std::string file_;  ///< where the last case came from
   std::uint64_t bytes_ = 0;
   bool is_known_ = true;
 };
@@ -74,9 +74,9 @@ class CaseStream {
  private:
   Result<std::vector<std::string>> paths_;
   CsvOptions csv_;
-  size_t index_ = 0;  ///< of the file being read
+  size_t index_ = 0;  ///< the file being read
   std::unique_ptr<CaseFile> file_;
-  std::uint64_t size_ = 0, size_before_ = 0;  ///< of all files, of those before it
+  std::uint64_t size_ = 0, size_before_ = 0;  ///< all files; those before it
 };
 
 /// The only case of a file. Errors: as CaseStream; there are more.

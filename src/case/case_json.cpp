@@ -1,4 +1,4 @@
-// The format of cases, field by field; corpus/README.md describes it.
+// The format of cases, field by field; docs/formats.md describes it.
 #include "case/case_json.hpp"
 
 #include <limits>

@@ -12,14 +12,14 @@ class JsonCursor;
 template <class T>
 struct JsonForm;
 
-/// A case as a field of a record: the format of corpus/README.md.
+/// A case as a field of a record: the format of docs/formats.md.
 template <>
 struct JsonForm<Case> {
   static void write(std::string& json, const Case& value);
   static void read(const JsonCursor& from, Case& value);
 };
 
-/// Reads one case from its JSON text, the format of corpus/README.md.
+/// Reads one case from its JSON text, the format of docs/formats.md.
 /// Reals are JSON numbers or hex-float strings (parse_exact_real: 0.1 is the double nearest to it,
 /// longer decimals must be doubles); exact values are strings "p" or "p/q". The truth is read, not
 /// believed: see certify/checker/check_truth.hpp. Errors name `file`, the JSON path and the value:

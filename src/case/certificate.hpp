@@ -64,7 +64,7 @@ struct MovingPlane {
 /// Where a miss tree stands in the file of trees beside its case: one zstd frame.
 struct TreeRef {
   std::uint64_t offset = 0;
-  std::uint64_t length = 0;  ///< of the frame
+  std::uint64_t length = 0;  ///< the frame's
   std::string xxh3;          ///< XXH3-128 of the bytes in it, 32 hexadecimal digits
 
   friend bool operator==(const TreeRef&, const TreeRef&) = default;

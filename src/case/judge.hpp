@@ -44,10 +44,10 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
 struct Judged {
   Answer answer;
   Outcome outcome = Outcome::kUnknown;
-  /// Of an error: by what like ones are told from others. "exception" or "nonsense" of methods that
-  /// give it no name.
+  /// For an error: its kind, such as "hang". Without a name from the method it is "exception" or
+  /// "nonsense".
   std::string error;
-  /// Of a late hit: how long after the proven contact it comes, rounded up.
+  /// For a late hit: how long after the proven contact it comes, rounded up.
   double late_by = 0;
 };
 

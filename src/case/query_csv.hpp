@@ -56,7 +56,7 @@ struct CsvQuery {
 
 /// How query CSVs are read.
 struct CsvOptions {
-  std::optional<CsvLayout> layout = {};  ///< of all files; absent: what the path of each tells
+  std::optional<CsvLayout> layout = {};  ///< for all files; absent: what the path of each tells
   std::string truths = {};               ///< a JSON list of truths; empty: there is none
   bool round = true;                     ///< numbers that are no doubles; otherwise refuse them
   bool any_name = false;                 ///< whatever its path ends in, a file is one

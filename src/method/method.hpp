@@ -77,7 +77,7 @@ struct MethodInfo {
   /// What may stand behind a spec after '@', any of them, each once: "tdibm-e@unit-axes".
   std::vector<std::string> switches = {};
 
-  /// Of a plug-in, as records of hunts have it.
+  /// The fields for a plug-in, as records of hunts have them.
   static void fields(auto& archive, auto& info) {
     archive("method", info.spec);
     archive("source", info.source);

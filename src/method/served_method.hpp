@@ -7,10 +7,10 @@
 
 namespace ccdfuzz {
 
-/// Of one answer, of which a method is told a sixth of the CPU time as its max_seconds: what looks
-/// at the clock (Deadline) ends long before. What counts and does not look (oracle) takes less than
-/// a second on what fuzzers make. Ten times as long in wall time, since what waits for something
-/// that does not come uses no CPU time.
+/// The limits of one answer. A method is told a sixth of the CPU time as its max_seconds, so one
+/// that looks at the clock (Deadline) ends long before. The oracle counts and does not look; it
+/// takes less than a second on inputs of fuzzers. The wall time is ten times as long: a process
+/// that waits for ever uses no CPU time.
 inline constexpr ChildLimits kServedLimits = {.seconds = 300, .cpu_seconds = 30};
 
 /// A built-in method that answers in a process of its own, `ccdfuzz serve SPEC`, so that a crash or

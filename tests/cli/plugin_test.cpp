@@ -260,7 +260,7 @@ TEST(Plugins, CountAsClaimsWhereTheyClaim) {
 
 /// The C++ between the first pair of fences of the page for newcomers.
 std::string newcomers_plugin() {
-  const std::string page = read_text(CCDFUZZ_SOURCE_DIR "/examples/plugins/README.md");
+  const std::string page = read_text(CCDFUZZ_SOURCE_DIR "/docs/plug-ins.md");
   const std::string fence = "```cpp\n";
   const size_t begin = page.find(fence) + fence.size();
   return page.substr(begin, page.find("```", begin) - begin);

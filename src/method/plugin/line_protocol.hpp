@@ -52,7 +52,7 @@ struct PluginRefusal {
   std::string what;
 };
 
-/// The line protocol: one JSON object a line each way; examples/plugins/README.md has it in words.
+/// The line protocol: one JSON object a line each way; docs/plug-ins.md has it in words.
 std::string describe_request(const std::string& options);
 /// max_seconds: in place of that of the options. Coordinates that are not finite become the words
 /// "nan", "inf" and "-inf".

@@ -20,7 +20,7 @@ namespace {
 /// cases.
 constexpr int kMostHangs = 8;
 
-/// Of the CPU time of one of ours, which is told as its max_seconds; kServedLimits says why.
+/// A method of ours is told this part of its CPU time as max_seconds; kServedLimits says why.
 constexpr double kShareTold = 1.0 / 6;
 
 /// "; tolerance 1e-06 (space), NaN: error", or nothing if it claims nothing out of the ordinary.
@@ -232,7 +232,7 @@ class PluginMethod : public Method {
 
   std::shared_ptr<const KnownPlugin> plugin_;
   Child worker_;
-  std::optional<MethodFault> broken_claim_;  ///< of the query that is being asked
+  std::optional<MethodFault> broken_claim_;  ///< by the answer to this query
   std::uint64_t last_id_ = 0;
   int hangs_ = 0;
 };
