@@ -13,7 +13,7 @@ namespace ccdfuzz {
 struct FpEnvironment {
   const char* name;
   std::uint32_t control;  ///< the control word of this machine: MXCSR, FPCR
-  int rounding;           ///< of <cfenv>, for what else there is (x87, which glibc's strtod obeys)
+  int rounding;  ///< as in <cfenv>, for what else there is (x87, which glibc's strtod obeys)
 };
 
 /// Flushing of results, of operands and of both, each rounding mode, traps of invalid operations,

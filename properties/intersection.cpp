@@ -44,7 +44,7 @@ void claim_overlap(Draw& d, bool as_printed) {
   CLAIM(separated == !has_common_point);
 }
 
-/// Separated at two times means separated between them. Of the claim alone:
+/// Separated at two times means separated between them. This is about the claim alone:
 /// paper.steps_are_exact says that the code finds that interval.
 void check_one_interval(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);

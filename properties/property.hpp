@@ -75,7 +75,7 @@ auto supposed(Drawn drawn) {
 struct Property {
   std::string name;    ///< "subject.claim", unique
   std::string claim;   ///< in words, one sentence
-  std::string source;  ///< of the claim: a section of the paper, a file
+  std::string source;  ///< the claim's: a section of the paper, a file
   /// Draws an input and checks the claim on it, by CLAIM and suppose. The same choices give the
   /// same result.
   std::function<void(Draw&)> check;

@@ -12,8 +12,8 @@ namespace ccdfuzz {
 /// Changes of a query under which the same contact stays a contact.
 enum class Symmetry : std::uint8_t {
   kSwapPatches,
-  kReverseParameters,  ///< of one patch: u → 1 − u, u ↔ v, (w, u, v) → (u, v, w)
-  kPermuteAxes,        ///< of space
+  kReverseParameters,  ///< for one patch: u → 1 − u, u ↔ v, (w, u, v) → (u, v, w)
+  kPermuteAxes,        ///< in space
   kMirror,             ///< one coordinate is negated
   kScale,              ///< all lengths times a power of two
   kScaleTime,          ///< all times times a power of two

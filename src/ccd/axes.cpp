@@ -37,7 +37,7 @@ Vec3<double> least_aligned_axis(const Vec3<double>& d) {
 
 struct Spans {
   Vec3<double> u{0, 0, 0};
-  Vec3<double> v{0, 0, 0};  ///< of surfaces
+  Vec3<double> v{0, 0, 0};  ///< zero unless a surface's
 };
 
 /// at: a control point by its place.

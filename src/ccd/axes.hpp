@@ -50,8 +50,8 @@ class ObbAxes {
   /// length: that of the products of the two frames; the frames have theirs.
   ObbAxes(const Frame& frame1, const Frame& frame2, AxisReading::Length length)
       : frames_{frame1, frame2}, length_(length) {}
-  /// Of two sub-patches. Where neither is a surface and both frames are zero, the coordinate axes
-  /// stand in for the first.
+  /// The axes of two sub-patches. Where neither is a surface and both frames are zero, the
+  /// coordinate axes stand in for the first.
   static ObbAxes of(const std::array<Shape, 2>& shapes, const Frame& frame1, const Frame& frame2,
                     AxisReading::Length length);
 

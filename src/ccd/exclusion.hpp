@@ -10,7 +10,7 @@ namespace ccdfuzz {
 /// claims, it separates the two. Times are the method's own: tdibm-c scales them by a power of two.
 struct Exclusion {
   int axis = -1;  ///< place among the axes that the method tries, from 0
-  Vec3<double> direction = Vec3<double>(0, 0, 0);  ///< of the axis, any length
+  Vec3<double> direction = Vec3<double>(0, 0, 0);  ///< the axis', of any length
   int below = 0;  ///< which patch is the lower one along it, 0 or 1
   Separation<double> times;
 };
@@ -24,7 +24,8 @@ struct AxisGap {
   int below = 0;
   TimeWindow<double> window{};
   double at_lo = 0, at_hi = 0;
-  double unit = 1;  ///< of the gaps: the error bound of tdibm-c, an ulp of the heights for trad
+  double unit =
+      1;  ///< what gaps are measured in: the error bound of tdibm-c, an ulp of the heights for trad
 };
 
 /// Told by an inclusion test what each axis does. Inclusion tests are made for a listener and for

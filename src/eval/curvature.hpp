@@ -15,12 +15,12 @@ struct Curvature {
   double rms() const;
 };
 
-/// Of a patch at (u, v) and time t. nullopt for points and curves, and where dS/du and dS/dv are
-/// parallel. Derivatives are exact, and all after them is rounded.
+/// The curvature of a patch at (u, v) and time t. nullopt for points and curves, and where dS/du
+/// and dS/dv are parallel. Derivatives are exact, and all after them is rounded.
 std::optional<Curvature> curvature_at(const MovingPatch<double>& patch, const Uv<Rational>& uv,
                                       const Rational& t);
 
-/// Of both patches at the contact, at the contact's time (Fig. 5). nullopt without a witness.
+/// The same of both patches at the contact, at its time (Fig. 5). nullopt without a witness.
 std::optional<std::array<std::optional<Curvature>, 2>> curvature_at_contact(const Case& value);
 
 }  // namespace ccdfuzz

@@ -21,7 +21,7 @@ struct EvaluateOptions {
   SearchOptions search;
   /// Limits of one case; empty: `search` for all.
   std::function<SearchOptions(const Case&)> search_for = {};
-  Shard shard;  ///< of the cases
+  Shard shard;  ///< the part of the cases
   int threads = 1;
 };
 

@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 /// What a method answered to a case, up to one time.
 struct GivenAnswer {
-  std::optional<double> factor;  ///< of the contact's time; absent where asked as it stands
+  std::optional<double> factor;  ///< t_max by the contact's time; absent where asked as it stands
   std::string method;
   double t_max = 0;
   Verdict verdict = Verdict::kUndecided;
@@ -39,7 +39,7 @@ struct GivenAnswer {
 /// A case of an evaluation with all answers to it: a line of answers.jsonl, of which all tables are
 /// made.
 struct EvaluatedCase {
-  std::uint64_t index = 0;  ///< of the case in the data set, from 0
+  std::uint64_t index = 0;  ///< the case's in the data set, from 0
   std::string id;           ///< file and line
   std::string contact;      ///< "-" if the case does not say
   std::string kind;

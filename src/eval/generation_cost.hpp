@@ -33,7 +33,7 @@ struct GenerationCost {
   std::uint64_t cases = 0;  ///< accepted
   std::uint64_t begun = 0;  ///< constructions
   StepCounts discarded;     ///< why constructions were thrown away
-  double cpu_seconds = 0;   ///< of all constructions, the discarded ones included
+  double cpu_seconds = 0;   ///< for all constructions, the discarded ones included
 
   static void fields(auto& archive, auto& cost) {
     archive("contact", cost.contact);

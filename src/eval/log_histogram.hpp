@@ -36,7 +36,7 @@ class LogHistogram {
   std::map<int, std::uint64_t> bins_;
   std::uint64_t count_ = 0;
   double sum_ = 0;
-  double least_ = 0, largest_ = 0;  ///< of the samples > 0
+  double least_ = 0, largest_ = 0;  ///< among the samples > 0
 };
 
 }  // namespace ccdfuzz

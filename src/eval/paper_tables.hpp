@@ -11,7 +11,7 @@ namespace ccdfuzz {
 Table performance_table(const std::vector<Row>& rows);
 
 /// Mean times, false positives and false negatives (missed: the paper's only sort) beside the
-/// paper's. Of positives asked beyond the contact none counts. Table 1: regular and grazing cases
+/// paper's. Positives asked beyond the contact do not count. Table 1: regular and grazing cases
 /// as one, where the answers are to both; empty otherwise. Table 2: regular, then grazing cases.
 /// Table 3: linear queries.
 Table paper_table_1(const Rows& rows);

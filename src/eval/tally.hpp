@@ -15,11 +15,11 @@ namespace ccdfuzz {
 /// by_outcome[kNotAsked] and in nothing else.
 struct Tally {
   std::uint64_t n = 0;          ///< queries answered, none refused
-  std::uint64_t positives = 0;  ///< of them, those whose truth is a contact
-  std::uint64_t negatives = 0;  ///< of them, those whose truth is absence
+  std::uint64_t positives = 0;  ///< those of them whose truth is a contact
+  std::uint64_t negatives = 0;  ///< those of them whose truth is absence
   std::array<std::uint64_t, kAllOutcomes.size()> by_outcome{};
   std::uint64_t pops = 0;
-  LogHistogram seconds, bytes;  ///< of each answer
+  LogHistogram seconds, bytes;  ///< each answer's
 
   /// The counts; neither pops nor what was measured.
   static void fields(auto& archive, auto& tally) {

@@ -37,7 +37,7 @@ struct Failure {
   std::string who;  ///< the method's spec
   Outcome outcome = Outcome::kUnknown;
   std::string contact;  ///< the class of the contact; empty for an error
-  /// Of an error its name ("hang"); of a lost contact what lost it ("left root"). May be empty.
+  /// An error's name ("hang"), or what lost a contact ("left root"). May be empty.
   std::string cause;
   Setting setting = Setting::kOrdinary;  ///< ordinary for an error: a crash is a crash
 

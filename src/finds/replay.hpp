@@ -31,7 +31,7 @@ Change change_of(const Expected& expected, const Expected& got);
 
 /// One expectation of an entry, asked again.
 struct ReplayRow {
-  std::string id;  ///< of the entry
+  std::string id;  ///< the entry's
   std::string method;
   Expected expected, got;
   Judged judged;

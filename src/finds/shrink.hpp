@@ -6,8 +6,8 @@
 namespace ccdfuzz {
 
 /// Minimises a case that shows a failure: every simpler one that is taken shows the same failure.
-/// The result expects this failure alone, and has no name. Of a hang only a few trials are made,
-/// since each costs its whole time.
+/// The result expects this failure alone, and has no name. For a hang only a few trials are
+/// made, since each costs all of its time.
 Minimised shrink(const Case& found, const Failure& failure, Asker& asker,
                  MinimiseOptions options = {});
 

@@ -12,7 +12,7 @@ namespace ccdfuzz {
 /// store compares.
 struct Simplicity {
   CaseSize size;
-  std::uint64_t witness_bits = 0;      ///< of t and uv
+  std::uint64_t witness_bits = 0;      ///< in t and uv
   std::uint64_t different_points = 0;  ///< control points that differ in position or velocity
   std::uint64_t exponents = 0;         ///< sum of |exponent| of all coordinates
   friend bool operator<(const Simplicity& a, const Simplicity& b) {

@@ -24,7 +24,8 @@ namespace ccdfuzz {
 ///  2. The entry of a failure is the smallest of all finds that were put for it, by Rank; so what
 ///     is kept does not depend on the order. (A killed writer may leave the larger one beside it,
 ///     under its address.)
-///  3. Of two entries of one query the stronger truth stays (unite), and no expectation is changed
+///  3. If two entries have one query, the stronger truth stays (unite), and no expectation is
+///  changed
 ///     by another find, unless who puts it asks the method again.
 class Store {
  public:

@@ -23,7 +23,7 @@ std::optional<ContactClass> linear_class_of(const Query& query);
 struct HuntGround {
   /// Within this scale (is_within_scale), in bits.
   std::optional<int> scale;
-  /// Of patches 1 and 2.
+  /// The shapes of patches 1 and 2.
   std::optional<std::array<Shape, 2>> shapes;
   /// Linear queries, of kLinearClasses alone, and not curved ones. Then shapes are not set.
   bool linear = false;

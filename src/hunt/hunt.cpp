@@ -41,12 +41,12 @@ struct Tools {
 
 /// What came of a turn.
 struct Done {
-  Tally tally;                ///< of a draw
+  Tally tally;                ///< for a draw
   double cpu_seconds = 0;     ///< in all
-  double draw_seconds = 0;    ///< of those, for making the draw
-  double answer_seconds = 0;  ///< of those, for answers that were no refusals
+  double draw_seconds = 0;    ///< the part for making the draw
+  double answer_seconds = 0;  ///< the part for answers that were no refusals
   bool bred = true;           ///< false: there was nothing to make mutants of
-  BreedTally population;      ///< of a breeding turn
+  BreedTally population;      ///< for a breeding turn
   std::vector<std::pair<Failure, Case>> failures;
 };
 
@@ -288,7 +288,7 @@ class Hunt {
   DrawCache latest_{draws_};
   std::vector<Nursery> nurseries_;  ///< one a cell; each is used by one thread at a time
 
-  std::mutex mutex_;  ///< of all below, while workers run
+  std::mutex mutex_;  ///< guards all below, while workers run
   Schedule schedule_;
   std::map<std::uint64_t, std::pair<Turn, Done>> waiting_;  ///< by number, for those before them
   std::uint64_t recorded_ = 0;                              ///< turns before which none waits

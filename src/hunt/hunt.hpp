@@ -46,9 +46,9 @@ struct HuntOptions {
 struct HuntCell {
   std::string method;
   ContactClass contact = ContactClass::kFF;
-  Tally tally;             ///< of the draws
+  Tally tally;             ///< for the draws
   double cpu_seconds = 0;  ///< for the queries about them
-  BreedTally bred;         ///< of their mutants
+  BreedTally bred;         ///< for their mutants
 
   static void fields(auto& archive, auto& cell) {
     archive.constant("row", "cell");
@@ -67,7 +67,7 @@ bool breaks_claim(const Failure& failure);
 
 struct HuntReport {
   std::vector<HuntCell> cells;  ///< class by class, within it method by method
-  std::vector<Find> finds;      ///< of every failure that was met, known ones among them
+  std::vector<Find> finds;      ///< one for every failure that was met, known ones among them
   std::uint64_t cases = 0;      ///< different draws
   double seconds = 0;
   double draw_cpu_seconds = 0;  ///< spent on making cases
@@ -82,7 +82,7 @@ struct HuntProgress {
   std::uint64_t queries = 0;  ///< answered and judged
   std::uint64_t mutants = 0;
   std::uint64_t finds = 0;
-  /// Of each of HuntOptions::methods: BreedTally::margin over all classes.
+  /// For each of HuntOptions::methods: BreedTally::margin over all classes.
   std::vector<std::optional<std::uint64_t>> margins;
   /// What first went wrong with the store, if anything did. The hunt continues: it keeps its finds
   /// in memory and stores them as soon as it can.

@@ -21,8 +21,8 @@ struct Niche {
     kGap,            ///< the gap at an end of a window (AxisGap)
   };
   By by = By::kNothing;
-  std::int16_t level = 0;  ///< of the pair (TracePlace)
-  std::int16_t axis = 0;   ///< of those that the method tries
+  std::int16_t level = 0;  ///< the pair's (TracePlace)
+  std::int16_t axis = 0;   ///< among those that the method tries
 
   friend bool operator==(const Niche&, const Niche&) = default;
   friend bool operator<(const Niche& a, const Niche& b) {
@@ -36,8 +36,8 @@ struct Standing {
   double nearness = 0;  ///< to being lost: less is nearer
 };
 
-/// How nearly the contact of q was lost in its trace, and what decided that. Of methods that
-/// compare at the ends of windows: the slack. Of the others: how far apart the patches still are
+/// How nearly the contact of q was lost in its trace, and what decided that. For methods that
+/// compare at the ends of windows: the slack. For the others: how far apart the patches still are
 /// where the nearest exclusion ends, by the speed at which they close in the contact, in units of
 /// what rounding may do to a height (2^-53 of the largest on the way). Time alone would favour
 /// patches that are fast, not those whose heights are rounded most. Computed in double precision: a

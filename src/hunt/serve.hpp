@@ -17,10 +17,10 @@ struct Served {
   TriageErrands errands = {};
 };
 
-/// Of `PROGRAM serve [--cpu-seconds S] METHOD | --claims | --triage` serves until stdin ends,
+/// For `PROGRAM serve [--cpu-seconds S] METHOD | --claims | --triage` serves until stdin ends,
 /// and does not return: a method by the line protocol, the others as served_check and
-/// TriageErrands. Of any other arguments returns, and from then on the children of this process are
-/// its program.
+/// TriageErrands. For any other arguments returns, and from then on the children of this process
+/// are its program.
 void serve_if_asked(int argc, char** argv, const Served& served);
 
 }  // namespace ccdfuzz

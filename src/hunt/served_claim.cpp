@@ -18,8 +18,8 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Where the choices come from: "numbers", or "draw": a seed and the index of a draw. Of "draws", a
-/// seed, the first index and how many, the answer is a CheckTally.
+/// Where the choices come from: "numbers", or "draw": a seed and the index of a draw. For "draws",
+/// a seed, the first index and how many, the answer is a CheckTally.
 struct Question {
   std::string claim, of;
   ChoiceNumbers numbers;

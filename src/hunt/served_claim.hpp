@@ -32,13 +32,13 @@ class MadeChoices {
 struct CheckTally {
   std::uint64_t checked = 0, discarded = 0, failed = 0;
   std::uint64_t first_failure = 0;  ///< index of the input
-  std::string text;                 ///< of the first failure
+  std::string text;                 ///< what the first failure says
   std::string error;                ///< the same: what running it ended in; mostly none
   bool is_cut_short = false;        ///< by an interruption or a hang
   double seconds = 0;
 
   bool all_discarded() const { return checked > 0 && discarded == checked; }
-  /// Of the inputs that come next.
+  /// Adds the tally of the inputs that come next.
   void add(const CheckTally& next);
 
   static void fields(auto& archive, auto& tally) {

@@ -35,13 +35,13 @@ struct TriageErrands {
 struct TriageOptions {
   std::vector<std::string> methods;  ///< specs that parse_method_list accepted
   SearchOptions search;
-  std::uint64_t shrink_trials = 1000;  ///< of one find
+  std::uint64_t shrink_trials = 1000;  ///< for one find
   /// True ends shrinking, and asking before the next method.
   std::function<bool()> stop = [] { return false; };
   MethodSet::Make make = make_served_method;
   /// Arguments of serve, of a child that has TriageErrands.
   std::vector<std::string> errands = {"--triage"};
-  /// Of an input on which the oracle comes to grief, but not as a method; and of a refutation.
+  /// Called for an input on which the oracle fails, but not as a method; and for a refutation.
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
@@ -49,7 +49,7 @@ struct TriageOptions {
 struct TriageTally {
   std::uint64_t inputs = 0;
   std::uint64_t failures = 0;  ///< full runs that fail, of all inputs and methods
-  std::uint64_t known = 0;     ///< of those, how many are like one that was had
+  std::uint64_t known = 0;     ///< how many of those are like one that was known
   std::uint64_t harmless = 0;  ///< inputs that no method fails on, in a full run
   std::uint64_t refuting = 0;  ///< inputs that refute a claim, but by no full run of a sound method
 

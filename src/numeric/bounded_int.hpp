@@ -164,7 +164,7 @@ class BoundedInt {
     }
   }
 
-  /// Of a's and b's magnitudes, of which a's is no less. One of them may be *this.
+  /// Becomes |a| − |b|; requires |a| ≥ |b|. One of them may be *this.
   void subtract_magnitudes(const BoundedInt& a, const BoundedInt& b) {
     const int size = a.size_, common = b.size_;
     Limb borrow = 0;

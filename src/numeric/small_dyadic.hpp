@@ -112,7 +112,7 @@ class SmallDyadic {
  private:
   __extension__ using Signed = __int128;
   __extension__ using Unsigned = unsigned __int128;
-  /// Of summands and products: a sum of two then has one more, and its sign bit is left.
+  /// The bits of summands and products. A sum of two then has one more, and its sign bit is left.
   static constexpr int kMostBits = 125;
 
   static int width(Signed m) {

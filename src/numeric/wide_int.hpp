@@ -28,7 +28,7 @@ class WideInt {
     limbs_.fill(x < 0 ? ~Limb{0} : 0);
     limbs_[0] = static_cast<Limb>(x);
   }
-  /// Of the same value.
+  /// Has the same value.
   template <int Less>
   requires(Less < Bits) constexpr explicit WideInt(const WideInt<Less>& x) {
     limbs_.fill(x.negative() ? ~Limb{0} : 0);

@@ -14,8 +14,8 @@ struct Histogram {
   std::vector<std::uint64_t> counts;
 };
 
-/// Of the decimal logarithms of the samples > 0, in bins of a quarter of an octave. Empty if there
-/// is none.
+/// The histogram of the decimal logarithms of the samples > 0, in bins of a quarter of an octave.
+/// Empty if there is none.
 Histogram log_bins(const LogHistogram& samples);
 
 /// 200 bins from 0 to the sample that `share` of them do not exceed; the last bin holds those past

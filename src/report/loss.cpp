@@ -16,7 +16,7 @@ struct Heights {
   Rational lowest, highest;
 };
 
-/// Of the control points of a part along an axis at an exact time.
+/// The heights of the control points of a part along an axis at an exact time.
 Heights heights_at(const MovingPatch<double>& patch, const Cell& cell, const Vec3<double>& axis,
                    const Rational& t) {
   const MovingPatch<Rational> part =

@@ -39,7 +39,7 @@ struct ReportedCase {
   Case value;
   std::vector<ReportedAnswer> answers;
   double precision = 1e-4;     ///< that it was asked at
-  std::optional<bool> is_new;  ///< of a hunt: found now, or known before
+  std::optional<bool> is_new;  ///< for a hunt: found now, or known before
   std::string reproduce;       ///< the command that shows it again; may be empty
 };
 
@@ -49,7 +49,7 @@ struct HuntSample {
   std::uint64_t queries = 0;  ///< answered and judged
   std::uint64_t mutants = 0;  ///< bred and traced
   std::uint64_t finds = 0;
-  /// Of each method of the course the least number of ulps by which a contact survived its tests;
+  /// For each method of the course the least number of ulps by which a contact survived its tests;
   /// nothing while none was traced.
   std::vector<std::optional<std::uint64_t>> margins;
 
@@ -84,9 +84,9 @@ struct ReportPage {
   std::vector<Row> rows;  ///< what figures are made of; untimed where nothing was timed
   /// What is known of the plug-ins among the methods: to make a page starts none of them.
   std::vector<MethodInfo> plugins;
-  HuntCourse course;       ///< of a hunt
+  HuntCourse course;       ///< for a hunt
   std::string scoreboard;  ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
-  /// Of both patches of the positive cases at their contacts, as rms_curvature.
+  /// The curvatures of both patches of the positive cases at their contacts, as rms_curvature.
   LogHistogram curvatures;
   std::vector<ReportedCase> cases;
   std::uint64_t cases_left_out = 0;  ///< failures that the page has no room for

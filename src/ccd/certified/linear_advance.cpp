@@ -66,7 +66,7 @@ std::array<double, 2> nearest_of_face(const Axis& a, const Axis& b, const Axis& 
 }
 
 /// The parameters of a face's point with these weights of control points 1 and 2, (0, 1) and (1,
-/// 0): inside of its domain, though a weight is rounded. Of 1 − c and of 1 − v one is exact.
+/// 0): inside of its domain, though a weight is rounded. One of 1 − c and 1 − v is exact.
 Uv<double> uv_of(double of_b, double of_c) {
   const double v = std::min(of_b, 1 - of_c);
   return {of_c, of_c > 1 - v ? next_down(v) : v};

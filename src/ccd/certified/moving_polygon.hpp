@@ -35,7 +35,7 @@ class MovingPolygon {
     }
     return cross_[i][k];
   }
-  /// Of three corners.
+  /// The determinant of three corners.
   Determinant determinant() {
     return corner(0, 0) * cross(1, 0) + corner(0, 1) * cross(1, 1) + corner(0, 2) * cross(1, 2);
   }

@@ -28,9 +28,9 @@ struct Skeleton {
   Axis middle{};
 
   Skeleton() = default;
-  /// Of a cell at time t.
+  /// The skeleton of a cell at time t.
   Skeleton(const CellTree& tree, CellTree::Node node, double t);
-  /// Of a net halfway between both times of its snapshot.
+  /// The skeleton of a net, halfway between both times of its snapshot.
   Skeleton(const Shape& shape, const Snapshot& snapshot);
 
  private:

@@ -106,7 +106,7 @@ class PairSplit {
   int finest_ = 0;
   CellTree trees_[2];
   Children children_[2];
-  alignas(32) SnapshotValues values_[2];  ///< of a pair in its own window
+  alignas(32) SnapshotValues values_[2];  ///< for a pair in its own window
 };
 
 namespace detail {

@@ -76,9 +76,9 @@ class RoughSearch {
     return out;
   }
 
-  /// Of the times from a to b. Sets time_ where a contact is proven.
+  /// What is found in the times from a to b. Sets time_ where a contact is proven.
   Found decide(const Instant& a, const Instant& b);
-  /// Of both parts, one after the other; of the whole where the split is not inside.
+  /// Decides both parts, one after the other, or all of it where the split is not inside.
   Found decide_parts(const Instant& a, double split, const Instant& b) {
     if (!(a.t < split && split < b.t)) return decide(a, b);
     const Instant middle = instant_at(split);

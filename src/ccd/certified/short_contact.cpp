@@ -90,7 +90,7 @@ class ShortSearch {
   ShortPolygon& polygon_;
   const Determinant determinant_;
   const RoughPolynomial<3> rough_;
-  /// Of what has been looked at; nothing if that is not decided.
+  /// The answer about what has been looked at; nothing if that is not decided.
   std::optional<ShortAnswer> answer_ = ShortAnswer{false};
 };
 

@@ -16,7 +16,7 @@ template <int Degree, int Bits>
 struct ShortPolynomial {
   using Int = WideInt<Bits>;
 
-  std::array<Int, Degree + 1> c;  ///< of powers, from 0 up
+  std::array<Int, Degree + 1> c;  ///< by powers, from 0 up
 
   ShortPolynomial() { c.fill(Int(0)); }
   ShortPolynomial(const Int& c0, const Int& c1) requires(Degree == 1) : c{c0, c1} {}

@@ -107,8 +107,8 @@ class ExactScene {
     size_t oldest = 0;
   };
 
-  /// Of a product and a sum. Measured, allocating an Integer and calling GMP takes as long as 32
-  /// operations on words.
+  /// The words of a product and a sum. Measured, allocating an Integer and calling GMP takes as
+  /// long as 32 operations on words.
   static std::uint64_t words_of(const Int& x) {
     if constexpr (std::is_same_v<Int, Integer>) {
       constexpr std::uint64_t kCalls = 32;

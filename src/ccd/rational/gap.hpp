@@ -98,7 +98,7 @@ class Gap {
 
   const Query* query_ = nullptr;
   Units units_;
-  Points<double> positions_, velocities_;  ///< of one side, normalised; for begin() alone
+  Points<double> positions_, velocities_;  ///< one side's, normalised; for begin() alone
   std::array<CellPointsCache, 2> cache_;
   std::array<CellPoints, 2> families_;
   std::array<std::array<Cell, 4>, 2> parts_;

@@ -68,7 +68,7 @@ struct Trace {
   };
   std::optional<Margin> margin;
 
-  /// Of methods that compare at the ends of windows, how near an axis was to excluding t*: the
+  /// For methods that compare at the ends of windows: how near an axis was to excluding t*: the
   /// AxisGap at t*, linear between both ends, in its unit; least over all pairs and axes. tdibm-c:
   /// in multiples of its error bound E, 1 where the computed gap is 0, and at a loss of t* at an
   /// end of the window < 0. In exact arithmetic it is never < 1. trad: overlap in ulps of the

@@ -30,8 +30,8 @@ class WitnessWatch final : public ExclusionObserver {
   Trace trace_;
   TracePlace place_;
   std::optional<Exclusion> claim_;       ///< the first of this test that contains the witness
-  std::optional<Trace::Margin> margin_;  ///< of this test
-  std::optional<double> slack_;          ///< of this test
+  std::optional<Trace::Margin> margin_;  ///< in this test
+  std::optional<double> slack_;          ///< in this test
   bool steps_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace ccdfuzz {
 /// The most work of checking one certificate, in operations on 64-bit words: at most a few seconds.
 /// The largest measured are below 2^28: trees and planes of generated and proven cases of all
 /// families, and planes of two tensor(8,8); witnesses stay below 2^23. So there is a factor of 16.
-/// Of two tensor(8,8) it is a tree of 120 splits, which takes 5 s to 8 s: the costliest of all.
+/// For two tensor(8,8) that is a tree of 120 splits, which takes 5 s to 8 s: the costliest of all.
 inline constexpr std::uint64_t kMostWork = std::uint64_t{1} << 32;
 
 inline std::uint64_t words_of(const Integer& x) {

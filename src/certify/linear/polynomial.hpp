@@ -17,7 +17,7 @@ class Polynomial {
   bool is_zero() const { return coefficients_.empty(); }
   /// −1 for zero.
   int degree() const { return static_cast<int>(coefficients_.size()) - 1; }
-  /// Of x^k; requires 0 ≤ k ≤ degree().
+  /// The coefficient of x^k; requires 0 ≤ k ≤ degree().
   const Integer& operator[](int k) const { return coefficients_[static_cast<size_t>(k)]; }
   const Integer& leading() const { return coefficients_.back(); }
   const std::vector<Integer>& coefficients() const { return coefficients_; }

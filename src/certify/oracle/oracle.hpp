@@ -12,9 +12,9 @@ namespace ccdfuzz {
 /// Limits of one decision. All but max_seconds are counts, so that a decision without it does not
 /// depend on the machine.
 struct OracleOptions {
-  std::uint64_t max_pops = 100'000;        ///< of each search
-  std::uint64_t max_bytes = 256 << 20;     ///< of each search's queue
-  std::uint64_t max_tree_nodes = 250'000;  ///< of a miss tree that decides; a quarter of others
+  std::uint64_t max_pops = 100'000;        ///< for each search
+  std::uint64_t max_bytes = 256 << 20;     ///< for each search's queue
+  std::uint64_t max_tree_nodes = 250'000;  ///< for a miss tree that decides; others have a quarter
   /// Wall time of the searches and trees; what was found by then is checked and returned.
   double max_seconds = SearchOptions::kNoTimeLimit;
   double (*clock)() = nullptr;  ///< as of SearchOptions
