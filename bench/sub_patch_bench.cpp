@@ -1,6 +1,7 @@
 // Sub-patches from scratch, as Appendix A (b) has them: exact over double.
 #include "bench/ratio.hpp"
 #include "bezier/cell.hpp"
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/draw/draw.hpp"
 

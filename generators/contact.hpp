@@ -7,6 +7,7 @@
 #include "case/judge.hpp"
 #include "case/taxonomy.hpp"
 #include "numeric/dyadic.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -4,6 +4,7 @@
 #include "bezier/patch.hpp"
 #include "case/query.hpp"
 #include "generators/draw/draw.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -1,7 +1,7 @@
 #include "generators/finalize.hpp"
 
 #include "base/verify.hpp"
-#include "bezier/to_doubles.hpp"
+#include "bezier/exact_patch.hpp"
 #include "certify/checker/check_witness.hpp"
 
 namespace ccdfuzz {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "bezier/patch.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"

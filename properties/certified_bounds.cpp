@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"
 #include "ccd/certified/normalise.hpp"

@@ -1,3 +1,4 @@
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/axes.hpp"
 #include "ccd/projection.hpp"

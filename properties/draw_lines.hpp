@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ccd/line.hpp"
+#include "ccd/time_interval.hpp"
 #include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "numeric/dyadic.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/rational/gap.hpp"
 #include "generators/draw_patch.hpp"

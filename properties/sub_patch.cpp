@@ -1,5 +1,6 @@
 #include "properties/sub_patch.hpp"
 
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/show.hpp"

@@ -2,6 +2,7 @@
 
 #include "bezier/cell.hpp"
 #include "bezier/patch.hpp"
+#include "numeric/exact_scalars.hpp"
 #include "properties/property.hpp"
 
 namespace ccdfuzz {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bezier/elevate.hpp"
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "generators/similar.hpp"
 
@@ -145,7 +146,7 @@ bool cut(Case& value, std::size_t side, Draw& choices) {
     const auto turn = static_cast<int>(choices.choose(3));
     for (int c = 0; c < patch.shape.child_count(); ++c) {
       const Cell child = cell.child(patch.shape, (c + turn) % patch.shape.child_count());
-      if (!child.contains(patch.shape, uv)) continue;
+      if (!contains(child, patch.shape, uv)) continue;
       cell = child;
       break;
     }

@@ -2,8 +2,8 @@
 
 #include "bezier/cell.hpp"
 #include "bezier/elevate.hpp"
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
-#include "bezier/to_doubles.hpp"
 #include "numeric/small_dyadic.hpp"
 
 namespace ccdfuzz {
@@ -173,7 +173,7 @@ bool restrict_patch(Contact& q, int side) {
   const Uv<Rational> at = {q.uv[s][0].rational(), q.uv[s][1].rational()};
   for (int c = 0; c < shape.child_count() && shape.kind != ShapeKind::kPoint; ++c) {
     const Cell cell = Cell{}.child(shape, c);
-    if (!cell.contains(shape, at)) continue;
+    if (!contains(cell, shape, at)) continue;
     const auto make = [&](const auto& points) { return restricted(shape, points, cell); };
     if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {
       return false;

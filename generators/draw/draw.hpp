@@ -9,7 +9,7 @@
 
 #include "generators/draw/random.hpp"
 #include "numeric/dyadic.hpp"
-#include "numeric/eigen_traits.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -6,6 +6,7 @@
 #include "bezier/patch.hpp"
 #include "generators/draw/draw.hpp"
 #include "generators/prescribe.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

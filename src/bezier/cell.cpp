@@ -53,21 +53,4 @@ Uv<double> Cell::centre(const Shape& shape) const {
   return {(c[0][0] + c[1][0]) / 2, (c[0][1] + c[1][1]) / 2};
 }
 
-bool Cell::contains(const Shape& shape, const Uv<Rational>& uv) const {
-  const Rational unit = power_of_two(depth);
-  const Rational x = uv[0] * unit - Rational(Integer(static_cast<unsigned long>(i)));
-  const Rational y = uv[1] * unit - Rational(Integer(static_cast<unsigned long>(j)));
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      return true;
-    case ShapeKind::kCurve:
-      return 0 <= x && x <= 1;
-    case ShapeKind::kTensor:
-      return 0 <= x && x <= 1 && 0 <= y && y <= 1;
-    case ShapeKind::kTriangle:
-      break;
-  }
-  return inverted ? x <= 1 && y <= 1 && x + y >= 1 : x >= 0 && y >= 0 && x + y <= 1;
-}
-
 }  // namespace ccdfuzz

@@ -31,9 +31,6 @@ struct Cell {
   /// The midpoint (centroid of a triangle, rounded).
   Uv<double> centre(const Shape& shape) const;
 
-  /// True iff (u, v) lies in the closed cell.
-  bool contains(const Shape& shape, const Uv<Rational>& uv) const;
-
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 

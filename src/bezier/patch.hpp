@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bezier/shape.hpp"
-#include "numeric/eigen_traits.hpp"
+#include "numeric/vec3.hpp"
 
 namespace ccdfuzz {
 
@@ -35,19 +35,5 @@ struct MovingPatch {
 
   friend bool operator==(const MovingPatch&, const MovingPatch&) = default;
 };
-
-/// The same patch in another number type, exactly. S is Rational or Dyadic.
-template <class S>
-MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
-  const auto convert = [](const Points<double>& from) {
-    Points<S> to;
-    to.reserve(from.size());
-    for (const Vec3<double>& p : from) {
-      to.push_back({from_double<S>(p[0]), from_double<S>(p[1]), from_double<S>(p[2])});
-    }
-    return to;
-  };
-  return {patch.shape, convert(patch.positions), convert(patch.velocities)};
-}
 
 }  // namespace ccdfuzz

@@ -60,13 +60,4 @@ MovingPatch<S> restrict_to(const MovingPatch<S>& patch, const std::array<Uv<S>, 
   return part;
 }
 
-template <class S>
-std::array<Uv<S>, 3> exact_corners(const std::array<Uv<double>, 3>& corners) {
-  std::array<Uv<S>, 3> out;
-  for (size_t c = 0; c < 3; ++c) {
-    out[c] = {from_double<S>(corners[c][0]), from_double<S>(corners[c][1])};
-  }
-  return out;
-}
-
 }  // namespace ccdfuzz

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "numeric/eigen_traits.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

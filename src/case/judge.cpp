@@ -3,6 +3,7 @@
 #include "base/double_parts.hpp"
 #include "base/verify.hpp"
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 
 namespace ccdfuzz {
 

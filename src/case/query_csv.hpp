@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/verify.hpp"
+#include "bezier/exact_patch.hpp"
 #include "case/query_csv.hpp"
 
 namespace ccdfuzz {

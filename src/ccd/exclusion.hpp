@@ -1,8 +1,7 @@
 #pragma once
 
-#include "ccd/line.hpp"
-#include "ccd/separation.hpp"
-#include "numeric/eigen_traits.hpp"
+#include "ccd/time_interval.hpp"
+#include "numeric/vec3.hpp"
 
 namespace ccdfuzz {
 

@@ -18,13 +18,6 @@ struct Line {
   S at(const S& t) const { return S(S(slope * t) + intercept); }
 };
 
-/// A part [lo, hi] of the time step, closed.
-template <class S>
-struct TimeWindow {
-  S lo;
-  S hi;
-};
-
 /// Up to kMaxControls lines, in place: the hot path allocates nothing.
 template <class S>
 class Lines {

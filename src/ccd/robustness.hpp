@@ -6,6 +6,7 @@
 #include "ccd/line.hpp"
 #include "ccd/next_double.hpp"
 #include "ccd/reading.hpp"
+#include "ccd/time_interval.hpp"
 
 namespace ccdfuzz {
 

@@ -15,9 +15,9 @@
 #include "case/answer.hpp"
 #include "case/query.hpp"
 #include "case/refusal.hpp"
-#include "ccd/line.hpp"
 #include "ccd/search_options.hpp"
 #include "ccd/search_queue.hpp"
+#include "ccd/time_interval.hpp"
 
 namespace ccdfuzz {
 
@@ -67,9 +67,6 @@ class Deadline {
   double start_ = 0;
   int work_ = 0;
 };
-
-/// A closed time interval in which a pair of cells may touch; lo ≤ hi.
-using Window = TimeWindow<double>;
 
 /// Depth at which every cell is at most `precision` wide: the least d with 2^-d ≤ precision, and at
 /// most kMaxDepth. Outside of (0, 1] it is kMaxDepth: cells that are too small cost time alone.

@@ -4,23 +4,9 @@
 #include <span>
 
 #include "ccd/envelope.hpp"
+#include "ccd/time_interval.hpp"
 
 namespace ccdfuzz {
-
-/// An interval of time in which an axis separates two patches. It holds an end only if it was cut
-/// off there by the window: elsewhere the end is a root, at which the boxes touch.
-template <class S>
-struct Separation {
-  S lo;
-  S hi;
-  bool has_lo = false;
-  bool has_hi = false;
-
-  bool contains(const S& t) const {
-    return (lo < t || (has_lo && lo == t)) && (t < hi || (has_hi && t == hi));
-  }
-  bool empty() const { return hi < lo || (lo == hi && !(has_lo && has_hi)); }
-};
 
 namespace detail {
 

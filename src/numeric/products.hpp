@@ -1,7 +1,7 @@
 #pragma once
 
-#include "numeric/eigen_traits.hpp"
 #include "numeric/ieee_arithmetic.hpp"
+#include "numeric/vec3.hpp"
 
 namespace ccdfuzz {
 

@@ -8,7 +8,7 @@
 
 #include "base/double_parts.hpp"
 #include "numeric/dyadic.hpp"
-#include "numeric/eigen_traits.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/verify.hpp"
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 
 namespace ccdfuzz {

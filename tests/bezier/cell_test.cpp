@@ -1,5 +1,6 @@
 #include "bezier/cell.hpp"
 
+#include "bezier/exact_patch.hpp"
 #include "bezier/random_patch.hpp"
 #include "bezier/restrict.hpp"
 
@@ -46,14 +47,14 @@ RC_GTEST_PROP(Cell, ChildrenCoverTheParentAndNothingElse, ()) {
   const Uv<Dyadic> local = any_uv(shape);
   const Uv<Dyadic> g = to_global(shape, exact_corners<Dyadic>(parent.corners(shape)), local);
   const Uv<Rational> uv = {g[0].rational(), g[1].rational()};
-  RC_ASSERT(parent.contains(shape, uv));
+  RC_ASSERT(contains(parent, shape, uv));
   bool covered = false;
   for (int c = 0; c < shape.child_count(); ++c) {
     const Cell child = parent.child(shape, c);
-    covered = covered || child.contains(shape, uv);
+    covered = covered || contains(child, shape, uv);
     for (const Uv<double>& corner : child.corners(shape)) {
       if (shape.kind != ShapeKind::kTriangle) break;
-      RC_ASSERT(parent.contains(shape, {exact(corner[0]), exact(corner[1])}));
+      RC_ASSERT(contains(parent, shape, {exact(corner[0]), exact(corner[1])}));
     }
   }
   RC_ASSERT(covered);
@@ -64,7 +65,7 @@ TEST(Cell, CornersAreExactAtTheDeepestLevel) {
     Cell cell;
     while (cell.depth < Cell::kMaxDepth) cell = cell.child(shape, shape.child_count() - 1);
     const auto c = cell.corners(shape);
-    EXPECT_TRUE(cell.contains(shape, {exact(c[0][0]), exact(c[0][1])})) << to_text(shape);
+    EXPECT_TRUE(contains(cell, shape, {exact(c[0][0]), exact(c[0][1])})) << to_text(shape);
     EXPECT_NE(c[0][0], c[1][0]) << to_text(shape);
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bezier/patch.hpp"
+#include "numeric/exact_scalars.hpp"
 #include "rapidcheck.hpp"
 
 namespace ccdfuzz {

@@ -206,6 +206,38 @@ TEST(Layering, TheCheckerIsIndependentOfTheMethods) {
       testing::UnorderedElementsAre("certify/checker", "case", "bezier", "numeric", "base"));
 }
 
+/// The names that a header includes, and those that the project's headers among them do.
+std::set<std::string> closure(const fs::path& root, const std::string& header) {
+  std::set<std::string> all;
+  const auto add = [&](const auto& self, const std::string& name) -> void {
+    if (!all.insert(name).second) return;
+    std::ifstream in(root / "src" / name);
+    for (const Include& include : includes_of(in)) self(self, include.name);
+  };
+  add(add, header);
+  return all;
+}
+
+// The certified method is to stand alone: with doubles only, and without the paper's methods.
+TEST(Layering, HeadersOfTheCertifiedMethodHaveNoGmpAndNothingOfThePaper) {
+  const fs::path root = CCDFUZZ_SOURCE_DIR;
+  int headers = 0;
+  for (const auto& entry : fs::directory_iterator(root / "src/ccd/certified")) {
+    if (entry.path().extension() != ".hpp") continue;
+    ++headers;
+    const std::string header = fs::relative(entry.path(), root / "src");
+    const std::set<std::string> all = closure(root, header);
+    EXPECT_TRUE(all.contains("array") || all.contains("cstdint")) << header;
+    for (const char* barred :
+         {"gmpxx.h", "gmp.h", "ccd/line.hpp", "ccd/envelope.hpp", "ccd/robustness.hpp",
+          "ccd/separation.hpp", "ccd/axes.hpp", "ccd/projection.hpp"}) {
+      EXPECT_FALSE(all.contains(barred)) << header << " reaches " << barred;
+    }
+  }
+  EXPECT_GT(headers, 10);
+  EXPECT_TRUE(closure(root, "bezier/exact_patch.hpp").contains("gmpxx.h"));
+}
+
 TEST(Layering, RefusesWhatGoesUpwards) {
   const fs::path root = CCDFUZZ_SOURCE_DIR;
   const auto refused = [&](const std::string& path, const Include& include) {

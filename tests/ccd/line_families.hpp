@@ -4,7 +4,9 @@
 #include <string>
 
 #include "ccd/line.hpp"
+#include "ccd/time_interval.hpp"
 #include "generators/draw/draw.hpp"
+#include "numeric/exact_scalars.hpp"
 #include "numeric/rational.hpp"
 
 namespace ccdfuzz {

@@ -1,4 +1,5 @@
 #include "ccd/projection.hpp"
+#include "bezier/exact_patch.hpp"
 
 #include <gtest/gtest.h>
 

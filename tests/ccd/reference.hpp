@@ -4,6 +4,8 @@
 #include <optional>
 
 #include "ccd/separation.hpp"
+#include "ccd/time_interval.hpp"
+#include "numeric/exact_scalars.hpp"
 #include "numeric/rational.hpp"
 
 namespace ccdfuzz {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bezier/exact_patch.hpp"
 #include "bezier/random_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "ccd/certified/cell_tree.hpp"

@@ -1,4 +1,5 @@
 #include "ccd/certified/midpoint_program.hpp"
+#include "bezier/exact_patch.hpp"
 
 #include "bezier/cell.hpp"
 #include "bezier/random_patch.hpp"

@@ -1,6 +1,7 @@
 // Whatever the queries, a contact that is known exactly is never lost: not by any test of a pair of
 // cells that holds it, not by the search, and not by a proof of its absence.
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "ccd/rational/gap.hpp"
 #include "ccd/rational/pair_test.hpp"
 #include "ccd/rational/proves_clear.hpp"
@@ -67,7 +68,7 @@ CellFamily children_holding(const Shape& shape, const Cell& parent, const Uv<Dya
   const Uv<Rational> at = {uv[0].rational(), uv[1].rational()};
   for (int c = 0; c < shape.child_count(); ++c) {
     f.parts[static_cast<size_t>(c)] = parent.child(shape, c);
-    if (f.parts[static_cast<size_t>(c)].contains(shape, at)) f.chosen = c;
+    if (contains(f.parts[static_cast<size_t>(c)], shape, at)) f.chosen = c;
   }
   return f;
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
 #include "case/query.hpp"
 #include "ccd/rational/axis.hpp"

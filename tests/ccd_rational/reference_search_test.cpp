@@ -1,5 +1,6 @@
 // tdibm-rational against the same method written down naively: exact sub-patches, exact windows
 // from all pairs of lines, no filter, no integers, no grid.
+#include "bezier/exact_patch.hpp"
 #include "ccd/rational/pair_axes.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
 #include "ccd_rational/exact_reference.hpp"

@@ -1,4 +1,5 @@
 #include "certify/checker/check_truth.hpp"
+#include "bezier/exact_patch.hpp"
 
 #include <cmath>
 #include <limits>

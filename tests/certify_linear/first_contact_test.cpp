@@ -1,5 +1,6 @@
 // Named linear queries: what is parallel, coplanar, collinear, tangent, static or of no extent.
 #include "certify/linear/first_contact.hpp"
+#include "bezier/exact_patch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "generators/finalize.hpp"
+#include "bezier/exact_patch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "fuzz/mutator/reshape.hpp"
+#include "bezier/exact_patch.hpp"
 
 #include <gtest/gtest.h>
 

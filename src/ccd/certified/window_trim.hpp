@@ -2,7 +2,7 @@
 
 #include "ccd/certified/projection.hpp"
 #include "ccd/next_double.hpp"
-#include "ccd/search.hpp"
+#include "ccd/time_interval.hpp"
 
 namespace ccdfuzz::certified {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "numeric/eigen_traits.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz::exact_ccd {
 

@@ -5,7 +5,7 @@
 
 #include "bezier/cell.hpp"
 #include "case/case.hpp"
-#include "ccd/separation.hpp"
+#include "ccd/time_interval.hpp"
 
 namespace ccdfuzz {
 

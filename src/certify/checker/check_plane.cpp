@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bezier/exact_patch.hpp"
 #include "certify/checker/nonnegative.hpp"
 #include "certify/checker/shown.hpp"
 

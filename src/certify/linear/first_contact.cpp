@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/verify.hpp"
+#include "bezier/exact_patch.hpp"
 #include "certify/linear/origin_in_triangle.hpp"
 
 namespace ccdfuzz::linear {

@@ -6,6 +6,7 @@
 #include "bezier/patch.hpp"
 #include "case/case.hpp"
 #include "certify/linear/real_root.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz::linear {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "certify/linear/real_root.hpp"
-#include "numeric/eigen_traits.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz::linear {
 

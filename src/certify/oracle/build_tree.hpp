@@ -6,6 +6,7 @@
 
 #include "case/query.hpp"
 #include "ccd/search.hpp"
+#include "numeric/rational.hpp"
 
 namespace ccdfuzz {
 

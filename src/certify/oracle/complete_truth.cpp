@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/verify.hpp"
 #include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/polar.hpp"
 #include "numeric/products.hpp"

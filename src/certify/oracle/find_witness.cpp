@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/find_contact.hpp"
 

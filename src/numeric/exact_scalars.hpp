@@ -1,9 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "numeric/dyadic.hpp"
 #include "numeric/rational.hpp"
+#include "numeric/vec3.hpp"
 
 namespace Eigen {
 
@@ -23,6 +22,7 @@ struct ExactNumTraits : GenericNumTraits<Exact> {
     AddCost = 150,
     MulCost = 100
   };
+  static constexpr bool kIsExact = true;
   static Exact epsilon() { return Exact(0); }
   static Exact dummy_precision() { return Exact(0); }
   static int digits10() { return 0; }
@@ -36,9 +36,6 @@ struct NumTraits<ccdfuzz::Dyadic> : ExactNumTraits<ccdfuzz::Dyadic> {};
 }  // namespace Eigen
 
 namespace ccdfuzz {
-
-template <class S>
-using Vec3 = Eigen::Matrix<S, 3, 1>;
 
 inline Vec3<Rational> exact(const Vec3<double>& v) {
   return {exact(v[0]), exact(v[1]), exact(v[2])};

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "bezier/cell.hpp"
+#include "bezier/patch.hpp"
+#include "numeric/exact_scalars.hpp"
+
+namespace ccdfuzz {
+
+/// The same patch in another number type, exactly. S is Rational or Dyadic.
+template <class S>
+MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
+  const auto convert = [](const Points<double>& from) {
+    Points<S> to;
+    to.reserve(from.size());
+    for (const Vec3<double>& p : from) {
+      to.push_back({from_double<S>(p[0]), from_double<S>(p[1]), from_double<S>(p[2])});
+    }
+    return to;
+  };
+  return {patch.shape, convert(patch.positions), convert(patch.velocities)};
+}
+
+template <class S>
+std::array<Uv<S>, 3> exact_corners(const std::array<Uv<double>, 3>& corners) {
+  std::array<Uv<S>, 3> out;
+  for (size_t c = 0; c < 3; ++c) {
+    out[c] = {from_double<S>(corners[c][0]), from_double<S>(corners[c][1])};
+  }
+  return out;
+}
+
+/// True iff (u, v) lies in the closed cell.
+bool contains(const Cell& cell, const Shape& shape, const Uv<Rational>& uv);
+
+/// The same points, of an exact type, as doubles. nullopt if some coordinate is not a double.
+template <class Exact>
+std::optional<Points<double>> to_doubles(const Points<Exact>& points) {
+  Points<double> out;
+  out.reserve(points.size());
+  for (const Vec3<Exact>& p : points) {
+    Vec3<double> q;
+    for (int k = 0; k < 3; ++k) {
+      const std::optional<double> d = p[k].to_double_exactly();
+      if (!d) return std::nullopt;
+      q[k] = *d;
+    }
+    out.push_back(q);
+  }
+  return out;
+}
+
+}  // namespace ccdfuzz
