@@ -12,7 +12,7 @@ namespace ccdfuzz {
 /// hold (fuzz/suite.cpp). properties/CMakeLists.txt says which files it is made of.
 struct Suite {
   std::string name;
-  /// A suite of one claim, which draws a text first: the bytes of the fuzz target are that text.
+  /// True if its one claim draws a text first: the bytes of the fuzz target are that text.
   bool reads_text = false;
   std::vector<Property> claims;
 
