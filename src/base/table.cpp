@@ -14,10 +14,9 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Code points of UTF-8 text: every byte but the continuation bytes 10xxxxxx.
-size_t width(const std::string& text) {
-  return static_cast<size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+/// True iff it is a byte 10xxxxxx of UTF-8.
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
 std::string padded(const std::string& text, size_t to, Align align) {
@@ -54,11 +53,11 @@ void strip_trailing_blanks(std::string& line) {
 
 void Table::add_row(std::vector<TableCell> cells) {
   CCDFUZZ_VERIFY(cells.size() == columns_.size());
-  rows_.push_back({std::move(cells), std::exchange(group_pending_, false)});
+  rows_.push_back({std::move(cells), std::exchange(group_pending_, std::nullopt)});
 }
 
-void Table::start_group() {
-  group_pending_ = row_count() > 0;
+void Table::start_group(const std::string& title) {
+  if (row_count() > 0 || !title.empty()) group_pending_ = title;
 }
 
 std::vector<std::string> Table::titles() const {
@@ -76,65 +75,107 @@ std::vector<std::vector<std::string>> Table::texts() const {
   return texts;
 }
 
-std::vector<size_t> Table::widths_from(size_t row) const {
-  std::vector<size_t> widths;
-  for (size_t c = 0; c < columns_.size(); ++c) {
-    widths.push_back(std::max(width(columns_[c].title), columns_[c].least_width));
-    for (size_t r = row; r < rows_.size(); ++r) {
-      widths[c] = std::max(widths[c], width(shown_line(rows_[r].cells[c].text)));
-    }
+std::string Table::cell_text(const Row& row, size_t column) const {
+  std::string text = shown_line(row.cells[column].text);
+  const size_t most = columns_[column].most_width, has = width(text);
+  if (most == 0 || has <= most) return text;
+  size_t at = 0;
+  for (size_t passed = 0; passed <= has - most || is_continuation(text[at]); ++at) {
+    passed += is_continuation(text[at]) ? 0 : 1;
   }
-  return widths;
+  return "…" + text.substr(at);
 }
 
-std::string Table::header_text(const std::vector<size_t>& widths, bool colour) const {
-  std::string header;
+Table::Layout Table::layout_from(size_t row) const {
+  Layout layout;
   for (size_t c = 0; c < columns_.size(); ++c) {
-    if (c > 0) header += "  ";
-    header += padded(columns_[c].title, widths[c], columns_[c].align);
+    layout.columns.push_back(c);
+    layout.widths.push_back(std::max(width(columns_[c].title), columns_[c].least_width));
+    for (size_t r = row; r < rows_.size(); ++r) {
+      layout.widths[c] = std::max(layout.widths[c], width(cell_text(rows_[r], c)));
+    }
+  }
+  return layout;
+}
+
+std::vector<Table::Layout> Table::parts() const {
+  const Layout all = layout_from(0);
+  Layout keys;
+  size_t keys_width = 0, used = 0;
+  std::vector<Layout> parts;
+  for (const size_t c : all.columns) {
+    const size_t needed = all.widths[c] + 2;
+    if (parts.empty() && columns_[c].align == Align::kLeft) {
+      keys.columns.push_back(c);
+      keys.widths.push_back(all.widths[c]);
+      keys_width += needed;
+      continue;
+    }
+    if (parts.empty() || used + needed > kTextWidth + 2) {
+      parts.push_back(keys);
+      used = keys_width;
+    }
+    parts.back().columns.push_back(c);
+    parts.back().widths.push_back(all.widths[c]);
+    used += needed;
+  }
+  return parts.empty() ? std::vector{keys} : parts;
+}
+
+std::string Table::header_text(const Layout& layout, bool colour) const {
+  std::string header;
+  for (size_t i = 0; i < layout.columns.size(); ++i) {
+    if (i > 0) header += "  ";
+    const Column& column = columns_[layout.columns[i]];
+    header += padded(column.title, layout.widths[i], column.align);
   }
   strip_trailing_blanks(header);
   return colour ? "\x1b[1m" + header + "\x1b[0m\n" : header + "\n";
 }
 
-std::string Table::row_text(const Row& row, const std::vector<size_t>& widths, bool colour) const {
+std::string Table::row_text(const Row& row, const Layout& layout, bool colour) const {
   std::string line;
-  for (size_t c = 0; c < columns_.size(); ++c) {
-    if (c > 0) line += "  ";
-    const std::string cell = padded(shown_line(row.cells[c].text), widths[c], columns_[c].align);
+  for (size_t i = 0; i < layout.columns.size(); ++i) {
+    if (i > 0) line += "  ";
+    const size_t c = layout.columns[i];
+    const std::string cell = padded(cell_text(row, c), layout.widths[i], columns_[c].align);
     const Emphasis emphasis = row.cells[c].emphasis;
     line += colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
   }
   strip_trailing_blanks(line);
-  return (row.starts_group ? "\n" : "") + line + "\n";
+  std::string before;
+  if (row.group) before = row.group->empty() ? "\n" : "\n" + shown_lines(*row.group) + "\n";
+  return before + line + "\n";
 }
 
 std::string Table::to_text(bool colour) const {
-  const std::vector<size_t> widths = widths_from(0);
-  std::string out = header_text(widths, colour);
-  for (const Row& row : rows_) out += row_text(row, widths, colour);
+  std::string out;
+  for (const Layout& part : parts()) {
+    out += (out.empty() ? "" : "\n") + header_text(part, colour);
+    for (const Row& row : rows_) out += row_text(row, part, colour);
+  }
   return out;
 }
 
 std::string Table::next_text(bool colour) {
   std::string out;
-  if (!std::exchange(header_shown_, true)) out = header_text(widths_from(rows_.size()), colour);
+  if (!std::exchange(header_shown_, true)) out = header_text(layout_from(rows_.size()), colour);
   while (rows_shown_ < rows_.size()) {
     const Row& row = rows_[rows_shown_++];
-    out += row_text(row, widths_from(rows_.size()), colour);
+    out += row_text(row, layout_from(rows_.size()), colour);
   }
   return out;
 }
 
 std::string Table::take_text(bool colour, size_t least) {
   if (rows_.size() < least) return "";
-  const std::vector<size_t> widths = widths_from(0);
-  std::string out = header_shown_ ? "" : header_text(widths, colour);
+  const Layout layout = layout_from(0);
+  std::string out = header_shown_ ? "" : header_text(layout, colour);
   header_shown_ = true;
-  for (const Row& row : rows_) out += row_text(row, widths, colour);
+  for (const Row& row : rows_) out += row_text(row, layout, colour);
   rows_taken_ += rows_.size();
   rows_.clear();
-  for (size_t c = 0; c < columns_.size(); ++c) columns_[c].least_width = widths[c];
+  for (size_t c = 0; c < columns_.size(); ++c) columns_[c].least_width = layout.widths[c];
   return out;
 }
 

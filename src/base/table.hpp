@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,16 @@ class Table {
     std::string title;
     Align align = Align::kRight;
     size_t least_width = 0;  ///< for aligned text
+    size_t most_width = 0;   ///< for aligned text: a longer one is "…" and its end; 0: any
   };
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
   /// Requires as many cells as columns.
   void add_row(std::vector<TableCell> cells);
-  /// The next row starts a new group: a blank line in aligned text, nothing elsewhere.
-  void start_group();
+  /// The next row starts a new group: in aligned text a blank line, unless it is the first row and
+  /// has no title, and below it the title. Nothing elsewhere.
+  void start_group(const std::string& title = "");
 
   /// How many rows were added.
   size_t row_count() const { return rows_taken_ + rows_.size(); }
@@ -40,7 +43,8 @@ class Table {
   std::vector<std::vector<std::string>> texts() const;
 
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes. Control
-  /// characters are shown (shown_line), in Markdown, too.
+  /// characters are shown (shown_line), in Markdown, too. A table wider than kTextWidth is shown in
+  /// parts, one below the other, each with the texts to the left that its rows begin with.
   std::string to_text(bool colour) const;
   /// What to_text has more than at the last call: for a table that is read while it grows. A text
   /// wider than its column's title and least_width moves its own row only.
@@ -53,17 +57,23 @@ class Table {
  private:
   struct Row {
     std::vector<TableCell> cells;
-    bool starts_group = false;
+    std::optional<std::string> group;  ///< the title of the group that it starts
+  };
+  /// Of the columns that a text shows: which, and how wide each is.
+  struct Layout {
+    std::vector<size_t> columns, widths;
   };
 
-  std::string header_text(const std::vector<size_t>& widths, bool colour) const;
-  std::string row_text(const Row& row, const std::vector<size_t>& widths, bool colour) const;
-  /// The widths of the columns, for the rows from this one on.
-  std::vector<size_t> widths_from(size_t row) const;
+  std::string header_text(const Layout& layout, bool colour) const;
+  std::string row_text(const Row& row, const Layout& layout, bool colour) const;
+  std::string cell_text(const Row& row, size_t column) const;
+  /// All columns, as wide as the rows from this one on need.
+  Layout layout_from(size_t row) const;
+  std::vector<Layout> parts() const;
 
   std::vector<Column> columns_;
   std::vector<Row> rows_;
-  bool group_pending_ = false;
+  std::optional<std::string> group_pending_;
   bool header_shown_ = false;
   size_t rows_shown_ = 0;
   size_t rows_taken_ = 0;

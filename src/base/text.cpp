@@ -37,6 +37,38 @@ std::string shown_lines(std::string_view text) {
   return without_controls(text, "\n");
 }
 
+std::size_t width(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t column) {
+  std::string out;
+  bool begins = true;  // nothing but blanks stands in the line
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
+    const std::string_view word = text.substr(0, end);
+    const std::size_t needed = width(word) + (begins ? 0 : 1);
+    if (!begins && column + needed > kTextWidth) {
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!begins) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += width(word);
+    begins = false;
+    if (end < text.size() && text[end] == '\n') {
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+      begins = true;
+    }
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
 std::vector<std::string> texts_between_commas(const std::string& text) {
   std::vector<std::string> texts;
   for (size_t begin = 0; begin <= text.size();) {

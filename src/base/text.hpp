@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,14 @@ namespace ccdfuzz {
 std::string shown_line(std::string_view text);
 /// The same of text in which newlines end lines.
 std::string shown_lines(std::string_view text);
+
+/// The columns of a terminal that everybody has.
+inline constexpr std::size_t kTextWidth = 80;
+/// Code points of UTF-8 text.
+std::size_t width(std::string_view text);
+/// The text in lines of at most kTextWidth columns, broken at blanks alone. Lines after the first
+/// begin with `indent` blanks; `column` is where the first one begins. No newline ends it.
+std::string wrapped(std::string_view text, std::size_t indent, std::size_t column = 0);
 
 /// What stands between the commas of a text; one empty text of an empty one.
 std::vector<std::string> texts_between_commas(const std::string& text);

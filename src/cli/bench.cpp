@@ -25,6 +25,7 @@ struct BenchOptions {
   Construction construction = Construction::kPaper;
   std::uint64_t count = 10;
   std::uint64_t seed = 1;
+  bool by_class = false;
   SearchFlags search;
 };
 
@@ -103,47 +104,92 @@ struct BenchRow {
   }
 };
 
-std::vector<TableCell> bench_cells(const BenchRow& row) {
-  const Race::Runner& runner = row.runner;
-  const Tally& tally = runner.tally;
-  const bool any = tally.n > 0;
-  const auto count_or_nothing = [](std::uint64_t count) {
-    return count > 0 ? fmt::format("{}", count) : "";
-  };
-  return {
-      {std::string(name_of(row.contact))},
-      {runner.spec},
-      {fmt::format("{}", tally.n)},
-      {any ? duration_text(tally.seconds.mean()) : "-"},
-      {any ? duration_text(tally.seconds.median()) : "-"},
-      {any ? fmt::format("{:.1f}", static_cast<double>(tally.pops) / static_cast<double>(tally.n))
-           : "-"},
-      {count_or_nothing(tally.count(Outcome::kUndecided))},
-      {count_or_nothing(tally.not_asked())},
-      {ratio_text(runner, ratio(runner, row.base, kTotal))},
-      {ratio_text(runner, ratio(runner, row.base, kMedian))},
-      {runner.overrun ? duration_text(*runner.overrun) : ""}};
+using ClassRaces = std::vector<std::pair<ContactClass, Race>>;
+
+/// A row for each class and method.
+Table class_table(const ClassRaces& races) {
+  Table table({{"class", Align::kLeft},
+               method_column(),
+               {"n"},
+               {"mean"},
+               {"median"},
+               {"pops"},
+               {"undecided"},
+               {"not asked"},
+               {"× total"},
+               {"× median"},
+               {"overrun"}});
+  for (const auto& [contact, race] : races) {
+    const Race::Runner& base = race.runners().front();
+    for (const Race::Runner& runner : race.runners()) {
+      const Tally& tally = runner.tally;
+      const auto n = static_cast<double>(tally.n);
+      const bool any = tally.n > 0;
+      if (&runner == &base) table.start_group();
+      table.add_row({{std::string(name_of(contact))},
+                     {runner.spec},
+                     {fmt::format("{}", tally.n)},
+                     {any ? duration_text(tally.seconds.mean()) : "-"},
+                     {any ? duration_text(tally.seconds.median()) : "-"},
+                     {any ? fmt::format("{:.1f}", static_cast<double>(tally.pops) / n) : "-"},
+                     {fmt::format("{}", tally.count(Outcome::kUndecided))},
+                     {fmt::format("{}", tally.not_asked())},
+                     {ratio_text(runner, ratio(runner, base, kTotal))},
+                     {ratio_text(runner, ratio(runner, base, kMedian))},
+                     {runner.overrun ? duration_text(*runner.overrun) : ""}});
+    }
+  }
+  return table;
+}
+
+/// A row for each method: of the first its mean times, of the others how many times as long all
+/// took.
+Table ratio_table(const ClassRaces& races) {
+  std::vector<Table::Column> columns = {method_column()};
+  for (const auto& [contact, race] : races) columns.push_back({std::string(name_of(contact))});
+  Table table(std::move(columns));
+  for (size_t m = 0; !races.empty() && m < races.front().second.runners().size(); ++m) {
+    std::vector<TableCell> row;
+    for (const auto& [contact, race] : races) {
+      const Race::Runner &base = race.runners().front(), &runner = race.runners()[m];
+      if (row.empty()) row.push_back({marked(runner.spec)});
+      row.push_back({runner.tally.n == 0 ? "not asked"
+                     : m == 0            ? duration_text(runner.tally.seconds.mean())
+                                         : ratio_text(runner, ratio(runner, base, kTotal))});
+    }
+    table.add_row(std::move(row));
+  }
+  return table;
+}
+
+void print_races(const ClassRaces& races, const BenchOptions& options) {
+  const std::string& base = options.methods.front();
+  const std::uint64_t queries = 2 * options.count, pops = options.search.max_pops;
+  if (options.by_class) {
+    print_table(class_table(races));
+    print_out(fmt::format("\ntotal, median: how many times that of {}\n", base));
+  } else {
+    print_table(ratio_table(races));
+    print_out(fmt::format("\n{}: mean time of a query. Others: how many times as long.\n", base));
+  }
+  print_out(
+      fmt::format("{}≥: some queries ended undecided, after {} pops, and would take longer.\n"
+                  "Queries are up to the contact and, half of them, up to 2^-20 before.\n{}"
+                  "{} a class and method; CPU time of one thread, the methods by turns\n",
+                  options.by_class ? "" : mark_note(options.methods), pops,
+                  options.by_class ? "" : "Medians, pops and undecided queries: --by-class\n",
+                  counted(queries, "query", "queries")));
 }
 
 int run_bench(const BenchOptions& options, Session& session) {
-  const std::string& base = options.methods.front();
-  session.begin_table({{"class", Align::kLeft},
-                       {"method", Align::kLeft},
-                       {"n"},
-                       {"mean"},
-                       {"median"},
-                       {"pops"},
-                       {"undecided"},
-                       {"not asked"},
-                       {"total / " + base},
-                       {"median / " + base},
-                       {"overrun"}});
   const std::atomic<bool>& interrupted = catch_interrupts();
   const double queries =
       static_cast<double>(options.classes.size()) * 2 * static_cast<double>(options.count);
   std::uint64_t done = 0;
+  ClassRaces races;
   for (const ContactClass contact : options.classes) {
-    Race race(options.methods, options.search.options());
+    Race& race =
+        races.emplace_back(contact, Race(options.methods, options.search.options())).second;
     for_each_query(options, contact, [&](const Query& query) {
       race.ask(query);
       ++done;
@@ -151,18 +197,15 @@ int run_bench(const BenchOptions& options, Session& session) {
                               done, "queries");
       return !interrupted;
     });
-    const Race::Runner& first = race.runners().front();
-    for (const Race::Runner& runner : race.runners()) {
-      session.show(BenchRow{contact, runner, first, options.search.max_pops}, &runner == &first,
-                   bench_cells);
+    if (session.json) {
+      for (const Race::Runner& runner : race.runners()) {
+        print_row(BenchRow{contact, runner, race.runners().front(), options.search.max_pops});
+      }
     }
     if (interrupted) break;
   }
-  session.end_table();
-  session.summary(fmt::format(
-      "\nCPU time of one thread, the methods by turns on the same queries: positives up to t* and "
-      "negatives up to t* - 2^-20. A query ends after {} pops.",
-      options.search.max_pops));
+  session.progress().clear();
+  if (!session.json) print_races(races, options);
   return session.exit_code(kDone);
 }
 
@@ -183,6 +226,8 @@ void add_bench(CommandLine& line) {
       "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
   options->search.max_pops = kBenchPops;
   options->search.add_to(command);
+  command.flag("--by-class", options->by_class,
+               "A row for each class and method, with all numbers");
   command.json("One JSON object for each class and method");
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <sstream>
 
 #include "base/number_text.hpp"
+#include "base/text.hpp"
 #include "cli/check_find.hpp"
 #include "cli/check_inputs.hpp"
 #include "cli/command.hpp"
@@ -75,32 +77,41 @@ Table check_table(const std::vector<Property>& properties) {
   size_t name = 0;
   for (const Property& property : properties) name = std::max(name, property.name.size());
   return Table({{"property", Align::kLeft, name},
-                {"checked", Align::kRight, 9},
-                {"discarded"},
-                {"failed", Align::kRight, 9},
-                {"time", Align::kRight, 7},
+                {"inputs", Align::kRight, 7},
+                {"failed"},
                 {"", Align::kLeft}});
 }
 
 std::vector<TableCell> cells_of(const CheckedProperty& checked) {
   const CheckTally& tally = checked.tally;
-  const TableCell note = tally.all_discarded() ? TableCell{"nothing was checked", Emphasis::kBad}
-                         : checked.not_refuted()
-                             ? TableCell{"known to be false, not refuted here"}
-                             : TableCell{checked.known_false() ? "known to be false" : ""};
+  const TableCell note = tally.all_discarded()   ? TableCell{"nothing checked", Emphasis::kBad}
+                         : checked.not_refuted() ? TableCell{"not refuted"}
+                         : checked.known_false() ? TableCell{"expected failure"}
+                                                 : TableCell{""};
   return {
       {std::string(checked.property.name)},
-      {fmt::format("{}", tally.checked)},
-      {fmt::format("{}", tally.discarded)},
+      {fmt::format("{}", tally.checked - tally.discarded)},
       {fmt::format("{}", tally.failed), checked.is_finding() ? Emphasis::kBad : Emphasis::kPlain},
-      {duration_text(tally.seconds)},
       note};
+}
+
+/// What a check showed, in lines of a terminal's width: what does not fit, --json has.
+std::string shown_failure(const std::string& text) {
+  std::istringstream lines(wrapped(text, 2));
+  std::string shown;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.size() > kTextWidth) line = line.substr(0, kTextWidth - 3) + "...";
+    shown += line + "\n";
+  }
+  return shown;
 }
 
 /// Prints a find as it was found, and where that is saved.
 void print_found(const CheckedProperty& checked) {
-  print_out(fmt::format("\n{} fails: {}\nas found: {}\n", checked.property.name,
-                        checked.find->found, checked.find->as_found));
+  print_out(fmt::format(
+      "\n{}as found: {}\n",
+      shown_failure(fmt::format("{} fails: {}", checked.property.name, checked.find->found)),
+      checked.find->as_found));
   if (!checked.not_saved.empty()) print_out(fmt::format("not saved: {}\n", checked.not_saved));
   if (!checked.saved.empty()) print_out(fmt::format("saved as found: {}\n", checked.saved));
   print_out("\n");
@@ -111,12 +122,15 @@ void print_shrunk(const CheckedProperty& checked) {
   const ClaimFind& find = *checked.find;
   std::string text = "\nnot shrunk: the same input does not fail each time that it is run\n";
   if (find.shrunk != Shrunk::kNot) {
-    text = fmt::format("\nshrunk{}: {}\nreproduce: {}\n",
-                       find.is_complete() ? "" : " (not to the end)", find.text, find.reproduce());
+    text =
+        fmt::format("\n{}reproduce: {}\n",
+                    shown_failure(fmt::format(
+                        "shrunk{}: {}", find.is_complete() ? "" : " (not to the end)", find.text)),
+                    find.reproduce());
   }
   if (!checked.not_saved.empty()) text += fmt::format("not saved: {}\n", checked.not_saved);
   if (!checked.saved.empty()) text += fmt::format("saved: {}\n", checked.saved);
-  print_out(text + find.test_text() + "\n");
+  print_out(text + "\n");
 }
 
 /// One property put to its inputs. A failure is told and saved as it was found at once, then as it
@@ -133,7 +147,7 @@ class PropertyCheck {
     checked_.tally = check_inputs(checked_.property, checked_.inputs, children_, catch_interrupts(),
                                   progress_, [this](const CheckTally& tally) { found(tally); });
     progress_.clear();
-    if (!session_.json) {
+    if (!session_.json && is_shown()) {
       table.add_row(cells_of(checked_));
       print_next_rows(table);
     }
@@ -148,6 +162,11 @@ class PropertyCheck {
   }
 
  private:
+  /// Of all properties, only what somebody has to look at.
+  bool is_shown() const {
+    return !options_.names.empty() || checked_.is_finding() || checked_.tally.all_discarded();
+  }
+
   void found(const CheckTally& tally) {
     const std::string_view name = checked_.property.name;
     checked_.reproduce = check_command(name, checked_.inputs.seed, tally.first_failure);
@@ -245,7 +264,7 @@ int check_choices(const CheckArguments& options, Session& session) {
     print_row(row);
   } else {
     print_out(fmt::format("{} {}{}{}{}\n", property.name, name_of(check.status),
-                          fails && row.is_known_false() ? ", as is known" : "",
+                          fails && row.is_known_false() ? " as expected" : "",
                           check.text.empty() ? "" : ": ", check.text));
   }
   if (fails && options.save) {
@@ -253,7 +272,7 @@ int check_choices(const CheckArguments& options, Session& session) {
     if (!session.json) print_out(fmt::format("saved: {}\n", path));
   }
   if (check.status == Check::Status::kDiscarded) {
-    print_err("ccdfuzz: nothing was checked: the input was discarded\n");
+    print_err("ccdfuzz: check: nothing was checked: the input was discarded\n");
     return kCheckFailed;
   }
   return fails && !row.is_known_false() ? kCheckFailed : kDone;
@@ -282,7 +301,7 @@ int run_check(const CheckArguments& options, Session& session) {
     if (!made) throw BadInput{{"--save", made.error().message()}};
   }
   Table table = check_table(chosen);
-  std::uint64_t done = 0, findings = 0, unchecked = 0, not_refuted = 0;
+  std::uint64_t done = 0, findings = 0, unchecked = 0, expected = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
   ClaimChildren children(interrupted);
   for (const Property& property : chosen) {
@@ -290,24 +309,31 @@ int run_check(const CheckArguments& options, Session& session) {
     PropertyCheck check(options, inputs, property, children, session);
     check.run(table);
     ++done;
+    session.progress().show(static_cast<double>(done) / static_cast<double>(chosen.size()),
+                            std::string(property.name), done, "properties");
     findings += check.checked().is_finding() ? 1 : 0;
+    expected += check.checked().known_false() && check.checked().tally.failed > 0 ? 1 : 0;
     unchecked += check.checked().tally.all_discarded() ? 1 : 0;
     not_refuted += check.checked().not_refuted() && !interrupted ? 1 : 0;
   }
-  if (!session.json) print_next_rows(table);
-  std::string summary =
-      fmt::format("\n{} {}, inputs from {} of seed {}: {} failed that should hold", done,
-                  done == 1 ? "property" : "properties", inputs.first, inputs.seed, findings);
+  session.progress().clear();
+  std::string summary = table.row_count() > 0 ? "\n" : "";
   if (not_refuted > 0) {
-    summary += fmt::format(", {} known to be false did not fail", not_refuted);
+    summary += counted(not_refuted, "expected failure", "expected failures") +
+               " did not fail: these inputs do not show it\n";
   }
   if (unchecked > 0) {
-    summary += fmt::format(", of {} nothing was checked: all inputs were discarded", unchecked);
+    summary += counted(unchecked, "property", "properties") +
+               " checked nothing: all inputs were discarded\n";
   }
-  session.summary(summary);
+  session.summary(summary +
+                  fmt::format("{}, inputs from {} of seed {}: {} failed{}",
+                              counted(done, "property", "properties"), inputs.first, inputs.seed,
+                              findings,
+                              expected > 0 ? fmt::format(", {} as expected", expected) : ""));
   if (interrupted) {
-    print_err(
-        fmt::format("ccdfuzz: interrupted: {} of {} properties begun\n", done, chosen.size()));
+    print_err(fmt::format("ccdfuzz: check: interrupted: {} of {} properties begun\n", done,
+                          chosen.size()));
   }
   return session.exit_code(findings + unchecked > 0 ? kCheckFailed : kDone);
 }

@@ -67,6 +67,24 @@ void add_methods(Command& command, std::vector<std::string>& methods,
                  fmt::format("{}", fmt::join(methods, ",")));
 }
 
+std::string marked(const std::string& method) {
+  return method + (claims_no_false_negative(method) ? " *" : "");
+}
+
+std::string mark_note(const std::vector<std::string>& methods) {
+  return std::ranges::any_of(methods, claims_no_false_negative)
+             ? "* guarantees no false negative (missed, late)\n"
+             : "";
+}
+
+Table::Column method_column() {
+  return {"method", Align::kLeft, 0, 17};
+}
+
+std::string counted(std::uint64_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 void SearchFlags::add_precision_to(Command& command) {
   command.parsed("--precision", precision,
                  "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "

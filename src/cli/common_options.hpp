@@ -11,6 +11,7 @@
 
 #include "base/result.hpp"
 #include "base/shard.hpp"
+#include "base/table.hpp"
 #include "bezier/shape.hpp"
 #include "case/case_files.hpp"
 #include "ccd/search.hpp"
@@ -46,6 +47,15 @@ std::string to_text(const NotAllowed& left_out);
 /// --methods, and --plugin: of these the command asks, in this order.
 void add_methods(Command& command, std::vector<std::string>& methods,
                  const std::string& description);
+
+/// The method as tables show it: " *" follows where it claims to have no false negative.
+std::string marked(const std::string& method);
+/// What " *" means; empty if none of the methods has it.
+std::string mark_note(const std::vector<std::string>& methods);
+/// A column for marked().
+Table::Column method_column();
+/// "1 case", "2 cases".
+std::string counted(std::uint64_t count, const char* one, const char* many);
 
 /// --shard, by default the whole.
 Option add_shard(Command& command, std::string& shard);

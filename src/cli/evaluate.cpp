@@ -15,6 +15,7 @@
 #include "cli/refusals.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
+#include "eval/paper_tables.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {
@@ -30,6 +31,7 @@ struct EvaluateArguments {
   std::string shard;
   std::string folder;
   std::string page;  ///< folder
+  bool by_class = false;
 };
 
 Result<std::vector<double>> parse_horizons(const std::string& where, const std::string& text) {
@@ -101,19 +103,35 @@ Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOp
   return header;
 }
 
-void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs, bool json) {
-  const std::vector<Row> shown = by_kinds(rows);
-  if (json) {
-    for (const Row& row : shown) print_out(to_json(row) + "\n");
-    return;
+void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs,
+                      const EvaluateArguments& arguments, std::uint64_t cases) {
+  const std::vector<Row> methods = by_methods(rows);
+  if (!arguments.by_class) {
+    std::vector<Row> shown = methods;
+    for (Row& row : shown) row.key.method = marked(row.key.method);
+    print_table(methods_table(shown));
+  } else {
+    for (const auto& [title, table] : evaluation_tables(rows, costs)) {
+      print_out(fmt::format("{}:\n", title));
+      print_table(table);
+      print_out("\n");
+    }
   }
-  bool first = true;
-  for (const auto& [title, table] : evaluation_tables(rows, costs)) {
-    if (!first) print_out("\n" + title + ":\n");
-    first = false;
-    print_table(table);
+  print_refusals(methods);
+  print_out("\n");
+  if (!arguments.by_class) {
+    print_out(mark_note(arguments.methods) +
+              "By class, and beside the paper's tables: --by-class\n");
   }
-  print_refusals(shown);
+  std::uint64_t contacts = 0, absences = 0, queries = 0;
+  for (const Row& row : methods) {
+    contacts = std::max(contacts, row.tally.positives);
+    absences = std::max(absences, row.tally.negatives);
+    queries = std::max(queries, row.tally.n);
+  }
+  print_out(fmt::format("{}, {} a method: {} with a contact, {} without, {} not proven\n",
+                        counted(cases, "case", "cases"), counted(queries, "query", "queries"),
+                        contacts, absences, queries - contacts - absences));
 }
 
 void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& costs,
@@ -143,7 +161,7 @@ Kept open_kept(const std::string& folder, const RunHeader& header) {
   RunFile file = need(RunFile::open(partial, header));
   const std::uint64_t before = file.size();
   if (before > 0) {
-    print_err(fmt::format("ccdfuzz: going on after {} of {} cases in {}\n", before,
+    print_err(fmt::format("ccdfuzz: evaluate: going on after {} of {} cases in {}\n", before,
                           header.shard.size(header.items), partial));
   }
   return {path, std::move(file), {need(RunLines::open(partial)), before}};
@@ -180,7 +198,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   session.progress().clear();
   if (session.interrupted()) {
     print_err(fmt::format(
-        "ccdfuzz: interrupted after {} cases; {}\n", done,
+        "ccdfuzz: evaluate: interrupted after {} cases; {}\n", done,
         kept ? "the same command goes on from there" : "the tables are of these alone"));
     if (kept) return session.exit_code(kDone);
   }
@@ -191,7 +209,11 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   }
   if (!arguments.page.empty())
     write_evaluation_page(page, costs, files, arguments, session.threads);
-  print_evaluation(rows, costs, session.json);
+  if (session.json) {
+    for (const Row& row : by_kinds(rows)) print_row(row);
+  } else {
+    print_evaluation(rows, costs, arguments, done);
+  }
   return session.exit_code(kDone);
 }
 
@@ -216,6 +238,8 @@ void add_evaluate(CommandLine& line) {
                "(tables.md), which `report` shows; killed, the same command goes on where it was");
   command.text("--report", options->page,
                "Folder for a page (index.html) of tables, figures and watchable failures");
+  command.flag("--by-class", options->by_class,
+               "Tables by class and kinds of cases, and the paper's tables beside them");
   command.threads();
   command.json("One JSON object per class, kinds and method");
   command.max_work();

@@ -165,8 +165,8 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
   target.before = target.file->size();
   if (target.set) target.earlier = need(RunLines::open(path));
   if (target.before > 0) {
-    print_err(fmt::format("ccdfuzz: going on after {} of {} constructions in {}\n", target.before,
-                          header.shard.size(header.items), path));
+    print_err(fmt::format("ccdfuzz: generate: going on after {} of {} constructions in {}\n",
+                          target.before, header.shard.size(header.items), path));
   }
   return target;
 }
@@ -236,7 +236,7 @@ int run_generate(const GenerateOptions& options, Session& session) {
   need(add_earlier(target));
   const std::uint64_t made = target.before + make_all(plan, target, session);
   if (session.interrupted()) {
-    print_err(fmt::format("ccdfuzz: interrupted after {} {}{}\n", made, plan.unit,
+    print_err(fmt::format("ccdfuzz: generate: interrupted after {} {}{}\n", made, plan.unit,
                           target.file              ? "; the same command goes on from there"
                           : options.is_to_stdout() ? ""
                                                    : "; " + options.output + " was not written"));

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "base/number_text.hpp"
+#include "base/text.hpp"
 #include "case/case_json.hpp"
 #include "case/expected_json.hpp"
 #include "cli/command.hpp"
@@ -17,6 +20,7 @@
 #include "cli/refusals.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
+#include "eval/row_columns.hpp"
 
 namespace ccdfuzz {
 
@@ -46,6 +50,7 @@ struct HuntArguments {
   int within = 0;  ///< 0: any scale
   std::uint64_t cases = 0;
   std::string page;  ///< folder
+  bool by_class = false;
   SearchFlags search;
 };
 
@@ -99,42 +104,111 @@ std::uint64_t count_of(const HuntReport& report, bool is_new) {
   return static_cast<std::uint64_t>(std::ranges::count(report.finds, is_new, &Find::is_new));
 }
 
-void print_finds(const HuntReport& report, bool stored) {
+/// Those that break a claim first, then the most ordinary: what convinces most.
+std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
+  std::vector<const Find*> finds;
   for (const Find& find : report.finds) {
-    const auto& [failure, path, value, is_new] = find;
-    if (!is_new || path.empty() == stored) continue;
-    print_out(fmt::format("{}{}: {} {}\n    {}\n", to_text(failure),
-                          breaks_claim(failure) ? ", which claims none" : "", value.origin.kind,
-                          value.origin.generator, stored ? command_of(find) : to_json(value)));
+    if (find.is_new && find.path.empty() != stored) finds.push_back(&find);
   }
+  std::ranges::stable_sort(finds, {}, [](const Find* find) {
+    return std::pair(!breaks_claim(find->failure), find->failure.setting);
+  });
+  return finds;
 }
 
-void print_report(const HuntReport& report, const std::string& folder) {
-  print_table(hunt_table(report.cells));
-  print_refusals(report.cells);
-  const auto has_early_hits = [](const HuntCell& cell) {
-    return cell.tally.count(Outcome::kFalsePositive) > 0;
-  };
-  if (std::ranges::any_of(report.cells, has_early_hits)) {
-    print_out("\nFP: hits of what touches only later or not at all, which every method may give\n");
+/// File names say method, outcome, class, cause and setting.
+void print_finds(const std::vector<const Find*>& finds, const std::string& folder) {
+  constexpr size_t kMost = 10;
+  std::optional<bool> group;
+  for (size_t i = 0; i < std::min(finds.size(), kMost); ++i) {
+    const bool breaks = breaks_claim(finds[i]->failure);
+    if (group != breaks) {
+      print_out(fmt::format("New in {}, by methods {} guarantee:\n", folder,
+                            breaks ? "that break their" : "without a"));
+    }
+    group = breaks;
+    print_out(fmt::format("  {}\n", std::filesystem::path(finds[i]->path).filename().string()));
   }
-  print_out(
-      fmt::format("\n{} queries about {} cases in {:.1f} s; {:.1f} s of CPU time went into "
-                  "making the cases\n",
-                  query_count(report), report.cases, report.seconds, report.draw_cpu_seconds));
-  const auto unstored = static_cast<size_t>(std::ranges::count(report.finds, "", &Find::path));
-  const size_t stored = count_of(report, true) - unstored;
+  if (finds.size() > kMost) print_out(fmt::format("  and {} more\n", finds.size() - kMost));
+  if (!finds.empty()) print_out("\n");
+}
+
+/// Of each method, over all classes.
+std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
+  std::vector<HuntCell> sums;
+  for (const HuntCell& cell : cells) {
+    const auto sum = std::ranges::find(sums, cell.method, &HuntCell::method);
+    if (sum == sums.end()) {
+      sums.push_back(cell);
+      continue;
+    }
+    sum->tally.merge(cell.tally);
+    sum->cpu_seconds += cell.cpu_seconds;
+    sum->bred.mutants += cell.bred.mutants;
+    sum->bred.lost += cell.bred.lost;
+  }
+  return sums;
+}
+
+Table method_table(const std::vector<HuntCell>& cells) {
+  const auto met = [&](Outcome outcome) {
+    return std::ranges::any_of(
+        cells, [outcome](const HuntCell& cell) { return cell.tally.count(outcome) > 0; });
+  };
+  std::vector<Table::Column> columns = {
+      method_column(), {"queries"}, {"missed"}, {"late"}, {"undecided"}};
+  const bool errors = met(Outcome::kError), early = met(Outcome::kFalsePositive);
+  if (errors) columns.push_back({"error"});
+  if (early) columns.push_back({"FP"});
+  columns.insert(columns.end(), {{"mean", Align::kRight, 7}, {"mutants"}, {"lost"}});
+  Table table(std::move(columns));
+  for (const HuntCell& cell : cells) {
+    const Tally& tally = cell.tally;
+    std::vector<TableCell> row = {{marked(cell.method)},
+                                  {tally.n == 0 ? "not asked" : fmt::format("{}", tally.n)},
+                                  outcome_cell(tally, Outcome::kMissed, tally.positives),
+                                  outcome_cell(tally, Outcome::kLate, tally.positives),
+                                  outcome_cell(tally, Outcome::kUndecided, tally.n)};
+    if (errors) row.push_back(outcome_cell(tally, Outcome::kError, tally.n));
+    if (early) row.push_back(outcome_cell(tally, Outcome::kFalsePositive, tally.negatives));
+    const double mean = cell.cpu_seconds / static_cast<double>(tally.n);
+    row.push_back(tally.n == 0 ? TableCell{"-", Emphasis::kFaint} : TableCell{duration_text(mean)});
+    row.push_back({fmt::format("{}", cell.bred.mutants)});
+    row.push_back({fmt::format("{}", cell.bred.lost)});
+    table.add_row(std::move(row));
+  }
+  return table;
+}
+
+void print_report(const HuntReport& report, const HuntArguments& options) {
+  const std::vector<const Find*> stored = new_finds(report, true);
+  for (const Find* find : new_finds(report, false)) {
+    print_out(fmt::format("Not stored: {}. Its file would be:\n{}\n\n", to_text(find->failure),
+                          to_json(find->value)));
+  }
+  print_finds(stored, options.corpus);
+  print_table(options.by_class ? hunt_table(report.cells) : method_table(by_method(report.cells)));
+  print_refusals(report.cells);
+  print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
+            "lost: mutants whose known contact the method's tests discard\n");
+  if (stored.empty()) return;
+  print_out(fmt::format("Show one:     {}\nRun them all: {} replay {}\n",
+                        command_of(*stored.front()), shell_word(program_name()),
+                        shell_word(options.corpus)));
+}
+
+/// The last line.
+void print_summary(const HuntReport& report, const std::string& folder) {
+  const std::vector<const Find*> stored = new_finds(report, true);
+  const auto breaking = static_cast<std::uint64_t>(
+      std::ranges::count_if(stored, [](const Find* find) { return breaks_claim(find->failure); }));
   const std::uint64_t known = count_of(report, false);
-  print_out(fmt::format("{} new counterexamples in {}{}{}\n", stored, folder,
-                        known == 0 ? "" : fmt::format(" ({} further failures were known)", known),
-                        stored == 0 ? "" : ", each with the command that shows it:"));
-  print_finds(report, true);
-  if (unstored == 0) return;
-  print_out(
-      fmt::format("{} new counterexamples could not be stored, each with the text of its "
-                  ".json file:\n",
-                  unstored));
-  print_finds(report, false);
+  print_out(fmt::format("{} on {} in {:.1f} s\n{} in {}{}{}\n",
+                        counted(query_count(report), "query", "queries"),
+                        counted(report.cases, "case", "cases"), report.seconds,
+                        counted(stored.size(), "new counterexample", "new counterexamples"), folder,
+                        breaking == 0 ? "" : fmt::format(", {} breaking a guarantee", breaking),
+                        known == 0 ? "" : fmt::format("; {} known", known)));
 }
 
 void print_report_json(const HuntReport& report) {
@@ -159,7 +233,7 @@ void write_hunt_page(const HuntReport& report, const HuntArguments& options,
   }
   need(write_hunt_record(options.page, record));
   need(write_report(need(hunt_page(record)), options.page, options.hunt.threads));
-  if (!json) print_out(fmt::format("{}/index.html shows them\n", options.page));
+  if (!json) print_out(fmt::format("Page:         {}/index.html\n", options.page));
 }
 
 /// No draw stands on the ground, or there was no time for any: then nothing was checked.
@@ -177,8 +251,8 @@ void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments&
     why = fmt::format("none of {} cases drawn can be", report.cases);
     if (options.within > 0) why += fmt::format(" with --within {}", options.within);
   }
-  print_err(fmt::format("ccdfuzz: nothing was checked: no query was asked; {}: try more {}\n", why,
-                        options.cases > 0 ? "--cases" : "--seconds"));
+  print_err(fmt::format("ccdfuzz: hunt: nothing was checked: no query was asked; {}: try more {}\n",
+                        why, options.cases > 0 ? "--cases" : "--seconds"));
 }
 
 bool fails(const HuntReport& report, FailOn fail_on) {
@@ -199,15 +273,19 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   CourseNotes notes(options.hunt.methods);
   const auto start = std::chrono::steady_clock::now();
   bool told = false;
+  std::set<std::string> failing;
   const HuntReport report = hunt(
       options.hunt, store,
       [&](const HuntProgress& p) {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         notes.note(seconds.count(), p);
+        for (const Failure& failure : p.met) {
+          if (!failing.insert(failure.who).second) continue;
+          session.progress().note(fmt::format("ccdfuzz: hunt: found: {}\n", to_text(failure)));
+        }
         if (p.trouble && !std::exchange(told, true)) {
-          session.progress().clear();
-          print_err(
-              fmt::format("ccdfuzz: {}: the hunt continues; it keeps its finds in memory and "
+          session.progress().note(
+              fmt::format("ccdfuzz: hunt: {}: the hunt continues; it keeps its finds in memory and "
                           "stores them as soon as it can\n",
                           p.trouble->message()));
         }
@@ -217,9 +295,10 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
       interrupted);
   session.progress().clear();
   finish_in_order();
-  session.json ? print_report_json(report) : print_report(report, options.corpus);
+  session.json ? print_report_json(report) : print_report(report, options);
   if (report.error) throw BadInput{*report.error};
   if (!options.page.empty()) write_hunt_page(report, options, notes.course(), session.json);
+  if (!session.json) print_summary(report, options.corpus);
   if (interrupted) return session.exit_code(kDone);
   if (asked_nothing(report)) {
     print_that_nothing_was_asked(report, options);
@@ -277,6 +356,7 @@ void add_hunt(CommandLine& line) {
       "FOLDER` makes it again");
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
+  command.flag("--by-class", options->by_class, "The table has a row for each contact class, too");
   command.threads();
   command.json("One JSON object per cell and per find");
   command.max_work();

@@ -100,7 +100,7 @@ int run_import(const ImportOptions& options, Session& session) {
       [](NamedCase& named, size_t) { return imported(named); },
       [&](const NamedCase& named, size_t, const ImportedRow& query) {
         if (counts.add(query) || session.json) {
-          session.show(query, false, [](const ImportedRow& row) -> std::vector<TableCell> {
+          session.show(query, std::nullopt, [](const ImportedRow& row) -> std::vector<TableCell> {
             return {{row.id},
                     {contact_text(row.label)},
                     {contact_text(row.in_file), Emphasis::kBad},

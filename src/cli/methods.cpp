@@ -64,7 +64,7 @@ int run_methods(const MethodsOptions& options, Session& session) {
                        {"source", Align::kLeft},
                        {"description", Align::kLeft}});
   for (const MethodInfo& info : infos) {
-    session.show(MethodRow{info}, false, [](const MethodRow& row) -> std::vector<TableCell> {
+    session.show(MethodRow{info}, std::nullopt, [](const MethodRow& row) -> std::vector<TableCell> {
       return {{row.info.spec},
               {row.info.claims_no_false_negative ? "yes" : "no"},
               {row.info.source},

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <sstream>
-
+#include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/session.hpp"
 #include "properties/suites.hpp"
@@ -24,22 +23,6 @@ struct PropertyRow {
   }
 };
 
-constexpr size_t kColumns = 80;
-
-/// The words in lines of at most kColumns, unless a word alone is longer, behind an indentation.
-std::string wrapped(std::string_view text, std::string_view indentation) {
-  std::string lines, line;
-  std::istringstream words{std::string(text)};
-  for (std::string word; words >> word;) {
-    if (!line.empty() && indentation.size() + line.size() + 1 + word.size() > kColumns) {
-      lines += fmt::format("{}{}\n", indentation, line);
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return lines + fmt::format("{}{}\n", indentation, line);
-}
-
 int run_properties(const PropertiesOptions&, Session& session) {
   for (const Property& property : properties()) {
     if (session.json) {
@@ -48,8 +31,8 @@ int run_properties(const PropertiesOptions&, Session& session) {
     }
     const bool known_false = property.expected == Expectation::kFails;
     const std::string head = fmt::format("{} ({}){}", property.name, property.source,
-                                         known_false ? ", known to be false" : "");
-    print_out(wrapped(head, "") + wrapped(property.claim, "    "));
+                                         known_false ? ", expected failure" : "");
+    print_out(fmt::format("{}\n    {}\n", wrapped(head, 0), wrapped(property.claim, 4, 4)));
   }
   return kDone;
 }

@@ -78,7 +78,7 @@ int run_prove(const ProveOptions& options, Session& session) {
         ++counts[verdict_of(completed)];
         if (completed.refuted) ++refuted;
         if (session.json || completed.refuted || !completed.value.truth.collides) {
-          session.show(ProvedRow{named.id, completed}, false,
+          session.show(ProvedRow{named.id, completed}, std::nullopt,
                        [](const ProvedRow& row) -> std::vector<TableCell> {
                          return {{row.id},
                                  {row.completed.refuted ? "refuted" : "undecided", Emphasis::kBad},

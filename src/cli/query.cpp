@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
+#include "eval/tally.hpp"
 #include "finds/replay.hpp"
 
 namespace ccdfuzz {
@@ -18,35 +20,95 @@ struct QueryOptions {
   SearchFlags search;
 };
 
+/// The exact number, or where that is long the nearest double.
+std::string time_text(const Rational& t) {
+  constexpr size_t kLong = 20;
+  const std::string text = to_text(t);
+  return text.size() <= kLong ? text : fmt::format("{:.10g}", t.get_d());
+}
+
+/// What is asked, and what is proven of it.
+std::string title_of(const NamedCase& named) {
+  const auto& [query, truth, origin, asked, expect] = named.value;
+  std::string known = "nothing is known of a contact";
+  if (const std::optional<Rational> by = truth.contact_by()) {
+    known = fmt::format("contact {}by t = {}", origin.contact.empty() ? "" : origin.contact + " ",
+                        time_text(*by));
+  } else if (truth.collides) {
+    known = *truth.collides ? "contact" : "no contact";
+  }
+  return fmt::format("{}\n{}", named.id,
+                     wrapped(fmt::format("{} and {}, t_max {}: {}", to_text(query.patches[0].shape),
+                                         to_text(query.patches[1].shape), query.t_max, known),
+                             2));
+}
+
 std::vector<TableCell> query_cells(const AnswerRow& row) {
   const Judged& judged = row.judged;
   const Answer& answer = judged.answer;
   const bool bad = is_false_negative(judged.outcome) || judged.outcome == Outcome::kError;
-  return {{row.id},
-          {row.method},
-          {std::string(name_of(answer.verdict))},
-          {answer.has_toi() ? fmt::format("{}", *answer.toi) : ""},
-          {to_text({judged.outcome, ""}, judged.late_by), bad ? Emphasis::kBad : Emphasis::kPlain},
+  std::string at;
+  if (answer.has_toi()) {
+    constexpr size_t kMost = 18;  // of what the width of a terminal leaves
+    at = fmt::format(" at {}", *answer.toi);
+    if (at.size() > kMost + 4) at = fmt::format(" at {:.10g}", *answer.toi);
+  }
+  const std::string outcome = judged.outcome == Outcome::kNotAsked
+                                  ? "not asked"
+                                  : to_text({judged.outcome, ""}, judged.late_by);
+  return {{marked(row.method)},
+          {std::string(name_of(answer.verdict)) + at},
+          {outcome, bad ? Emphasis::kBad : Emphasis::kPlain},
           {fmt::format("{}", answer.pops)},
-          {duration_text(answer.seconds)},
-          {judged.error.empty() ? answer.note : judged.error + ": " + answer.note}};
+          {duration_text(answer.seconds)}};
+}
+
+/// What is to be said besides of some answers.
+class Notes {
+ public:
+  void add(const AnswerRow& row) {
+    std::string text = row.judged.error;
+    if (!row.judged.answer.note.empty()) {
+      text += (text.empty() ? "" : ": ") + row.judged.answer.note;
+    }
+    if (text.empty()) return;
+    ++count_;
+    if (texts_.size() == kMost) return;
+    const std::string line = fmt::format("{}, {}: {}", row.id, row.method, text);
+    if (std::ranges::find(texts_, line) == texts_.end()) texts_.push_back(line);
+  }
+  void print() const {
+    for (const std::string& text : texts_) print_out(wrapped(text, 2) + "\n");
+    if (count_ > texts_.size()) print_out("More of the kind are in the rows of --json\n");
+  }
+
+ private:
+  static constexpr size_t kMost = 5;
+  std::vector<std::string> texts_;
+  size_t count_ = 0;
+};
+
+/// "12 correct, 1 missed".
+std::string outcomes_text(const Tally& tally) {
+  std::string text;
+  for (const Outcome outcome : kAllOutcomes) {
+    if (tally.count(outcome) == 0) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", tally.count(outcome),
+                        outcome == Outcome::kNotAsked ? "not asked" : name_of(outcome));
+  }
+  return text;
 }
 
 int run_query(const QueryOptions& options, Session& session) {
   const bool by_default = options.search.max_pops == 0;
-  session.begin_table({{"case", Align::kLeft},
-                       {"method", Align::kLeft},
-                       {"verdict", Align::kLeft},
-                       {"toi", Align::kLeft},
-                       {"outcome", Align::kLeft},
-                       {"pops"},
-                       {"time"},
-                       {"note", Align::kLeft}});
+  session.begin_table(
+      {method_column(), {"answer", Align::kLeft}, {"outcome", Align::kLeft}, {"pops"}, {"time"}});
   tbb::enumerable_thread_specific<MethodSet> methods;
   DefaultBudget budget;
   std::atomic<bool> spent = false;
   std::string first_left;  // the first case for which no work is left
-  std::uint64_t done = 0, undecided = 0;
+  Notes notes;
+  Tally tally;
   CaseCount counts;
   session.each_case<SharedCase, Judged>(
       CaseStream(options.files), options.methods.size(), "answers",
@@ -65,19 +127,26 @@ int run_query(const QueryOptions& options, Session& session) {
         }
         if (spent) return;
         budget.add(named, judged.answer);
-        ++done;
         if (m == 0) counts.add(named.value);
-        if (judged.answer.verdict == Verdict::kUndecided && judged.error.empty()) ++undecided;
-        session.show(AnswerRow{named.id, options.methods[m], judged}, m == 0, query_cells);
+        const AnswerRow row{named.id, options.methods[m], judged};
+        tally.add(judged.answer, judged.outcome, std::nullopt);
+        notes.add(row);
+        session.show(row, m == 0 ? std::optional(title_of(named)) : std::nullopt, query_cells);
       },
       &spent);
   counts.note("query");
-  session.end_table();
-  if (undecided > 0 && by_default) {
-    session.summary(
-        fmt::format("\n{} of {} answers undecided, most often for want of the default budget of "
-                    "about 5 s a case; more: --max-pops {}",
-                    undecided, done, SearchOptions().max_pops));
+  session.end_table(true);
+  if (!session.json && counts.cases > 0) {
+    notes.print();
+    print_out(mark_note(options.methods));
+    if (by_default && tally.count(Outcome::kUndecided) > 0) {
+      print_out(
+          fmt::format("A larger budget than the default, 5 s a case, may decide: --max-pops {}\n",
+                      SearchOptions().max_pops));
+    }
+    print_out(fmt::format("{}, {}: {}\n", counted(counts.cases, "case", "cases"),
+                          counted(tally.n + tally.not_asked(), "answer", "answers"),
+                          outcomes_text(tally)));
   }
   if (!first_left.empty()) throw BadInput{DefaultBudget::spent_before(first_left)};
   return session.exit_code(kDone);

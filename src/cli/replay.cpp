@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <utility>
 
 #include "base/folder_lock.hpp"
 #include "base/output_file.hpp"
@@ -131,16 +132,26 @@ Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& o
   return result;
 }
 
+/// "3 as expected, 1 regression".
+std::string changes_text(const std::array<std::uint64_t, kAllChanges.size()>& changes,
+                         std::uint64_t total, std::uint64_t written) {
+  if (total > 0 && changes[0] == total) return "all as expected";
+  std::string text = fmt::format("{} as expected", changes[0]);
+  constexpr std::array<const char*, 4> kOne = {"", "regression", "improvement", "other change"},
+                                       kMany = {"", "regressions", "improvements", "other changes"};
+  for (size_t c = 1; c < changes.size(); ++c) {
+    if (changes[c] > 0) text += ", " + counted(changes[c], kOne[c], kMany[c]);
+  }
+  return text + (written > 0 ? "; " + counted(written, "entry written", "entries written") : "");
+}
+
 class Replay {
  public:
   Replay(const ReplayOptions& options, Session& session) : options_(options), session_(session) {}
 
   int run() {
-    session_.begin_table({{"entry", Align::kLeft},
-                          {"method", Align::kLeft},
-                          {"expected", Align::kLeft},
-                          {"got", Align::kLeft},
-                          {"", Align::kLeft}});
+    session_.begin_table(
+        {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Replayer> replayers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
     if (!of_methods) {
@@ -178,6 +189,7 @@ class Replay {
       if (session_.json) print_row(NotAskedJson{entry.id, method, expected});
     }
     bool changed = false;
+    std::optional<std::string> title = entry.id;
     for (const ReplayRow& row : done.rows) {
       ++expectations_;
       asked_.insert(row.method);
@@ -185,7 +197,9 @@ class Replay {
       ++counts_[static_cast<size_t>(row.change())];
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
-      if (session_.json || is_other) session_.show(ReplayJson{row}, false, cells);
+      if (session_.json || (is_other && ++shown_ <= kMostShown)) {
+        session_.show(ReplayJson{row}, std::exchange(title, std::nullopt), cells);
+      }
     }
     if (changed && options_.update) update(entry, done.rows);
   }
@@ -193,11 +207,12 @@ class Replay {
   static std::vector<TableCell> cells(const ReplayJson& json) {
     const ReplayRow& row = json.row;
     const bool is_good = row.change() == Change::kImprovement;
-    return {{row.id},
-            {row.method},
-            {to_text(row.expected)},
-            {to_text(row.got, row.judged.late_by), is_good ? Emphasis::kPlain : Emphasis::kBad},
-            {std::string(name_of(row.change()))}};
+    return {
+        {marked(row.method)},
+        {to_text(row.expected)},
+        {row.got.outcome == Outcome::kNotAsked ? "not asked" : to_text(row.got, row.judged.late_by),
+         is_good ? Emphasis::kPlain : Emphasis::kBad},
+        {std::string(name_of(row.change()))}};
   }
 
   void update(const NamedCase& entry, const std::vector<ReplayRow>& rows) {
@@ -239,21 +254,17 @@ class Replay {
   }
 
   void summarise() const {
-    const auto counted = [](const auto& changes, std::uint64_t written) {
-      constexpr std::array<const char*, 4> kPlurals = {"", "regressions", "improvements",
-                                                       "other changes"};
-      std::string text = fmt::format("{} as expected", changes[0]);
-      for (size_t c = 1; c < changes.size(); ++c) {
-        if (changes[c] > 0) text += fmt::format("; {}: {}", kPlurals[c], changes[c]);
-      }
-      return text + (written > 0 ? fmt::format("; {} entries written", written) : "");
-    };
-    session_.summary(fmt::format("{} entries, {} expectations: {}", entries_, expectations_,
-                                 counted(counts_, updated_)));
-    if (claims_.claims > 0) {
-      session_.summary(fmt::format("{} inputs of properties: {}", claims_.claims,
-                                   counted(claims_.changes, claims_.updated)));
+    if (shown_ > kMostShown) {
+      session_.summary(fmt::format("and {} more that --json lists\n", shown_ - kMostShown));
     }
+    if (claims_.claims > 0) {
+      session_.summary(fmt::format(
+          "{}: {}", counted(claims_.claims, "input of properties", "inputs of properties"),
+          changes_text(claims_.changes, claims_.claims, claims_.updated)));
+    }
+    session_.summary(fmt::format("{}, {}: {}", counted(entries_, "entry", "entries"),
+                                 counted(expectations_, "expectation", "expectations"),
+                                 changes_text(counts_, expectations_, updated_)));
     if (!not_allowed_.empty()) {
       print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(not_allowed_)));
     }
@@ -263,6 +274,8 @@ class Replay {
   const ReplayOptions& options_;
   Session& session_;
   std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
+  static constexpr std::uint64_t kMostShown = 25;  // rows of the table
+  std::uint64_t shown_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
   DefaultBudget budget_;
   ReplayedClaims claims_;

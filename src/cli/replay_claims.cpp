@@ -41,8 +41,7 @@ struct ClaimRow {
 
 std::vector<TableCell> claim_cells(const ClaimRow& row) {
   const bool is_good = row.change() == Change::kImprovement;
-  return {{row.path},
-          {row.find.property},
+  return {{row.find.property},
           {std::string(name_of(row.find.expect))},
           {std::string(name_of(row.got.status)), is_good ? Emphasis::kPlain : Emphasis::kBad},
           {std::string(name_of(row.change()))}};
@@ -68,7 +67,7 @@ ReplayedClaims replay_claims(const std::string& corpus, const std::vector<Proper
     const ClaimRow row{path, find, run.check};
     ++done.claims;
     ++done.changes[static_cast<size_t>(row.change())];
-    if (session.json || row.change() != Change::kNone) session.show(row, false, claim_cells);
+    if (session.json || row.change() != Change::kNone) session.show(row, path, claim_cells);
     if (!update || row.change() == Change::kNone) continue;
     find.expect = run.check.status;
     need(write_file(path, readable_json(to_json(find)) + "\n"));

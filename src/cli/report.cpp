@@ -182,7 +182,7 @@ int run_report(const ReportArguments& options, Session& session) {
   if (report.command.empty()) report.command = command_line();
   need(write_report(report, options.folder, session.threads));
   if (interrupted)
-    print_err("ccdfuzz: interrupted; the page shows only what was read until then\n");
+    print_err("ccdfuzz: report: interrupted; the page shows only what was read until then\n");
   print_out(fmt::format("{}/index.html: {} cases\n", options.folder, report.cases.size()));
   return session.exit_code(kDone);
 }

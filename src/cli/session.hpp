@@ -44,12 +44,12 @@ class Session {
   void end_table(bool text_follows = false);
 
   /// Prints the row as a line of JSON if --json was given, and what `cells` makes of it as a row of
-  /// the table otherwise. starts_group: a blank line stands before it in the table.
+  /// the table otherwise. group: the title of the group that the row begins in the table.
   template <class Row, class Cells>
-  void show(const Row& row, bool starts_group, const Cells& cells) {
+  void show(const Row& row, const std::optional<std::string>& group, const Cells& cells) {
     if (json) return print_out(to_json(row) + "\n");
     print_full_rows(*table_);
-    if (starts_group) table_->start_group();
+    if (group) table_->start_group(*group);
     table_->add_row(cells(row));
   }
   /// The summary for people: nothing with --json.

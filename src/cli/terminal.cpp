@@ -15,6 +15,10 @@ namespace ccdfuzz {
 
 namespace {
 
+constexpr std::chrono::steady_clock::duration kRedrawPause = std::chrono::milliseconds(100),
+                                              kFirstPause = std::chrono::seconds(20),
+                                              kLongestPause = std::chrono::minutes(10);
+
 bool set_and_not_empty(const char* variable) {
   const char* const value = std::getenv(variable);
   return value && *value;
@@ -55,15 +59,22 @@ bool wants_colour(std::FILE* stream) {
          !(term && std::string_view(term) == "dumb");
 }
 
-Progress::Progress() : enabled_(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress()
+    : on_terminal_(isatty(STDERR_FILENO) == 1),
+      next_(on_terminal_ ? start_ : start_ + kFirstPause) {}
+
+void Progress::note(const std::string& line) {
+  clear();
+  const std::string shown = shown_lines(line);
+  std::fwrite(shown.data(), 1, shown.size(), stderr);
+}
 
 void Progress::show(double share, const std::string& note, std::uint64_t done,
                     std::string_view unit) {
-  if (!enabled_) return;
   const std::lock_guard lock(mutex_);
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
-  next_ = now + std::chrono::milliseconds(100);
+  next_ = now + (on_terminal_ ? kRedrawPause : std::min(kLongestPause, now - start_));
   constexpr size_t kBarWidth = 30;
   const auto filled =
       static_cast<size_t>(std::clamp(share, 0.0, 1.0) * static_cast<double>(kBarWidth));
@@ -71,10 +82,16 @@ void Progress::show(double share, const std::string& note, std::uint64_t done,
   const auto seconds_since = [now](auto then) {
     return std::chrono::duration<double>(now - then).count();
   };
-  std::string line = fmt::format("[{}{}] {:3.0f} %  {}{}{}", std::string(filled, '#'),
-                                 std::string(kBarWidth - filled, '.'), 100 * share,
-                                 time_left_text(share, first_->share, seconds_since(first_->at)),
-                                 rate_text(done, unit, seconds_since(start_)), shown_line(note));
+  const std::string state =
+      fmt::format("{:3.0f} %  {}{}{}", 100 * share,
+                  time_left_text(share, first_->share, seconds_since(first_->at)),
+                  rate_text(done, unit, seconds_since(start_)), shown_line(note));
+  if (!on_terminal_) {
+    std::fputs(fmt::format("ccdfuzz: {}\n", state).c_str(), stderr);
+    return;
+  }
+  std::string line = fmt::format("[{}{}] {}", std::string(filled, '#'),
+                                 std::string(kBarWidth - filled, '.'), state);
   // One column is left free: a terminal wraps when the last one is written.
   if (const size_t room = terminal_width() - 1; line.size() > room) line.resize(room);
   line.insert(0, "\r\x1b[K");

@@ -14,8 +14,9 @@ namespace ccdfuzz {
 /// is not "dumb".
 bool wants_colour(std::FILE* stream);
 
-/// One line on stderr that is rewritten in place, at most ten times a second; nothing at all if
-/// stderr is no terminal. Safe to call from several threads.
+/// One line on stderr that is rewritten in place, at most ten times a second. If stderr is no
+/// terminal, a line after 20 s and then each time that twice as long has passed, or ten minutes.
+/// Safe to call from several threads.
 class Progress {
  public:
   Progress();
@@ -29,15 +30,15 @@ class Progress {
   void show(double share, const std::string& note, std::uint64_t done, std::string_view unit);
   /// Wipes the line, so that other output may follow.
   void clear();
-
-  bool enabled() const { return enabled_; }
+  /// Prints a line that stays.
+  void note(const std::string& line);
 
  private:
   std::mutex mutex_;
-  bool enabled_ = false;
+  const bool on_terminal_;
   bool drawn_ = false;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point next_{};
+  std::chrono::steady_clock::time_point next_;
   struct Seen {
     double share;
     std::chrono::steady_clock::time_point at;

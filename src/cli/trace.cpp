@@ -113,8 +113,7 @@ struct TraceRow {
 };
 
 std::vector<Table::Column> trace_columns() {
-  return {{"case", Align::kLeft},
-          {"method", Align::kLeft},
+  return {method_column(),
           {"witness", Align::kLeft},
           {"level"},
           {"axis"},
@@ -143,8 +142,7 @@ std::vector<TableCell> trace_cells(const TraceRow& row) {
   const std::string pairs = trace.lost_pairs == 0
                                 ? fmt::format("{}", trace.pairs)
                                 : fmt::format("{} of {} lost", trace.lost_pairs, trace.pairs);
-  return {{row.id},
-          {row.method},
+  return {{marked(row.method)},
           {trace.lost ? "lost" : "kept", trace.lost ? Emphasis::kBad : Emphasis::kPlain},
           level,
           axis,
@@ -177,6 +175,7 @@ int run_trace(const TraceArguments& options, Session& session) {
   for (const std::string& method : options.methods)
     need(make_tracer(method));  // no plug-in has one
   session.begin_table(trace_columns());
+  std::uint64_t cases = 0, traces = 0, lost = 0;
   tbb::enumerable_thread_specific<TracerSet> tracers;
   session.each_case<SharedCase, Trace>(
       CaseStream(options.files), options.methods.size(), "traces",
@@ -187,9 +186,17 @@ int run_trace(const TraceArguments& options, Session& session) {
         return tracers.local()[options.methods[m]].trace(known.query, *known.truth.witness, how);
       },
       [&](const SharedCase& shared, size_t m, const Trace& trace) {
-        session.show(TraceRow{shared.named().id, options.methods[m], trace}, m == 0, trace_cells);
+        const std::string& id = shared.named().id;
+        cases += m == 0 ? 1 : 0;
+        ++traces;
+        lost += trace.lost ? 1 : 0;
+        session.show(TraceRow{id, options.methods[m], trace},
+                     m == 0 ? std::optional(id) : std::nullopt, trace_cells);
       });
-  session.end_table();
+  session.end_table(true);
+  session.summary(mark_note(options.methods) +
+                  fmt::format("{}, {}: {} lost", counted(cases, "case", "cases"),
+                              counted(traces, "witness followed", "witnesses followed"), lost));
   return session.exit_code(kDone);
 }
 

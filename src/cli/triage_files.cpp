@@ -57,7 +57,7 @@ void TriageWalk::go(const std::vector<std::string>& files, const Read& read) {
     // Somebody else may work on the same folder.
     if (std::error_code error; !work && !fs::exists(file, error)) continue;
     if (!work) {
-      note(fmt::format("ccdfuzz: {}; it is left as it is\n", work.error().message()));
+      note(fmt::format("ccdfuzz: triage: {}; it is left as it is\n", work.error().message()));
       ++counts_.files_unread;
       continue;
     }

@@ -101,7 +101,7 @@ int run_verify(const VerifyOptions& options, Session& session) {
       [&](const NamedCase&, size_t, const Verified& verified) {
         ++counts[static_cast<size_t>(verified.standing)];
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
-        session.show(verified, false, [](const Verified& row) -> std::vector<TableCell> {
+        session.show(verified, std::nullopt, [](const Verified& row) -> std::vector<TableCell> {
           return {{row.id}, {std::string(name_of(row.standing)), Emphasis::kBad}, {row.note}};
         });
       });

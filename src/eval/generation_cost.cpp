@@ -96,7 +96,8 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
   GenerationCost total;
   for (const GenerationCost& cost : costs) total += cost;
   std::vector<Table::Column> columns = {
-      {"class", Align::kLeft}, {"kind", Align::kLeft}, {"cases"}, {"each"}, {"paper's"}, {"begun"}};
+      {"class", Align::kLeft},    {"kind", Align::kLeft},        {"cases"},
+      {"each", Align::kRight, 7}, {"paper's", Align::kRight, 7}, {"begun"}};
   for (const auto& [step, count] : total.discarded.steps) columns.push_back({step});
   Table table(columns);
   const auto add = [&table, &total](const GenerationCost& cost, const std::string& papers) {

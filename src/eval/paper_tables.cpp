@@ -96,32 +96,62 @@ Table paper_table(std::vector<Row> rows) {
   return table_of(rows, columns, &are_beside);
 }
 
+/// As wide as any time is, so that the layout of a table does not depend on times.
+Column<Row> time_column(const char* title, double (LogHistogram::*of)() const) {
+  Column<Row> column = measured_column<Row>(
+      title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
+  column.least_width = 7;
+  return column;
+}
+
+Column<Row> memory_column(const char* title, double (LogHistogram::*of)() const) {
+  return measured_column<Row>(title,
+                              [of](const Row& row) { return size_text((row.tally.bytes.*of)()); });
+}
+
 }  // namespace
+
+Table methods_table(const std::vector<Row>& rows) {
+  std::vector<Column<Row>> columns = {
+      text_column<Row>("method", [](const Row& row) { return row.key.method; })};
+  columns.front().most_width = 17;
+  columns.insert(columns.end(),
+                 {outcome_column<Row>("missed", Outcome::kMissed, &Tally::positives),
+                  outcome_column<Row>("late", Outcome::kLate, &Tally::positives),
+                  outcome_column<Row>("FP", Outcome::kFalsePositive, &Tally::negatives),
+                  outcome_column<Row>("undecided", Outcome::kUndecided, &Tally::n)});
+  for (const auto& [outcome, title] :
+       {std::pair(Outcome::kUnknown, "unknown"), std::pair(Outcome::kError, "error")}) {
+    if (std::ranges::any_of(rows, [&](const Row& row) { return row.tally.count(outcome) > 0; })) {
+      columns.push_back(outcome_column<Row>(title, outcome, &Tally::n));
+    }
+  }
+  add_refused_column(columns, rows);
+  columns.insert(
+      columns.end(),
+      {time_column("mean", &LogHistogram::mean), time_column("median", &LogHistogram::median),
+       time_column("p99", &LogHistogram::p99), memory_column("memory", &LogHistogram::mean),
+       memory_column("p99 mem", &LogHistogram::p99)});
+  return table_of(rows, columns, &are_beside);
+}
 
 Table performance_table(const std::vector<Row>& rows) {
   const bool kinds = std::ranges::any_of(
       rows, [&](const Row& row) { return row.key.kind != rows.front().key.kind; });
   const bool horizons =
       std::ranges::any_of(rows, [](const Row& row) { return row.key.factor.has_value(); });
-  const auto time = [](const char* title, double (LogHistogram::*of)() const) {
-    return measured_column<Row>(
-        title, [of](const Row& row) { return duration_text((row.tally.seconds.*of)()); });
-  };
-  const auto memory = [](const char* title, double (LogHistogram::*of)() const) {
-    return measured_column<Row>(
-        title, [of](const Row& row) { return size_text((row.tally.bytes.*of)()); });
-  };
   std::vector<Column<Row>> columns = key_columns(kinds, horizons);
-  columns.insert(columns.end(),
-                 {asked_column<Row>(), time("mean", &LogHistogram::mean),
-                  time("median", &LogHistogram::median), time("p99", &LogHistogram::p99),
-                  memory("memory", &LogHistogram::mean), memory("p99 mem", &LogHistogram::p99),
-                  outcome_column<Row>("FN missed", Outcome::kMissed, &Tally::positives),
-                  outcome_column<Row>("FN late", Outcome::kLate, &Tally::positives),
-                  outcome_column<Row>("FP", Outcome::kFalsePositive, &Tally::negatives),
-                  outcome_column<Row>("undecided", Outcome::kUndecided, &Tally::n),
-                  outcome_column<Row>("unknown", Outcome::kUnknown, &Tally::n),
-                  outcome_column<Row>("error", Outcome::kError, &Tally::n)});
+  columns.insert(
+      columns.end(),
+      {asked_column<Row>(), time_column("mean", &LogHistogram::mean),
+       time_column("median", &LogHistogram::median), time_column("p99", &LogHistogram::p99),
+       memory_column("memory", &LogHistogram::mean), memory_column("p99 mem", &LogHistogram::p99),
+       outcome_column<Row>("FN missed", Outcome::kMissed, &Tally::positives),
+       outcome_column<Row>("FN late", Outcome::kLate, &Tally::positives),
+       outcome_column<Row>("FP", Outcome::kFalsePositive, &Tally::negatives),
+       outcome_column<Row>("undecided", Outcome::kUndecided, &Tally::n),
+       outcome_column<Row>("unknown", Outcome::kUnknown, &Tally::n),
+       outcome_column<Row>("error", Outcome::kError, &Tally::n)});
   add_refused_column(columns, rows);
   return table_of(rows, columns, &are_beside);
 }

@@ -35,12 +35,23 @@ inline TableCell count_cell(std::uint64_t count, std::uint64_t of, bool is_bad) 
                                             : Emphasis::kPlain};
 }
 
+/// The same of an outcome, without the share: "-" where it may not be.
+inline TableCell outcome_cell(const Tally& tally, Outcome outcome, std::uint64_t of) {
+  if (of == 0) return {"-", Emphasis::kFaint};
+  const std::uint64_t count = tally.count(outcome);
+  const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
+  return {fmt::format("{}", count), count == 0 ? Emphasis::kFaint
+                                    : is_bad   ? Emphasis::kBad
+                                               : Emphasis::kPlain};
+}
+
 /// How many answers had an outcome, of those where it may be.
 template <class Row>
 Column<Row> outcome_column(const char* title, Outcome outcome, std::uint64_t Tally::*of) {
   const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
   return {title, [=](const Row& row) {
-            return count_cell(row.tally.count(outcome), row.tally.*of, is_bad);
+            return row.tally.*of == 0 ? TableCell{"-", Emphasis::kFaint}
+                                      : count_cell(row.tally.count(outcome), row.tally.*of, is_bad);
           }};
 }
 

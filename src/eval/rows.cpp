@@ -65,6 +65,10 @@ std::vector<Row> Rows::in_order(
   return rows;
 }
 
+std::vector<Row> by_methods(const Rows& rows) {
+  return rows.in_order([](const RowKey& key) { return RowKey{"", "", std::nullopt, key.method}; });
+}
+
 std::vector<Row> by_kinds(const Rows& rows) {
   return rows.in_order([](RowKey key) {
     key.kind = kinds_of(key.kind);

@@ -84,6 +84,9 @@ class Rows {
   std::map<Order, Row> rows_;
 };
 
+/// One row for each method, over all queries.
+std::vector<Row> by_methods(const Rows& rows);
+
 /// The rows of an evaluation with the kinds of kinds_of together, as tables show them.
 std::vector<Row> by_kinds(const Rows& rows);
 

@@ -25,15 +25,16 @@ bool can_be_asked(const std::string& method) {
 
 }  // namespace
 
-void Intake::offer(const Failure& failure, Case find) {
+bool Intake::offer(const Failure& failure, Case find) {
   find.expect.try_emplace(failure.who, failure.outcome, failure.cause);
   Rank rank = rank_of(find.query);
   const std::lock_guard lock(mutex_);
   const auto [known, is_first] = kept_.try_emplace(failure);
   Kept& kept = known->second;
-  if (!is_first && !(rank < kept.rank)) return;
+  if (!is_first && !(rank < kept.rank)) return false;
   kept = {std::move(rank), std::move(find), false, kept.is_new};
   std::ignore = store_kept();
+  return is_first && (kept.is_new || !kept.stored);
 }
 
 void Intake::know(const NamedCase& entry) {

@@ -37,8 +37,9 @@ class Intake {
       : store_(store), make_(std::move(make)), confirm_(confirm()) {}
 
   /// A case shows a failure. Keeps and stores it if it is the smallest so far. What goes wrong with
-  /// the store is trouble.
-  void offer(const Failure& failure, Case find);
+  /// the store is trouble. Returns true iff the failure was offered for the first time and is not
+  /// in the store.
+  bool offer(const Failure& failure, Case find);
 
   /// An entry of another folder, whose failures are known as if it stood in the store.
   void know(const NamedCase& entry);

@@ -48,6 +48,7 @@ struct Done {
   bool bred = true;           ///< false: there was nothing to make mutants of
   BreedTally population;      ///< for a breeding turn
   std::vector<std::pair<Failure, Case>> failures;
+  std::vector<Failure> met;  ///< of those, the new ones
 };
 
 /// The contacts of one cell that are bred, and how many of its draws have joined them.
@@ -216,8 +217,10 @@ class Hunt {
   }
 
   /// Outside of the lock if it may: the intake may ask a method about what stands in the store.
-  void offer(const Done& done) {
-    for (const auto& [failure, find] : done.failures) intake_.offer(failure, find);
+  void offer(Done& done) {
+    for (const auto& [failure, find] : done.failures) {
+      if (intake_.offer(failure, find)) done.met.push_back(failure);
+    }
   }
 
   /// So that the course of a hunt by cases repeats, too.
@@ -239,11 +242,12 @@ class Hunt {
     cell.cpu_seconds += done.answer_seconds;
     queries_ += done.tally.n;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
-    show(options_.cases ? schedule_.share_done() : elapsed() / options_.seconds);
+    show(options_.cases ? schedule_.share_done() : elapsed() / options_.seconds, done.met);
   }
 
-  void show(double share) const {
-    HuntProgress now{std::min(share, 1.0), queries_, 0, intake_.count(), {}, intake_.trouble()};
+  void show(double share, const std::vector<Failure>& met = {}) const {
+    HuntProgress now{std::min(share, 1.0), queries_, 0, intake_.count(), {},
+                     intake_.trouble(),    met};
     now.margins.resize(method_count());
     for (size_t c = 0; c < report_.cells.size(); ++c) {
       const BreedTally& bred = report_.cells[c].bred;
@@ -302,8 +306,7 @@ class Hunt {
 
 bool breaks_claim(const Failure& failure) {
   if (!is_false_negative(failure.outcome)) return false;
-  const Result<MethodInfo> info = method_info(failure.who);
-  return info && info->claims_no_false_negative;
+  return claims_no_false_negative(failure.who);
 }
 
 HuntReport hunt(const HuntOptions& options, Store& store,

@@ -87,6 +87,7 @@ struct HuntProgress {
   /// What first went wrong with the store, if anything did. The hunt continues: it keeps its finds
   /// in memory and stores them as soon as it can.
   std::optional<InputError> trouble = {};
+  std::vector<Failure> met = {};  ///< that this hunt meets first, since the last call
 };
 
 /// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds

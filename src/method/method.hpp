@@ -118,6 +118,8 @@ bool is_admitted(const std::string& spec);
 
 /// The family a concrete spec belongs to ("tdibm-h:1e-12" → "tdibm-h:F"). Errors: as make_method.
 Result<MethodInfo> method_info(const std::string& spec);
+/// True iff there is such a method, and it claims to have no false negative.
+bool claims_no_false_negative(const std::string& spec);
 
 /// A fresh method for a concrete spec, an admitted plug-in's too. Errors: an unknown name, a bad
 /// parameter or a plug-in that was not admitted, naming it.

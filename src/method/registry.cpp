@@ -283,6 +283,11 @@ Result<MethodInfo> method_info(const std::string& spec) {
   return find_family(spec).map([](const Found& found) { return found.family->info; });
 }
 
+bool claims_no_false_negative(const std::string& spec) {
+  const Result<MethodInfo> info = method_info(spec);
+  return info && info->claims_no_false_negative;
+}
+
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {
   if (names_plugin(spec)) return know_plugin(spec).map(make_plugin_method);
   return find_family(spec).and_then(

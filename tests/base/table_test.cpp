@@ -39,6 +39,23 @@ TEST(Table, NextTextIsTheHeaderAndThenEachRowOnceAligned) {
   EXPECT_EQ(table.row_count(), 3U);
 }
 
+TEST(Table, WiderThanATerminalIsShownInPartsThatBeginWithTheTextsToTheLeft) {
+  const std::string wide(40, '=');
+  Table table({{"name", Align::kLeft}, {wide}, {"n"}, {wide + "="}, {"m"}});
+  table.add_row({{"a"}, {"1"}, {"2"}, {"3"}, {"4"}});
+  const auto blanks = [](size_t count) { return std::string(count, ' '); };
+  EXPECT_EQ(table.to_text(false), "name  " + wide + "  n\na     " + blanks(39) + "1  2\n\n" +
+                                      "name  " + wide + "=  m\na     " + blanks(40) + "3  4\n");
+}
+
+TEST(Table, AGroupHasItsTitleAndALongTextItsEnd) {
+  Table table({{"name", Align::kLeft, 0, 4}, {"n"}});
+  table.start_group("first");
+  table.add_row({{"aµbµcd"}, {"1"}});
+  table.add_row({{"abcd"}, {"2"}});
+  EXPECT_EQ(table.to_text(false), "name  n\n\nfirst\n…µcd  1\nabcd  2\n");
+}
+
 TEST(Table, ShowsControlCharactersAndDoesNotSendThem) {
   Table table({{"name", Align::kLeft}, {"n"}});
   table.add_row({{"a\x1b[31m\nb"}, {"1"}});

@@ -34,7 +34,7 @@ TEST(Bench, AQueryStopsAtTheBudgetAndTheTableSaysSo) {
       "1",     "--methods", "tdibm-c,trad", "--max-pops", "50"};
   const Finished finished = ccdfuzz(arguments);
   EXPECT_EQ(finished.code, 0) << finished.err;
-  EXPECT_THAT(finished.out, testing::HasSubstr("A query ends after 50 pops"));
+  EXPECT_THAT(finished.out, testing::HasSubstr("undecided, after 50 pops"));
   EXPECT_THAT(finished.out, testing::HasSubstr("≥ "));
 }
 

@@ -84,7 +84,7 @@ TEST(Evaluate, TheReportFolderHoldsEveryAnswerInOrder) {
 TEST(Evaluate, TheTableStandsBesideThePapersRates) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "VE", "RN", 2);
-  const Finished finished = ccdfuzz({"evaluate", set, "--methods", "tdibm"});
+  const Finished finished = ccdfuzz({"evaluate", set, "--methods", "tdibm", "--by-class"});
   EXPECT_NE(finished.out.find("223/1000 = 22.3 %"), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("452/1000 = 45.2 %"), std::string::npos) << finished.out;
 }
@@ -118,7 +118,7 @@ TEST(Evaluate, WritesTheTablesAndTheirRows) {
   const ScratchFolder folder;
   const std::string set = paper_part(folder), report = folder / "report";
   const Finished finished =
-      ccdfuzz({"evaluate", set, "--methods", "tdibm-e,tdibm-c", "-o", report});
+      ccdfuzz({"evaluate", set, "--methods", "tdibm-e,tdibm-c", "-o", report, "--by-class"});
   ASSERT_EQ(finished.code, 0) << finished.err;
   for (const char* word : {"Table 1", "Table 2", "Table 4", "NHP+NMN", "RP+RN", "memory", "p99",
                            "59.0 s", "175/6603", "static check"}) {

@@ -67,7 +67,7 @@ TEST(FilesAreData, ReplayLeavesOutWhatIsNotAllowedAndSaysSo) {
   const Finished done = ccdfuzz({"replay", trap.corpus()});
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_FALSE(trap.is_sprung());
-  EXPECT_EQ(done.out, "1 entries, 1 expectations: 1 as expected\n");
+  EXPECT_EQ(done.out, "1 entry, 1 expectation: all as expected\n");
   EXPECT_THAT(done.err,
               HasSubstr("2 expectations of plug-ins not run: allow them with --allow-plugins "));
   EXPECT_THAT(done.err, HasSubstr(trap.spec()));
@@ -80,7 +80,7 @@ TEST(FilesAreData, ReplayLeavesOutWhatIsNotAllowedAndSaysSo) {
   const Finished allowed = ccdfuzz({"replay", trap.corpus(), "--allow-plugins", trap.spec()});
   EXPECT_TRUE(trap.is_sprung()) << "the trap works once it is allowed";
   EXPECT_EQ(allowed.code, 0) << allowed.err;
-  EXPECT_EQ(allowed.out, "1 entries, 2 expectations: 2 as expected\n");
+  EXPECT_EQ(allowed.out, "1 entry, 2 expectations: all as expected\n");
   EXPECT_THAT(allowed.err, HasSubstr("1 expectation of plug-ins not run"));
 }
 

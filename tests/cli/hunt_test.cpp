@@ -137,7 +137,7 @@ TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtKnownFailuresToo) {
   const Finished second = ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"}));
   EXPECT_EQ(second.code, 1) << second.out;
   EXPECT_NE(second.out.find("0 new counterexamples"), std::string::npos) << second.out;
-  EXPECT_NE(second.out.find("further failures were known"), std::string::npos) << second.out;
+  EXPECT_NE(second.out.find(" known\n"), std::string::npos) << second.out;
   EXPECT_EQ(files_in(finds), before);
   // Neither method claims to be free of false negatives.
   EXPECT_EQ(ccdfuzz(hunt(folder / "other", {"--cases", kAFew, "--fail-on", "claims"})).code, 0);
@@ -149,7 +149,7 @@ TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
       ccdfuzz({"hunt", "--cases", "4", "--methods", "tdibm-e-literal", "--max-pops", "40",
                "--corpus", folder / "finds", "--fail-on", "claims"});
   EXPECT_EQ(finished.code, 1) << finished.out;
-  EXPECT_NE(finished.out.find(", which claims none: "), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find(" breaking a guarantee\n"), std::string::npos) << finished.out;
 }
 
 TEST(Hunt, CtrlCPrintsTheTableKeepsTheFindsAndExits130) {
@@ -159,9 +159,7 @@ TEST(Hunt, CtrlCPrintsTheTableKeepsTheFindsAndExits130) {
   process->signal(SIGINT);
   const Finished finished = process->wait();
   EXPECT_EQ(finished.code, 130) << finished.err;
-  for (const char* contact : {"FF", "EF", "EE", "VF", "VE", "VV"}) {
-    EXPECT_NE(finished.out.find(fmt::format("\n{}  ", contact)), std::string::npos) << contact;
-  }
+  EXPECT_NE(finished.out.find("\nmethod "), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("new counterexamples"), std::string::npos) << finished.out;
   EXPECT_EQ(ccdfuzz({"replay", finds}).code, 0);
 }
@@ -200,9 +198,9 @@ TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
       "--corpus {} 2>&1; echo \"exit code $?\"; }} | cat",
       finds));
   EXPECT_NE(finished.out.find("exit code 2"), std::string::npos) << finished.out;
-  EXPECT_NE(finished.out.find("ccdfuzz: " + finds), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("ccdfuzz: hunt: " + finds), std::string::npos) << finished.out;
   EXPECT_NE(finished.out.find("File too large"), std::string::npos) << finished.out;
-  EXPECT_NE(finished.out.find("FN missed"), std::string::npos) << finished.out;
+  EXPECT_NE(finished.out.find("missed"), std::string::npos) << finished.out;
   EXPECT_TRUE(files_in(finds).empty());
 }
 
@@ -244,9 +242,10 @@ TEST(Hunt, ThatAskedNothingFailsAndSaysWhy) {
   arguments.insert(arguments.end(), kNothingToAsk.begin(), kNothingToAsk.end());
   const Finished finished = ccdfuzz(arguments);
   EXPECT_EQ(finished.code, 1);
-  EXPECT_EQ(finished.err,
-            "ccdfuzz: nothing was checked: no query was asked; none of 6 cases drawn can be with "
-            "--within 1: try more --cases\n");
+  EXPECT_EQ(
+      finished.err,
+      "ccdfuzz: hunt: nothing was checked: no query was asked; none of 6 cases drawn can be with "
+      "--within 1: try more --cases\n");
   EXPECT_EQ(json_lines(finished.out).back().at("queries"), 0);
   const Finished no_time = ccdfuzz(hunt(folder / "finds", {"--seconds", "1e-9"}));
   EXPECT_EQ(no_time.code, 1);
@@ -268,7 +267,9 @@ TEST(Hunt, RefusesMoreCasesThanItCanCount) {
 
 TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
   const ScratchFolder folder;
-  EXPECT_EQ(ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err, "");
+  const std::string told = ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err;
+  EXPECT_EQ(told.find_first_of("\r\x1b"), std::string::npos) << told;
+  EXPECT_TRUE(told.starts_with("ccdfuzz: hunt: found: missed by tdibm (")) << told;
 }
 
 }  // namespace

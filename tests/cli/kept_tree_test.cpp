@@ -38,7 +38,7 @@ class KeptTree : public testing::Test {
   void expect_proven(const std::string& corpus) const {
     const Finished replayed = ccdfuzz({"replay", corpus});
     EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
-    EXPECT_THAT(replayed.out, HasSubstr("1 entries, 1 expectations: 1 as expected"));
+    EXPECT_THAT(replayed.out, HasSubstr("1 entry, 1 expectation: all as expected"));
     EXPECT_EQ(replayed.err, "");
   }
 

@@ -53,7 +53,7 @@ TEST_F(MergeOfClaims, TakesFindsOverIntoACorpusThatReplaysThem) {
   EXPECT_EQ(row.at("entries"), 0);
   EXPECT_EQ(read_text(file("corpus")), read_text(file("finds")));
   EXPECT_THAT(ccdfuzz({"replay", folder_ / "corpus"}).out,
-              HasSubstr("1 inputs of properties: 1 as expected"));
+              HasSubstr("1 input of properties: all as expected"));
   // The folder of claims itself, again.
   EXPECT_EQ(merged({"finds/claims", "finds/claims/"}).value("claims_taken_over", 0), 0);
   EXPECT_THAT(ccdfuzz({"merge", folder_ / "finds", "-o", folder_ / "more"}).out,

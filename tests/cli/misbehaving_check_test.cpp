@@ -94,7 +94,6 @@ TEST(Check, TheEmptyCounterexampleIsReproducedByTheCommandThatIsPrinted) {
   EXPECT_EQ(run.code, 1) << run.err;
   const std::string command = line_after(run.out, "reproduce: ");
   EXPECT_TRUE(command.ends_with(" check made_up.fails_on_empty --choices ''")) << command;
-  EXPECT_THAT(run.out, HasSubstr("from_numbers({})"));
   const Finished again = shell(command);
   EXPECT_EQ(again.code, 1) << again.err;
   EXPECT_EQ(again.out, "made_up.fails_on_empty fails: the text is empty\n");
@@ -113,7 +112,6 @@ TEST(Check, AFindIsSavedAsItIsPrinted) {
   EXPECT_EQ(find.at("as_found"), line_after(run.out, "as found: "));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "new/finds"), {}), 1)
       << "what was saved before it was shrunk is gone";
-  EXPECT_THAT(run.out, HasSubstr("TEST(Found, MadeUpFailsOnAll)"));
   EXPECT_THAT(line_after(run.out, "reproduce: "), testing::EndsWith(" --choices ''"));
 }
 
@@ -191,7 +189,7 @@ TEST(Check, ARunThatIsInterruptedSaysWhatItDidNotBegin) {
 TEST(Check, WhereNothingIsCheckedItDoesNotPass) {
   const Finished run = misbehaving({"made_up.is_discarded", "made_up.holds"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("nothing was checked"));
+  EXPECT_THAT(run.out, HasSubstr("nothing checked"));
   const Finished json = misbehaving({"made_up.is_discarded", "--json"});
   EXPECT_EQ(json.code, 1);
   const auto rows = json_lines(json.out);
@@ -203,7 +201,7 @@ TEST(Check, WhereNothingIsCheckedItDoesNotPass) {
   const Finished one = misbehaving({"made_up.is_discarded", "--choices", "0"});
   EXPECT_EQ(one.code, 1);
   EXPECT_EQ(one.out, "made_up.is_discarded is discarded: the choices make no such input\n");
-  EXPECT_EQ(one.err, "ccdfuzz: nothing was checked: the input was discarded\n");
+  EXPECT_EQ(one.err, "ccdfuzz: check: nothing was checked: the input was discarded\n");
 }
 
 TEST(Check, AProgramWithABlankInItsPathIsQuotedInWhatIsPrinted) {

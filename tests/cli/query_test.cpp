@@ -113,7 +113,7 @@ TEST(Query, TheTableHasARowForEachAnswerAndNoColourInAFile) {
   const Finished finished = ccdfuzz({"query", single, "--methods", "tdibm,tdibm-e"});
   EXPECT_EQ(finished.code, 0) << finished.err;
   EXPECT_EQ(finished.err, "");
-  EXPECT_EQ(std::ranges::count(finished.out, '\n'), 3);
+  EXPECT_EQ(std::ranges::count(finished.out, '\n'), 9) << finished.out;
   EXPECT_EQ(finished.out.find('\x1b'), std::string::npos);
   EXPECT_NE(finished.out.find("correct"), std::string::npos) << finished.out;
 }

@@ -29,7 +29,7 @@ TEST(Terminal, ShowsProgressAndColour) {
   EXPECT_NE(shown.find(kBold), std::string::npos) << shown;
   // The progress line is wiped before the table.
   EXPECT_LT(shown.rfind(kProgress), shown.rfind("\r\x1b[K"));
-  EXPECT_LT(shown.rfind("\r\x1b[K"), shown.find("FN missed"));
+  EXPECT_LT(shown.rfind("\r\x1b[K"), shown.find("undecided"));
 }
 
 TEST(Terminal, NoColorTakesTheColourAndLeavesTheProgress) {

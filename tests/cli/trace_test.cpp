@@ -89,7 +89,7 @@ TEST(Trace, TheTableHasARowForEachTrace) {
   write_text(single, head_on("1", R"(,"truth":{"collides":true,)" + kWitness + "}"));
   const Finished finished = ccdfuzz({"trace", single, "--methods", "tdibm,trad", "--all"});
   EXPECT_EQ(finished.code, 0) << finished.err;
-  EXPECT_EQ(std::ranges::count(finished.out, '\n'), 3);
+  EXPECT_EQ(std::ranges::count(finished.out, '\n'), 7) << finished.out;
   EXPECT_NE(finished.out.find("kept"), std::string::npos) << finished.out;
 }
 
