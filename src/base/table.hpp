@@ -59,7 +59,7 @@ class Table {
     std::vector<TableCell> cells;
     std::optional<std::string> group;  ///< the title of the group that it starts
   };
-  /// Of the columns that a text shows: which, and how wide each is.
+  /// Which columns a text shows, and how wide each is.
   struct Layout {
     std::vector<size_t> columns, widths;
   };

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 namespace ccdfuzz {
 
@@ -67,6 +69,31 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t colum
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return out;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string* nearest = nullptr;
+  std::size_t least = 0;
+  for (const std::string& other : known) {
+    constexpr std::size_t kLongest = 100;
+    if (word.size() > kLongest || other.size() > kLongest) continue;
+    // row[j]: the changes that make the first j letters of `other` of those of `word` so far.
+    std::vector<std::size_t> row(other.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < word.size(); ++i) {
+      std::size_t diagonal = std::exchange(row[0], i + 1);
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        const std::size_t changed = diagonal + (word[i] == other[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({changed, diagonal + 1, row[j] + 1});
+      }
+    }
+    if (row.back() <= 1 + other.size() / 4 && (nearest == nullptr || row.back() < least)) {
+      nearest = &other;
+      least = row.back();
+    }
+  }
+  return nearest == nullptr ? "" : fmt::format("; did you mean {}?", *nearest);
 }
 
 std::vector<std::string> texts_between_commas(const std::string& text) {

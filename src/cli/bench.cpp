@@ -212,23 +212,26 @@ int run_bench(const BenchOptions& options, Session& session) {
 }  // namespace
 
 void add_bench(CommandLine& line) {
-  auto [command, options] = line.add<BenchOptions>(
-      "bench", "Time methods against each other in one run: ratios, not seconds", run_bench);
-  command.whole("--count", options->count, "Cases of each class: a positive and a negative each",
-                1);
+  auto [command, options] =
+      line.add<BenchOptions>("bench", "Compare the speed of methods in one run", run_bench);
+  command.example("your code beside tdibm-c, on mesh queries",
+                  "bench --classes VF,EE --methods tdibm-c,plugin:./libmine.so");
+  command.whole("--count", options->count,
+                "Cases of each class: one with and one without a contact for each", 1);
   command.whole("--seed", options->seed, "Seed of the cases");
-  command.parsed("--classes", options->classes, "Contact classes, separated by commas",
+  command.parsed("--classes LIST", options->classes, "Contact classes, separated by commas",
                  &parse_classes, "FF,EF,EE,VF,VE,VV");
-  add_methods(command, options->methods,
-              "Methods, separated by commas; the first is what the others are divided by");
   command.choice(
-      "--construction", options->construction,
+      "--construction HOW", options->construction,
       "paper: as the paper makes them. one-sided: each patch on its own side of a plane");
+  add_methods(command, options->methods,
+              "Methods, separated by commas; the first is what the others are compared with");
   options->search.max_pops = kBenchPops;
   options->search.add_to(command);
+  command.group("Results");
   command.flag("--by-class", options->by_class,
                "A row for each class and method, with all numbers");
-  command.json("One JSON object for each class and method");
+  command.json("One JSON object per class and method");
 }
 
 }  // namespace ccdfuzz

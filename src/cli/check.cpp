@@ -162,7 +162,7 @@ class PropertyCheck {
   }
 
  private:
-  /// Of all properties, only what somebody has to look at.
+  /// A run of all properties shows only what somebody has to look at.
   bool is_shown() const {
     return !options_.names.empty() || checked_.is_finding() || checked_.tally.all_discarded();
   }
@@ -341,35 +341,36 @@ int run_check(const CheckArguments& options, Session& session) {
 }  // namespace
 
 void add_check(CommandLine& line, const std::vector<Property>& known) {
-  auto [command, options] = line.add<CheckArguments>(
-      "check", "Check properties on random inputs, outside of the tests", run_check);
+  auto [command, options] =
+      line.add<CheckArguments>("check", "Test properties on random inputs", run_check);
+  command.example("all properties for a minute", "check --seconds 60");
   options->known = known;
   command.texts("property", options->names, "Names of properties; by default all");
+  command.group("Inputs");
   const Option count =
       command.whole("--count", options->inputs.count,
                     "How many inputs of each property, times CCDFUZZ_EFFORT of the environment (a "
                     "whole number, by default 1)",
                     1);
   Option seconds =
-      command.parsed("--seconds", options->inputs.seconds,
-                     "Instead, whatever CCDFUZZ_EFFORT is: how long, in equal shares for "
-                     "the properties; none is left out, and what fails is shrunk for up to its "
-                     "share more",
+      command.parsed("--seconds SECONDS", options->inputs.seconds,
+                     "Instead, whatever CCDFUZZ_EFFORT is: how long, in equal shares for the "
+                     "properties; none is left out, and what fails is shrunk for up to its share "
+                     "more",
                      &parse_seconds);
   seconds.excludes(count);
   const Option seed = command.whole("--seed", options->inputs.seed, "Seed of the inputs");
   const Option first = command.whole("--first", options->inputs.first, "Index of the first input");
-  command.text(
-      "--save", options->save,
-      fmt::format(
-          "Folder for what fails that should hold, as found and then shrunk; by default {}, "
-          "and none with --choices",
-          kFolder));
-  Option choices = command.text("--choices", options->choices,
+  Option choices = command.text("--choices LIST", options->choices,
                                 "Instead: one input of one property, as a find prints it");
+  command.group("Results");
+  command.text("--save FOLDER", options->save,
+               fmt::format("Folder for what fails that should hold, as found and then shrunk; by "
+                           "default {}, and none with --choices",
+                           kFolder));
+  command.json("One JSON object per property, with all numbers and a GoogleTest of a failure");
   const Option threads = command.threads();
   for (const Option& other : {count, seconds, seed, first, threads}) choices.excludes(other);
-  command.json("One JSON object per property");
 }
 
 }  // namespace ccdfuzz

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <thread>
 
+#include "base/command_help.hpp"
 #include "base/number_text.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
@@ -27,11 +28,11 @@ namespace ccdfuzz {
 
 namespace {
 
-std::string called_as = "ccdfuzz";
+std::string called_as = kProgram;
 std::string typed;
 
 /// Of a long line only both ends: a value of an option may be of any length.
-void print_shown_lines(const std::string& text, const char* first_margin, const char* margin) {
+void print_shown_lines(const std::string& text, std::string first_margin, const char* margin) {
   constexpr size_t kLongest = 2000, kEnd = kLongest / 2;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); first_margin = margin) {
@@ -41,8 +42,8 @@ void print_shown_lines(const std::string& text, const char* first_margin, const 
 }
 
 /// The message may quote what a file or a plug-in says: no line of it is taken for one of ours.
-int complain(const std::string& message, int code) {
-  print_shown_lines(message, "ccdfuzz: ", "  ");
+int complain(const std::string& message, int code, const std::string& command = "") {
+  print_shown_lines(message, command.empty() ? "ccdfuzz: " : "ccdfuzz: " + command + ": ", "  ");
   return code;
 }
 
@@ -68,6 +69,14 @@ void occupy_standard_descriptors() {
     if (::fcntl(descriptor, F_GETFD) < 0) ::open("/dev/null", O_RDONLY);
   }
 }
+
+/// "-o,--output FILE" in its two parts.
+struct Named {
+  explicit Named(const std::string& text, const std::string& otherwise = "TEXT")
+      : name(text.substr(0, text.find(' '))),
+        value(name.size() < text.size() ? text.substr(name.size() + 1) : otherwise) {}
+  std::string name, value;
+};
 
 CLI::Validator not_empty() {
   return {[](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; },
@@ -110,25 +119,39 @@ Option& Option::needs(const Option& other) {
   return *this;
 }
 
-Option& Option::one_of(std::initializer_list<const char*> words) {
-  option_->check(CLI::IsMember(std::vector<std::string>(words.begin(), words.end())));
-  return *this;
-}
-
 Option& Option::without_default() {
   option_->default_str("");
   return *this;
 }
 
+Option& Option::in(const char* group) {
+  option_->group(group);
+  return *this;
+}
+
+void Command::group(const std::string& title) {
+  app_->option_defaults()->group(title);
+}
+
+void Command::example(const std::string& what, const std::string& line) {
+  app_->footer(fmt::format("Example, {}:\n  {} {}", what, kProgram, line));
+}
+
 Option Command::text(const std::string& name, std::string& value, const std::string& description) {
-  return Option(
-      app_->add_option(name, value, description)->check(not_empty())->capture_default_str());
+  const Named named(name);
+  return Option(app_->add_option(named.name, value, description)
+                    ->check(not_empty())
+                    ->type_name(named.value)
+                    ->capture_default_str());
 }
 
 Option Command::text(const std::string& name, std::optional<std::string>& value,
                      const std::string& description) {
-  return Option(app_->add_option_function<std::string>(
-      name, [&value](const std::string& text) { value = text; }, description));
+  const Named named(name);
+  return Option(
+      app_->add_option_function<std::string>(
+              named.name, [&value](const std::string& text) { value = text; }, description)
+          ->type_name(named.value));
 }
 
 Option Command::texts(const std::string& name, std::vector<std::string>& values,
@@ -142,99 +165,138 @@ Option Command::flag(const std::string& name, bool& value, const std::string& de
 
 Option Command::whole(const std::string& name, std::uint64_t& value, const std::string& description,
                       std::uint64_t least, std::uint64_t most) {
-  return Option(app_->add_option(name, value, description)
+  const Named named(name, "N");
+  return Option(app_->add_option(named.name, value, description)
                     ->check(whole_number_in(least, most))
-                    ->type_name("N")
+                    ->type_name(named.value)
                     ->capture_default_str());
 }
 
 Option Command::whole(const std::string& name, int& value, const std::string& description,
                       int least, int most) {
-  return Option(app_->add_option(name, value, description)
+  const Named named(name, "N");
+  return Option(app_->add_option(named.name, value, description)
                     ->check(whole_number_in(static_cast<std::uint64_t>(least),
                                             static_cast<std::uint64_t>(most)))
-                    ->type_name("N")
+                    ->type_name(named.value)
                     ->capture_default_str());
 }
 
 Option Command::add_text(
     const std::string& name, const std::string& description, const std::string& standard,
     std::function<Result<void>(const std::string& where, const std::string& text)> take) {
-  const std::string where = name.substr(name.rfind(',') + 1);
+  const Named named(name);
+  const std::string where = named.name.substr(named.name.rfind(',') + 1);
   return Option(app_->add_option_function<std::string>(
-                        name,
+                        named.name,
                         [where, take = std::move(take)](const std::string& text) {
                           if (text.empty()) throw BadInput{{where, "is empty"}};
                           need(take(where, text));
                         },
                         description)
+                    ->type_name(named.value)
                     ->default_str(standard));
 }
 
 Option Command::threads() {
   session_->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return whole("--threads", session_->threads, "Threads to work on; results do not depend on it", 1,
-               1024);
+  return whole("--threads", session_->threads, "Threads; results do not depend on it", 1, 1024)
+      .in("Other");
 }
 
 Option Command::plugin_names() {
-  return add_text(
-      "--plugin",
-      "NAME=SPEC, several with commas between: plugin:NAME stands for this plug-in in "
-      "all that is read and written",
-      "", [](const std::string& where, const std::string& text) -> Result<void> {
-        for (const std::string& item : texts_between_commas(text)) {
-          const size_t equals = item.find('=');
-          if (equals == std::string::npos) {
-            return input_error(where, fmt::format("\"{}\" is not of the form NAME=SPEC", item));
-          }
-          const auto named = name_plugin(item.substr(0, equals), item.substr(equals + 1));
-          if (!named) return input_error(where, named.error().what);
-        }
-        return {};
-      });
+  return add_text("--plugin NAME=SPEC",
+                  "Lets plugin:NAME stand for this plug-in in all that is read and written; "
+                  "several with "
+                  "commas between",
+                  "",
+                  [](const std::string& where, const std::string& text) -> Result<void> {
+                    for (const std::string& item : texts_between_commas(text)) {
+                      const size_t equals = item.find('=');
+                      if (equals == std::string::npos) {
+                        return input_error(
+                            where, fmt::format("\"{}\" is not of the form NAME=SPEC", item));
+                      }
+                      const auto named =
+                          name_plugin(item.substr(0, equals), item.substr(equals + 1));
+                      if (!named) return input_error(where, named.error().what);
+                    }
+                    return {};
+                  })
+      .in("Methods");
 }
 
 Option Command::allow_plugins() {
-  return add_text(
-      "--allow-plugins",
-      "Plug-ins of expectations to start, separated by commas, each spelled as there; no other is "
-      "started",
-      "", [](const std::string& where, const std::string& text) -> Result<void> {
-        const Result<std::vector<std::string>> specs = parse_method_list(text);
-        if (!specs) return input_error(where, specs.error().what);
-        for (const std::string& spec : *specs) {
-          if (names_plugin(spec)) continue;
-          return input_error(where,
-                             fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
-        }
-        return {};
-      });
+  return add_text("--allow-plugins LIST",
+                  "Plug-ins of expectations that may be started, separated by commas, each spelled "
+                  "as there",
+                  "",
+                  [](const std::string& where, const std::string& text) -> Result<void> {
+                    const Result<std::vector<std::string>> specs = parse_method_list(text);
+                    if (!specs) return input_error(where, specs.error().what);
+                    for (const std::string& spec : *specs) {
+                      if (names_plugin(spec)) continue;
+                      return input_error(
+                          where,
+                          fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
+                    }
+                    return {};
+                  })
+      .in("Methods");
 }
 
 Option Command::max_work() {
-  return add_text("--max-work",
-                  "Work of checking all cases together, in operations on 64-bit words, after which "
-                  "the command ends; by default 2^32, and 2^27 for each case",
-                  "", [](const std::string& where, const std::string& text) {
+  return add_text("--max-work N",
+                  "Work of checking all cases together, in operations on 64-bit words; then the "
+                  "command ends. By default 2^32, and 2^27 for each case",
+                  "",
+                  [](const std::string& where, const std::string& text) {
                     return parse_whole(where, text).map(&RunWork::allow);
-                  });
+                  })
+      .in("Limits");
 }
 
 Option Command::json(const std::string& description) {
-  return flag("--json", session_->json, description);
+  return flag("--json", session_->json, description).in("Results");
 }
 
 CommandLine::CommandLine()
     : app_(std::make_unique<CLI::App>(
-          "Fuzzing and property testing for continuous collision detection", "ccdfuzz")),
+          "Fuzzing and property testing for continuous collision detection", kProgram)),
       session_(std::make_unique<Session>()) {
-  app_->set_version_flag("--version", CCDFUZZ_VERSION);
+  app_->formatter(help_formatter());
+  app_->set_help_flag("-h,--help", "Show this help");
+  app_->set_version_flag("-V,--version", CCDFUZZ_VERSION, "Show the version");
   app_->require_subcommand(0, 1);  // 1, 1 would answer a misspelt command with "required" alone
   app_->footer(
-      "`ccdfuzz COMMAND --help` documents a command.\n"
       "Exit codes: 0 done, 1 a check failed, 2 bad usage or input, 3 internal error,\n"
-      "128 + the signal: interrupted (130 by Ctrl-C).");
+      "128 + the signal: interrupted (130 by Ctrl-C). Help: ccdfuzz help COMMAND");
+  add_help();
+}
+
+/// Not listed: `ccdfuzz help [COMMAND]`, and with --man or --bash what is installed.
+void CommandLine::add_help() {
+  struct AskedHelp {
+    std::string command;
+    bool manual = false, bash = false;
+  };
+  const auto asked = std::make_shared<AskedHelp>();
+  CLI::App* const help = app_->add_subcommand("help", "Show the help of a command")->group("");
+  help->add_option("command", asked->command);
+  help->add_flag("--man", asked->manual);
+  help->add_flag("--bash", asked->bash);
+  help->callback([this, asked] {
+    chosen_ = [this, asked] {
+      const std::string& name = asked->command;
+      const std::vector<CLI::App*> named = app_->get_subcommands(
+          [&](const CLI::App* command) { return command->get_name() == name; });
+      if (!name.empty() && named.empty()) throw BadInput{{name, no_such_command(*app_, name)}};
+      print_out(asked->manual ? manual_page(kProgram, CCDFUZZ_VERSION, all_described(*app_))
+                : asked->bash ? bash_completion(kProgram, all_described(*app_))
+                              : help_of(name.empty() ? *app_ : *named.front()));
+      return kDone;
+    };
+  });
 }
 
 CommandLine::~CommandLine() = default;
@@ -242,6 +304,8 @@ CommandLine::~CommandLine() = default;
 Command CommandLine::add_command(const std::string& name, const std::string& description,
                                  std::function<int()> run) {
   CLI::App* const command = app_->add_subcommand(name, description);
+  command->get_help_ptr()->group("Other");
+  command->footer("");
   command->callback([this, run = std::move(run)] { chosen_ = run; });
   return Command(command, *session_);
 }
@@ -262,18 +326,15 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   try {
     app_->parse(argc, argv);
   } catch (const BadInput& bad) {
-    return complain(bad.error.message(), kBadInput);
-  } catch (const CLI::ParseError& error) {
-    const bool asked_for_help = error.get_exit_code() == 0;
+    return complain(bad.error.message(), kBadInput, chosen_name(*app_));
+  } catch (const CLI::Success& asked_for_help) {
     errno = 0;
-    std::ostringstream complaints;
-    app_->exit(error, std::cout, complaints);
-    print_shown_lines(complaints.str(), "", "");
+    app_->exit(asked_for_help, std::cout);
     std::cout.flush();
-    if (!std::cout) {
-      return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);
-    }
-    return asked_for_help ? kDone : kBadInput;
+    if (std::cout) return kDone;
+    return complain(fmt::format("stdout: cannot write: {}", std::strerror(errno)), kBadInput);
+  } catch (const CLI::ParseError& error) {
+    return complain(usage_error(*app_, error), kBadInput, chosen_name(*app_));
   }
   if (!chosen_) {
     print_err(app_->help());
@@ -294,7 +355,7 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
   // an error of its own unless there is one already.
   const Result<void> flushed = flush_stdout();
   if (!flushed && !error) error = flushed.error();
-  return error ? complain(error->message(), kBadInput) : code;
+  return error ? complain(error->message(), kBadInput, chosen_name(*app_)) : code;
 }
 
 }  // namespace ccdfuzz

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,7 +13,8 @@
 #include "base/enum_names.hpp"
 #include "base/result.hpp"
 
-// CLI11's headers cost seconds in each file that includes them: command.cpp alone does.
+// CLI11's headers cost seconds in each file that includes them: command.cpp does, and
+// base/command_help.cpp.
 namespace CLI {
 class App;
 class Option;
@@ -54,18 +54,24 @@ class Option {
   Option& required();
   Option& excludes(const Option& other);
   Option& needs(const Option& other);
-  Option& one_of(std::initializer_list<const char*> words);
   /// Help does not show the value that it has without the option.
   Option& without_default();
+  /// In which group help shows it.
+  Option& in(const char* group);
 
  private:
   CLI::Option* option_;
 };
 
 /// The options of one command. Values are bound: each must outlive the parsing, and what it holds
-/// before is its default.
+/// before is its default. A name is followed by what its value is: "-o,--output FILE".
 class Command {
  public:
+  /// Help shows the options that are added from now on in this group.
+  void group(const std::string& title);
+  /// What help shows last: what the command line does, and the line behind "ccdfuzz".
+  void example(const std::string& what, const std::string& line);
+
   /// An empty text is refused, as `value` that stays empty means that the option was not given.
   Option text(const std::string& name, std::string& value, const std::string& description);
   /// The same, where an empty text is not the same as none.
@@ -149,6 +155,7 @@ class CommandLine {
 
  private:
   int parse_and_run_chosen(int argc, char** argv);
+  void add_help();
   Command add_command(const std::string& name, const std::string& description,
                       std::function<int()> run);
 

@@ -63,8 +63,10 @@ std::vector<std::string> default_methods() {
 void add_methods(Command& command, std::vector<std::string>& methods,
                  const std::string& description) {
   command.plugin_names();
-  command.parsed("--methods", methods, description, &parse_methods,
-                 fmt::format("{}", fmt::join(methods, ",")));
+  command
+      .parsed("--methods LIST", methods, description, &parse_methods,
+              fmt::format("{}", fmt::join(methods, ",")))
+      .in("Methods");
 }
 
 std::string marked(const std::string& method) {
@@ -86,10 +88,12 @@ std::string counted(std::uint64_t count, const char* one, const char* many) {
 }
 
 void SearchFlags::add_precision_to(Command& command) {
-  command.parsed("--precision", precision,
-                 "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
-                 "case was found at",
-                 &parse_precision);
+  command
+      .parsed("--precision WIDTH", precision,
+              "Parameter width at which a pair of boxes is a hit; by default 1e-4, or what the "
+              "case was found at",
+              &parse_precision)
+      .in("Limits");
 }
 
 void SearchFlags::add_to(Command& command) {
@@ -98,12 +102,13 @@ void SearchFlags::add_to(Command& command) {
 }
 
 std::vector<Option> SearchFlags::add_budget_to(Command& command) {
-  return {command.whole("--max-pops", max_pops,
-                        "Pairs of boxes to look at before a method gives up as undecided", 1),
-          command.parsed(
-              "--max-seconds", max_seconds,
-              "Wall time of a query before it gives up; its answer then depends on the machine",
-              &parse_seconds)};
+  Option pops = command.whole("--max-pops", max_pops,
+                              "Pairs of boxes to look at before a method gives up as undecided", 1);
+  Option seconds = command.parsed(
+      "--max-seconds SECONDS", max_seconds,
+      "Wall time of a query before it gives up; its answer then depends on the machine",
+      &parse_seconds);
+  return {pops.in("Limits"), seconds.in("Limits")};
 }
 
 SearchOptions SearchFlags::options() const {
@@ -144,9 +149,8 @@ std::string to_text(const NotAllowed& left_out) {
 }
 
 Option add_shard(Command& command, std::string& shard) {
-  return command.text(
-      "--shard", shard,
-      "Only share i of n, given as i/n with i from 0 to n - 1; `merge` puts shares together");
+  return command.text("--shard I/N", shard,
+                      "Only share I of N, from 0 to N - 1; `merge` joins the shares");
 }
 
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what) {

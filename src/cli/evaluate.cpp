@@ -221,28 +221,31 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
 
 void add_evaluate(CommandLine& line) {
   auto [command, options] = line.add<EvaluateArguments>(
-      "evaluate", "Time and judge methods on data sets (the paper's Tables 1 to 4)", run_evaluate);
+      "evaluate", "Measure the accuracy and time of methods on data sets", run_evaluate);
+  command.example("two methods, late answers too",
+                  "evaluate vv.jsonl --methods tdibm,tdibm-c --t-max-factors 1,1.5");
   command.texts("dataset", options->files,
                 "Case files: .json, .jsonl, .jsonl.zst, .csv (judged by their exact truth where "
                 "they are linear), or folders of .csv");
-  command.text("--linear", options->linear, "One more dataset, as it was once to be named");
-  add_methods(command, options->methods, "Methods to ask, separated by commas");
-  command.parsed("--t-max-factors", options->horizons,
+  command.text("--linear FILE", options->linear, "One more dataset, as it was once to be named");
+  add_methods(command, options->methods, "Methods to run, separated by commas");
+  command.parsed("--t-max-factors LIST", options->horizons,
                  "Ask positive cases up to these multiples of the contact's time instead of their "
                  "own t_max, e.g. 1,1+2^-30,1.5,2: past the contact, late answers show",
                  &parse_horizons);
   options->search.add_to(command);
+  command.group("Results");
   add_shard(command, options->shard);
-  command.text("-o,--output", options->folder,
+  command.text("-o,--output FOLDER", options->folder,
                "Folder for all answers (answers.jsonl), their counts (rows.jsonl) and the tables "
                "(tables.md), which `report` shows; killed, the same command goes on where it was");
-  command.text("--report", options->page,
-               "Folder for a page (index.html) of tables, figures and watchable failures");
+  command.text("--report FOLDER", options->page,
+               "Also make a page (index.html) of tables, figures and watchable failures");
   command.flag("--by-class", options->by_class,
-               "Tables by class and kinds of cases, and the paper's tables beside them");
-  command.threads();
+               "Tables by class and kind of cases, also beside the paper's Tables 1 to 4");
   command.json("One JSON object per class, kinds and method");
   command.max_work();
+  command.threads();
 }
 
 }  // namespace ccdfuzz

@@ -102,11 +102,14 @@ int run_export(const ExportOptions& options, Session&) {
 void add_export(CommandLine& line) {
   auto [command, options] = line.add<ExportOptions>(
       "export", "Write cases as a query CSV or as tests of a plug-in", run_export);
+  command.example("counterexamples as GoogleTests",
+                  "export finds/*.json --as gtest -o found_test.cpp");
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
-  command.text("-o,--output", options->output, "File to write").required();
-  command.choice("--as", options->as,
-                 "csv: 8 rows a linear query, 24 a curved one. gtest, catch2: a C++ file with a "
-                 "test a case, which needs ccdfuzz_plugin.h and the plug-in to link with");
+  command.text("-o,--output FILE", options->output, "File to write").in("Results").required();
+  command.choice(
+      "--as FORM", options->as,
+      "csv: 8 rows per linear query, 24 per curved one. gtest, catch2: a C++ file with a "
+      "test per case, which needs ccdfuzz_plugin.h and the plug-in to link with");
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
   command.max_work();

@@ -262,54 +262,54 @@ int run_generate(const GenerateOptions& options, Session& session) {
 
 void add_generate(CommandLine& line) {
   auto [command, options] = line.add<GenerateOptions>(
-      "generate", "Make cases whose truth is proven, as a data set", run_generate);
-  Option paper =
-      command.flag("--paper", options->paper,
-                   "The paper's whole set, 24,246 cases of all classes and kinds; killed, "
-                   "the same command goes on where it was");
-  Option part = command.whole("--one-in", options->one_in,
-                              "Of the paper's set only one in so many cases of a class", 1);
-  part.needs(paper);
+      "generate", "Generate a data set whose truth is proven", run_generate);
+  command.example("a thousand vertex-vertex contacts",
+                  "generate --contact VV --kind RP --count 1000 -o vv.jsonl.zst");
   const Option contact =
-      command.choice("--contact", options->contact, "Contact class: FF EF EE VF VE VV");
-  const Option kind = command.choice(
-      "--kind", options->kind,
-      "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: as RP, but they graze. "
-      "NMN: as NHP, but they just miss");
-  const Option construction = command.choice(
-      "--construction", options->construction,
-      "paper: as the paper makes them, the default where --shape allows it. one-sided: each "
-      "patch on its own side of a plane");
-  const Option shape = command.parsed(
-      "--shape", options->shapes,
-      "Shape of both patches, or of patch 1 and patch 2 with a comma between: point, curve:N, "
-      "triangle:N, tensor:NxM. By default triangle:2 in the first six families, random ones in "
-      "the others",
-      &parse_shapes);
-  std::string families = "What the cases are made to stress.";
-  for (const Family f : kFamilies) {
-    families += fmt::format(" {}: {}.", name_of(f), description_of(f));
-  }
-  const Option family = command.choice("--family", options->family, families);
+      command.choice("--contact CLASS", options->contact, "Contact class: FF EF EE VF VE VV");
+  const Option kind =
+      command.choice("--kind KIND", options->kind,
+                     "RP: they touch at t_max. RN: t_max is eps-t before that. NHP: "
+                     "as RP, but they graze. NMN: as NHP, but they just miss");
   Option count = command.whole("--count", options->count, "How many cases", 1);
   count.without_default();
-  const Option first = command.whole("--first", options->first, "Index of the first one");
+  const Option first = command.whole("--first", options->first, "Index of the first case");
   command.whole("--seed", options->seed, "Seed of the data set");
+  const Option construction = command.choice(
+      "--construction HOW", options->construction,
+      "paper: as the paper makes them, the default where --shape allows it. one-sided: each patch "
+      "on its own side of a plane");
+  const Option shape = command.parsed(
+      "--shape SHAPE", options->shapes,
+      "Shape of both patches, or of each with a comma between: point, curve:N, triangle:N, "
+      "tensor:NxM. By default triangle:2 in the first six families, random ones in the others",
+      &parse_shapes);
+  std::string families = "What the cases are made to stress";
+  for (const Family f : kFamilies) {
+    families += fmt::format("\n{}: {}", name_of(f), description_of(f));
+  }
+  const Option family = command.choice("--family FAMILY", options->family, families);
   const Option eps_t = command.parsed(
-      "--eps-t", options->eps_t_exponent,
+      "--eps-t 2^-N", options->eps_t_exponent,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
       "2^-10 for NHP",
       &parse_power_of_two);
+  command.group("The paper's data set");
+  Option paper = command.flag("--paper", options->paper,
+                              "All 24,246 cases of all classes and kinds; killed, the same command "
+                              "goes on where it was");
+  Option part = command.whole("--one-in", options->one_in, "Only one in N cases of each class", 1);
+  part.needs(paper);
   for (const Option& other : {contact, kind, construction, shape, family, count, first, eps_t}) {
     paper.excludes(other);
   }
+  command.group("Results");
   add_shard(command, options->shard);
-  const Option output = command.text(
-      "-o,--output", options->output,
-      "File to write: .jsonl, .jsonl.zst, or .json for one case; default stdout. A share is a "
-      "file for `merge`");
-  command.threads();
+  const Option output = command.text("-o,--output FILE", options->output,
+                                     "File to write: .jsonl, .jsonl.zst, or .json for one case; by "
+                                     "default stdout. A share is a file for `merge`");
   command.json("The summary as a JSON object on stdout; the cases go to a file then").needs(output);
+  command.threads();
 }
 
 }  // namespace ccdfuzz

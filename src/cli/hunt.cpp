@@ -133,7 +133,7 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
   if (!finds.empty()) print_out("\n");
 }
 
-/// Of each method, over all classes.
+/// A cell for each method, over all classes.
 std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
   std::vector<HuntCell> sums;
   for (const HuntCell& cell : cells) {
@@ -311,55 +311,57 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
 
 void add_hunt(CommandLine& line) {
   auto [command, options] = line.add<HuntArguments>(
-      "hunt", "Find, prove and store inputs on which methods fail (the main job)", run_hunt);
+      "hunt", "Search for counterexamples and store them (start here)", run_hunt);
+  command.example("one minute on your own code, for triangle meshes",
+                  "hunt --methods plugin:./libmine.so --linear --corpus mine");
   HuntOptions& hunt = options->hunt;
+  command.group("How long");
   const Option seconds =
-      command.parsed("--seconds", hunt.seconds, "How long to hunt", parse_seconds, "60");
+      command.parsed("--seconds SECONDS", hunt.seconds, "How long to hunt", parse_seconds, "60");
   command
       .whole("--cases", options->cases,
-             "Instead: this many cases of each class, each put to every method; repeats exactly", 1,
-             kMostCases)
+             "Instead: this many cases of each contact class, each put to every method. The same "
+             "--seed then finds the same",
+             1, kMostCases)
       .excludes(seconds)
       .without_default();
+  command.whole("--seed", hunt.seed, "Seed of the cases");
+  command.group("What to test");
   hunt.methods = default_methods();
   hunt.methods.insert(hunt.methods.begin(), "trad");
-  add_methods(command, hunt.methods, "Methods to ask, separated by commas");
+  add_methods(command, hunt.methods, "Methods to test, separated by commas");
   constexpr int kWidest = 1074;  // 2^-1074 is the least double
+  const Option shape = command.parsed("--shape SHAPE", hunt.ground.shapes,
+                                      "Only patches of this shape, or of two with a comma between: "
+                                      "point, curve:N, triangle:N, tensor:NxM",
+                                      parse_shapes);
+  command
+      .flag("--linear", hunt.ground.linear,
+            "Linear queries: vertex-face, edge-edge and degenerate ones")
+      .excludes(shape);
   command
       .whole("--within", options->within,
              "Only queries whose numbers are 0 or between 2^-N and 2^N, so that neither under- nor "
              "overflow explains a failure",
              1, kWidest)
       .without_default();
-  command.whole("--seed", hunt.seed, "Seed of the cases");
-  const Option shape = command.parsed(
-      "--shape", hunt.ground.shapes,
-      "Only patches of this shape, or of two with a comma between: point, curve:N, triangle:N, "
-      "tensor:NxM",
-      parse_shapes);
-  command
-      .flag("--linear", hunt.ground.linear,
-            "Draw linear queries (vertex-face, edge-edge, degenerate ones above all)")
-      .excludes(shape);
-  command.text("--corpus", options->corpus,
-               "Folder to store counterexamples in; a file of it that is copied to another corpus "
-               "is a regression there");
-  command.choice("--fail-on", options->fail_on,
-                 "Exit with 1 after finds, known ones too: none, claims (a false negative of a "
-                 "method that claims to have none) or any");
-  command.choice("--shrink", hunt.shrink,
-                 "Whose counterexamples to minimise at the end, for at most as long again or "
-                 "20 seconds: none, plugins or all");
-  command.text(
-      "--report", options->page,
-      "Folder for a page (index.html) of the counterexamples and the hunt's course; `report "
-      "FOLDER` makes it again");
+  command.group("Results");
+  command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
+  command.choice("--shrink WHICH", hunt.shrink,
+                 "Whose counterexamples to minimise at the end, for at most as long again or 20 "
+                 "seconds: none, plugins or all");
+  command.choice("--fail-on WHICH", options->fail_on,
+                 "Exit with 1 after which finds, known ones too: none, claims (a method breaks its "
+                 "guarantee) or any");
+  command.text("--report FOLDER", options->page,
+               "Also make a page (index.html) of the counterexamples and of how the hunt went");
+  command.flag("--by-class", options->by_class, "A row for each contact class and method");
+  command.json("One JSON object per class and method, and per find");
+  command.group("Limits");
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
-  command.flag("--by-class", options->by_class, "The table has a row for each contact class, too");
-  command.threads();
-  command.json("One JSON object per cell and per find");
   command.max_work();
+  command.threads();
 }
 
 }  // namespace ccdfuzz

@@ -120,26 +120,28 @@ int run_import(const ImportOptions& options, Session& session) {
 
 void add_import(CommandLine& line) {
   auto [command, options] = line.add<ImportOptions>(
-      "import", "Read query CSVs, decide linear queries exactly, and list wrong labels",
-      run_import);
+      "import", "Read query CSVs, decide linear queries exactly, list wrong labels", run_import);
+  command.example("a file of the public samples",
+                  "import queries.csv --as edge-edge -o queries.jsonl.zst");
   command
-      .texts(
-          "csv", options->files,
-          "Files of rows xn,xd,yn,yd,zn,zd[,truth], 8 a linear query, 24 a curved one, or folders "
-          "of .csv")
+      .texts("csv", options->files,
+             "Files of rows xn,xd,yn,yd,zn,zd[,truth], 8 per linear query, 24 per curved one, or "
+             "folders of .csv")
       .required();
   command
-      .text("-o,--output", options->output, "File to write: .jsonl, .jsonl.zst, or .json for one")
+      .text("-o,--output FILE", options->output,
+            "File to write: .jsonl, .jsonl.zst, or .json for one")
+      .in("Results")
       .required();
-  command.choice("--as", options->csv.layout,
+  command.choice("--as LAYOUT", options->csv.layout,
                  "edge-edge, vertex-face or curved; by default what the path of each file says");
-  command.text("--truths", options->csv.truths,
+  command.text("--truths FILE", options->csv.truths,
                "JSON list of truths of a file without that column");
   command.flag("--round", options->csv.round,
                "Take the nearest double for numbers and ways that are none, and count them");
-  command.threads();
   command.json("One JSON object per query");
   command.max_work();
+  command.threads();
 }
 
 }  // namespace ccdfuzz

@@ -169,8 +169,9 @@ int run_merge(const MergeOptions& options, Session& session) {
 }  // namespace
 
 void add_merge(CommandLine& line, const std::vector<Property>& known) {
-  auto [command, options] = line.add<MergeOptions>(
-      "merge", "Put the shares of a run together, as one run would have made it", run_merge);
+  auto [command, options] =
+      line.add<MergeOptions>("merge", "Join the shares of a run, or corpora", run_merge);
+  command.example("what two hunts found", "merge finds1 finds2 -o corpus");
   options->known = known;
   command
       .texts("input", options->inputs,
@@ -178,11 +179,12 @@ void add_merge(CommandLine& line, const std::vector<Property>& known) {
              "and folders of claims (check, triage)")
       .required();
   command
-      .text("-o,--output", options->output,
+      .text("-o,--output PATH", options->output,
             "What to write: .jsonl or .jsonl.zst, or a folder; a corpus may be there already")
+      .in("Results")
       .required();
   command.plugin_names();
-  command.json("What the merged shares cost or answered, one JSON object a row");
+  command.json("What the merged shares cost or answered, one JSON object per row");
   command.max_work();
 }
 

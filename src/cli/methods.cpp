@@ -79,8 +79,9 @@ int run_methods(const MethodsOptions& options, Session& session) {
 }  // namespace
 
 void add_methods(CommandLine& line) {
-  auto [command, options] = line.add<MethodsOptions>(
-      "methods", "List the methods that there are, with the source of each", run_methods);
+  auto [command, options] =
+      line.add<MethodsOptions>("methods", "List the methods and their guarantees", run_methods);
+  command.example("what a plug-in says of itself", "methods plugin:./libmine.so");
   command.texts("method", options->specs, "Only these, as --methods takes them; plug-ins, too");
   command.json("One JSON object per line");
 }

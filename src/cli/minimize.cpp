@@ -106,16 +106,22 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
 
 void add_minimize(CommandLine& line) {
   auto [command, options] = line.add<MinimizeOptions>(
-      "minimize", "Shrink a counterexample exactly: the method still fails alike", run_minimize);
+      "minimize", "Make a counterexample as small as possible", run_minimize);
+  command.example("a find of one method", "minimize finds/FIND.json --method tdibm -o small.json");
   command.text("case", options->file, "File with one case").required();
   command.plugin_names();
-  command.text("--method", options->method, "The method that fails on it").required();
-  command.text("-o,--output", options->output,
-               "File to write, .json, and beside it the tree of the case if it has one; default "
-               "stdout");
-  command.whole("--max-trials", options->max_trials, "How often to ask the method", 1);
-  options->search.add_to(command);
+  command.text("--method METHOD", options->method, "The method that fails on it, as it does after")
+      .in("Methods")
+      .required();
+  command
+      .text("-o,--output FILE", options->output,
+            "File to write, .json, and beside it the tree of the case if it has one; by default "
+            "stdout")
+      .in("Results");
   command.json("What was reached, as a JSON object on stdout");
+  command.group("Limits");
+  command.whole("--max-trials", options->max_trials, "How often to run the method", 1);
+  options->search.add_to(command);
 }
 
 }  // namespace ccdfuzz

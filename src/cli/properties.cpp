@@ -41,7 +41,8 @@ int run_properties(const PropertiesOptions&, Session& session) {
 
 void add_properties(CommandLine& line) {
   auto [command, options] = line.add<PropertiesOptions>(
-      "properties", "List the properties, with the claim and source of each", run_properties);
+      "properties", "List the properties that check tests, with their sources", run_properties);
+  command.example("what names check takes", "properties");
   command.json("One JSON object per property");
 }
 

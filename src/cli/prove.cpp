@@ -101,19 +101,22 @@ int run_prove(const ProveOptions& options, Session& session) {
 
 void add_prove(CommandLine& line) {
   auto [command, options] = line.add<ProveOptions>(
-      "prove", "Decide cases, and write them with certificates that verify checks", run_prove);
+      "prove", "Decide cases exactly, and add certificates that verify checks", run_prove);
+  command.example("your own cases", "prove mine.jsonl -o proven.jsonl");
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   command
-      .text("-o,--output", options->output,
+      .text("-o,--output FILE", options->output,
             "File to write: .jsonl, .jsonl.zst, or .json for one case; trees go beside it")
+      .in("Results")
       .required();
+  command.json("One JSON object per case");
+  command.group("Limits");
   command.whole("--max-pops", options->oracle.max_pops,
                 "Pairs of cells that one search may take before it gives up", 1);
   command.whole("--max-nodes", options->oracle.max_tree_nodes,
                 "Nodes that the tree of a miss may have", 1);
-  command.threads();
-  command.json("One JSON object per case");
   command.max_work();
+  command.threads();
 }
 
 }  // namespace ccdfuzz

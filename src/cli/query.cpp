@@ -156,15 +156,17 @@ int run_query(const QueryOptions& options, Session& session) {
 
 void add_query(CommandLine& line) {
   auto [command, options] =
-      line.add<QueryOptions>("query", "Answer and judge single cases", run_query);
+      line.add<QueryOptions>("query", "Run methods on cases and judge their answers", run_query);
+  command.example("what two methods say of a find",
+                  "query finds/FIND.json --methods tdibm,tdibm-c");
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
-  add_methods(command, options->methods, "Methods to ask, separated by commas");
+  add_methods(command, options->methods, "Methods to run, separated by commas");
   options->search.max_pops = 0;  // DefaultBudget
   options->search.add_precision_to(command);
   options->search.add_budget_to(command).front().without_default();
-  command.threads();
-  command.json("One JSON object per answer and line");
   command.max_work();
+  command.threads();
+  command.json("One JSON object per answer and line, with all numbers");
 }
 
 }  // namespace ccdfuzz

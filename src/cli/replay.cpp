@@ -274,7 +274,7 @@ class Replay {
   const ReplayOptions& options_;
   Session& session_;
   std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
-  static constexpr std::uint64_t kMostShown = 25;  // rows of the table
+  static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
   DefaultBudget budget_;
@@ -299,23 +299,25 @@ int run_replay(const ReplayOptions& options, Session& session) {
 }  // namespace
 
 void add_replay(CommandLine& line, const std::vector<Property>& known) {
-  auto [command, options] = line.add<ReplayOptions>(
-      "replay", "Judge every entry of a corpus again, against its expectations", run_replay);
+  auto [command, options] =
+      line.add<ReplayOptions>("replay", "Run a corpus as regression tests", run_replay);
+  command.example("whether your code is mended",
+                  "replay finds --methods plugin:./libmine.so --expect correct");
   options->known = known;
   command.text("corpus", options->corpus, "Folder, or a file of cases");
-  add_methods(command, options->methods, "Methods to ask, by default those that an entry names");
-  command.choice("--expect", options->expect,
+  add_methods(command, options->methods, "Methods to run, by default those that an entry names");
+  command.allow_plugins();
+  command.choice("--expect OUTCOME", options->expect,
                  "What is expected of each method about every entry that it takes, such as "
                  "correct; by default what the entry says");
   command.flag("--update", options->update,
-               "Writes what methods show now into the entries, and exits with 0");
-  command.allow_plugins();
+               "Write what methods show now into the entries, and exit with 0");
   options->search.max_pops = 0;  // DefaultBudget
   options->search.add_precision_to(command);
   options->search.add_budget_to(command).front().without_default();
+  command.max_work();
   command.threads();
   command.json("One JSON object per expectation");
-  command.max_work();
 }
 
 }  // namespace ccdfuzz

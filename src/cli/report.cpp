@@ -191,20 +191,21 @@ int run_report(const ReportArguments& options, Session& session) {
 
 void add_report(CommandLine& line) {
   auto [command, options] = line.add<ReportArguments>(
-      "report", "Show a corpus or a run as a page of figures, tables and watchable cases",
-      run_report);
+      "report", "Write a page with figures, tables and 3-D views", run_report);
+  command.example("a corpus", "report corpus -o page");
   command.text(
       "source", options->source,
       "A corpus (its entries and what they expect), or the folder of an `evaluate -o` or of a "
       "`hunt --report`, whose numbers are taken as they are");
   command.plugin_names();
   command.allow_plugins();
-  command.text("--scoreboard", options->scoreboard,
+  command.group("Results");
+  command.text("-o,--output FOLDER", options->folder, "Folder for index.html").required();
+  command.text("--scoreboard FILE", options->scoreboard,
                "Also show how the tests fare with planted faults: a .json that "
                "`ccdfuzz-scoreboard --tables` wrote");
-  command.text("-o,--output", options->folder, "Folder for index.html").required();
-  command.threads();
   command.max_work();
+  command.threads();
 }
 
 }  // namespace ccdfuzz

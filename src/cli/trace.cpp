@@ -204,15 +204,16 @@ int run_trace(const TraceArguments& options, Session& session) {
 
 void add_trace(CommandLine& line) {
   auto [command, options] = line.add<TraceArguments>(
-      "trace", "Follow the witness of cases through the inclusion tests of methods", run_trace);
+      "trace", "Show where methods lose a contact that is known", run_trace);
+  command.example("how a method came to miss a contact", "trace finds/FIND.json --methods tdibm");
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   add_methods(command, options->methods, "Methods to trace, separated by commas");
   options->search.add_precision_to(command);
   command.flag("--all", options->all,
                "Follow all pairs of boxes that contain the witness, not the lowest alone");
+  command.max_work();
   command.threads();
   command.json("One JSON object per trace and line, with all details");
-  command.max_work();
 }
 
 }  // namespace ccdfuzz

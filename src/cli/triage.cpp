@@ -265,29 +265,33 @@ int run_triage(const TriageArguments& arguments, Session& session) {
 
 void add_triage(CommandLine& line, const FindSuite& find_suite) {
   auto [command, options] = line.add<TriageArguments>(
-      "triage", "Confirm, shrink, tell apart and store what fuzzers found", run_triage);
+      "triage", "Confirm, minimise, deduplicate and store what fuzzers found", run_triage);
+  command.example("the findings of a fuzz target", "triage crash-* -o finds");
   options->find_suite = find_suite;
   command
       .texts("input", options->inputs,
              "Inputs of fuzz_query or fuzz_witnessed, case files (.csv among them), or folders of "
              "either")
       .required();
-  Option target = command.text("--target", options->target,
+  Option target = command.text("--target NAME", options->target,
                                "The inputs are those of this other target, whose claims fail on "
                                "them; they go to `properties` in the folder");
-  command.text("-o,--output", options->output, "Folder to store counterexamples in");
-  command.text(
-      "--known", options->known,
-      "A corpus, whose failures are not stored again; with --target, those in its `properties`");
   command.plugin_names();
   target.excludes(
-      command.text("--methods", options->methods, "Methods to ask, separated by commas"));
-  command.parsed("--seconds", options->seconds, "What is not done by then is left undone",
+      command.text("--methods LIST", options->methods, "Methods to run, separated by commas")
+          .in("Methods"));
+  command.group("Results");
+  command.text("-o,--output FOLDER", options->output, "Where to store counterexamples");
+  command.text(
+      "--known FOLDER", options->known,
+      "A corpus, whose failures are not stored again; with --target, those in its `properties`");
+  command.flag("--remove", options->remove, "Remove each input file that is done");
+  command.json("One JSON object per find, and a summary");
+  command.group("Limits");
+  command.parsed("--seconds SECONDS", options->seconds, "What is not done by then is left undone",
                  &parse_seconds, "60");
   options->search.max_pops = 10'000;
   for (const Option& budget : options->search.add_budget_to(command)) target.excludes(budget);
-  command.flag("--remove", options->remove, "Removes each input file that is done");
-  command.json("One JSON object a find, and a summary");
   command.max_work();
 }
 

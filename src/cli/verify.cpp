@@ -119,15 +119,17 @@ int run_verify(const VerifyOptions& options, Session& session) {
 }  // namespace
 
 void add_verify(CommandLine& line) {
-  auto [command, options] =
-      line.add<VerifyOptions>("verify",
-                              "Check the certificates of cases in exact arithmetic; what they say "
-                              "of absence without one is told apart, as \"by method\"",
-                              run_verify);
-  command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
-  command.threads();
+  auto [command, options] = line.add<VerifyOptions>(
+      "verify", "Check the certificates of cases in exact arithmetic", run_verify);
+  command.example("a data set", "verify vv.jsonl.zst");
+  command
+      .texts("case", options->files,
+             "Case files: .json, .jsonl, .jsonl.zst or .csv. Absence without a certificate is "
+             "counted apart, as \"by method\"")
+      .required();
   command.json("One JSON object per case");
   command.max_work();
+  command.threads();
 }
 
 }  // namespace ccdfuzz

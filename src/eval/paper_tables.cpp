@@ -130,8 +130,7 @@ Table methods_table(const std::vector<Row>& rows) {
   columns.insert(
       columns.end(),
       {time_column("mean", &LogHistogram::mean), time_column("median", &LogHistogram::median),
-       time_column("p99", &LogHistogram::p99), memory_column("memory", &LogHistogram::mean),
-       memory_column("p99 mem", &LogHistogram::p99)});
+       time_column("p99", &LogHistogram::p99), memory_column("memory", &LogHistogram::mean)});
   return table_of(rows, columns, &are_beside);
 }
 

@@ -48,7 +48,7 @@ struct Done {
   bool bred = true;           ///< false: there was nothing to make mutants of
   BreedTally population;      ///< for a breeding turn
   std::vector<std::pair<Failure, Case>> failures;
-  std::vector<Failure> met;  ///< of those, the new ones
+  std::vector<Failure> met;  ///< the new ones among them
 };
 
 /// The contacts of one cell that are bred, and how many of its draws have joined them.

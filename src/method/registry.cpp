@@ -198,6 +198,12 @@ std::string known_specs() {
   return specs + ", plugin:PATH, plugin-exec:PATH";
 }
 
+std::string nearest_spec(const std::string& text) {
+  std::vector<std::string> specs;
+  for (const Family& f : families()) specs.push_back(f.info.spec);
+  return did_you_mean(text, specs);
+}
+
 struct Found {
   const Family* family;
   SwitchedSpec spec;
@@ -217,8 +223,8 @@ Result<Found> find_family(const std::string& text) {
     if (f.info.spec == found.spec.spec || f.info.spec == name + ":F") found.family = &f;
   }
   if (found.family == nullptr) {
-    return input_error("--methods",
-                       fmt::format("unknown method \"{}\"; known are {}", text, known_specs()));
+    return input_error("--methods", fmt::format("unknown method \"{}\"{}; known are {}", text,
+                                                nearest_spec(text), known_specs()));
   }
   const std::vector<std::string>& known = found.family->info.switches;
   std::vector<std::string> left = known;

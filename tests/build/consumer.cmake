@@ -10,6 +10,12 @@ function(run what)
 endfunction()
 
 run("install" ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${WORK}/prefix)
+foreach(written share/man/man1/ccdfuzz.1 share/bash-completion/completions/ccdfuzz)
+  file(SIZE ${WORK}/prefix/${written} size)
+  if(size LESS 1000)
+    message(FATAL_ERROR "${written} was not written")
+  endif()
+endforeach()
 run("configure" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK}/build
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=${CONFIG}
     -DCMAKE_CXX_FLAGS=${FLAGS})

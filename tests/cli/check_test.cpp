@@ -53,9 +53,10 @@ TEST(Check, EffortMultipliesTheInputs) {
   for (const char* bad : {"none", "0", "1000001"}) {
     const Finished refused = shell(fmt::format("CCDFUZZ_EFFORT={} {}", bad, command));
     EXPECT_EQ(refused.code, 2) << bad;
-    EXPECT_EQ(refused.err, fmt::format("ccdfuzz: CCDFUZZ_EFFORT: \"{}\" is not a whole number "
-                                       "from 1 to 1000000\n",
-                                       bad));
+    EXPECT_EQ(refused.err,
+              fmt::format("ccdfuzz: check: CCDFUZZ_EFFORT: \"{}\" is not a whole number "
+                          "from 1 to 1000000\n",
+                          bad));
   }
 }
 
@@ -158,11 +159,12 @@ TEST(Check, AClaimKnownToBeFalseThatDoesNotFailIsTold) {
 
 TEST(Check, OfAnUnknownNameItSaysTheFewThatAreLikeItOrWhereTheListIs) {
   const auto said = [](const char* name) { return ccdfuzz({"check", name}).err; };
-  EXPECT_EQ(said("swap"),
-            "ccdfuzz: no property \"swap\"; there are: tdibm.swap, tdibm-c.contact_swapped\n");
+  EXPECT_EQ(
+      said("swap"),
+      "ccdfuzz: check: no property \"swap\"; there are: tdibm.swap, tdibm-c.contact_swapped\n");
   for (const std::string name : {".", "e", "nosuch", "paper"}) {
     EXPECT_EQ(said(name.c_str()),
-              "ccdfuzz: no property \"" + name + "\"; the list is: ccdfuzz properties\n");
+              "ccdfuzz: check: no property \"" + name + "\"; the list is: ccdfuzz properties\n");
   }
 }
 

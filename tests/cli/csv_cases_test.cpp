@@ -49,7 +49,7 @@ TEST(CsvCases, AFolderIsEvaluatedByTheTruthOfItsQueries) {
   const ScratchFolder folder;
   write_scene(folder);
   const std::vector<std::string> command = {"evaluate", folder / "scene", "--methods",
-                                            "tdibm-c,tdibm-e"};
+                                            "tdibm-c,tdibm-e", "--by-class"};
   const Finished done = ccdfuzz(command);
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr("Table 3, beside the paper's"));

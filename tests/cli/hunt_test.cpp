@@ -259,7 +259,7 @@ TEST(Hunt, RefusesMoreCasesThanItCanCount) {
     const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", cases}));
     EXPECT_EQ(finished.code, 2) << cases;
     EXPECT_TRUE(finished.err.starts_with(
-        fmt::format("--cases: {} is not in [1, 1000000000000000000]\n", cases)))
+        fmt::format("ccdfuzz: hunt: --cases: {} is not in [1, 1000000000000000000]\n", cases)))
         << finished.err;
   }
   EXPECT_EQ(folder.entry_count(), 0);

@@ -69,34 +69,30 @@ def run(arguments):
 
 
 class Option:
-    """An option or a positional of a command, as its help shows it."""
+    """An option or an argument of a command, as its help shows it."""
 
-    def __init__(self, line, is_positional):
-        head = re.split(r" {2,}", line.strip())[0]
+    def __init__(self, head, text, is_positional):
         words = head.split()
-        self.names = [words[0]] if is_positional else words[0].split(",")
+        self.names = [words[0].removesuffix("...")] if is_positional else [w.strip(",") for w in words if w[0] == "-"]
         self.is_positional = is_positional
-        self.takes_value = len(words) > 1 and re.match(r"(TEXT|N)([:= ]|$)", words[1]) is not None
-        self.excludes = self.listed(words, "Excludes:")
-        self.needs = self.listed(words, "Needs:")
+        self.takes_value = is_positional or len(words) > len(self.names)
+        self.excludes = self.listed(text, "Not with ")
+        self.needs = self.listed(text, "Needs ")
 
     @staticmethod
-    def listed(words, title):
-        if title not in words:
-            return []
-        rest = words[words.index(title) + 1:]
-        ends = [i for i, word in enumerate(rest) if word.endswith(":")]
-        return rest[:ends[0]] if ends else rest
+    def listed(text, title):
+        found = re.search(title + r"(--[\w-]+(?:, --[\w-]+)*)", text)
+        return found[1].split(", ") if found else []
 
 
 def options_of(command):
+    """Those that take a value."""
     text = run([command, "--help"]).stdout.decode()
-    section = None
-    for line in text.splitlines():
-        if line and not line.startswith(" "):
-            section = line
-        elif re.match(r"  [^ ]", line) and section in ("Options:", "Positionals:"):
-            option = Option(line, section == "Positionals:")
+    for group, body in re.findall(r"^(\S[^\n]*):\n((?:  .*\n)+)", text, re.M):
+        if group.startswith("Example"):
+            continue
+        for head, more in re.findall(r"^  (\S.*?)(?:  +|\n)((?:.*\n)(?:    .*\n)*)", body, re.M):
+            option = Option(head, " ".join(more.split()), group == "Arguments")
             if option.takes_value:
                 yield option
 
@@ -152,8 +148,8 @@ def complaint(option, value, result):
 def main():
     global PROGRAM
     PROGRAM = os.path.abspath(sys.argv[1])
-    commands = re.findall(r"^  (\w+) {2,}\w", run(["--help"]).stdout.decode().split("Subcommands:")[1],
-                          re.M)
+    listed = run(["--help"]).stdout.decode().split("Commands:")[1].split("Options:")[0]
+    commands = re.findall(r"^  (\w+) {2,}\w", listed, re.M)
     assert set(commands) == set(ARGUMENTS), set(commands) ^ set(ARGUMENTS)
     failures, runs = 0, 0
     case = os.path.abspath(sys.argv[2])

@@ -239,7 +239,7 @@ def missing_commands(sandbox):
     """The commands that have no row, and those with --json that have none with it."""
     helped = '\n'.join(sandbox.run('ccdfuzz --help'))
     missing = []
-    for name in re.findall(r'^  ([a-z]+) ', helped.split('Subcommands:')[1], re.M):
+    for name in re.findall(r'^  ([a-z]+) ', helped.split('Commands:')[1].split('Options:')[0], re.M):
         if name not in UNPINNED_COMMANDS:
             json_there = any(line.startswith('  --json') for line in sandbox.run(f'ccdfuzz {name} --help'))
             rows = [command for command, _ in read_rows(name) if f'ccdfuzz {name} ' in command]

@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// In a folder with the corpus and two small data sets, where the program is called "ccdfuzz".
+std::string in_a_folder(const ScratchFolder& folder, const std::string& line) {
+  const Finished finished = shell(fmt::format(
+      "cd '{}' && ln -s \"$ccdfuzz\" ccdfuzz && ln -s {}/corpus corpus && PATH=$PWD:$PATH && "
+      "ccdfuzz generate --contact VV --kind RP --count 20 -o vv.jsonl 2> made && "
+      "ccdfuzz generate --contact EE --kind RN --count 3 -o ee.jsonl 2> made && {}",
+      folder.path(), CCDFUZZ_SOURCE_DIR, line));
+  EXPECT_LE(finished.code, 1) << line << finished.err;
+  return finished.out;
+}
+
+std::ptrdiff_t columns_of(const std::string& line) {
+  return std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; });
+}
+
+/// Paths and commands to paste are as long as they are.
+void expect_narrow(const std::string& text, const std::string& of) {
+  static const std::regex kToPaste("ccdfuzz (query|check|replay) ");
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_search(line, kToPaste)) continue;
+    EXPECT_LE(columns_of(line), 80) << of << "\n" << line;
+  }
+}
+
+class Output : public testing::TestWithParam<const char*> {};
+
+TEST_P(Output, FitsATerminalAndEndsWithItsSummary) {
+  const ScratchFolder folder;
+  const std::string out = in_a_folder(folder, GetParam());
+  expect_narrow(out, GetParam());
+  EXPECT_LE(std::ranges::count(out, '\n'), 40) << out;
+  const size_t last = out.rfind('\n', out.size() - 2);
+  ASSERT_NE(last, std::string::npos) << out;
+  EXPECT_TRUE(std::regex_search(out.substr(last), std::regex("[0-9]"))) << out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfCommands, Output,
+    testing::Values("ccdfuzz hunt --cases 1 --max-pops 50",
+                    "ccdfuzz hunt --linear --cases 1 --max-pops 50",
+                    "ccdfuzz query corpus/cases/tdibm-late-past-the-contact.json",
+                    "ccdfuzz replay corpus",
+                    "ccdfuzz replay vv.jsonl --expect correct --methods tdibm",
+                    "ccdfuzz evaluate vv.jsonl ee.jsonl", "ccdfuzz check --count 3",
+                    "ccdfuzz check tdibm.separation tdibm.trace --count 50",
+                    "ccdfuzz trace corpus/cases/tdibm-late-past-the-contact.json",
+                    "ccdfuzz bench --count 1 --max-pops 50"),
+    [](const auto& command) { return fmt::format("{}", command.index); });
+
+TEST(OutputByClass, FitsATerminalToo) {
+  const ScratchFolder folder;
+  expect_narrow(in_a_folder(folder,
+                            "ccdfuzz hunt --cases 1 --max-pops 50 --by-class && ccdfuzz evaluate "
+                            "vv.jsonl ee.jsonl --by-class && ccdfuzz bench --count 1 --max-pops 50 "
+                            "--by-class"),
+                "--by-class");
+}
+
+/// The names behind "Commands:".
+std::vector<std::string> commands() {
+  const std::string help = ccdfuzz({"--help"}).out;
+  const size_t begin = help.find("Commands:\n"), end = help.find("Options:\n");
+  const std::string listed = help.substr(begin, end - begin);
+  static const std::regex kName("\n  ([a-z]+) ");
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(listed.begin(), listed.end(), kName), none; at != none; ++at) {
+    names.push_back((*at)[1]);
+  }
+  return names;
+}
+
+TEST(Help, FitsATerminalAndHasAnExample) {
+  EXPECT_GE(commands().size(), 18U);
+  expect_narrow(ccdfuzz({"--help"}).out, "--help");
+  for (const std::string& command : commands()) {
+    const std::string help = ccdfuzz({command, "--help"}).out;
+    expect_narrow(help, command);
+    EXPECT_NE(help.find("\nExample, "), std::string::npos) << help;
+    EXPECT_NE(help.find("\n  ccdfuzz " + command), std::string::npos) << help;
+    EXPECT_EQ(help.find("TEXT"), std::string::npos) << "says what a value is: " << help;
+    EXPECT_EQ(ccdfuzz({"help", command}).out, help);
+  }
+  EXPECT_EQ(ccdfuzz({"help"}).out, ccdfuzz({"--help"}).out);
+  EXPECT_EQ(ccdfuzz({"-V"}).out, ccdfuzz({"--version"}).out);
+}
+
+TEST(Help, OfAMisspeltNameSaysTheOneThatIsMeant) {
+  EXPECT_EQ(ccdfuzz({"hnt"}).err, "ccdfuzz: hnt: no such command; did you mean hunt?\n");
+  EXPECT_EQ(ccdfuzz({"help", "qeury"}).err,
+            "ccdfuzz: help: qeury: no such command; did you mean query?\n");
+  EXPECT_EQ(ccdfuzz({"hunt", "--secnods", "1"}).err,
+            "ccdfuzz: hunt: --secnods: no such option; did you mean --seconds?\n");
+  const std::string method = ccdfuzz({"query", "x.json", "--methods", "tdbim"}).err;
+  EXPECT_TRUE(method.starts_with(
+      "ccdfuzz: query: --methods: unknown method \"tdbim\"; did you mean tdibm?"))
+      << method;
+  EXPECT_EQ(ccdfuzz({"nonsense"}).err, "ccdfuzz: nonsense: no such command\n");
+}
+
+TEST(Help, TheManualPageHasEveryCommandAndOption) {
+  const std::string page = ccdfuzz({"help", "--man"}).out;
+  EXPECT_TRUE(page.starts_with(".TH CCDFUZZ 1 ")) << page;
+  for (const std::string& command : commands()) {
+    EXPECT_NE(page.find("\n.SH " + command + "\n"), std::string::npos) << command;
+  }
+  EXPECT_NE(page.find("\n.B \\-\\-seconds SECONDS\n"), std::string::npos);
+  std::istringstream lines(page);
+  for (std::string line; std::getline(lines, line);) {
+    static const std::regex kRequest(R"(\.(TH|SH|PP|TP|B|nf|fi)\b.*)");
+    EXPECT_TRUE(!line.starts_with('.') || std::regex_match(line, kRequest)) << line;
+  }
+}
+
+TEST(Help, BashCompletesCommandsAndOptions) {
+  const auto completed = [](const std::string& words, int at) {
+    const ScratchFolder folder;
+    write_text(folder / "ask.sh",
+               fmt::format("eval \"$('{}' help --bash)\"\nCOMP_WORDS=({})\n"
+                           "COMP_CWORD={}\n_ccdfuzz\necho \"${{COMPREPLY[@]}}\"\n",
+                           CCDFUZZ_EXECUTABLE, words, at));
+    return shell("bash " + (folder / "ask.sh")).out;
+  };
+  EXPECT_EQ(completed("ccdfuzz hu", 1), "hunt\n");
+  EXPECT_EQ(completed("ccdfuzz hunt --sec", 2), "--seconds\n");
+  EXPECT_EQ(completed("ccdfuzz help min", 2), "minimize\n");
+  EXPECT_EQ(completed("ccdfuzz --vers", 1), "--version\n");
+  EXPECT_EQ(completed("ccdfuzz query som", 2), "\n") << "files are bash's own";
+}
+
+}  // namespace
+}  // namespace ccdfuzz
