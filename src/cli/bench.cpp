@@ -25,7 +25,6 @@ struct BenchOptions {
   Construction construction = Construction::kPaper;
   std::uint64_t count = 10;
   std::uint64_t seed = 1;
-  bool by_class = false;
   SearchFlags search;
 };
 
@@ -106,42 +105,6 @@ struct BenchRow {
 
 using ClassRaces = std::vector<std::pair<ContactClass, Race>>;
 
-/// A row for each class and method.
-Table class_table(const ClassRaces& races) {
-  Table table({{"class", Align::kLeft},
-               method_column(),
-               {"n"},
-               {"mean"},
-               {"median"},
-               {"pops"},
-               {"undecided"},
-               {"not asked"},
-               {"× total"},
-               {"× median"},
-               {"overrun"}});
-  for (const auto& [contact, race] : races) {
-    const Race::Runner& base = race.runners().front();
-    for (const Race::Runner& runner : race.runners()) {
-      const Tally& tally = runner.tally;
-      const auto n = static_cast<double>(tally.n);
-      const bool any = tally.n > 0;
-      if (&runner == &base) table.start_group();
-      table.add_row({{std::string(name_of(contact))},
-                     {runner.spec},
-                     {fmt::format("{}", tally.n)},
-                     {any ? duration_text(tally.seconds.mean()) : "-"},
-                     {any ? duration_text(tally.seconds.median()) : "-"},
-                     {any ? fmt::format("{:.1f}", static_cast<double>(tally.pops) / n) : "-"},
-                     {fmt::format("{}", tally.count(Outcome::kUndecided))},
-                     {fmt::format("{}", tally.not_asked())},
-                     {ratio_text(runner, ratio(runner, base, kTotal))},
-                     {ratio_text(runner, ratio(runner, base, kMedian))},
-                     {runner.overrun ? duration_text(*runner.overrun) : ""}});
-    }
-  }
-  return table;
-}
-
 /// A row for each method: of the first its mean times, of the others how many times as long all
 /// took.
 Table ratio_table(const ClassRaces& races) {
@@ -163,22 +126,15 @@ Table ratio_table(const ClassRaces& races) {
 }
 
 void print_races(const ClassRaces& races, const BenchOptions& options) {
-  const std::string& base = options.methods.front();
-  const std::uint64_t queries = 2 * options.count, pops = options.search.max_pops;
-  if (options.by_class) {
-    print_table(class_table(races));
-    print_out(fmt::format("\ntotal, median: how many times that of {}\n", base));
-  } else {
-    print_table(ratio_table(races));
-    print_out(fmt::format("\n{}: mean time of a query. Others: how many times as long.\n", base));
-  }
+  print_table(ratio_table(races));
   print_out(
-      fmt::format("{}≥: some queries ended undecided, after {} pops, and would take longer.\n"
-                  "Queries are up to the contact and, half of them, up to 2^-20 before.\n{}"
+      fmt::format("\n{}: mean time of a query. Others: how many times as long all take.\n"
+                  "{}≥: some queries ended undecided, after {} pops, and would take longer.\n"
+                  "Queries are up to the contact and, half of them, up to 2^-20 before.\n"
+                  "Medians, pops and undecided queries: --json\n"
                   "{} a class and method; CPU time of one thread, the methods by turns\n",
-                  options.by_class ? "" : mark_note(options.methods), pops,
-                  options.by_class ? "" : "Medians, pops and undecided queries: --by-class\n",
-                  counted(queries, "query", "queries")));
+                  options.methods.front(), mark_note(options.methods), options.search.max_pops,
+                  counted(2 * options.count, "query", "queries")));
 }
 
 int run_bench(const BenchOptions& options, Session& session) {
@@ -228,9 +184,6 @@ void add_bench(CommandLine& line) {
               "Methods, separated by commas; the first is what the others are compared with");
   options->search.max_pops = kBenchPops;
   options->search.add_to(command);
-  command.group("Results");
-  command.flag("--by-class", options->by_class,
-               "A row for each class and method, with all numbers");
   command.json("One JSON object per class and method");
 }
 

@@ -62,8 +62,7 @@ TEST(OutputByClass, FitsATerminalToo) {
   const ScratchFolder folder;
   expect_narrow(in_a_folder(folder,
                             "ccdfuzz hunt --cases 1 --max-pops 50 --by-class && ccdfuzz evaluate "
-                            "vv.jsonl ee.jsonl --by-class && ccdfuzz bench --count 1 --max-pops 50 "
-                            "--by-class"),
+                            "vv.jsonl ee.jsonl --by-class"),
                 "--by-class");
 }
 
