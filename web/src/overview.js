@@ -28,7 +28,7 @@ function matrix(onPick) {
     const info = report.methods.find((m) => m.spec === method);
     return h('tr',
       h('th', { scope: 'row', title: info?.description }, h('i.dot', { style: `background:${colourOf(method)}` }), method,
-        info?.claims ? h('span.claim', { title: 'claims to have no false negative' }, ' claims none') : null),
+        info?.claims ? h('span.claim', { title: 'guarantees no false negative' }, ' guaranteed') : null),
       kClasses.map((contact) => {
         const found = cell(method, contact, all);
         if (!found) return h('td.empty', '–');
