@@ -12,7 +12,6 @@
 #include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/refusals.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "eval/paper_tables.hpp"
@@ -110,6 +109,7 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
     std::vector<Row> shown = methods;
     for (Row& row : shown) row.key.method = marked(row.key.method);
     print_table(methods_table(shown));
+    print_out("\n");
   } else {
     for (const auto& [title, table] : evaluation_tables(rows, costs)) {
       print_out(fmt::format("{}:\n", title));
@@ -117,8 +117,7 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
       print_out("\n");
     }
   }
-  print_refusals(methods);
-  print_out("\n");
+  print_out(refused_note(methods));
   if (!arguments.by_class) {
     print_out(mark_note(arguments.methods) +
               "By class, and beside the paper's tables: --by-class\n");

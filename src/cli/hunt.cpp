@@ -17,7 +17,6 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
-#include "cli/refusals.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
 #include "eval/row_columns.hpp"
@@ -151,33 +150,32 @@ std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
 }
 
 Table method_table(const std::vector<HuntCell>& cells) {
-  const auto met = [&](Outcome outcome) {
-    return std::ranges::any_of(
-        cells, [outcome](const HuntCell& cell) { return cell.tally.count(outcome) > 0; });
+  std::vector<Column<HuntCell>> columns = {
+      text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
+      {"queries", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
+  columns.front().most_width = method_column().most_width;
+  const auto add = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
+    columns.push_back({title, [=](const HuntCell& cell) {
+                         return outcome_cell(cell.tally, outcome, cell.tally.*of);
+                       }});
   };
-  std::vector<Table::Column> columns = {
-      method_column(), {"queries"}, {"missed"}, {"late"}, {"undecided"}};
-  const bool errors = met(Outcome::kError), early = met(Outcome::kFalsePositive);
-  if (errors) columns.push_back({"error"});
-  if (early) columns.push_back({"FP"});
-  columns.insert(columns.end(), {{"mean", Align::kRight, 7}, {"mutants"}, {"lost"}});
-  Table table(std::move(columns));
-  for (const HuntCell& cell : cells) {
-    const Tally& tally = cell.tally;
-    std::vector<TableCell> row = {{marked(cell.method)},
-                                  {tally.n == 0 ? "not asked" : fmt::format("{}", tally.n)},
-                                  outcome_cell(tally, Outcome::kMissed, tally.positives),
-                                  outcome_cell(tally, Outcome::kLate, tally.positives),
-                                  outcome_cell(tally, Outcome::kUndecided, tally.n)};
-    if (errors) row.push_back(outcome_cell(tally, Outcome::kError, tally.n));
-    if (early) row.push_back(outcome_cell(tally, Outcome::kFalsePositive, tally.negatives));
-    const double mean = cell.cpu_seconds / static_cast<double>(tally.n);
-    row.push_back(tally.n == 0 ? TableCell{"-", Emphasis::kFaint} : TableCell{duration_text(mean)});
-    row.push_back({fmt::format("{}", cell.bred.mutants)});
-    row.push_back({fmt::format("{}", cell.bred.lost)});
-    table.add_row(std::move(row));
-  }
-  return table;
+  const auto add_if_met = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
+    const auto meets = [&](const HuntCell& cell) { return cell.tally.count(outcome) > 0; };
+    if (std::ranges::any_of(cells, meets)) add(title, outcome, of);
+  };
+  add("missed", Outcome::kMissed, &Tally::positives);
+  add("late", Outcome::kLate, &Tally::positives);
+  add("undecided", Outcome::kUndecided, &Tally::n);
+  add_if_met("error", Outcome::kError, &Tally::n);
+  add_if_met("FP", Outcome::kFalsePositive, &Tally::negatives);
+  add_refused_column(columns, cells);
+  columns.push_back(mean_column());
+  columns.push_back({"mutants", [](const HuntCell& cell) {
+                       return TableCell{fmt::format("{}", cell.bred.mutants)};
+                     }});
+  columns.push_back(
+      {"lost", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.bred.lost)}; }});
+  return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
 }
 
 void print_report(const HuntReport& report, const HuntArguments& options) {
@@ -188,8 +186,8 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
   }
   print_finds(stored, options.corpus);
   print_table(options.by_class ? hunt_table(report.cells) : method_table(by_method(report.cells)));
-  print_refusals(report.cells);
   print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
+            refused_note(report.cells) +
             "lost: mutants whose known contact the method's tests discard\n");
   if (stored.empty()) return;
   print_out(fmt::format("Show one:     {}\nRun them all: {} replay {}\n",

@@ -79,16 +79,20 @@ Result<HuntRecord> read_hunt_record(const std::string& folder) {
       });
 }
 
+Column<HuntCell> mean_column() {
+  Column<HuntCell> column = measured_column<HuntCell>("mean", [](const HuntCell& cell) {
+    return duration_text(cell.cpu_seconds / static_cast<double>(cell.tally.n));
+  });
+  column.least_width = 7;  // of any time
+  return column;
+}
+
 Table hunt_table(const std::vector<HuntCell>& cells) {
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }),
       text_column<HuntCell>("method", [](const HuntCell& cell) { return cell.method; }),
       asked_column<HuntCell>(),
-      measured_column<HuntCell>("mean",
-                                [](const HuntCell& cell) {
-                                  return duration_text(cell.cpu_seconds /
-                                                       static_cast<double>(cell.tally.n));
-                                }),
+      mean_column(),
       outcome_column<HuntCell>("FN missed", Outcome::kMissed, &Tally::positives),
       outcome_column<HuntCell>("FN late", Outcome::kLate, &Tally::positives),
       outcome_column<HuntCell>("FP", Outcome::kFalsePositive, &Tally::negatives),

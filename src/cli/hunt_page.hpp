@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "eval/columns.hpp"
 #include "hunt/hunt.hpp"
 #include "report/report.hpp"
 
@@ -62,6 +63,9 @@ Result<void> write_hunt_record(const std::string& folder, HuntRecord record);
 /// Runs no method, and needs none that it names. A store that has been moved along with the record
 /// is found beside it. Errors: naming file, field and value.
 Result<HuntRecord> read_hunt_record(const std::string& folder);
+
+/// The mean time of an answer.
+Column<HuntCell> mean_column();
 
 /// What each method did in each class.
 Table hunt_table(const std::vector<HuntCell>& cells);

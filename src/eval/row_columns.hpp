@@ -60,6 +60,15 @@ Column<Row> asked_column() {
   return {"n", [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
 }
 
+/// Below a table with such a column: what it counts. Empty if there is none.
+template <class Row>
+std::string refused_note(const std::vector<Row>& rows) {
+  const auto refused = [](const Row& row) { return row.tally.not_asked() > 0; };
+  return std::ranges::any_of(rows, refused)
+             ? "not asked: queries that a method refused; `ccdfuzz query` says why\n"
+             : "";
+}
+
 /// Appends a column of what was refused, if anything was.
 template <class Row>
 void add_refused_column(std::vector<Column<Row>>& columns, const std::vector<Row>& rows) {
