@@ -15,6 +15,7 @@
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "eval/paper_tables.hpp"
+#include "eval/row_columns.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {

@@ -46,6 +46,7 @@ UNPINNED_NAMES = '|'.join([
 UNPINNED_FIELD = rf'"(?:{UNPINNED_NAMES})": ?(?:"[^"]*"|[-+.\w]+)'
 HISTOGRAM = r',"(?:log|linear)":\{[^}]*\}'  # of times, in a report's page
 UNPINNED_TEXT = re.compile(rf',{UNPINNED_FIELD}|{UNPINNED_FIELD},?|{HISTOGRAM}|(?<=ccdfuzz) \d+\.\d+\.\d+')
+PROGRESS = re.compile(r'ccdfuzz: +\d+ %  ')  # of a run that takes long
 UNPINNED_FILES = {'tables.md'}  # times in every line
 UNPINNED_COMMANDS = {'bench'}                   # ratios of times
 
@@ -197,7 +198,8 @@ class Sandbox:
         """What a row prints, as it is stored."""
         run = subprocess.run(['bash', '-o', 'pipefail', '-c', command], cwd=self.folder, env=self.environment,
                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
-        lines = pinned(run.stdout).splitlines() + ['! ' + line for line in run.stderr.splitlines()]
+        told = [line for line in run.stderr.splitlines() if not PROGRESS.match(line)]
+        lines = pinned(run.stdout).splitlines() + ['! ' + line for line in told]
         return without_empty_end(lines) + ([f'[{run.returncode}]'] if run.returncode else [])
 
     def reproduction(self, command):
