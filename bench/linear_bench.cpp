@@ -38,7 +38,7 @@ std::vector<Query> random_queries(const Shape& a, const Shape& b) {
   return queries;
 }
 
-/// Of each query the least time of kRepeats.
+/// The least time of each query, of kRepeats.
 void linear(benchmark::State& state, const Shape& a, const Shape& b) {
   const std::vector<Query> queries = random_queries(a, b);
   TdibmC method;
@@ -55,8 +55,7 @@ void linear(benchmark::State& state, const Shape& a, const Shape& b) {
     }
   }
   const auto asked = static_cast<double>(micros.count()) * kRepeats;
-  state.counters["integers_percent"] =
-      100 * static_cast<double>(method.decided_in_integers()) / asked;
+  state.counters["integers_percent"] = 100 * static_cast<double>(method.tiers().integers) / asked;
   state.counters["mean_us"] = micros.mean();
   state.counters["p99_us"] = micros.p99();
   state.counters["p99.9_us"] = micros.quantile(0.999);

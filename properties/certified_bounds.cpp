@@ -142,7 +142,7 @@ void check_sub_patches(Draw& d) {
   show(d, "cell", cell);
   show(d, "roundings", roundings);
   show(d, "controls", controls);
-  // An average for each argument of each blossom (DERIVATION.md, 2).
+  // An average for each argument of each blossom (src/ccd/certified/DERIVATION.md, 2).
   CLAIM(roundings >= (shape.n + shape.m) * depth);
   const auto corners = exact_corners<Dyadic>(cell.corners(shape));
   const Dyadic underflow = Dyadic(roundings) * least_double().scaled(-1);
@@ -187,8 +187,8 @@ void check_derived_bound(Draw& d) {
   show(d, "absolute", absolute);
   show(d, "roundings", count);
   show(d, "axis", axis);
-  CLAIM(derived <= Dyadic::exact(bound.for_axis(certified::norm1(axis))));
-  CLAIM(derived <= Dyadic::exact(bound.for_axes(batch)[0]));
+  CLAIM(derived <= Dyadic::exact(bound.for_axis(axis)));
+  CLAIM(derived <= Dyadic::exact(bound.for_axes(batch).on[0]));
 }
 
 }  // namespace

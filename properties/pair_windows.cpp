@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "case/case_json.hpp"
 #include "ccd/certified/pair_split.hpp"
@@ -89,35 +88,25 @@ void check_pair_windows(Draw& d) {
   show(d, "contact", drawn);
   PairSplit split;
   split.begin(drawn.query, kLevels);
-  struct {
-    Window window;
-    certified::Axis hint{1, 0, 0};
-    std::array<PairSplit::Node, 2> cells{};
-    int depth = 0;
-  } pair;
-  pair.window = {0, split.query().t_max};
-  for (; pair.depth < kLevels; ++pair.depth) {
+  certified::CellPair pair{{0, split.query().t_max}, {1, 0, 0}, {}, {}};
+  std::array<certified::CellPair, PairSplit::kMostPairs> kept;
+  for (int depth = 0; depth < kLevels; ++depth) {
     std::array<int, 2> wanted{};
     for (std::size_t s = 0; s < 2; ++s) {
       const int children = drawn.query.patches[s].shape.child_count();
       wanted[s] = static_cast<int>(d.choose(static_cast<std::uint64_t>(children - 1)));
     }
     show(d, "children", wanted);
-    Follower follower(d, split.query(), pair.depth + 1, pair.window);
-    std::optional<PairSplit::Kept> kept;
-    split.expand(
-        pair, [&](int side, int child) { return child == wanted[static_cast<std::size_t>(side)]; },
-        follower, [&](const PairSplit::Kept& one) { kept = one; });
+    Follower follower(d, split.query(), depth + 1, pair.window);
+    const bool is_kept = split.split(pair, {1U << wanted[0], 1U << wanted[1]}, kept, &follower) > 0;
     const Window& left = follower.left();
     show(d, "left", left);
-    CLAIM(kept || follower.is_gone());
-    if (!kept) return;
-    show(d, "kept", kept->window);
-    CLAIM(kept->window.lo == left.lo);
-    CLAIM(kept->window.hi == left.hi);
-    pair.window = kept->window;
-    pair.hint = kept->hint;
-    pair.cells = kept->cells;
+    CLAIM(is_kept || follower.is_gone());
+    if (!is_kept) return;
+    pair = kept[0];
+    show(d, "kept", pair.window);
+    CLAIM(pair.window.lo == left.lo);
+    CLAIM(pair.window.hi == left.hi);
   }
 }
 

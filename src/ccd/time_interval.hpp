@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace ccdfuzz {
 
 /// A part [lo, hi] of the time step, closed.
@@ -11,6 +13,11 @@ struct TimeWindow {
 
 /// A closed time interval in which a pair of cells may touch; lo ≤ hi.
 using Window = TimeWindow<double>;
+
+/// What two windows share; none where lo > hi.
+inline Window intersection(const Window& v, const Window& w) {
+  return {std::max(v.lo, w.lo), std::min(v.hi, w.hi)};
+}
 
 /// An interval of time in which an axis separates two patches. It holds an end only if it was cut
 /// off there by the window: elsewhere the end is a root, at which the boxes touch.

@@ -12,7 +12,7 @@ double any_fraction() {
 }
 
 /// The claim of DERIVATION.md, 4: what is dropped lies where the chord is below zero.
-RC_GTEST_PROP(ChordRoot, IsNeverPastTheExactRoot, ()) {
+RC_GTEST_PROP(LawB, TheChordsRootIsNeverPastTheExactOne, ()) {
   const double t0 = any_fraction(), t1 = any_fraction();
   RC_PRE(t0 != t1);
   const int e0 = *rc::gen::inRange(-1070, 1), e1 = *rc::gen::inRange(-1070, 1);

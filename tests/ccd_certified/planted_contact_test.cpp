@@ -1,3 +1,6 @@
+#include <cmath>
+#include <map>
+
 #include "bezier/blossom.hpp"
 #include "bezier/random_patch.hpp"
 #include "ccd/certified/tdibm_c.hpp"
@@ -54,6 +57,43 @@ RC_GTEST_PROP(TdibmC, NeverMissesNorIsLateOnAPlantedContact, ()) {
   RC_ASSERT(answer.verdict != Verdict::kMiss);
   RC_ASSERT(answer.toi.has_value());
   RC_ASSERT(*answer.toi <= planted.t);
+}
+
+/// Cells of any depths may meet: of pairs of a child and a whole patch, too, no contact is lost.
+RC_GTEST_PROP(PairSplit, KeepsAContactOfCellsOfUnequalDepth, ()) {
+  constexpr int kFinest = 5;
+  const Planted planted = any_planted();
+  certified::PairSplit split;
+  split.begin(planted.query, kFinest);
+  const double t = std::ldexp(planted.t, -split.query().time);
+  const certified::CellPair whole{{0, split.query().t_max}, {}, {}, {}};
+  std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;
+  int count = split.split(whole, certified::PairSplit::kAll, kept);
+  const size_t side = *rc::gen::inRange<size_t>(0, 2);
+  std::map<certified::CellTree::Node, certified::CellPair> seeds;
+  for (int i = 0; i < count; ++i) {
+    const certified::CellTree::Node cell = kept[static_cast<size_t>(i)].cells[side];
+    certified::CellPair& seed = seeds[cell] = whole;
+    seed.cells[side] = cell;
+    seed.depths[side] = 1;
+  }
+  std::vector<certified::CellPair> level;
+  for (const auto& [cell, seed] : seeds) level.push_back(seed);
+  constexpr size_t kMost = 2000;  // patches may coincide
+  for (int depth = 0; depth < kFinest && level.size() < kMost; ++depth) {
+    std::vector<certified::CellPair> next;
+    for (const certified::CellPair& pair : level) {
+      count = split.split(pair, certified::PairSplit::kAll, kept);
+      for (int i = 0; i < count; ++i) {
+        const certified::CellPair& child = kept[static_cast<size_t>(i)];
+        // The coarser cell alone was split.
+        RC_ASSERT(child.depths[0] == depth + 1 && child.depths[1] == depth + 1);
+        if (child.window.lo <= t && t <= child.window.hi) next.push_back(child);
+      }
+    }
+    level = std::move(next);
+    RC_ASSERT(!level.empty());
+  }
 }
 
 }  // namespace

@@ -103,22 +103,14 @@ TEST(FullSearch, TestsTheTracedPairsOfTheRationalMethod) {
   expect_the_trace_within_the_search<exact_ccd::PairTest>();
 }
 
-/// What expand() keeps of a pair's children, by their places.
-template <class Observer>
-std::map<std::array<int, 2>, certified::PairSplit::Kept> kept_of(
-    certified::PairSplit& split, const certified::PairSplit::Kept& parent, int parent_depth,
-    Observer& observer, const std::optional<std::array<int, 2>>& only) {
-  struct Pair {
-    Window window;
-    certified::Axis hint;
-    std::array<certified::PairSplit::Node, 2> cells;
-    int depth;
-  };
-  std::map<std::array<int, 2>, certified::PairSplit::Kept> out;
-  split.expand(
-      Pair{parent.window, parent.hint, parent.cells, parent_depth},
-      [&](int side, int child) { return !only || (*only)[static_cast<size_t>(side)] == child; },
-      observer, [&](const certified::PairSplit::Kept& kept) { out[kept.children] = kept; });
+/// What a split keeps of a pair's children, by their cells.
+std::map<std::array<certified::CellTree::Node, 2>, certified::CellPair> kept_of(
+    certified::PairSplit& split, const certified::CellPair& parent,
+    const std::array<unsigned, 2>& wanted, ExclusionObserver* observer) {
+  std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;
+  const int count = split.split(parent, wanted, kept, observer);
+  std::map<std::array<certified::CellTree::Node, 2>, certified::CellPair> out;
+  for (const auto& pair : std::span(kept).first(static_cast<size_t>(count))) out[pair.cells] = pair;
   return out;
 }
 
@@ -136,28 +128,29 @@ TEST(FullSearch, SplitsOfTheCertifiedMethodGiveEachPairTheSameWhoeverElseIsThere
     certified::PairSplit split;
     constexpr int kFinest = 9;
     split.begin(known.query, kFinest);
-    std::vector<certified::PairSplit::Kept> level = {{{0, split.query().t_max}, {}, {}, {}}};
+    std::vector<certified::CellPair> level = {{{0, split.query().t_max}, {}, {}, {}}};
     for (int depth = 0; depth < kFinest; ++depth) {
-      std::vector<certified::PairSplit::Kept> next;
+      std::vector<certified::CellPair> next;
       for (const auto& parent : level) {
-        Unobserved nobody;
         Deaf listener;
-        const auto together = kept_of(split, parent, depth, nobody, {});
-        for (int a = 0; a < 4; ++a) {
-          for (int b = 0; b < 4; ++b) {
-            const std::array<int, 2> children = {a, b};
-            const auto alone = kept_of(split, parent, depth, listener, children);
-            ASSERT_EQ(alone.contains(children), together.contains(children));
-            if (alone.empty()) continue;
-            const auto &x = alone.at(children), &y = together.at(children);
-            ASSERT_EQ(x.window.lo, y.window.lo);
-            ASSERT_EQ(x.window.hi, y.window.hi);
-            ASSERT_EQ(x.hint, y.hint);
-            ASSERT_EQ(x.cells, y.cells);
-            ++same;
+        const auto all = kept_of(split, parent, certified::PairSplit::kAll, nullptr);
+        size_t found = 0;
+        for (unsigned a = 0; a < 4; ++a) {
+          for (unsigned b = 0; b < 4; ++b) {
+            for (const auto& [cells, x] : kept_of(split, parent, {1U << a, 1U << b}, &listener)) {
+              ASSERT_TRUE(all.contains(cells));
+              const auto& y = all.at(cells);
+              ASSERT_EQ(x.window.lo, y.window.lo);
+              ASSERT_EQ(x.window.hi, y.window.hi);
+              ASSERT_EQ(x.hint, y.hint);
+              ASSERT_EQ(x.depths, y.depths);
+              ++found;
+            }
           }
         }
-        for (const auto& [children, kept] : together) next.push_back(kept);
+        ASSERT_EQ(found, all.size());
+        same += found;
+        for (const auto& [cells, kept] : all) next.push_back(kept);
       }
       level = std::move(next);
     }

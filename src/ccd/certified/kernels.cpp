@@ -1,9 +1,14 @@
 #include "ccd/certified/kernels.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
-// Sanitizers cannot stand the resolvers, which run before they are set up.
+#include "base/verify.hpp"
+#include "ccd/certified/projection.hpp"
+
+// ifunc resolvers run before the sanitizer runtime is initialised.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define CCDFUZZ_SANITIZED
@@ -45,8 +50,7 @@ struct GapVectors {
   }
 };
 
-/// By whole vectors, as it will be read: a processor waits where it reads what was just written in
-/// smaller parts.
+/// Stores whole vectors: a vector load from several narrower stores fails store forwarding.
 [[gnu::always_inline]] inline void copy_point(const double* from, double* to) {
   Vector p, v;
   std::memcpy(&p, from, sizeof p);
@@ -78,25 +82,55 @@ struct GapVectors {
   std::memcpy(out.max_lo.data(), &max_lo, sizeof max_lo);
   std::memcpy(out.min_hi.data(), &min_hi, sizeof min_hi);
   std::memcpy(out.max_hi.data(), &max_hi, sizeof max_hi);
+  out.of = snapshot.of;
+}
+
+/// Asserts what compare requires, and that its vectors say what single numbers do.
+[[gnu::always_inline]] inline void check([[maybe_unused]] const RangeBatch& a,
+                                         [[maybe_unused]] const RangeBatch& b,
+                                         [[maybe_unused]] const Bounds& bounds,
+                                         [[maybe_unused]] unsigned throughout) {
+#ifndef NDEBUG
+  const Basis& basis = bounds.made_from;
+  CCDFUZZ_ASSERT(a.of.is_of(b.of.window));
+  CCDFUZZ_ASSERT(a.of.window.lo <= a.of.window.hi);
+  CCDFUZZ_ASSERT(std::max(a.of.roundings, b.of.roundings) <= basis.roundings);
+  for (size_t i = 0; i < kLanes; ++i) {
+    const double most = basis.magnitude * basis.norms[i] * (1 + 0x1p-20);
+    for (const RangeBatch* r : {&a, &b}) {
+      for (const double x : {r->min_lo[i], r->max_lo[i], r->min_hi[i], r->max_hi[i]}) {
+        CCDFUZZ_ASSERT(std::abs(x) <= most);
+      }
+    }
+    const double e = bounds.on[i];
+    CCDFUZZ_ASSERT(e >= ErrorBound::kHalfUlp * (basis.roundings + ErrorBound::kFixedRoundings) *
+                            basis.magnitude * basis.norms[i]);
+    CCDFUZZ_ASSERT(e >= 4 * basis.absolute * basis.norms[i] || basis.norms[i] == 0);
+    const bool separated = (a.max_lo[i] - b.min_lo[i] < -e && a.max_hi[i] - b.min_hi[i] < -e) ||
+                           (b.max_lo[i] - a.min_lo[i] < -e && b.max_hi[i] - a.min_hi[i] < -e);
+    CCDFUZZ_ASSERT(separated == ((throughout >> i & 1) != 0));
+  }
+#endif
 }
 
 [[gnu::always_inline]] inline void compare_inline(const RangeBatch& a, const RangeBatch& b,
-                                                  const Lanes& bounds, Verdicts& out) {
+                                                  const Bounds& bounds, SeparatingAxes& out) {
   const GapVectors gap(a, b);
   Vector bound;
-  std::memcpy(&bound, bounds.data(), sizeof bound);
+  std::memcpy(&bound, bounds.on.data(), sizeof bound);
   const Vector below = gap.lo0 > gap.hi0 ? gap.lo0 : gap.hi0;
   const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
   const Vector throughout = below < above ? below : above;
   const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
   const Vector least1 = gap.lo1 < gap.hi1 ? gap.lo1 : gap.hi1;
   const Vector least = least0 < least1 ? least0 : least1;
-  const Mask apart = throughout < -bound, at_end = least < -bound;
-  constexpr Mask kApart = {1, 2, 4, 8}, kAtEnd = {16, 32, 64, 128};
-  const Mask bits = (apart & kApart) | (at_end & kAtEnd);
+  const Mask separated = throughout < -bound, at_end = least < -bound;
+  constexpr Mask kThroughout = {1, 2, 4, 8}, kAtEnd = {16, 32, 64, 128};
+  const Mask bits = (separated & kThroughout) | (at_end & kAtEnd);
   const auto all = static_cast<unsigned>((bits[0] | bits[1]) | (bits[2] | bits[3]));
-  out.apart = all & 15;
-  out.apart_at_end = all >> 4;
+  out.throughout = all & 15;
+  out.at_an_end = all >> 4;
+  check(a, b, bounds, out.throughout);
 }
 
 }  // namespace
@@ -169,26 +203,27 @@ void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out) {
 }
 
 CCDFUZZ_FOR_EACH_CPU
-Verdicts compare(const RangeBatch& a, const RangeBatch& b, const Lanes& bounds) {
-  Verdicts out;
+SeparatingAxes compare(const RangeBatch& a, const RangeBatch& b, const Bounds& bounds) {
+  SeparatingAxes out;
   compare_inline(a, b, bounds, out);
   return out;
 }
 
 CCDFUZZ_FOR_EACH_CPU
-Verdicts project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
-                             const Lanes& bounds, std::array<RangeBatch, 2>& ranges) {
+SeparatingAxes project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
+                                   const Bounds& bounds, std::array<RangeBatch, 2>& ranges) {
   project_inline(a, axes, ranges[0]);
   project_inline(b, axes, ranges[1]);
-  Verdicts out;
+  SeparatingAxes out;
   compare_inline(ranges[0], ranges[1], bounds, out);
   return out;
 }
 
 CCDFUZZ_FOR_EACH_CPU
-unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, const Lanes& bounds) {
+unsigned not_separated(const RangeBatch* a, const RangeBatch* b, unsigned pairs,
+                       const Bounds& bounds) {
   Vector bound;
-  std::memcpy(&bound, bounds.data(), sizeof bound);
+  std::memcpy(&bound, bounds.on.data(), sizeof bound);
   Mask apart{};  // in each lane the pairs that its axis separates
   for (unsigned left = pairs; left != 0; left &= left - 1) {
     const int pair = std::countr_zero(left);
@@ -197,6 +232,9 @@ unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, cons
     const Vector above = gap.lo1 > gap.hi1 ? gap.lo1 : gap.hi1;
     const Vector throughout = below < above ? below : above;
     apart |= (throughout < -bound) & (1LL << pair);
+    unsigned separating = 0;
+    for (int i = 0; i < kLanes; ++i) separating |= static_cast<unsigned>(apart[i] >> pair & 1) << i;
+    check(a[pair / 4], b[pair % 4], bounds, separating);
   }
   return pairs & ~static_cast<unsigned>((apart[0] | apart[1]) | (apart[2] | apart[3]));
 }

@@ -3,13 +3,14 @@
 #include <array>
 
 #include "ccd/certified/midpoint_program.hpp"
+#include "ccd/certified/provenance.hpp"
 #include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz::certified {
 
-/// The arithmetic that tdibm-c spends its time on, each function built for every vector unit worth
-/// it and chosen when the program starts. All builds round alike: the order of operations is that
-/// of the source and nothing is fused, so the results do not depend on the machine.
+/// The hot arithmetic of tdibm-c, compiled for SSE2 and AVX2 and selected at load time. All builds
+/// round alike: the order of operations is that of the source and nothing is fused, so the results
+/// do not depend on the machine.
 
 /// Axes are handled four at once, one a lane.
 inline constexpr int kLanes = 4;
@@ -24,6 +25,13 @@ struct alignas(32) AxisBatch {
 /// Extents on four axes at both ends of a window.
 struct alignas(32) RangeBatch {
   Lanes min_lo, max_lo, min_hi, max_hi;
+  [[no_unique_address]] Provenance of;
+};
+
+/// Error bounds on four axes.
+struct Bounds {
+  Lanes on;
+  [[no_unique_address]] Basis made_from;
 };
 
 /// Places of a control point in a net or a snapshot: two vectors x, y, z, 0.
@@ -34,6 +42,7 @@ inline constexpr int kPerPoint = 8;
 struct Snapshot {
   const double* values;
   int count;
+  [[no_unique_address]] Provenance of{};
 
   double at(int end, int k, int i) const { return values[kPerPoint * i + 4 * end + k]; }
 };
@@ -55,19 +64,21 @@ void split_net(const MidpointProgram& program, const double* net, int count, dou
 /// Extents of a snapshot on four axes; a height is (l₀x + l₁y) + l₂z.
 void project(const Snapshot& snapshot, const AxisBatch& axes, RangeBatch& out);
 
-/// What four axes say of two nets in a window: bit i for axis i.
-struct Verdicts {
-  unsigned apart = 0;         ///< separated at both ends, by more than the bound
-  unsigned apart_at_end = 0;  ///< at one end at least
+/// Which of four axes separate two nets in a window by more than the bound: bit i for axis i.
+struct SeparatingAxes {
+  unsigned throughout = 0;  ///< at both ends, with the same net below (Law A)
+  unsigned at_an_end = 0;   ///< at one end at least
 };
-/// bounds: of each axis.
-Verdicts compare(const RangeBatch& a, const RangeBatch& b, const Lanes& bounds);
+/// Requires extents at the ends of one window, and bounds made for the roundings of both.
+SeparatingAxes compare(const RangeBatch& a, const RangeBatch& b, const Bounds& bounds);
 
-/// Both extents on four axes, and what they say.
-Verdicts project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
-                             const Lanes& bounds, std::array<RangeBatch, 2>& ranges);
+/// Both extents on four axes, and which axes separate.
+SeparatingAxes project_and_compare(const Snapshot& a, const Snapshot& b, const AxisBatch& axes,
+                                   const Bounds& bounds, std::array<RangeBatch, 2>& ranges);
 
-/// Bit 4·i + j for every pair of a[i] and b[j] that no axis separates; `pairs` are looked at.
-unsigned together(const RangeBatch* a, const RangeBatch* b, unsigned pairs, const Lanes& bounds);
+/// Bit 4·i + j for every pair of a[i] and b[j] that no axis separates throughout; `pairs` are
+/// looked at.
+unsigned not_separated(const RangeBatch* a, const RangeBatch* b, unsigned pairs,
+                       const Bounds& bounds);
 
 }  // namespace ccdfuzz::certified

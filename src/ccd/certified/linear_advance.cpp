@@ -79,9 +79,7 @@ class Advancing {
 
   Advanced run() {
     for (size_t k = 0; k < 3; ++k) {
-      Axis l{};
-      l[k] = 1;
-      follow(l);
+      follow(coordinate_axis(static_cast<int>(k)));
       if (clear_) return {Advanced::Kind::kClear, query_.t_max, 0};
     }
     Advanced out;
@@ -106,10 +104,10 @@ class Advancing {
   }
 
  private:
-  /// Follows an axis from time_ on, if it separates there, either side up. By fact A of the
+  /// Follows an axis from time_ on, if it separates there, either side up. By Law A of the
   /// derivation nothing touches in between, as it separates at both ends.
   void follow(const Axis& l) {
-    const double e = error_.for_axis(norm1(l));
+    const double e = error_.for_axis(l);
     std::array<double, 4> height, slope;
     int above = 0, below = 0;
     for (int i = 0; i < differences_.count; ++i) {

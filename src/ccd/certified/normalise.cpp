@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/verify.hpp"
+
 namespace ccdfuzz::certified {
 
 namespace {
@@ -119,11 +121,14 @@ void normalise(const Query& query, NormalisedQuery& out) {
     }
   }
   out.magnitude = (largest_p[0] + largest_v[0]) + (largest_p[1] + largest_v[1]);
-  // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3; in stage 1 too, on x and on c's
-  // behalf once, magnified by stage 3.
+  // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3. Stage 1 loses at most η/2 in x
+  // and η/2 in c, and stage 3 multiplies both by 2^scale.
   out.absolute = kLeastAbsolute;  // ≥ η
   if (shift_p != 0) out.absolute += std::ldexp(kEta, std::max(scale_p, 0));
   if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0));
+  CCDFUZZ_ASSERT(out.t_max == 0 || (0.5 <= out.t_max && out.t_max < 1));
+  CCDFUZZ_ASSERT(out.absolute >= kLeastAbsolute);
+  for (size_t s = 0; s < 2; ++s) CCDFUZZ_ASSERT(largest_p[s] <= 1 && largest_v[s] <= 1);
 }
 
 double original_time(double t, int time) {

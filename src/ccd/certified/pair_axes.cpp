@@ -3,7 +3,7 @@
 
 namespace ccdfuzz::certified {
 
-Skeleton::Skeleton(const CellTree& tree, CellTree::Node node, double t) {
+CornerFrame::CornerFrame(const CellTree& tree, CellTree::Node node, double t) {
   const double* net = tree.net(node);
   build(tree.shape(), [&](int i) {
     const double* x = net + kPerPoint * i;
@@ -11,7 +11,7 @@ Skeleton::Skeleton(const CellTree& tree, CellTree::Node node, double t) {
   });
 }
 
-Skeleton::Skeleton(const Shape& shape, const Snapshot& snapshot) {
+CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot) {
   build(shape, [&](int i) {
     Axis p;
     for (int k = 0; k < 3; ++k) p[k] = 0.5 * snapshot.at(0, k, i) + 0.5 * snapshot.at(1, k, i);
@@ -20,7 +20,7 @@ Skeleton::Skeleton(const Shape& shape, const Snapshot& snapshot) {
 }
 
 template <class PointAt>
-void Skeleton::build(const Shape& shape, const PointAt& at) {
+void CornerFrame::build(const Shape& shape, const PointAt& at) {
   const Axis origin = at(0);
   switch (shape.kind) {
     case ShapeKind::kPoint:
@@ -54,7 +54,7 @@ void Skeleton::build(const Shape& shape, const PointAt& at) {
   has_normal = true;
 }
 
-CandidateAxes::CandidateAxes(const Skeleton& a, const Skeleton& b) : a_(a), b_(b) {
+CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b) : a_(a), b_(b) {
   if (a.has_normal) add(a.normal);
   if (b.has_normal) add(b.normal);
   if (a.edge_count > 0 && b.edge_count > 0) add(cross(a.edges[0], b.edges[0]));
@@ -69,14 +69,14 @@ void CandidateAxes::add_rest() {
       if (i + j > 0) add(cross(a_.edges[i], b_.edges[j]));
     }
   }
-  for (const Skeleton* s : {&a_, &b_}) {
+  for (const CornerFrame* s : {&a_, &b_}) {
     if (!s->has_normal) continue;
     for (int i = s == &a_ ? 1 : 0; i < s->edge_count; ++i) add(cross(s->normal, s->edges[i]));
   }
   if (a_.has_normal && b_.has_normal) return;
   const Axis offset = minus(a_.middle, b_.middle);
   add(offset);
-  for (const Skeleton* s : {&a_, &b_}) {
+  for (const CornerFrame* s : {&a_, &b_}) {
     for (int i = 0; i < s->edge_count; ++i) add(cross(s->edges[i], cross(offset, s->edges[i])));
   }
 }

@@ -20,18 +20,18 @@ inline Axis plus(const Axis& a, const Axis& b) {
 
 /// The flat shape nearest to a net at one time: what the candidate axes are made from. Any vector
 /// is a valid axis and taken as exact as computed, so nothing here needs an error bound.
-struct Skeleton {
+struct CornerFrame {
   std::array<Axis, 3> edges{};
   int edge_count = 0;
   Axis normal{};
   bool has_normal = false;
   Axis middle{};
 
-  Skeleton() = default;
-  /// The skeleton of a cell at time t.
-  Skeleton(const CellTree& tree, CellTree::Node node, double t);
-  /// The skeleton of a net, halfway between both times of its snapshot.
-  Skeleton(const Shape& shape, const Snapshot& snapshot);
+  CornerFrame() = default;
+  /// The frame of a cell at time t.
+  CornerFrame(const CellTree& tree, CellTree::Node node, double t);
+  /// The frame of a net, halfway between both times of its snapshot.
+  CornerFrame(const Shape& shape, const Snapshot& snapshot);
 
  private:
   template <class PointAt>
@@ -45,7 +45,7 @@ struct Skeleton {
 /// batch leaves the pair together.
 class CandidateAxes {
  public:
-  CandidateAxes(const Skeleton& a, const Skeleton& b);
+  CandidateAxes(const CornerFrame& a, const CornerFrame& b);
 
   /// Batch i from 0 on; nothing after the last.
   const AxisBatch* batch(int i) {
@@ -64,7 +64,7 @@ class CandidateAxes {
   void add_rest();
 
   std::array<AxisBatch, (kMost + kLanes - 1) / kLanes> batches_{};
-  const Skeleton &a_, &b_;
+  const CornerFrame &a_, &b_;
   int count_ = 0;
   bool complete_ = false;
 };

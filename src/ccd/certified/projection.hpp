@@ -5,11 +5,18 @@
 
 #include "ccd/certified/kernels.hpp"
 #include "ccd/certified/normalise.hpp"
+#include "ccd/certified/provenance.hpp"
 #include "numeric/ieee_arithmetic.hpp"
 
 namespace ccdfuzz::certified {
 
 using Axis = std::array<double, 3>;
+
+inline Axis coordinate_axis(int k) {
+  Axis l{};
+  l[static_cast<size_t>(k)] = 1;
+  return l;
+}
 
 inline double norm1(const Axis& l) {
   return (std::abs(l[0]) + std::abs(l[1])) + std::abs(l[2]);
@@ -27,43 +34,68 @@ struct Range {
 /// Extents of a net at both ends of a window.
 struct RangePair {
   Range at_lo, at_hi;
+  [[no_unique_address]] Provenance of{};
 };
 
-/// E of DERIVATION.md ("The bound of tdibm-c"): with M ≥ Σ max|p'| + max|v'|, fl(max₁) − fl(min₂) <
-/// −E in doubles implies max₁ − min₂ < 0 in exact arithmetic, for two sub-patches with at most
-/// `roundings` roundings behind each control point.
+/// E of DERIVATION.md, 3.
+/// Law C: with M ≥ Σ max|p'| + max|v'|, fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0
+/// in exact arithmetic, for two sub-patches with at most `roundings` roundings behind each control
+/// point.
 class ErrorBound {
  public:
+  /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1
+  /// where the bound is added to that difference.
+  static constexpr int kFixedRoundings = 8;
+  static constexpr double kHalfUlp = 0x1p-53;
+
   ErrorBound() = default;
   /// magnitude, absolute: as in NormalisedQuery. Four times `absolute` are of the control points; a
   /// fifth covers what is lost by underflow in subdivision.
   ErrorBound(double magnitude, double absolute, int roundings)
-      : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute) {}
+      : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute),
+        made_from_(magnitude, absolute, roundings) {}
 
-  Lanes for_axes(const AxisBatch& batch) const {
-    Lanes out;
-    for (size_t i = 0; i < out.size(); ++i) {
-      out[i] = for_axis(certified::norm1(axis_of(batch, static_cast<int>(i))));
-    }
+  /// Whatever an axis may need allowance for has its place here.
+  double for_axis(const Axis& l) const { return for_norm(norm1(l)); }
+
+  Bounds for_coordinate_axes() const {
+    Bounds out{{}, made_from_};
+    out.on.fill(for_axis(coordinate_axis(0)));
+#ifndef NDEBUG
+    out.made_from.norms.fill(1);
+#endif
     return out;
   }
 
-  double for_axis(double norm1) const { return (relative_ * norm1 + kLeastAbsolute) * kSlack; }
+  Bounds for_axes(const std::array<Axis, kLanes>& axes) const {
+    Bounds out{{}, made_from_};
+    for (size_t i = 0; i < kLanes; ++i) {
+      out.on[i] = for_axis(axes[i]);
+#ifndef NDEBUG
+      out.made_from.norms[i] = norm1(axes[i]);
+#endif
+    }
+    return out;
+  }
+  Bounds for_axes(const AxisBatch& batch) const {
+    return for_axes({axis_of(batch, 0), axis_of(batch, 1), axis_of(batch, 2), axis_of(batch, 3)});
+  }
 
  private:
-  static constexpr double kHalfUlp = 0x1p-53;
-  /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1
-  /// where the bound is added to that difference.
-  static constexpr int kFixedRoundings = 8;
+  double for_norm(double norm1) const {
+    return (relative_ * norm1 + kLeastAbsolute) * kSlack;
+  }
+
   /// (1+u)^k − 1 ≤ k·u·(1 + k·u) with k < 2^11, and the few roundings of this expression itself.
   static constexpr double kSlack = 1 + 0x1p-20;
 
   double relative_ = 0;
+  [[no_unique_address]] Basis made_from_;
 };
 
 /// One lane of a batch.
 inline RangePair lane(const RangeBatch& ranges, int i) {
-  return {{ranges.min_lo[i], ranges.max_lo[i]}, {ranges.min_hi[i], ranges.max_hi[i]}};
+  return {{ranges.min_lo[i], ranges.max_lo[i]}, {ranges.min_hi[i], ranges.max_hi[i]}, ranges.of};
 }
 
 }  // namespace ccdfuzz::certified

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/fp_guard.hpp"
+#include "base/verify.hpp"
 #include "ccd/certified/linear_advance.hpp"
 #include "ccd/certified/linear_contact.hpp"
 #include "ccd/certified/rough_contact.hpp"
@@ -12,10 +13,10 @@ namespace ccdfuzz {
 
 namespace {
 
-/// The queue orders by the window's start in steps of t_max·2^-20, deeper first within a step:
+/// The queue orders by the window's start in buckets of t_max·2^-20, deeper first within a bucket:
 /// near-ties go deep rather than wide. toi does not suffer: it is the least start of all that is
 /// left.
-constexpr double kTimeSteps = 0x1p20;
+constexpr double kTimeBuckets = 0x1p20;
 
 /// Contacts of linear patches are within 2^-44 of the time step, since it costs no more than 2^-14.
 constexpr int kLevelOfLinearTimes = 44;
@@ -23,9 +24,9 @@ constexpr int kLevelOfLinearTimes = 44;
 }  // namespace
 
 bool TdibmC::Entry::later(const Entry& x, const Entry& y) {
-  if (x.steps != y.steps) return x.steps > y.steps;
+  if (x.time_bucket != y.time_bucket) return x.time_bucket > y.time_bucket;
   if (x.depth != y.depth) return x.depth < y.depth;
-  return x.key > y.key;
+  return x.order > y.order;
 }
 
 Answer TdibmC::answer(const Query& query, const SearchOptions& options) {
@@ -44,14 +45,25 @@ Answer TdibmC::answer(const Query& query, const SearchOptions& options) {
 
 double TdibmC::earliest(double so_far) const {
   for (size_t i = 0; i < queue_.size(); ++i) so_far = std::min(so_far, queue_[i].window.lo);
-  return certified::original_time(so_far, split_.query().time);
+  const double toi = certified::original_time(so_far, split_.query().time);
+  CCDFUZZ_ASSERT(std::ldexp(toi, -split_.query().time) <= so_far);
+  return toi;
 }
 
-void TdibmC::push(const certified::PairSplit::Kept& pair, int depth) {
+void TdibmC::push(const certified::CellPair& pair) {
+  CCDFUZZ_ASSERT(pair.window.lo <= pair.window.hi);
   const double t_max = split_.query().t_max;
-  const double steps = t_max > 0 ? pair.window.lo / t_max * kTimeSteps : 0;
-  queue_.push({pair.window, pair.hint, pushed_++, pair.cells, static_cast<std::uint32_t>(steps),
-               static_cast<std::uint16_t>(depth)});
+  const double bucket = t_max > 0 ? pair.window.lo / t_max * kTimeBuckets : 0;
+  const auto depth = static_cast<std::uint16_t>(pair.depths[0] + pair.depths[1]);
+  queue_.push({pair, depth, static_cast<std::uint32_t>(bucket), pushed_++});
+}
+
+certified::Tiers TdibmC::tiers() const {
+  certified::Tiers all = split_.tiers();
+  all.advancement = linear_.advancement;
+  all.doubles = linear_.doubles;
+  all.integers = linear_.integers;
+  return all;
 }
 
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
@@ -66,6 +78,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   if (certified::can_advance(normalised.shapes[0], normalised.shapes[1])) {
     const certified::Advanced advanced = certified::advance(normalised);
     if (advanced.kind == certified::Advanced::Kind::kClear) {
+      ++linear_.advancement;
       answer.verdict = Verdict::kMiss;
       return answer;
     }
@@ -82,6 +95,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
     const bool stopped = advanced.kind == certified::Advanced::Kind::kStopped;
     const certified::RoughContact rough =
         certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
+    linear_.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
     if (rough.kind == certified::RoughContact::Kind::kNone) {
       answer.verdict = Verdict::kMiss;
       return answer;
@@ -90,7 +104,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
       return hit(std::max(rough.time, advanced.time), 0);
     }
 
-    ++decided_in_integers_;
+    ++linear_.integers;
     using Kind = certified::LinearContact::Kind;
     const certified::LinearContact contact =
         certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
@@ -104,7 +118,8 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
     }
     from = advanced.time;
   }
-  push({{from, normalised.t_max}, {}, {}, {}}, 0);
+  push({{from, normalised.t_max}, {}, {}, {}});
+  std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;
   // A pop takes it at most 16 tests, of up to 1 ms all together.
   const int work_of_pop = split_.tree(0).count() + split_.tree(1).count();
 
@@ -129,18 +144,19 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
     }
     const Entry entry = queue_.pop();
     ++answer.pops;
-    if (entry.depth >= target) {
+    if (entry.least_depth() >= target) {
       answer.verdict = Verdict::kHit;
       answer.toi = earliest(entry.window.lo);
+      CCDFUZZ_ASSERT(std::ldexp(*answer.toi, -normalised.time) <= entry.window.lo);
+      CCDFUZZ_ASSERT(queue_.empty() ||
+                     *answer.toi <= std::ldexp(queue_[0].window.lo, normalised.time));
       for (int s = 0; s < 2; ++s) {
         answer.uv[s] = split_.tree(s).cell(entry.cells[s]).centre(normalised.shapes[s]);
       }
       return answer;
     }
-    Unobserved nobody;
-    split_.expand(
-        entry, [](int, int) { return true; }, nobody,
-        [&](const certified::PairSplit::Kept& pair) { push(pair, entry.depth + 1); });
+    const int count = split_.split(entry, certified::PairSplit::kAll, kept);
+    for (int i = 0; i < count; ++i) push(kept[static_cast<size_t>(i)]);
   }
   answer.verdict = Verdict::kMiss;
   answer.note.clear();

@@ -8,7 +8,7 @@
 
 namespace ccdfuzz {
 
-/// tdibm-c: the certified method (DERIVATION.md, "tdibm-c").
+/// tdibm-c: the certified method (DERIVATION.md).
 ///
 /// Never misses: a pair of cells is dropped, and a window shortened, only where an axis separates
 /// the two control nets with a margin above the error bound at both ends of the dropped time
@@ -29,30 +29,28 @@ class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);
 
-  /// How many linear queries doubles left to integers, over the life of the object.
-  std::uint64_t decided_in_integers() const { return decided_in_integers_; }
+  /// What decided, over the life of the object.
+  certified::Tiers tiers() const;
 
  private:
-  struct Entry {
-    Window window;
-    certified::Axis hint;  ///< the axis that did most for the parent
-    std::uint64_t key;     ///< start of the window in steps of kTimeSteps, then order of arrival
-    std::array<certified::PairSplit::Node, 2> cells;
-    std::uint32_t steps;
-    std::uint16_t depth;
+  struct Entry : certified::CellPair {
+    std::uint16_t depth;        ///< of both cells together
+    std::uint32_t time_bucket;  ///< start of the window in units of t_max·2^-20, rounded down
+    std::uint64_t order;        ///< of arrival
 
     static bool later(const Entry& x, const Entry& y);
   };
+  static_assert(sizeof(Entry) == 64);
 
   Answer decide(const Query& query, const SearchOptions& options);
-  void push(const certified::PairSplit::Kept& pair, int depth);
+  void push(const certified::CellPair& pair);
   double earliest(double so_far) const;
   std::uint64_t bytes() const { return queue_.bytes() + split_.bytes(); }
 
   certified::PairSplit split_;
   SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;
-  std::uint64_t decided_in_integers_ = 0;
+  certified::Tiers linear_;  ///< for linear queries alone
 };
 
 }  // namespace ccdfuzz

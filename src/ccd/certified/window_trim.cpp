@@ -30,6 +30,17 @@ HeightLines::Gap HeightLines::gap(int below, double t) const {
   return {most - least, slope_of_most - slope_of_least};
 }
 
+bool HeightLines::is_separated(int below, double t, double bound) const {
+  for (int i = 0; i < counts_[below]; ++i) {
+    const double lower = slopes_[below][i] * t + intercepts_[below][i];
+    for (int j = 0; j < counts_[1 - below]; ++j) {
+      const double upper = slopes_[1 - below][j] * t + intercepts_[1 - below][j];
+      if (!(lower - upper < -bound)) return false;
+    }
+  }
+  return true;
+}
+
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
                     const Window& seen, Window& w) {
   constexpr int kSteps = 4;
@@ -38,6 +49,7 @@ bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_e
   for (int step = 0; step < kSteps; ++step) {
     const HeightLines::Gap gap = lines.gap(sign, t);
     if (gap.height < -bound) {
+      CCDFUZZ_ASSERT(lines.is_separated(sign, t, bound) && seen.lo <= t && t <= seen.hi);
       if (low_end) {
         w.lo = std::max(w.lo, t);
       } else {

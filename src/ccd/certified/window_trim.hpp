@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/verify.hpp"
 #include "ccd/certified/projection.hpp"
 #include "ccd/next_double.hpp"
 #include "ccd/time_interval.hpp"
@@ -14,14 +15,20 @@ struct NetPair {
 };
 
 /// fl(h) at both window ends, for side 0 below side 1 (sign 0) and above it (sign 1).
+/// Law A: control points move linearly, so h is convex; h < 0 at both ends implies h < 0 between.
 struct Gaps {
   double at_lo[2], at_hi[2];
+  [[no_unique_address]] Provenance of;
 
+  /// Requires extents at the ends of one window.
   Gaps(const RangePair& a, const RangePair& b)
       : at_lo{a.at_lo.max - b.at_lo.min, b.at_lo.max - a.at_lo.min},
-        at_hi{a.at_hi.max - b.at_hi.min, b.at_hi.max - a.at_hi.min} {}
+        at_hi{a.at_hi.max - b.at_hi.min, b.at_hi.max - a.at_hi.min},
+        of(a.of) {
+    CCDFUZZ_ASSERT(b.of.is_of(a.of.window));
+  }
 
-  /// Separated throughout the window, certainly.
+  /// Separated throughout the window, certainly (Laws A and C).
   bool separated(double bound) const {
     return (at_lo[0] < -bound && at_hi[0] < -bound) || (at_lo[1] < -bound && at_hi[1] < -bound);
   }
@@ -33,17 +40,25 @@ struct Gaps {
 };
 
 /// Where the chord through (t0, h0) and (t1, h1), h0 < 0 ≤ h1, reaches zero, rounded towards t0.
-/// h0 and h1 are upper bounds of h: by convexity h < 0 from t0 up to, but without, the result.
+/// Law B: if h0 and h1 are upper bounds of h, then h < 0 from t0 up to, but without, the result, as
+/// h is convex.
 /// The quotient is in [0, 1] with three roundings, the product and the sum add two; t1 may be < t0.
 inline double chord_root(double t0, double h0, double t1, double h1) {
+  CCDFUZZ_ASSERT(h0 < 0 && 0 <= h1);
   const double share = (-h0 / (h1 - h0)) * (1 - 0x1p-50);  // five roundings ≤ 5·2^-53 < 2^-50
   const double t = t0 + (t1 - t0) * share;
   // The last sum rounds by half an ulp of t: one step back covers it.
-  return t0 < t1 ? std::max(t0, next_down(t)) : std::min(t0, next_up(t));
+  const double root = t0 < t1 ? std::max(t0, next_down(t)) : std::min(t0, next_up(t));
+  CCDFUZZ_ASSERT(std::min(t0, t1) <= root && root <= std::max(t0, t1));
+  // The chord itself there, but for ten roundings of it.
+  CCDFUZZ_ASSERT((root - t0) / (t1 - t0) * (h1 - h0) <= -h0 * (1 + 0x1p-49));
+  return root;
 }
 
-/// Moves the ends of w inward by what the chord of each end allows; free of further evaluation.
+/// Moves the ends of w inward by what the chord of each end allows (Law B); free of further
+/// evaluation. Requires that the gaps are those at the ends of w.
 inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
+  CCDFUZZ_ASSERT(gaps.of.is_of(w));
   const Window whole = w;
   for (int sign = 0; sign < 2; ++sign) {
     const double h_lo = gaps.at_lo[sign] + bound, h_hi = gaps.at_hi[sign] + bound;
@@ -54,6 +69,9 @@ inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
       w.hi = std::min(w.hi, chord_root(whole.hi, h_hi, whole.lo, h_lo));
     }
   }
+  // The chord leaves the other end, where h is not certified.
+  CCDFUZZ_ASSERT(w.lo == whole.lo || (whole.lo < w.lo && w.lo < whole.hi));
+  CCDFUZZ_ASSERT(w.hi == whole.hi || (whole.lo < w.hi && w.hi < whole.hi));
 }
 
 /// h(t) of two nets on one axis, and its slope where it has one.
@@ -67,6 +85,9 @@ class HeightLines {
 
   /// below: which side is the lower one.
   Gap gap(int below, double t) const;
+  /// Each point of side `below` is lower than each of the other by more than `bound`: for
+  /// assertions.
+  bool is_separated(int below, double t, double bound) const;
 
  private:
   using PerPoint = std::array<double, kMaxControls>;
@@ -75,9 +96,10 @@ class HeightLines {
   std::array<PerPoint, 2> slopes_, intercepts_;
 };
 
-/// Moves one end of w inward to a time at which separation is certified again, by Newton's
-/// iteration from the other end of `seen`. sign: which side is below; that both sides look at the
-/// same window is what makes a mirror change nothing. Returns false if no step was certified.
+/// Moves one end of w inward to a time at which separation is certified again (Law A covers what is
+/// between), by Newton's iteration from the other end of `seen`. sign: which side is below; both
+/// signs start from the same window, so exchanging the patches changes no result. Requires that
+/// separation is certified at that end. Returns false if no step was certified.
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
                     const Window& seen, Window& w);
 

@@ -51,17 +51,17 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
   watch_.begin(path_.time(), options.steps);
   now_.clear();
-  now_.push_back({{0, split_.query().t_max}, {}, {}, 0});
+  now_.push_back({{0, split_.query().t_max}, {}, {}, {}});
   for (int level = 0; level < target && !now_.empty(); ++level) {
     next_.clear();
-    for (const Pair& pair : now_) split(pair, options);
+    for (const certified::CellPair& pair : now_) split(pair, options);
     std::swap(now_, next_);
   }
   unscale(watch_.trace(), exponent);
   return watch_.trace();
 }
 
-void CertifiedTracer::split(const Pair& pair, const TraceOptions& options) {
+void CertifiedTracer::split(const certified::CellPair& pair, const TraceOptions& options) {
   PairParts parts;
   const std::array<Cell, 2> cells = {split_.tree(0).cell(pair.cells[0]),
                                      split_.tree(1).cell(pair.cells[1])};
@@ -69,18 +69,14 @@ void CertifiedTracer::split(const Pair& pair, const TraceOptions& options) {
   for (const std::array<int, 2>& children : ChildChoices(path_, parts, options.all)) {
     const std::array<Cell, 2> tested = {parts.cells[0][static_cast<size_t>(children[0])],
                                         parts.cells[1][static_cast<size_t>(children[1])]};
-    watch_.look_at({pair.depth + 1, tested, pair.window});
+    watch_.look_at({pair.depths[0] + 1, tested, pair.window});
+    std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;
     std::optional<Window> left;
-    split_.expand(
-        pair, [&](int side, int child) { return child == children[static_cast<size_t>(side)]; },
-        watch_,
-        [&](const certified::PairSplit::Kept& kept) {
-          left = kept.window;
-          // A pair whose window lost the witness is not followed further.
-          if (watch_.holds(kept.window)) {
-            next_.push_back({kept.window, kept.hint, kept.cells, pair.depth + 1});
-          }
-        });
+    if (split_.split(pair, {1U << children[0], 1U << children[1]}, kept, &watch_) > 0) {
+      left = kept[0].window;
+      // A pair whose window lost the witness is not followed further.
+      if (watch_.holds(*left)) next_.push_back(kept[0]);
+    }
     watch_.judge(left);
   }
 }

@@ -15,19 +15,12 @@ class CertifiedTracer {
   const Trace& trace(const Query& query, const Witness& witness, const TraceOptions& options);
 
  private:
-  struct Pair {
-    Window window;
-    certified::Axis hint;
-    std::array<certified::PairSplit::Node, 2> cells;
-    int depth;
-  };
-
-  void split(const Pair& pair, const TraceOptions& options);
+  void split(const certified::CellPair& pair, const TraceOptions& options);
 
   certified::PairSplit split_;
   WitnessPath path_;
   WitnessWatch watch_;
-  Frontier<Pair> now_, next_;
+  Frontier<certified::CellPair> now_, next_;
 };
 
 }  // namespace ccdfuzz

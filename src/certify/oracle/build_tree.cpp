@@ -35,7 +35,7 @@ Axis to_double(const TreeAxis& l) {
 /// Extents of a net on axis l at two times, each value rounded as ErrorBound assumes.
 RangePair extents(const double* net, int count, const Axis& l, double t0, double t1) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}};
+  RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}, {{t0, t1}, 0}};
   for (int i = 0; i < count; ++i, net += kPerPoint) {
     const auto along = [&](const double* x) { return (l[0] * x[0] + l[1] * x[1]) + l[2] * x[2]; };
     const double position = along(net), velocity = along(net + 4);
@@ -48,7 +48,7 @@ RangePair extents(const double* net, int count, const Axis& l, double t0, double
 
 /// Calls visit(axis) on the candidates that are not zero, until it returns true.
 template <class Visit>
-bool for_each_candidate(const Skeleton& a, const Skeleton& b, const Visit& visit) {
+bool for_each_candidate(const CornerFrame& a, const CornerFrame& b, const Visit& visit) {
   CandidateAxes candidates(a, b);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     for (int lane = 0; lane < kLanes; ++lane) {
@@ -108,7 +108,7 @@ class Builder {
       const CellTree& tree = trees_[s];
       roundings = std::max(roundings, tree.roundings(tree.depth(pair.cells[s])));
     }
-    return ErrorBound(query_.magnitude, query_.absolute, roundings + kOfTime).for_axis(norm1(l));
+    return ErrorBound(query_.magnitude, query_.absolute, roundings + kOfTime).for_axis(l);
   }
   Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {
     const auto of = [&](int s) {
@@ -188,12 +188,10 @@ class Builder {
     };
     if (norm1(pair.hint) > 0 && try_axis(pair.hint)) return leaf(*found);
     for (size_t k = 0; k < 3; ++k) {
-      Axis l{};
-      l[k] = 1;
-      if (try_axis(l)) return leaf(*found);
+      if (try_axis(coordinate_axis(static_cast<int>(k)))) return leaf(*found);
     }
     const double middle = 0.5 * time(pair.lo) + 0.5 * time(pair.hi);
-    const Skeleton a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
+    const CornerFrame a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
     if (for_each_candidate(a, b, try_axis)) return leaf(*found);
 
     if (cut.length > 0) {
@@ -218,9 +216,8 @@ class Builder {
       if (tree.depth(pair.cells[s]) >= Cell::kMaxDepth) continue;
       double size = 0;
       for (size_t k = 0; k < 3; ++k) {
-        Axis l{};
-        l[k] = 1;
-        const RangePair r = extents(tree.net(pair.cells[s]), tree.count(), l, t, t);
+        const RangePair r = extents(tree.net(pair.cells[s]), tree.count(),
+                                    coordinate_axis(static_cast<int>(k)), t, t);
         size = std::max(size, r.at_lo.max - r.at_lo.min);
       }
       if (size > largest) largest = size, side = s;
