@@ -27,23 +27,15 @@ struct AxisGap {
       1;  ///< what gaps are measured in: the error bound of tdibm-c, an ulp of the heights for trad
 };
 
-/// Told by an inclusion test what each axis does. Inclusion tests are made for a listener and for
-/// none (Unobserved), from the same code; what only a listener needs stands in `if constexpr`.
+/// An inclusion test reports each axis to its observer, if it has one.
 class ExclusionObserver {
  public:
-  static constexpr bool kListens = true;
-
   virtual void excluded(const Exclusion& exclusion) = 0;
   /// By the methods that compare at the ends of a window: trad and tdibm-c.
   virtual void compared(const AxisGap& gap) = 0;
 
  protected:
   ~ExclusionObserver() = default;
-};
-
-/// The full search: nobody listens, and nothing is spent on it.
-struct Unobserved {
-  static constexpr bool kListens = false;
 };
 
 }  // namespace ccdfuzz

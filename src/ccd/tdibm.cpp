@@ -86,22 +86,8 @@ typename TdibmInclusion<Policy>::OnAxis& TdibmInclusion<Policy>::on_axis(int sid
 }
 
 template <class Policy>
-std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const Window& window) {
-  Unobserved nobody;
-  return test_for(nobody, part_a, part_b, window);
-}
-
-template <class Policy>
 std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const Window& window,
-                                                   ExclusionObserver& observer) {
-  return test_for(observer, part_a, part_b, window);
-}
-
-template <class Policy>
-template <class Observer>
-std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer& observer,
-                                                       int part_a, int part_b,
-                                                       const Window& window) {
+                                                   ExclusionObserver* observer) {
   std::array<Separation<double>, 2 * ObbAxes::kCount> separations;
   size_t count = 0;
   if (window.lo != seen_.lo || window.hi != seen_.hi) {
@@ -115,7 +101,7 @@ std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer
   const Window wide{window.lo - reading_.window_margin, window.hi + reading_.window_margin};
   const ObbAxes axes = parts_.axes(part_a, part_b, window.lo);
   for (size_t k = 0; k < order_.size(); ++k) {
-    const int r = Observer::kListens ? static_cast<int>(k) : order_[k];
+    const int r = observer != nullptr ? static_cast<int>(k) : order_[k];
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;
     OnAxis* const on[2] = {&on_axis(0, part_a, r, axis, wide), &on_axis(1, part_b, r, axis, wide)};
@@ -124,9 +110,9 @@ std::optional<Window> TdibmInclusion<Policy>::test_for([[maybe_unused]] Observer
                               on[1 - below]->lower(policy_, wide), wide);
       if (found && reading_.window_margin > 0) found = clipped_to(window, *found);
       if (!found) continue;
-      if constexpr (Observer::kListens) observer.excluded({r, axis.direction, below, *found});
+      if (observer != nullptr) observer->excluded({r, axis.direction, below, *found});
       if (found->has_lo && found->has_hi) {
-        if constexpr (!Observer::kListens) {
+        if (observer == nullptr) {
           std::rotate(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(k),
                       order_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
         }

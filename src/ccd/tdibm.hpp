@@ -22,9 +22,8 @@ class TdibmInclusion {
 
   void begin(const Query& query);
   void prepare(int side, std::span<const Cell> parts);
-  std::optional<Window> test(int part_a, int part_b, const Window& window);
   std::optional<Window> test(int part_a, int part_b, const Window& window,
-                             ExclusionObserver& observer);
+                             ExclusionObserver* observer = nullptr);
 
  private:
   /// One part on one axis: its lines, and their envelopes when they are asked for. `lower` stands
@@ -49,8 +48,6 @@ class TdibmInclusion {
     bool has_upper_ = false, has_lower_ = false;
   };
 
-  template <class Observer>
-  std::optional<Window> test_for(Observer& observer, int part_a, int part_b, const Window& window);
   OnAxis& on_axis(int side, int part, int r, const Axis& axis, const Window& window);
 
   Policy policy_;

@@ -46,19 +46,8 @@ void TraditionalInclusion::sweep(const ControlNet& net, const Window& window, Sw
   }
 }
 
-std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const Window& window) {
-  Unobserved nobody;
-  return test_for(nobody, part_a, part_b, window);
-}
-
 std::optional<Window> TraditionalInclusion::test(int part_a, int part_b, const Window& window,
-                                                 ExclusionObserver& observer) {
-  return test_for(observer, part_a, part_b, window);
-}
-
-template <class Observer>
-std::optional<Window> TraditionalInclusion::test_for([[maybe_unused]] Observer& observer,
-                                                     int part_a, int part_b, const Window& window) {
+                                                 ExclusionObserver* observer) {
   const std::array<ControlNet, 2> nets = {parts_.net(0, part_a), parts_.net(1, part_b)};
   for (int side = 0; side < 2; ++side) sweep(nets[side], window, sweeps_[side]);
   const auto points = [this](int side) {
@@ -67,7 +56,7 @@ std::optional<Window> TraditionalInclusion::test_for([[maybe_unused]] Observer& 
   };
   const auto separates = [&](int r, const Vec3<double>& axis) {  // Eqs. 3a, 3b negated
     const auto p = range_on(axis, points(0)), q = range_on(axis, points(1));
-    if constexpr (Observer::kListens) tell(observer, r, axis, {p, q}, window);
+    if (observer != nullptr) tell(*observer, r, axis, {p, q}, window);
     return p[1] < q[0] || q[1] < p[0];
   };
   if (kind_ == BoxKind::kAxisAligned) {

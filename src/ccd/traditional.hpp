@@ -30,9 +30,8 @@ class TraditionalInclusion {
 
   void begin(const Query& query) { parts_.begin(query); }
   void prepare(int side, std::span<const Cell> parts) { parts_.prepare(side, parts); }
-  std::optional<Window> test(int part_a, int part_b, const Window& window);
   std::optional<Window> test(int part_a, int part_b, const Window& window,
-                             ExclusionObserver& observer);
+                             ExclusionObserver* observer = nullptr);
 
  private:
   /// The control points of a part at both ends of the window.
@@ -41,8 +40,6 @@ class TraditionalInclusion {
     int size = 0;
   };
   static void sweep(const ControlNet& net, const Window& window, Sweep& out);
-  template <class Observer>
-  std::optional<Window> test_for(Observer& observer, int part_a, int part_b, const Window& window);
 
   BoxKind kind_;
   SubPatches parts_;

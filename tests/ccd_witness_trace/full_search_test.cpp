@@ -30,15 +30,8 @@ class Recording {
     std::copy(parts.begin(), parts.end(), parts_[static_cast<size_t>(side)].begin());
     inner_.prepare(side, parts);
   }
-  std::optional<Window> test(int a, int b, const Window& w) {
-    return note(a, b, w, inner_.test(a, b, w));
-  }
-  std::optional<Window> test(int a, int b, const Window& w, ExclusionObserver& observer) {
-    return note(a, b, w, inner_.test(a, b, w, observer));
-  }
-
- private:
-  std::optional<Window> note(int a, int b, const Window& w, const std::optional<Window>& left) {
+  std::optional<Window> test(int a, int b, const Window& w, ExclusionObserver* observer = nullptr) {
+    const auto left = inner_.test(a, b, w, observer);
     const Cell &x = parts_[0][static_cast<size_t>(a)], &y = parts_[1][static_cast<size_t>(b)];
     const auto depth = [](const Cell& c) { return static_cast<std::uint64_t>(c.depth); };
     auto& out =
@@ -47,6 +40,7 @@ class Recording {
     return left;
   }
 
+ private:
   Record& record_;
   Inclusion inner_;
   std::array<std::array<Cell, 4>, 2> parts_;

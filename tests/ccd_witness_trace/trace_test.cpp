@@ -121,11 +121,11 @@ class OneUlpTooMuch {
     depth_ = parts[0].depth;
     test_.prepare(side, parts);
   }
-  std::optional<Window> test(int a, int b, const Window& window, ExclusionObserver& observer) {
+  std::optional<Window> test(int a, int b, const Window& window, ExclusionObserver* observer) {
     auto left = test_.test(a, b, window, observer);
     if (!left || depth_ < kFrom) return left;
     const double hi = std::nextafter(left->hi, 0.);
-    observer.excluded({77, {0, 0, 1}, 1, {hi, left->hi, false, true}});
+    observer->excluded({77, {0, 0, 1}, 1, {hi, left->hi, false, true}});
     return Window{left->lo, hi};
   }
 

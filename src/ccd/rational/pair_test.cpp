@@ -36,25 +36,14 @@ void PairTest::tell(ExclusionObserver& observer, int axis, const Axis& direction
   if (cut == Cut::kAll) exclude(after.lo, after.hi, true, true);
 }
 
-std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window) {
-  Unobserved nobody;
-  return test_for(nobody, part_a, part_b, window);
-}
-
 std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window,
-                                     ExclusionObserver& observer) {
-  return test_for(observer, part_a, part_b, window);
-}
-
-template <class Observer>
-std::optional<Window> PairTest::test_for([[maybe_unused]] Observer& observer, int part_a,
-                                         int part_b, const Window& window) {
+                                     ExclusionObserver* observer) {
   ScaledWindow w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
   const Frame& a = frame(0, part_a, w.lo);
   const Frame& b = frame(1, part_b, w.lo);
   gap_.select(part_a, part_b);
-  // Round and round the axes until the window has stood a whole round: an axis may separate at an
-  // end that another has uncovered. The bound on the rounds only saves time: a longer window is
+  // Cycle through the axes until all in a row leave the window unchanged: an axis may separate at
+  // an end that another has uncovered. The bound on the rounds only saves time: a longer window is
   // safe.
   constexpr int kMaxRounds = 4;
   int unchanged = 0;
@@ -63,14 +52,14 @@ std::optional<Window> PairTest::test_for([[maybe_unused]] Observer& observer, in
     const std::optional<Axis> axis = round_to_axis(pair_axis(a, b, n % kPairAxes), axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);
-    [[maybe_unused]] const ScaledWindow before = w;
+    const ScaledWindow before = w;
     const Cut cut = cut_window(gap_, w);
-    if constexpr (Observer::kListens) tell(observer, n % kPairAxes, *axis, before, cut, w);
+    if (observer != nullptr) tell(*observer, n % kPairAxes, *axis, before, cut, w);
     switch (cut) {
       case Cut::kAll:
         return std::nullopt;
       case Cut::kShorter:
-        unchanged = 1;  // as far as this axis is concerned, the window is done
+        unchanged = 1;  // this axis has just been tried on the new window
         break;
       case Cut::kNothing:
         break;

@@ -18,17 +18,14 @@ class PairTest {
  public:
   void begin(const Query& query);
   void prepare(int side, std::span<const Cell> parts);
-  std::optional<Window> test(int part_a, int part_b, const Window& window);
   std::optional<Window> test(int part_a, int part_b, const Window& window,
-                             ExclusionObserver& observer);
+                             ExclusionObserver* observer = nullptr);
 
   Gap& gap() { return gap_; }
   std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:
   const Frame& frame(int side, int part, double t);
-  template <class Observer>
-  std::optional<Window> test_for(Observer& observer, int part_a, int part_b, const Window& window);
   /// What cut_window did to a window with the axis that the gap is projected on.
   void tell(ExclusionObserver& observer, int axis, const Axis& direction,
             const ScaledWindow& before, Cut cut, const ScaledWindow& after) const;

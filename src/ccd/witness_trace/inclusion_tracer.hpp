@@ -59,7 +59,7 @@ class InclusionTracer {
     const std::array<Cell, 2> cells = {parts.cells[0][static_cast<size_t>(children[0])],
                                        parts.cells[1][static_cast<size_t>(children[1])]};
     watch_.look_at({cells[0].depth, cells, window});
-    const auto left = inclusion_.test(children[0], children[1], window, watch_);
+    const auto left = inclusion_.test(children[0], children[1], window, &watch_);
     if (watch_.judge(left)) kept.push_back({*left, cells});
   }
 
