@@ -9,65 +9,82 @@
 
 namespace ccdfuzz {
 
-/// The polar form (blossom) of a Bézier patch by de Casteljau steps, one argument a step.
-/// points: shape.control_count() control points. arguments: one (u, v) a step; a curve or triangle
-/// of degree n takes n of them; a tensor patch takes max(n, m), using the u of the first n and the
-/// v of the first m. Equal arguments evaluate the patch there; arguments drawn from the corners of
-/// a sub-domain give the control points of that sub-patch. Exact for exact S; for double the order
-/// of operations is fixed: ((w·p_w + u·p_u) + v·p_v) for triangles, ((1−u)·p + u·q) else.
+/// The polar form (blossom) by de Casteljau steps in place, one argument a step: net holds
+/// shape.control_count() control points of any type, and net[0] is the result.
+/// on_line(p, q, step, in_v): between two neighbours, in direction v or u, at that step's argument.
+/// on_triangle(w, u, v, step): of the three corners of a triangle.
+/// A tensor patch takes steps in v for each u, then steps in u, each from 0.
+template <class Control, class OnLine, class OnTriangle>
+void blossom_in_place(const Shape& shape, std::span<Control> net, const OnLine& on_line,
+                      const OnTriangle& on_triangle) {
+  const auto at = [&](int place) -> Control& { return net[static_cast<size_t>(place)]; };
+  switch (shape.kind) {
+    case ShapeKind::kPoint:
+      return;
+    case ShapeKind::kTriangle:
+      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
+        const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
+        for (int i = 0; i < left; ++i) {
+          for (int j = 0; j < left - i; ++j) {
+            // to.index ≤ from.index of all later reads
+            at(to.index(i, j)) = on_triangle(at(from.index(i, j)), at(from.index(i + 1, j)),
+                                             at(from.index(i, j + 1)), step);
+          }
+        }
+      }
+      return;
+    case ShapeKind::kTensor:
+      for (int i = 0; i <= shape.n; ++i) {
+        const int row = shape.index(i, 0);
+        for (int left = shape.m, step = 0; left > 0; --left, ++step) {
+          for (int j = 0; j < left; ++j) {
+            at(row + j) = on_line(at(row + j), at(row + j + 1), step, true);
+          }
+        }
+      }
+      [[fallthrough]];
+    case ShapeKind::kCurve:
+      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
+        for (int i = 0; i < left; ++i) {
+          Control& p = at(shape.index(i, 0));
+          p = on_line(p, at(shape.index(i + 1, 0)), step, false);
+        }
+      }
+  }
+}
+
+/// Which of a sub-domain's corners (Cell::corners) is argument `step` of its control point (i, j):
+/// i arguments are the end of the local u axis, j that of v, the rest the origin.
+constexpr int corner_of_triangle(int i, int j, int step) {
+  return step < i ? 1 : step < i + j ? 2 : 0;
+}
+
+/// The blossom of points. arguments: one (u, v) a step; a curve or triangle of degree n takes n of
+/// them; a tensor patch takes max(n, m), using the u of the first n and the v of the first m. Equal
+/// arguments evaluate the patch there; arguments drawn from the corners of a sub-domain give the
+/// control points of that sub-patch. Exact for exact S; for double the order of operations is
+/// fixed: ((w·p_w + u·p_u) + v·p_v) for triangles, ((1−u)·p + u·q) else.
 template <class S>
 Vec3<S> blossom(const Shape& shape, std::span<const Vec3<S>> points,
                 std::span<const Uv<S>> arguments) {
   CCDFUZZ_ASSERT(static_cast<int>(points.size()) == shape.control_count());
   std::array<Vec3<S>, kMaxControls> net;
   std::copy(points.begin(), points.end(), net.begin());
-  const auto lerp = [](const Vec3<S>& p, const Vec3<S>& q, const S& s) {
-    const S r(S(1) - s);
-    Vec3<S> out;
-    for (int k = 0; k < 3; ++k) out[k] = S(S(r * p[k]) + S(s * q[k]));
-    return out;
-  };
-  switch (shape.kind) {
-    case ShapeKind::kPoint:
-      break;
-    case ShapeKind::kCurve:
-      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-        for (int i = 0; i < left; ++i) net[i] = lerp(net[i], net[i + 1], arguments[step][0]);
-      }
-      break;
-    case ShapeKind::kTriangle:
-      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-        const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
-        const S &u = arguments[step][0], &v = arguments[step][1];
+  blossom_in_place<Vec3<S>>(
+      shape, net,
+      [&](const Vec3<S>& p, const Vec3<S>& q, int step, bool in_v) {
+        const S &s = arguments[static_cast<size_t>(step)][in_v ? 1 : 0], r(S(1) - s);
+        Vec3<S> out;
+        for (int k = 0; k < 3; ++k) out[k] = S(S(r * p[k]) + S(s * q[k]));
+        return out;
+      },
+      [&](const Vec3<S>& pw, const Vec3<S>& pu, const Vec3<S>& pv, int step) {
+        const auto& [u, v] = arguments[static_cast<size_t>(step)];
         const S w(S(S(1) - u) - v);
-        for (int i = 0; i < left; ++i) {
-          for (int j = 0; j < left - i; ++j) {
-            const Vec3<S>&pw = net[from.index(i, j)], &pv = net[from.index(i, j + 1)],
-                  &pu = net[from.index(i + 1, j)];
-            Vec3<S> out;
-            for (int k = 0; k < 3; ++k) {
-              out[k] = S(S(S(w * pw[k]) + S(u * pu[k])) + S(v * pv[k]));
-            }
-            net[to.index(i, j)] = out;  // to.index ≤ from.index of all later reads
-          }
-        }
-      }
-      break;
-    case ShapeKind::kTensor:
-      for (int i = 0; i <= shape.n; ++i) {
-        Vec3<S>* row = &net[shape.index(i, 0)];
-        for (int left = shape.m, step = 0; left > 0; --left, ++step) {
-          for (int j = 0; j < left; ++j) row[j] = lerp(row[j], row[j + 1], arguments[step][1]);
-        }
-      }
-      for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-        for (int i = 0; i < left; ++i) {
-          net[shape.index(i, 0)] =
-              lerp(net[shape.index(i, 0)], net[shape.index(i + 1, 0)], arguments[step][0]);
-        }
-      }
-      break;
-  }
+        Vec3<S> out;
+        for (int k = 0; k < 3; ++k) out[k] = S(S(S(w * pw[k]) + S(u * pu[k])) + S(v * pv[k]));
+        return out;
+      });
   return net[0];
 }
 

@@ -32,7 +32,7 @@ void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
     case ShapeKind::kTriangle:
       for (int i = 0; i <= shape.n; ++i) {
         for (int j = 0; j <= shape.n - i; ++j) {
-          for (int s = 0; s < shape.n; ++s) arguments[s] = corners[s < i ? 1 : s < i + j ? 2 : 0];
+          for (int s = 0; s < shape.n; ++s) arguments[s] = corners[corner_of_triangle(i, j, s)];
           out[shape.index(i, j)] = blossom<S>(shape, points, arguments);
         }
       }

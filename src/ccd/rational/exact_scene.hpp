@@ -6,6 +6,7 @@
 
 #include "base/double_parts.hpp"
 #include "base/verify.hpp"
+#include "bezier/blossom.hpp"
 #include "bezier/cell.hpp"
 #include "ccd/rational/axis.hpp"
 #include "ccd/rational/units.hpp"
@@ -27,8 +28,8 @@ inline Integer integer_in<Integer>(const DoubleParts& parts, int unit) {
   return out;
 }
 
-/// One query in integers of type Int (a WideInt, or Integer for any size), and the predicate that
-/// everything stands on: the exact sign of the gap of two cells along an axis at a time.
+/// One query in integers of type Int (a WideInt, or Integer for any size), and the exact sign of
+/// the gap of two cells along an axis at a time.
 /// Int must hold Units::bits_needed bits for every predicate asked.
 template <class Int>
 class ExactScene {
@@ -200,52 +201,18 @@ class ExactScene {
     const std::array<IntegerUv, 3>& corners = part.corners;
     const std::int64_t one = std::int64_t{1} << part.cell.depth;
     for (size_t a = 0; a < controls.size(); ++a) net_[a] = controls[a][coordinate];
-    const auto lerp = [&](const Int& p, const Int& q, std::int64_t s) {
-      return Int(times(p, one - s) + times(q, s));
-    };
-    switch (shape.kind) {
-      case ShapeKind::kPoint:
-        break;
-      case ShapeKind::kCurve:
-        for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-          const std::int64_t u = corners[step < i ? 1 : 0][0];
-          for (int a = 0; a < left; ++a) net(a) = lerp(net(a), net(a + 1), u);
-        }
-        break;
-      case ShapeKind::kTriangle:
-        for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-          const Shape from = Shape::triangle(left), to = Shape::triangle(left - 1);
-          const auto [u, v] = corners[step < i ? 1 : step < i + j ? 2 : 0];
-          for (int a = 0; a < left; ++a) {
-            for (int b = 0; b < left - a; ++b) {
-              const Int value = Int(Int(times(net(from.index(a, b)), one - u - v) +
-                                        times(net(from.index(a, b + 1)), v)) +
-                                    times(net(from.index(a + 1, b)), u));
-              net(to.index(a, b)) = value;  // to.index ≤ from.index of all later reads
-            }
-          }
-        }
-        break;
-      case ShapeKind::kTensor:
-        for (int a = 0; a <= shape.n; ++a) {
-          const int row = shape.index(a, 0);
-          for (int left = shape.m, step = 0; left > 0; --left, ++step) {
-            const std::int64_t v = corners[step < j ? 1 : 0][1];
-            for (int b = 0; b < left; ++b) net(row + b) = lerp(net(row + b), net(row + b + 1), v);
-          }
-        }
-        for (int left = shape.n, step = 0; left > 0; --left, ++step) {
-          const std::int64_t u = corners[step < i ? 1 : 0][0];
-          for (int a = 0; a < left; ++a) {
-            net(shape.index(a, 0)) = lerp(net(shape.index(a, 0)), net(shape.index(a + 1, 0)), u);
-          }
-        }
-        break;
-    }
-    return net(0);
+    blossom_in_place<Int>(
+        shape, net_,
+        [&](const Int& p, const Int& q, int step, bool in_v) {
+          const std::int64_t s = corners[step < (in_v ? j : i) ? 1 : 0][in_v ? 1 : 0];
+          return Int(times(p, one - s) + times(q, s));
+        },
+        [&](const Int& pw, const Int& pu, const Int& pv, int step) {
+          const auto [u, v] = corners[static_cast<size_t>(corner_of_triangle(i, j, step))];
+          return Int(Int(times(pw, one - u - v) + times(pv, v)) + times(pu, u));
+        });
+    return net_[0];
   }
-
-  Int& net(int i) { return net_[static_cast<size_t>(i)]; }
 
   Units units_;
   std::array<Side, 2> sides_;
