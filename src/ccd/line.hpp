@@ -43,8 +43,8 @@ class Lines {
 };
 
 /// Sorts by slope, lines of equal slope by intercept, both ascending. Shell's method: plain
-/// insertion for few lines, a few passes for many, no allocation, and no harm done where overflow
-/// has made NaN of a coefficient.
+/// insertion for few lines, a few passes for many, no allocation. It ends in some order where a
+/// coefficient is NaN after overflow.
 template <class S>
 void sort_lines(Lines<S>& lines) {
   const auto before = [](const Line<S>& x, const Line<S>& y) {

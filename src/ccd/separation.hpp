@@ -110,7 +110,7 @@ std::optional<TimeWindow<S>> remaining_window(std::span<const Separation<S>> sep
     moved = false;
     for (const Separation<S>& s : separations) {
       if (!s.contains(hi)) continue;
-      hi = s.lo;  // s does not hold its start: then it would hold the feasible lo
+      hi = s.lo;  // s.lo is not in s: else s would reach back to lo
       moved = true;
     }
   }

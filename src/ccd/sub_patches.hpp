@@ -46,8 +46,7 @@ class SubPatches {
     Frame frame;
     double frame_time;
   };
-  /// The nets of sibling cells, found again by the first of them: each new split takes the place of
-  /// an older one with the same hash.
+  /// The nets of sibling cells, in a direct-mapped cache: the first cell of a family is its key.
   struct Kept {
     std::array<Cell, kSplits> first;
     std::array<size_t, kSplits> parts;  ///< how many; 0 if there are none yet

@@ -8,9 +8,9 @@
 
 namespace ccdfuzz {
 
-/// TdibmInclusion as one would write it down from the paper: each pair makes its sub-patches and
-/// axes anew, and each axis and direction projects, sorts and builds its envelopes for itself. It
-/// is here to be measured and compared: it answers bit for bit what TdibmInclusion answers.
+/// A straightforward transcription of the paper: each pair makes its sub-patches and axes anew, and
+/// each axis and direction projects, sorts and builds its envelopes for itself. Reference for tests
+/// and benchmarks: its answers are those of TdibmInclusion, bit for bit.
 template <class Policy>
 class UnoptimisedInclusion {
  public:

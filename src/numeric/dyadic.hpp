@@ -16,7 +16,7 @@ class Dyadic {
   Dyadic(int m) : Dyadic(Integer(m), 0) {}  // NOLINT: integers convert as in any number type
   Dyadic(Integer m, long k) : m_(std::move(m)), k_(k) { normalise(); }
 
-  /// The exact value of a finite double; explicit, as every step between worlds is.
+  /// The exact value of a finite double; there is no implicit conversion from double.
   static Dyadic exact(double x);
   /// The exact value of x if its denominator is a power of two.
   static std::optional<Dyadic> from(const Rational& x);

@@ -17,8 +17,8 @@ constexpr int kMostSteps = 3;
 /// The same of a point and an edge, or of two points, which are always in a plane with the origin.
 /// Roots tell nothing there, and integers take as long as twenty steps.
 constexpr int kMostStepsInPlane = 8;
-/// A step shorter than this part of t_max is the last: what is nearer than that, at the speed of
-/// the scene, is within a hundred times the error bound.
+/// Stop after a step shorter than this part of t_max: the patches are then within about a hundred
+/// times the error bound of each other.
 constexpr double kShortestStep = 0x1p-44;
 
 Axis scaled(const Axis& a, double s) {
@@ -131,7 +131,7 @@ class Advancing {
       clear_ = true;
       return;
     }
-    // Half a bound past certainty, so that the check after it is likely to hold.
+    // Aim at 1.5·E so that the check below, which needs E, passes.
     double end = query_.t_max;
     for (int i = 0; i < differences_.count; ++i) {
       const auto n = static_cast<size_t>(i);

@@ -8,8 +8,8 @@
 
 namespace ccdfuzz::certified {
 
-/// What underflow may cost is counted as this much at least, though it is less: processors take a
-/// hundred times as long where a number is subnormal. Lengths are of the order of 1.
+/// Lower limit of the absolute error term. The true underflow error is smaller; a normal number is
+/// used because arithmetic on subnormals is slow. Lengths are of the order of 1.
 inline constexpr double kLeastAbsolute = 0x1p-1000;
 
 /// A query brought to magnitude 1 by steps whose rounding is known, so that no finite input under-
@@ -30,8 +30,9 @@ struct NormalisedQuery {
   int space = 0;  ///< lengths are scaled by 2^space
   /// Σ over sides of max|p'| + max|v'|, three sums rounded to nearest (the M of DERIVATION.md).
   double magnitude = 0;
-  /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite where lengths that underflow
-  /// may be all that there is, beside others of 2^1022 that are alike: nothing is separated then.
+  /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite if scaling down by ¼ may have
+  /// lost all relative positions (some coordinates near 2^1023 and equal, the differences
+  /// subnormal). Then no pair is ever separated.
   double absolute = 0;
 };
 

@@ -83,7 +83,7 @@ class Gap {
  private:
   int exact_sign(int below, double t, const Extremes& at);
 
-  /// The query in integers of one size, made when first needed.
+  /// The query in integers of one size, converted on first use.
   template <class Int>
   struct Tier {
     ExactScene<Int> scene;

@@ -93,11 +93,12 @@ class Builder {
 
   /// Axes are tried with few bits first: most leaves need no more.
   static constexpr std::array<int, 5> kBits = {4, 8, 13, 19, 28};
-  /// A shorter cut is left to the children, which cut again anyway.
-  static constexpr std::uint64_t kLeastCut = 8;  // 1/8 of the window
+  /// Cuts shorter than 1/8 of the window are not written: the children cut again anyway.
+  static constexpr std::uint64_t kLeastCutInverse = 8;
   static constexpr int kTimeBits = std::countr_zero(kTimeSteps);
 
-  /// The time at m. until's rounding and this product's are two more roundings of each t.
+  /// The time at m. `round_up` costs up to 2u and the product u: three roundings. One of them is
+  /// the chord's in ErrorBound, which no certified axis here uses; kOfTime counts the others.
   double time(std::uint64_t m) const {
     return until_ * std::ldexp(static_cast<double>(m), -kTimeBits);
   }
@@ -151,9 +152,9 @@ class Builder {
       std::uint64_t m = static_cast<std::uint64_t>(
           std::clamp(low ? std::floor(steps) : std::ceil(steps), static_cast<double>(pair.lo),
                      static_cast<double>(pair.hi)));
-      // As few bits as cost no more than a 16th of the cut.
+      // Round the cut inward by at most 1/16 of its length, to save bits.
       const std::uint64_t length = low ? m - pair.lo : pair.hi - m;
-      if (length * kLeastCut < pair.hi - pair.lo || length <= best.length) continue;
+      if (length * kLeastCutInverse < pair.hi - pair.lo || length <= best.length) continue;
       const std::uint64_t grid = std::bit_floor(std::max<std::uint64_t>(length / 16, 1));
       m = low ? m / grid * grid : (m + grid - 1) / grid * grid;
       if (m <= pair.lo || m >= pair.hi) continue;

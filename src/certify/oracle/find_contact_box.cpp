@@ -139,7 +139,8 @@ std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& 
   };
   for (const double near_zero : {4 * near.width, 0.0}) {
     for (int mask = 0; mask < 32 && !good_enough(); ++mask) {
-      // With the time first, as contacts that begin are found so: 31 − mask has it in the top bit.
+      // Sets that contain the time come first, as contacts that begin transversally are found by
+      // them: the time is the top bit of 31 − mask.
       ContactBox start = box_at(query, near, near_zero);
       size_t count = 0;
       for (int i = 0; i < 5; ++i) {

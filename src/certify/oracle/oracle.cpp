@@ -55,7 +55,7 @@ class Deciding {
   template <class Method>
   Answer ask(double precision) {
     thread_local Method method;
-    // A pair of cells costs the exact method about as much as a dozen cost the other.
+    // A pop of tdibm-rational costs about as much as 12 of tdibm-c.
     const bool is_exact = std::is_same_v<Method, TdibmRational>;
     const std::uint64_t pops = is_exact ? options_.max_pops / 12 : options_.max_pops;
     const Answer answer = method.answer(query_, {.precision = precision,
@@ -140,8 +140,8 @@ class Deciding {
     if (wanted && *wanted > 0 && !(contact && *contact <= *wanted)) {
       if (try_tree(*wanted, options_.max_tree_nodes)) return;
     }
-    // The nearer the contact, the larger the tree: what is too large is tried earlier. None of
-    // these decides the query, so that none may take long.
+    // Trees grow as `until` nears the contact. If one is too large, try an earlier time. These
+    // trees do not decide the query, so each gets a quarter of the nodes.
     constexpr std::uint64_t kShare = 4;
     for (const double slack : {0x1p-20, 0x1p-14, 0x1p-10, 0x1p-7, 0x1p-4, 0x1p-2}) {
       const double until = clear_ - slack * query_.t_max;
