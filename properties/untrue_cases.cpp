@@ -1,4 +1,5 @@
 #include "case/case_json.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "generators/draw_contact.hpp"

@@ -238,6 +238,24 @@ TEST(Layering, HeadersOfTheCertifiedMethodHaveNoGmpAndNothingOfThePaper) {
   EXPECT_TRUE(closure(root, "bezier/exact_patch.hpp").contains("gmpxx.h"));
 }
 
+// What decides about a proof is given bytes: reading files is for check_case alone, and the limit
+// of a run (run_work.cpp) names the files of a case.
+TEST(Layering, TheCheckerReadsFilesInOnePlaceAlone) {
+  const fs::path root = CCDFUZZ_SOURCE_DIR;
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(root / "src/certify/checker")) {
+    const std::string name = fs::relative(entry.path(), root / "src"), stem = entry.path().stem();
+    if (!name.ends_with("pp") || stem == "check_case" || name.ends_with("run_work.cpp")) continue;
+    ++files;
+    const std::set<std::string> all = closure(root, name);
+    for (const char* barred : {"case/case_files.hpp", "case/tree_file.hpp", "case/case_json.hpp",
+                               "base/output_file.hpp", "base/input_bytes.hpp", "zstd.h"}) {
+      EXPECT_FALSE(all.contains(barred)) << name << " reaches " << barred;
+    }
+  }
+  EXPECT_GT(files, 15);
+}
+
 TEST(Layering, RefusesWhatGoesUpwards) {
   const fs::path root = CCDFUZZ_SOURCE_DIR;
   const auto refused = [&](const std::string& path, const Include& include) {

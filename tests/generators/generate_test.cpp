@@ -1,4 +1,5 @@
 #include "generators/generate.hpp"
+#include "certify/checker/check_case.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

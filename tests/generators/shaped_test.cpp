@@ -5,6 +5,7 @@
 #include <set>
 
 #include "case/case_json.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "generators/generate.hpp"
 #include "generators/shaped/features.hpp"

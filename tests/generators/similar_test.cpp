@@ -1,4 +1,5 @@
 #include "generators/similar.hpp"
+#include "certify/checker/check_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,33 @@
 #include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/run_work.hpp"
+#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
+
+Result<void> check_absence(const Case& value, const std::string& trees) {
+  const Truth& truth = value.truth;
+  if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
+  const std::string until = shown(until_of(*truth.clearance));
+  if (truth.collides == false && !covers(*truth.clearance, exact(value.query.t_max))) {
+    return input_error("truth.certificate.clear.until",
+                       fmt::format("{} does not reach past t_max = {}", until, value.query.t_max));
+  }
+  if (truth.clear_until && *truth.clear_until > until_of(*truth.clearance)) {
+    return input_error(
+        "truth.certificate.clear.until",
+        fmt::format("{} is before clear_until = {}", until, shown(*truth.clear_until)));
+  }
+  std::string bytes;
+  if (const auto* tree = std::get_if<MissTree>(&*truth.clearance)) {
+    auto read = read_tree(trees, tree->tree);
+    if (!read) {
+      return input_error("truth.certificate.clear.tree", read.error().message());
+    }
+    bytes = *std::move(read);
+  }
+  return check_clearance(value.query, *truth.clearance, bytes);
+}
 
 /// The one maker of a CheckedCase that knows something.
 class CaseCheck {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "case/tree_file.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
@@ -66,30 +65,6 @@ Result<void> check_clearance(const Query& query, const Clearance& clearance,
     return check_linear_clearance(query, *linear);
   }
   return check_tree(query, until_of(clearance), tree).map([](std::uint64_t) {});
-}
-
-Result<void> check_absence(const Case& value, const std::string& trees) {
-  const Truth& truth = value.truth;
-  if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
-  const std::string until = shown(until_of(*truth.clearance));
-  if (truth.collides == false && !covers(*truth.clearance, exact(value.query.t_max))) {
-    return input_error("truth.certificate.clear.until",
-                       fmt::format("{} does not reach past t_max = {}", until, value.query.t_max));
-  }
-  if (truth.clear_until && *truth.clear_until > until_of(*truth.clearance)) {
-    return input_error(
-        "truth.certificate.clear.until",
-        fmt::format("{} is before clear_until = {}", until, shown(*truth.clear_until)));
-  }
-  std::string bytes;
-  if (const auto* tree = std::get_if<MissTree>(&*truth.clearance)) {
-    auto read = read_tree(trees, tree->tree);
-    if (!read) {
-      return input_error("truth.certificate.clear.tree", read.error().message());
-    }
-    bytes = *std::move(read);
-  }
-  return check_clearance(value.query, *truth.clearance, bytes);
 }
 
 }  // namespace ccdfuzz

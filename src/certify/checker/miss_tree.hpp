@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "case/tree_file.hpp"
+#include "case/certificate.hpp"
 
 namespace ccdfuzz {
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "case/case_files.hpp"
+
 namespace ccdfuzz {
 
 namespace {

@@ -3,9 +3,10 @@
 #include <cstdint>
 
 #include "base/result.hpp"
-#include "case/case_files.hpp"
 
 namespace ccdfuzz {
+
+struct NamedCase;
 
 /// What this process may spend on checking the cases of files, all together, so that a file of many
 /// costly cases cannot occupy a command for long. Work bounds each certificate alone.

@@ -4,6 +4,7 @@
 
 #include "base/verify.hpp"
 #include "case/tree_file.hpp"
+#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 
 namespace ccdfuzz {
