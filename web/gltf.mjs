@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { cellAt, pictureOf } from './src/geometry.js';
 import { gltfText } from './src/gltf.js';
-import { centreOf, indices, localPatches, real, shapeOf } from './src/local.js';
+import { centreOf, indices, localPatches, motionOf, real, shapeOf } from './src/local.js';
 
 // three.js reads its buffer through this class of browsers, which Node does not have.
 globalThis.FileReader = class {
@@ -31,7 +31,7 @@ function checkCase(known) {
     expect(kShapes.includes(patch.shape), `patches[${s}].shape is none of ${kShapes.join(', ')}`);
     const { n, m, kind } = shapeOf(patch);
     expect([n, m].every((x) => Number.isInteger(x) && x >= 0 && x <= kMaxDegree), `patches[${s}].degree is not from 0 to ${kMaxDegree}`);
-    for (const name of ['positions', 'velocities']) {
+    for (const name of ['positions', motionOf(patch)]) {
       const rows = patch[name];
       expect(rows?.length === indices({ kind, n, m }).length, `patches[${s}].${name} does not have as many rows as control points`);
       expect(rows.every((row) => row.length === 3 && row.every((x) => Number.isFinite(real(x)))), `patches[${s}].${name} has a row that is not three numbers`);

@@ -7,7 +7,9 @@
 #include "base/json_text.hpp"
 #include "case/case_json.hpp"
 #include "case/test_snippet.hpp"
-#include "finds/store.hpp"
+#include "ccd/witness_trace/loss_signature.hpp"
+#include "finds/content_address.hpp"
+#include "finds/failure.hpp"
 #include "report/loss.hpp"
 
 namespace ccdfuzz {
@@ -26,7 +28,7 @@ double from(const Rational& t, double x) {
   return Rational(exact(x) - t).get_d();
 }
 
-Json or_null(const std::optional<double>& x) {
+Json or_null(const auto& x) {
   return x ? Json(*x) : Json();
 }
 
@@ -61,7 +63,7 @@ Json loss_json(const Case& known, const Trace::Loss& loss) {
   const LossFacts facts = facts_of(known.query, *known.truth.witness, loss);
   row["overlap"] = facts.overlap ? Json(facts.overlap->length) : Json();
   row["height_ulp"] = facts.overlap ? Json(facts.overlap->height_ulp) : Json();
-  row["ulps_past"] = facts.ulps_past ? Json(*facts.ulps_past) : Json();
+  row["ulps_past"] = or_null(facts.ulps_past);
   return row;
 }
 
@@ -96,14 +98,10 @@ Json trace_json(const Case& known, const std::string& method, const Trace& trace
   return row;
 }
 
-/// [method, level, axis, ulps in time, ulps in height]
+/// [method, level, axis, ulps in time]
 Json worst_json(const std::string& method, const Json& loss) {
-  Json row = Json::array({method, loss["level"], loss.value("axis", -1), nullptr, nullptr});
-  if (loss.contains("ulps_past")) row[3] = loss["ulps_past"];
-  if (loss.contains("overlap") && !loss["overlap"].is_null()) {
-    row[4] = shortened(loss["overlap"].get<double>() / loss["height_ulp"].get<double>(), 3);
-  }
-  return row;
+  return Json::array(
+      {method, loss["level"], loss.value("axis", -1), loss.value("ulps_past", Json())});
 }
 
 /// The steps' cells are the same for every method that follows the same path: each stands once.
@@ -138,7 +136,10 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
   const auto& witness = known.truth.witness;
   const bool traceable = witness && witness->t <= exact(known.query.t_max);
   std::string outcomes(methods.size(), '-');
-  Json answers = Json::object(), traces = Json::array(), worst;
+  Json answers = Json::object(), traces = Json::array(), causes = Json::object(), worst;
+  for (const Failure& failure : failures_of(known)) {
+    if (!failure.cause.empty()) causes[failure.who] = failure.cause;
+  }
   for (const ReportedAnswer& answer : reported.answers) {
     const auto at = std::ranges::find(methods, answer.method);
     if (at == methods.end()) continue;
@@ -150,13 +151,12 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
     }
     Tracer* const tracer = tracers.find(answer.method);
     if (!tracer) continue;  // a plug-in, of which nothing is seen but its answer
-    const TraceOptions options{reported.precision, false, true};
-    traces.push_back(
-        trace_json(known, answer.method, tracer->trace(known.query, *witness, options)));
+    const Trace traced = tracer->trace(known.query, *witness, {reported.precision, false, true});
+    traces.push_back(trace_json(known, answer.method, traced));
     const Json& trace = traces.back();
-    if (is_failure(answer.outcome) && worst.is_null() && trace.contains("loss")) {
-      worst = worst_json(answer.method, trace["loss"]);
-    }
+    if (!is_failure(answer.outcome)) continue;
+    causes.emplace(answer.method, loss_cause(traced));
+    if (worst.is_null() && trace.contains("loss")) worst = worst_json(answer.method, trace["loss"]);
   }
   Json cells = Json::array();
   share_cells(traces, cells);
@@ -168,11 +168,11 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
       {"cells", cells},
       {"traces", traces}};
   const Origin& origin = known.origin;
-  const Json is_new = reported.is_new ? Json(*reported.is_new) : Json();
   std::string text = json_text(details);
   text.pop_back();
-  return {Json::array({reported.id, origin.contact, origin.kind, origin.generator, outcomes, is_new,
-                       worst}),
+  return {Json::array({reported.id, origin.contact, origin.kind, origin.generator, outcomes,
+                       or_null(reported.is_new), worst, name_of(setting_of(known)),
+                       size_of(known.query).significant_bits, causes}),
           text + ",\"case\":" + to_json(known) + "}"};
 }
 

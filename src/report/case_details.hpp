@@ -18,9 +18,12 @@ struct CaseText {
 
 /// Traces the witness of the case, if it has one within t_max, through every method that has failed
 /// on it; with trace_all, or if none has, through all that were asked; not through plug-ins.
-/// The row: [id, class, kind, generator, outcomes, new, worst], with a letter for each method in
-/// `outcomes` (letter_of; "-" where it was not asked) and `worst` the first loss of a method that
-/// has failed, [method, level, axis, ulps in time or null, ulps in height or null], or null.
+/// The row: [id, class, kind, generator, outcomes, new, worst, setting, bits, causes]:
+/// - `outcomes` has a letter for each method (letter_of; "-" where it was not asked);
+/// - `worst` is the first loss of a method that failed, [method, level, axis, ulps or null], or
+/// null;
+/// - `bits` are the query's significant bits (CaseSize);
+/// - `causes` maps methods that failed to the cause: the one that the case expects, or the trace's.
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
                   bool trace_all, TracerSet& tracers);
 

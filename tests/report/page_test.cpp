@@ -104,6 +104,27 @@ TEST(ReportPage, OfPluginsThatAreGoneHasAllButTheirTraces) {
   EXPECT_EQ(data["cases"][0][4], "mcm");
 }
 
+TEST(ReportPage, ACaseHasItsSettingItsBitsAndTheCausesOfItsFailures) {
+  ReportPage report;
+  report.cases = {reported("VV", Outcome::kMissed)};
+  report.cases[0].answers.push_back({"plugin:./gone.so", Outcome::kError, std::nullopt});
+  report.cases[0].answers.push_back({"tdibm-c", Outcome::kCorrect, 0.5});
+  report.cases[0].value.expect = {{"tdibm", {Outcome::kMissed, "left root"}},
+                                  {"plugin:./gone.so", {Outcome::kError, "hang"}},
+                                  {"tdibm-c", {Outcome::kCorrect}}};
+  const Json row = data_of(report_page(report, 1))["cases"][0];
+  EXPECT_EQ(row[7], "ordinary");
+  EXPECT_EQ(row[8], 4U) << "four ones: two velocities, a position and t_max";
+  EXPECT_EQ(row[9], (Json{{"tdibm", "left root"}, {"plugin:./gone.so", "hang"}}));
+}
+
+TEST(ReportPage, WhereACaseExpectsNoCauseItIsThatOfTheTrace) {
+  ReportPage report;
+  report.cases = {reported("VV", Outcome::kMissed)};
+  const Json row = data_of(report_page(report, 1))["cases"][0];
+  EXPECT_EQ(row[9], (Json{{"tdibm", ""}})) << "which loses nothing here";
+}
+
 TEST(ReportPage, IsTheOnlyFileOfItsFolder) {
   ReportPage report;
   report.scoreboard = "{}";

@@ -26,9 +26,9 @@ export const kOutcomes = {
 export const isFailure = (letter) => 'mlfe'.includes(letter);
 
 export const cases = (report.cases ?? []).map(
-  ([id, contact, kind, generator, outcomes, isNew, worst], index) => ({
-    index, id, contact, kind, generator, outcomes, isNew,
-    worst: worst && { method: worst[0], level: worst[1], axis: worst[2], ulps: worst[3], heightUlps: worst[4] },
+  ([id, contact, kind, generator, outcomes, isNew, worst, setting, bits, causes], index) => ({
+    index, id, contact, kind, generator, outcomes, isNew, setting, bits, causes,
+    worst: worst && { method: worst[0], level: worst[1], axis: worst[2], ulps: worst[3] },
     failed: report.methods.filter((_, m) => isFailure(outcomes[m])).map((m) => m.spec),
   }),
 );

@@ -1,3 +1,5 @@
+import { pngOf } from './png.js';
+
 /** An element: h('p.note', {title: 'x'}, 'text', child, …). */
 export function h(selector, ...rest) {
   const [tag, ...classes] = selector.split('.');
@@ -14,6 +16,7 @@ export function h(selector, ...rest) {
 }
 
 const kSuperscripts = '⁰¹²³⁴⁵⁶⁷⁸⁹';
+export const superscript = (e) => [...String(e)].map((c) => (c === '-' ? '⁻' : kSuperscripts[c])).join('');
 /** 1.2e-15 as 1.2 × 10⁻¹⁵. */
 export function scientific(x, digits = 3) {
   if (x === 0) return '0';
@@ -21,7 +24,7 @@ export function scientific(x, digits = 3) {
   const plain = Math.abs(x) >= 1e-3 && Math.abs(x) < 1e5;
   if (plain) return String(Number(x.toPrecision(digits)));
   const [m, e] = x.toExponential(digits - 1).split('e');
-  const power = [...String(Number(e))].map((c) => (c === '-' ? '⁻' : kSuperscripts[c])).join('');
+  const power = superscript(Number(e));
   return Number(m) === 1 && digits === 1 ? `10${power}` : `${Number(m)} × 10${power}`;
 }
 
@@ -72,17 +75,22 @@ export function copyButton(label, text) {
 /** "corpus/a.json" → "a", "b.jsonl.zst:12" → "b-12": where a case is, as the name of a file. */
 export const fileName = (id) => id.replace(/^.*\//, '').replace(/\.jsonl?(\.zst)?(:|$)/, '$2').replace(/[^\w.-]+/g, '-');
 
-/** A button that saves content(), text or bytes or a promise of them, as a file. */
+/** A button that saves content(), text or bytes or a promise of them, as a file. name: text or a function. */
 export function saveButton(label, name, content, type = 'text/csv') {
   return h('button.copy', {
     type: 'button',
     onclick: async () => {
-      const link = h('a', { href: URL.createObjectURL(new Blob([await content()], { type })), download: name });
+      const link = h('a', { href: URL.createObjectURL(new Blob([await content()], { type })), download: typeof name === 'function' ? name() : name });
       link.click();
       setTimeout(() => URL.revokeObjectURL(link.href), 1000);
     },
   }, label);
 }
+
+/** A heading with buttons that save what is under it: its data as CSV, element() as PNG. name(): of the files. */
+export const savingHead = (title, name, data, element) => h('div.table-head', h('h3', title), h('div.saves',
+  saveButton('CSV', () => `${name()}.csv`, data),
+  saveButton('PNG', () => `${name()}.png`, () => pngOf(element()), 'image/png')));
 
 const csvField = (x) => (/[",\r\n]/.test(x) ? `"${String(x).replaceAll('"', '""')}"` : String(x ?? ''));
 /** Rows of objects with a first row of their keys, for csv(). */

@@ -2,8 +2,7 @@
 import * as Plot from '@observablehq/plot';
 import { colourOf } from './colours.js';
 import { kClasses, methods, report } from './data.js';
-import { csv, durationText, h, percentText, saveButton, scientific, tableOf } from './dom.js';
-import { pngOf } from './png.js';
+import { csv, durationText, h, percentText, savingHead, scientific, tableOf } from './dom.js';
 
 const groups = report.groups ?? [];
 const present = (list) => methods.filter((m) => list.some((g) => g.method === m));
@@ -40,10 +39,7 @@ export const legend = (list) => h('div.legend', list.map((m) => h('span', h('i',
 /** A figure with buttons that save it: as a picture, and its data, a table of `rows`. */
 export function figure(title, caption, rows, ...nodes) {
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/-$/, '');
-  const made = h('figure.card',
-    h('div.table-head', h('h3', title), h('div.saves',
-      saveButton('CSV', `${name}.csv`, () => csv(rows)), saveButton('PNG', `${name}.png`, () => pngOf(made), 'image/png'))),
-    ...nodes, h('figcaption', caption));
+  const made = h('figure.card', savingHead(title, () => name, () => csv(rows), () => made), ...nodes, h('figcaption', caption));
   return made;
 }
 

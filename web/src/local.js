@@ -103,13 +103,17 @@ function regularSteps({ kind, n, m }, a, b) {
   return kind === 'triangle' ? n - a - b : n - a + m - b;
 }
 
+/** The key of a patch that says how it moves: its velocities, or its positions at t = 1. */
+export const motionOf = (patch) => (patch.ends ? 'ends' : 'velocities');
+
 function expand(patch, uv, t) {
   const shape = shapeOf(patch);
   const positions = patch.positions.map((row) => row.map(real));
-  const velocities = patch.velocities.map((row) => row.map(real));
-  const exponent = leastExponent(positions, velocities);
+  const motion = patch[motionOf(patch)].map((row) => row.map(real));
+  const exponent = leastExponent(positions, motion);
   const p = integers(positions, exponent);
-  const v = integers(velocities, exponent);
+  const given = integers(motion, exponent);
+  const v = patch.ends ? given.map((row, i) => row.map((x, k) => x - p[i][k])) : given;
   const moved = p.map((row, i) => row.map((x, k) => x * t[1] + v[i][k] * t[0]));
   const one = uv[0][1] * uv[1][1];
   const at = [uv[0][0] * uv[1][1], uv[1][0] * uv[0][1]];

@@ -32,7 +32,7 @@ function fillCases(panel) {
 
 function openCase(index) {
   show('cases');
-  list.open(index, true);
+  list.open(index);
 }
 
 function pick(method, contact) {
@@ -73,7 +73,7 @@ function show(id) {
       page.fill(page.panel);
     }
   }
-  if (id === 'cases' && list.chosen < 0 && list.shown.length > 0) list.open(list.shown[0].index);
+  if (id === 'cases' && list.chosen < 0) list.openFirst();
   if (id !== 'cases') history.replaceState(null, '', `#${id}`);
 }
 

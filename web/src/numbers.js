@@ -1,5 +1,6 @@
 // The exact numbers beside the picture.
 import { h, scientific } from './dom.js';
+import { real } from './local.js';
 import { compare, fractionOf, hexFloat, toNumber } from './exact.js';
 
 /** A table of the contact, of how a method answered, and of its loss, if it has lost it. */
@@ -11,8 +12,9 @@ export function numbersTable({ known, centre, local, tMax, method, answer, loss 
     add('t*', h('code', witness.t), ` ≈ ${toNumber(centre.t)}`);
     witness.uv.forEach((pair, s) => add(`u, v of patch ${s + 1}`, h('code', pair.join(', '))));
     add('contact point', h('code', local.origin.map((x) => String(x)).join(', ')));
-    if (local.apart) add('', 'the two patches differ there');
+    if (local.apart) add('', known.separation ? 'patch 1; patch 2 keeps a distance' : 'the two patches differ there');
   }
+  if (known.separation) add('separation', h('code', hexFloat(real(known.separation))), ` = ${real(known.separation)}`);
   add('t_max', h('code', hexFloat(tMax)), ` = ${tMax}`);
   if (answer?.toi !== null && answer?.toi !== undefined) add(`toi of ${method}`, h('code', hexFloat(answer.toi)), ` = ${answer.toi}`);
   if (loss) {

@@ -1,8 +1,9 @@
 // What this report comes to: how often each method fails in each class.
-import { cases, isFailure, kClasses, methods, report } from './data.js';
+import { cases, isFailure, kClasses, kOutcomes, methods, report } from './data.js';
 import { csv, h, saveButton, ulpsText } from './dom.js';
 import { asInThePaper, summed } from './figures.js';
 import { colourOf } from './colours.js';
+import { failureGroups } from './failures.js';
 
 const plural = (n, one) => `${n.toLocaleString('en')} ${one}${n === 1 ? '' : 's'}`;
 
@@ -12,13 +13,13 @@ function cell(method, contact, sums) {
     const row = sums.find((r) => r.method === method && r.class === contact);
     if (!row) return null;
     if (row.n === 0 && row.not_asked > 0) return { refused: row.not_asked };
-    return { missed: row.missed, late: row.late, fp: row.false_positive, error: row.error, of: row.positives, negatives: row.negatives };
+    return { missed: row.missed, late: row.late, fp: row.false_positive, error: row.error, undecided: row.undecided, of: row.positives, negatives: row.negatives };
   }
   const at = methods.indexOf(method);
   const asked = cases.filter((c) => c.contact === contact && c.outcomes[at] !== '-');
   if (asked.length === 0) return null;
   const count = (letter) => asked.filter((c) => c.outcomes[at] === letter).length;
-  return { missed: count('m'), late: count('l'), fp: count('f'), error: count('e'), of: asked.length, negatives: asked.length };
+  return { missed: count('m'), late: count('l'), fp: count('f'), error: count('e'), undecided: count('u'), of: asked.length, negatives: asked.length };
 }
 
 function matrix(onPick) {
@@ -40,50 +41,63 @@ function matrix(onPick) {
           h('b', fn === 0 ? '0' : found.late ? `${found.missed} + ${found.late}` : String(found.missed)),
           h('span.of', ` of ${found.of}`),
           found.fp > 0 ? h('span.fp', `${found.fp} FP`) : null,
+          found.undecided > 0 ? h('span.fp', `${found.undecided} undecided`) : null,
           found.error > 0 ? h('span.fp', plural(found.error, 'error')) : null,
         ];
-        const style = fn > 0 ? `--heat:${(0.12 + 0.6 * heat).toFixed(3)}` : null;
+        const style = fn > 0 ? `--heat:${(0.1 + 0.4 * heat).toFixed(3)}` : null;
         const watchable = cases.some((c) => c.contact === contact && isFailure(c.outcomes[methods.indexOf(method)]));
         return h('td', { style, class: fn > 0 ? 'hot' : '' },
           bad > 0 && watchable ? h('button', { type: 'button', onclick: () => onPick(method, contact), title: 'Show these cases' }, parts) : parts);
       }));
   }));
-  const save = () => csv([['method', 'class', 'missed', 'late', 'false_positive', 'error', 'of'], ...methods.flatMap((method) => kClasses.flatMap((contact) => {
+  const save = () => csv([['method', 'class', 'missed', 'late', 'false_positive', 'undecided', 'error', 'of'], ...methods.flatMap((method) => kClasses.flatMap((contact) => {
     const found = cell(method, contact, all);
-    return found && !found.refused ? [[method, contact, found.missed, found.late, found.fp, found.error, found.of]] : [];
+    return found && !found.refused ? [[method, contact, found.missed, found.late, found.fp, found.undecided, found.error, found.of]] : [];
   }))]);
   return [h('div.table-head', h('h3', 'False negatives: missed + late, by method and class'), saveButton('CSV', 'overview.csv', save)),
     h('div.scroll', h('table.matrix', head, body))];
 }
 
+const kMostFailures = 8;
+
+/** A failure and its best example, in words. */
+function failureText({ method, contact, cause, members: [{ row, letter }, ...others] }) {
+  const { worst } = row;
+  const wrong = worst?.method === method && worst.axis >= 0 && worst.ulps !== null
+    ? `: axis ${worst.axis} is wrong by ${worst.ulps === 0 ? 'less than an ulp' : ulpsText(worst.ulps)} of the time, at level ${worst.level}` : '';
+  const details = [kOutcomes[letter], contact, cause, row.setting === 'ordinary' ? '' : row.setting].filter(Boolean).join(', ');
+  return [h('b', method), ` ${details}${wrong}`, others.length > 0 ? h('span.of', ` and ${others.length.toLocaleString('en')} more`) : null];
+}
+
+const failuresCsv = (groups) => csv([['method', 'class', 'cause', 'cases', 'best', 'outcome', 'setting', 'significant_bits'],
+  ...groups.map(({ method, contact, cause, members: [{ row, letter }, ...others] }) =>
+    [method, contact, cause, 1 + others.length, row.id, kOutcomes[letter], row.setting, row.bits])]);
+
 export function overview(open, pick) {
   const failing = cases.filter((c) => c.failed.length > 0);
   const broken = (report.methods ?? []).filter((m, at) => m.claims && cases.some((c) => 'ml'.includes(c.outcomes[at])));
+  const left = report.cases_left_out ?? 0;
+  const all = failing.length + left;
   const queries = (report.groups ?? []).reduce((s, g) => s + g.n, 0);
   const facts = [
     queries > 0 && [queries.toLocaleString('en'), 'queries judged'],
-    [failing.length.toLocaleString('en'), failing.length === 1 ? 'counterexample' : 'counterexamples'],
+    [all.toLocaleString('en'), `${all === 1 ? 'counterexample' : 'counterexamples'}${left > 0 ? `, ${failing.length.toLocaleString('en')} of them here` : ''}`],
     cases.some((c) => c.isNew !== null) && [cases.filter((c) => c.isNew).length.toLocaleString('en'), 'of them new'],
-    [String(broken.length), broken.length === 1 ? 'claim broken' : 'claims broken'],
+    [String(broken.length), broken.length === 1 ? 'guarantee broken' : 'guarantees broken'],
   ].filter(Boolean);
   const rates = asInThePaper.length ? '' : ' Counts are of the cases in this page.';
-  // Of each method the loss that is hardest to see: the first level, the fewest ulps.
-  const telling = failing.filter((c) => c.worst)
-    .sort((a, b) => (a.worst.ulps ?? Infinity) - (b.worst.ulps ?? Infinity) || a.worst.level - b.worst.level);
-  const seen = new Set();
-  const shown = telling.filter((c) => !seen.has(c.worst.method) && seen.add(c.worst.method)).slice(0, 8);
+  const groups = failureGroups(failing, () => true);
+  const shown = groups.slice(0, kMostFailures);
   return [
     h('div.facts', facts.map(([n, what]) => h('div', h('b', n), h('span', what)))),
     h('section.card',
       matrix(pick),
       h('p.note', `Missed: the method says that there is no contact, and an exact witness proves one. Late: it reports a time after a proven contact. FP: it reports a contact that is proven to be none.${rates}`,
-        broken.length > 0 ? ` Claimed to be free of false negatives, and are not: ${broken.map((m) => m.spec).join(', ')}.` : '')),
-    shown.length > 0 ? h('section.card',
-      h('h3', 'Where they were lost'),
-      h('ul.telling', shown.map((c) => h('li', h('button.link', { type: 'button', onclick: () => open(c.index) },
-        h('b', c.worst.method), ` lost a ${c.contact} contact at level ${c.worst.level}`,
-        c.worst.axis >= 0 && c.worst.ulps !== null
-          ? `: axis ${c.worst.axis} is wrong by ${c.worst.ulps === 0 ? 'less than an ulp' : ulpsText(c.worst.ulps)} of the time` : ''))))) : null,
+        broken.length > 0 ? ` These guarantee no false negative, and have some: ${broken.map((m) => m.spec).join(', ')}.` : '')),
+    shown.length > 0 ? h('section.card', { id: 'failures' },
+      h('div.table-head', h('h3', 'Failures: method, class and cause'), saveButton('CSV', 'failures.csv', () => failuresCsv(groups))),
+      h('ul.telling', shown.map((group) => h('li', h('button.link', { type: 'button', onclick: () => open(group.members[0].row.index) }, failureText(group))))),
+      groups.length > shown.length ? h('p.note', `The best example of each; ${groups.length - shown.length} more are under Counterexamples.`) : null) : null,
     h('p.note', 'Made by ', h('code', report.command || 'ccdfuzz'),
       report.cases_left_out ? `. ${plural(report.cases_left_out, 'further failing case')} ${report.cases_left_out === 1 ? 'has' : 'have'} no room here.` : '.'),
   ].filter(Boolean);

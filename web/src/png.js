@@ -1,6 +1,4 @@
 // A figure as a picture.
-import { h } from './dom.js';
-
 const kDensity = 2;  // pixels of the picture for one of the page
 
 /** An SVG of the page as an image; what the page's style gives it is written into it. */
@@ -26,7 +24,8 @@ export async function pngOf(element) {
   const plots = [...element.querySelectorAll('svg')];
   // Plots that the page lets scroll reach out of the element.
   const right = Math.max(origin.right, ...plots.map((svg) => svg.getBoundingClientRect().right + 8));
-  const canvas = h('canvas', { width: Math.ceil(kDensity * (right - origin.left)), height: Math.ceil(kDensity * origin.height) });
+  const canvas = Object.assign(document.createElement('canvas'),
+    { width: Math.ceil(kDensity * (right - origin.left)), height: Math.ceil(kDensity * origin.height) });
   const pen = canvas.getContext('2d');
   pen.scale(kDensity, kDensity);
   pen.translate(-origin.left, -origin.top);

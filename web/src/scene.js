@@ -28,7 +28,7 @@ export class Stage {
     this.marks = new Group();
     this.scene.add(this.marks);
     this.show = { nets: true, boxes: true, normals: true };
-    this.colours = { patches: kPatchColours, ink: 0x222222, alarm: 0xd62839 };
+    this.colours = { patches: kPatchColours };
     this.resize();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
   }
@@ -49,6 +49,8 @@ export class Stage {
       this.scene.remove(view.group);
       view.dispose();
     }
+    const style = getComputedStyle(this.canvas);
+    for (const name of ['ink', 'alarm']) this.colours[name] = style.getPropertyValue(`--${name}`).trim();
     this.scale = scale;
     this.boxDt = boxDt;
     this.views = parts.map((part, s) => new PatchView(part, this.colours.patches[s]));

@@ -21,19 +21,30 @@ export function ladder(trace, traces, chosen, onLevel) {
   return rungs;
 }
 
-/** What the slider passes, over range (from t* on): the method's window, what it excludes, the
- * contact if there is one, the answer. */
-export function bands({ range, step, excluded, toi, contact, tStar }) {
+const kTooNear = 12;  // percent of the width, in which two names would meet
+
+/** What the slider passes, over range (from t* on): the method's window, what it excludes, and with their
+ * names the contact if there is one, and the toi (from t* on, or null) that the method reports. */
+export function bands({ range, step, excluded, toi, contact }) {
   const [lo, hi] = range;
   const place = (dt) => Math.min(100, Math.max(0, (100 * (dt - lo)) / (hi - lo)));
   const band = (name, [from, to], title) =>
     h(`span.${name}`, { style: `left:${place(from)}%;width:${Math.max(0.4, place(to) - place(from))}%`, title });
-  const mark = (name, dt, title) => dt >= lo && dt <= hi ? h(`span.${name}`, { style: `left:${place(dt)}%`, title }) : null;
+  const mark = (name, dt, title) => h(`span.${name}`, { style: `left:${place(dt)}%`, title });
+  const named = [
+    ...(contact ? [{ name: 't*', dt: 0 }] : []),
+    ...(toi === null ? [] : [{ name: toi < lo ? '‹ toi' : toi > hi ? 'toi ›' : 'toi', dt: toi }]),
+  ].sort((a, b) => a.dt - b.dt);
+  const near = named.length === 2 && place(named[1].dt) - place(named[0].dt) < kTooNear;
+  const names = near ? [{ name: named.map(({ name }) => name).join(' · '), dt: named[0].dt }] : named;
   const marks = [
     step && band('window', step[1], 'the time that this test starts with'),
     excluded && band('excluded', excluded, 'the time that the axis excludes'),
     contact && mark('contact', 0, 'the contact, t*'),
-    typeof toi === 'number' && mark('toi', toi - tStar, 'the time that the method reports'),
+    toi !== null && mark('toi', toi, 'the time that the method reports'),
+    ...names.map(({ name, dt }) => h('span.name', {
+      style: `left:${place(dt)}%;transform:translateX(-${place(dt)}%)`,
+    }, name)),
   ];
   return marks.filter(Boolean);
 }

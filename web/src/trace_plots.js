@@ -1,9 +1,14 @@
 import * as Plot from '@observablehq/plot';
 import { colourOf } from './colours.js';
-import { h, scientific, ulpsText } from './dom.js';
+import { csv, h, savingHead, scientific, superscript, tableOf, ulpsText } from './dom.js';
 
 const kPatch = ['var(--patch-1)', 'var(--patch-2)'];
-const figure = (caption, ...nodes) => h('figure', ...nodes, h('figcaption', caption));
+
+function figure(title, caption, rows, plot) {
+  const name = () => title.toLowerCase().replaceAll(' ', '-');
+  const made = h('figure.trace-plot', savingHead(title, name, () => csv(rows), () => made), plot, h('figcaption', caption));
+  return made;
+}
 
 /** Heights of both parts along an axis over time, from the contact: what the method's lines are. */
 export function heightsPlot({ controls, axis, below, range, excluded, failed, name }) {
@@ -46,10 +51,9 @@ export function heightsPlot({ controls, axis, below, range, excluded, failed, na
       lo <= 0 && hi >= 0 ? Plot.ruleX([0], { stroke: 'var(--ink)', strokeDasharray: '3,3' }) : null,
     ],
   });
-  return figure(`Both boxes along axis ${name ?? ''}: upper envelope of patch ${below + 1}, lower envelope of patch ${above + 1}. Shaded: the time in which the method takes them apart.${failed ? ' The contact (dashed) is in it.' : ''}`, plot);
+  return figure('Heights along the axis', `Both boxes along axis ${name ?? ''}: upper envelope of patch ${below + 1}, lower envelope of patch ${above + 1}. Shaded: the time in which the method takes them apart.${failed ? ' The contact (dashed) is in it.' : ''}`,
+    tableOf(['dt', 'upper', 'lowest', 'lower', 'highest'], rows), plot);
 }
-
-const superscript = (e) => [...String(e)].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[c])).join('');
 
 /** By how many ulps the witness survived each level, of every traced method. */
 export function marginPlot(traces, chosen, onLevel) {
@@ -78,5 +82,6 @@ export function marginPlot(traces, chosen, onLevel) {
     const level = Math.round(x.invert ? x.invert((event.offsetX * 460) / plot.clientWidth) : NaN);
     if (Number.isFinite(level) && level >= 0) onLevel(level);
   });
-  return figure('By how many ulps the contact survived each level. A cross is where it was lost; points on the floor are kept by less than an ulp.', plot);
+  return figure('Margins by level', 'By how many ulps the contact survived each level. A cross is where it was lost; points on the floor are kept by less than an ulp.',
+    tableOf(['method', 'level', 'ulps', 'lost'], points), plot);
 }

@@ -6,6 +6,7 @@ import { cellAt, cellOfPatch, largest, pictureOf, relativeSpeed, unit } from './
 import { gltfText } from './gltf.js';
 import { centreOf, localPatches, real, shapeOf } from './local.js';
 import { numbersTable } from './numbers.js';
+import { SliceView } from './slice_view.js';
 import { bands, ladder } from './timeline.js';
 import { heightsPlot, marginPlot } from './trace_plots.js';
 import { verdict } from './verdict.js';
@@ -34,9 +35,11 @@ export class Viewer {
     this.buttons = h('div.buttons');
     this.toggles = h('div.toggles');
     this.scaleText = h('div.scale');
+    this.views = h('div.views', h('div.stage', this.canvas, this.toggles, this.scaleText));
+    this.slice = new SliceView(this.views, () => `${fileName(this.row.id)}-slice`);
     root.append(
       h('header.case-head', this.heading, this.chips, this.sentence),
-      h('div.stage', this.canvas, this.toggles, this.scaleText),
+      this.views,
       h('div.controls',
         h('div.row', h('span.label', 'Level'), this.ladder),
         h('div.row', h('span.label', 'Time'), h('div.time-box', this.track, this.slider), this.timeText),
@@ -69,7 +72,7 @@ export class Viewer {
       view('Gap', 'As near as the error is large', () => this.zoomToGap()));
   }
 
-  /** Shows a case; of its methods the one asked for, if it was traced, or else the one that lost most. */
+  /** Shows a case; of its methods the one asked for, or else the one that lost most. */
   async open(row, method) {
     this.row = row;
     const found = await details(row.index);
@@ -87,10 +90,12 @@ export class Viewer {
     this.local = localPatches(this.case.patches, this.centre.uv, this.centre.t);
     this.tStar = toNumber(this.centre.t);
     this.tMax = real(this.case.t_max);
+    this.separation = real(this.case.separation ?? 0);
     this.fillHead();
     const worst = row.worst ?? {};
-    const trace = this.traceOf(method) ?? this.traceOf(worst.method) ?? found.traces.find((t) => t.lost) ?? found.traces[0];
-    this.select(trace?.method ?? row.failed[0], trace?.loss?.level ?? 0);
+    const other = this.traceOf(worst.method) ?? found.traces.find((t) => t.lost) ?? found.traces[0];
+    const chosen = found.answers[method] ? method : other?.method ?? row.failed[0];
+    this.select(chosen, this.traceOf(chosen)?.loss?.level ?? 0);
     if (this.stage?.axis) this.stage.lookAcross(this.stage.axis, 0.75);
     else this.stage?.reset();
     this.fillButtons();
@@ -102,14 +107,16 @@ export class Viewer {
 
   fillHead() {
     const { contact, kind, generator, id, isNew } = this.row;
+    const { separation } = this;
     const shapes = this.case.patches.map((p) => {
       const s = shapeOf(p);
       return s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point' : `${s.kind} of degree ${s.n}`;
     });
-    this.heading.replaceChildren(
+    this.heading.replaceChildren(...[
       h('span.class-tag', contact || '–'), ` ${kind} · ${shapes.join(' against ')} `,
+      separation > 0 ? h('span.separation', `separation ${scientific(separation, 6)}`) : null,
       h('span.faint', `${generator}${isNew === true ? ' · new' : isNew === false ? ' · known before' : ''}`),
-      h('span.case-id', { title: id }, id.length > 44 ? `…${id.slice(-43)}` : id));
+      h('span.case-id', { title: id }, id.length > 44 ? `…${id.slice(-43)}` : id)].filter(Boolean));
   }
 
   fillChips() {
@@ -120,7 +127,7 @@ export class Viewer {
         class: `chip ${answer.outcome}`,
         'aria-pressed': String(method === this.method),
         disabled: !traced && answer.outcome === 'correct',
-        title: traced ? 'Show its trace' : 'Its witness was not traced',
+        title: traced ? 'Show its trace' : 'The contact was not traced through it',
         onclick: () => this.select(method, traced?.loss?.level ?? Math.min(this.level, traced?.levels ?? 0)),
       }, h('span.dot', { style: `background:${colourOf(method)}` }), `${method} `, h('b', answer.outcome.replace('_', ' ')));
     }));
@@ -158,6 +165,9 @@ export class Viewer {
     this.picture = pictureOf(this.local, this.tMax, zoom, cellOf);
     const { scale } = this.picture;
     this.range = this.picture.range;
+    const toi = this.details.answers[this.method]?.toi;
+    const late = typeof toi === 'number' ? toNumber(subtract(fractionOf(toi), this.centre.t)) : 0;
+    this.slice.load({ picture: this.picture, local: this.local, witness: this.centre.witness, separation: this.separation, late });
     const parts = this.picture.parts.map((part, s) => {
       const boxes = [];
       for (let level = Math.min(this.level, Math.max(0, zoom - 1)); level <= this.level; ++level) {
@@ -180,8 +190,7 @@ export class Viewer {
     this.zoomText.textContent = zoom === 0 ? 'whole patches' : `1 : 2^${zoom}`;
     this.scaleText.textContent = `${scientific(scale, 2)} across`;
     this.track.replaceChildren(...bands({
-      range: this.range, step, excluded: this.excluded(), toi: this.details.answers[this.method]?.toi,
-      contact: this.centre.witness, tStar: this.tStar,
+      range: this.range, step, excluded: this.excluded(), toi: typeof toi === 'number' ? late : null, contact: this.centre.witness,
     }));
     this.fillPlots();
     const at = this.centre.witness ? -this.range[0] / (this.range[1] - this.range[0]) : 0;
@@ -219,6 +228,7 @@ export class Viewer {
     this.dt = atContact && this.centre.witness ? 0 : lo + share * (hi - lo);
     if (Math.abs(share - contact) < 0.004 && this.centre.witness) this.dt = 0;
     this.stage?.move(this.dt);
+    this.slice.move(this.dt);
     const t = this.tStar + this.dt;
     const name = this.centre.witness ? 't*' : 't_max';
     this.timeText.textContent = this.dt === 0 ? `t = ${name} = ${t}` : `t = ${name} ${this.dt < 0 ? '−' : '+'} ${scientific(Math.abs(this.dt))}`;

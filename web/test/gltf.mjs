@@ -72,6 +72,10 @@ const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
   const [begin, motion] = bounds(gltf, 'patch 1');
   claim('a patch begins where it is relative to the contact', same(begin, [[0, 0, -0.5], [1, 1, -0.5]]), begin);
   claim('a patch moves as far as it does within the step', same(motion, [[0, 0, 1], [0, 0, 1]]), motion);
+  const [triangle, point] = rising(1).patches;
+  const byEnds = { ...rising(1), patches: [
+    { ...triangle, velocities: undefined, ends: [[0, 0, 1], [0, 1, 1], [1, 0, 1]] }, { ...point, velocities: undefined, ends: point.positions }] };
+  claim('positions at t = 1 in place of velocities give the same', same(written(byEnds, 'ends').buffers, gltf.buffers));
   claim('the other one comes from the other side', same(bounds(gltf, 'patch 2')[0], [[0, 0, 0.5], [0, 0, 0.5]]));
   claim('the contact has a node', gltf.nodes.some((n) => n.name === 'contact'));
   const { extras } = gltf.scenes[0];

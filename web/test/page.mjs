@@ -8,6 +8,7 @@ import { execFileSync } from 'node:child_process';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { gunzipSync, gzipSync } from 'node:zlib';
 
 const [ccdfuzz, corpus, work, screenshots] = process.argv.slice(2);
 const kInReadme = ['case-light', 'figures'];
@@ -47,6 +48,39 @@ run('hunt', '--seconds', '3', '--shrink', 'none', '--methods', 'tdibm,tdibm-e,td
 run('report', data('hunt-run'), '--scoreboard', join('tests', 'scoreboard', 'results.json'), '-o', data('hunt'));
 run('export', data('one-entry/' + first), '--as', 'gtest', '-o', data('one.cpp'));
 
+/** A page of one case in place of the one in the page `one`, with one method and its answer. */
+function craft(name, known, answer) {
+  const method = 'plugin:./mine.so';
+  const element = (id) => new RegExp(`(<script id="${id}"[^>]*>)([^]*?)(</script>)`);
+  const html = readFileSync(page('one'), 'utf8');
+  const report = JSON.parse(html.match(element('report'))[2]);
+  const letter = answer.outcome[0];
+  Object.assign(report, {
+    methods: [{ spec: method, claims: true }], groups: [], paper: [], tables: [],
+    cases: [['mine.json', 'VF', 'RP', 'by hand', letter, null, null, 'ordinary', 9, {}]],
+  });
+  const [details] = JSON.parse(gunzipSync(Buffer.from(html.match(element('details-0'))[2], 'base64')));
+  Object.assign(details, { answers: { [method]: answer }, cells: [], traces: [], case: known });
+  mkdirSync(data(name));
+  writeFileSync(page(name), html
+    .replace(element('report'), (_, begin, __, end) => begin + JSON.stringify(report) + end)
+    .replace(element('details-0'), (_, begin, __, end) => begin + gzipSync(JSON.stringify([details])).toString('base64') + end));
+}
+// A point that falls through a triangle at t = 1/2, and a plug-in that reports it at 3/4.
+const falling = (motion, more = {}) => ({
+  format: 'ccdfuzz-case', version: 2, t_max: 1, ...more,
+  patches: [
+    { shape: 'triangle', degree: 1, positions: [[0, 0, 0], [0, 4, 0], [4, 0, 0]], ...motion[0] },
+    { shape: 'point', positions: [[0, 1, 1]], ...motion[1] }],
+  truth: { collides: true, witness: { t: '1/2', uv: [['1/4', '1/4'], ['0', '0']] } },
+  origin: {},
+});
+const kVelocities = [{ velocities: [[0, 0, 0], [0, 0, 0], [0, 0, 0]] }, { velocities: [[2, 0, -2]] }];
+const kEnds = [{ ends: [[0, 0, 0], [0, 4, 0], [4, 0, 0]] }, { ends: [[2, 1, -1]] }];
+craft('by-velocities', falling(kVelocities), { outcome: 'late', toi: 0.75 });
+craft('by-ends', falling(kEnds), { outcome: 'late', toi: 0.75 });
+craft('separated', falling(kVelocities, { separation: 0.25 }), { outcome: 'missed', toi: null });
+
 const browser = await chromium.launch({
   timeout: kPatience,
   executablePath: kBrowser,
@@ -71,6 +105,42 @@ const shot = async (tab, name, options = {}) => {
   await tab.screenshot({ path, ...options });
   return path;
 };
+const tabsOf = (tab) => tab.$$eval('[role=tab]', (all) => all.map((t) => t.id.replace('tab-', '')));
+/** How far the page is wider than the window. */
+const overhang = (tab) => tab.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+/** The texts in sight whose contrast to what is behind them is below 4.5, as WCAG 2 measures it. */
+const faintTexts = (tab) => tab.evaluate(() => {
+  const pen = Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d', { willReadFrequently: true });
+  const paint = (colour, alpha = 1) => {
+    Object.assign(pen, { globalAlpha: alpha, fillStyle: colour });
+    pen.fillRect(0, 0, 1, 1);
+    return [...pen.getImageData(0, 0, 1, 1).data];
+  };
+  const brightness = (pixel) => pixel.slice(0, 3).map((c) => c / 255)
+    .map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, c, k) => sum + c * [0.2126, 0.7152, 0.0722][k], 0);
+  const faint = new Map();
+  for (const one of document.querySelectorAll('body *')) {
+    const text = [...one.childNodes].filter((n) => n.nodeType === Node.TEXT_NODE).map((n) => n.data.trim()).join('');
+    const { width, height } = one.getBoundingClientRect();
+    if (!text || width === 0 || height === 0 || one.closest('script, style, option')) continue;
+    const line = [];
+    for (let at = one; at; at = at.parentElement) line.unshift(at);
+    let ground = paint('#fff');
+    let opacity = 1;
+    for (const at of line) {
+      const style = getComputedStyle(at);
+      opacity *= Number(style.opacity);
+      ground = paint(style.backgroundColor);
+    }
+    const style = getComputedStyle(one);
+    const ink = paint(one instanceof SVGElement ? style.fill : style.color, opacity);
+    const [a, b] = [brightness(ground), brightness(ink)].sort((x, y) => y - x);
+    const contrast = (a + 0.05) / (b + 0.05);
+    if (contrast < 4.5) faint.set(`${one.tagName}.${one.getAttribute('class')}`, `${text.slice(0, 30)}: ${contrast.toFixed(2)}`);
+  }
+  return [...faint];
+});
 const openTab = (tab, name) => tab.click(`#tab-${name}`);
 const stagePicture = (tab) => tab.evaluate(() => document.querySelector('.stage canvas').toDataURL());
 const waitForCase = (tab) => tab.waitForFunction(() => document.querySelector('.stage canvas')?.width > 300 && document.querySelector('.numbers td'));
@@ -108,7 +178,7 @@ async function claimSaved(tab, panel, titles) {
 // Every tab of every report, without an error and without the network.
 for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   const { tab, errors, requests, close } = await open(name);
-  const tabs = await tab.$$eval('[role=tab]', (all) => all.map((t) => t.id.replace('tab-', '')));
+  const tabs = await tabsOf(tab);
   for (const one of tabs) {
     await openTab(tab, one);
     const filled = await tab.$eval(`#panel-${one}`, (p) => !p.hidden && p.innerText.trim().length > 20);
@@ -153,6 +223,17 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
     claim(`the button "${label}" copies it`, holds(await handle.getAttribute('data-copied')), await handle.getAttribute('data-copied'));
   }
 
+  claim('the slice cuts both patches', await tab.evaluate(() => ['--patch-1', '--patch-2'].every((name) => document.querySelector(`.slice svg [stroke="var(${name})"] path`))));
+  const slice = await savedCsv(tab, '.slice button:text-is("CSV")');
+  claim('the slice is saved as CSV', ['1', '2'].every((patch) => slice.lines.some((l) => l.startsWith(`${patch},shown,`))) && !slice.lines.some(bad), slice.lines.slice(0, 3));
+  const picture = await saved(tab, '.slice button:text-is("PNG")');
+  claim('the slice is saved as PNG', picture.name === first.replace('.json', '-slice.png') && picture.bytes.length > 3000, picture.name, picture.bytes.length);
+  for (const plot of await tab.$$('.trace-plot')) {
+    const title = await (await plot.$('h3')).innerText();
+    const { name, lines } = await savedCsv(tab, `.trace-plot:has(h3:text-is("${title}")) button:text-is("CSV")`);
+    claim(`${title} is saved as CSV`, name.endsWith('.csv') && lines.length > 1 && !lines.some(bad), name, lines.slice(0, 2));
+  }
+
   // Whole, and as far as the gap is magnified: what is in the picture is in the file.
   const savedGltf = async () => {
     const { name, bytes } = await saved(tab, 'text=Save glTF');
@@ -166,6 +247,76 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   const whole = await savedGltf();
   const seconds = ({ scenes: [{ extras: { times: [from, to] } }] }) => to - from;
   claim('the glTF of a magnified picture is of its time', near.animations.length === 1 && seconds(near) < seconds(whole), seconds(near), seconds(whole));
+  await close();
+}
+
+// A plug-in's late answer: its toi on the time line and in the slice. Ends say the same as velocities.
+{
+  const { tab, close } = await open('by-velocities', {}, '#cases');
+  await waitForCase(tab);
+  const seen = async (one) => [await one.innerText('.numbers'), (await savedCsv(one, '.slice button:text-is("CSV")')).lines];
+  const [numbers, lines] = await seen(tab);
+  claim('a find opens at t*', (await tab.innerText('.time-text')) === 't = t* = 0.5', await tab.innerText('.time-text'));
+  claim('the slice stands beside the 3-D view', await tab.evaluate(() => {
+    const [stage, slice] = ['.stage', '.slice'].map((s) => document.querySelector(s).getBoundingClientRect());
+    return slice.left >= stage.right && slice.top === stage.top;
+  }));
+  const names = await tab.$$eval('.track .name', (all) => all.map((one) => [one.innerText, one.style.left]));
+  claim('t* and the plug-in’s toi are on the time line', JSON.stringify(names) === '[["t*","50%"],["toi","75%"]]', names);
+  // It falls by 2 per unit of time, and toi − t* = 1/4.
+  claim('the slice says how far the patches overlap at that time', (await tab.innerText('.slice figcaption')).includes('at the time that the method reports, 0.5 past patch 1'), await tab.innerText('.slice figcaption'));
+  const places = (when) => lines.map((l) => l.split(',')).filter(([patch, at]) => patch === '2' && at === when).map((l) => l.slice(3).map(Number));
+  claim('the slice has the point at the contact, and past it at the toi', places('shown')[0]?.every((x) => Math.abs(x) < 1e-12) &&
+    Math.abs(places('after')[0]?.[1] + 0.5) < 1e-12, lines);
+  const ends = await open('by-ends', {}, '#cases');
+  await waitForCase(ends.tab);
+  claim('positions at t = 1 in place of velocities show the same', JSON.stringify(await seen(ends.tab)) === JSON.stringify([numbers, lines]), await seen(ends.tab), numbers);
+  await ends.close();
+  const apart = await open('separated', {}, '#cases');
+  await waitForCase(apart.tab);
+  claim('a separation is in the head of its case', (await apart.tab.innerText('.case-title')).includes('separation 0.25'), await apart.tab.innerText('.case-title'));
+  claim('no separation is in the head of a case without one', !(await tab.innerText('.case-title')).includes('separation'));
+  await openTab(tab, 'overview');
+  claim('a method that claims no false negative is named as guaranteed', (await tab.innerText('.matrix')).includes('guaranteed') && (await tab.innerText('.facts')).includes('guarantee broken'));
+  await apart.close();
+  await close();
+}
+
+// Finds by failure: one row each, the best, and all where it is opened; missed before late, ordinary first.
+{
+  const { tab, close } = await open('corpus', {}, '#cases');
+  await waitForCase(tab);
+  const report = await tab.evaluate(() => JSON.parse(document.getElementById('report').textContent));
+  const expected = new Map();
+  for (const [, contact, kind, , outcomes, , , setting, bits, causes] of report.cases) {
+    const failed = report.methods.map((m, at) => [m.spec, outcomes[at]]).filter(([, letter]) => 'mlfe'.includes(letter));
+    const add = (key, rank) => expected.set(key, [...(expected.get(key) ?? []), rank]);
+    for (const [method, letter] of failed) add([method, contact, causes[method] ?? ''].join(), ['mlfe'.indexOf(letter), ['ordinary', 'at an end', 'degenerate', 'extreme'].indexOf(setting), bits]);
+    if (failed.length === 0) add([contact, kind].join(), [9, 0, 0]);
+  }
+  const rows = () => tab.$eval('.rows', (r) => r.clientHeight / 46);
+  claim('a row for each failure', (await rows()) === expected.size, await rows(), expected.size);
+  claim('the count says how many', (await tab.innerText('.count')).includes(`${expected.size} groups`), await tab.innerText('.count'));
+  const largest = Math.max(...[...expected.values()].map((members) => members.length));
+  const fold = tab.locator('.fold').first();
+  const hidden = Number((await fold.innerText()).replace(/\D/g, '')) - 1;
+  claim('a group says how many it has', hidden > 0 && hidden < largest, hidden, largest);
+  await fold.click();
+  claim('a click shows all of a failure', (await rows()) === expected.size + hidden, await rows(), hidden);
+  const members = await tab.$$eval('.item.more small', (all) => all.map((one) => ['missed', 'late'].findIndex((outcome) => one.innerText.startsWith(outcome))));
+  claim('missed comes before late', members.length > 0 && members.every((x, k) => x >= 0 && (k === 0 || members[k - 1] <= x)), members);
+  await tab.focus('.list');
+  for (const key of ['Home', 'ArrowLeft']) await tab.keyboard.press(key);
+  await fold.click();
+  claim('a second click folds them', (await rows()) <= expected.size + hidden, await rows());
+  const best = [...expected.values()].flat().sort((a, b) => a.map((x, k) => x - b[k]).find((x) => x !== 0) ?? 0)[0];
+  const shown = await tab.evaluate(async (want) => {
+    const { cases } = JSON.parse(document.getElementById('report').textContent);
+    const id = document.querySelector('.case-id').title;
+    const one = cases.find((c) => c[0] === id);
+    return [one[7] === ['ordinary', 'at an end', 'degenerate', 'extreme'][want[1]], one[8] === want[2], one[4].includes('mlfe'[want[0]])];
+  }, best);
+  claim('the first one shown is the most convincing', shown.every(Boolean), shown, best);
   await close();
 }
 
@@ -183,6 +334,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   const shown = () => tab.innerText('.case-id');
   const before = await shown();
   await tab.focus('.list');
+  await tab.keyboard.press('ArrowRight');  // shows all of the first failure
   await tab.keyboard.press('End');
   await tab.waitForFunction((b) => document.querySelector('.case-id').innerText !== b, before);
   claim('thousands: the last one opens by key', (await shown()) !== before);
@@ -298,15 +450,26 @@ for (const [look, options] of Object.entries({
   light: { colorScheme: 'light' },
   dark: { colorScheme: 'dark' },
   narrow: { colorScheme: 'light', viewport: { width: 400, height: 860 } },
+  'narrow and dark': { colorScheme: 'dark', viewport: { width: 400, height: 860 } },
 })) {
+  for (const name of ['corpus', 'evaluation', 'hunt', 'by-velocities']) {
+    const { tab, close } = await open(name, options);
+    for (const one of await tabsOf(tab)) {
+      await openTab(tab, one);
+      if (one === 'cases') await waitForCase(tab);
+      const over = await overhang(tab);
+      claim(`${look}: nothing sticks out of ${name}, ${one}`, over <= 0, over);
+      const faint = await faintTexts(tab);
+      claim(`${look}: all texts of ${name}, ${one} have a contrast of 4.5`, faint.length === 0, faint);
+    }
+    await close();
+  }
   const { tab, errors, close } = await open('corpus', options);
   const ground = await tab.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number)[0]);
-  claim(`${look}: the page is ${look === 'dark' ? 'dark' : 'light'}`, look === 'dark' ? ground < 80 : ground > 200, ground);
+  claim(`${look}: the page is ${look.includes('dark') ? 'dark' : 'light'}`, look.includes('dark') ? ground < 80 : ground > 200, ground);
   await shot(tab, `overview-${look}`);
   await openTab(tab, 'cases');
   await waitForCase(tab);
-  const wide = await tab.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-  claim(`${look}: nothing sticks out`, wide <= 0, wide);
   await tab.selectOption('select[aria-label=Method]', 'tdibm');
   await tab.selectOption('select[aria-label=Class]', 'VF');
   await tab.selectOption('select[aria-label=Outcome]', 'm');
@@ -321,8 +484,6 @@ for (const [look, options] of Object.entries({
   for (const one of ['hunt', 'scoreboard']) {
     await openTab(hunt.tab, one);
     await shot(hunt.tab, `${one}-${look}`);
-    const over = await hunt.tab.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-    claim(`${look}: nothing sticks out of ${one}`, over <= 0, over);
   }
   await hunt.close();
 }
