@@ -31,7 +31,7 @@ namespace {
 std::string called_as = kProgram;
 std::string typed;
 
-/// Of a long line only both ends: a value of an option may be of any length.
+/// Prints only both ends of a long line: a value of an option may be of any length.
 void print_shown_lines(const std::string& text, std::string first_margin, const char* margin) {
   constexpr size_t kLongest = 2000, kEnd = kLongest / 2;
   std::istringstream lines(text);

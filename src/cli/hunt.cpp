@@ -28,7 +28,7 @@ namespace {
 /// What TDIBM needs stays far below; trad alone reaches it, after about a second.
 constexpr std::uint64_t kDefaultPops = 10'000;
 
-/// Of each class: six times as many are still below 2^63.
+/// The cases of one class: six times as many are still below 2^63.
 constexpr std::uint64_t kMostCases = 1'000'000'000'000'000'000;
 
 /// After which finds the command fails.

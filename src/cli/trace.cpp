@@ -32,7 +32,7 @@ void place_fields(JsonWriter& archive, const TracePlace& place) {
   archive("window", std::array{place.window.lo, place.window.hi});
 }
 
-/// Of an axis that excluded something (Exclusion), or how far it is from that (AxisGap).
+/// The fields of an axis that excluded something (Exclusion), or how far it is from that (AxisGap).
 void axis_fields(JsonWriter& archive, const auto& by) {
   archive("axis", by.axis);
   archive("direction", coordinates(by.direction));

@@ -31,7 +31,7 @@ struct TriageArguments {
   std::string methods = fmt::format("{},trad", fmt::join(default_methods(), ","));
   double seconds = 60;
   SearchFlags search;
-  bool json = false;  ///< of the session
+  bool json = false;  ///< whether the session prints JSON
   bool remove = false;
 };
 
