@@ -8,10 +8,13 @@
 
 #include "base/input_bytes.hpp"
 #include "base/output_file.hpp"
+#include "certify/checker/check_case.hpp"
+#include "cli/common_options.hpp"
 #include "cli/output.hpp"
 #include "cli/reproduction.hpp"
 #include "eval/row_columns.hpp"
 #include "finds/entries.hpp"
+#include "method/ask.hpp"
 
 namespace ccdfuzz {
 
@@ -34,18 +37,6 @@ void follow_store(const std::string& folder, HuntRecord& record) {
   record.store = beside.string();
 }
 
-ReportedCase reported_find(const std::string& path, const Case& value, bool is_new) {
-  ReportedCase reported;
-  reported.id = path;
-  reported.value = value;
-  for (const auto& [method, expected] : value.expect) {
-    reported.answers.push_back({method, expected.outcome, std::nullopt});
-  }
-  reported.is_new = is_new;
-  reported.reproduce = reproduction(path, value.expect);
-  return reported;
-}
-
 /// A page without its finds says where they were.
 void add_absent_finds(const HuntRecord& record, ReportPage& report) {
   print_err(fmt::format("ccdfuzz: {}: the store of the hunt is not there; the page shows no find\n",
@@ -57,6 +48,31 @@ void add_absent_finds(const HuntRecord& record, ReportPage& report) {
 }
 
 }  // namespace
+
+Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
+  const SearchOptions search = SearchFlags().options_for(entry.value);
+  ReportedCase reported;
+  for (const auto& [method, expected] : entry.value.expect) {
+    const Outcome outcome = expected.outcome;
+    const bool allowed = is_admitted(method);
+    if (allowed && methods.find(method) == nullptr) {
+      return input_error(entry.id + ": expect", make_method(method).error().what);
+    }
+    ReportedAnswer answer{method, outcome, std::nullopt};
+    if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
+      const Result<CheckedCase> known = check_case(entry);
+      if (!known) return tl::unexpected(known.error());
+      const Judged judged = ask(methods[method], *known, search);
+      if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
+    }
+    reported.answers.push_back(std::move(answer));
+  }
+  reported.id = entry.id;
+  reported.precision = search.precision;
+  reported.reproduce = reproduction(entry.id, entry.value.expect);
+  reported.value = std::move(entry.value);
+  return reported;
+}
 
 std::string hunt_record_path(const std::string& folder) {
   return folder + "/hunt.jsonl";
@@ -131,16 +147,22 @@ Result<ReportPage> hunt_page(const HuntRecord& record) {
   if (!paths->empty()) {
     const Result<std::vector<NamedCase>> entries = load_corpus(record.store);
     if (!entries) return tl::unexpected(entries.error());
-    std::map<std::string, const Case*> known;
-    for (const NamedCase& entry : *entries) known.emplace(entry.id, &entry.value);
+    std::map<std::string, const NamedCase*> known;
+    for (const NamedCase& entry : *entries) known.emplace(entry.id, &entry);
+    std::vector<std::pair<const NamedCase*, bool>> shown;  // and whether it is new
     for (const std::string& path : record.finds) {
       const auto found = known.find(path);
       if (found == known.end()) continue;  // a later hunt has found a smaller one
-      report.cases.push_back(reported_find(path, *found->second, true));
+      shown.emplace_back(found->second, true);
       known.erase(found);
     }
-    for (const auto& [path, value] : known) {
-      report.cases.push_back(reported_find(path, *value, false));
+    for (const auto& [path, entry] : known) shown.emplace_back(entry, false);
+    MethodSet methods;
+    for (const auto& [entry, is_new] : shown) {
+      Result<ReportedCase> reported = reported_entry(*entry, methods);
+      if (!reported) return tl::unexpected(reported.error());
+      reported->is_new = is_new;
+      report.cases.push_back(std::move(*reported));
     }
   }
   keep_most_telling(report);

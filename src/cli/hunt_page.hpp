@@ -4,8 +4,10 @@
 #include <utility>
 #include <vector>
 
+#include "case/case_files.hpp"
 #include "eval/columns.hpp"
 #include "hunt/hunt.hpp"
+#include "method/by_spec.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {
@@ -70,9 +72,12 @@ Column<HuntCell> mean_column();
 /// What each method did in each class.
 Table hunt_table(const std::vector<HuntCell>& cells);
 
+/// An entry as its expectations say. Where those are of a time that a method reported, a method
+/// that may be started (is_admitted) is asked for it again.
+Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods);
+
 /// What a hunt's page shows: its cells, its course, what it found, and what its store held before;
-/// if the store is not there, only that, which stderr says, too. Starts no plug-in.
-/// Errors: the store cannot be read.
+/// if the store is not there, only that, which stderr says, too. Errors: the store cannot be read.
 Result<ReportPage> hunt_page(const HuntRecord& record);
 
 }  // namespace ccdfuzz

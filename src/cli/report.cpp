@@ -13,16 +13,13 @@
 #include "base/line_reader.hpp"
 #include "base/number_text.hpp"
 #include "base/run_file.hpp"
-#include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
-#include "cli/reproduction.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluate.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/entries.hpp"
-#include "method/ask.hpp"
 #include "method/method.hpp"
 #include "report/rows.hpp"
 
@@ -35,33 +32,6 @@ struct ReportArguments {
   std::string scoreboard;
   std::string folder;
 };
-
-/// An entry as its expectations say; where those are of a time that a method reported, it is asked
-/// again for it.
-Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
-  const SearchOptions search = SearchFlags().options_for(entry.value);
-  ReportedCase reported;
-  for (const auto& [method, expected] : entry.value.expect) {
-    const Outcome outcome = expected.outcome;
-    const bool allowed = is_admitted(method);
-    if (const auto made = make_method(method); allowed && !made) {
-      return input_error(entry.id + ": expect", made.error().what);
-    }
-    ReportedAnswer answer{method, outcome, std::nullopt};
-    if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
-      const Result<CheckedCase> known = check_case(entry);
-      if (!known) return tl::unexpected(known.error());
-      const Judged judged = ask(methods[method], *known, search);
-      if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
-    }
-    reported.answers.push_back(std::move(answer));
-  }
-  reported.id = entry.id;
-  reported.precision = search.precision;
-  reported.reproduce = reproduction(entry.id, entry.value.expect);
-  reported.value = std::move(entry.value);
-  return reported;
-}
 
 Result<ReportPage> report_corpus(const ReportArguments& options, int threads,
                                  const std::atomic<bool>& interrupted) {

@@ -46,6 +46,17 @@ run('evaluate', ...['FF', 'EF', 'EE', 'VF', 'VE', 'VV'].flatMap((c) => [data(`${
   '--methods', 'tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-c', '--report', data('evaluation'));
 run('hunt', '--seconds', '3', '--shrink', 'none', '--methods', 'tdibm,tdibm-e,tdibm-c', '--max-pops', '2000', '--corpus', data('finds'), '--report', data('hunt-run'));
 run('report', data('hunt-run'), '--scoreboard', join('tests', 'scoreboard', 'results.json'), '-o', data('hunt'));
+// A plug-in that reports each contact at t_max, and so late.
+writeFileSync(data('late.mjs'), `#!${process.execPath}
+import { createInterface } from 'node:readline';
+for await (const line of createInterface({ input: process.stdin })) {
+  const { ask, id, t_max } = JSON.parse(line);
+  console.log(JSON.stringify(ask === 'describe'
+    ? { protocol: 1, name: 'late', version: '1.0', conservative: false, accepts: [[{ shape: 'triangle', max_degree: 2 }, { shape: 'triangle', max_degree: 2 }]] }
+    : { id, verdict: 'hit', toi: [t_max, t_max], uv: [[0, 0], [0, 0]] }));
+}
+`, { mode: 0o755 });
+run('hunt', '--cases', '2', '--shape', 'triangle:2', '--methods', `plugin-exec:${data('late.mjs')}`, '--corpus', data('late-finds'), '--report', data('late-hunt'));
 run('export', data('one-entry/' + first), '--as', 'gtest', '-o', data('one.cpp'));
 
 /** A page of one case in place of the one in the page `one`, with one method and its answer. */
@@ -279,6 +290,19 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   await openTab(tab, 'overview');
   claim('a method that claims no false negative is named as guaranteed', (await tab.innerText('.matrix')).includes('guaranteed') && (await tab.innerText('.facts')).includes('guarantee broken'));
   await apart.close();
+  await close();
+}
+
+// The same of a hunt, in which the plug-in is asked.
+{
+  const { tab, errors, close } = await open('late-hunt', {}, '#cases');
+  await waitForCase(tab);
+  await tab.selectOption('select[aria-label=Outcome]', 'l');
+  await tab.click('.item');
+  await tab.waitForSelector('.chip.late[aria-pressed=true]');
+  const names = await tab.$$eval('.track .name', (all) => all.map((one) => one.innerText).join(' '));
+  claim('a hunt’s page has the toi of a plug-in', names.includes('t*') && names.includes('toi') && /toi of plugin-exec/.test(await tab.innerText('.numbers')), names, await tab.innerText('.numbers'));
+  claim('a hunt’s page: no console error', errors.length === 0, errors);
   await close();
 }
 
