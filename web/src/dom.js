@@ -75,6 +75,9 @@ export function copyButton(label, text) {
 /** "corpus/a.json" → "a", "b.jsonl.zst:12" → "b-12": where a case is, as the name of a file. */
 export const fileName = (id) => id.replace(/^.*\//, '').replace(/\.jsonl?(\.zst)?(:|$)/, '$2').replace(/[^\w.-]+/g, '-');
 
+/** A method's spec, of a plug-in the name of its file alone: "plugin-exec:/a/b.py" → "b.py". */
+export const shortName = (method) => (method.startsWith('plugin') ? method.replace(/^[^:]*:(.*\/)?(?=.)/, '') : method);
+
 /** A button that saves content(), text or bytes or a promise of them, as a file. name: text or a function. */
 export function saveButton(label, name, content, type = 'text/csv') {
   return h('button.copy', {

@@ -2,7 +2,7 @@
 import * as Plot from '@observablehq/plot';
 import { colourOf } from './colours.js';
 import { kClasses, methods, report } from './data.js';
-import { csv, durationText, h, percentText, savingHead, scientific, tableOf } from './dom.js';
+import { csv, durationText, h, percentText, savingHead, scientific, shortName, tableOf } from './dom.js';
 
 const groups = report.groups ?? [];
 const present = (list) => methods.filter((m) => list.some((g) => g.method === m));
@@ -34,7 +34,7 @@ export function summed(list, keys) {
 /** The answers at the contact itself, and those to negatives, as the paper asks. */
 export const asInThePaper = groups.filter((g) => g.factor === null || g.factor === 1);
 
-export const legend = (list) => h('div.legend', list.map((m) => h('span', h('i', { style: `background:${colourOf(m)}` }), m)));
+export const legend = (list) => h('div.legend', list.map((m) => h('span', { title: m }, h('i', { style: `background:${colourOf(m)}` }), shortName(m))));
 
 /** A figure with buttons that save it: as a picture, and its data, a table of `rows`. */
 export function figure(title, caption, rows, ...nodes) {
@@ -151,7 +151,7 @@ export function fig9() {
       y: { axis: null },
       marks: [Plot.rectY(log, { x1: 'x1', x2: 'x2', y: 'count', fill: colour, fillOpacity: 0.75, insetRight: 0.3 }), Plot.ruleY([0])],
     });
-    return h('div.panel', h('h4', row.method), h('div.with-inset', main, h('div.inset', inset)));
+    return h('div.panel', h('h4', { title: row.method }, shortName(row.method)), h('div.with-inset', main, h('div.inset', inset)));
   });
   return [wide('Distributions of the time of a query (Fig. 9)', 'All classes together. Linear in time, up to the 97 % quantile, which the last bin goes past; the inset on a logarithmic scale.',
     tableOf(['method', 'scale', 'from_ms', 'to_ms', 'count'], data), h('div.panels', panels))];

@@ -1,7 +1,7 @@
 // The list of cases, by failure: each failure is its best case, until it is opened. Only the rows in sight
 // are in the document, so that 5,000 are as quick as 5.
 import { cases, details, isFailure, kClasses, kOutcomes, methods } from './data.js';
-import { csv, h, saveButton, ulpsText } from './dom.js';
+import { csv, h, saveButton, shortName, ulpsText } from './dom.js';
 import { colourOf } from './colours.js';
 import { failureGroups } from './failures.js';
 
@@ -100,7 +100,7 @@ export class CaseList {
       'aria-expanded': first && length > 1 ? String(open) : null, onclick: () => this.openEntry(place),
     },
     h('span.class-tag', c.contact || '–'),
-    h('span.what', h('b', group.method ?? c.kind), h('small', text.filter(Boolean).join(' · '))),
+    h('span.what', { title: group.method }, h('b', group.method ? shortName(group.method) : c.kind), h('small', text.filter(Boolean).join(' · '))),
     h('span.dots', c.failed.slice(0, 6).map((m) => h('i.dot', { style: `background:${colourOf(m)}`, title: m }))),
     c.isNew ? h('span.new', 'new') : null,
     first && length > 1 ? h('button.fold', {

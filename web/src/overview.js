@@ -1,6 +1,6 @@
 // What this report comes to: how often each method fails in each class.
 import { cases, isFailure, kClasses, kOutcomes, methods, report } from './data.js';
-import { csv, h, saveButton, ulpsText } from './dom.js';
+import { csv, h, saveButton, shortName, ulpsText } from './dom.js';
 import { asInThePaper, summed } from './figures.js';
 import { colourOf } from './colours.js';
 import { failureGroups } from './failures.js';
@@ -28,7 +28,7 @@ function matrix(onPick) {
   const body = h('tbody', methods.map((method) => {
     const info = report.methods.find((m) => m.spec === method);
     return h('tr',
-      h('th', { scope: 'row', title: info?.description }, h('i.dot', { style: `background:${colourOf(method)}` }), method,
+      h('th', { scope: 'row', title: [method, info?.description].filter(Boolean).join('\n') }, h('i.dot', { style: `background:${colourOf(method)}` }), shortName(method),
         info?.claims ? h('span.claim', { title: 'guarantees no false negative' }, ' guaranteed') : null),
       kClasses.map((contact) => {
         const found = cell(method, contact, all);
@@ -66,7 +66,7 @@ function failureText({ method, contact, cause, members: [{ row, letter }, ...oth
   const wrong = worst?.method === method && worst.axis >= 0 && worst.ulps !== null
     ? `: axis ${worst.axis} is wrong by ${worst.ulps === 0 ? 'less than an ulp' : ulpsText(worst.ulps)} of the time, at level ${worst.level}` : '';
   const details = [kOutcomes[letter], contact, cause, row.setting === 'ordinary' ? '' : row.setting].filter(Boolean).join(', ');
-  return [h('b', method), ` ${details}${wrong}`, others.length > 0 ? h('span.of', ` and ${others.length.toLocaleString('en')} more`) : null];
+  return [h('b', { title: method }, shortName(method)), ` ${details}${wrong}`, others.length > 0 ? h('span.of', ` and ${others.length.toLocaleString('en')} more`) : null];
 }
 
 const failuresCsv = (groups) => csv([['method', 'class', 'cause', 'cases', 'best', 'outcome', 'setting', 'significant_bits'],

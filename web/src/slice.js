@@ -152,10 +152,12 @@ export function sliceFrame(local, { parts, scale }, middles) {
 /** Where the plane cuts a part at dt, as cutBy says it, seen from a point that moves with `velocity`. */
 export const sectionOf = (part, plane, dt, scale, velocity) => cutBy(plane, placesOf(part, dt, velocity), scale);
 
-/** From the contact to the farthest line of the smaller section, of the picture's size: what a slice shows. */
-export function extentOf(sections) {
+/** What a slice shows, of the picture's size: from the contact to the farthest line of the smaller section,
+ * or without a contact of the larger one. */
+export function extentOf(sections, witness) {
   const extents = sections.map(({ segments, shadow }) => lengthOf([...segments, ...shadow]));
-  return Math.min(...extents.filter((x) => x > kOnPlane), 1);
+  const seen = extents.filter((x) => x > kOnPlane);
+  return witness ? Math.min(...seen, 1) : Math.max(...seen, kOnPlane);
 }
 
 /** Times around the contact, or null: from when on before it patch 2 is followed, and until when after it. The

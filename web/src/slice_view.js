@@ -19,11 +19,12 @@ export class SliceView {
   load({ picture, local, witness, separation, late }) {
     this.picture = picture;
     this.witness = witness;
+    this.figure.querySelector('h3').textContent = witness ? 'Slice through the contact' : 'Slice through both patches';
     this.separation = separation;
     this.late = late;
     this.frame = sliceFrame(local, picture, picture.parts.map(({ controls }) => middleOf(controls)));
     this.follow = local.patches[0].terms[0].v;
-    this.extent = extentOf([0, 1].map((side) => this.section(side, 0)));
+    this.extent = extentOf([0, 1].map((side) => this.section(side, 0)), witness);
     const [before, after] = witness ? beforeAndAfter(picture.range, this.frame, this.extent * picture.scale, late) : [null, null];
     this.ghosts = [['before', before], ['after', after]].filter(([, dt]) => dt !== null)
       .map(([when, dt]) => ({ when, dt, ...this.section(1, dt) }));
@@ -50,7 +51,7 @@ export class SliceView {
     this.plot.replaceChildren(Plot.plot({
       style: { fontSize: '12px' }, width: 420, height: 396, marginLeft: 48, marginRight: 12, marginTop: 22, marginBottom: 38,
       x: { label: `${label('in the slice')} →`, domain, ticks: 5 },
-      y: { label: `↑ ${label(this.frame.holdsNormal ? 'contact normal' : 'nearest to the contact normal')}`, domain, ticks: 5, grid: true },
+      y: { label: `↑ ${label(!this.witness ? 'from patch 1 to patch 2' : this.frame.holdsNormal ? 'contact normal' : 'nearest to the contact normal')}`, domain, ticks: 5, grid: true },
       ariaLabel: 'Slice through the contact',
       marks: [
         ...this.ghosts.flatMap((ghost) => [

@@ -23,6 +23,7 @@ export function verdict(method, answer, trace, tStar) {
     const late = toNumber(subtract(fractionOf(answer.toi), tStar));
     parts.push('It is late by ', strong(scientific(late)), '. ');
   }
+  if (answer.outcome === 'late' && answer.toi === null) parts.push('Its time is not known here: it was not asked again. ');
   if (answer.outcome === 'false_positive' && answer.toi !== null) parts.push(`It stops at t = ${answer.toi}. `);
   const loss = trace?.loss;
   if (loss) {

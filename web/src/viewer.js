@@ -193,7 +193,8 @@ export class Viewer {
       range: this.range, step, excluded: this.excluded(), toi: typeof toi === 'number' ? late : null, contact: this.centre.witness,
     }));
     this.fillPlots();
-    const at = this.centre.witness ? -this.range[0] / (this.range[1] - this.range[0]) : 0;
+    const shown = this.centre.witness ? 0 : late;
+    const at = Math.min(1, Math.max(0, (shown - this.range[0]) / (this.range[1] - this.range[0])));
     this.slider.value = 1000 * at;
     this.setTime(at, true);
   }

@@ -90,6 +90,7 @@ const kVelocities = [{ velocities: [[0, 0, 0], [0, 0, 0], [0, 0, 0]] }, { veloci
 const kEnds = [{ ends: [[0, 0, 0], [0, 4, 0], [4, 0, 0]] }, { ends: [[2, 1, -1]] }];
 craft('by-velocities', falling(kVelocities), { outcome: 'late', toi: 0.75 });
 craft('by-ends', falling(kEnds), { outcome: 'late', toi: 0.75 });
+craft('no-contact', { ...falling(kVelocities), truth: { collides: false } }, { outcome: 'false_positive', toi: 0.75 });
 craft('separated', falling(kVelocities, { separation: 0.25 }), { outcome: 'missed', toi: null });
 
 const browser = await chromium.launch({
@@ -287,6 +288,11 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   await waitForCase(apart.tab);
   claim('a separation is in the head of its case', (await apart.tab.innerText('.case-title')).includes('separation 0.25'), await apart.tab.innerText('.case-title'));
   claim('no separation is in the head of a case without one', !(await tab.innerText('.case-title')).includes('separation'));
+  const none = await open('no-contact', {}, '#cases');
+  await waitForCase(none.tab);
+  claim('a false positive opens at the time that the method reports', (await none.tab.innerText('.time-text')) === 't = t_max − 0.25', await none.tab.innerText('.time-text'));
+  claim('its slice is of no contact', (await none.tab.innerText('.slice h3')) === 'Slice through both patches');
+  await none.close();
   await openTab(tab, 'overview');
   claim('a method that claims no false negative is named as guaranteed', (await tab.innerText('.matrix')).includes('guaranteed') && (await tab.innerText('.facts')).includes('guarantee broken'));
   await apart.close();
@@ -476,13 +482,15 @@ for (const [look, options] of Object.entries({
   narrow: { colorScheme: 'light', viewport: { width: 400, height: 860 } },
   'narrow and dark': { colorScheme: 'dark', viewport: { width: 400, height: 860 } },
 })) {
-  for (const name of ['corpus', 'evaluation', 'hunt', 'by-velocities']) {
+  for (const name of ['corpus', 'evaluation', 'hunt', 'by-velocities', 'late-hunt']) {
     const { tab, close } = await open(name, options);
     for (const one of await tabsOf(tab)) {
       await openTab(tab, one);
       if (one === 'cases') await waitForCase(tab);
       const over = await overhang(tab);
       claim(`${look}: nothing sticks out of ${name}, ${one}`, over <= 0, over);
+      const cut = await tab.$$eval('.case, .case-head, .numbers, .controls, .views', (all) => all.filter((e) => e.scrollWidth > e.clientWidth).map((e) => e.className));
+      claim(`${look}: nothing of ${name}, ${one} is cut off`, cut.length === 0, cut);
       const faint = await faintTexts(tab);
       claim(`${look}: all texts of ${name}, ${one} have a contrast of 4.5`, faint.length === 0, faint);
     }
