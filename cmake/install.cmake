@@ -15,6 +15,7 @@ set(ccdfuzz_public_headers
   certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp
   certify/checker/check_witness.hpp certify/checker/run_work.hpp certify/checker/work.hpp
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
+  method/features.hpp
   method/method.hpp
   numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/rational.hpp numeric/vec3.hpp base/result.hpp base/verify.hpp
   case/answer.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp

@@ -5,5 +5,6 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std:
                                                  const std::uint8_t* data2, std::size_t size2,
                                                  std::uint8_t* out, std::size_t max_size,
                                                  unsigned int seed) {
-  return ccdfuzz::cross_cases({data1, size1}, {data2, size2}, out, max_size, seed);
+  return ccdfuzz::cross_cases({data1, size1}, {data2, size2}, out, max_size, seed,
+                              ccdfuzz::QueryRange::kAll);
 }

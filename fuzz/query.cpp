@@ -26,7 +26,8 @@ constexpr int kMostControls = 24;
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
-  return mutate_case(data, size, max_size, seed, {.own_in = 2, .methods = kUnproven.size()});
+  return mutate_case(data, size, max_size, seed,
+                     {.own_in = 2, .methods = kUnproven.size(), .range = QueryRange::kAll});
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

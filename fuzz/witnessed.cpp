@@ -28,13 +28,14 @@ static_assert(kSound.size() + kUnproven.size() <= Margins::kMethods);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t max_size, unsigned int seed) {
-  return mutate_case(data, size, max_size, seed, {.own_in = 8, .methods = kUnproven.size()});
+  return mutate_case(data, size, max_size, seed,
+                     {.own_in = 8, .methods = kUnproven.size(), .range = QueryRange::kAll});
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static TracerSet tracers;
   static LostInputs lost_inputs;
-  const auto q = contact_of_bytes(std::span(data, size));
+  const auto q = contact_of_bytes(std::span(data, size), QueryRange::kAll);
   if (!q) return -1;  // not for the corpus
   const Witness witness = q->witness();
   for (std::size_t m = 0; m < kSound.size(); ++m) {
@@ -47,6 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::abort();
   }
   const std::size_t place = unproven_of({data, size});
+  if (!check_taken(kUnproven[place], q->query)) return 0;
   const Trace& trace = tracers[kUnproven[place]].trace(q->query, witness, {});
   Margins::note(kSound.size() + place, trace);
   if (trace.lost) {

@@ -27,19 +27,20 @@ std::vector<SmallDyadic> small_weights(const Contact& q, size_t side) {
                                         {SmallDyadic::of(uv[0]), SmallDyadic::of(uv[1])});
 }
 
-/// Σ weight·(position + t·velocity).
+/// Σ weight·(position + t·velocity), or of ends Σ weight·((1 − t)·position + t·end).
 template <class S>
 std::array<S, 3> weighted_sum(const MovingPatch<double>& patch, const std::vector<S>& weights,
                               const S& t) {
   std::array<S, 3> sum;
+  const S rest = patch.has_ends() ? S(1) - t : S(1);
   for (size_t i = 0; i < weights.size(); ++i) {
     if (is_zero(weights[i])) continue;
-    const S weighted_t = weights[i] * t;
+    const S weighted_t = weights[i] * t, weighted_rest = weights[i] * rest;
     for (size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
-      const double position = patch.positions[i][axis], velocity = patch.velocities[i][axis];
-      if (position != 0) sum[k] += weights[i] * S::exact(position);
-      if (velocity != 0) sum[k] += weighted_t * S::exact(velocity);
+      const double position = patch.positions[i][axis], move = patch.moves()[i][axis];
+      if (position != 0) sum[k] += weighted_rest * S::exact(position);
+      if (move != 0) sum[k] += weighted_t * S::exact(move);
     }
   }
   return sum;
@@ -81,6 +82,7 @@ std::optional<Contact> contact_of(const Case& known) {
       q.uv[s][k] = *x;
     }
   }
+  if (known.query.separation > 0 && q.point(0) != q.point(1)) return std::nullopt;
   return q;
 }
 

@@ -139,6 +139,20 @@ Query draw_extreme_query(Draw& choices) {
   return drawn;
 }
 
+std::optional<Query> with_drawn_ends(Query query, Draw& choices) {
+  query.t_max = std::min(query.t_max, 1.0);
+  const auto sides = static_cast<unsigned>(choices.integer(1, 3));
+  for (std::size_t s = 0; s < 2; ++s) {
+    if ((sides >> s & 1) == 0) continue;
+    MovingPatch<double>& patch = query.patches[s];
+    patch.ends = patch.positions;
+    for (std::size_t i = 0; i < patch.ends.size(); ++i) patch.ends[i] += patch.velocities[i];
+    patch.velocities.clear();
+  }
+  if (!is_valid(query)) return std::nullopt;
+  return query;
+}
+
 std::string to_hex_text(const Points<double>& points) {
   return list(points, [](double x) { return to_hex(x); });
 }

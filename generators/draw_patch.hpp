@@ -27,6 +27,10 @@ Query draw_any_query(Draw& choices);
 /// along each axis all alike, all alike but for a few floats, on a lattice of any unit, or any.
 Query draw_extreme_query(Draw& choices);
 
+/// The query with the ends that a sum of doubles gives in place of velocities, of one patch or
+/// both, and t_max at most 1. nullopt if one is not finite.
+std::optional<Query> with_drawn_ends(Query query, Draw& choices);
+
 /// For failure texts; a query as a case file.
 std::string to_hex_text(const Points<double>& points);
 std::string to_text(const Points<Dyadic>& points);

@@ -54,12 +54,21 @@ bool change_box(ContactBox& box, const Similarity& change) {
 std::optional<Query> similar(const Query& query, const Similarity& change) {
   Query out = query;
   for (MovingPatch<double>& patch : out.patches) {
-    if (!change_points(patch.positions, change.shift, change.space) ||
-        !change_points(patch.velocities, change.drift, change.space - change.time)) {
+    if (!change_points(patch.positions, change.shift, change.space)) return std::nullopt;
+    if (patch.has_ends()) {
+      const Vec3<double> none(0, 0, 0);
+      if (change.time != 0 || !change_points(patch.ends, change.shift, 0) ||
+          !change_points(patch.ends, change.drift, 0) ||
+          !change_points(patch.ends, none, change.space)) {
+        return std::nullopt;
+      }
+    } else if (!change_points(patch.velocities, change.drift, change.space - change.time)) {
       return std::nullopt;
     }
   }
-  if (!scale_exactly(out.t_max, change.time)) return std::nullopt;
+  if (!scale_exactly(out.t_max, change.time) || !scale_exactly(out.separation, change.space)) {
+    return std::nullopt;
+  }
   return out;
 }
 

@@ -61,6 +61,44 @@ Dyadic most_underflow(const Query& query, const certified::NormalisedQuery& norm
   return most;
 }
 
+/// Ends in normal form: t·|v' − v''| ≤ 2u·(|p''| + |v''|) + t·absolute at t = t_max.
+void check_normalised_ends(Draw& d) {
+  const Query query = supposed(with_drawn_ends(draw_extreme_query(d), d));
+  certified::NormalisedQuery out;
+  certified::normalise(query, out);
+  suppose(query.t_max > 0 && std::isfinite(out.absolute));
+  show(d, "query", query);
+  CLAIM(out.roundings == 2);
+  const Dyadic absolute = Dyadic::exact(out.absolute), t = Dyadic::exact(out.t_max);
+  struct Way {
+    Dyadic given, stored, error;
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::vector<Way> ways;
+    std::vector<Pair> places;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const MovingPatch<Dyadic> exact_way = exact_patch<Dyadic>(query.patches[s]);
+      for (std::size_t i = 0; i < exact_way.positions.size(); ++i) {
+        const Dyadic p = Dyadic::exact(out.controls[s][i][k]),
+                     v = Dyadic::exact(out.controls[s][i][k + 3]);
+        const auto axis = static_cast<Eigen::Index>(k);
+        const Dyadic most =
+            (abs(p) + abs(v) * t + absolute.scaled(1)) * (Dyadic(1) + half_ulp().scaled(2));
+        places.push_back({exact_way.positions[i][axis], p});
+        ways.push_back(
+            {exact_way.velocities[i][axis], v, half_ulp().scaled(1) * most + absolute * t});
+      }
+    }
+    CLAIM(is_moved_by_one(places, out.space, absolute));
+    for (const Way& a : ways) {
+      for (const Way& b : ways) {
+        const Dyadic off = (a.stored - b.stored) - (a.given - b.given).scaled(out.space + out.time);
+        CLAIM(abs(off) * t <= a.error + b.error);
+      }
+    }
+  }
+}
+
 void check_normalised(Draw& d) {
   const Query query = draw_extreme_query(d);
   certified::NormalisedQuery out;
@@ -177,18 +215,29 @@ void check_derived_bound(Draw& d) {
   // Axes are products of edges, which become as short as cells.
   const int shorter = d.coin() ? static_cast<int>(d.integer(-600, 0)) : 0;
   for (double& x : axis) x = *d.dyadic(53, -51).scaled(shorter).to_double_exactly();
-  const certified::ErrorBound bound(magnitude, absolute, count);
+  const double separation = d.coin() ? *abs(d.dyadic(53, -51)).to_double_exactly() : 0;
+  const certified::ErrorBound bound(magnitude, absolute, count, separation);
   certified::AxisBatch batch;
   for (std::size_t k = 0; k < 3; ++k) batch.axes[k][0] = axis[k];
   Dyadic norm;
-  for (const double x : axis) norm += abs(Dyadic::exact(x));
+  Dyadic norm_squared;
+  for (const double x : axis) {
+    norm += abs(Dyadic::exact(x));
+    norm_squared += Dyadic::exact(x) * Dyadic::exact(x);
+  }
   const Dyadic derived = derived_error(magnitude, absolute, count, norm);
   show(d, "M", magnitude);
   show(d, "absolute", absolute);
   show(d, "roundings", count);
   show(d, "axis", axis);
-  CLAIM(derived <= Dyadic::exact(bound.for_axis(axis)));
-  CLAIM(derived <= Dyadic::exact(bound.for_axes(batch).on[0]));
+  show(d, "separation", separation);
+  const Dyadic apart = Dyadic::exact(separation);
+  for (const double e : {bound.for_axis(axis), bound.for_axes(batch).on[0]}) {
+    const Dyadic rest = Dyadic::exact(e) - derived;
+    CLAIM(rest.sign() >= 0);
+    CLAIM(rest * rest >= apart * apart * norm_squared);
+  }
+  CLAIM(separation > 0 || bound.for_axis(axis) == bound.of_rounding(axis));
 }
 
 }  // namespace
@@ -199,6 +248,8 @@ std::vector<Property> certified_bounds_claims() {
        "Of any finite doubles, the control points are those of the query, moved and scaled alike, "
        "up to the stated errors, and of magnitude 1 at most",
        "src/ccd/certified/normalise.hpp", check_normalised},
+      {"tdibm-c.normalised_ends", "The same of patches with ends",
+       "src/ccd/certified/normalise.hpp", check_normalised_ends},
       {"tdibm-c.sub_patches", "Control points of cells are off by the roundings counted at most",
        "src/ccd/certified/DERIVATION.md, 2", check_sub_patches},
       {"tdibm-c.error_bound", "E is no less than what was derived",

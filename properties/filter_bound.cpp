@@ -20,12 +20,12 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
   for (const MovingPatch<double>& patch : query.patches) {
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
-        const auto from = [&](const Points<double>& points, const Points<double>& origin) {
-          return abs(Dyadic::exact(points[i][k]) - Dyadic::exact(origin[0][k]));
-        };
-        const MovingPatch<double>& first = query.patches[0];
-        position = std::max(position, from(patch.positions, first.positions));
-        velocity = std::max(velocity, from(patch.velocities, first.velocities));
+        const MovingPatch<Dyadic> moving = exact_patch<Dyadic>(patch),
+                                  first = exact_patch<Dyadic>(query.patches[0]);
+        position = std::max(position, abs(moving.positions[i][k] - first.positions[0][k]));
+        const bool is_one_kind = query.patches[0].has_ends() == query.patches[1].has_ends();
+        const Dyadic drift = is_one_kind ? first.velocities[0][k] : Dyadic();
+        velocity = std::max(velocity, abs(moving.velocities[i][k] - drift));
       }
     }
   }
@@ -47,8 +47,7 @@ std::array<Dyadic, 2> heights(const MovingPatch<double>& patch, const Cell& cell
   return *out;
 }
 
-void check_rational_filter(Draw& d) {
-  const Query query = draw_extreme_query(d);
+void check_filter_on(const Query& query, Draw& d) {
   exact_ccd::Axis axis;
   for (auto& l : axis.l) l = static_cast<std::int32_t>(d.integer(-(1 << 20), 1 << 20));
   if (axis.norm1() == 0) axis.l[0] = 1;
@@ -95,12 +94,21 @@ void check_rational_filter(Draw& d) {
     most = std::max(most, each * (patch.shape.n + patch.shape.m));
   }
   // gamma_k = ku/(1 − ku) ≤ ku(1 + 2ku).
-  const Dyadic ku = Dyadic(most + 7) * half_ulp();
+  const int of_ends = has_ends(query) ? 2 : 0;
+  const Dyadic ku = Dyadic(most + 7 + of_ends) * half_ulp();
   const Dyadic gamma = ku * (Dyadic(1) + ku.scaled(1));
   const Dyadic per_norm = gamma.scaled(1) * magnitude_of(query, gap.length_shift(), horizon) +
                           Dyadic(140) * least_double();
   const Dyadic norm(Integer(static_cast<long>(axis.norm1())), 0);
   CLAIM(per_norm * norm <= error);
+}
+
+void check_rational_filter(Draw& d) {
+  check_filter_on(draw_extreme_query(d), d);
+}
+
+void check_filter_of_ends(Draw& d) {
+  check_filter_on(supposed(with_drawn_ends(draw_extreme_query(d), d)), d);
 }
 
 }  // namespace
@@ -111,6 +119,8 @@ std::vector<Property> filter_bound_claims() {
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "
        "derived",
        "src/ccd/rational/gap.cpp", check_rational_filter},
+      {"tdibm-rational.error_bound_ends", "The same of patches with ends",
+       "src/ccd/rational/gap.cpp", check_filter_of_ends},
   };
 }
 

@@ -10,6 +10,7 @@
 #include "ccd/certified/rough_contact.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/draw_grazing.hpp"
 #include "properties/draw_linear.hpp"
@@ -33,7 +34,11 @@ int most_places(const Query& query) {
     };
     for (const MovingPatch<double>& patch : query.patches) {
       for (const Vec3<double>& p : patch.positions) note(p[k], 0, 0);
-      for (const Vec3<double>& v : patch.velocities) note(v[k], step.exponent, step.top());
+      // A difference may have a place more than its numbers.
+      const int top_of_way = step.top() + (patch.has_ends() ? 1 : 0);
+      for (const Vec3<double>& v : patch.moves()) note(v[k], step.exponent, top_of_way);
+      if (!patch.has_ends()) continue;
+      for (const Vec3<double>& p : patch.positions) note(p[k], step.exponent, top_of_way);
     }
     if (least <= top) most = std::max(most, top - least);
   }
@@ -88,8 +93,7 @@ void check_decision(Draw& d) {
 /// tdibm-c has the verdict of exact arithmetic on a linear query, and a toi that is neither late
 /// nor early by more than the precision. Numbers of more than 254 binary places are outside of what
 /// first_linear_contact promises.
-void check_answer(Draw& d) {
-  const Query query = supposed(d.choose(2) == 2 ? draw_grazing(d) : draw_nearly_degenerate(d));
+void check_answer_to(const Query& query, Draw& d) {
   suppose(most_places(query) <= 254);
   const SearchOptions options{.precision = d.pick(std::array{1e-4, 1e-1, 1e-12})};
   const auto contact = linear::first_contact(query);
@@ -106,6 +110,16 @@ void check_answer(Draw& d) {
   while (time.hi() - time.lo() > allowed / 1024) time.refine();
   CLAIM(toi <= time.hi());
   CLAIM(time.lo() - toi <= allowed);
+}
+
+void check_answer(Draw& d) {
+  check_answer_to(supposed(d.choose(2) == 2 ? draw_grazing(d) : draw_nearly_degenerate(d)), d);
+}
+
+/// The same of patches with ends, one or both, which a sum rounds.
+void check_answer_to_ends(Draw& d) {
+  const Query query = supposed(d.choose(2) == 2 ? draw_grazing(d) : draw_nearly_degenerate(d));
+  check_answer_to(supposed(with_drawn_ends(query, d)), d);
 }
 
 /// All bits of a number in [-1, 1].
@@ -207,6 +221,8 @@ std::vector<Property> linear_queries_claims() {
        "Degenerate linear queries, near ones and ones that graze are decided exactly, at a time "
        "within the precision",
        kDerivation, check_answer},
+      {"tdibm-c.linear_ends_decided_exactly", "The same of patches with ends", kDerivation,
+       check_answer_to_ends},
       {"tdibm-c.doubles_decide_exactly",
        "Where doubles decide a linear query, exact arithmetic finds the same, at such a time",
        kDerivation, check_doubles},

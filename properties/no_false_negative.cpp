@@ -45,18 +45,19 @@ std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry sym
 }
 
 std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range) {
-  return [=](Draw& d) {
-    const Case drawn = supposed(draw_contact(d, range));
-    const auto tracer = make_tracer(method).value();
-    const Trace& trace = tracer->trace(drawn.query, *drawn.truth.witness, {.precision = 0x1p-8});
-    show(d, "method", method);
-    if (trace.lost) {
-      show(d, "level", trace.loss->place.level);
-      show(d, "axis", trace.loss->by.axis);
-    }
-    show(d, "contact", drawn);
-    CLAIM(!trace.lost);
-  };
+  return [=](Draw& d) { claim_kept(method, supposed(draw_contact(d, range)), d); };
+}
+
+void claim_kept(const std::string& method, const Case& value, Draw& draw) {
+  const auto tracer = make_tracer(method).value();
+  const Trace& trace = tracer->trace(value.query, *value.truth.witness, {.precision = 0x1p-8});
+  show(draw, "method", method);
+  if (trace.lost) {
+    show(draw, "level", trace.loss->place.level);
+    show(draw, "axis", trace.loss->by.axis);
+  }
+  show(draw, "contact", value);
+  CLAIM(!trace.lost);
 }
 
 }  // namespace ccdfuzz

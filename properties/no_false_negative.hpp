@@ -36,8 +36,10 @@ std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range
                                           SearchOptions options = kQuickSearch);
 std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry);
 
-/// Checks that a search drops no pair of boxes that holds a drawn contact, and that its window
-/// never loses the time of contact.
+/// A search drops no pair of boxes that holds the witness of a case, and its window never loses the
+/// time of contact. Requires a witness within t_max.
+void claim_kept(const std::string& method, const Case& value, Draw& draw);
+/// Checks of that claim on drawn contacts.
 std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range);
 
 }  // namespace ccdfuzz

@@ -7,6 +7,7 @@
 #include "generators/moving_plane.hpp"
 #include "generators/one_sided.hpp"
 #include "method/method.hpp"
+#include "properties/draw_first_contact.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -53,62 +54,6 @@ void check_long_time_step(Draw& d) {
   drawn.query.t_max = std::ldexp(drawn.query.t_max, longer);
   const char* method = d.pick(std::array{"tdibm-c", "tdibm-rational"});
   claim_no_false_negative(method, drawn, kQuickSearch, d);
-}
-
-/// The extent of a patch's control points along a coordinate, at any time up to t.
-double extent(const MovingPatch<double>& patch, int k, double t) {
-  double width = 0;
-  for (const double at : {0.0, t}) {
-    double lo = HUGE_VAL, hi = -HUGE_VAL;
-    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      const double x = patch.positions[i][k] + at * patch.velocities[i][k];
-      lo = std::min(lo, x);
-      hi = std::max(hi, x);
-    }
-    width = std::max(width, hi - lo);
-  }
-  return width;
-}
-
-constexpr double kFinePrecision = 0x1p-10;
-constexpr SearchOptions kFineSearch = {kFinePrecision, 2000, SearchOptions().max_bytes};
-
-/// A one-sided scene, whose first contact is proven. Cells of width h have control points within
-/// n·h times the patch's extent of each other, n the degree, so boxes that cannot be told apart are
-/// that near, and the gap along the plane's normal closes at a speed that is known.
-struct FirstContact {
-  Query query;
-  double t = 0;      ///< when they first touch
-  double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
-};
-
-Result<FirstContact> draw_first_contact(Draw& choices) {
-  const ContactClass contact = choices.pick(kContactClasses);
-  OneSidedStyle style;
-  style.contact_bits = 20, style.contact_unit = -16;
-  style.max_flatness = 1;  // coarse boxes are no good
-  style.t_max = choices.coin() ? Dyadic(2) : style.t;
-  const Scene scene = one_sided_scene(contact, style, choices);
-  const auto query = to_query(scene);
-  if (!query) return input_error("", "a number is not a double");
-  FirstContact out{*query, *scene.contact.t.to_double_exactly()};
-  double reach = 0;
-  std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
-  const Vec3<double> normal = {scene.normal[0].rational().get_d(),
-                               scene.normal[1].rational().get_d(),
-                               scene.normal[2].rational().get_d()};
-  for (std::size_t s = 0; s < 2; ++s) {
-    const MovingPatch<double>& patch = query->patches[s];
-    for (int k = 0; k < 3; ++k) {
-      reach += std::abs(normal[k]) * kQuadratic.n * kFinePrecision * extent(patch, k, out.t);
-    }
-    for (const Vec3<double>& v : patch.velocities) {
-      const double along = normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
-      rate[s] = s == 0 ? std::max(rate[s], along) : std::min(rate[s], along);
-    }
-  }
-  out.early = reach / (rate[1] - rate[0]);
-  return out;
 }
 
 void check_not_early(Draw& d) {

@@ -8,14 +8,22 @@ namespace ccdfuzz {
 
 namespace {
 
-using Field = Points<double> MovingPatch<double>::*;
+/// Positions, or what they move by or to.
+using Field = Points<double>& (*)(MovingPatch<double>&);
+
+Points<double>& positions_of(MovingPatch<double>& patch) {
+  return patch.positions;
+}
+Points<double>& moves_of(MovingPatch<double>& patch) {
+  return patch.moves();
+}
 
 MovingPatch<double>& any_patch(Contact& q, Draw& draw) {
   return q.query.patches[draw.below(2)];
 }
 
 Field any_field(Draw& draw) {
-  return draw.coin() ? &MovingPatch<double>::positions : &MovingPatch<double>::velocities;
+  return draw.coin() ? positions_of : moves_of;
 }
 
 Vec3<double>& any_point(Points<double>& points, Draw& draw) {
@@ -39,14 +47,11 @@ double on_lattice(double x, int unit) {
 }
 
 bool is_finite(const Query& query) {
+  bool all = true;
   for (const MovingPatch<double>& patch : query.patches) {
-    for (const Field field : {&MovingPatch<double>::positions, &MovingPatch<double>::velocities}) {
-      for (const Vec3<double>& p : patch.*field) {
-        if (!p.allFinite()) return false;
-      }
-    }
+    for_each_coordinate(patch, [&](double x) { all = all && std::isfinite(x); });
   }
-  return true;
+  return all;
 }
 
 bool made_whole(Contact& q, Draw& draw) {
@@ -58,7 +63,7 @@ bool made_whole(Contact& q, Draw& draw) {
 bool nudge(Contact& q, Draw& draw) {
   for (std::uint64_t left = 1 + draw.below(3); left > 0; --left) {
     MovingPatch<double>& patch = any_patch(q, draw);
-    Vec3<double>& p = any_point(patch.*any_field(draw), draw);
+    Vec3<double>& p = any_point(any_field(draw)(patch), draw);
     const int k = any_axis(draw);
     p[k] = beside(p[k], draw);
   }
@@ -67,8 +72,8 @@ bool nudge(Contact& q, Draw& draw) {
 
 bool make_twins(Contact& q, Draw& draw) {
   const Field field = any_field(draw);
-  const Vec3<double> model = any_point(any_patch(q, draw).*field, draw);
-  Vec3<double>& p = any_point(any_patch(q, draw).*field, draw);
+  const Vec3<double> model = any_point(field(any_patch(q, draw)), draw);
+  Vec3<double>& p = any_point(field(any_patch(q, draw)), draw);
   const bool one_axis_only = draw.coin();
   const int axis = any_axis(draw);
   for (int k = 0; k < 3; ++k) {
@@ -85,13 +90,13 @@ bool align_edge(Contact& q, Draw& draw) {
   for (int k = 0; k < 3; ++k) {
     if (k == axis) continue;
     patch.positions[i][k] = patch.positions[j][k];
-    patch.velocities[i][k] = patch.velocities[j][k];
+    patch.moves()[i][k] = patch.moves()[j][k];
   }
   return made_whole(q, draw);
 }
 
 bool flatten(Contact& q, Draw& draw) {
-  Points<double>& points = any_patch(q, draw).*any_field(draw);
+  Points<double>& points = any_field(draw)(any_patch(q, draw));
   const int k = any_axis(draw);
   const double level = any_point(points, draw)[k];
   for (Vec3<double>& p : points) p[k] = level;
@@ -105,13 +110,13 @@ bool collapse(Contact& q, Draw& draw) {
   const size_t count = 1 + draw.below(3);
   for (size_t i = first; i < std::min(first + count, patch.positions.size()); ++i) {
     patch.positions[i] = patch.positions[to];
-    patch.velocities[i] = patch.velocities[to];
+    patch.moves()[i] = patch.moves()[to];
   }
   return made_whole(q, draw);
 }
 
 bool snap_to_lattice(Contact& q, Draw& draw) {
-  Points<double>& points = any_patch(q, draw).*any_field(draw);
+  Points<double>& points = any_field(draw)(any_patch(q, draw));
   const double size = any_point(points, draw).cwiseAbs().maxCoeff();
   if (size == 0) return false;
   const int unit = std::ilogb(size) - static_cast<int>(draw.below(20));
@@ -128,6 +133,7 @@ bool snap_to_lattice(Contact& q, Draw& draw) {
 
 bool stop_motion(Contact& q, Draw& draw) {
   const size_t s = draw.below(2);
+  if (has_ends(q.query)) return false;
   const Vec3<double> velocity =
       draw.coin() ? any_point(q.query.patches[s].velocities, draw) : Vec3<double>(0, 0, 0);
   const bool both = draw.coin();
@@ -139,7 +145,7 @@ bool stop_motion(Contact& q, Draw& draw) {
 }
 
 bool stretch(Contact& q, Draw& draw) {
-  Vec3<double>& p = any_point(any_patch(q, draw).*any_field(draw), draw);
+  Vec3<double>& p = any_point(any_field(draw)(any_patch(q, draw)), draw);
   const int exponent = static_cast<int>(draw.integer(-40, 20));
   const bool one_axis_only = draw.coin();
   const int axis = any_axis(draw);

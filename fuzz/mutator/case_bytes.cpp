@@ -54,7 +54,8 @@ class ByteReader {
   bool ended_ = false;
 };
 
-constexpr std::array kFields = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
+/// Behind the kinds of shapes, flags: the patch has ends; of the first, the query has a separation.
+constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds;
 
 /// What the bytes say: a valid query, and numbers that may be those of a contact.
 struct CaseParts {
@@ -67,26 +68,30 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
   in.byte();  // the method
   CaseParts parts;
+  std::array<bool, 2> has_ends{};
+  bool has_separation = false;
   for (MovingPatch<double>& patch : parts.query.patches) {
-    constexpr int kKinds = 4;
-    patch.shape.kind = static_cast<ShapeKind>(in.byte() % kKinds);
+    const int kind = in.byte();
+    patch.shape.kind = static_cast<ShapeKind>(kind % kKinds);
+    const bool is_first = &patch == &parts.query.patches[0];
+    has_ends[is_first ? 0 : 1] = (kind & kHasEnds) != 0;
+    has_separation = is_first ? (kind & kHasSeparation) != 0 : has_separation;
     patch.shape.n = in.byte();
     patch.shape.m = in.byte();
     if (!patch.shape.valid()) return std::nullopt;
   }
   parts.query.t_max = in.real();
+  if (has_separation) parts.query.separation = in.real();
   parts.t = in.real();
   for (Uv<double>& uv : parts.uv) {
     for (double& x : uv) x = in.real();
   }
-  for (MovingPatch<double>& patch : parts.query.patches) {
-    const size_t count = static_cast<size_t>(patch.shape.control_count());
-    for (const auto field : kFields) {
-      (patch.*field).resize(count);
-      for (Vec3<double>& p : patch.*field) {
-        for (int k = 0; k < 3; ++k) p[k] = in.real();
-      }
-    }
+  for (size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = parts.query.patches[s];
+    const auto count = static_cast<size_t>(patch.shape.control_count());
+    patch.positions.resize(count);
+    (has_ends[s] ? patch.ends : patch.velocities).resize(count);
+    for_each_coordinate(patch, [&](double& x) { x = in.real(); });
   }
   if (in.ended() || !validate(parts.query, "query")) return std::nullopt;
   return parts;
@@ -98,22 +103,21 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t
   ByteWriter out;
   out.byte(method);
   for (const MovingPatch<double>& patch : q.query.patches) {
-    out.byte(static_cast<int>(patch.shape.kind));
+    const bool separates = &patch == &q.query.patches[0] && q.query.separation > 0;
+    out.byte(static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
+             (separates ? kHasSeparation : 0));
     out.byte(patch.shape.n);
     out.byte(patch.shape.m);
   }
   out.real(q.query.t_max);
+  if (q.query.separation > 0) out.real(q.query.separation);
   bool exact = out.exact(q.t);
   for (const Uv<Dyadic>& uv : q.uv) {
     for (const Dyadic& x : uv) exact = out.exact(x) && exact;
   }
   if (!exact) return std::nullopt;
   for (const MovingPatch<double>& patch : q.query.patches) {
-    for (const auto field : kFields) {
-      for (const Vec3<double>& p : patch.*field) {
-        for (int k = 0; k < 3; ++k) out.real(p[k]);
-      }
-    }
+    for_each_coordinate(patch, [&](double x) { out.real(x); });
   }
   return out.take();
 }
@@ -122,8 +126,10 @@ std::uint8_t method_number(std::span<const std::uint8_t> bytes) {
   return bytes.empty() ? 0 : bytes.front();
 }
 
-std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes) {
+std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes, QueryRange range) {
   std::optional<CaseParts> parts = parts_of(bytes);
+  const bool is_plain = parts && !has_ends(parts->query) && parts->query.separation == 0;
+  if (range == QueryRange::kPlain && !is_plain) return std::nullopt;
   if (!parts || !(parts->t >= 0 && parts->t <= parts->query.t_max)) return std::nullopt;
   Contact q;
   q.query = std::move(parts->query);
@@ -150,7 +156,7 @@ std::vector<Case> cases_of(std::span<const std::uint8_t> bytes) {
   std::vector<Case> cases;
   const auto query = query_of(bytes);
   if (!query) return cases;
-  const auto whole = contact_of_bytes(bytes);
+  const auto whole = contact_of_bytes(bytes, QueryRange::kAll);
   if (!whole || whole->query != *query) {
     cases.emplace_back();
     cases.back().query = *query;

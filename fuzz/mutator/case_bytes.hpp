@@ -9,18 +9,25 @@
 
 namespace ccdfuzz {
 
-/// A contact and its query as bytes, for fuzzers: one byte for the method that is to be asked (its
-/// place in the target's list), three for the shape of each patch (kind and degrees), then as
-/// doubles, lowest byte first, t_max, t, uv of both contacts, and of each patch the positions and
-/// the velocities. nullopt if t or a parameter is no double.
+/// Which queries are meant: those with velocities that ask for touching, or those with ends and
+/// with a separation, too.
+enum class QueryRange : std::uint8_t { kPlain, kAll };
+
+/// A contact and its query as bytes, for fuzzers. First a byte for the method that is to be asked
+/// (its place in the target's list), then three for the shape of each patch: kind and degrees. To
+/// the kind 4 is added where the patch has ends, and to the first 8 where there is a separation.
+/// Then as doubles, lowest byte first: t_max, the separation if any, t, uv of both contacts, and of
+/// each patch the positions and the velocities or ends. nullopt if t or a parameter is no double.
 std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method = 0);
 
 /// The method that the bytes are for; 0 if there are none.
 std::uint8_t method_number(std::span<const std::uint8_t> bytes);
 
 /// The query that the bytes are; made whole (repair) where they are not a contact any more, as
-/// after another's mutations. nullopt if they are no valid query with a contact within t_max.
-std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes);
+/// after another's mutations. nullopt if they are no valid query of the
+/// range with a contact within t_max.
+std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes,
+                                        QueryRange range = QueryRange::kPlain);
 
 /// The query that the bytes are, whatever they say of a contact. nullopt if it is not valid.
 std::optional<Query> query_of(std::span<const std::uint8_t> bytes);

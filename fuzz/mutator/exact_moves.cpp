@@ -24,7 +24,7 @@ Vec3<Dyadic> times(const Vec3<Dyadic>& v, const Dyadic& factor) {
 bool shift_in_null_space(Contact& q, Draw& draw) {
   const int side = random_side(draw);
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
-  Points<double>& points = draw.coin() ? patch.positions : patch.velocities;
+  Points<double>& points = draw.coin() ? patch.positions : patch.moves();
   const std::vector<Dyadic> weights = q.weights(side);
   const size_t i = draw.below(points.size()), j = draw.below(points.size());
   const Vec3<Dyadic> by = small_vector(points, draw);
@@ -38,6 +38,7 @@ bool shift_in_null_space(Contact& q, Draw& draw) {
 
 bool trade_position_for_velocity(Contact& q, Draw& draw) {
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(random_side(draw))];
+  if (patch.has_ends()) return false;
   const size_t i = draw.below(patch.positions.size());
   const Vec3<Dyadic> by = small_vector(patch.velocities, draw);
   return add_exactly(patch.velocities[i], by) && add_exactly(patch.positions[i], times(by, -q.t));
@@ -59,7 +60,7 @@ bool change_coordinates(Contact& q, Draw& draw) {
       change.shift = far_vector(q.query.patches[0].positions);
       break;
     case 1:
-      change.drift = far_vector(q.query.patches[0].velocities);
+      change.drift = far_vector(q.query.patches[0].moves());
       break;
     case 2:
       change.space = static_cast<int>(draw.integer(-60, 60));
@@ -101,8 +102,9 @@ bool restrict_to_child(Contact& q, Draw& draw) {
 bool splice(Contact& q, const Contact& other, Draw& draw) {
   const size_t to = draw.below(2), from = draw.below(2);
   MovingPatch<double> patch = other.query.patches[from];
+  if (patch.has_ends() != q.query.patches[to].has_ends()) return false;
   const Dyadic later = other.t - q.t;
-  for (size_t i = 0; i < patch.positions.size(); ++i) {
+  for (size_t i = 0; i < patch.velocities.size(); ++i) {
     Vec3<Dyadic> way;
     for (int k = 0; k < 3; ++k) way[k] = Dyadic::exact(patch.velocities[i][k]) * later;
     if (!add_exactly(patch.positions[i], way)) return false;
@@ -118,9 +120,39 @@ bool change_horizon(Contact& q, Draw& draw) {
   constexpr std::array kFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0, 16.0};
   const double t_max =
       draw.coin() ? just_enough * draw.pick(kFactors) : std::nextafter(just_enough, HUGE_VAL);
-  if (!std::isfinite(t_max)) return false;
+  if (!std::isfinite(t_max) || (has_ends(q.query) && t_max > 1)) return false;
   q.query.t_max = t_max;
   return true;
+}
+
+bool give_separation(Contact& q, Draw& draw) {
+  const int size = size_exponent(q.query.patches[0].positions);
+  const double part =
+      std::ldexp(static_cast<double>(draw.below(4)), -1 - static_cast<int>(draw.below(20)));
+  q.query.separation = std::ldexp(part, size);
+  return std::isfinite(q.query.separation);
+}
+
+bool give_ends(Contact& q, Draw& draw) {
+  if (q.query.t_max > 1) {
+    Similarity change;
+    change.time = -(std::ilogb(q.query.t_max) + 1);
+    const std::optional<Query> changed = similar(q.query, change);
+    if (!changed) return false;
+    q.query = *changed;
+    q.t = q.t.scaled(change.time);
+  }
+  const std::uint64_t sides = 1 + draw.below(3);
+  bool any = false;
+  for (size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = q.query.patches[s];
+    if ((sides >> s & 1) == 0 || patch.has_ends()) continue;
+    patch.ends = patch.positions;
+    for (size_t i = 0; i < patch.ends.size(); ++i) patch.ends[i] += patch.velocities[i];
+    patch.velocities.clear();
+    any = true;
+  }
+  return any && is_valid(q.query) && repair(q, draw);
 }
 
 }  // namespace ccdfuzz

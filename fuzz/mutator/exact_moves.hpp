@@ -10,7 +10,7 @@ namespace ccdfuzz {
 /// the query is then to be thrown away.
 
 /// Two control points of a patch move against each other, or one without weight alone: positions or
-/// velocities change in the null space of the Bernstein row.
+/// velocities or ends change in the null space of the Bernstein row.
 bool shift_in_null_space(Contact& q, Draw& draw);
 
 /// A control point gets another velocity, and comes to the same place at t: p + t·v stays.
@@ -33,5 +33,11 @@ bool splice(Contact& q, const Contact& other, Draw& draw);
 
 /// t_max at, just after, or well past the contact.
 bool change_horizon(Contact& q, Draw& draw);
+
+/// A separation of a part of the patches' size, or none: a touch is a contact at any.
+bool give_separation(Contact& q, Draw& draw);
+
+/// Ends in place of the velocities of one patch or both; a t_max beyond 1 is scaled down first.
+bool give_ends(Contact& q, Draw& draw);
 
 }  // namespace ccdfuzz

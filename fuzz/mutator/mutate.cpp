@@ -31,7 +31,12 @@ constexpr std::array kMoves = {
     Move{"restrict-to-child", alone<restrict_to_child>},
     Move{"splice", splice},
     Move{"change-horizon", alone<change_horizon>},
+    Move{"give-ends", alone<give_ends>},
+    Move{"give-separation", alone<give_separation>},
 };
+
+/// The last moves make queries that are not plain.
+constexpr std::size_t kNotPlain = 2;
 
 }  // namespace
 
@@ -39,14 +44,15 @@ std::span<const Move> moves() {
   return kMoves;
 }
 
-Contact mutate(const Contact& q, const Contact& other, Draw& draw) {
+Contact mutate(const Contact& q, const Contact& other, Draw& draw, QueryRange range) {
   constexpr std::size_t kMost = 4;
   // Where a single move is possible, so many draws have it kMost times in the mean.
   constexpr std::size_t kTries = kMost * kMoves.size();
+  const std::size_t moves = range == QueryRange::kAll ? kMoves.size() : kMoves.size() - kNotPlain;
   Contact mutant = q, next = q;
   std::uint64_t wanted = 1 + draw.below(kMost);
   for (std::size_t i = 0; i < kTries && wanted > 0; ++i) {
-    if (draw.pick(kMoves).apply(next, other, draw)) {
+    if (kMoves[draw.below(moves)].apply(next, other, draw)) {
       mutant = next;
       --wanted;
     } else {

@@ -14,14 +14,17 @@ namespace ccdfuzz {
 
 /// A mutant of q: one to four moves, or none where none of those tried is possible. Every number of
 /// it is a finite double, it is a valid query, and it has its contact exactly. other: where parts
-/// of patches may come from. Depends on the arguments alone.
-Contact mutate(const Contact& q, const Contact& other, Draw& draw);
+/// of patches may come from. range: what moves may make of a query in it. Depends on the arguments
+/// alone.
+Contact mutate(const Contact& q, const Contact& other, Draw& draw,
+               QueryRange range = QueryRange::kPlain);
 
 struct CaseMutation {
   /// One mutant in so many is libFuzzer's own, which breaks the contact mostly; at least 1.
   std::uint64_t own_in = 8;
   /// How many methods an input can name; at least 1.
   std::uint8_t methods = 1;
+  QueryRange range = QueryRange::kPlain;
 };
 
 /// What LLVMFuzzerCustomMutator is to do where inputs are case bytes (to_bytes): a mutant that
@@ -33,6 +36,7 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
 /// What LLVMFuzzerCustomCrossOver is to do there: a mutant of the first with parts of the second,
 /// and its method. Returns the size of what is in `out`, 0 where there is none.
 std::size_t cross_cases(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,
-                        std::uint8_t* out, std::size_t max_size, unsigned seed);
+                        std::uint8_t* out, std::size_t max_size, unsigned seed,
+                        QueryRange range = QueryRange::kPlain);
 
 }  // namespace ccdfuzz

@@ -33,18 +33,19 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
     data[0] = method;
     return 1 + LLVMFuzzerMutate(data + 1, size - 1, max_size - 1);
   }
-  const Contact q = contact_of_bytes(std::span(data, size)).value_or(falling_point());
-  return put(mutate(q, q, draw), method, {data, max_size});
+  const Contact q =
+      contact_of_bytes(std::span(data, size), options.range).value_or(falling_point());
+  return put(mutate(q, q, draw, options.range), method, {data, max_size});
 }
 
 std::size_t cross_cases(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,
-                        std::uint8_t* out, std::size_t max_size, unsigned seed) {
+                        std::uint8_t* out, std::size_t max_size, unsigned seed, QueryRange range) {
   Draw draw{Random(seed)};
-  const auto mother = contact_of_bytes(first), father = contact_of_bytes(second);
+  const auto mother = contact_of_bytes(first, range), father = contact_of_bytes(second, range);
   if (!mother || !father) return 0;
   Contact child = *mother;
   if (!splice(child, *father, draw)) return 0;
-  return put(mutate(child, *father, draw), method_number(first), {out, max_size});
+  return put(mutate(child, *father, draw, range), method_number(first), {out, max_size});
 }
 
 }  // namespace ccdfuzz

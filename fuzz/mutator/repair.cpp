@@ -29,12 +29,13 @@ bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
 
 /// The ways to move what patch `side` has at the contact by `by`.
 bool shift_patch(Contact& q, int side, const Vec3<Dyadic>& by) {
-  return shift_all(q.query.patches[static_cast<size_t>(side)].positions, by);
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  return shift_all(patch.positions, by) && (!patch.has_ends() || shift_all(patch.ends, by));
 }
 
 bool shift_velocity(Contact& q, int side, const Vec3<Dyadic>& by) {
   const auto k = exponent_of_power_of_two(q.t);
-  return k && shift_all(q.query.patches[static_cast<size_t>(side)].velocities, scaled(by, -*k));
+  return k && shift_all(q.query.patches[static_cast<size_t>(side)].moves(), scaled(by, -*k));
 }
 
 bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
@@ -45,8 +46,10 @@ bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
   }
   if (movable.empty()) return false;
   const size_t i = movable[draw.below(movable.size())];
-  return add_exactly(q.query.patches[static_cast<size_t>(side)].positions[i],
-                     scaled(by, -weights[i].exponent()));
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  const Vec3<Dyadic> shift = scaled(by, -weights[i].exponent());
+  return add_exactly(patch.positions[i], shift) &&
+         (!patch.has_ends() || add_exactly(patch.ends[i], shift));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ void permute(MovingPatch<double>& patch, const Shape& shape, const std::vector<i
   patch.shape = shape;
   for (size_t i = 0; i < from.size(); ++i) {
     patch.positions[i] = old.positions[static_cast<size_t>(from[i])];
-    patch.velocities[i] = old.velocities[static_cast<size_t>(from[i])];
+    patch.moves()[i] = old.moves()[static_cast<size_t>(from[i])];
   }
 }
 
@@ -159,7 +159,7 @@ bool elevate_patch(Contact& q, int side, bool in_v) {
   const Shape higher = elevated(patch.shape, in_v);
   if (!higher.valid()) return false;
   const auto make = [&](const auto& points) { return points_of_higher(patch.shape, points, in_v); };
-  if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {
+  if (!replace_points(patch.positions, make) || !replace_points(patch.moves(), make)) {
     return false;
   }
   patch.shape = higher;
@@ -175,7 +175,7 @@ bool restrict_patch(Contact& q, int side) {
     const Cell cell = Cell{}.child(shape, c);
     if (!contains(cell, shape, at)) continue;
     const auto make = [&](const auto& points) { return restricted(shape, points, cell); };
-    if (!replace_points(patch.positions, make) || !replace_points(patch.velocities, make)) {
+    if (!replace_points(patch.positions, make) || !replace_points(patch.moves(), make)) {
       return false;
     }
     for (size_t k = 0; k < static_cast<size_t>(shape.parameter_count()); ++k) {

@@ -38,11 +38,13 @@ void show_query(const Query& query, std::ostream& out) {
     const MovingPatch<double>& patch = query.patches[s];
     out << fmt::format("patch {}, {}:\n", s + 1, to_text(patch.shape));
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      out << fmt::format("  {} + t {}\n", point_text(patch.positions[i]),
-                         point_text(patch.velocities[i]));
+      out << fmt::format("  {} {} {}\n", point_text(patch.positions[i]),
+                         patch.has_ends() ? "to" : "+ t", point_text(patch.moves()[i]));
     }
   }
-  out << fmt::format("asked up to t = {}\n", query.t_max);
+  out << fmt::format("asked up to t = {}", query.t_max);
+  if (query.separation > 0) out << fmt::format(", for distances up to {}", query.separation);
+  out << '\n';
 }
 
 }  // namespace

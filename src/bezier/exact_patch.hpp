@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// The same patch in another number type, exactly. S is Rational or Dyadic.
+/// The same patch in another number type, exactly, with velocities. S is Rational or Dyadic.
 template <class S>
 MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
   const auto convert = [](const Points<double>& from) {
@@ -20,7 +20,12 @@ MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
     }
     return to;
   };
-  return {patch.shape, convert(patch.positions), convert(patch.velocities)};
+  MovingPatch<S> out{patch.shape, convert(patch.positions), convert(patch.velocities)};
+  if (patch.has_ends()) {
+    out.velocities = convert(patch.ends);
+    for (size_t i = 0; i < out.velocities.size(); ++i) out.velocities[i] -= out.positions[i];
+  }
+  return out;
 }
 
 template <class S>

@@ -15,16 +15,24 @@ using Uv = std::array<S, 2>;
 template <class S>
 using Points = std::vector<Vec3<S>>;
 
-/// A Bézier patch whose control points move linearly (Eq. 2): at time t control point i stands at
-/// positions[i] + t·velocities[i]. Both arrays have shape.control_count() entries, in Shape's
-/// order.
+/// A Bézier patch whose control points move linearly (Eq. 2). At time t control point i stands at
+/// positions[i] + t·velocities[i]; or, where `ends` are given, at
+/// positions[i] + t·(ends[i] − positions[i]), with a difference that need be no double.
+/// Each array has shape.control_count() entries, in Shape's order; of velocities and ends one has,
+/// and the other is empty.
 template <class S>
 struct MovingPatch {
   Shape shape;
   Points<S> positions;
   Points<S> velocities;
+  Points<S> ends = {};  ///< positions at t = 1
 
-  /// The control points at time t.
+  bool has_ends() const { return !ends.empty(); }
+  /// The ends or, without them, the velocities.
+  Points<S>& moves() { return has_ends() ? ends : velocities; }
+  const Points<S>& moves() const { return has_ends() ? ends : velocities; }
+
+  /// The control points at time t. Requires velocities.
   Points<S> at(const S& t) const {
     Points<S> p(positions.size());
     for (size_t i = 0; i < p.size(); ++i) {

@@ -58,7 +58,7 @@ struct JsonForm<Vec3<double>> {
 template <>
 struct JsonForm<MovingPatch<double>> {
   static void fields(auto& archive, auto& patch) {
-    archive.reserved({"ends", "weights", "trim"});
+    archive.reserved({"weights", "trim"});
     auto& shape = patch.shape;
     archive("shape", shape.kind);
     const auto degree = within(1, kMaxDegree);
@@ -75,7 +75,16 @@ struct JsonForm<MovingPatch<double>> {
                          shape.control_count());
     };
     archive("positions", patch.positions, right_count);
-    archive("velocities", patch.velocities, right_count);
+    if constexpr (kReads<decltype(archive)>) {
+      const bool has_ends = archive.object().find("ends").has_value();
+      if (has_ends && archive.object().find("velocities")) {
+        archive.object().at("ends").refuse("stands beside velocities; a patch has one of them");
+      }
+      has_ends ? archive("ends", patch.ends, right_count)
+               : archive("velocities", patch.velocities, right_count);
+    } else {
+      patch.has_ends() ? archive("ends", patch.ends) : archive("velocities", patch.velocities);
+    }
   }
 };
 
@@ -262,11 +271,19 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
   }
 }
 
+void query_fields(auto& archive, auto& query) {
+  archive("patches", query.patches);
+  archive("t_max", query.t_max, not_negative, [&](double t_max) {
+    return has_ends(query) && compare(t_max, 1) > 0 ? "is past 1, where the ends of a patch are"
+                                                    : "";
+  });
+  archive.optional("separation", query.separation, 0, not_negative);
+}
+
 void case_fields(auto& archive, auto& value) {
   const int version = archive.format("ccdfuzz-case", 1, 2);
-  archive.reserved({"separation", "weights", "bodies"});
-  archive("patches", value.query.patches);
-  archive("t_max", value.query.t_max, not_negative);
+  archive.reserved({"weights", "bodies"});
+  query_fields(archive, value.query);
   archive.optional("truth", value.truth);
   archive.optional("origin", value.origin);
   if (version > 1) archive.optional("asked", value.asked);
@@ -294,10 +311,7 @@ void JsonForm<Case>::read(const JsonCursor& from, Case& value) {
 
 template <>
 struct JsonForm<Query> {
-  static void fields(auto& archive, auto& query) {
-    archive("patches", query.patches);
-    archive("t_max", query.t_max, not_negative);
-  }
+  static void fields(auto& archive, auto& query) { query_fields(archive, query); }
 };
 
 Result<Query> parse_query(std::string_view json, const std::string& file) {

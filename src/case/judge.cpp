@@ -74,7 +74,8 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
     if (!in_domain(query.patches[side].shape, uv)) return false;
     where[side] = {exact(uv[0]), exact(uv[1])};
   }
-  return squared_distance(query, where, exact(*hit.toi)) <= exact(tolerance) * exact(tolerance);
+  const Rational most = exact(query.separation) + exact(tolerance);
+  return squared_distance(query, where, exact(*hit.toi)) <= most * most;
 }
 
 /// Whether the patches are proven to come nearer than so before a time, the points of the witness:
@@ -82,6 +83,7 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
 bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
   if (compare(terms.kept_separation, 0) == 0 || !known.witness() || before == 0) return false;
   const Query& query = known.query();
+  if (compare(query.separation, 0) > 0) return false;
   const Witness& witness = *known.witness();
   const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
   if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "base/double_parts.hpp"
+#include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
 
@@ -39,8 +40,8 @@ class FiniteScan {
   std::uint64_t z_ = 0;
 };
 
-bool is_time(double t) {
-  return is_finite(t) && compare(t, 0) >= 0;
+bool is_not_negative(double x) {
+  return is_finite(x) && compare(x, 0) >= 0;
 }
 
 Result<void> validate_shape(const Shape& shape, const std::string& where) {
@@ -87,15 +88,47 @@ bool is_valid(const Query& query) {
   const auto is_patch = [](const MovingPatch<double>& patch) {
     if (!patch.shape.valid()) return false;
     const auto count = static_cast<size_t>(patch.shape.control_count());
-    if (patch.positions.size() != count || patch.velocities.size() != count) return false;
+    const Points<double>& moves = patch.moves();
+    if (patch.positions.size() != count || moves.size() != count) return false;
+    if (patch.has_ends() && !patch.velocities.empty()) return false;
     FiniteScan scan;
     for (size_t i = 0; i < count; ++i) {
       scan.add(patch.positions[i]);
-      scan.add(patch.velocities[i]);
+      scan.add(moves[i]);
     }
     return scan.all_finite();
   };
-  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_time(query.t_max);
+  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_not_negative(query.t_max) &&
+         is_not_negative(query.separation) && !(has_ends(query) && compare(query.t_max, 1) > 0);
+}
+
+bool has_ends(const Query& query) {
+  return query.patches[0].has_ends() || query.patches[1].has_ends();
+}
+
+Points<double> rounded_velocities(const MovingPatch<double>& patch) {
+  if (!patch.has_ends()) return patch.velocities;
+  Points<double> out = patch.ends;
+  for (size_t i = 0; i < out.size(); ++i) out[i] -= patch.positions[i];
+  return out;
+}
+
+std::optional<Query> with_velocities(const Query& query) {
+  Query out = query;
+  for (MovingPatch<double>& patch : out.patches) {
+    if (!patch.has_ends()) continue;
+    patch.velocities.assign(patch.ends.size(), Vec3<double>(0, 0, 0));
+    for (size_t i = 0; i < patch.ends.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        const Dyadic way = Dyadic::exact(patch.ends[i][k]) - Dyadic::exact(patch.positions[i][k]);
+        const std::optional<double> velocity = way.to_double_exactly();
+        if (!velocity) return std::nullopt;
+        patch.velocities[i][k] = *velocity;
+      }
+    }
+    patch.ends.clear();
+  }
+  return out;
 }
 
 Result<void> validate(const Query& query, const std::string& where) {
@@ -105,10 +138,22 @@ Result<void> validate(const Query& query, const std::string& where) {
     const std::string path = fmt::format("{}patches[{}]", where, p);
     if (auto r = validate_shape(patch.shape, path); !r) return r;
     if (auto r = validate_points(patch.positions, patch.shape, path + ".positions"); !r) return r;
-    if (auto r = validate_points(patch.velocities, patch.shape, path + ".velocities"); !r) return r;
+    if (patch.has_ends() && !patch.velocities.empty()) {
+      return input_error(path, "has velocities and ends, and may have one of them");
+    }
+    auto moves = patch.has_ends()
+                     ? validate_points(patch.ends, patch.shape, path + ".ends")
+                     : validate_points(patch.velocities, patch.shape, path + ".velocities");
+    if (!moves) return moves;
   }
-  if (!is_time(query.t_max)) {
-    return input_error(where + "t_max", fmt::format("{} is not a finite number ≥ 0", query.t_max));
+  const auto refuse = [&](const char* field, double x) {
+    return input_error(where + field, fmt::format("{} is not a finite number ≥ 0", x));
+  };
+  if (!is_not_negative(query.t_max)) return refuse("t_max", query.t_max);
+  if (!is_not_negative(query.separation)) return refuse("separation", query.separation);
+  if (has_ends(query) && compare(query.t_max, 1) > 0) {
+    return input_error(where + "t_max",
+                       fmt::format("{} is past 1, where the ends of a patch are", query.t_max));
   }
   return {};
 }

@@ -1,31 +1,43 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "base/result.hpp"
 #include "bezier/patch.hpp"
 
 namespace ccdfuzz {
 
-/// A CCD query: do two moving patches touch at some t in the closed [0, t_max], and when first?
-/// (Eq. 1). All numbers finite, t_max ≥ 0.
+/// A CCD query: are two moving patches in contact at some t in the closed [0, t_max], and when
+/// first? (Eq. 1). They are where a point of one is no farther than `separation` from a point of
+/// the other; with 0, where they touch. All numbers finite, t_max ≥ 0, and ≤ 1 where a patch has
+/// ends; separation ≥ 0.
 struct Query {
   std::array<MovingPatch<double>, 2> patches;
   double t_max = 1;
+  double separation = 0;
 
   friend bool operator==(const Query&, const Query&) = default;
 };
 
 /// Calls visit on each coordinate of a patch: of the positions, point by point, then of the
-/// velocities.
+/// velocities or ends.
 template <class Patch, class Visit>
 void for_each_coordinate(Patch& patch, const Visit& visit) {
-  for (auto* points : {&patch.positions, &patch.velocities}) {
+  for (auto* points : {&patch.positions, &patch.velocities, &patch.ends}) {
     for (auto& p : *points) {
       for (int k = 0; k < 3; ++k) visit(p[k]);
     }
   }
 }
+
+bool has_ends(const Query& query);
+
+/// The query with velocities, if all ends − positions are doubles; it is the same motion.
+std::optional<Query> with_velocities(const Query& query);
+
+/// ends − positions, or the velocities, rounded: for what is only weighed or shown.
+Points<double> rounded_velocities(const MovingPatch<double>& patch);
 
 /// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
 /// Errors: the field that is wrong, its value, and what it may be.

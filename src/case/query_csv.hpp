@@ -89,10 +89,10 @@ class CsvReader {
   std::unique_ptr<State> state_;
 };
 
-/// The query in doubles, t_max = 1. Positions are the start points, velocities their ways to the
-/// end points; a number that is no double is refused, or with `round` becomes the nearest one and
-/// is counted in `rounded`. Errors, naming file, row, column and value: such a number; one past the
-/// range of doubles in any case.
+/// The query in doubles, t_max = 1. Positions are the start points. The patches have velocities, if
+/// all ways to the end points are doubles, and otherwise ends. A number of the file that is no
+/// double is refused, or with `round` becomes the nearest one and is counted in `rounded`. Errors,
+/// naming file, row, column and value: such a number; one past the range of doubles in any case.
 Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded);
 
 /// The query (to_query) as a case without a truth. What the file says is origin.more["label"], 0 or

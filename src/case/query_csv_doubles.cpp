@@ -54,28 +54,21 @@ Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded)
     MovingPatch<double>& patch = query.patches[s];
     patch.shape = shapes[s];
     for (size_t i = 0; i < from.start[s].size(); ++i, ++row) {
-      Vec3<double> position, velocity;
-      for (int k = 0; k < 3; ++k) {
-        const auto where = [&](size_t at) {
-          return fmt::format("{}:{}", from.path, from.lines[at]);
-        };
-        const char axis = "xyz"[k];
-        const Rational &start = from.start[s][i][k], &end = from.end[s][i][k];
-        const auto p = as_double(start, round, rounded, where(row), fmt::format("{} =", axis));
-        if (!p) return tl::unexpected(p.error());
-        const std::string way =
-            fmt::format("the way in {} from line {} to here,", axis, from.lines[row]);
-        const auto v = as_double(end - exact(*p), round, rounded, where(row + half), way);
-        if (!v) return tl::unexpected(v.error());
-        position[k] = *p;
-        velocity[k] = *v;
+      for (const bool at_end : {false, true}) {
+        const Vec3<Rational>& point = (at_end ? from.end : from.start)[s][i];
+        const std::string where =
+            fmt::format("{}:{}", from.path, from.lines[at_end ? row + half : row]);
+        Vec3<double>& number = (at_end ? patch.ends : patch.positions).emplace_back();
+        for (int k = 0; k < 3; ++k) {
+          const auto x = as_double(point[k], round, rounded, where, fmt::format("{} =", "xyz"[k]));
+          if (!x) return tl::unexpected(x.error());
+          number[k] = *x;
+        }
       }
-      patch.positions.push_back(position);
-      patch.velocities.push_back(velocity);
     }
   }
   query.t_max = 1;
-  return query;
+  return with_velocities(query).value_or(query);
 }
 
 Result<Case> to_case(const CsvQuery& from, bool round, std::uint64_t index) {

@@ -21,12 +21,12 @@ namespace {{
 
 ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint32_t degree_v,
                          std::uint64_t count, const double (*positions)[3],
-                         const double (*velocities)[3]) {{
-  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count, positions, velocities}};
+                         const double (*velocities)[3], const double (*ends)[3] = nullptr) {{
+  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count, positions, velocities, ends}};
 }}
 
 /// Asks the plug-in that this is linked with, with the patches in the order that it takes.
-ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max) {{
+ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
   const ccdfuzz_plugin* const plugin = ccdfuzz_plugin_get();
   ccdfuzz_answer answer{{}};
   void* state = nullptr;
@@ -49,6 +49,7 @@ ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max) {{
   query.precision = 1e-4;
   query.max_iterations = 1000000;
   query.max_seconds = 60;
+  query.separation = separation;
   answer.size = sizeof answer;
   answer.toi_lower = answer.toi_upper = answer.tolerance = std::nan("");
   for (auto& uv : answer.uv) uv[0] = uv[1] = std::nan("");
@@ -149,7 +150,7 @@ std::string test_preamble(TestFramework framework) {
 
 std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
   const Case& value = named.value;
-  const Query& query = value.query;
+  const Query query = with_velocities(value.query).value_or(value.query);
   std::string id = named.id;
   std::replace(id.begin(), id.end(), '\n', ' ');
   std::string out = fmt::format("\n// {}\n// {}\n", id, truth_text(value));
@@ -162,15 +163,18 @@ std::string test_snippet(const NamedCase& named, size_t number, TestFramework fr
     const MovingPatch<double>& patch = query.patches[side];
     const std::string letter = side == 0 ? "a" : "b";
     out += points_text("positions_" + letter, patch.positions);
-    out += points_text("velocities_" + letter, patch.velocities);
+    const std::string moves = (patch.has_ends() ? "ends_" : "velocities_") + letter;
+    out += points_text(moves, patch.moves());
     patches += fmt::format(
         "  const ccdfuzz_patch {0} =\n"
-        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, velocities_{0});\n",
-        letter, abi_name(patch.shape.kind), patch.shape.n, patch.shape.m, patch.positions.size());
+        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5}{6});\n",
+        letter, abi_name(patch.shape.kind), patch.shape.n, patch.shape.m, patch.positions.size(),
+        patch.has_ends() ? "nullptr, " : "", moves);
   }
   out += patches;
   out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));
-  out += "  const ccdfuzz_answer answer = ask(a, b, t_max);\n";
+  const std::string separation = query.separation > 0 ? ", " + to_hex(query.separation) : "";
+  out += fmt::format("  const ccdfuzz_answer answer = ask(a, b, t_max{});\n", separation);
   out += check_text(framework, "is_answer(answer, t_max)");
   const std::optional<Rational> contact = value.truth.contact_by();
   if (contact && *contact <= exact(query.t_max)) {

@@ -69,6 +69,9 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
   std::optional<CsvLayout> layout;
   std::uint64_t count = 0, rounded = 0;
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+    if (named.value.query.separation > 0) {
+      return input_error(named.id, "has a separation, for which a query CSV has no place");
+    }
     const auto own = csv_layout_of(named.value.query);
     if (!own) {
       return input_error(named.id,

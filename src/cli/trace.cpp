@@ -183,6 +183,7 @@ int run_trace(const TraceArguments& options, Session& session) {
         need(shared.checked());
         const Case& known = shared.named().value;
         const TraceOptions how = trace_options(options, shared.named());
+        need(check_taken(options.methods[m], known.query));
         return tracers.local()[options.methods[m]].trace(known.query, *known.truth.witness, how);
       },
       [&](const SharedCase& shared, size_t m, const Trace& trace) {

@@ -29,6 +29,7 @@ std::string content_address(const Query& query) {
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
   }
   append_bits(bytes, compare(query.t_max, 0) == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
+  if (compare(query.separation, 0) != 0) append_bits(bytes, query.separation);
   return hash_name(bytes);
 }
 
@@ -48,6 +49,7 @@ CaseSize size_of(const Query& query) {
   };
   for (const MovingPatch<double>& patch : query.patches) for_each_coordinate(patch, count);
   count_bits(parts_of(query.t_max));
+  count_bits(parts_of(query.separation));
   if (lowest <= highest) size.exponent_spread = highest - lowest;
   return size;
 }

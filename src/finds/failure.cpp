@@ -22,13 +22,13 @@ bool all_equal(const Points<double>& points, const Vec3<double>& first) {
 
 bool is_degenerate(const Query& query) {
   const auto& [a, b] = query.patches;
-  const auto has_no_extent = [](const MovingPatch<double>& patch) {
-    return patch.positions.size() > 1 && all_equal(patch.positions, patch.positions[0]) &&
-           all_equal(patch.velocities, patch.velocities[0]);
+  const Points<double> of_a = rounded_velocities(a), of_b = rounded_velocities(b);
+  const auto has_no_extent = [](const Points<double>& positions, const Points<double>& velocities) {
+    return positions.size() > 1 && all_equal(positions, positions[0]) &&
+           all_equal(velocities, velocities[0]);
   };
-  const Vec3<double>& velocity = a.velocities[0];
-  return has_no_extent(a) || has_no_extent(b) ||
-         (all_equal(a.velocities, velocity) && all_equal(b.velocities, velocity));
+  return has_no_extent(a.positions, of_a) || has_no_extent(b.positions, of_b) ||
+         (all_equal(of_a, of_a[0]) && all_equal(of_b, of_a[0]));
 }
 
 bool is_at_an_end(const Case& value) {

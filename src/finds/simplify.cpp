@@ -16,8 +16,16 @@ using Offer = std::function<bool(const Contact&)>;
 
 constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
 
-/// Positions, and velocities.
-constexpr std::array kArrays = {&MovingPatch<double>::positions, &MovingPatch<double>::velocities};
+/// Positions, and velocities or ends.
+using Array = Points<double>& (*)(MovingPatch<double>&);
+
+Points<double>& positions_of(MovingPatch<double>& patch) {
+  return patch.positions;
+}
+Points<double>& moves_of(MovingPatch<double>& patch) {
+  return patch.moves();
+}
+constexpr std::array<Array, 2> kArrays = {positions_of, moves_of};
 
 template <class Visit>
 void visit_coordinates(Contact& q, const Visit& visit) {
@@ -43,18 +51,19 @@ double cut_to(double x, int bits) {
 /// The one number of the patch's control points at its contact, if doubles hold it: the patch as a
 /// point.
 std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) {
-  const MovingPatch<double>& patch = q.query.patches[side];
+  MovingPatch<double> patch = q.query.patches[side];
   const std::vector<Dyadic> weights = q.weights(static_cast<int>(side));
-  MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {{0, 0, 0}}};
-  for (const auto array : kArrays) {
+  MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {}};
+  (patch.has_ends() ? point.ends : point.velocities) = {{0, 0, 0}};
+  for (const Array array : kArrays) {
     for (int k = 0; k < 3; ++k) {
       Dyadic sum;
       for (std::size_t i = 0; i < weights.size(); ++i) {
-        sum += weights[i] * Dyadic::exact((patch.*array)[i][k]);
+        sum += weights[i] * Dyadic::exact(array(patch)[i][k]);
       }
       const std::optional<double> x = sum.to_double_exactly();
       if (!x) return std::nullopt;
-      (point.*array)[0][k] = *x;
+      array(point)[0][k] = *x;
     }
   }
   return point;
@@ -76,10 +85,20 @@ MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
       if (to.kind == ShapeKind::kTriangle) from_j = std::min(from_j, from.n - from_i);
       const auto index = static_cast<std::size_t>(from.index(from_i, from_j));
       out.positions.push_back(patch.positions[index]);
-      out.velocities.push_back(patch.velocities[index]);
+      (patch.has_ends() ? out.ends : out.velocities).push_back(patch.moves()[index]);
     }
   }
   return out;
+}
+
+/// Velocities in place of ends, where the motion stays the same.
+void offer_velocities(const Contact& q, const Offer& offer) {
+  if (!has_ends(q.query)) return;
+  if (const std::optional<Query> query = with_velocities(q.query)) {
+    Contact next = q;
+    next.query = *query;
+    offer(next);
+  }
 }
 
 void offer_shapes(const Contact& q, const Offer& offer) {
@@ -105,7 +124,7 @@ void offer_shapes(const Contact& q, const Offer& offer) {
           const auto index =
               static_cast<std::size_t>(along_u ? shape.index(i, 0) : shape.index(0, i));
           curve.positions.push_back(patch.positions[index]);
-          curve.velocities.push_back(patch.velocities[index]);
+          (patch.has_ends() ? curve.ends : curve.velocities).push_back(patch.moves()[index]);
         }
         next.uv[side] = {q.uv[side][along_u ? 0 : 1], Dyadic()};
         if (offer(next)) break;
@@ -128,30 +147,31 @@ void offer_shapes(const Contact& q, const Offer& offer) {
 /// Space and time in units of powers of two in which the numbers are around 1; the origin where a
 /// control point is.
 void offer_units(const Contact& q, const Offer& offer) {
-  for (const auto array : kArrays) {
+  for (const Array array : kArrays) {
     Contact next = q;
-    const Vec3<double> by = (q.query.patches[0].*array)[0];
+    const Vec3<double> by = array(next.query.patches[0])[0];
     bool exact = true;
     for (MovingPatch<double>& patch : next.query.patches) {
-      for (Vec3<double>& p : patch.*array) {
+      for (Vec3<double>& p : array(patch)) {
         exact = exact && add_exactly(p, {-Dyadic::exact(by[0]), -Dyadic::exact(by[1]),
                                          -Dyadic::exact(by[2])});
       }
     }
     if (exact) offer(next);
   }
-  const auto largest_exponent = [&](auto array) {
+  const auto largest_exponent = [&](Array array) {
     double largest = 0;
-    for (const MovingPatch<double>& patch : q.query.patches) {
-      for (const Vec3<double>& p : patch.*array) {
+    Contact copy = q;
+    for (MovingPatch<double>& patch : copy.query.patches) {
+      for (const Vec3<double>& p : array(patch)) {
         for (int k = 0; k < 3; ++k) largest = std::max(largest, std::abs(p[k]));
       }
     }
     return largest == 0 ? 0 : std::ilogb(largest);
   };
-  const auto scale = [](Contact& next, auto array, int shift) {
+  const auto scale = [](Contact& next, Array array, int shift) {
     for (MovingPatch<double>& patch : next.query.patches) {
-      for (Vec3<double>& p : patch.*array) {
+      for (Vec3<double>& p : array(patch)) {
         for (int k = 0; k < 3; ++k) {
           const double scaled = std::ldexp(p[k], shift);
           if (!std::isfinite(scaled) || std::ldexp(scaled, -shift) != p[k]) return false;
@@ -163,15 +183,26 @@ void offer_units(const Contact& q, const Offer& offer) {
   };
   if (const int shift = -largest_exponent(kArrays[0]); shift != 0) {
     Contact next = q;
-    if (scale(next, kArrays[0], shift) && scale(next, kArrays[1], shift)) offer(next);
+    next.query.separation = std::ldexp(q.query.separation, shift);
+    const bool is_exact = std::ldexp(next.query.separation, -shift) == q.query.separation;
+    if (is_exact && scale(next, kArrays[0], shift) && scale(next, kArrays[1], shift)) offer(next);
   }
-  if (q.query.t_max > 0) {
+  if (q.query.t_max > 0 && !has_ends(q.query)) {
     if (const int shift = -std::ilogb(q.query.t_max); shift != 0) {
       Contact next = q;
       next.query.t_max = std::ldexp(q.query.t_max, shift);
       next.t = q.t.scaled(shift);
       if (scale(next, kArrays[1], -shift)) offer(next);
     }
+  }
+}
+
+/// None, or of few bits.
+void offer_separations(const Contact& q, const Offer& offer) {
+  for (const int bits : {0, 1, 3, 8}) {
+    Contact next = q;
+    next.query.separation = cut_to(q.query.separation, bits);
+    if (next.query.separation == q.query.separation || offer(next)) return;
   }
 }
 
@@ -215,18 +246,18 @@ void offer_wholesale(const Contact& q, const Offer& offer) {
     visit_coordinates(next, [bits](double& x) { x = cut_to(x, bits); });
     if (offer(next)) break;
   }
-  for (const auto array : {kArrays[1], kArrays[0]}) {
+  for (const Array array : {kArrays[1], kArrays[0]}) {
     for (const std::size_t side : kSides) {
       for (const bool to_zero : {true, false}) {
         Contact next = q;
-        Points<double>& points = next.query.patches[side].*array;
+        Points<double>& points = array(next.query.patches[side]);
         const Vec3<double> value = to_zero ? Vec3<double>{0, 0, 0} : points[0];
         for (Vec3<double>& p : points) p = value;
         if (offer(next)) break;
       }
       for (int k = 0; k < 3; ++k) {
         Contact next = q;
-        for (Vec3<double>& p : next.query.patches[side].*array) p[k] = 0;
+        for (Vec3<double>& p : array(next.query.patches[side])) p[k] = 0;
         offer(next);
       }
     }
@@ -241,16 +272,16 @@ void offer_point_by_point(const Contact& q, const Offer& offer) {
         Contact next = q;
         MovingPatch<double>& patch = next.query.patches[side];
         patch.positions[i] = patch.positions[other];
-        patch.velocities[i] = patch.velocities[other];
+        patch.moves()[i] = patch.moves()[other];
         if (offer(next)) break;
       }
-      for (const auto array : {kArrays[1], kArrays[0]}) {
+      for (const Array array : {kArrays[1], kArrays[0]}) {
         Contact next = q;
-        (next.query.patches[side].*array)[i] = {0, 0, 0};
+        array(next.query.patches[side])[i] = {0, 0, 0};
         if (offer(next)) continue;
         for (int k = 0; k < 3; ++k) {
           const auto number = [&](Contact& of) -> double& {
-            return (of.query.patches[side].*array)[i][k];
+            return array(of.query.patches[side])[i][k];
           };
           next = q;
           const int now = significant_bits(number(next));
@@ -276,11 +307,13 @@ Simplicity simplicity_of(const Contact& q) {
   for (const MovingPatch<double>& patch : q.query.patches) {
     std::set<std::array<double, 6>> different;
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      const Vec3<double>&p = patch.positions[i], &v = patch.velocities[i];
+      const Vec3<double>&p = patch.positions[i], &v = patch.moves()[i];
       different.insert({p[0], p[1], p[2], v[0], v[1], v[2]});
     }
     // What a shape has of control points counts, too: fewer are simpler even where they coincide.
     s.different_points += 64 * patch.positions.size() + different.size();
+    // Ends are more than velocities, which every method takes.
+    s.different_points += patch.has_ends() ? 32 : 0;
   }
   Contact copy = q;
   visit_coordinates(copy, [&](double x) {
@@ -290,8 +323,10 @@ Simplicity simplicity_of(const Contact& q) {
 }
 
 void offer_simpler(const Contact& current, const Offer& offer) {
+  offer_velocities(current, offer);
   offer_shapes(current, offer);
   offer_wholesale(current, offer);
+  offer_separations(current, offer);
   offer_times(current, offer);
   offer_units(current, offer);
   offer_point_by_point(current, offer);

@@ -19,6 +19,7 @@ constexpr size_t kDrifting = 64;
 Breeder::Breeder(std::string method, std::uint64_t seed, const HuntGround& ground, Aim aim)
     : method_(std::move(method)),
       traceable_(make_tracer(method_).has_value()),
+      features_(value_or_throw(method_info(method_)).features),
       ground_(ground),
       aim_(aim),
       random_(Random::keyed({seed, 0x6272656564})) {}  // "breed"
@@ -34,6 +35,10 @@ bool Breeder::trace_and_note(const Contact& q, TracerSet& tracers) {
   return true;
 }
 
+bool Breeder::is_for_it(const Query& query) const {
+  return ground_.has(query) && TakenQuery(query, features_).query() != nullptr;
+}
+
 void Breeder::drift(Contact q) {
   if (drifting_.size() < kDrifting) {
     drifting_.push_back(std::move(q));
@@ -44,7 +49,7 @@ void Breeder::drift(Contact q) {
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
   std::optional<Contact> q = contact_of(known);
-  if (!q || !ground_.has(q->query)) return;
+  if (!q || !is_for_it(q->query)) return;
   founders_.insert(content_address(known.query));
   // Founders that are lost are as good as any: half of their mutants are not.
   if (traceable_) trace_and_note(*q, tracers);
@@ -60,8 +65,10 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
                    const std::function<void(const Case&, const Judged&)>& found) {
   if (drifting_.empty()) return;
   const Contact& first = mother();
-  Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_);
-  if (!ground_.has(mutant.query)) return;
+  const bool takes_all = features_.ends && features_.separation;
+  Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_,
+                          takes_all ? QueryRange::kAll : QueryRange::kPlain);
+  if (!is_for_it(mutant.query)) return;
   ++tally_.mutants;
   if (traceable_ && trace_and_note(mutant, tracers)) {
     drift(std::move(mutant));

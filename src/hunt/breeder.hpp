@@ -62,11 +62,14 @@ class Breeder {
  private:
   /// Whether the method keeps the contact; if so, the nearest to a loss are remembered.
   bool trace_and_note(const Contact& q, TracerSet& tracers);
+  /// Whether it lies on the ground and the method takes it.
+  bool is_for_it(const Query& query) const;
   void drift(Contact q);
   const Contact& mother();
 
   std::string method_;
   bool traceable_;
+  Features features_;
   HuntGround ground_;
   Aim aim_;
   Draw random_;

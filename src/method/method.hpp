@@ -12,6 +12,7 @@
 #include "case/case.hpp"
 #include "case/judge.hpp"
 #include "ccd/search_options.hpp"
+#include "method/features.hpp"
 
 namespace ccdfuzz {
 
@@ -61,9 +62,9 @@ class Tracer {
  public:
   virtual ~Tracer() = default;
   /// Requires a valid query, a precision in (0, 1], and a witness of the query (check_witness).
-  /// Errors: InternalError where the query is not valid, the precision out of range, or t* outside
-  /// [0, t_max]; whether the patches touch there is not checked. The result is valid until the next
-  /// call.
+  /// Errors: InternalError where the query is not valid, or has what the method does not take
+  /// (check_taken), the precision out of range, or t* outside [0, t_max]; whether the patches touch
+  /// there is not checked. The result is valid until the next call.
   virtual const Trace& trace(const Query& query, const Witness& witness,
                              const TraceOptions& options) = 0;
 };
@@ -76,6 +77,7 @@ struct MethodInfo {
   bool claims_no_false_negative = false;
   /// What may stand behind a spec after '@', any of them, each once: "tdibm-e@unit-axes".
   std::vector<std::string> switches = {};
+  Features features = {};
 
   /// The fields for a plug-in, as records of hunts have them.
   static void fields(auto& archive, auto& info) {
@@ -120,6 +122,9 @@ bool is_admitted(const std::string& spec);
 Result<MethodInfo> method_info(const std::string& spec);
 /// True iff there is such a method, and it claims to have no false negative.
 bool claims_no_false_negative(const std::string& spec);
+
+/// Errors: the query has what the method does not take, or as method_info.
+Result<void> check_taken(const std::string& spec, const Query& query);
 
 /// A fresh method for a concrete spec, an admitted plug-in's too. Errors: an unknown name, a bad
 /// parameter or a plug-in that was not admitted, naming it.

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/text.hpp"
+#include "base/verify.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/pair_test.hpp"
 #include "ccd/rational/tdibm_rational.hpp"
@@ -27,13 +28,20 @@ template <class Solver>
 class BuiltIn : public Method {
  public:
   template <class... Args>
-  explicit BuiltIn(Args&&... args) : solver_(std::forward<Args>(args)...) {}
+  explicit BuiltIn(const Features& features, Args&&... args)
+      : features_(features), solver_(std::forward<Args>(args)...) {}
 
   Answered answer(const Query& query, const SearchOptions& options) override {
-    return {solver_.answer(query, options)};
+    const TakenQuery taken(query, features_);
+    if (taken.query() != nullptr) return {solver_.answer(*taken.query(), options)};
+    Answered refused;
+    refused.verdict = Verdict::kRefused;
+    refused.note = taken.why();
+    return refused;
   }
 
  private:
+  const Features features_;
   Solver solver_;
 };
 
@@ -43,14 +51,18 @@ template <class Follower>
 class BuiltInTracer : public Tracer {
  public:
   template <class... Args>
-  explicit BuiltInTracer(Args&&... args) : follower_(std::forward<Args>(args)...) {}
+  explicit BuiltInTracer(const Features& features, Args&&... args)
+      : features_(features), follower_(std::forward<Args>(args)...) {}
 
   const Trace& trace(const Query& query, const Witness& witness,
                      const TraceOptions& options) override {
-    return follower_.trace(query, witness, options);
+    const TakenQuery taken(query, features_);
+    CCDFUZZ_VERIFY(taken.query() != nullptr);
+    return follower_.trace(*taken.query(), witness, options);
   }
 
  private:
+  const Features features_;
   Follower follower_;
 };
 
@@ -66,12 +78,13 @@ struct Family {
 /// Solver answers, Follower traces; both are made of the same arguments.
 template <class Solver, class Follower, class... Args>
 Family family(MethodInfo info, Args... args) {
+  const Features features = info.features;
   return {std::move(info),
-          [args...](const SwitchedSpec&) -> MadeMethod {
-            return std::make_unique<BuiltIn<Solver>>(args...);
+          [features, args...](const SwitchedSpec&) -> MadeMethod {
+            return std::make_unique<BuiltIn<Solver>>(features, args...);
           },
-          [args...](const SwitchedSpec&) -> MadeTracer {
-            return std::make_unique<BuiltInTracer<Follower>>(args...);
+          [features, args...](const SwitchedSpec&) -> MadeTracer {
+            return std::make_unique<BuiltInTracer<Follower>>(features, args...);
           }};
 }
 
@@ -100,15 +113,16 @@ Family tdibm_family(MethodInfo info, Result<Policy> (*policy_of)(const SwitchedS
             return policy_of(spec).and_then([&](const Policy& policy) -> MadeMethod {
               const Reading reading = reading_of(spec, Policy::kReading);
               if (spec.has("unoptimised")) {
-                return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(policy, reading);
+                return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(Features(), policy,
+                                                                           reading);
               }
-              return std::make_unique<BuiltIn<Tdibm<Policy>>>(policy, reading);
+              return std::make_unique<BuiltIn<Tdibm<Policy>>>(Features(), policy, reading);
             });
           },
           [policy_of](const SwitchedSpec& spec) {
             return policy_of(spec).and_then([&](const Policy& policy) -> MadeTracer {
               using Follower = InclusionTracer<TdibmInclusion<Policy>>;
-              return std::make_unique<BuiltInTracer<Follower>>(policy,
+              return std::make_unique<BuiltInTracer<Follower>>(Features(), policy,
                                                                reading_of(spec, Policy::kReading));
             });
           }};
@@ -127,11 +141,11 @@ Family traditional_family(MethodInfo info, BoxKind kind) {
   };
   return {std::move(info),
           [=](const SwitchedSpec& spec) -> MadeMethod {
-            return std::make_unique<BuiltIn<Traditional>>(kind, axes_of(spec));
+            return std::make_unique<BuiltIn<Traditional>>(Features(), kind, axes_of(spec));
           },
           [=](const SwitchedSpec& spec) -> MadeTracer {
             using Follower = InclusionTracer<TraditionalInclusion>;
-            return std::make_unique<BuiltInTracer<Follower>>(kind, axes_of(spec));
+            return std::make_unique<BuiltInTracer<Follower>>(Features(), kind, axes_of(spec));
           }};
 }
 
@@ -176,15 +190,26 @@ const std::vector<Family>& families() {
            true, bounded},
           error_bound_of<ErrorBoundPrinted>),
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
-          {"tdibm-rational", "this project",
-           "tdibm decided in exact arithmetic, rounded only outward", true}),
-      family<TdibmC, CertifiedTracer>({"tdibm-c", "src/ccd/certified/DERIVATION.md",
+          {"tdibm-rational",
+           "this project",
+           "tdibm decided in exact arithmetic, rounded only outward",
+           true,
+           {},
+           {.ends = true, .separation = true}}),
+      family<TdibmC, CertifiedTracer>({"tdibm-c",
+                                       "src/ccd/certified/DERIVATION.md",
                                        "ours: separation certified at both ends of a window",
-                                       true}),
+                                       true,
+                                       {},
+                                       {.ends = true, .separation = true}}),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
-          {"oracle", "src/certify/oracle/oracle.hpp",
-           "ours: says nothing that an independent checker has not proven; slower", true}),
+          {"oracle",
+           "src/certify/oracle/oracle.hpp",
+           "ours: says nothing that an independent checker has not proven; slower",
+           true,
+           {},
+           {.ends = true, .separation = true}}),
   };
   return all;
 }
@@ -292,6 +317,14 @@ Result<MethodInfo> method_info(const std::string& spec) {
 bool claims_no_false_negative(const std::string& spec) {
   const Result<MethodInfo> info = method_info(spec);
   return info && info->claims_no_false_negative;
+}
+
+Result<void> check_taken(const std::string& spec, const Query& query) {
+  return method_info(spec).and_then([&](const MethodInfo& info) -> Result<void> {
+    const TakenQuery taken(query, info.features);
+    if (taken.query() != nullptr) return {};
+    return input_error(spec, taken.why());
+  });
 }
 
 Result<std::unique_ptr<Method>> make_method(const std::string& spec) {

@@ -112,15 +112,17 @@ const std::vector<Row> kTable = {
      "version: 3 is not a version that this program reads (1 to 2)"},
     {"VersionNought", "\"version\": 2", "\"version\": 0",
      "version: 0 is not a version that this program reads (1 to 2)"},
+    {"EndsBesideVelocities", "\"degree\": 1,", "\"degree\": 1, \"ends\": [],",
+     "patches[0].ends: stands beside velocities; a patch has one of them"},
+    {"EndsPastOne", "\"velocities\": [[0,0,0]", "\"ends\": [[0,0,0]",
+     "t_max: 2.0 is past 1, where the ends of a patch are"},
+    {"NegativeSeparation", "\"t_max\"", "\"separation\": -1, \"t_max\"",
+     "separation: -1 is negative"},
     // What later versions will have.
-    {"Ends", "\"degree\": 1,", "\"degree\": 1, \"ends\": [],",
-     "patches[0].ends: is not yet supported by this version"},
     {"Trim", "\"degree\": 1,", "\"degree\": 1, \"trim\": [],",
      "patches[0].trim: is not yet supported by this version"},
     {"WeightsOfAPatch", "\"degree\": 1,", "\"degree\": 1, \"weights\": [],",
      "patches[0].weights: is not yet supported by this version"},
-    {"Separation", "\"t_max\"", "\"separation\": 1, \"t_max\"",
-     "separation: is not yet supported by this version"},
     {"Weights", "\"t_max\"", "\"weights\": 1, \"t_max\"",
      "weights: is not yet supported by this version"},
     {"Bodies", "\"patches\"", "\"bodies\"", "bodies: is not yet supported by this version"},
@@ -224,7 +226,8 @@ const std::vector<Row> kTable = {
      "truth.witness: missing, though collides is true"},
     // Certificates.
     {"CertificateOfWrongType", "\"origin\"", "\"certificate\": 1, \"origin\"",
-     "certificate: unknown key (known here: format, version, patches, t_max, truth, origin, "
+     "certificate: unknown key (known here: format, version, patches, t_max, separation, truth, "
+     "origin, "
      "asked, expect)"},
     {"UnknownCertificate", "\"contact\": {", "\"hit\": {",
      "truth.certificate.hit: unknown key (known here: contact, root, clear)"},
@@ -306,7 +309,8 @@ const std::vector<Row> kTable = {
     {"NoOutcome", "\"missed\"", "{\"cause\": \"hull\"}", "expect.tdibm.outcome: missing"},
     {"NoCause", "\"missed\"", "{\"outcome\": \"late\"}", "expect.tdibm.cause: missing"},
     {"AskedInVersionOne", "\"version\": 2", "\"version\": 1",
-     "asked: unknown key (known here: format, version, patches, t_max, truth, origin, expect)"},
+     "asked: unknown key (known here: format, version, patches, t_max, separation, truth, origin, "
+     "expect)"},
     {"AskedOfWrongType", "{\"precision\": 1e-2, \"max_pops\": 5}", "5",
      "asked: 5 is not an object"},
     {"PrecisionZero", "{\"precision\": 1e-2", "{\"precision\": 0",

@@ -35,11 +35,12 @@ TEST(Import, DecidesExactlyAndListsWrongLabels) {
 TEST(Import, TellsWhereRoundingChangesTheTruth) {
   const ScratchFolder folder;
   const std::string csv = folder / "vertex-face.csv", out = folder / "out.jsonl";
-  // Ends 2^-80 above the face, which no way from 1 in doubles does.
-  write_text(csv, falling_vertex("1,1208925819614629174706176", 0));
+  // Ends above the face by less than the least double.
+  const std::string denominator = to_text(Rational(3 * power_of_two(1100)));
+  write_text(csv, falling_vertex("1," + denominator, 0));
   const Finished refused = ccdfuzz({"import", csv, "-o", out});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr(csv + ":5: the way in z from line 1 to here, "));
+  EXPECT_THAT(refused.err, HasSubstr(csv + ":5: z = 1/"));
   EXPECT_FALSE(std::filesystem::exists(out));
   const Finished done = ccdfuzz({"import", csv, "-o", out, "--round"});
   EXPECT_EQ(done.code, 0) << done.err;

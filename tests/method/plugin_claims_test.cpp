@@ -49,6 +49,24 @@ std::string hit(double toi) {
 }
 const std::string kMiss = ":verdict=2";
 
+TEST(PluginClaims, EndsAreAskedOfWhomTakesThem) {
+  Case known = meeting_at(0.5, 1);
+  for (MovingPatch<double>& patch : known.query.patches) {
+    patch.ends = {patch.positions[0] + patch.velocities[0]};
+    patch.velocities.clear();
+  }
+  ASSERT_TRUE(validate(known.query, ""));
+  // Its answer to ends is a hit at 0. Without the claim it is asked with velocities.
+  EXPECT_EQ(outcome_of(kMiss, known), "missed");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=14", known), "correct");
+  // One way is no double, so that there are no velocities to ask with.
+  known.query.patches[0].ends[0][2] = 1;
+  known.query.patches[0].positions[0][2] = -0x1p-60;
+  known.truth = {};
+  EXPECT_EQ(outcome_of(kMiss, known), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=14", known), "unknown");
+}
+
 TEST(PluginClaims, AnOpenEndBindsNot) {
   EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");

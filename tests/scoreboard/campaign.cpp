@@ -31,7 +31,7 @@ bool takes_the_same_course(Driver driver) {
 class Course {
  public:
   Course(Driver driver, std::uint64_t seed, const CampaignOptions& options,
-         const std::vector<Fault>& faults, Records& records)
+         const std::vector<PlantedFault>& faults, Records& records)
       : driver_(driver),
         seed_(seed),
         limit_(is_weak(driver) ? options.weak_seconds : options.seconds),
@@ -56,7 +56,7 @@ class Course {
   }
 
  private:
-  double limit_of(const Fault& fault) const {
+  double limit_of(const PlantedFault& fault) const {
     return fault.equivalent.empty() ? limit_ : std::min(limit_, options_.weak_seconds);
   }
   const Record* known(const std::string& fault, double limit) const {
@@ -67,8 +67,8 @@ class Course {
     return std::ranges::find(options_.faults, kWatchedFaults) != options_.faults.end() ||
            std::ranges::any_of(faults_, missing());
   }
-  std::function<bool(const Fault&)> missing() const {
-    return [this](const Fault& fault) {
+  std::function<bool(const PlantedFault&)> missing() const {
+    return [this](const PlantedFault& fault) {
       if (!is_wanted(options_.faults, fault.name)) return false;
       if (!fault.equivalent.empty() && seed_ > 1 && !options_.only_seed) return false;
       return known(fault.name, limit_of(fault)) == nullptr;
@@ -150,13 +150,13 @@ class Course {
   std::uint64_t seed_;
   double limit_;
   const CampaignOptions& options_;
-  const std::vector<Fault>& faults_;
+  const std::vector<PlantedFault>& faults_;
   Records& records_;
 };
 
 }  // namespace
 
-Result<void> run_campaign(const CampaignOptions& options, const std::vector<Fault>& faults,
+Result<void> run_campaign(const CampaignOptions& options, const std::vector<PlantedFault>& faults,
                           Records& records) {
   const std::uint64_t first = options.only_seed.value_or(1);
   const std::uint64_t last =

@@ -14,7 +14,7 @@ namespace ccdfuzz {
 /// faults get one run, as long as those of weak drivers: a look at their proofs.
 /// What a driver finds in the right sources ends its course with that seed. Alarms (verdict.hpp) go
 /// to stderr at once. Requires check_options. Errors: of the file of records.
-Result<void> run_campaign(const CampaignOptions& options, const std::vector<Fault>& faults,
+Result<void> run_campaign(const CampaignOptions& options, const std::vector<PlantedFault>& faults,
                           Records& records);
 
 }  // namespace ccdfuzz

@@ -18,14 +18,16 @@ bool is_asked(const CampaignOptions& options, std::string_view fault) {
   return is_wanted(options.faults, fault) || is_wanted(options.faults, kWatchedFaults);
 }
 
-std::vector<Fault> asked_faults(const CampaignOptions& options, const std::vector<Fault>& faults) {
-  std::vector<Fault> asked;
+std::vector<PlantedFault> asked_faults(const CampaignOptions& options,
+                                       const std::vector<PlantedFault>& faults) {
+  std::vector<PlantedFault> asked;
   std::ranges::copy_if(faults, std::back_inserter(asked),
-                       [&](const Fault& fault) { return is_asked(options, fault.name); });
+                       [&](const PlantedFault& fault) { return is_asked(options, fault.name); });
   return asked;
 }
 
-Result<void> check_options(const CampaignOptions& options, const std::vector<Fault>& faults) {
+Result<void> check_options(const CampaignOptions& options,
+                           const std::vector<PlantedFault>& faults) {
   for (const std::string& name : options.drivers) {
     const Result<Driver> driver = driver_named(name);
     if (!driver) return input_error("--drivers", driver.error().what);
@@ -37,7 +39,7 @@ Result<void> check_options(const CampaignOptions& options, const std::vector<Fau
   }
   for (const std::string& name : options.faults) {
     if (name == kNoFault || name == kWatchedFaults) continue;
-    if (std::ranges::find(faults, name, &Fault::name) == faults.end()) {
+    if (std::ranges::find(faults, name, &PlantedFault::name) == faults.end()) {
       return input_error("--faults", fmt::format("no fault \"{}\"; faults.txt has their names, and "
                                                  "there are {} and {}",
                                                  name, kNoFault, kWatchedFaults));

@@ -23,9 +23,10 @@ bool is_wanted(const std::vector<std::string>& names, std::string_view name);
 
 /// Whether results about this fault are wanted: a run with all faults watched is about all of them.
 bool is_asked(const CampaignOptions& options, std::string_view fault);
-std::vector<Fault> asked_faults(const CampaignOptions& options, const std::vector<Fault>& faults);
+std::vector<PlantedFault> asked_faults(const CampaignOptions& options,
+                                       const std::vector<PlantedFault>& faults);
 
 /// Errors: a driver or a fault that is none, a driver that this build has not; naming the option.
-Result<void> check_options(const CampaignOptions& options, const std::vector<Fault>& faults);
+Result<void> check_options(const CampaignOptions& options, const std::vector<PlantedFault>& faults);
 
 }  // namespace ccdfuzz

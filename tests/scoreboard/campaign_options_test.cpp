@@ -10,7 +10,7 @@ namespace {
 
 using testing::StartsWith;
 
-const std::vector<Fault> kFewFaults = {{"a.fault", "what", "a.hpp", false, "x", "y", ""}};
+const std::vector<PlantedFault> kFewFaults = {{"a.fault", "what", "a.hpp", false, "x", "y", ""}};
 
 std::string refusal_of(std::vector<std::string> drivers, std::vector<std::string> faults) {
   CampaignOptions options;
@@ -34,7 +34,7 @@ TEST(CampaignOptions, ADriverThatIsNotBuiltIsRefused) {
 }
 
 TEST(CampaignOptions, WhatIsAskedForIsNamedUnlessAllFaultsAreWatched) {
-  std::vector<Fault> faults = {kFewFaults[0], kFewFaults[0]};
+  std::vector<PlantedFault> faults = {kFewFaults[0], kFewFaults[0]};
   faults[1].name = "b.fault";
   CampaignOptions options;
   EXPECT_EQ(asked_faults(options, faults).size(), 2);

@@ -89,7 +89,7 @@ int run(const std::string& path) {
     ++wrong;
   }
   for (size_t i = 0; i < faults->size(); ++i) {
-    const Fault& fault = (*faults)[i];
+    const PlantedFault& fault = (*faults)[i];
     const bool is_expected = caught.contains(fault.name);
     found += is_expected;
     if (!is_expected) continue;

@@ -50,7 +50,7 @@ Step random_driver(std::uint64_t seed) {
 Step rapidcheck_driver(std::uint64_t seed) {
   return [seed](std::uint64_t index) -> std::string {
     constexpr int kSize = 100;
-    rc::Draw random{Random(Random::keyed({seed, index}).next())};
+    rc::Random random(Random::keyed({seed, index}).next());
     const auto number = [&] { return rc::gen::arbitrary<double>()(random.split(), kSize).value(); };
     if (index % 2 == 0) return contradiction(random_query(number));
     LinePairs pairs;

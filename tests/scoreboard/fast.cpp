@@ -73,17 +73,18 @@ Result<std::set<std::string>> names_in(const std::string& path) {
 
 /// The numbers of the faults that are asked for, 0 being none. Errors: a name that is not in the
 /// list.
-Result<std::vector<int>> numbers_of(const std::vector<Fault>& faults, const std::string& asked) {
+Result<std::vector<int>> numbers_of(const std::vector<PlantedFault>& faults,
+                                    const std::string& asked) {
   const auto no_fault = [](std::string_view name) {
     return input_error("", fmt::format("no fault \"{}\"", name));
   };
   std::set<std::string> files;
   for (const std::string_view name : kFastFaults) {
-    const auto fault = std::ranges::find(faults, name, &Fault::name);
+    const auto fault = std::ranges::find(faults, name, &PlantedFault::name);
     if (fault == faults.end()) return no_fault(name);
     files.insert(fault->file);
   }
-  const auto is_wanted = [&](const Fault& fault) {
+  const auto is_wanted = [&](const PlantedFault& fault) {
     if (asked.empty()) return std::ranges::find(kFastFaults, fault.name) != kFastFaults.end();
     if (asked == "all") return files.contains(fault.file) && fault.equivalent.empty();
     return fault.name == asked;

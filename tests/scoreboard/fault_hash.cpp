@@ -13,14 +13,14 @@ std::string hash_of(const std::string& text) {
 
 }  // namespace
 
-std::string definition_hash(const Fault& fault) {
+std::string definition_hash(const PlantedFault& fault) {
   return hash_of(fmt::format("{}\n{}\n{}\n{}", fault.file, fault.statement ? "stmt" : "expr",
                              fault.from, fault.to));
 }
 
-std::string definition_hash(const std::vector<Fault>& faults) {
+std::string definition_hash(const std::vector<PlantedFault>& faults) {
   std::string all;
-  for (const Fault& fault : faults) all += definition_hash(fault) + " " + fault.name + "\n";
+  for (const PlantedFault& fault : faults) all += definition_hash(fault) + " " + fault.name + "\n";
   return hash_of(all);
 }
 

@@ -7,10 +7,10 @@
 
 namespace ccdfuzz {
 
-Result<std::vector<Fault>> read_faults(const std::string& path) {
+Result<std::vector<PlantedFault>> read_faults(const std::string& path) {
   std::ifstream in(path);
   if (!in) return input_error(path, "cannot be read");
-  std::vector<Fault> faults;
+  std::vector<PlantedFault> faults;
   std::set<std::string> names;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -28,7 +28,7 @@ Result<std::vector<Fault>> read_faults(const std::string& path) {
       continue;
     }
     if (faults.empty()) return fails("stands before the first fault");
-    Fault& fault = faults.back();
+    PlantedFault& fault = faults.back();
     if (key == "what") {
       fault.what = text;
     } else if (key == "file") {
@@ -44,7 +44,7 @@ Result<std::vector<Fault>> read_faults(const std::string& path) {
       return fails(fmt::format("unknown key \"{}\"", key));
     }
   }
-  for (const Fault& f : faults) {
+  for (const PlantedFault& f : faults) {
     if (f.what.empty() || f.file.empty() || f.from.empty() || f.to.empty()) {
       return input_error(path, f.name + " lacks what, file, expr or stmt, or to");
     }

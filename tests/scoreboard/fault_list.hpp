@@ -8,7 +8,7 @@
 namespace ccdfuzz {
 
 /// One way in which the sources could be wrong.
-struct Fault {
+struct PlantedFault {
   std::string name;        ///< unique
   std::string what;        ///< in words
   std::string file;        ///< from the top of the sources
@@ -22,6 +22,6 @@ struct Fault {
 /// fault, what, file, expr or stmt (the right text), to (the wrong one), equivalent (optional).
 /// Lines that begin with # are for readers. The number of a fault is its place, from 1.
 /// Errors: of the file, an unknown or missing key, a name given twice; naming the line.
-Result<std::vector<Fault>> read_faults(const std::string& path);
+Result<std::vector<PlantedFault>> read_faults(const std::string& path);
 
 }  // namespace ccdfuzz

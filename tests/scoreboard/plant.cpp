@@ -26,7 +26,8 @@ std::string content_of(const fs::path& path) {
 }
 
 /// The text that stands for `from` and all faults in it.
-std::string choice(const std::vector<Fault>& faults, const std::vector<std::size_t>& numbers) {
+std::string choice(const std::vector<PlantedFault>& faults,
+                   const std::vector<std::size_t>& numbers) {
   std::string text = faults[numbers[0]].from;
   for (const std::size_t n : numbers) {
     text = faults[n].statement

@@ -9,9 +9,9 @@ namespace ccdfuzz {
 
 namespace {
 
-bool is_name_of_fault(const std::string& name, const std::vector<Fault>& faults) {
+bool is_name_of_fault(const std::string& name, const std::vector<PlantedFault>& faults) {
   return name == kNoFault || name == kWatchedFaults ||
-         std::ranges::find(faults, name, &Fault::name) != faults.end();
+         std::ranges::find(faults, name, &PlantedFault::name) != faults.end();
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ std::string to_line(const Record& record) {
 }
 
 Result<Record> parse_record(std::string_view line, const std::string& where,
-                            const std::vector<Fault>& faults) {
+                            const std::vector<PlantedFault>& faults) {
   Record record;
   return read_json_text(line, where,
                         [&](const JsonCursor& top) {

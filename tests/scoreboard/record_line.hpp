@@ -16,6 +16,6 @@ std::string to_line(const Record& record);
 /// driver or the fault is none that there is, the seed is 0, the limit is 0; naming where, field
 /// and value.
 Result<Record> parse_record(std::string_view line, const std::string& where,
-                            const std::vector<Fault>& faults);
+                            const std::vector<PlantedFault>& faults);
 
 }  // namespace ccdfuzz

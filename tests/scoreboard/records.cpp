@@ -48,12 +48,13 @@ Result<std::string> text_of(const std::string& path) {
 
 }  // namespace
 
-Records::Records(const std::vector<Fault>& faults) : faults_(&faults) {
-  for (const Fault& fault : faults) definitions_[fault.name] = definition_hash(fault);
+Records::Records(const std::vector<PlantedFault>& faults) : faults_(&faults) {
+  for (const PlantedFault& fault : faults) definitions_[fault.name] = definition_hash(fault);
   definitions_[kWatchedFaults] = definition_hash(faults);
 }
 
-Result<Records> Records::open(const std::string& path, const std::vector<Fault>& faults, Use use) {
+Result<Records> Records::open(const std::string& path, const std::vector<PlantedFault>& faults,
+                              Use use) {
   Records records(faults);
   if (path.empty()) return records;
   records.path_ = path;

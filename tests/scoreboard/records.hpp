@@ -63,7 +63,8 @@ class Records {
   /// Reads what file and journal have; no path: begins with nothing, and keeps it in memory. A last
   /// line that is unfinished is left out. Errors: a line that is no record (parse_record); the file
   /// or its folder cannot be written to; another campaign is at it.
-  static Result<Records> open(const std::string& path, const std::vector<Fault>& faults, Use use);
+  static Result<Records> open(const std::string& path, const std::vector<PlantedFault>& faults,
+                              Use use);
 
   /// The record of a run with at least this limit, if there is one.
   const Record* find(const std::string& driver, const std::string& fault, std::uint64_t seed,
@@ -79,7 +80,7 @@ class Records {
   std::size_t outdated() const;
 
  private:
-  explicit Records(const std::vector<Fault>& faults);
+  explicit Records(const std::vector<PlantedFault>& faults);
   Result<void> read_file();
   /// What the journal has, which may have been begun for that.
   Result<std::vector<std::string>> begin_journal();
@@ -87,7 +88,7 @@ class Records {
   void take(const Record& record);
 
   std::string path_;
-  const std::vector<Fault>* faults_;
+  const std::vector<PlantedFault>* faults_;
   std::map<std::string, std::string> definitions_;  ///< of what Record::fault may name
   std::map<Key, Record> records_;
   std::set<Key> outdated_;

@@ -14,8 +14,8 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using Use = Records::Use;
 
-const Fault kFault = {"a.fault", "what", "a.hpp", false, "x", "y", ""};
-const std::vector<Fault> kFaults = {kFault};
+const PlantedFault kFault = {"a.fault", "what", "a.hpp", false, "x", "y", ""};
+const std::vector<PlantedFault> kFaults = {kFault};
 
 Record record_of(std::uint64_t seed) {
   Record r;
@@ -162,13 +162,13 @@ TEST(Records, OfAFaultThatIsAnotherNowAreLeftOut) {
   auto records = Records::open(path, kFaults, Use::kExtend);
   ASSERT_TRUE(records && records->add(record_of(1)) && records->add(record_of(2)));
   ASSERT_TRUE(records->finish());
-  const auto with_field = [](std::string Fault::*field) {
-    std::vector<Fault> list = kFaults;
+  const auto with_field = [](std::string PlantedFault::*field) {
+    std::vector<PlantedFault> list = kFaults;
     list[0].*field += " ";
     return list;
   };
-  for (const auto field : {&Fault::file, &Fault::from, &Fault::to}) {
-    const std::vector<Fault> list = with_field(field);
+  for (const auto field : {&PlantedFault::file, &PlantedFault::from, &PlantedFault::to}) {
+    const std::vector<PlantedFault> list = with_field(field);
     auto others = Records::open(path, list, Use::kExtend);
     ASSERT_TRUE(others) << others.error().message();
     EXPECT_TRUE(others->all().empty());
@@ -176,10 +176,10 @@ TEST(Records, OfAFaultThatIsAnotherNowAreLeftOut) {
     ASSERT_TRUE(others->add(record_of(1)));
     EXPECT_EQ(others->outdated(), 1);
   }
-  const std::vector<Fault> renamed = with_field(&Fault::what);
+  const std::vector<PlantedFault> renamed = with_field(&PlantedFault::what);
   EXPECT_EQ(Records::open(path, renamed, Use::kRead)->all().size(), 2);
   write_text(path, old_line(1));
-  EXPECT_EQ(Records::open(path, with_field(&Fault::to), Use::kRead)->all().size(), 1);
+  EXPECT_EQ(Records::open(path, with_field(&PlantedFault::to), Use::kRead)->all().size(), 1);
 }
 
 TEST(Records, OfARunWithAllFaultsWatchedAreLeftOutWhereThereAreOthersNow) {
@@ -190,7 +190,7 @@ TEST(Records, OfARunWithAllFaultsWatchedAreLeftOutWhereThereAreOthersNow) {
   auto records = Records::open(path, kFaults, Use::kExtend);
   ASSERT_TRUE(records && records->add(watched) && records->finish());
   EXPECT_EQ(Records::open(path, kFaults, Use::kRead)->all().size(), 1);
-  std::vector<Fault> more = kFaults;
+  std::vector<PlantedFault> more = kFaults;
   more.push_back(kFault);
   more.back().name = "b.fault";
   const auto others = Records::open(path, more, Use::kRead);

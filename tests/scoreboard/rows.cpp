@@ -142,7 +142,7 @@ std::string cell(const Row& row) {
   return "missed" + of_runs;
 }
 
-std::string markdown(const std::vector<Fault>& faults, const std::vector<Row>& rows) {
+std::string markdown(const std::vector<PlantedFault>& faults, const std::vector<Row>& rows) {
   std::ostringstream out;
   out << "| driver | killed | reached | triggered | decided by the watched run | seeds | limit of "
          "CPU time | median CPU time | median executions | false alarms "
@@ -163,7 +163,7 @@ std::string markdown(const std::vector<Fault>& faults, const std::vector<Row>& r
   out << "\n|---|---|";
   for (std::size_t i = 0; i < drivers.size(); ++i) out << "---|";
   out << '\n';
-  for (const Fault& fault : faults) {
+  for (const PlantedFault& fault : faults) {
     out << fmt::format("| `{}` | {}{} |", fault.name, fault.what,
                        fault.equivalent.empty() ? "" : " (equivalent)");
     for (const DriverRow& d : drivers) {
@@ -187,7 +187,7 @@ std::string seconds_text(double seconds) {
                           : fmt::format("{:.2f} s", seconds);
 }
 
-std::vector<Row> rows_of(const std::vector<Fault>& faults, const Records& records) {
+std::vector<Row> rows_of(const std::vector<PlantedFault>& faults, const Records& records) {
   std::vector<Row> rows;
   for (const Driver driver : kDrivers) {
     for (std::size_t f = 0; f <= faults.size(); ++f) {
@@ -252,7 +252,7 @@ Result<void> probe_tables(const std::string& prefix) {
   return {};
 }
 
-Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& faults,
+Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records) {
   const std::vector<Row> rows = rows_of(faults, records);
   std::ostringstream csv;
@@ -269,7 +269,7 @@ Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& f
                        r.equivalent ? 1 : 0, r.runs, r.watched, r.reached, r.triggered, r.detected,
                        r.seconds, r.executions, r.limit, r.most, quoted(r.found));
     const auto fault =
-        std::ranges::find_if(faults, [&](const Fault& f) { return f.name == r.fault; });
+        std::ranges::find_if(faults, [&](const PlantedFault& f) { return f.name == r.fault; });
     json["rows"].push_back(to_json(r, fault == faults.end() ? "" : fault->what));
   }
   const auto replace = nlohmann::json::error_handler_t::replace;

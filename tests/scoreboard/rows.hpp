@@ -40,7 +40,7 @@ struct DriverRow {
 };
 
 /// All rows that there are records of: driver by driver, no fault first, then as in the list.
-std::vector<Row> rows_of(const std::vector<Fault>& faults, const Records& records);
+std::vector<Row> rows_of(const std::vector<PlantedFault>& faults, const Records& records);
 std::vector<DriverRow> driver_rows(const std::vector<Row>& rows);
 
 /// "3.5 ms".
@@ -57,7 +57,7 @@ std::string seconds_text(double seconds);
 ///              "found"}, …]}
 /// with the fields of DriverRow and Row, "what" being the fault in words. Each appears whole or not
 /// at all.
-Result<void> write_tables(const std::string& prefix, const std::vector<Fault>& faults,
+Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records);
 
 /// Errors: write_tables could not write there. Leaves nothing.

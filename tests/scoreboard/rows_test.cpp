@@ -6,9 +6,9 @@
 namespace ccdfuzz {
 namespace {
 
-const std::vector<Fault> kThreeFaults = {{"a", "what", "a.hpp", false, "x", "y", ""},
-                                         {"b", "what", "a.hpp", false, "x", "y", ""},
-                                         {"c", "what", "a.hpp", false, "x", "y", ""}};
+const std::vector<PlantedFault> kThreeFaults = {{"a", "what", "a.hpp", false, "x", "y", ""},
+                                                {"b", "what", "a.hpp", false, "x", "y", ""},
+                                                {"c", "what", "a.hpp", false, "x", "y", ""}};
 
 /// A run by the hunt, which noticed the fault after so many seconds, or did not within them.
 struct Run {

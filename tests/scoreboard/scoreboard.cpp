@@ -73,7 +73,7 @@ int run_all(const Options& options) {
   if (records->all().empty()) return fail({options.records, "has no record"});
   if (const auto finished = records->finish(); !finished) return fail(finished.error());
   // The watched run, and the file of records, tell of more.
-  const std::vector<Fault> asked = asked_faults(options, *faults);
+  const std::vector<PlantedFault> asked = asked_faults(options, *faults);
   print_summary(driver_rows(rows_of(asked, *records)));
   if (!options.tables.empty()) {
     if (const auto written = write_tables(options.tables, asked, *records); !written) {

@@ -20,7 +20,7 @@ std::string repetition(const Record& r) {
                   r.driver, r.fault, r.seed, 2 * r.limit, 2 * r.limit));
 }
 
-bool is_survivor(const Fault& fault, const Records& records) {
+bool is_survivor(const PlantedFault& fault, const Records& records) {
   bool asked = false;
   for (const auto& [key, record] : records.all()) {
     if (record.fault != fault.name) continue;
@@ -33,24 +33,25 @@ bool is_survivor(const Fault& fault, const Records& records) {
 
 }  // namespace
 
-std::string alarm(const Record& r, const std::vector<Fault>& faults) {
+std::string alarm(const Record& r, const std::vector<PlantedFault>& faults) {
   if (!r.detected) return "";
   if (r.fault == kNoFault || r.fault == kWatchedFaults) {
     return fmt::format("false alarm: {} seed {}{}: {}{}", r.driver, r.seed,
                        r.fault == kNoFault ? "" : ", all faults watched", r.found, repetition(r));
   }
-  const auto fault = std::ranges::find(faults, r.fault, &Fault::name);
+  const auto fault = std::ranges::find(faults, r.fault, &PlantedFault::name);
   if (fault == faults.end() || fault->equivalent.empty()) return "";
   return fmt::format("equivalent, but noticed: {} by {} seed {}: {}{}", r.fault, r.driver, r.seed,
                      r.found, repetition(r));
 }
 
-std::vector<std::string> complaints(const std::vector<Fault>& faults, const Records& records) {
+std::vector<std::string> complaints(const std::vector<PlantedFault>& faults,
+                                    const Records& records) {
   std::vector<std::string> all;
   for (const auto& [key, record] : records.all()) {
     if (std::string text = alarm(record, faults); !text.empty()) all.push_back(std::move(text));
   }
-  for (const Fault& fault : faults) {
+  for (const PlantedFault& fault : faults) {
     if (!is_survivor(fault, records)) continue;
     all.push_back(fmt::format("not noticed: {}{}", fault.name,
                               indented("--drivers properties,hunt --faults " + fault.name)));

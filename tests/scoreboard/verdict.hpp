@@ -9,9 +9,10 @@ namespace ccdfuzz {
 
 /// What is wrong with a run's record, and the command that repeats the run: a false alarm, or a
 /// fault noticed that changes nothing; empty if nothing is.
-std::string alarm(const Record& record, const std::vector<Fault>& faults);
+std::string alarm(const Record& record, const std::vector<PlantedFault>& faults);
 
 /// All alarms, and the faults that neither our properties nor the hunt noticed in any run.
-std::vector<std::string> complaints(const std::vector<Fault>& faults, const Records& records);
+std::vector<std::string> complaints(const std::vector<PlantedFault>& faults,
+                                    const Records& records);
 
 }  // namespace ccdfuzz

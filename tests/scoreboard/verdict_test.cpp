@@ -11,8 +11,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const std::vector<Fault> kTwoFaults = {{"some", "what", "a.hpp", false, "x", "y", ""},
-                                       {"same", "what", "a.hpp", false, "x", "z", "it is equal"}};
+const std::vector<PlantedFault> kTwoFaults = {
+    {"some", "what", "a.hpp", false, "x", "y", ""},
+    {"same", "what", "a.hpp", false, "x", "z", "it is equal"}};
 
 /// What is said of one run.
 std::vector<std::string> said_of(const char* driver, const char* fault, bool detected) {

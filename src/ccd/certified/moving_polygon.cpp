@@ -29,7 +29,8 @@ bool MovingPolygon<Integers>::begin(const Query& query) {
 template <class Integers>
 bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k) {
   const DoubleParts step = parts_of(query.t_max);
-  std::array<std::array<DoubleParts, 3>, 2> position, velocity;
+  // What moves a control point is `forward`, and of ends its position backward.
+  std::array<std::array<DoubleParts, 3>, 2> position, forward{}, backward{};
   int least = std::numeric_limits<int>::max(), top = std::numeric_limits<int>::min();
   const auto note = [&](const DoubleParts& x, int time_exponent, int time_top) {
     if (x.mantissa == 0) return;
@@ -40,10 +41,13 @@ bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k)
     const MovingPatch<double>& patch = query.patches[s];
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {
       position[s][i] = parts_of(patch.positions[i][static_cast<int>(k)]);
-      velocity[s][i] =
-          step.mantissa == 0 ? DoubleParts() : parts_of(patch.velocities[i][static_cast<int>(k)]);
       note(position[s][i], 0, 0);
-      note(velocity[s][i], step.exponent, step.top());
+      if (step.mantissa == 0) continue;
+      forward[s][i] = parts_of(patch.moves()[i][static_cast<int>(k)]);
+      if (patch.has_ends()) backward[s][i] = position[s][i];
+      const int top_of_way = step.top() + (patch.has_ends() ? 1 : 0);
+      note(forward[s][i], step.exponent, top_of_way);
+      note(backward[s][i], step.exponent, top_of_way);
     }
   }
   if (top >= least && top - least >= Integers::kBits) return false;
@@ -52,11 +56,13 @@ bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k)
     Int start(0), way(0);
     for (std::size_t s = 0; s < 2; ++s) {
       const auto i = static_cast<std::size_t>(places_[c][s]);
-      const DoubleParts &p = position[s][i], &v = velocity[s][i];
+      const DoubleParts& p = position[s][i];
       const Int at = p.mantissa == 0 ? Int(0) : Int(p.mantissa) << (p.exponent - least);
-      const Int moves = v.mantissa == 0
-                            ? Int(0)
-                            : Int(v.mantissa) * factor << (v.exponent + step.exponent - least);
+      const auto way_of = [&](const DoubleParts& v) {
+        if (v.mantissa == 0) return Int(0);
+        return Int(v.mantissa) * factor << (v.exponent + step.exponent - least);
+      };
+      const Int moves = way_of(forward[s][i]) - way_of(backward[s][i]);
       start = s == 0 ? at : start - at;
       way = s == 0 ? moves : way - moves;
     }

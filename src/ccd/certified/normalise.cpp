@@ -42,12 +42,16 @@ class PowerOfTwo {
   double factor_;  ///< 0 where it is no normal number
 };
 
-/// Past this exponent p − c could overflow, so all is first scaled down by 2^-2.
+using Controls = std::array<std::vector<std::array<double, 6>>, 2>;
+
+/// Past this exponent p − c could overflow, so all is first scaled down by 2^-2. Ends are
+/// subtracted twice, e − c and then − p': for them it is one less, and 2^-3.
 constexpr int kLargestSafeExponent = 1022;
 
-/// Subtracts the centre of each component's range, after scaling by 2^-shift.
+/// Subtracts the centre of each component's range, after scaling by 2^-shift. Returns the centres.
 /// One rounding each, u·|x − c|: gradual underflow makes a subnormal difference exact.
-void centre(std::array<std::vector<std::array<double, 6>>, 2>& controls, int first, int shift) {
+std::array<double, 3> centre(Controls& controls, int first, int shift) {
+  std::array<double, 3> centres{};
   for (int k = first; k < first + 3; ++k) {
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (auto& side : controls) {
@@ -61,6 +65,31 @@ void centre(std::array<std::vector<std::array<double, 6>>, 2>& controls, int fir
     for (auto& side : controls) {
       for (auto& x : side) x[k] -= c;
     }
+    centres[static_cast<size_t>(k - first)] = c;
+  }
+  return centres;
+}
+
+/// Positions to p', and ends, or velocities beside the ends of the other patch, to v'. c + t·w is
+/// common to both patches: of ends on both sides c + w is the centre of the ends, otherwise w = 0.
+void centre_ends(Controls& controls, const std::array<bool, 2>& has_ends, int shift) {
+  const std::array<double, 3> c = centre(controls, 0, shift);
+  if (has_ends[0] && has_ends[1]) {
+    centre(controls, 3, shift);
+  } else {
+    for (size_t s = 0; s < 2; ++s) {
+      for (auto& x : controls[s]) {
+        for (size_t k = 0; k < 3; ++k) {
+          x[k + 3] = std::ldexp(x[k + 3], -shift) - (has_ends[s] ? c[k] : 0);
+        }
+      }
+    }
+  }
+  for (size_t s = 0; s < 2; ++s) {
+    if (!has_ends[s]) continue;
+    for (auto& x : controls[s]) {
+      for (size_t k = 0; k < 3; ++k) x[k + 3] -= x[k];
+    }
   }
 }
 
@@ -68,15 +97,18 @@ void centre(std::array<std::vector<std::array<double, 6>>, 2>& controls, int fir
 
 void normalise(const Query& query, NormalisedQuery& out) {
   ExponentRange positions, velocities;
+  std::array<bool, 2> has_ends{};
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
+    has_ends[s] = patch.has_ends() && query.t_max != 0;
+    const Points<double>& moves = has_ends[s] ? patch.ends : patch.velocities;
     out.shapes[s] = patch.shape;
     out.controls[s].resize(patch.positions.size());
     for (size_t i = 0; i < patch.positions.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
         out.controls[s][i][k] = patch.positions[i][k];
         // With t_max = 0 only positions count.
-        out.controls[s][i][k + 3] = query.t_max == 0 ? 0.0 : patch.velocities[i][k];
+        out.controls[s][i][k + 3] = query.t_max == 0 ? 0.0 : moves[i][k];
         positions.add(out.controls[s][i][k]);
         velocities.add(out.controls[s][i][k + 3]);
       }
@@ -85,12 +117,21 @@ void normalise(const Query& query, NormalisedQuery& out) {
   out.t_max = std::frexp(query.t_max, &out.time);
 
   // Stage 1 and 2: away from overflow, then to the centre.
-  const auto shift_of = [](const ExponentRange& range) {
-    return !range.empty() && range.top() > kLargestSafeExponent ? 2 : 0;
+  const bool any_ends = has_ends[0] || has_ends[1];
+  const int more = any_ends ? 1 : 0;
+  const auto shift_of = [more](const ExponentRange& range) {
+    return !range.empty() && range.top() > kLargestSafeExponent - more ? 2 + more : 0;
   };
-  const int shift_p = shift_of(positions), shift_v = shift_of(velocities);
-  centre(out.controls, 0, shift_p);
-  centre(out.controls, 3, shift_v);
+  int shift_p = shift_of(positions), shift_v = shift_of(velocities);
+  if (any_ends) {
+    shift_p = shift_v = std::max(shift_p, shift_v);
+    centre_ends(out.controls, has_ends, shift_p);
+  } else {
+    centre(out.controls, 0, shift_p);
+    centre(out.controls, 3, shift_v);
+  }
+  // e' and p' have a rounding each and their difference one: 2u·(|p''| + |v''|) where t_max ≤ 1.
+  out.roundings = any_ends ? 2 : 0;
 
   // Stage 3: the larger of positions and of the ways covered in [0, t_max] to magnitude 1.
   ExponentRange p, v;
@@ -121,11 +162,15 @@ void normalise(const Query& query, NormalisedQuery& out) {
     }
   }
   out.magnitude = (largest_p[0] + largest_v[0]) + (largest_p[1] + largest_v[1]);
+  out.separation = std::ldexp(query.separation, out.space);
+  if (std::ldexp(out.separation, -out.space) < query.separation) {
+    out.separation = std::nextafter(out.separation, std::numeric_limits<double>::infinity());
+  }
   // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3. Stage 1 loses at most η/2 in x
-  // and η/2 in c, and stage 3 multiplies both by 2^scale.
+  // and η/2 in c, and stage 3 multiplies both by 2^scale. Of ends it loses it in e and p.
   out.absolute = kLeastAbsolute;  // ≥ η
   if (shift_p != 0) out.absolute += std::ldexp(kEta, std::max(scale_p, 0));
-  if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0));
+  if (shift_v != 0) out.absolute += std::ldexp(kEta, std::max(scale_v, 0) + more);
   CCDFUZZ_ASSERT(out.t_max == 0 || (0.5 <= out.t_max && out.t_max < 1));
   CCDFUZZ_ASSERT(out.absolute >= kLeastAbsolute);
   for (size_t s = 0; s < 2; ++s) CCDFUZZ_ASSERT(largest_p[s] <= 1 && largest_v[s] <= 1);

@@ -18,7 +18,9 @@ inline constexpr double kLeastAbsolute = 0x1p-1000;
 ///
 /// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
 /// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component
-///   |p' − p''| ≤ u·|p''| + absolute,   |v' − v''| ≤ u·|v''| + absolute,   u = 2^-53.
+///   |p' − p''| ≤ u·|p''| + absolute,   |v' − v''| ≤ u·|v''| + absolute,   u = 2^-53,
+/// and where a patch has ends, w·t' is common to both for the first and
+///   t'·|v' − v''| ≤ 2u·(|p''| + |v''|) + t'·absolute.
 /// Time is t' = t / 2^time in [0, t_max]; t_max in [½, 1), or 0. A common c + t·w moves both
 /// patches alike, so contacts and their times are those of the query.
 struct NormalisedQuery {
@@ -30,6 +32,10 @@ struct NormalisedQuery {
   int space = 0;  ///< lengths are scaled by 2^space
   /// Σ over sides of max|p'| + max|v'|, three sums rounded to nearest (the M of DERIVATION.md).
   double magnitude = 0;
+  /// The query's separation, scaled, rounded up.
+  double separation = 0;
+  /// What ends add to the roundings behind a control point at any time.
+  int roundings = 0;
   /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite if scaling down by ¼ may have
   /// lost all relative positions (some coordinates near 2^1023 and equal, the differences
   /// subnormal). Then no pair is ever separated.

@@ -11,10 +11,12 @@ CornerFrame::CornerFrame(const CellTree& tree, CellTree::Node node, double t) {
   });
 }
 
-CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot) {
+CornerFrame::CornerFrame(const Shape& shape, const Snapshot& snapshot, double way) {
   build(shape, [&](int i) {
     Axis p;
-    for (int k = 0; k < 3; ++k) p[k] = 0.5 * snapshot.at(0, k, i) + 0.5 * snapshot.at(1, k, i);
+    for (int k = 0; k < 3; ++k) {
+      p[k] = (1 - way) * snapshot.at(0, k, i) + way * snapshot.at(1, k, i);
+    }
     return p;
   });
 }
@@ -54,7 +56,9 @@ void CornerFrame::build(const Shape& shape, const PointAt& at) {
   has_normal = true;
 }
 
-CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b) : a_(a), b_(b) {
+CandidateAxes::CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first)
+    : a_(a), b_(b) {
+  if (first != Axis{}) add(first);
   if (a.has_normal) add(a.normal);
   if (b.has_normal) add(b.normal);
   if (a.edge_count > 0 && b.edge_count > 0) add(cross(a.edges[0], b.edges[0]));

@@ -30,8 +30,8 @@ struct CornerFrame {
   CornerFrame() = default;
   /// The frame of a cell at time t.
   CornerFrame(const CellTree& tree, CellTree::Node node, double t);
-  /// The frame of a net, halfway between both times of its snapshot.
-  CornerFrame(const Shape& shape, const Snapshot& snapshot);
+  /// The frame of a net, halfway between both times of its snapshot, or so far from the first.
+  CornerFrame(const Shape& shape, const Snapshot& snapshot, double way = 0.5);
 
  private:
   template <class PointAt>
@@ -45,7 +45,9 @@ struct CornerFrame {
 /// batch leaves the pair together.
 class CandidateAxes {
  public:
-  CandidateAxes(const CornerFrame& a, const CornerFrame& b);
+  /// first: an axis to begin with, if it is not zero. Where cells are to be a distance apart, and
+  /// small beside it, the offset of their middles is nearly the direction between nearest points.
+  CandidateAxes(const CornerFrame& a, const CornerFrame& b, const Axis& first = {});
 
   /// Batch i from 0 on; nothing after the last.
   const AxisBatch* batch(int i) {
@@ -54,8 +56,9 @@ class CandidateAxes {
   }
 
  private:
-  /// Two triangles: 2 normals, 9 cross products, 6 in-plane normals. All else is fewer.
-  static constexpr int kMost = 17;
+  /// Two triangles: 2 normals, 9 cross products, 6 in-plane normals, a first one. All else is
+  /// fewer.
+  static constexpr int kMost = 18;
 
   void add(const Axis& l) {
     for (int k = 0; k < 3; ++k) batches_[count_ / kLanes].axes[k][count_ % kLanes] = l[k];

@@ -88,8 +88,9 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
     shared_.made[s] = 0;
   }
   coarse_ = std::min(depths_[0], depths_[1]) < finest_;
-  error_ = ErrorBound(query_.magnitude, query_.absolute,
-                      std::max(trees_[0].roundings(depths_[0]), trees_[1].roundings(depths_[1])));
+  const int roundings = std::max(trees_[0].roundings(depths_[0]), trees_[1].roundings(depths_[1]));
+  error_ = ErrorBound(query_.magnitude, query_.absolute, query_.roundings + roundings,
+                      query_.separation);
   coordinate_.bounds = error_.for_coordinate_axes();
   const std::array<Axis, kLanes> axes = {pair.hint, whole[0].normal, whole[1].normal, Axis{}};
   for (size_t i = 0; i < kLanes; ++i) set_axis(shared_.axes, i, axes[i]);
@@ -203,7 +204,14 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
   look_again();
   const CornerFrame frame_a(query_.shapes[0], seen.nets[0]),
       frame_b(query_.shapes[1], seen.nets[1]);
-  CandidateAxes candidates(frame_a, frame_b);
+  Axis offset{};
+  if (query_.separation > 0) {
+    // At the start of the window, where a hit would be.
+    const CornerFrame start_a(query_.shapes[0], seen.nets[0], 0),
+        start_b(query_.shapes[1], seen.nets[1], 0);
+    offset = minus(start_a.middle, start_b.middle);
+  }
+  CandidateAxes candidates(frame_a, frame_b, offset);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     look_again();
     CCDFUZZ_ASSERT(!(seen.window.lo != w.lo || seen.window.hi != w.hi));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,7 +41,7 @@ struct RangePair {
 /// E of DERIVATION.md, 3.
 /// Law C: with M ≥ Σ max|p'| + max|v'|, fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0
 /// in exact arithmetic, for two sub-patches with at most `roundings` roundings behind each control
-/// point.
+/// point. With a separation d it implies max₁ − min₂ < −d·|l|₂: no points of them are as near as d.
 class ErrorBound {
  public:
   /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1
@@ -51,12 +52,21 @@ class ErrorBound {
   ErrorBound() = default;
   /// magnitude, absolute: as in NormalisedQuery. Four times `absolute` are of the control points; a
   /// fifth covers what is lost by underflow in subdivision.
-  ErrorBound(double magnitude, double absolute, int roundings)
+  /// separation: scaled as lengths are.
+  ErrorBound(double magnitude, double absolute, int roundings, double separation = 0)
       : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute),
+        separation_(separation),
         made_from_(magnitude, absolute, roundings) {}
 
   /// Whatever an axis may need allowance for has its place here.
-  double for_axis(const Axis& l) const { return for_norm(norm1(l)); }
+  double for_axis(const Axis& l) const {
+    const double rounding = of_rounding(l);
+    return separation_ > 0 ? rounding + separation_ * above_norm2(l) : rounding;
+  }
+  /// Without the separation.
+  double of_rounding(const Axis& l) const {
+    return (relative_ * norm1(l) + kLeastAbsolute) * kSlack;
+  }
 
   Bounds for_coordinate_axes() const {
     Bounds out{{}, made_from_};
@@ -82,14 +92,21 @@ class ErrorBound {
   }
 
  private:
-  double for_norm(double norm1) const {
-    return (relative_ * norm1 + kLeastAbsolute) * kSlack;
+  /// At least |l|₂, by enough that the product, its sum with `rounding` and that with a gap, of one
+  /// rounding each, need no more. Scaled so that no square underflows but beside a 1: 4 + 1
+  /// roundings, and half of 3 before the root, are below 2^-50.
+  static double above_norm2(const Axis& l) {
+    const double most = std::max({std::abs(l[0]), std::abs(l[1]), std::abs(l[2])});
+    if (most == 0) return 0;
+    const double x = l[0] / most, y = l[1] / most, z = l[2] / most;
+    return std::sqrt((x * x + y * y) + z * z) * most * (1 + 0x1p-49);
   }
 
   /// (1+u)^k − 1 ≤ k·u·(1 + k·u) with k < 2^11, and the few roundings of this expression itself.
   static constexpr double kSlack = 1 + 0x1p-20;
 
   double relative_ = 0;
+  double separation_ = 0;
   [[no_unique_address]] Basis made_from_;
 };
 

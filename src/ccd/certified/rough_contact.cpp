@@ -42,7 +42,7 @@ class RoughSearch {
  public:
   RoughSearch(const NormalisedQuery& query, double width)
       : differences_(query),
-        of_corner_(5 * (0x1p-53 * query.magnitude + query.absolute)),
+        of_corner_((5 + query.roundings) * (0x1p-53 * query.magnitude + query.absolute)),
         shortest_(kShortest * query.t_max),
         width_(width) {}
 

@@ -66,6 +66,60 @@ certified::Tiers TdibmC::tiers() const {
   return all;
 }
 
+std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOptions& options,
+                                            int target, double& from) {
+  const certified::NormalisedQuery& normalised = split_.query();
+  Answer answer;
+  const certified::Advanced advanced = certified::advance(normalised);
+  if (advanced.kind == certified::Advanced::Kind::kClear) {
+    ++linear_.advancement;
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+  const auto hit = [&](double time, double toi) {
+    answer.verdict = Verdict::kHit;
+    answer.toi = std::max(toi, certified::original_time(time, normalised.time));
+    answer.uv = certified::nearest_parameters(normalised,
+                                              std::max(time, std::ldexp(toi, -normalised.time)));
+    return answer;
+  };
+  if (query.separation > 0) {
+    // No polynomial is known whose sign decides: what doubles do not tell from d is a hit.
+    if (advanced.kind == certified::Advanced::Kind::kStopped) return hit(advanced.time, 0);
+    from = advanced.time;
+    return std::nullopt;
+  }
+  // Half the precision is the window's, the rest is more than all roundings.
+  const double width = 0.5 * options.precision * normalised.t_max;
+  const double before = std::max(0.0, advanced.time - 0.5 * width);
+  const bool stopped = advanced.kind == certified::Advanced::Kind::kStopped;
+  const certified::RoughContact rough =
+      certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
+  linear_.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
+  if (rough.kind == certified::RoughContact::Kind::kNone) {
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+  if (rough.kind == certified::RoughContact::Kind::kProven) {
+    return hit(std::max(rough.time, advanced.time), 0);
+  }
+
+  ++linear_.integers;
+  using Kind = certified::LinearContact::Kind;
+  const certified::LinearContact contact =
+      certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
+  if (contact.kind == Kind::kNone) {
+    answer.verdict = Verdict::kMiss;
+    return answer;
+  }
+  if (contact.kind != Kind::kProven) answer.note = "contact not proven";
+  if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advanced::Kind::kStopped) {
+    return hit(advanced.time, contact.toi);
+  }
+  from = advanced.time;
+  return std::nullopt;
+}
+
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   const int target = depth_for(options.precision);
   Deadline deadline(options);
@@ -76,47 +130,9 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   Answer answer;
   double from = 0;
   if (certified::can_advance(normalised.shapes[0], normalised.shapes[1])) {
-    const certified::Advanced advanced = certified::advance(normalised);
-    if (advanced.kind == certified::Advanced::Kind::kClear) {
-      ++linear_.advancement;
-      answer.verdict = Verdict::kMiss;
-      return answer;
+    if (const std::optional<Answer> decided = decide_linear(query, options, target, from)) {
+      return *decided;
     }
-    const auto hit = [&](double time, double toi) {
-      answer.verdict = Verdict::kHit;
-      answer.toi = std::max(toi, certified::original_time(time, normalised.time));
-      answer.uv = certified::nearest_parameters(normalised,
-                                                std::max(time, std::ldexp(toi, -normalised.time)));
-      return answer;
-    };
-    // Half the precision is the window's, the rest is more than all roundings.
-    const double width = 0.5 * options.precision * normalised.t_max;
-    const double before = std::max(0.0, advanced.time - 0.5 * width);
-    const bool stopped = advanced.kind == certified::Advanced::Kind::kStopped;
-    const certified::RoughContact rough =
-        certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
-    linear_.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
-    if (rough.kind == certified::RoughContact::Kind::kNone) {
-      answer.verdict = Verdict::kMiss;
-      return answer;
-    }
-    if (rough.kind == certified::RoughContact::Kind::kProven) {
-      return hit(std::max(rough.time, advanced.time), 0);
-    }
-
-    ++linear_.integers;
-    using Kind = certified::LinearContact::Kind;
-    const certified::LinearContact contact =
-        certified::first_linear_contact(query, std::max(target, kLevelOfLinearTimes));
-    if (contact.kind == Kind::kNone) {
-      answer.verdict = Verdict::kMiss;
-      return answer;
-    }
-    if (contact.kind != Kind::kProven) answer.note = "contact not proven";
-    if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advanced::Kind::kStopped) {
-      return hit(advanced.time, contact.toi);
-    }
-    from = advanced.time;
   }
   push({{from, normalised.t_max}, {}, {}, {}});
   std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;

@@ -24,6 +24,9 @@ namespace ccdfuzz {
 /// Linear patches (can_advance) are decided exactly: a hit is a contact, at toi + precision·t_max
 /// at most. Where numbers differ by too many binary places (first_linear_contact), what is said
 /// above holds for the patches as they are, and the answer's note says so.
+/// With a separation d all of this is said of distances: a miss is a distance above d throughout;
+/// at toi a hit's cells are no farther than d and their own size. A hit on linear patches is
+/// decided only as far as doubles tell the distance from d.
 /// Keeps at most kKeptBytes between queries.
 class TdibmC {
  public:
@@ -43,6 +46,10 @@ class TdibmC {
   static_assert(sizeof(Entry) == 64);
 
   Answer decide(const Query& query, const SearchOptions& options);
+  /// What the linear patches of split_ show; nothing where the general search has to, which may
+  /// begin at `from`.
+  std::optional<Answer> decide_linear(const Query& query, const SearchOptions& options, int target,
+                                      double& from);
   void push(const certified::CellPair& pair);
   double earliest(double so_far) const;
   std::uint64_t bytes() const { return queue_.bytes() + split_.bytes(); }

@@ -40,6 +40,7 @@ class ExactScene {
   /// Allocates only when the query has more control points than any before.
   void load(const Query& query, const Units& units) {
     units_ = units;
+    separation_ = integer_in<Int>(parts_of(query.separation), units.length);
     for (size_t side = 0; side < 2; ++side) {
       const MovingPatch<double>& patch = query.patches[side];
       Side& s = sides_[side];
@@ -56,18 +57,20 @@ class ExactScene {
         for (size_t k = 0; k < 3; ++k) {
           const auto at = static_cast<Eigen::Index>(k);
           s.position[i][k] = integer_in<Int>(parts_of(patch.positions[i][at]), units.length);
-          s.velocity[i][k] =
-              integer_in<Int>(parts_of(patch.velocities[i][at]), units.length - units.time);
+          const int unit = units.length - units.time;
+          s.velocity[i][k] = integer_in<Int>(parts_of(patch.moves()[i][at]), unit);
+          if (!patch.has_ends()) continue;
+          s.velocity[i][k] -= integer_in<Int>(parts_of(patch.positions[i][at]), unit);
         }
       }
     }
   }
 
-  /// The sign of h(t) = max over control points p of cell `below` of p·l − min over control points
-  /// q of the other cell of q·l, at time t; −1 means separated (Eqs. 3–4).
-  /// below: the side whose maximum is taken. cells: one per side, of one depth. t: a window end.
-  /// candidates: per side, the control points of the cell that may attain the extreme; a superset
-  /// of those that do.
+  /// The sign of h(t) + d·|l|_2, d the separation, h(t) = max over control points p of cell `below`
+  /// of p·l − min over control points q of the other cell of q·l, at time t; −1 means separated
+  /// (Eqs. 3–4). below: the side whose maximum is taken. cells: one per side, of one depth. t: a
+  /// window end. candidates: per side, the control points of the cell that may attain the extreme;
+  /// a superset of those that do.
   int gap_sign(int below, const std::array<Cell, 2>& cells, const Axis& axis, double t,
                const std::array<std::span<const std::uint8_t>, 2>& candidates) {
     const auto lower = static_cast<size_t>(below), upper = 1 - lower;
@@ -77,7 +80,16 @@ class ExactScene {
     const int steps = blossom_steps(sides_[lower].shape) - blossom_steps(sides_[upper].shape);
     if (steps < 0) max = shift(max, -steps * depth);
     if (steps > 0) min = shift(min, steps * depth);
-    return max < min ? -1 : max > min ? 1 : 0;
+    if (separation_ == Int(0)) return max < min ? -1 : max > min ? 1 : 0;
+    if (!(max < min)) return 1;
+    // h + d·|l|_2 with h < 0 has the sign of d²·|l|² − h².
+    const int most =
+        std::max(blossom_steps(sides_[lower].shape), blossom_steps(sides_[upper].shape));
+    const Int d = shift(separation_, most * depth), h = min - max;
+    std::int64_t norm_squared = 0;
+    for (const std::int64_t x : axis.l) norm_squared += x * x;
+    work_ += 4 * words_of(h);
+    return sign_of_difference(d, norm_squared, h);
   }
 
  private:
@@ -116,6 +128,15 @@ class ExactScene {
       return kCalls + mpz_size(x.get_mpz_t());
     } else {
       return sizeof(Int) / sizeof(std::uint64_t);
+    }
+  }
+  /// The sign of a²·factor − b². The squares have twice the bits, of which a² leaves as many as the
+  /// factor takes: |a·l| < 2^bits_needed for all that is asked.
+  static int sign_of_difference(const Int& a, std::int64_t factor, const Int& b) {
+    if constexpr (std::is_same_v<Int, Integer>) {
+      return sgn(Integer(a * a * static_cast<long>(factor) - b * b));
+    } else {
+      return (a * a * factor - b * b).sign();
     }
   }
   static Int shift(const Int& x, int by) {
@@ -215,6 +236,7 @@ class ExactScene {
   }
 
   Units units_;
+  Int separation_ = Int(0);
   std::array<Side, 2> sides_;
   std::vector<Int> net_;
   std::uint64_t work_ = 0;

@@ -27,6 +27,20 @@ void normalise(const Points<double>& points, const Vec3<double>& origin, int shi
   }
 }
 
+/// What is to be subtracted from velocities, and from ends before their positions are: the same
+/// motion. Where one patch has ends and the other velocities, it is none.
+struct Drift {
+  Vec3<double> of_velocities, of_ends;
+
+  explicit Drift(const std::array<MovingPatch<double>, 2>& patches) {
+    const auto& [a, b] = patches;
+    of_velocities = {0, 0, 0};
+    of_ends = a.positions[0];
+    if (a.has_ends() && b.has_ends()) of_ends = a.ends[0];
+    if (!a.has_ends() && !b.has_ends()) of_velocities = a.velocities[0];
+  }
+};
+
 /// Four control points at once; the sequence of roundings of each is that of scalar code.
 using Lanes = Eigen::Array4d;
 
@@ -40,7 +54,8 @@ int top_of(double m) {
 // The error bound. u = 2^-53, eta = 2^-1074, gamma_k = k·u/(1 − k·u). M is the largest magnitude of
 // a normalised coordinate of position plus that of velocity; times are in [0, 1].
 //  1. Normalised coordinates: scaling is exact or, where it underflows, off by ≤ eta/2; the
-//     difference rounds once: u·M + eta.
+//     difference rounds once: u·M + eta. Of ends e − p it is that for e and for p, and one more:
+//     at t ≤ 1 they add 2u·M.
 //  2. Sub-patch. Each blossom step is a combination with exact non-negative weights of sum 1, of
 //     three products summed from the left for a triangle (gamma_3), of two else (gamma_2); each
 //     average rounds once, halving being exact unless it underflows. gamma_K in all, with K =
@@ -63,23 +78,37 @@ void Gap::begin(const Query& query) {
   int top = std::numeric_limits<int>::min() / 2;
   for (const MovingPatch<double>& patch : query.patches) {
     top = std::max(top, top_of(max_magnitude(patch.positions)));
-    top = std::max(top, top_of(max_magnitude(patch.velocities)) + units_.horizon);
+    const double moves = patch.has_ends()
+                             ? std::max(max_magnitude(patch.ends), max_magnitude(patch.positions))
+                             : max_magnitude(patch.velocities);
+    top = std::max(top, top_of(moves) + units_.horizon);
   }
+  top = std::max(top, top_of(query.separation));
   const bool at_rest_at_origin = top < -10000;  // every coordinate is zero
   length_shift_ = at_rest_at_origin ? 0 : -top;
   const Vec3<double> origin = query.patches[0].positions[0];
-  const Vec3<double> drift = query.patches[0].velocities[0];
+  const Drift drift(query.patches);
   double m_position = 0, m_velocity = 0;
   int roundings = 0;
   for (size_t side = 0; side < 2; ++side) {
     const MovingPatch<double>& patch = query.patches[side];
     normalise(patch.positions, origin, length_shift_, positions_);
-    normalise(patch.velocities, drift, length_shift_ + units_.horizon, velocities_);
+    const int shift = length_shift_ + units_.horizon;
+    if (patch.has_ends()) {
+      normalise(patch.ends, drift.of_ends, shift, velocities_);
+      normalise(patch.positions, origin, shift, starts_);
+      for (size_t i = 0; i < starts_.size(); ++i) velocities_[i] -= starts_[i];
+    } else {
+      normalise(patch.velocities, drift.of_velocities, shift, velocities_);
+    }
     m_position = std::max(m_position, max_magnitude(positions_));
     m_velocity = std::max(m_velocity, max_magnitude(velocities_));
     roundings = std::max(roundings, CellPointsCache::roundings(patch.shape));
     cache_[side].begin(patch.shape, positions_, velocities_);
   }
+  if (has_ends(query)) roundings += 2;
+  if (query.separation > 0) ++roundings;  // of the sum with it
+  separation_ = std::ldexp(query.separation, length_shift_);
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   constexpr double eta = std::numeric_limits<double>::denorm_min();
   error_per_norm_ = 2 * (roundings + 8) * u * (m_position + m_velocity) + 256 * eta;
@@ -100,6 +129,15 @@ void Gap::project(const Axis& axis, int bits) {
   axis_ = axis;
   axis_bits_ = bits;
   error_ = error_per_norm_ * static_cast<double>(axis.norm1());
+  on_axis_ = 0;
+  if (separation_ > 0) {
+    std::int64_t squared = 0;
+    for (const std::int64_t l : axis.l) squared += l * l;
+    // Four roundings at most, a fifth of the sum with the gap; an underflow of separation_ is below
+    // eta, and |l|_2 ≤ |l|_1.
+    on_axis_ = separation_ * std::sqrt(static_cast<double>(squared));
+    error_ += 6 * (std::numeric_limits<double>::epsilon() / 2) * on_axis_;
+  }
   const double x = axis.l[0], y = axis.l[1], z = axis.l[2];
   for (size_t side = 0; side < 2; ++side) {
     const CellPoints& p = selected_[side];
@@ -113,6 +151,7 @@ void Gap::project(const Axis& axis, int bits) {
 
 Extremes Gap::extremes(double t) const {
   Extremes e;
+  e.separation = on_axis_;
   for (size_t side = 0; side < 2; ++side) {
     const auto values = [&](int i) -> Lanes {
       return Eigen::Map<const Lanes>(&slopes_[side][static_cast<size_t>(i)]) * t +

@@ -25,10 +25,11 @@ struct TierCounts {
 /// Largest and smallest projections of both cells at one time, in double precision.
 struct Extremes {
   std::array<double, 2> max{}, min{};
+  double separation = 0;  ///< d·|l|_2
 
-  /// The gap along the axis if `below` is the lower side.
+  /// The gap along the axis if `below` is the lower side, with the separation.
   double gap(int below) const {
-    return max[static_cast<size_t>(below)] - min[static_cast<size_t>(1 - below)];
+    return (max[static_cast<size_t>(below)] - min[static_cast<size_t>(1 - below)]) + separation;
   }
 };
 
@@ -98,7 +99,7 @@ class Gap {
 
   const Query* query_ = nullptr;
   Units units_;
-  Points<double> positions_, velocities_;  ///< one side's, normalised; for begin() alone
+  Points<double> positions_, velocities_, starts_;  ///< one side's, normalised; for begin() alone
   std::array<CellPointsCache, 2> cache_;
   std::array<CellPoints, 2> families_;
   std::array<std::array<Cell, 4>, 2> parts_;
@@ -111,6 +112,7 @@ class Gap {
   alignas(16) std::array<Values, 2> slopes_, intercepts_;
   int length_shift_ = 0;
   double error_per_norm_ = 0, error_ = 0;
+  double separation_ = 0, on_axis_ = 0;  ///< normalised; times |l|_2
 
   std::tuple<Tier<WideInt<128>>, Tier<WideInt<256>>, Tier<WideInt<512>>, Tier<Integer>> tiers_;
   TierCounts counts_;

@@ -61,6 +61,17 @@ Frame frame_of(const Shape& shape, const CellPoints& points, double t) {
   return {u, normal, normalised(cross(u, normal))};
 }
 
+Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t) {
+  const auto middle = [t](const CellPoints& points) {
+    Vec3<double> sum(0, 0, 0);
+    for (int i = 0; i < points.count; ++i) {
+      for (int k = 0; k < 3; ++k) sum[k] += points.position(k)[i] + t * points.velocity(k)[i];
+    }
+    return Vec3<double>(sum / points.count);
+  };
+  return normalised(middle(a) - middle(b));
+}
+
 Vec3<double> pair_axis(const Frame& a, const Frame& b, int r) {
   switch (r) {
     case 0:

@@ -15,6 +15,10 @@ Frame frame_of(const Shape& shape, const CellPoints& points, double t);
 
 inline constexpr int kPairAxes = 15;
 
+/// From the middle of one cell to that of the other, at t. Cells that are small beside a separation
+/// have no better one.
+Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t);
+
 /// Candidate axis r of a pair of frames, 0 ≤ r < kPairAxes, in the order in which they are worth
 /// testing: both normals, the other box axes, the nine products of the two boxes' axes.
 Vec3<double> pair_axis(const Frame& a, const Frame& b, int r);

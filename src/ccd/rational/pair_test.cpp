@@ -4,6 +4,7 @@ namespace ccdfuzz::exact_ccd {
 
 void PairTest::begin(const Query& query) {
   gap_.begin(query);
+  axes_ = query.separation > 0 ? kPairAxes + 1 : kPairAxes;
   shapes_ = {query.patches[0].shape, query.patches[1].shape};
 }
 
@@ -47,14 +48,18 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
   // safe.
   constexpr int kMaxRounds = 4;
   int unchanged = 0;
-  for (int n = 0; n < kMaxRounds * kPairAxes && unchanged < kPairAxes; ++n) {
+  for (int n = 0; n < kMaxRounds * axes_ && unchanged < axes_; ++n) {
     ++unchanged;
-    const std::optional<Axis> axis = round_to_axis(pair_axis(a, b, n % kPairAxes), axis_bits_);
+    const int r = n % axes_;
+    const Vec3<double> direction =
+        r < kPairAxes ? pair_axis(a, b, r)
+                      : offset_axis(gap_.points(0, part_a), gap_.points(1, part_b), w.lo);
+    const std::optional<Axis> axis = round_to_axis(direction, axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);
     const ScaledWindow before = w;
     const Cut cut = cut_window(gap_, w);
-    if (observer != nullptr) tell(*observer, n % kPairAxes, *axis, before, cut, w);
+    if (observer != nullptr) tell(*observer, r, *axis, before, cut, w);
     switch (cut) {
       case Cut::kAll:
         return std::nullopt;

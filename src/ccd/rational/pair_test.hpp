@@ -35,6 +35,7 @@ class PairTest {
   /// Frames of the prepared parts at the start of the first window tested.
   std::array<std::array<std::optional<Frame>, 4>, 2> frames_;
   int axis_bits_ = 0;
+  int axes_ = kPairAxes;
 };
 
 }  // namespace ccdfuzz::exact_ccd

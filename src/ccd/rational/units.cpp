@@ -34,15 +34,23 @@ Units Units::of(const Query& query) {
   constexpr int kLowest = -1074;  // exponent of the least positive double
   Units u;
   BitRange time, position, velocity;
+  int of_a_difference = 0;  ///< bits that e − p may have more than e and p
   time.include(query.t_max);
+  position.include(query.separation);
   u.horizon = time.empty() ? 0 : time.top;
   u.grid = std::max(u.horizon - kGridBits, kLowest);
   u.time = time.empty() ? u.grid : std::min(u.grid, time.low);
 
   for (const MovingPatch<double>& patch : query.patches) {
     position.include(patch.positions);
-    velocity.include(patch.velocities);
     u.degree_sum = std::max(u.degree_sum, blossom_steps(patch.shape));
+    if (!patch.has_ends()) {
+      velocity.include(patch.velocities);
+      continue;
+    }
+    velocity.include(patch.ends);
+    velocity.include(patch.positions);
+    of_a_difference = 1;
   }
   if (position.empty() && velocity.empty()) return u;
   if (velocity.empty()) {
@@ -50,7 +58,8 @@ Units Units::of(const Query& query) {
     u.magnitude_bits = position.top - u.length;
     return u;
   }
-  const int velocity_low = velocity.low + u.time, velocity_top = velocity.top + u.horizon;
+  const int velocity_low = velocity.low + u.time;
+  const int velocity_top = velocity.top + of_a_difference + u.horizon;
   if (position.empty()) {
     u.length = velocity_low;
     u.magnitude_bits = velocity_top - u.length;

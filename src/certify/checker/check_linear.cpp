@@ -175,6 +175,11 @@ std::vector<std::array<std::array<size_t, 2>, 3>> triangles_of(const Query& quer
   return {corners};
 }
 
+Rational exact_velocity(const MovingPatch<double>& patch, size_t i, int k) {
+  if (!patch.has_ends()) return exact(patch.velocities[i][k]);
+  return exact(patch.ends[i][k]) - exact(patch.positions[i][k]);
+}
+
 /// The triangles as `ends` gives them: a component of a control point's position and velocity to
 /// a pair of rationals. All times a common positive number, so that they are integers.
 template <class Ends>
@@ -187,7 +192,7 @@ std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
       for (int k = 0; k < 3; ++k) {
         const auto &a = query.patches[0], &b = query.patches[1];
         const Rational p = exact(a.positions[i][k]) - exact(b.positions[j][k]);
-        const Rational v = exact(a.velocities[i][k]) - exact(b.velocities[j][k]);
+        const Rational v = exact_velocity(a, i, k) - exact_velocity(b, j, k);
         exact_ends.push_back(ends(p, v));
         for (const Rational& x : exact_ends.back()) denominator = lcm(denominator, x.get_den());
       }
@@ -284,6 +289,9 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
                                     Work& work) {
   constexpr int kMostHalvings = 4000;
   if (auto linear = refuse_unless_linear(query, kClear); !linear) return linear;
+  if (query.separation > 0) {
+    return input_error(kClear, fmt::format("is no proof of distances above {}", query.separation));
+  }
   const Rational& until = clearance.until;
   if (until < 0) return input_error(kClear, fmt::format("until = {} is negative", shown(until)));
   if (until == 0 && !clearance.closed) return {};  // there is no such time

@@ -28,8 +28,11 @@ std::vector<Rational> along(const std::array<Rational, 3>& normal, const Points<
 /// control point's, or up to three of those; at most 64 operations take a control point in.
 void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
   constexpr std::uint64_t kOperations = 64;
-  constexpr std::uint64_t kDouble = 18;  // words of a double as a fraction
-  std::uint64_t words = 2 * kDouble + words_of(plane.until) + words_of(plane.offset);
+  constexpr std::uint64_t kDouble = 18;      // words of a double as a fraction
+  constexpr std::uint64_t kDifference = 51;  // of two: 2,099 bits over 1,075
+  const bool has_ends = query.patches[0].has_ends() || query.patches[1].has_ends();
+  std::uint64_t words =
+      kDouble + (has_ends ? kDifference : kDouble) + words_of(plane.until) + words_of(plane.offset);
   for (const Rational& n : plane.normal) words += words_of(n);
   const std::uint64_t points =
       query.patches[0].positions.size() + query.patches[1].positions.size();
@@ -38,6 +41,10 @@ void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
 
 Result<void> check_within(const Query& query, const MovingPlane& plane, Work& work) {
   charge_for(query, plane, work);
+  if (query.separation > 0) {
+    return refuse_plane(
+        fmt::format("a plane proves nothing of distances up to {}", query.separation));
+  }
   if (plane.until < 0)
     return refuse_plane(fmt::format("until: {} is negative", shown(plane.until)));
   std::array<std::vector<Rational>, 2> rates;

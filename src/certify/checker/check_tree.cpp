@@ -104,7 +104,7 @@ class Walk {
  public:
   /// With until = a/b and every double a multiple of 2^unit, b·kTimeSteps·position·2^-unit and
   /// a·velocity·2^-unit are integers P and V, and P + m·V is a positive multiple of the control
-  /// point at time m.
+  /// point at time m. The separation is a multiple as positions are.
   Walk(const Query& query, const Rational& until, std::string_view tree, Work& work)
       : work_(work), reader_(tree), sides_{Parts(work), Parts(work)} {
     int unit = 0;
@@ -112,11 +112,11 @@ class Walk {
       moving_net<int>(patch,
                       [&](double x, bool) { return unit = std::min(unit, parts_of(x).exponent); });
     }
+    unit = std::min(unit, parts_of(query.separation).exponent);
+    separation_ = integer_of(query.separation, unit) * until.get_den() * Integer(kTimeSteps);
     for (size_t s = 0; s < 2; ++s) {
       const auto integer = [&](double x, bool velocity) {
-        const DoubleParts parts = parts_of(x);
-        Integer value(static_cast<long>(parts.mantissa));
-        value <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
+        const Integer value = integer_of(x, unit);
         return velocity ? Integer(value * until.get_num())
                         : Integer(value * until.get_den() * Integer(kTimeSteps));
       };
@@ -166,7 +166,8 @@ class Walk {
     }
   }
 
-  /// True iff max l·p < min l·q over the control points of a and b, at both times.
+  /// True iff max l·p < min l·q over the control points of a and b, at both times, by more than the
+  /// separation times |l|.
   bool separates(const TreeAxis& axis, const Part& a, const Part& b, std::uint64_t lo,
                  std::uint64_t hi) {
     extremes(axis, a, lo, hi, 1, max_);
@@ -176,8 +177,25 @@ class Walk {
       if (up_a > up_b) max_[end] <<= static_cast<mp_bitcnt_t>(up_a - up_b);
       if (up_b > up_a) min_[end] <<= static_cast<mp_bitcnt_t>(up_b - up_a);
       if (max_[end] >= min_[end]) return false;
+      if (separation_ == 0) continue;
+      // (min − max)² > d²·|l|², all in the units of the parts.
+      value_ = separation_ << static_cast<mp_bitcnt_t>(std::max(up_a, up_b));
+      position_ = min_[end] - max_[end];
+      work_.charge(product_work(value_, value_) + product_work(position_, position_));
+      velocity_ = 0;
+      for (const std::int64_t x : axis)
+        velocity_ += Integer(static_cast<long>(x)) * static_cast<long>(x);
+      if (position_ * position_ <= value_ * value_ * velocity_) return false;
     }
     return true;
+  }
+
+  /// x·2^-unit. Requires that this is whole.
+  static Integer integer_of(double x, int unit) {
+    const DoubleParts parts = parts_of(x);
+    Integer value(static_cast<long>(parts.mantissa));
+    value <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
+    return value;
   }
 
   /// The largest (sign 1) or smallest (sign −1) l·(P + m·V) at m = lo and m = hi.
@@ -209,6 +227,7 @@ class Walk {
   TreeReader reader_;
   std::array<Parts, 2> sides_;
   std::uint64_t nodes_ = 0;
+  Integer separation_;  ///< as positions are
   std::array<Integer, 2> max_, min_;
   Integer position_, velocity_, value_;
 };

@@ -45,6 +45,17 @@ Result<void> check_contact(const Query& query, const Witness& witness, std::uint
       }
       at[s] = point_at(patch, witness.uv[s], witness.t, work);
     }
+    if (query.separation > 0) {
+      Rational squared = 0;
+      for (const int k : {0, 1, 2}) {
+        const Rational way = at[0][k] - at[1][k];
+        work.charge(fraction_work(2 * words_of(way)));
+        squared += way * way;
+      }
+      if (squared <= exact(query.separation) * exact(query.separation)) return {};
+      return refuse("uv", fmt::format("the points are farther apart than {}: {} squared",
+                                      query.separation, shown(squared)));
+    }
     for (int k = 0; k < 3; ++k) {
       if (at[0][k] == at[1][k]) continue;
       return refuse("uv", fmt::format("the patches do not touch there: coordinate {} is {} and {}",

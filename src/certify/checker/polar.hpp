@@ -87,14 +87,19 @@ class Polar {
   Moving<S> sum_;
 };
 
-/// The control points of a patch, each number converted by `convert`.
+/// The control points of a patch. convert(x, moves) is x in S: of a position, or where `moves` of a
+/// velocity or of what is subtracted to make one. It is linear in x.
 template <class S, class Convert>
 MovingNet<S> moving_net(const MovingPatch<double>& patch, const Convert& convert) {
   MovingNet<S> net(patch.positions.size());
   for (size_t i = 0; i < net.size(); ++i) {
     for (size_t k = 0; k < 3; ++k) {
       net[i][k] = convert(patch.positions[i][k], false);
-      net[i][k + 3] = convert(patch.velocities[i][k], true);
+      if (patch.has_ends()) {
+        net[i][k + 3] = convert(patch.ends[i][k], true) - convert(patch.positions[i][k], true);
+      } else {
+        net[i][k + 3] = convert(patch.velocities[i][k], true);
+      }
     }
   }
   return net;

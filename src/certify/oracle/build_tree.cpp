@@ -48,8 +48,9 @@ RangePair extents(const double* net, int count, const Axis& l, double t0, double
 
 /// Calls visit(axis) on the candidates that are not zero, until it returns true.
 template <class Visit>
-bool for_each_candidate(const CornerFrame& a, const CornerFrame& b, const Visit& visit) {
-  CandidateAxes candidates(a, b);
+bool for_each_candidate(const CornerFrame& a, const CornerFrame& b, const Axis& first,
+                        const Visit& visit) {
+  CandidateAxes candidates(a, b, first);
   for (int i = 0; const AxisBatch* batch = candidates.batch(i); ++i) {
     for (int lane = 0; lane < kLanes; ++lane) {
       const Axis l = {batch->axes[0][lane], batch->axes[1][lane], batch->axes[2][lane]};
@@ -109,7 +110,9 @@ class Builder {
       const CellTree& tree = trees_[s];
       roundings = std::max(roundings, tree.roundings(tree.depth(pair.cells[s])));
     }
-    return ErrorBound(query_.magnitude, query_.absolute, roundings + kOfTime).for_axis(l);
+    return ErrorBound(query_.magnitude, query_.absolute, query_.roundings + roundings + kOfTime,
+                      query_.separation)
+        .for_axis(l);
   }
   Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {
     const auto of = [&](int s) {
@@ -193,7 +196,8 @@ class Builder {
     }
     const double middle = 0.5 * time(pair.lo) + 0.5 * time(pair.hi);
     const CornerFrame a(trees_[0], pair.cells[0], middle), b(trees_[1], pair.cells[1], middle);
-    if (for_each_candidate(a, b, try_axis)) return leaf(*found);
+    const Axis offset = query_.separation > 0 ? minus(a.middle, b.middle) : Axis{};
+    if (for_each_candidate(a, b, offset, try_axis)) return leaf(*found);
 
     if (cut.length > 0) {
       pair.hint = to_double(cut.axis);

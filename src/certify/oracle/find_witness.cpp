@@ -52,7 +52,26 @@ Uv<Rational> snapped(const Shape& shape, const Uv<double>& uv, double width, boo
   return out;
 }
 
-/// The least t ≥ 0 at which the two points coincide, if there is one.
+/// About the earlier root of |p + t·v|² = d², not before it and hardly after; 0 if they are that
+/// near at 0. nullopt if they come no nearer.
+std::optional<Rational> time_of_distance(const std::array<Vec3<Rational>, 2>& offset, double d) {
+  Rational a = 0, b = 0, c = -exact(d) * exact(d);
+  for (int k = 0; k < 3; ++k) {
+    a += offset[1][k] * offset[1][k];
+    b += offset[0][k] * offset[1][k];
+    c += offset[0][k] * offset[0][k];
+  }
+  if (c <= 0) return Rational(0);
+  const Rational discriminant = b * b - a * c;
+  if (b >= 0 || discriminant < 0) return std::nullopt;
+  // The root is c / (−b + √(b² − ac)): of a square root rounded down it is rounded up.
+  const double ratio = round_down(discriminant / (b * b));
+  const double root = std::max(0.0, std::sqrt(ratio) * (1 - 0x1p-50));
+  return Rational(c / (-b * (1 + exact(root))));
+}
+
+/// The least t ≥ 0 at which the two points are in contact, if there is one; with a separation,
+/// about that.
 std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rational>, 2>& uv) {
   std::array<Vec3<Rational>, 2> offset;  // of position, of velocity
   for (size_t s = 0; s < 2; ++s) {
@@ -66,6 +85,7 @@ std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rat
       }
     }
   }
+  if (query.separation > 0) return time_of_distance(offset, query.separation);
   for (int k = 0; k < 3; ++k) {
     if (offset[1][k] != 0) return Rational(-offset[0][k] / offset[1][k]);
   }

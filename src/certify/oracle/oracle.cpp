@@ -93,7 +93,8 @@ class Deciding {
       consider(*witness);
       return true;
     }
-    const auto box = find_contact_box(query_, near);
+    const bool touching = query_.separation == 0;
+    const auto box = touching ? find_contact_box(query_, near) : std::nullopt;
     if (box && (!truth.contact_by() || box->until() < *truth.contact_by())) {
       truth.contact_box = box;
       truth.witness.reset();
@@ -129,7 +130,8 @@ class Deciding {
       out_.note = "separated, but by too large a tree";
       clear_ = query_.t_max;
     }
-    if (const auto& witness = out_.truth.witness; witness && witness->t > 0) {
+    const auto& witness = out_.truth.witness;
+    if (witness && witness->t > 0 && query_.separation == 0) {
       if (auto plane = find_plane(query_, *witness)) {
         out_.truth.clearance = *plane;
         return;
@@ -182,8 +184,9 @@ Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
-  const Decision found =
-      linear::is_linear(query) ? decide_linear(query, options) : Deciding(query, options).run();
+  const Decision found = linear::is_linear(query) && query.separation == 0
+                             ? decide_linear(query, options)
+                             : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept, or that takes it too long.
   Result<void> checked = check_truth({query, found.truth, {}, {}});
   if (checked && found.truth.clearance) {

@@ -30,7 +30,8 @@ enum {
   CCDFUZZ_TENSOR = 3    /* (degree_u+1)(degree_v+1) control points, u, v in [0,1] */
 };
 
-/* A moving Bezier patch: at time t control point i stands at positions[i] + t * velocities[i].
+/* A moving Bezier patch: at time t control point i stands at positions[i] + t * velocities[i], or
+ * where `ends` are given at positions[i] + t * (ends[i] - positions[i]).
  * Control points come by rising power i of u and within it by rising power j of v. The weight of
  * (i,j) is n!/(i!j!k!) u^i v^j w^k, w = 1-u-v, for a triangle; a product of Bernstein polynomials
  * otherwise. So a triangle of degree 1 has the corners (u,v) = (0,0), (0,1), (1,0), in this order.
@@ -43,6 +44,10 @@ typedef struct ccdfuzz_patch {
   uint64_t count;    /* of control points */
   const double (*positions)[3];
   const double (*velocities)[3];
+  /* Positions at t = 1, exactly; velocities is NULL then, and t_max <= 1. NULL otherwise, and
+   * always for a plug-in that does not claim CCDFUZZ_TAKES_ENDS: ends are asked of it as velocities
+   * where these are doubles, and not at all where they are not. */
+  const double (*ends)[3];
 } ccdfuzz_patch;
 
 /* Do the two patches touch at some t of the closed [0, t_max], and when first? */
@@ -54,6 +59,8 @@ typedef struct ccdfuzz_query {
   double precision;        /* parameter width at which ccdfuzz's own methods stop */
   uint64_t max_iterations; /* after about so many it may answer CCDFUZZ_INCONCLUSIVE */
   double max_seconds;      /* and after this time it should; the worker is killed later */
+  double separation;       /* >= 0; in contact are points no farther apart; 0, always, for a plug-in
+                            * that does not claim CCDFUZZ_TAKES_SEPARATION: touching */
 } ccdfuzz_query;
 
 /* ccdfuzz_answer.verdict */
@@ -81,9 +88,11 @@ typedef struct ccdfuzz_answer {
 
 /* ccdfuzz_description.claims */
 enum {
-  CCDFUZZ_CONSERVATIVE = 1,   /* never misses a contact, and toi_lower is never after it */
-  CCDFUZZ_CLOSED_T_MAX = 2,   /* sees a contact at t = t_max, too */
-  CCDFUZZ_CONTACT_AT_ZERO = 4 /* sees a contact at t = 0, too */
+  CCDFUZZ_CONSERVATIVE = 1,     /* never misses a contact, and toi_lower is never after it */
+  CCDFUZZ_CLOSED_T_MAX = 2,     /* sees a contact at t = t_max, too */
+  CCDFUZZ_CONTACT_AT_ZERO = 4,  /* sees a contact at t = 0, too */
+  CCDFUZZ_TAKES_ENDS = 8,       /* answers patches with `ends` */
+  CCDFUZZ_TAKES_SEPARATION = 16 /* answers queries with a `separation` above 0 */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:

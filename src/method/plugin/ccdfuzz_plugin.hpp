@@ -31,7 +31,8 @@ struct Patch {
   std::size_t count() const { return static_cast<std::size_t>(raw.count); }
   /// Coordinate k of control point i at time t.
   double at(std::size_t i, int k, double t) const {
-    return raw.positions[i][k] + t * raw.velocities[i][k];
+    const double p = raw.positions[i][k];
+    return raw.ends != nullptr ? p + t * (raw.ends[i][k] - p) : p + t * raw.velocities[i][k];
   }
 };
 

@@ -35,7 +35,8 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
     out += fmt::format(",\"degree\":{}", shape.n);
   }
   append_points(out, "positions", patch.positions);
-  append_points(out, "velocities", patch.velocities);
+  patch.has_ends() ? append_points(out, "ends", patch.ends)
+                   : append_points(out, "velocities", patch.velocities);
   out += '}';
 }
 
@@ -82,6 +83,8 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
   return read_flag(object, "conservative", out.conservative)
       .and_then([&] { return read_flag(object, "closed_t_max", out.closed_t_max); })
       .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
+      .and_then([&] { return read_flag(object, "takes_ends", out.features.ends); })
+      .and_then([&] { return read_flag(object, "takes_separation", out.features.separation); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
@@ -214,11 +217,13 @@ std::string query_request(const Query& query, const SearchOptions& options, doub
   append_patch(out, query.patches[0]);
   out += ',';
   append_patch(out, query.patches[1]);
+  const std::string separation =
+      query.separation > 0 ? ",\"separation\":" + json_number(query.separation) : "";
   return out + fmt::format(
-                   "],\"t_max\":{},\"precision\":{},\"max_iterations\":{},"
+                   "],\"t_max\":{}{},\"precision\":{},\"max_iterations\":{},"
                    "\"max_seconds\":{},\"max_bytes\":{}}}",
-                   json_number(query.t_max), json_number(options.precision), options.max_pops,
-                   json_number(max_seconds), options.max_bytes);
+                   json_number(query.t_max), separation, json_number(options.precision),
+                   options.max_pops, json_number(max_seconds), options.max_bytes);
 }
 
 Described read_description(const std::string& line) {

@@ -8,6 +8,7 @@
 #include "base/child.hpp"
 #include "case/judge.hpp"
 #include "ccd/search.hpp"
+#include "method/features.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
@@ -45,6 +46,7 @@ struct PluginDescription {
   double tolerance = 0;
   double minimum_separation = 0;
   NanPolicy nan_policy = NanPolicy::kUndefined;
+  Features features;
 };
 
 /// Why a plug-in cannot be used at all: it is the user who must act, it is no finding.

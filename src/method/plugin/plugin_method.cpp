@@ -96,7 +96,15 @@ class PluginMethod : public Method {
                               to_text(query.patches[1].shape));
       return none;
     }
-    Query asked = query;
+    const TakenQuery taken(query, plugin_->is_ours ? Features{.ends = true, .separation = true}
+                                                   : plugin_->description->features);
+    if (taken.query() == nullptr) {
+      Answered none;
+      none.verdict = Verdict::kRefused;
+      none.note = taken.why();
+      return none;
+    }
+    Query asked = *taken.query();
     if (*swapped) std::swap(asked.patches[0], asked.patches[1]);
     PluginAnswer given = ask_unless_killed(asked, options);
     hangs_ = 0;
@@ -319,6 +327,7 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.description = d.version.empty() ? d.name : d.name + " " + d.version;
   info.description += claims_text(d);
   info.claims_no_false_negative = d.conservative;
+  info.features = d.features;
   return info;
 }
 

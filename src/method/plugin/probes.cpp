@@ -15,14 +15,10 @@ namespace {
 std::uint64_t mixed_bits(const Query& query) {
   std::uint64_t mix = std::bit_cast<std::uint64_t>(query.t_max);
   for (const MovingPatch<double>& patch : query.patches) {
-    for (const Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (const auto& p : *points) {
-        for (int k = 0; k < 3; ++k) {
-          mix = (mix ^ std::bit_cast<std::uint64_t>(p[k])) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
-          mix ^= mix >> 32;
-        }
-      }
-    }
+    for_each_coordinate(patch, [&](double x) {
+      mix = (mix ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15;  // 2^64 / phi, odd
+      mix ^= mix >> 32;
+    });
   }
   return mix;
 }
@@ -36,8 +32,10 @@ Query decoy_query(const Query& query) {
     for (size_t i = 0; i < patch.positions.size(); ++i) {
       patch.positions[i] = {8.0 * static_cast<double>(side), static_cast<double>(i % 2),
                             static_cast<double>(i % 3)};
-      patch.velocities[i] = {0, 0, 0};
     }
+    patch.moves() = patch.has_ends()
+                        ? patch.positions
+                        : Points<double>(patch.positions.size(), Vec3<double>(0, 0, 0));
   }
   other.t_max = 1;
   return other;
@@ -54,14 +52,15 @@ PoisonedQuery poisoned_query(const Query& query) {
   constexpr std::array kPoisons = {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity};
   PoisonedQuery out{query, ""};
   const size_t side = take(2);
-  const bool in_velocities = take(2) == 1;
+  const bool in_moves = take(2) == 1;
   MovingPatch<double>& patch = out.query.patches[side];
+  Points<double>& moves = patch.moves();
   const size_t point = take(patch.positions.size());
   const size_t k = take(3);
   const double poison = kPoisons[take(kPoisons.size())];
-  (in_velocities ? patch.velocities : patch.positions)[point][static_cast<int>(k)] = poison;
-  out.where = fmt::format("patches[{}].{}[{}][{}] = {}", side,
-                          in_velocities ? "velocities" : "positions", point, k, poison);
+  (in_moves ? moves : patch.positions)[point][static_cast<int>(k)] = poison;
+  const char* const name = !in_moves ? "positions" : patch.has_ends() ? "ends" : "velocities";
+  out.where = fmt::format("patches[{}].{}[{}][{}] = {}", side, name, point, k, poison);
   return out;
 }
 

@@ -182,6 +182,8 @@ class Plugin {
             {"conservative", (d.claims & CCDFUZZ_CONSERVATIVE) != 0},
             {"closed_t_max", (d.claims & CCDFUZZ_CLOSED_T_MAX) != 0},
             {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
+            {"takes_ends", (d.claims & CCDFUZZ_TAKES_ENDS) != 0},
+            {"takes_separation", (d.claims & CCDFUZZ_TAKES_SEPARATION) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
             {"minimum_separation", real(d.minimum_separation)},
@@ -198,6 +200,7 @@ class Plugin {
     query.precision = asked.at("precision").get<double>();
     query.max_iterations = asked.at("max_iterations").get<std::uint64_t>();
     query.max_seconds = asked.at("max_seconds").get<double>();
+    query.separation = asked.value("separation", 0.0);
     const auto points_before = points_;
 
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -268,12 +271,13 @@ class Plugin {
       if (degree.is_array()) out.degree_v = degree.at(1).get<std::uint32_t>();
     }
     Coordinates& positions = points_[2 * side];
-    Coordinates& velocities = points_[2 * side + 1];
+    Coordinates& moves = points_[2 * side + 1];
+    const bool has_ends = patch.contains("ends");
     positions = coordinates(patch.at("positions"));
-    velocities = coordinates(patch.at("velocities"));
+    moves = coordinates(patch.at(has_ends ? "ends" : "velocities"));
     out.count = positions.size();
     out.positions = reinterpret_cast<const double(*)[3]>(positions.data());
-    out.velocities = reinterpret_cast<const double(*)[3]>(velocities.data());
+    (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
   }
 
   const ccdfuzz_plugin* table_ = nullptr;

@@ -1,0 +1,178 @@
+#include <cmath>
+
+#include "case/case_json.hpp"
+#include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/decide_linear.hpp"
+#include "certify/oracle/find_plane.hpp"
+#include "method/method.hpp"
+#include "properties/against_oracle.hpp"
+#include "properties/draw_first_contact.hpp"
+#include "properties/draw_linear.hpp"
+#include "properties/no_false_negative.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+Case case_of(const FirstContact& drawn) {
+  Case out;
+  out.query = drawn.query;
+  out.truth.collides = true;
+  out.truth.witness = drawn.witness;
+  return out;
+}
+
+Case draw_case_apart(Draw& d) {
+  return case_of(supposed(draw_first_contact(d, true)));
+}
+
+/// The witness is one up to the distance of its points, and no further.
+void check_reach(Draw& d) {
+  const FirstContact drawn = supposed(draw_first_contact(d, true));
+  Case known = case_of(drawn);
+  show(d, "contact", known);
+  const bool is_accepted = check_witness(known.query, *known.truth.witness).has_value();
+  CLAIM(is_accepted);
+  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
+  CLAIM(read && read->query == known.query);
+  for (const std::string method : {"tdibm", "tdibm-h:1e-12", "tdibm-e", "trad"}) {
+    const Verdict verdict = make_method(method).value()->answer(known.query, kQuickSearch).verdict;
+    CLAIM(verdict == Verdict::kRefused);
+  }
+  known.query.separation = std::nextafter(known.query.separation, 0);
+  const bool is_nearer_accepted = check_witness(known.query, *known.truth.witness).has_value();
+  CLAIM(!is_nearer_accepted);
+}
+
+std::function<void(Draw&)> misses_none_apart(std::string method) {
+  return [=](Draw& d) { claim_no_false_negative(method, draw_case_apart(d), kQuickSearch, d); };
+}
+
+std::function<void(Draw&)> keeps_those_apart(std::string method) {
+  return [=](Draw& d) { claim_kept(method, draw_case_apart(d), d); };
+}
+
+void check_not_early_apart(Draw& d) {
+  const FirstContact drawn = supposed(draw_first_contact(d, true));
+  const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational"});
+  const Answer answer = (*make_method(name))->answer(drawn.query, kFineSearch);
+  suppose(answer.verdict != Verdict::kUndecided);
+  show(d, "method", name);
+  show(d, "toi", answer.toi);
+  show(d, "contact at", drawn.t);
+  show(d, "explained", drawn.early);
+  show(d, "query", drawn.query);
+  CLAIM(answer.verdict == Verdict::kHit);
+  CLAIM(drawn.t - *answer.toi <= drawn.early);
+}
+
+/// A tree that proves a distance up to some time is refused as a proof of one that is not kept.
+void check_trees(Draw& d) {
+  const FirstContact drawn = supposed(draw_first_contact(d, true));
+  show(d, "query", drawn.query);
+  Query asked = drawn.query;
+  asked.separation *= d.pick(std::array{0.0, 0.5, 1 - 0x1p-6, 1 - 0x1p-20});
+  const Rational t = drawn.witness.t;
+  constexpr std::uint64_t kFewNodes = 1000;
+  const auto tree = supposed(build_miss_tree(asked, t, kFewNodes));
+  show(d, "separation", asked.separation);
+  const bool is_accepted = check_tree(asked, t, tree).has_value();
+  CLAIM(is_accepted);
+  const bool is_false_accepted = check_tree(drawn.query, t, tree).has_value();
+  CLAIM(!is_false_accepted);
+}
+
+/// Proofs that patches do not touch prove nothing of distances.
+void check_proofs_of_touching(Draw& d) {
+  constexpr double kLittle = 0x1p-30;
+  FirstContact drawn = supposed(draw_first_contact(d));
+  show(d, "query", drawn.query);
+  const MovingPlane plane = supposed(find_plane(drawn.query, drawn.witness));
+  drawn.query.separation = kLittle;
+  const bool plane_holds = check_plane(drawn.query, plane).has_value();
+  CLAIM(!plane_holds);
+
+  Query linear = supposed(draw_linear(d));
+  const Decision decision = decide_linear(linear, {});
+  suppose(decision.truth.clearance.has_value());
+  show(d, "linear", linear);
+  linear.separation = kLittle;
+  const bool linear_holds = check_clearance(linear, *decision.truth.clearance, "").has_value();
+  CLAIM(!linear_holds);
+}
+
+/// What the oracle says of separations, the checker accepts, and it is no miss.
+void check_decision_apart(Draw& d) {
+  const Case drawn = draw_case_apart(d);
+  show(d, "contact", drawn);
+  constexpr std::uint64_t kFewPops = 300;
+  const Case known = decide_briefly(drawn.query, kFewPops);
+  CLAIM(known.truth.collides != false);
+}
+
+/// A hit on a linear query is a contact, as far as doubles tell, and a miss is none.
+void check_linear_apart(Draw& d) {
+  Query query = supposed(draw_linear(d));
+  double size = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      const Vec3<double> end = patch.positions[i] + query.t_max * patch.velocities[i];
+      size = std::max({size, patch.positions[i].cwiseAbs().maxCoeff(), end.cwiseAbs().maxCoeff()});
+    }
+  }
+  query.separation =
+      size * std::ldexp(d.pick(std::array{1.0, 1.25}), -static_cast<int>(d.integer(0, 12)));
+  suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
+  const Answer answer = make_method("tdibm-c").value()->answer(query, {});
+  show(d, "toi", answer.toi);
+  show(d, "query", query);
+  constexpr std::uint64_t kFewPops = 300;
+  if (answer.verdict == Verdict::kMiss) {
+    CLAIM(decide_briefly(query, kFewPops).truth.collides != true);
+  }
+  if (answer.verdict != Verdict::kHit) return;
+  // Bounds, and the last step of 2^-44 of the way, are well below this part of the size.
+  query.separation += size * 0x1p-24;
+  CLAIM(decide_briefly(query, kFewPops).truth.collides != false);
+}
+
+}  // namespace
+
+std::vector<Property> distances_claims() {
+  constexpr auto kMeaning = "src/case/query.hpp";
+  constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 8";
+  constexpr auto kRational = "src/ccd/rational/exact_scene.hpp";
+  return {
+      {"separation.reach", "Points are in contact up to the separation, and no further", kMeaning,
+       check_reach},
+      {"separation.not_early",
+       "A hit at a distance is no earlier than the width of its boxes explains", kMeaning,
+       check_not_early_apart},
+      {"separation.refuses_nearer",
+       "A tree of axes that keep a distance is refused where they come nearer",
+       "src/certify/checker/check_tree.hpp", check_trees},
+      {"separation.refuses_proofs_of_touching",
+       "Planes and linear decisions, which prove that nothing touches, prove no distance",
+       "src/certify/checker/check_plane.hpp", check_proofs_of_touching},
+      {"separation.decision_is_proven", "What the oracle says of distances, the checker accepts",
+       "src/certify/oracle/oracle.hpp", check_decision_apart},
+      {"tdibm-c.no_false_negative_apart", "No contact at a distance is missed or late", kCertified,
+       misses_none_apart("tdibm-c")},
+      {"tdibm-c.trace_apart", "No pair of boxes that holds a contact at a distance is dropped",
+       kCertified, keeps_those_apart("tdibm-c")},
+      {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
+       kCertified, check_linear_apart},
+      {"tdibm-rational.no_false_negative_apart", "No contact at a distance is missed or late",
+       kRational, misses_none_apart("tdibm-rational")},
+      {"tdibm-rational.trace_apart",
+       "No pair of boxes that holds a contact at a distance is dropped", kRational,
+       keeps_those_apart("tdibm-rational")},
+  };
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,98 @@
+#include "properties/draw_first_contact.hpp"
+
+#include <cmath>
+
+#include "generators/draw_contact.hpp"
+#include "generators/exact_sum.hpp"
+#include "generators/finalize.hpp"
+#include "generators/one_sided.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The extent of a patch's control points along a coordinate, at any time up to t.
+double extent(const MovingPatch<double>& patch, int k, double t) {
+  double width = 0;
+  for (const double at : {0.0, t}) {
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
+    for (std::size_t i = 0; i < patch.positions.size(); ++i) {
+      const double x = patch.positions[i][k] + at * patch.velocities[i][k];
+      lo = std::min(lo, x);
+      hi = std::max(hi, x);
+    }
+    width = std::max(width, hi - lo);
+  }
+  return width;
+}
+
+/// The least double whose square is no less.
+double root_above(const Rational& squared) {
+  double root = std::sqrt(round_up(squared));
+  while (exact(root) * exact(root) < squared) root = std::nextafter(root, HUGE_VAL);
+  while (exact(std::nextafter(root, 0)) * exact(std::nextafter(root, 0)) >= squared) {
+    root = std::nextafter(root, 0);
+  }
+  return root;
+}
+
+/// Moves patch 1 by normal·2^exponent; false if a number would be rounded.
+bool move_apart(FirstContact& contact, const Vec3<Dyadic>& normal, int exponent) {
+  for (int k = 0; k < 3; ++k) {
+    const Dyadic along = normal[k].scaled(exponent);
+    const std::optional<double> by = along.to_double_exactly();
+    if (!by) return false;
+    contact.distance_squared += along.rational() * along.rational();
+    for (Vec3<double>& p : contact.query.patches[0].positions) {
+      if (!add_exactly(p[k], *by)) return false;
+    }
+  }
+  contact.query.separation = root_above(contact.distance_squared);
+  return true;
+}
+
+}  // namespace
+
+Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
+  const ContactClass contact = choices.pick(kContactClasses);
+  OneSidedStyle style;
+  style.contact_bits = 20, style.contact_unit = -16;
+  style.max_flatness = 1;  // coarse boxes are no good
+  style.t_max = choices.coin() ? Dyadic(2) : style.t;
+  const Scene scene = one_sided_scene(contact, style, choices);
+  const auto query = to_query(scene);
+  if (!query) return input_error("", "a number is not a double");
+  FirstContact out;
+  out.query = *query;
+  out.t = *scene.contact.t.to_double_exactly();
+  out.witness.t = scene.contact.t.rational();
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Barycentric& at = scene.contact.x[s];
+    out.witness.uv[s] = {at[0].rational(), at[1].rational()};
+  }
+  if (apart && !move_apart(out, scene.normal, static_cast<int>(choices.integer(-12, 3)))) {
+    return input_error("", "a number is not a double");
+  }
+  double reach = 0;
+  std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
+  const Vec3<double> normal = {scene.normal[0].rational().get_d(),
+                               scene.normal[1].rational().get_d(),
+                               scene.normal[2].rational().get_d()};
+  for (std::size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>& patch = query->patches[s];
+    Vec3<double> width;
+    for (int k = 0; k < 3; ++k) {
+      width[k] = kQuadratic.n * kFinePrecision * extent(patch, k, out.t);
+    }
+    // At a distance the nearest points of two boxes may lie in any direction.
+    reach += apart ? normal.norm() * width.norm() : normal.cwiseAbs().dot(width);
+    for (const Vec3<double>& v : patch.velocities) {
+      const double along = normal[0] * v[0] + normal[1] * v[1] + normal[2] * v[2];
+      rate[s] = s == 0 ? std::max(rate[s], along) : std::min(rate[s], along);
+    }
+  }
+  out.early = reach / (rate[1] - rate[0]);
+  return out;
+}
+
+}  // namespace ccdfuzz

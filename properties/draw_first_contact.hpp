@@ -1,0 +1,29 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "ccd/search.hpp"
+#include "generators/draw/draw.hpp"
+
+namespace ccdfuzz {
+
+inline constexpr double kFinePrecision = 0x1p-10;
+inline constexpr SearchOptions kFineSearch = {kFinePrecision, 2000, SearchOptions().max_bytes};
+
+/// A one-sided scene, whose first contact is proven. Cells of width h have control points within
+/// n·h times the patch's extent of each other, n the degree, so boxes that cannot be told apart are
+/// that near, and the gap along the plane's normal closes at a speed that is known.
+struct FirstContact {
+  Query query;
+  Witness witness;   ///< the first contact's
+  double t = 0;      ///< when it is
+  double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
+  /// The square of the distance at t, if the patches were moved apart: 0, or the separation,
+  /// rounded up, squared.
+  Rational distance_squared = 0;
+};
+
+/// apart: patch 1 is moved away along the normal, so that the patches come no nearer than a
+/// distance, which is the query's separation, rounded up.
+Result<FirstContact> draw_first_contact(Draw& choices, bool apart = false);
+
+}  // namespace ccdfuzz

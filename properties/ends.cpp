@@ -1,0 +1,165 @@
+#include "bezier/blossom.hpp"
+#include "case/case_json.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "fuzz/mutator/exact_moves.hpp"
+#include "generators/similar.hpp"
+#include "method/method.hpp"
+#include "properties/against_oracle.hpp"
+#include "properties/no_false_negative.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Moves all positions by a little and all ends by much, the same for both patches, if their
+/// numbers have room for it.
+void move_apart(Contact& q, Draw& d) {
+  int size = 0;
+  std::frexp(q.query.patches[0].positions[0].cwiseAbs().maxCoeff(), &size);
+  const auto vector = [&](int exponent) {
+    const auto number = [&] {
+      return std::ldexp(static_cast<double>(d.integer(-3, 3)), size + exponent);
+    };
+    const double x = number(), y = number();
+    return Vec3<double>(x, y, number());
+  };
+  const Vec3<double> little = vector(-static_cast<int>(d.integer(30, 45)));
+  const Vec3<double> much = vector(static_cast<int>(d.integer(5, 30)));
+  Similarity first, second;
+  first.shift = little;
+  first.drift = -little;
+  second.drift = much;
+  const std::optional<Query> moved = similar(q.query, first);
+  if (!moved) return;
+  if (const std::optional<Query> query = similar(*moved, second)) q.query = *query;
+}
+
+/// A contact of a range with ends in place of velocities, of one patch or both, where at least one
+/// difference to a position is no double.
+Case draw_contact_with_ends(Draw& d, const ContactRange& range) {
+  Contact q = supposed(contact_of(supposed(draw_contact(d, range))));
+  suppose(give_ends(q, d));
+  constexpr int kMostTries = 16;
+  for (int n = 0; n < kMostTries && with_velocities(q.query); ++n) {
+    if (n % 2 == 0) {
+      move_apart(q, d);
+    } else if (Contact next = q; shift_in_null_space(next, d)) {
+      q = std::move(next);
+    }
+  }
+  suppose(!with_velocities(q.query));
+  return case_of(q);
+}
+
+/// (1 − t)·S(positions) + t·S(ends), without a difference.
+Vec3<Rational> between(const MovingPatch<double>& patch, const Uv<Rational>& uv,
+                       const Rational& t) {
+  const auto at = [&](const Points<double>& points) {
+    Points<Rational> exact_points;
+    for (const Vec3<double>& p : points) {
+      exact_points.push_back({exact(p[0]), exact(p[1]), exact(p[2])});
+    }
+    return evaluate<Rational>(patch.shape, exact_points, uv);
+  };
+  if (!patch.has_ends()) return evaluate<Rational>(exact_patch<Rational>(patch), uv, t);
+  const Vec3<Rational> start = at(patch.positions), end = at(patch.ends);
+  Vec3<Rational> out;
+  for (int k = 0; k < 3; ++k) out[k] = start[k] + t * (end[k] - start[k]);
+  return out;
+}
+
+void check_meaning(Draw& d) {
+  const Case drawn = draw_contact_with_ends(d, kOrdinary);
+  show(d, "contact", drawn);
+  const Witness& witness = *drawn.truth.witness;
+  const auto& patches = drawn.query.patches;
+  CLAIM(between(patches[0], witness.uv[0], witness.t) ==
+        between(patches[1], witness.uv[1], witness.t));
+  const bool is_accepted = check_truth(drawn).has_value();
+  CLAIM(is_accepted);
+  const auto read = parse_case(to_json(drawn, JsonLayout::kOneLine), "drawn");
+  CLAIM(read && read->query == drawn.query);
+}
+
+std::function<void(Draw&)> misses_no_ends(std::string method, ContactRange range) {
+  return [=](Draw& d) {
+    claim_no_false_negative(method, draw_contact_with_ends(d, range), kQuickSearch, d);
+  };
+}
+
+std::function<void(Draw&)> keeps_ends(std::string method, ContactRange range) {
+  return [=](Draw& d) { claim_kept(method, draw_contact_with_ends(d, range), d); };
+}
+
+/// The checker accepts what the oracle says, or this throws.
+void check_decision_on_ends(Draw& d) {
+  const Case drawn = draw_contact_with_ends(d, kOrdinary);
+  show(d, "contact", drawn);
+  constexpr std::uint64_t kFewPops = 300;
+  const Case known = decide_briefly(drawn.query, kFewPops);
+  CLAIM(known.truth.collides != false);
+}
+
+/// Where all differences are doubles, ends are the same motion as velocities.
+void check_same_motion(Draw& d) {
+  Contact q = supposed(contact_of(supposed(draw_contact(d, kOrdinary))));
+  suppose(give_ends(q, d));
+  const Query plain = supposed(with_velocities(q.query));
+  show(d, "query", q.query);
+  for (const std::string method : {"tdibm-rational", "tdibm-c"}) {
+    const auto asked = make_method(method).value();
+    const Answer of_ends = asked->answer(q.query, kQuickSearch);
+    const Answer of_velocities = asked->answer(plain, kQuickSearch);
+    show(d, method, std::string(name_of(of_ends.verdict)));
+    // Other bounds may part other boxes: verdicts differ at most where a budget ends a search.
+    const auto decided = [](const Answer& a) { return a.verdict != Verdict::kUndecided; };
+    CLAIM(of_ends.verdict == of_velocities.verdict || !decided(of_ends) || !decided(of_velocities));
+  }
+  for (const std::string method : {"tdibm", "tdibm-e", "trad"}) {
+    const auto asked = make_method(method).value();
+    const Answer of_ends = asked->answer(q.query, kQuickSearch);
+    const Answer of_velocities = asked->answer(plain, kQuickSearch);
+    CLAIM(of_ends.verdict == of_velocities.verdict && of_ends.toi == of_velocities.toi);
+  }
+}
+
+/// Methods of the paper refuse motions that their velocities do not hold.
+void check_refusal(Draw& d) {
+  const Case drawn = draw_contact_with_ends(d, kOrdinary);
+  show(d, "contact", drawn);
+  for (const std::string method : {"tdibm", "tdibm-h:1e-12", "tdibm-e", "trad"}) {
+    CLAIM(make_method(method).value()->answer(drawn.query, kQuickSearch).verdict ==
+          Verdict::kRefused);
+  }
+}
+
+}  // namespace
+
+std::vector<Property> ends_claims() {
+  constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 1";
+  constexpr auto kRational = "src/ccd/rational/gap.cpp";
+  return {
+      {"ends.meaning", "Ends mean (1 − t)·position + t·end to generator, checker and files",
+       "src/bezier/patch.hpp", check_meaning},
+      {"ends.same_motion", "Ends whose ways are doubles are answered as these velocities are",
+       "src/method/features.hpp", check_same_motion},
+      {"ends.refused", "The paper's methods refuse ends whose ways are no doubles",
+       "src/method/features.hpp", check_refusal},
+      {"ends.decision_is_proven", "What the oracle says of ends, the checker accepts",
+       "src/certify/oracle/oracle.hpp", check_decision_on_ends},
+      {"tdibm-c.no_false_negative_ends", "No contact of patches with ends is missed or late",
+       kCertified, misses_no_ends("tdibm-c", kElsewhere)},
+      {"tdibm-c.trace_ends",
+       "No pair of boxes that holds a contact of patches with ends is dropped", kCertified,
+       keeps_ends("tdibm-c", kElsewhere)},
+      {"tdibm-rational.no_false_negative_ends", "No contact of patches with ends is missed or late",
+       kRational, misses_no_ends("tdibm-rational", kElsewhere)},
+      {"tdibm-rational.trace_ends",
+       "No pair of boxes that holds a contact of patches with ends is dropped", kRational,
+       keeps_ends("tdibm-rational", kElsewhere)},
+  };
+}
+
+}  // namespace ccdfuzz

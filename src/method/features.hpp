@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "case/query.hpp"
+
+namespace ccdfuzz {
+
+/// What a method answers beyond patches with velocities.
+struct Features {
+  /// Ends, also those whose difference to the positions is no double.
+  bool ends = false;
+  /// A separation above 0.
+  bool separation = false;
+};
+
+/// Makes of a query one that a method takes: with velocities, where it does not take ends. Where
+/// the query is taken as it is, or is not valid, it is not copied.
+class TakenQuery {
+ public:
+  TakenQuery(const Query& query, const Features& features);
+
+  /// nullptr: not taken, and why() says why.
+  const Query* query() const { return query_; }
+  const char* why() const { return why_; }
+
+ private:
+  std::optional<Query> converted_;
+  const Query* query_;
+  const char* why_ = "";
+};
+
+}  // namespace ccdfuzz
