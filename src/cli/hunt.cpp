@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/number_text.hpp"
@@ -109,8 +110,9 @@ std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
   for (const Find& find : report.finds) {
     if (find.is_new && find.path.empty() != stored) finds.push_back(&find);
   }
-  std::ranges::stable_sort(finds, {}, [](const Find* find) {
-    return std::pair(!breaks_claim(find->failure), find->failure.setting);
+  // Those alike in the report's order, in which they lie.
+  std::ranges::sort(finds, {}, [](const Find* find) {
+    return std::tuple(!breaks_claim(find->failure), find->failure.setting, find);
   });
   return finds;
 }
