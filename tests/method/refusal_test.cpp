@@ -15,7 +15,7 @@ namespace ccdfuzz {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Every method that can be made, in every form.
 std::vector<std::string> every_method() {
@@ -60,9 +60,9 @@ std::vector<Spoilt> spoilt_numbers() {
       {"patches[0].positions[0][2]: nan is not finite",
        [](Query& q, SearchOptions&) { q.patches[0].positions[0][2] = kNan; }},
       {"patches[1].positions[2][0]: inf is not finite",
-       [](Query& q, SearchOptions&) { q.patches[1].positions[2][0] = kInfinity; }},
+       [](Query& q, SearchOptions&) { q.patches[1].positions[2][0] = kInfinite; }},
       {"patches[1].positions[1][1]: -inf is not finite",
-       [](Query& q, SearchOptions&) { q.patches[1].positions[1][1] = -kInfinity; }},
+       [](Query& q, SearchOptions&) { q.patches[1].positions[1][1] = -kInfinite; }},
       {"patches[0].velocities[0][2]: nan is not finite",
        [](Query& q, SearchOptions&) {
          for (Vec3<double>& v : q.patches[0].velocities) v[2] = kNan;
@@ -71,16 +71,16 @@ std::vector<Spoilt> spoilt_numbers() {
        [](Query& q, SearchOptions&) { q.patches[1].velocities[2][2] = -kNan; }},
       {"t_max: nan is not a finite number ≥ 0", [](Query& q, SearchOptions&) { q.t_max = kNan; }},
       {"t_max: inf is not a finite number ≥ 0",
-       [](Query& q, SearchOptions&) { q.t_max = kInfinity; }},
+       [](Query& q, SearchOptions&) { q.t_max = kInfinite; }},
       {"t_max: -inf is not a finite number ≥ 0",
-       [](Query& q, SearchOptions&) { q.t_max = -kInfinity; }},
+       [](Query& q, SearchOptions&) { q.t_max = -kInfinite; }},
       {"t_max: -5e-324 is not a finite number ≥ 0",
        [](Query& q, SearchOptions&) { q.t_max = -0x1p-1074; }},
       {"precision: nan is not in (0, 1]", [](Query&, SearchOptions& o) { o.precision = kNan; }},
       {"precision: 0 is not in (0, 1]", [](Query&, SearchOptions& o) { o.precision = 0; }},
       {"precision: -0.5 is not in (0, 1]", [](Query&, SearchOptions& o) { o.precision = -0.5; }},
       {"precision: inf is not in (0, 1]",
-       [](Query&, SearchOptions& o) { o.precision = kInfinity; }},
+       [](Query&, SearchOptions& o) { o.precision = kInfinite; }},
       {"precision: 1.0000000000000002 is not in (0, 1]",
        [](Query&, SearchOptions& o) { o.precision = std::nextafter(1.0, 2.0); }},
       {"max_seconds: nan is not a number", [](Query&, SearchOptions& o) { o.max_seconds = kNan; }},
