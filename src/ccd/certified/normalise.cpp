@@ -166,6 +166,8 @@ void normalise(const Query& query, NormalisedQuery& out) {
   if (std::ldexp(out.separation, -out.space) < query.separation) {
     out.separation = std::nextafter(out.separation, std::numeric_limits<double>::infinity());
   }
+  // Whatever is beyond 4·√3 holds all points of the scene; an infinity would make 0·∞ of no axis.
+  out.separation = std::min(out.separation, std::numeric_limits<double>::max());
   // ldexp rounds only into the subnormal range: ≤ η/2 in stage 3. Stage 1 loses at most η/2 in x
   // and η/2 in c, and stage 3 multiplies both by 2^scale. Of ends it loses it in e and p.
   out.absolute = kLeastAbsolute;  // ≥ η
