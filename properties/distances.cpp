@@ -59,16 +59,7 @@ std::function<void(Draw&)> keeps_those_apart(std::string method) {
 
 void check_not_early_apart(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d, true));
-  const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational"});
-  const Answer answer = (*make_method(name))->answer(drawn.query, kFineSearch);
-  suppose(answer.verdict != Verdict::kUndecided);
-  show(d, "method", name);
-  show(d, "toi", answer.toi);
-  show(d, "contact at", drawn.t);
-  show(d, "explained", drawn.early);
-  show(d, "query", drawn.query);
-  CLAIM(answer.verdict == Verdict::kHit);
-  CLAIM(drawn.t - *answer.toi <= drawn.early);
+  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational"}), drawn, d);
 }
 
 /// A tree that proves a distance up to some time is refused as a proof of one that is not kept.

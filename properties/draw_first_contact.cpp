@@ -6,6 +6,9 @@
 #include "generators/exact_sum.hpp"
 #include "generators/finalize.hpp"
 #include "generators/one_sided.hpp"
+#include "method/method.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
 
 namespace ccdfuzz {
 
@@ -37,17 +40,18 @@ double root_above(const Rational& squared) {
 }
 
 /// Moves patch 1 by normal·2^exponent; false if a number would be rounded.
-bool move_apart(FirstContact& contact, const Vec3<Dyadic>& normal, int exponent) {
+bool move_apart(Query& query, const Vec3<Dyadic>& normal, int exponent) {
+  Rational squared = 0;
   for (int k = 0; k < 3; ++k) {
     const Dyadic along = normal[k].scaled(exponent);
     const std::optional<double> by = along.to_double_exactly();
     if (!by) return false;
-    contact.distance_squared += along.rational() * along.rational();
-    for (Vec3<double>& p : contact.query.patches[0].positions) {
+    squared += along.rational() * along.rational();
+    for (Vec3<double>& p : query.patches[0].positions) {
       if (!add_exactly(p[k], *by)) return false;
     }
   }
-  contact.query.separation = root_above(contact.distance_squared);
+  query.separation = root_above(squared);
   return true;
 }
 
@@ -70,7 +74,7 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
     const Barycentric& at = scene.contact.x[s];
     out.witness.uv[s] = {at[0].rational(), at[1].rational()};
   }
-  if (apart && !move_apart(out, scene.normal, static_cast<int>(choices.integer(-12, 3)))) {
+  if (apart && !move_apart(out.query, scene.normal, static_cast<int>(choices.integer(-12, 3)))) {
     return input_error("", "a number is not a double");
   }
   double reach = 0;
@@ -93,6 +97,18 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   }
   out.early = reach / (rate[1] - rate[0]);
   return out;
+}
+
+void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw) {
+  const Answer answer = (*make_method(method))->answer(drawn.query, kFineSearch);
+  suppose(answer.verdict != Verdict::kUndecided);
+  show(draw, "method", method);
+  show(draw, "toi", answer.toi);
+  show(draw, "contact at", drawn.t);
+  show(draw, "explained", drawn.early);
+  show(draw, "query", drawn.query);
+  CLAIM(answer.verdict == Verdict::kHit);
+  CLAIM(drawn.t - *answer.toi <= drawn.early);
 }
 
 }  // namespace ccdfuzz

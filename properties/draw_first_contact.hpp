@@ -17,13 +17,13 @@ struct FirstContact {
   Witness witness;   ///< the first contact's
   double t = 0;      ///< when it is
   double early = 0;  ///< a hit at kFinePrecision is explained if it comes this much before
-  /// The square of the distance at t, if the patches were moved apart: 0, or the separation,
-  /// rounded up, squared.
-  Rational distance_squared = 0;
 };
 
 /// apart: patch 1 is moved away along the normal, so that the patches come no nearer than a
 /// distance, which is the query's separation, rounded up.
 Result<FirstContact> draw_first_contact(Draw& choices, bool apart = false);
+
+/// The method hits, no earlier than explained. Discarded: it is undecided. Shows all.
+void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw);
 
 }  // namespace ccdfuzz

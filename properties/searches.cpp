@@ -3,9 +3,6 @@
 
 #include "case/case_json.hpp"
 #include "generators/draw_patch.hpp"
-#include "generators/finalize.hpp"
-#include "generators/moving_plane.hpp"
-#include "generators/one_sided.hpp"
 #include "method/method.hpp"
 #include "properties/draw_first_contact.hpp"
 #include "properties/no_false_negative.hpp"
@@ -58,16 +55,7 @@ void check_long_time_step(Draw& d) {
 
 void check_not_early(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d));
-  const char* name = d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"});
-  const Answer answer = (*make_method(name))->answer(drawn.query, kFineSearch);
-  suppose(answer.verdict != Verdict::kUndecided);
-  show(d, "method", name);
-  show(d, "toi", answer.toi);
-  show(d, "contact at", drawn.t);
-  show(d, "explained", drawn.early);
-  show(d, "query", drawn.query);
-  CLAIM(answer.verdict != Verdict::kMiss);
-  CLAIM(drawn.t - *answer.toi <= drawn.early);
+  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"}), drawn, d);
 }
 
 /// One of the patches is split: control points of parts are within those of the whole, and so are
