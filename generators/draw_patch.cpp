@@ -143,11 +143,7 @@ std::optional<Query> with_drawn_ends(Query query, Draw& choices) {
   query.t_max = std::min(query.t_max, 1.0);
   const auto sides = static_cast<unsigned>(choices.integer(1, 3));
   for (std::size_t s = 0; s < 2; ++s) {
-    if ((sides >> s & 1) == 0) continue;
-    MovingPatch<double>& patch = query.patches[s];
-    patch.ends = patch.positions;
-    for (std::size_t i = 0; i < patch.ends.size(); ++i) patch.ends[i] += patch.velocities[i];
-    patch.velocities.clear();
+    if ((sides >> s & 1) != 0) give_rounded_ends(query.patches[s]);
   }
   if (!is_valid(query)) return std::nullopt;
   return query;

@@ -8,22 +8,12 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Positions, or what they move by or to.
-using Field = Points<double>& (*)(MovingPatch<double>&);
-
-Points<double>& positions_of(MovingPatch<double>& patch) {
-  return patch.positions;
-}
-Points<double>& moves_of(MovingPatch<double>& patch) {
-  return patch.moves();
-}
-
 MovingPatch<double>& any_patch(Contact& q, Draw& draw) {
   return q.query.patches[draw.below(2)];
 }
 
-Field any_field(Draw& draw) {
-  return draw.coin() ? positions_of : moves_of;
+PatchField any_field(Draw& draw) {
+  return kPatchFields[draw.coin() ? 0 : 1];
 }
 
 Vec3<double>& any_point(Points<double>& points, Draw& draw) {
@@ -71,7 +61,7 @@ bool nudge(Contact& q, Draw& draw) {
 }
 
 bool make_twins(Contact& q, Draw& draw) {
-  const Field field = any_field(draw);
+  const PatchField field = any_field(draw);
   const Vec3<double> model = any_point(field(any_patch(q, draw)), draw);
   Vec3<double>& p = any_point(field(any_patch(q, draw)), draw);
   const bool one_axis_only = draw.coin();

@@ -147,9 +147,7 @@ bool give_ends(Contact& q, Draw& draw) {
   for (size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = q.query.patches[s];
     if ((sides >> s & 1) == 0 || patch.has_ends()) continue;
-    patch.ends = patch.positions;
-    for (size_t i = 0; i < patch.ends.size(); ++i) patch.ends[i] += patch.velocities[i];
-    patch.velocities.clear();
+    give_rounded_ends(patch);
     any = true;
   }
   return any && is_valid(q.query) && repair(q, draw);

@@ -5,6 +5,12 @@
 
 namespace ccdfuzz {
 
+/// A patch's positions, or its velocities or ends.
+using PatchField = Points<double>& (*)(MovingPatch<double>&);
+inline constexpr std::array<PatchField, 2> kPatchFields = {
+    [](MovingPatch<double>& patch) -> Points<double>& { return patch.positions; },
+    [](MovingPatch<double>& patch) -> Points<double>& { return patch.moves(); }};
+
 /// x += by. Returns false, and leaves x, if the sum is not a double.
 bool add_exactly(double& x, const Dyadic& by);
 bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);

@@ -106,11 +106,10 @@ bool has_ends(const Query& query) {
   return query.patches[0].has_ends() || query.patches[1].has_ends();
 }
 
-Points<double> rounded_velocities(const MovingPatch<double>& patch) {
-  if (!patch.has_ends()) return patch.velocities;
-  Points<double> out = patch.ends;
-  for (size_t i = 0; i < out.size(); ++i) out[i] -= patch.positions[i];
-  return out;
+void give_rounded_ends(MovingPatch<double>& patch) {
+  patch.ends = patch.positions;
+  for (size_t i = 0; i < patch.ends.size(); ++i) patch.ends[i] += patch.velocities[i];
+  patch.velocities.clear();
 }
 
 std::optional<Query> with_velocities(const Query& query) {

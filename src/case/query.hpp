@@ -36,8 +36,13 @@ bool has_ends(const Query& query);
 /// The query with velocities, if all ends − positions are doubles; it is the same motion.
 std::optional<Query> with_velocities(const Query& query);
 
-/// ends − positions, or the velocities, rounded: for what is only weighed or shown.
-Points<double> rounded_velocities(const MovingPatch<double>& patch);
+/// Control point i's end − position, or its velocity, rounded: for what is only weighed or shown.
+inline Vec3<double> rounded_velocity(const MovingPatch<double>& patch, size_t i) {
+  return patch.has_ends() ? Vec3<double>(patch.ends[i] - patch.positions[i]) : patch.velocities[i];
+}
+
+/// Gives a patch with velocities the ends positions + velocities, each rounded, in their place.
+void give_rounded_ends(MovingPatch<double>& patch);
 
 /// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
 /// Errors: the field that is wrong, its value, and what it may be.

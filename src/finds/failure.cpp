@@ -22,13 +22,18 @@ bool all_equal(const Points<double>& points, const Vec3<double>& first) {
 
 bool is_degenerate(const Query& query) {
   const auto& [a, b] = query.patches;
-  const Points<double> of_a = rounded_velocities(a), of_b = rounded_velocities(b);
-  const auto has_no_extent = [](const Points<double>& positions, const Points<double>& velocities) {
-    return positions.size() > 1 && all_equal(positions, positions[0]) &&
-           all_equal(velocities, velocities[0]);
+  const auto moves_by = [](const MovingPatch<double>& patch, const Vec3<double>& velocity) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      if (rounded_velocity(patch, i) != velocity) return false;
+    }
+    return true;
   };
-  return has_no_extent(a.positions, of_a) || has_no_extent(b.positions, of_b) ||
-         (all_equal(of_a, of_a[0]) && all_equal(of_b, of_a[0]));
+  const auto has_no_extent = [&](const MovingPatch<double>& patch) {
+    return patch.positions.size() > 1 && all_equal(patch.positions, patch.positions[0]) &&
+           moves_by(patch, rounded_velocity(patch, 0));
+  };
+  const Vec3<double> velocity = rounded_velocity(a, 0);
+  return has_no_extent(a) || has_no_extent(b) || (moves_by(a, velocity) && moves_by(b, velocity));
 }
 
 bool is_at_an_end(const Case& value) {

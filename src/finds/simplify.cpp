@@ -16,17 +16,6 @@ using Offer = std::function<bool(const Contact&)>;
 
 constexpr std::array kSides = {std::size_t{0}, std::size_t{1}};
 
-/// Positions, and velocities or ends.
-using Array = Points<double>& (*)(MovingPatch<double>&);
-
-Points<double>& positions_of(MovingPatch<double>& patch) {
-  return patch.positions;
-}
-Points<double>& moves_of(MovingPatch<double>& patch) {
-  return patch.moves();
-}
-constexpr std::array<Array, 2> kArrays = {positions_of, moves_of};
-
 template <class Visit>
 void visit_coordinates(Contact& q, const Visit& visit) {
   for (MovingPatch<double>& patch : q.query.patches) for_each_coordinate(patch, visit);
@@ -55,7 +44,7 @@ std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) 
   const std::vector<Dyadic> weights = q.weights(static_cast<int>(side));
   MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {}};
   (patch.has_ends() ? point.ends : point.velocities) = {{0, 0, 0}};
-  for (const Array array : kArrays) {
+  for (const PatchField array : kPatchFields) {
     for (int k = 0; k < 3; ++k) {
       Dyadic sum;
       for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -147,7 +136,7 @@ void offer_shapes(const Contact& q, const Offer& offer) {
 /// Space and time in units of powers of two in which the numbers are around 1; the origin where a
 /// control point is.
 void offer_units(const Contact& q, const Offer& offer) {
-  for (const Array array : kArrays) {
+  for (const PatchField array : kPatchFields) {
     Contact next = q;
     const Vec3<double> by = array(next.query.patches[0])[0];
     bool exact = true;
@@ -159,7 +148,7 @@ void offer_units(const Contact& q, const Offer& offer) {
     }
     if (exact) offer(next);
   }
-  const auto largest_exponent = [&](Array array) {
+  const auto largest_exponent = [&](PatchField array) {
     double largest = 0;
     Contact copy = q;
     for (MovingPatch<double>& patch : copy.query.patches) {
@@ -169,7 +158,7 @@ void offer_units(const Contact& q, const Offer& offer) {
     }
     return largest == 0 ? 0 : std::ilogb(largest);
   };
-  const auto scale = [](Contact& next, Array array, int shift) {
+  const auto scale = [](Contact& next, PatchField array, int shift) {
     for (MovingPatch<double>& patch : next.query.patches) {
       for (Vec3<double>& p : array(patch)) {
         for (int k = 0; k < 3; ++k) {
@@ -181,18 +170,19 @@ void offer_units(const Contact& q, const Offer& offer) {
     }
     return true;
   };
-  if (const int shift = -largest_exponent(kArrays[0]); shift != 0) {
+  if (const int shift = -largest_exponent(kPatchFields[0]); shift != 0) {
     Contact next = q;
     next.query.separation = std::ldexp(q.query.separation, shift);
     const bool is_exact = std::ldexp(next.query.separation, -shift) == q.query.separation;
-    if (is_exact && scale(next, kArrays[0], shift) && scale(next, kArrays[1], shift)) offer(next);
+    if (is_exact && scale(next, kPatchFields[0], shift) && scale(next, kPatchFields[1], shift))
+      offer(next);
   }
   if (q.query.t_max > 0 && !has_ends(q.query)) {
     if (const int shift = -std::ilogb(q.query.t_max); shift != 0) {
       Contact next = q;
       next.query.t_max = std::ldexp(q.query.t_max, shift);
       next.t = q.t.scaled(shift);
-      if (scale(next, kArrays[1], -shift)) offer(next);
+      if (scale(next, kPatchFields[1], -shift)) offer(next);
     }
   }
 }
@@ -246,7 +236,7 @@ void offer_wholesale(const Contact& q, const Offer& offer) {
     visit_coordinates(next, [bits](double& x) { x = cut_to(x, bits); });
     if (offer(next)) break;
   }
-  for (const Array array : {kArrays[1], kArrays[0]}) {
+  for (const PatchField array : {kPatchFields[1], kPatchFields[0]}) {
     for (const std::size_t side : kSides) {
       for (const bool to_zero : {true, false}) {
         Contact next = q;
@@ -275,7 +265,7 @@ void offer_point_by_point(const Contact& q, const Offer& offer) {
         patch.moves()[i] = patch.moves()[other];
         if (offer(next)) break;
       }
-      for (const Array array : {kArrays[1], kArrays[0]}) {
+      for (const PatchField array : {kPatchFields[1], kPatchFields[0]}) {
         Contact next = q;
         array(next.query.patches[side])[i] = {0, 0, 0};
         if (offer(next)) continue;

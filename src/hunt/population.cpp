@@ -32,12 +32,12 @@ struct OnAxis {
       const MovingPatch<double>& patch = q.query.patches[s];
       const auto weights =
           bernstein_weights<double>(patch.shape, {about(q.uv[s][0]), about(q.uv[s][1])});
-      const Points<double> velocities = rounded_velocities(patch);
       for (size_t i = 0; i < weights.size(); ++i) {
-        const double speed = axis.dot(velocities[i]);
+        const Vec3<double> velocity = rounded_velocity(patch, i);
+        const double speed = axis.dot(velocity);
         closing += (s == 0 ? 1 : -1) * weights[i] * speed;
         magnitude = std::max(magnitude, axis.cwiseAbs().dot(patch.positions[i].cwiseAbs() +
-                                                            t * velocities[i].cwiseAbs()));
+                                                            t * velocity.cwiseAbs()));
       }
     }
   }

@@ -14,11 +14,11 @@ namespace {
 double extent(const Query& query) {
   double largest = 0;
   for (const MovingPatch<double>& patch : query.patches) {
-    const Points<double> velocities = rounded_velocities(patch);
     for (size_t i = 0; i < patch.positions.size(); ++i) {
+      const Vec3<double> velocity = rounded_velocity(patch, i);
       for (int k = 0; k < 3; ++k) {
         const double p = patch.positions[i][k];
-        largest = std::max({largest, std::abs(p), std::abs(p + query.t_max * velocities[i][k])});
+        largest = std::max({largest, std::abs(p), std::abs(p + query.t_max * velocity[k])});
       }
     }
   }
