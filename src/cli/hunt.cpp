@@ -345,6 +345,9 @@ void add_hunt(CommandLine& line) {
              "overflow explains a failure",
              1, kWidest)
       .without_default();
+  command.flag("--ordinary", hunt.ground.ordinary,
+               "Only queries that any code should answer: patches with extent that are apart at 0, "
+               "and in contact well inside of [0, t_max] or never; no number beyond 2^40");
   command.group("Results");
   command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
   command.choice("--shrink WHICH", hunt.shrink,

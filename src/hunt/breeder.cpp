@@ -86,7 +86,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   bool answered = false;
   for (const double factor : kHorizonFactors) {
     const std::optional<CheckedCase> asked = at_horizon(known, factor);
-    if (!asked || !ground_.has(asked->query())) continue;
+    if (!asked || !ground_.has(asked->value())) continue;
     const Judged judged = ask(methods[method_], *asked, search);
     answered |= judged.outcome != Outcome::kNotAsked;
     const bool founds = founders_.contains(content_address(asked->query()));

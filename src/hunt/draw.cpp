@@ -97,7 +97,7 @@ HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {
       if (auto asked = at_horizon(known, factor)) drawn.asked.push_back(std::move(*asked));
     }
   }
-  std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.query()); });
+  std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return drawn;
 }
 

@@ -7,6 +7,7 @@
 #include "case/query.hpp"
 #include "case/scale.hpp"
 #include "case/taxonomy.hpp"
+#include "finds/failure.hpp"
 
 namespace ccdfuzz {
 
@@ -27,12 +28,19 @@ struct HuntGround {
   std::optional<std::array<Shape, 2>> shapes;
   /// Linear queries, of kLinearClasses alone, and not curved ones. Then shapes are not set.
   bool linear = false;
+  /// Only cases of Setting::kOrdinary.
+  bool ordinary = false;
 
   /// Whether a query is of that scale, of those shapes, and linear if so.
   bool has(const Query& query) const {
     const auto is_of_shape = [&](std::size_t s) { return query.patches[s].shape == (*shapes)[s]; };
     return (!scale || is_within_scale(query, *scale)) &&
            (!shapes || (is_of_shape(0) && is_of_shape(1))) && (!linear || linear_class_of(query));
+  }
+
+  /// The same of a case, which is ordinary if only those count.
+  bool has(const Case& value) const {
+    return has(value.query) && (!ordinary || setting_of(value) == Setting::kOrdinary);
   }
 };
 

@@ -29,19 +29,21 @@ TEST(Setting, TellsTrivialQueriesFromOrdinaryOnes) {
   EXPECT_EQ(setting_of(c), Setting::kOrdinary);
   c.query.t_max = 0.5;
   EXPECT_EQ(setting_of(c), Setting::kAtAnEnd);
-  c.query.t_max = std::nextafter(0.5, 1);
+  c.query.t_max = 0.5 + 0x1p-12;
+  EXPECT_EQ(setting_of(c), Setting::kAtAnEnd);
+  c.query.t_max = 0.5 + 0x1p-9;
   EXPECT_EQ(setting_of(c), Setting::kOrdinary);
   c = falling_edge();
-  c.truth.witness->t = 0;
-  EXPECT_EQ(setting_of(c), Setting::kAtAnEnd);
+  c.query.patches[0].positions = {{-1, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(setting_of(c), Setting::kTouching);
   c = falling_edge();
   c.query.patches[1].velocities[0] = c.query.patches[0].velocities[0];
   EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "nothing moves against the rest";
   c = falling_edge();
   c.query.patches[0].positions[1] = c.query.patches[0].positions[0];
   EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "no extent";
-  c.query.patches[0].velocities[1] = {1, 0, 0};
-  EXPECT_EQ(setting_of(c), Setting::kOrdinary) << "it grows";
+  c.query.patches[0].velocities[1] = {1, -2, 0};
+  EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "no extent at the start";
   c = falling_edge();
   c.query.patches[0].positions[1][2] = 0x1p40;
   EXPECT_EQ(setting_of(c), Setting::kOrdinary);
@@ -49,6 +51,21 @@ TEST(Setting, TellsTrivialQueriesFromOrdinaryOnes) {
     c.query.patches[0].positions[1][2] = x;
     EXPECT_EQ(setting_of(c), Setting::kExtreme) << x;
   }
+}
+
+TEST(Setting, TellsTrianglesWithoutAreaAtTheStartOrAtTheContact) {
+  Case c = falling_edge();
+  MovingPatch<double>& triangle = c.query.patches[0];
+  const Points<double> fall(3, {0, -2, 0});
+  triangle = {Shape::triangle(1), {{-1, 1, -1}, {1, 1, -1}, {0, 1, 1}}, fall};
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary);
+  triangle.positions[2] = {0, 1, -1 + 0x1p-8};
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary) << "thin";
+  triangle.positions[2] = {0, 1, -1 + 0x1p-10};
+  EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "as good as a line";
+  triangle.positions[2] = {0, 1, 0};
+  triangle.velocities[2] = {0, -2, -2};
+  EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "a line at the contact";
 }
 
 TEST(Failure, IsWhatACaseExpectsInItsSetting) {
