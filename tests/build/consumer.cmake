@@ -21,6 +21,10 @@ run("configure" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK}/build
     -DCMAKE_CXX_FLAGS=${FLAGS})
 run("build" ${CMAKE_COMMAND} --build ${WORK}/build)
 run("run" ${WORK}/build/consumer)
+execute_process(COMMAND ${WORK}/build/page ${CASES}/tdibm-e-underflow.json RESULT_VARIABLE status OUTPUT_VARIABLE out)
+if(status OR NOT out MATCHES ": correct")
+  message(FATAL_ERROR "the program of docs/api.md (${status}) says:\n${out}")
+endif()
 
 # Answers do not depend on the flags of who asks.
 foreach(program answers answers_fast_math)

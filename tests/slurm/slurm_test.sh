@@ -9,7 +9,7 @@ PATH=$PATH:/usr/sbin:/sbin
 
 for program in munged mungekey slurmctld slurmd sbatch scontrol squeue; do
   command -v $program >/dev/null || {
-    echo "SKIPPED: $program is not installed; script/setup tests installs slurmctld, slurmd, slurm-client and munge"
+    echo "SKIPPED: $program is not installed; script/setup all installs slurmctld, slurmd, slurm-client and munge"
     exit 77
   }
 done

@@ -8,8 +8,8 @@ skip() {
   echo "SKIPPED: $1"
   exit 77
 }
-command -v node >/dev/null || skip 'there is no node (script/setup tests installs it)'
-command -v npm >/dev/null || skip 'there is no npm (script/setup tests installs it)'
+command -v node >/dev/null || skip 'there is no node (script/setup all installs it)'
+command -v npm >/dev/null || skip 'there is no npm (script/setup all installs it)'
 
 # Two tests may come here at once.
 exec 9>"$web/.npm-lock"
@@ -29,7 +29,7 @@ case $1 in
   page)
     shift
     command -v chromium >/dev/null || command -v chromium-browser >/dev/null ||
-      skip 'there is no chromium (script/setup tests installs it)'
+      skip 'there is no chromium (script/setup all installs it)'
     exec node "$web/test/page.mjs" "$1" "$web/../corpus" "$2" ${3+"$3"}
     ;;
 esac

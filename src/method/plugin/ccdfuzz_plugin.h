@@ -1,5 +1,5 @@
 /* The C interface of a ccdfuzz plug-in, version 1: a shared library that answers continuous
- * collision detection queries, for `--methods plugin:./libmine.so`.
+ * collision detection queries, for `--methods plugin:PATH`.
  *
  * A plug-in exports one function, ccdfuzz_plugin_get, and keeps what it needs between queries in
  * the state that its create() makes: no globals. It is loaded into a worker process of its own with
