@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <string>
@@ -8,38 +7,12 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "finds/setting.hpp"
 
 namespace ccdfuzz {
 
 /// True iff an expectation of this outcome is of a failure: missed, late, false_positive, error.
 bool is_failure(Outcome outcome);
-
-/// How convincing a query is that shows a failure: the last of these that applies. It is part of
-/// the failure, so that shrinking cannot slide from an ordinary query into a trivial one.
-enum class Setting : std::uint8_t {
-  kOrdinary,
-  kAtAnEnd,     ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
-  kTouching,    ///< linear patches that touch at t = 0 already
-  kDegenerate,  ///< a patch is as good as a point or, if it is a surface, as a line, at the start
-                ///< or at the contact (kThinnest); or nothing moves against the rest
-  kExtreme,     ///< a number that is not 0 lies outside 2^±40
-};
-inline constexpr std::array kAllSettings = {Setting::kOrdinary, Setting::kAtAnEnd,
-                                            Setting::kTouching, Setting::kDegenerate,
-                                            Setting::kExtreme};
-/// What is taken for the end of a step: a thousandth of it, which no code that steps by time tells
-/// from the next step.
-inline constexpr double kEndShare = 0x1p-10;
-/// A surface that is narrower than this share of its length counts as a line: meshes that people
-/// simulate are wider.
-inline constexpr double kThinnest = 0x1p-10;
-/// "ordinary", "at an end", "touching at 0", "degenerate", "extreme".
-std::string_view name_of(Setting setting);
-constexpr const auto& all_of(Setting) {
-  return kAllSettings;
-}
-
-Setting setting_of(const Case& value);
 
 /// How a method fails; what a store keeps one find for.
 struct Failure {

@@ -68,6 +68,21 @@ TEST(Setting, TellsTrianglesWithoutAreaAtTheStartOrAtTheContact) {
   EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "a line at the contact";
 }
 
+TEST(Setting, TellsPointsThatMoveInThePlaneOfTheTriangle) {
+  Case c = falling_edge();
+  c.query.patches[0] = {Shape::point(), {{0, -1, 0}}, {{0, 2, 0}}};
+  c.query.patches[1] = {
+      Shape::triangle(1), {{-1, 0, 0}, {1, 0, 0}, {0, 2, 0}}, Points<double>(3, {0, 0, 0})};
+  c.truth.witness->uv = {{{Rational(0), Rational(0)}, {Rational(0), Rational(1, 2)}}};
+  EXPECT_EQ(setting_of(c), Setting::kSliding);
+  c.query.patches[0].velocities[0][2] = 0x1p-8;
+  c.query.patches[0].positions[0][2] = -0x1p-9;
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary) << "slightly across";
+  c.query.patches[0].velocities[0][2] = c.query.patches[0].positions[0][2] = 0;
+  c.truth.witness.reset();
+  EXPECT_EQ(setting_of(c), Setting::kSliding) << "all in one plane, the time of contact unknown";
+}
+
 TEST(Failure, IsWhatACaseExpectsInItsSetting) {
   Case c = falling_edge();
   c.expect["tdibm-c"] = Outcome::kCorrect;

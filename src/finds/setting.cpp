@@ -1,0 +1,146 @@
+#include "finds/setting.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bezier/bernstein.hpp"
+#include "case/scale.hpp"
+#include "certify/checker/check_linear.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Below this no sum or product of a few coordinates and times under- or overflows.
+constexpr int kOrdinaryBits = 40;
+
+/// Control point i at time t, rounded.
+Vec3<double> position_at(const MovingPatch<double>& patch, size_t i, double t) {
+  return patch.positions[i] + t * rounded_velocity(patch, i);
+}
+
+/// Whether the control points of a patch at time t are as good as one point or, of a surface, as
+/// points of a line. Rounded: it says how convincing a query is and decides nothing.
+bool is_flat(const MovingPatch<double>& patch, double t) {
+  const auto at = [&](size_t i) { return position_at(patch, i, t); };
+  const Vec3<double> origin = at(0);
+  Vec3<double> longest{0, 0, 0};
+  for (size_t i = 1; i < patch.positions.size(); ++i) {
+    const Vec3<double> side = at(i) - origin;
+    if (side.squaredNorm() > longest.squaredNorm()) longest = side;
+  }
+  const double length2 = longest.squaredNorm();
+  const int parameters = patch.shape.parameter_count();
+  if (parameters < 2) return parameters == 1 && length2 == 0;
+  double area2 = 0;
+  for (size_t i = 1; i < patch.positions.size(); ++i) {
+    area2 = std::max(area2, longest.cross(Vec3<double>(at(i) - origin)).squaredNorm());
+  }
+  return std::sqrt(area2) <= kThinnest * length2;
+}
+
+bool is_at_rest(const Query& query) {
+  const Vec3<double> velocity = rounded_velocity(query.patches[0], 0);
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      if (rounded_velocity(patch, i) != velocity) return false;
+    }
+  }
+  return true;
+}
+
+bool is_degenerate(const Case& value) {
+  const std::optional<Rational> contact = value.truth.contact_by();
+  return is_at_rest(value.query) ||
+         std::ranges::any_of(value.query.patches, [&](const MovingPatch<double>& patch) {
+           return is_flat(patch, 0) || (contact && is_flat(patch, contact->get_d()));
+         });
+}
+
+bool touches_at_start(const Query& query) {
+  return query.separation == 0 && is_linear_query(query) &&
+         !check_linear_clearance(query, {Rational(0), true});
+}
+
+/// Directions of length 1 that are perpendicular to each other, as many as those added span.
+class Span {
+ public:
+  void add(const Vec3<double>& direction) {
+    const Vec3<double> rest = across(direction);
+    if (rest.norm() > kThinnest * direction.norm()) basis_.push_back(rest.normalized());
+  }
+  /// The part of x that is perpendicular to all of them.
+  Vec3<double> across(Vec3<double> x) const {
+    for (const Vec3<double>& unit : basis_) x -= x.dot(unit) * unit;
+    return x;
+  }
+  size_t dimension() const { return basis_.size(); }
+
+ private:
+  std::vector<Vec3<double>> basis_;
+};
+
+/// Whether the control points of a vertex and a face, or of two edges, stay in one plane, seen from
+/// the first.
+bool is_planar(const Query& query) {
+  const auto& [first, second] = query.patches;
+  if (first.shape.parameter_count() + second.shape.parameter_count() < 2) return false;
+  Span span;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      span.add(patch.positions[i] - first.positions[0]);
+      span.add(rounded_velocity(patch, i) - rounded_velocity(first, 0));
+    }
+  }
+  return span.dimension() < 3;
+}
+
+/// Whether the points of a witness hardly move across the two surfaces, but along them.
+bool slides_at(const Witness& witness, const Query& query) {
+  Vec3<double> velocity{0, 0, 0};
+  Span tangents;
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    const MovingPatch<double>& patch = query.patches[side];
+    const Uv<double> uv = {witness.uv[side][0].get_d(), witness.uv[side][1].get_d()};
+    const std::vector<double> weights = bernstein_weights<double>(patch.shape, uv);
+    for (size_t i = 0; i < weights.size(); ++i) {
+      velocity += (side == 0 ? 1 : -1) * weights[i] * rounded_velocity(patch, i);
+      const double t = witness.t.get_d();
+      tangents.add(position_at(patch, i, t) - position_at(patch, 0, t));
+    }
+  }
+  return tangents.across(velocity).norm() <= kThinnest * velocity.norm();
+}
+
+bool slides(const Case& value) {
+  const std::optional<Witness>& witness = value.truth.witness;
+  return is_linear_query(value.query) &&
+         (is_planar(value.query) || (witness && slides_at(*witness, value.query)));
+}
+
+bool is_at_an_end(const Case& value) {
+  const std::optional<Rational> contact = value.truth.contact_by();
+  if (!contact) return false;
+  const double t = contact->get_d(), end = kEndShare * value.query.t_max;
+  return t <= end || t >= value.query.t_max - end;
+}
+
+}  // namespace
+
+std::string_view name_of(Setting setting) {
+  constexpr std::array<std::string_view, 6> kNames = {"ordinary",      "at an end",  "sliding",
+                                                      "touching at 0", "degenerate", "extreme"};
+  return kNames[static_cast<size_t>(setting)];
+}
+
+Setting setting_of(const Case& value) {
+  if (!is_within_scale(value.query, kOrdinaryBits)) return Setting::kExtreme;
+  if (is_degenerate(value)) return Setting::kDegenerate;
+  if (touches_at_start(value.query)) return Setting::kTouching;
+  if (slides(value)) return Setting::kSliding;
+  return is_at_an_end(value) ? Setting::kAtAnEnd : Setting::kOrdinary;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "case/case.hpp"
+
+namespace ccdfuzz {
+
+/// How convincing a query is that shows a failure: the last of these that applies. It is part of
+/// the failure, so that shrinking cannot slide from an ordinary query into a trivial one.
+enum class Setting : std::uint8_t {
+  kOrdinary,
+  kAtAnEnd,     ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
+  kSliding,     ///< linear patches whose touching points move along the surfaces: but for
+                ///< kThinnest of their way they stay in the plane or line of both
+  kTouching,    ///< linear patches that touch at t = 0 already
+  kDegenerate,  ///< a patch is as good as a point or, if it is a surface, as a line, at the start
+                ///< or at the contact (kThinnest); or nothing moves against the rest
+  kExtreme,     ///< a number that is not 0 lies outside 2^±40
+};
+inline constexpr std::array kAllSettings = {Setting::kOrdinary,   Setting::kAtAnEnd,
+                                            Setting::kSliding,    Setting::kTouching,
+                                            Setting::kDegenerate, Setting::kExtreme};
+/// What is taken for the end of a step: a thousandth of it, which no code that steps by time tells
+/// from the next step.
+inline constexpr double kEndShare = 0x1p-10;
+/// A surface that is narrower than this share of its length counts as a line: meshes that people
+/// simulate are wider.
+inline constexpr double kThinnest = 0x1p-10;
+/// "ordinary", "at an end", "sliding", "touching at 0", "degenerate", "extreme".
+std::string_view name_of(Setting setting);
+constexpr const auto& all_of(Setting) {
+  return kAllSettings;
+}
+
+Setting setting_of(const Case& value);
+
+}  // namespace ccdfuzz
