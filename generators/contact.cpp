@@ -72,6 +72,7 @@ Vec3<Dyadic> Contact::point(int side) const {
 std::optional<Contact> contact_of(const Case& known) {
   const std::optional<Witness>& witness = known.truth.witness;
   if (!witness || witness->t > exact(known.query.t_max)) return std::nullopt;
+  if (is_of_bodies(known.query)) return std::nullopt;
   const std::optional<Dyadic> t = Dyadic::from(witness->t);
   if (!t) return std::nullopt;
   Contact q{known.query, *t, {}};

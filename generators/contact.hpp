@@ -29,7 +29,7 @@ struct Contact {
 };
 
 /// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one that
-/// is not dyadic, or whose points are apart.
+/// is not dyadic, or whose points are apart; or if it is one of bodies.
 std::optional<Contact> contact_of(const Case& known);
 
 /// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.

@@ -66,6 +66,8 @@ Rational value_at(const Polynomial& polynomial, const Uv<Rational>& at) {
 /// The corners of a shape's domain, in a cycle.
 std::vector<Uv<Rational>> domain_corners(const Shape& shape) {
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {{0, 0}};
     case ShapeKind::kCurve:

@@ -55,6 +55,8 @@ void reverse_parameters(MovingPatch<double>& patch, Uv<Rational>& uv, std::uint6
   };
   using Indices = std::array<int, 2>;
   switch (old.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return;
     case ShapeKind::kCurve:

@@ -119,6 +119,8 @@ void reparametrise_patch(Contact& q, int side, std::uint64_t way) {
   const Shape shape = patch.shape;
   std::vector<int> from;
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return;
     case ShapeKind::kCurve:

@@ -30,6 +30,8 @@ std::vector<size_t> ShapeEdge::controls(const Shape& shape) const {
 std::vector<ShapeEdge> edges_of(const Shape& shape) {
   const ShapeEdge along_u{{0, 0}, {1, 0}}, along_v{{0, 0}, {0, 1}};
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {};
     case ShapeKind::kCurve:
@@ -51,6 +53,8 @@ std::vector<ShapeEdge> edges_through(const Shape& shape, const Uv<Dyadic>& uv) {
 std::vector<Uv<Dyadic>> corners_of(const Shape& shape) {
   const Dyadic zero, one(1);
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {{zero, zero}};
     case ShapeKind::kCurve:
@@ -68,7 +72,7 @@ bool has_feature(const Shape& shape, Feature feature) {
     case Feature::kFace:
       return shape.parameter_count() == 2;
     case Feature::kEdge:
-      return shape.kind != ShapeKind::kPoint;
+      return shape.parameter_count() > 0;
     case Feature::kCorner:
       return true;
   }
@@ -80,6 +84,8 @@ Feature feature_at(const Shape& shape, const Uv<Dyadic>& uv) {
   const Dyadic zero, one(1);
   int bounds = 0;
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return Feature::kCorner;
     case ShapeKind::kCurve:

@@ -24,6 +24,8 @@ std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
   std::vector<S> weights;
   weights.reserve(static_cast<size_t>(shape.control_count()));
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       weights.push_back(S(1));
       break;

@@ -19,6 +19,8 @@ void blossom_in_place(const Shape& shape, std::span<Control> net, const OnLine& 
                       const OnTriangle& on_triangle) {
   const auto at = [&](int place) -> Control& { return net[static_cast<size_t>(place)]; };
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return;
     case ShapeKind::kTriangle:

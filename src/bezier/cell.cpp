@@ -11,6 +11,8 @@ Cell Cell::child(const Shape& shape, int c) const {
   const std::uint64_t c0 = static_cast<std::uint64_t>(c) & 1,
                       c1 = static_cast<std::uint64_t>(c) >> 1;
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {0, 0, depth + 1, false};
     case ShapeKind::kCurve:
@@ -32,6 +34,8 @@ Cell Cell::child(const Shape& shape, int c) const {
 std::array<Uv<double>, 3> Cell::corners(const Shape& shape) const {
   const auto at = [this](std::uint64_t a) { return std::ldexp(static_cast<double>(a), -depth); };
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {};
     case ShapeKind::kCurve:

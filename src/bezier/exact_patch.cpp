@@ -7,6 +7,8 @@ bool contains(const Cell& cell, const Shape& shape, const Uv<Rational>& uv) {
   const Rational x = uv[0] * unit - Rational(Integer(static_cast<unsigned long>(cell.i)));
   const Rational y = uv[1] * unit - Rational(Integer(static_cast<unsigned long>(cell.j)));
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return true;
     case ShapeKind::kCurve:

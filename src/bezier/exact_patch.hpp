@@ -21,6 +21,7 @@ MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
     return to;
   };
   MovingPatch<S> out{patch.shape, convert(patch.positions), convert(patch.velocities)};
+  out.radius = from_double<S>(patch.radius);
   if (patch.has_ends()) {
     out.velocities = convert(patch.ends);
     for (size_t i = 0; i < out.velocities.size(); ++i) out.velocities[i] -= out.positions[i];

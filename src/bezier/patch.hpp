@@ -19,24 +19,31 @@ using Points = std::vector<Vec3<S>>;
 /// positions[i] + t·velocities[i]; or, where `ends` are given, at
 /// positions[i] + t·(ends[i] − positions[i]), with a difference that need be no double.
 /// Each array has shape.control_count() entries, in Shape's order; of velocities and ends one has,
-/// and the other is empty.
+/// and the other is empty. A hull has one velocity for all of its points, and no ends; it is a
+/// body, all that is within `radius` of the hull of its points. Other patches have the radius 0.
 template <class S>
 struct MovingPatch {
   Shape shape;
   Points<S> positions;
   Points<S> velocities;
   Points<S> ends = {};  ///< positions at t = 1
+  S radius = S(0);
 
   bool has_ends() const { return !ends.empty(); }
   /// The ends or, without them, the velocities.
   Points<S>& moves() { return has_ends() ? ends : velocities; }
   const Points<S>& moves() const { return has_ends() ? ends : velocities; }
 
+  /// The velocity of control point i. Requires velocities.
+  const Vec3<S>& velocity(size_t i) const {
+    return velocities[shape.kind == ShapeKind::kHull ? 0 : i];
+  }
+
   /// The control points at time t. Requires velocities.
   Points<S> at(const S& t) const {
     Points<S> p(positions.size());
     for (size_t i = 0; i < p.size(); ++i) {
-      for (int k = 0; k < 3; ++k) p[i][k] = S(positions[i][k] + S(t * velocities[i][k]));
+      for (int k = 0; k < 3; ++k) p[i][k] = S(positions[i][k] + S(t * velocity(i)[k]));
     }
     return p;
   }

@@ -47,6 +47,8 @@ void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
         }
       }
       return;
+    case ShapeKind::kHull:
+      refuse_hull();
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/verify.hpp"
+
 namespace ccdfuzz {
 
 const char* name_of(ShapeKind kind) {
@@ -14,6 +16,8 @@ const char* name_of(ShapeKind kind) {
       return "triangle";
     case ShapeKind::kTensor:
       return "tensor";
+    case ShapeKind::kHull:
+      return "hull";
   }
   return "?";
 }
@@ -27,6 +31,10 @@ std::string to_text(const Shape& shape) {
     default:
       return fmt::format("{}({})", name_of(shape.kind), shape.n);
   }
+}
+
+void refuse_hull() {
+  throw InternalError("a hull has no parameters");
 }
 
 }  // namespace ccdfuzz

@@ -6,7 +6,7 @@
 
 namespace ccdfuzz {
 
-enum class ShapeKind : std::uint8_t { kPoint, kCurve, kTriangle, kTensor };
+enum class ShapeKind : std::uint8_t { kPoint, kCurve, kTriangle, kTensor, kHull };
 
 inline constexpr int kMaxDegree = 8;
 inline constexpr int kMaxControls = (kMaxDegree + 1) * (kMaxDegree + 1);
@@ -18,18 +18,21 @@ inline constexpr int kMaxControls = (kMaxDegree + 1) * (kMaxDegree + 1);
 /// curve     n        n+1               u in [0,1]
 /// triangle  n        (n+1)(n+2)/2      u, v ≥ 0, u+v ≤ 1; the third barycentric is w = 1−u−v
 /// tensor    n, m     (n+1)(m+1)        u, v in [0,1]
+/// hull      –        n                 –
 ///
 /// Control points are ordered i = 0..n (power of u), within it j = 0..n−i (triangle) or 0..m
-/// (tensor) (power of v). Degrees are 1..kMaxDegree.
+/// (tensor) (power of v). Degrees are 1..kMaxDegree. A hull is a body: the convex hull of
+/// 1..kMaxControls points in any order, which has no cells and no derivatives.
 struct Shape {
   ShapeKind kind = ShapeKind::kPoint;
-  int n = 0;
+  int n = 0;  ///< a hull: the number of its points
   int m = 0;  ///< tensor only, else 0
 
   static constexpr Shape point() { return {}; }
   static constexpr Shape curve(int n) { return {ShapeKind::kCurve, n, 0}; }
   static constexpr Shape triangle(int n) { return {ShapeKind::kTriangle, n, 0}; }
   static constexpr Shape tensor(int n, int m) { return {ShapeKind::kTensor, n, m}; }
+  static constexpr Shape hull(int n) { return {ShapeKind::kHull, n, 0}; }
 
   constexpr int control_count() const {
     switch (kind) {
@@ -41,6 +44,8 @@ struct Shape {
         return (n + 1) * (n + 2) / 2;
       case ShapeKind::kTensor:
         return (n + 1) * (m + 1);
+      case ShapeKind::kHull:
+        return n;
     }
     return 0;
   }
@@ -52,7 +57,8 @@ struct Shape {
   }
 
   constexpr int parameter_count() const {
-    return kind == ShapeKind::kPoint ? 0 : kind == ShapeKind::kCurve ? 1 : 2;
+    const bool has_none = kind == ShapeKind::kPoint || kind == ShapeKind::kHull;
+    return has_none ? 0 : kind == ShapeKind::kCurve ? 1 : 2;
   }
 
   /// How many congruent parts a midpoint split makes: 1, 2 or 4.
@@ -69,6 +75,8 @@ struct Shape {
         return in_range(n) && m == 0;
       case ShapeKind::kTensor:
         return in_range(n) && in_range(m);
+      case ShapeKind::kHull:
+        return 1 <= n && n <= kMaxControls && m == 0;
     }
     return false;
   }
@@ -79,6 +87,7 @@ struct Shape {
     const S zero(0), one(1);
     switch (kind) {
       case ShapeKind::kPoint:
+      case ShapeKind::kHull:
         return uv[0] == zero && uv[1] == zero;
       case ShapeKind::kCurve:
         return zero <= uv[0] && uv[0] <= one && uv[1] == zero;
@@ -94,13 +103,16 @@ struct Shape {
 };
 
 inline constexpr std::array kShapeKinds = {ShapeKind::kPoint, ShapeKind::kCurve,
-                                           ShapeKind::kTriangle, ShapeKind::kTensor};
+                                           ShapeKind::kTriangle, ShapeKind::kTensor,
+                                           ShapeKind::kHull};
 constexpr const auto& all_of(ShapeKind) {
   return kShapeKinds;
 }
-/// "point", "curve", "triangle", "tensor".
+/// "point", "curve", "triangle", "tensor", "hull".
 const char* name_of(ShapeKind kind);
 /// "triangle(2)", "tensor(3,2)", …
 std::string to_text(const Shape& shape);
+/// For what is done with patches alone. Errors: throws InternalError.
+[[noreturn]] void refuse_hull();
 
 }  // namespace ccdfuzz

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "case/certificate.hpp"
 #include "case/outcome.hpp"
@@ -14,18 +15,22 @@
 
 namespace ccdfuzz {
 
-/// An exact contact: patch 1 at uv[0] and patch 2 at uv[1] coincide at time t.
+/// An exact contact: patch 1 at uv[0] and patch 2 at uv[1] coincide at time t. A witness of bodies
+/// has weights of their hulls' points instead, and uv is 0: the points that they make are near
+/// enough.
 struct Witness {
   Rational t;
   std::array<Uv<Rational>, 2> uv;
+  std::array<std::vector<Rational>, 2> weights = {};
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
 /// How absence of contact may be known: by a moving plane, by a tree of separating axes, by a run
-/// of the rational method that `ccdfuzz verify` repeats, or by the checker's own decision, which is
-/// for linear patches.
-inline constexpr std::array<std::string_view, 4> kProofWords = {"P", "T", "rational-tdibm", "L"};
+/// of the rational method that `ccdfuzz verify` repeats, by the checker's own decision, which is
+/// for linear patches, or by a direction that keeps bodies apart.
+inline constexpr std::array<std::string_view, 5> kProofWords = {"P", "T", "rational-tdibm", "L",
+                                                                "K"};
 constexpr bool is_proof_word(std::string_view word) {
   return std::find(kProofWords.begin(), kProofWords.end(), word) != kProofWords.end();
 }
@@ -39,7 +44,8 @@ struct Truth {
   std::optional<std::string> proof;     ///< one of kProofWords; needed if not collides
   std::optional<ContactBox> contact_box;
   std::optional<ContactRoot> contact_root;
-  std::optional<Clearance> clearance;  ///< needed if proof is "P", "T" or "L", and of that kind
+  std::optional<Clearance>
+      clearance;  ///< needed if proof is "P", "T", "L" or "K", and of that kind
 
   /// The earliest time by which a contact is known to have come, whatever t_max is.
   std::optional<Rational> contact_by() const {
@@ -74,7 +80,7 @@ struct Origin {
 
 /// The proof word of a clearance.
 inline std::string_view proof_word(const Clearance& clearance) {
-  constexpr std::array<size_t, 3> kWords = {0, 1, 3};
+  constexpr std::array<size_t, 4> kWords = {0, 1, 3, 4};
   return kProofWords[kWords[clearance.index()]];
 }
 

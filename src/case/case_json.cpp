@@ -66,7 +66,7 @@ struct JsonForm<MovingPatch<double>> {
       std::array degrees{shape.n, shape.m};
       archive("degree", degrees, Each{degree});
       if constexpr (kReads<decltype(archive)>) shape = Shape::tensor(degrees[0], degrees[1]);
-    } else if (shape.kind != ShapeKind::kPoint) {
+    } else if (shape.parameter_count() > 0) {
       archive("degree", shape.n, degree);
     }
     const auto right_count = [&](const Points<double>& points) {
@@ -74,6 +74,10 @@ struct JsonForm<MovingPatch<double>> {
       return fmt::format("has {} control points; {} has {}", points.size(), to_text(shape),
                          shape.control_count());
     };
+    if (shape.kind == ShapeKind::kHull) {
+      of_hull(archive, patch);
+      return;
+    }
     archive("positions", patch.positions, right_count);
     if constexpr (kReads<decltype(archive)>) {
       const bool has_ends = archive.object().find("ends").has_value();
@@ -86,13 +90,33 @@ struct JsonForm<MovingPatch<double>> {
       patch.has_ends() ? archive("ends", patch.ends) : archive("velocities", patch.velocities);
     }
   }
+
+ private:
+  static void of_hull(auto& archive, auto& patch) {
+    archive("positions", patch.positions, [&](const Points<double>& points) {
+      const bool fits = 1 <= points.size() && points.size() <= size_t{kMaxControls};
+      return fits ? ""
+                  : fmt::format("has {} points; a hull has 1..{}", points.size(), kMaxControls);
+    });
+    if constexpr (kReads<decltype(archive)>) {
+      patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
+    }
+    archive("velocities", patch.velocities, [](const Points<double>& velocities) {
+      return velocities.size() == 1
+                 ? ""
+                 : fmt::format("has {} velocities; a hull has 1", velocities.size());
+    });
+    archive.optional("radius", patch.radius, 0, not_negative);
+  }
 };
 
 template <>
 struct JsonForm<Witness> {
   static void fields(auto& archive, auto& witness) {
     archive("t", witness.t);
-    archive("uv", witness.uv);
+    bool has_weights = !witness.weights[0].empty();
+    if constexpr (kReads<decltype(archive)>) has_weights = !!archive.object().find("weights");
+    has_weights ? archive("weights", witness.weights) : archive("uv", witness.uv);
   }
 };
 
@@ -142,12 +166,13 @@ struct JsonForm<Clearance> {
   static void fields(auto& archive, auto& clearance) {
     std::string kind(proof_word(clearance));
     archive("kind", kind, [](const std::string& word) {
-      const bool known = word == "P" || word == "T" || word == "L";
-      return std::string(known ? "" : "is not a certificate of absence (P, T, L)");
+      const bool known = word == "P" || word == "T" || word == "L" || word == "K";
+      return std::string(known ? "" : "is not a certificate of absence (P, T, L, K)");
     });
     if constexpr (kReads<decltype(archive)>) {
       if (kind == "T") clearance = MissTree{};
       if (kind == "L") clearance = LinearClearance{};
+      if (kind == "K") clearance.template emplace<BodyClearance>();
     }
     std::visit([&](auto& certificate) { of(archive, certificate); }, clearance);
   }
@@ -157,11 +182,10 @@ struct JsonForm<Clearance> {
     archive("until", certificate.until);
     if constexpr (requires { certificate.tree; }) {
       archive("tree", certificate.tree);
-    } else if constexpr (requires { certificate.closed; }) {
-      archive("closed", certificate.closed);
     } else {
-      archive("normal", certificate.normal);
-      archive("offset", certificate.offset);
+      if constexpr (requires { certificate.closed; }) archive("closed", certificate.closed);
+      if constexpr (requires { certificate.normal; }) archive("normal", certificate.normal);
+      if constexpr (requires { certificate.offset; }) archive("offset", certificate.offset);
     }
   }
 };
@@ -272,7 +296,11 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
 }
 
 void query_fields(auto& archive, auto& query) {
-  archive("patches", query.patches);
+  archive("patches", query.patches, [](const auto& patches) {
+    const bool is_one =
+        (patches[0].shape.kind == ShapeKind::kHull) != (patches[1].shape.kind == ShapeKind::kHull);
+    return std::string(is_one ? "has one hull; both are, or neither" : "");
+  });
   archive("t_max", query.t_max, not_negative, [&](double t_max) {
     return has_ends(query) && compare(t_max, 1) > 0 ? "is past 1, where the ends of a patch are"
                                                     : "";

@@ -88,8 +88,18 @@ struct LinearClearance {
   friend bool operator==(const LinearClearance&, const LinearClearance&) = default;
 };
 
+/// Certificate K: a direction along which two bodies are farther apart than their radii and the
+/// separation, at every t in [0, until), or in the closed [0, until].
+struct BodyClearance {
+  Rational until;
+  std::array<Rational, 3> normal;  ///< towards patch 2
+  bool closed = false;
+
+  friend bool operator==(const BodyClearance&, const BodyClearance&) = default;
+};
+
 /// Proof that nothing touches for a time.
-using Clearance = std::variant<MovingPlane, MissTree, LinearClearance>;
+using Clearance = std::variant<MovingPlane, MissTree, LinearClearance, BodyClearance>;
 
 inline const Rational& until_of(const Clearance& clearance) {
   return std::visit([](const auto& c) -> const Rational& { return c.until; }, clearance);
@@ -98,8 +108,9 @@ inline const Rational& until_of(const Clearance& clearance) {
 /// True iff the clearance, if it holds, proves absence of contact in the closed [0, t].
 inline bool covers(const Clearance& clearance, const Rational& t) {
   const Rational& until = until_of(clearance);
-  const auto* linear = std::get_if<LinearClearance>(&clearance);
-  const bool closed = linear ? linear->closed : std::holds_alternative<MissTree>(clearance);
+  bool closed = std::holds_alternative<MissTree>(clearance);
+  if (const auto* linear = std::get_if<LinearClearance>(&clearance)) closed = linear->closed;
+  if (const auto* bodies = std::get_if<BodyClearance>(&clearance)) closed = bodies->closed;
   return closed ? t <= until : t < until;
 }
 

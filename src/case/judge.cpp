@@ -83,7 +83,7 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
 bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
   if (compare(terms.kept_separation, 0) == 0 || !known.witness() || before == 0) return false;
   const Query& query = known.query();
-  if (compare(query.separation, 0) > 0) return false;
+  if (compare(query.separation, 0) > 0 || is_of_bodies(query)) return false;
   const Witness& witness = *known.witness();
   const Rational squared = exact(terms.kept_separation) * exact(terms.kept_separation);
   if (!terms.contact_at_zero && squared_distance(query, witness.uv, 0) < squared) return false;
@@ -114,7 +114,7 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
     return Outcome::kCorrect;
   }
   if (compare(terms.space_tolerance, 0) > 0) {
-    if (!answer.has_uv) return Outcome::kUnknown;
+    if (!answer.has_uv || is_of_bodies(query)) return Outcome::kUnknown;
     if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
   }
   return Outcome::kFalsePositive;

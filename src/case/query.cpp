@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #include "base/double_parts.hpp"
 #include "numeric/dyadic.hpp"
@@ -44,6 +45,30 @@ bool is_not_negative(double x) {
   return is_finite(x) && compare(x, 0) >= 0;
 }
 
+bool is_zero(double x) {
+  return is_finite(x) && compare(x, 0) == 0;
+}
+
+/// Requires the shape of a hull.
+bool is_hull(const MovingPatch<double>& patch) {
+  if (std::cmp_not_equal(patch.positions.size(), patch.shape.n) || patch.velocities.size() != 1 ||
+      patch.has_ends() || !is_not_negative(patch.radius)) {
+    return false;
+  }
+  FiniteScan scan;
+  scan.add(patch.velocities[0]);
+  for (const Vec3<double>& p : patch.positions) scan.add(p);
+  return scan.all_finite();
+}
+
+/// Two bodies, or none.
+bool are_alike(const Query& query) {
+  const auto is_hull = [](const MovingPatch<double>& p) {
+    return p.shape.kind == ShapeKind::kHull;
+  };
+  return is_hull(query.patches[0]) == is_hull(query.patches[1]);
+}
+
 Result<void> validate_shape(const Shape& shape, const std::string& where) {
   if (shape.valid()) return {};
   switch (shape.kind) {
@@ -57,19 +82,27 @@ Result<void> validate_shape(const Shape& shape, const std::string& where) {
                                             to_text(shape), shape.m));
     case ShapeKind::kTensor:
       break;
+    case ShapeKind::kHull:
+      return input_error(where, fmt::format("{}, {}: a hull has 1..{} points, and no second number",
+                                            shape.n, shape.m, kMaxControls));
     default:
-      return input_error(where, fmt::format("kind {} is none of 0 (point) to 3 (tensor)",
+      return input_error(where, fmt::format("kind {} is none of 0 (point) to 4 (hull)",
                                             static_cast<int>(shape.kind)));
   }
   return input_error(where,
                      fmt::format("{} has a degree outside 1..{}", to_text(shape), kMaxDegree));
 }
 
-Result<void> validate_points(const Points<double>& points, const Shape& shape,
+/// How many velocities or ends there are.
+size_t move_count(const Shape& shape) {
+  return shape.kind == ShapeKind::kHull ? 1 : static_cast<size_t>(shape.control_count());
+}
+
+Result<void> validate_points(const Points<double>& points, const Shape& shape, size_t count,
                              const std::string& where) {
-  if (static_cast<int>(points.size()) != shape.control_count()) {
+  if (points.size() != count) {
     return input_error(where, fmt::format("{} needs {} control points, not {}", to_text(shape),
-                                          shape.control_count(), points.size()));
+                                          count, points.size()));
   }
   for (size_t i = 0; i < points.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
@@ -87,6 +120,7 @@ Result<void> validate_points(const Points<double>& points, const Shape& shape,
 bool is_valid(const Query& query) {
   const auto is_patch = [](const MovingPatch<double>& patch) {
     if (!patch.shape.valid()) return false;
+    if (patch.shape.kind == ShapeKind::kHull) return is_hull(patch);
     const auto count = static_cast<size_t>(patch.shape.control_count());
     const Points<double>& moves = patch.moves();
     if (patch.positions.size() != count || moves.size() != count) return false;
@@ -96,10 +130,11 @@ bool is_valid(const Query& query) {
       scan.add(patch.positions[i]);
       scan.add(moves[i]);
     }
-    return scan.all_finite();
+    return scan.all_finite() && is_zero(patch.radius);
   };
-  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_not_negative(query.t_max) &&
-         is_not_negative(query.separation) && !(has_ends(query) && compare(query.t_max, 1) > 0);
+  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && are_alike(query) &&
+         is_not_negative(query.t_max) && is_not_negative(query.separation) &&
+         !(has_ends(query) && compare(query.t_max, 1) > 0);
 }
 
 bool has_ends(const Query& query) {
@@ -136,14 +171,26 @@ Result<void> validate(const Query& query, const std::string& where) {
     const MovingPatch<double>& patch = query.patches[p];
     const std::string path = fmt::format("{}patches[{}]", where, p);
     if (auto r = validate_shape(patch.shape, path); !r) return r;
-    if (auto r = validate_points(patch.positions, patch.shape, path + ".positions"); !r) return r;
+    const auto count = static_cast<size_t>(patch.shape.control_count());
+    if (auto r = validate_points(patch.positions, patch.shape, count, path + ".positions"); !r) {
+      return r;
+    }
     if (patch.has_ends() && !patch.velocities.empty()) {
       return input_error(path, "has velocities and ends, and may have one of them");
     }
-    auto moves = patch.has_ends()
-                     ? validate_points(patch.ends, patch.shape, path + ".ends")
-                     : validate_points(patch.velocities, patch.shape, path + ".velocities");
+    const char* const field = patch.has_ends() ? ".ends" : ".velocities";
+    auto moves = validate_points(patch.moves(), patch.shape, move_count(patch.shape), path + field);
     if (!moves) return moves;
+    const bool is_hull = patch.shape.kind == ShapeKind::kHull;
+    if (is_hull && patch.has_ends()) return input_error(path + ".ends", "a hull has a velocity");
+    if (is_hull ? !is_not_negative(patch.radius) : !is_zero(patch.radius)) {
+      return input_error(path + ".radius",
+                         fmt::format("{} is not {}", patch.radius,
+                                     is_hull ? "a finite number ≥ 0" : "0, as of all but hulls"));
+    }
+  }
+  if (!are_alike(query)) {
+    return input_error(where + "patches", "one is a hull, and the other is not");
   }
   const auto refuse = [&](const char* field, double x) {
     return input_error(where + field, fmt::format("{} is not a finite number ≥ 0", x));

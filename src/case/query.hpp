@@ -11,7 +11,7 @@ namespace ccdfuzz {
 /// A CCD query: are two moving patches in contact at some t in the closed [0, t_max], and when
 /// first? (Eq. 1). They are where a point of one is no farther than `separation` from a point of
 /// the other; with 0, where they touch. All numbers finite, t_max ≥ 0, and ≤ 1 where a patch has
-/// ends; separation ≥ 0.
+/// ends; separation ≥ 0, radius ≥ 0. Both patches are hulls, or neither is.
 struct Query {
   std::array<MovingPatch<double>, 2> patches;
   double t_max = 1;
@@ -20,8 +20,8 @@ struct Query {
   friend bool operator==(const Query&, const Query&) = default;
 };
 
-/// Calls visit on each coordinate of a patch: of the positions, point by point, then of the
-/// velocities or ends.
+/// Calls visit on each number of a patch: the coordinates of the positions, point by point, then of
+/// the velocities or ends; of a hull the radius.
 template <class Patch, class Visit>
 void for_each_coordinate(Patch& patch, const Visit& visit) {
   for (auto* points : {&patch.positions, &patch.velocities, &patch.ends}) {
@@ -29,6 +29,13 @@ void for_each_coordinate(Patch& patch, const Visit& visit) {
       for (int k = 0; k < 3; ++k) visit(p[k]);
     }
   }
+  if (patch.shape.kind == ShapeKind::kHull) visit(patch.radius);
+}
+
+/// True iff both patches are hulls, as of a valid query one is only if both are.
+inline bool is_of_bodies(const Query& query) {
+  return query.patches[0].shape.kind == ShapeKind::kHull &&
+         query.patches[1].shape.kind == ShapeKind::kHull;
 }
 
 bool has_ends(const Query& query);
@@ -38,7 +45,7 @@ std::optional<Query> with_velocities(const Query& query);
 
 /// Control point i's end − position, or its velocity, rounded: for what is only weighed or shown.
 inline Vec3<double> rounded_velocity(const MovingPatch<double>& patch, size_t i) {
-  return patch.has_ends() ? Vec3<double>(patch.ends[i] - patch.positions[i]) : patch.velocities[i];
+  return patch.has_ends() ? Vec3<double>(patch.ends[i] - patch.positions[i]) : patch.velocity(i);
 }
 
 /// Gives a patch with velocities the ends positions + velocities, each rounded, in their place.

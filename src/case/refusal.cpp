@@ -14,8 +14,12 @@ bool is_precision(double x) {
 
 }  // namespace
 
-bool is_taken(const Query& query, double precision, double max_seconds) {
+bool is_question(const Query& query, double precision, double max_seconds) {
   return is_precision(precision) && !is_nan(max_seconds) && is_valid(query);
+}
+
+bool is_taken(const Query& query, double precision, double max_seconds) {
+  return !is_of_bodies(query) && is_question(query, precision, max_seconds);
 }
 
 Answer refusal(const Query& query, double precision, double max_seconds) {
@@ -25,8 +29,10 @@ Answer refusal(const Query& query, double precision, double max_seconds) {
     answer.note = valid.error().message();
   } else if (!is_precision(precision)) {
     answer.note = fmt::format("precision: {} is not in (0, 1]", precision);
-  } else {
+  } else if (is_nan(max_seconds)) {
     answer.note = fmt::format("max_seconds: {} is not a number", max_seconds);
+  } else {
+    answer.note = kNoBodies;
   }
   return answer;
 }

@@ -21,8 +21,10 @@ namespace {{
 
 ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint32_t degree_v,
                          std::uint64_t count, const double (*positions)[3],
-                         const double (*velocities)[3], const double (*ends)[3] = nullptr) {{
-  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count, positions, velocities, ends}};
+                         const double (*velocities)[3], const double (*ends)[3] = nullptr,
+                         double radius = 0) {{
+  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count,
+          positions,             velocities, ends, radius}};
 }}
 
 /// Asks the plug-in that this is linked with, with the patches in the order that it takes.
@@ -87,6 +89,8 @@ const char* abi_name(ShapeKind kind) {
       return "CCDFUZZ_TRIANGLE";
     case ShapeKind::kTensor:
       return "CCDFUZZ_TENSOR";
+    case ShapeKind::kHull:
+      return "CCDFUZZ_HULL";
   }
   return "?";
 }
@@ -125,7 +129,7 @@ bool is_proven_clear(const Case& value) {
 /// What is proven, for people.
 std::string truth_text(const Case& value) {
   const Truth& truth = value.truth;
-  if (truth.witness && truth.collides == true) {
+  if (truth.witness && truth.collides == true && !is_of_bodies(value.query)) {
     const auto& uv = truth.witness->uv;
     return fmt::format("they touch at t = {}, (u, v) = ({}, {}) and ({}, {}), exactly",
                        to_text(truth.witness->t), to_text(uv[0][0]), to_text(uv[0][1]),
@@ -165,11 +169,13 @@ std::string test_snippet(const NamedCase& named, size_t number, TestFramework fr
     out += points_text("positions_" + letter, patch.positions);
     const std::string moves = (patch.has_ends() ? "ends_" : "velocities_") + letter;
     out += points_text(moves, patch.moves());
+    const bool is_hull = patch.shape.kind == ShapeKind::kHull;
     patches += fmt::format(
         "  const ccdfuzz_patch {0} =\n"
-        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5}{6});\n",
-        letter, abi_name(patch.shape.kind), patch.shape.n, patch.shape.m, patch.positions.size(),
-        patch.has_ends() ? "nullptr, " : "", moves);
+        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5}{6}{7});\n",
+        letter, abi_name(patch.shape.kind), is_hull ? 0 : patch.shape.n, patch.shape.m,
+        patch.positions.size(), patch.has_ends() ? "nullptr, " : "", moves,
+        is_hull ? ", nullptr, " + to_hex(patch.radius) : "");
   }
   out += patches;
   out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));

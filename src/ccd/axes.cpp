@@ -46,6 +46,8 @@ Spans spans_of(const Shape& shape, bool over_both_sides, const At& at) {
   const auto from_to = [&at](int from, int to) { return Vec3<double>(at(to) - at(from)); };
   const int u_end = shape.kind == ShapeKind::kCurve ? shape.n : shape.index(shape.n, 0);
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {};
     case ShapeKind::kCurve:

@@ -25,6 +25,8 @@ struct Growth {
 
 Growth growth_of(const Shape& shape) {
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return {1, 0};
     case ShapeKind::kCurve:

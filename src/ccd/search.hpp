@@ -24,6 +24,9 @@ namespace ccdfuzz {
 inline bool is_taken(const Query& query, const SearchOptions& options) {
   return is_taken(query, options.precision, options.max_seconds);
 }
+inline bool is_question(const Query& query, const SearchOptions& options) {
+  return is_question(query, options.precision, options.max_seconds);
+}
 inline Answer refusal(const Query& query, const SearchOptions& options) {
   return refusal(query, options.precision, options.max_seconds);
 }

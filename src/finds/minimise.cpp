@@ -73,6 +73,7 @@ class Minimiser {
   bool keeps_witness() const { return is_false_negative(failure_); }
 
   bool start() {
+    if (is_of_bodies(found_.query)) return false;
     if (keeps_witness()) {
       const auto witnessed = contact_of(found_);
       if (!witnessed) return false;

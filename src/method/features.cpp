@@ -1,11 +1,14 @@
 #include "method/features.hpp"
 
+#include "case/refusal.hpp"
+
 namespace ccdfuzz {
 
 TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&query) {
   const bool is_apart = query.separation > 0 && !features.separation;
   const bool is_of_ends = has_ends(query) && !features.ends;
-  if ((!is_apart && !is_of_ends) || !is_valid(query)) return;
+  const bool has_bodies = is_of_bodies(query) && !features.bodies;
+  if ((!is_apart && !is_of_ends && !has_bodies) || !is_valid(query)) return;
   if (is_of_ends) {
     converted_ = with_velocities(query);
     query_ = converted_ ? &*converted_ : nullptr;
@@ -14,6 +17,10 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   if (is_apart) {
     query_ = nullptr;
     why_ = "knows touching alone, and this query has a separation";
+  }
+  if (has_bodies) {
+    query_ = nullptr;
+    why_ = kNoBodies;
   }
 }
 

@@ -12,7 +12,11 @@ struct Features {
   bool ends = false;
   /// A separation above 0.
   bool separation = false;
+  /// Bodies (ShapeKind::kHull).
+  bool bodies = false;
 };
+
+inline constexpr Features kAllFeatures = {.ends = true, .separation = true, .bodies = true};
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends. Where
 /// the query is taken as it is, or is not valid, it is not copied.

@@ -24,6 +24,8 @@ Vec3<Dyadic> by_definition(const Shape& shape, const Points<Dyadic>& points, con
     return Dyadic(Integer(binomial(n, i)), 0) * power(x, i) * power(Dyadic(1) - x, n - i);
   };
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return points[0];
     case ShapeKind::kCurve:

@@ -37,10 +37,14 @@ inline std::string any_text() {
 
 inline Query any_query() {
   Query query;
+  const bool of_bodies = *rc::gen::inRange(0, 4) == 0;
   for (MovingPatch<double>& patch : query.patches) {
-    patch.shape = *any_shape(kMaxDegree);
+    patch.shape =
+        of_bodies ? Shape::hull(*rc::gen::inRange(1, kMaxControls + 1)) : *any_shape(kMaxDegree);
+    if (of_bodies) patch.radius = std::abs(any_finite_double());
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      points->resize(static_cast<size_t>(patch.shape.control_count()));
+      const bool is_one = of_bodies && points == &patch.velocities;
+      points->resize(is_one ? 1 : static_cast<size_t>(patch.shape.control_count()));
       for (Vec3<double>& p : *points) {
         for (int k = 0; k < 3; ++k) p[k] = any_finite_double();
       }
@@ -57,7 +61,14 @@ inline Case any_case() {
   c.query = any_query();
   if (maybe()) {
     c.truth.witness = Witness{any_rational(), {}};
-    for (Uv<Rational>& uv : c.truth.witness->uv) uv = {any_rational(), any_rational()};
+    for (size_t s = 0; s < 2; ++s) {
+      const auto count = static_cast<size_t>(c.query.patches[s].shape.control_count());
+      if (is_of_bodies(c.query)) {
+        c.truth.witness->weights[s].assign(count, any_rational());
+      } else {
+        c.truth.witness->uv[s] = {any_rational(), any_rational()};
+      }
+    }
   }
   if (maybe()) c.truth.clear_until = any_rational();
   if (maybe()) {
@@ -80,6 +91,9 @@ inline Case any_case() {
   if (maybe()) {
     if (maybe()) {
       c.truth.clearance = LinearClearance{any_rational(), maybe()};
+    } else if (maybe()) {
+      c.truth.clearance =
+          BodyClearance{any_rational(), {any_rational(), any_rational(), any_rational()}, maybe()};
     } else if (maybe()) {
       c.truth.clearance = MovingPlane{
           any_rational(), {any_rational(), any_rational(), any_rational()}, any_rational()};

@@ -67,6 +67,29 @@ TEST(PluginClaims, EndsAreAskedOfWhomTakesThem) {
   EXPECT_EQ(outcome_of(kMiss + ":claims=14", known), "unknown");
 }
 
+TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
+  Case known;
+  known.query.patches[0] = {Shape::hull(2), {{0, 0, 0}, {0, 2, 0}}, {{1, 0, 0}}};
+  known.query.patches[1] = {Shape::hull(1), {{3, 1, 0}}, {{0, 0, 0}}};
+  known.query.patches[1].radius = 1;
+  known.query.t_max = 4;
+  known.truth.collides = true;
+  known.truth.witness = Witness{2, {}, {{{Rational(1, 2), Rational(1, 2)}, {1}}}};
+  known.truth.clear_until = 2;
+  known.truth.clearance = BodyClearance{2, {1, 0, 0}, false};
+  EXPECT_EQ(outcome_of(kMiss, known), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=70", known), "missed");
+  EXPECT_EQ(outcome_of(":verdict=1:toi=2.5:claims=70", known), "late");
+  known.query.t_max = 1;
+  known.truth.collides = false;
+  known.truth.proof = "K";
+  EXPECT_EQ(outcome_of(kMiss + ":claims=70", known), "correct");
+  EXPECT_EQ(outcome_of(":verdict=1:toi=1:claims=70", known), "false_positive");
+  for (const MethodInfo& info : registered_methods()) {
+    EXPECT_EQ(check_taken(info.spec, known.query).has_value(), info.features.bodies) << info.spec;
+  }
+}
+
 TEST(PluginClaims, AnOpenEndBindsNot) {
   EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");

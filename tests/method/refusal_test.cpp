@@ -120,10 +120,20 @@ std::vector<Spoilt> spoilt_structures() {
        relabel({ShapeKind::kTriangle, 1, 1})},
       {"patches[0]: a point with the degrees 3 and 0, which must be 0",
        relabel({ShapeKind::kPoint, 3, 0})},
-      {"patches[0]: kind 4 is none of 0 (point) to 3 (tensor)",
-       relabel({static_cast<ShapeKind>(4), 1, 0})},
-      {"patches[0]: kind 255 is none of 0 (point) to 3 (tensor)",
+      {"patches[0]: kind 5 is none of 0 (point) to 4 (hull)",
+       relabel({static_cast<ShapeKind>(5), 1, 0})},
+      {"patches[0]: kind 255 is none of 0 (point) to 4 (hull)",
        relabel({static_cast<ShapeKind>(255), 2147483647, -2147483647})},
+      {"patches[0]: 82, 0: a hull has 1..81 points, and no second number",
+       relabel(Shape::hull(82))},
+      {"patches[0].velocities: hull(3) needs 1 control points, not 3", relabel(Shape::hull(3))},
+      {"patches: one is a hull, and the other is not",
+       [](Query& q, SearchOptions&) {
+         q.patches[0].shape = Shape::hull(3);
+         q.patches[0].velocities.resize(1);
+       }},
+      {"patches[1].radius: 1 is not 0, as of all but hulls",
+       [](Query& q, SearchOptions&) { q.patches[1].radius = 1; }},
   };
 }
 

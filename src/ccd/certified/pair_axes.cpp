@@ -25,6 +25,8 @@ template <class PointAt>
 void CornerFrame::build(const Shape& shape, const PointAt& at) {
   const Axis origin = at(0);
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       middle = origin;
       return;

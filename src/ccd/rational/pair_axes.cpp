@@ -38,6 +38,8 @@ std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points
     return normalised({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
   };
   switch (shape.kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       break;
     case ShapeKind::kCurve:  // the chord, and the middle control point from its start

@@ -63,6 +63,8 @@ bool WitnessPath::in(int side, const Cell& cell) const {
   const auto& [u, v, sum] = at_[static_cast<size_t>(side)];
   const int d = cell.depth;
   switch (shapes_[static_cast<size_t>(side)].kind) {
+    case ShapeKind::kHull:
+      refuse_hull();
     case ShapeKind::kPoint:
       return true;
     case ShapeKind::kCurve:

@@ -352,7 +352,7 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
 bool is_linear_query(const Query& query) {
   int parameters = 0;
   for (const MovingPatch<double>& patch : query.patches) {
-    if (patch.shape.kind == ShapeKind::kTensor || patch.shape.n > 1) return false;
+    if (patch.shape.kind >= ShapeKind::kTensor || patch.shape.n > 1) return false;
     parameters += patch.shape.parameter_count();
   }
   return parameters <= 2;

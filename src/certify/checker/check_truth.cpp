@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
@@ -14,6 +15,9 @@ namespace ccdfuzz {
 Result<void> check_truth(const Case& value) {
   const Truth& truth = value.truth;
   if (auto valid = validate(value.query, ""); !valid) return valid;
+  if (is_of_bodies(value.query) && (truth.contact_box || truth.contact_root)) {
+    return input_error("truth.certificate", "proves nothing of bodies");
+  }
   if (truth.collides == true && !truth.contact_by()) {
     return input_error("truth.witness", "missing, though collides is true");
   }
@@ -60,6 +64,12 @@ Result<void> check_truth(const Case& value) {
 
 Result<void> check_clearance(const Query& query, const Clearance& clearance,
                              std::string_view tree) {
+  const auto* bodies = std::get_if<BodyClearance>(&clearance);
+  if (is_of_bodies(query) != (bodies != nullptr)) {
+    return input_error("truth.certificate.clear",
+                       bodies == nullptr ? "proves nothing of bodies" : "is about bodies alone");
+  }
+  if (bodies != nullptr) return check_body_clearance(query, *bodies);
   if (const auto* plane = std::get_if<MovingPlane>(&clearance)) return check_plane(query, *plane);
   if (const auto* linear = std::get_if<LinearClearance>(&clearance)) {
     return check_linear_clearance(query, *linear);

@@ -20,8 +20,9 @@ namespace ccdfuzz {
 /// Errors: what is refuted, naming JSON path and value.
 Result<void> check_truth(const Case& value);
 
-/// Checks a certificate of absence of contact: check_plane, check_linear_clearance, or check_tree
-/// of these bytes.
+/// Checks a certificate of absence of contact: check_plane, check_linear_clearance,
+/// check_body_clearance, or check_tree of these bytes. Errors also: it is about bodies and the
+/// query is not, or the other way round.
 Result<void> check_clearance(const Query& query, const Clearance& clearance, std::string_view tree);
 
 }  // namespace ccdfuzz

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_bodies.hpp"
 #include "certify/checker/polar.hpp"
 #include "certify/checker/shown.hpp"
 
@@ -33,6 +34,10 @@ Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv
 }  // namespace
 
 Result<void> check_contact(const Query& query, const Witness& witness, std::uint64_t most_work) {
+  if (is_of_bodies(query)) return check_body_contact(query, witness, most_work);
+  if (!witness.weights[0].empty() || !witness.weights[1].empty()) {
+    return refuse("weights", "are of bodies alone");
+  }
   if (witness.t < 0) return refuse("t", fmt::format("{} is negative", shown(witness.t)));
   return within_work("truth.witness", most_work, [&](Work& work) -> Result<void> {
     std::array<Vec3<Rational>, 2> at;

@@ -60,7 +60,7 @@ Integer common_denominator(const Patches& patches) {
 }  // namespace
 
 bool is_linear(const Shape& a, const Shape& b) {
-  const auto flat = [](const Shape& s) { return s.kind != ShapeKind::kTensor && s.n <= 1; };
+  const auto flat = [](const Shape& s) { return s.kind < ShapeKind::kTensor && s.n <= 1; };
   return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
 }
 

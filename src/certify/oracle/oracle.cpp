@@ -184,6 +184,7 @@ Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
+  if (is_of_bodies(query)) return undecided({"patches", kNoBodies}, 0);
   const Decision found = linear::is_linear(query) && query.separation == 0
                              ? decide_linear(query, options)
                              : Deciding(query, options).run();

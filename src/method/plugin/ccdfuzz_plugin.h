@@ -27,7 +27,10 @@ enum {
   CCDFUZZ_POINT = 0,    /* 1 control point, no parameters */
   CCDFUZZ_CURVE = 1,    /* degree_u + 1 control points, u in [0,1] */
   CCDFUZZ_TRIANGLE = 2, /* (n+1)(n+2)/2 control points for n = degree_u; u, v >= 0, u + v <= 1 */
-  CCDFUZZ_TENSOR = 3    /* (degree_u+1)(degree_v+1) control points, u, v in [0,1] */
+  CCDFUZZ_TENSOR = 3,   /* (degree_u+1)(degree_v+1) control points, u, v in [0,1] */
+  CCDFUZZ_HULL = 4      /* a body: all points within `radius` of the convex hull of 1 to 81 control
+                         * points; no parameters. A query has two bodies or none, and none for a
+                         * plug-in that does not claim CCDFUZZ_TAKES_BODIES */
 };
 
 /* A moving Bezier patch: at time t control point i stands at positions[i] + t * velocities[i], or
@@ -39,15 +42,16 @@ enum {
 typedef struct ccdfuzz_patch {
   uint32_t size;
   uint32_t shape;
-  uint32_t degree_u; /* 0 for a point, else 1 to 8 */
+  uint32_t degree_u; /* 0 for a point or a hull, else 1 to 8 */
   uint32_t degree_v; /* tensor only, else 0 */
   uint64_t count;    /* of control points */
   const double (*positions)[3];
-  const double (*velocities)[3];
+  const double (*velocities)[3]; /* a hull has one velocity for all of its points */
   /* Positions at t = 1, exactly; velocities is NULL then, and t_max <= 1. NULL otherwise, and
    * always for a plug-in that does not claim CCDFUZZ_TAKES_ENDS: ends are asked of it as velocities
    * where these are doubles, and not at all where they are not. */
   const double (*ends)[3];
+  double radius; /* >= 0; of a hull, else 0 */
 } ccdfuzz_patch;
 
 /* Do the two patches touch at some t of the closed [0, t_max], and when first? */
@@ -88,11 +92,12 @@ typedef struct ccdfuzz_answer {
 
 /* ccdfuzz_description.claims */
 enum {
-  CCDFUZZ_CONSERVATIVE = 1,     /* never misses a contact, and toi_lower is never after it */
-  CCDFUZZ_CLOSED_T_MAX = 2,     /* sees a contact at t = t_max, too */
-  CCDFUZZ_CONTACT_AT_ZERO = 4,  /* sees a contact at t = 0, too */
-  CCDFUZZ_TAKES_ENDS = 8,       /* answers patches with `ends` */
-  CCDFUZZ_TAKES_SEPARATION = 16 /* answers queries with a `separation` above 0 */
+  CCDFUZZ_CONSERVATIVE = 1,      /* never misses a contact, and toi_lower is never after it */
+  CCDFUZZ_CLOSED_T_MAX = 2,      /* sees a contact at t = t_max, too */
+  CCDFUZZ_CONTACT_AT_ZERO = 4,   /* sees a contact at t = 0, too */
+  CCDFUZZ_TAKES_ENDS = 8,        /* answers patches with `ends` */
+  CCDFUZZ_TAKES_SEPARATION = 16, /* answers queries with a `separation` above 0 */
+  CCDFUZZ_TAKES_BODIES = 64      /* answers queries of two bodies (CCDFUZZ_HULL) */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:
@@ -117,8 +122,8 @@ enum {
   CCDFUZZ_NAN_REFUSED = 4
 };
 
-/* A pair of shapes that it answers, up to these degrees. The host swaps the patches of a query, and
- * uv back, where that makes them fit. */
+/* A pair of shapes that it answers, up to these degrees; hulls up to so many points. The host swaps
+ * the patches of a query, and uv back, where that makes them fit. */
 typedef struct ccdfuzz_pair {
   uint32_t shapes[2];
   uint32_t max_degrees[2];

@@ -32,7 +32,8 @@ struct Patch {
   /// Coordinate k of control point i at time t.
   double at(std::size_t i, int k, double t) const {
     const double p = raw.positions[i][k];
-    return raw.ends != nullptr ? p + t * (raw.ends[i][k] - p) : p + t * raw.velocities[i][k];
+    if (raw.ends != nullptr) return p + t * (raw.ends[i][k] - p);
+    return p + t * raw.velocities[raw.shape == CCDFUZZ_HULL ? 0 : i][k];
   }
 };
 

@@ -31,12 +31,15 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   out += fmt::format("{{\"shape\":\"{}\"", name_of(shape.kind));
   if (shape.kind == ShapeKind::kTensor) {
     out += fmt::format(",\"degree\":[{},{}]", shape.n, shape.m);
-  } else if (shape.kind != ShapeKind::kPoint) {
+  } else if (shape.parameter_count() > 0) {
     out += fmt::format(",\"degree\":{}", shape.n);
   }
   append_points(out, "positions", patch.positions);
   patch.has_ends() ? append_points(out, "ends", patch.ends)
                    : append_points(out, "velocities", patch.velocities);
+  if (shape.kind == ShapeKind::kHull) {
+    out += fmt::format(",\"radius\":{}", json_number(patch.radius));
+  }
   out += '}';
 }
 
@@ -85,6 +88,7 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
       .and_then([&] { return read_flag(object, "takes_ends", out.features.ends); })
       .and_then([&] { return read_flag(object, "takes_separation", out.features.separation); })
+      .and_then([&] { return read_flag(object, "takes_bodies", out.features.bodies); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
@@ -114,19 +118,17 @@ tl::expected<PluginDescription::Pair, Fault> read_pair(const JsonValue& value) {
   }
   for (size_t side = 0; side < 2; ++side) {
     const std::string shape = text_of(value.items[side], "shape");
-    constexpr std::array kKinds = {ShapeKind::kPoint, ShapeKind::kCurve, ShapeKind::kTriangle,
-                                   ShapeKind::kTensor};
-    const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                   [&](ShapeKind k) { return name_of(k) == shape; });
-    if (kind == kKinds.end()) {
+    const auto kind = enum_named<ShapeKind>(shape);
+    if (!kind) {
       return garbage_answer(fmt::format("accepts a shape \"{}\" that there is not", shape));
     }
     pair.shapes[side] = *kind;
-    std::uint64_t degree = kMaxDegree;
+    const std::uint64_t most = *kind == ShapeKind::kHull ? kMaxControls : kMaxDegree;
+    std::uint64_t degree = most;
     if (auto read = read_count(value.items[side], "max_degree", degree); !read) {
       return tl::unexpected(read.error());
     }
-    pair.max_degrees[side] = static_cast<int>(std::min<std::uint64_t>(degree, kMaxDegree));
+    pair.max_degrees[side] = static_cast<int>(std::min(degree, most));
   }
   return pair;
 }

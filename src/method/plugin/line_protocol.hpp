@@ -30,7 +30,7 @@ inline constexpr double kMostRelativeTolerance = 1;
 
 /// What a plug-in says of itself.
 struct PluginDescription {
-  /// Shapes that may be asked together, up to these degrees.
+  /// Shapes that may be asked together, up to these degrees; hulls up to so many points.
   struct Pair {
     std::array<ShapeKind, 2> shapes;
     std::array<int, 2> max_degrees;

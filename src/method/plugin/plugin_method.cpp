@@ -65,7 +65,7 @@ class PluginMethod : public Method {
 
   Answered answer(const Query& query, const SearchOptions& options) override {
     broken_claim_.reset();
-    if (!is_taken(query, options)) return {refusal(query, options)};
+    if (!is_question(query, options)) return {refusal(query, options)};
     if (hangs_ >= kMostHangs && !plugin_->is_ours) {
       Answered none;
       none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
@@ -96,8 +96,7 @@ class PluginMethod : public Method {
                               to_text(query.patches[1].shape));
       return none;
     }
-    const TakenQuery taken(query, plugin_->is_ours ? Features{.ends = true, .separation = true}
-                                                   : plugin_->description->features);
+    const TakenQuery taken(query, plugin_->is_ours ? kAllFeatures : plugin_->description->features);
     if (taken.query() == nullptr) {
       Answered none;
       none.verdict = Verdict::kRefused;

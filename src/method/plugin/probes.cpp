@@ -29,13 +29,17 @@ Query decoy_query(const Query& query) {
   Query other = query;
   for (size_t side = 0; side < 2; ++side) {
     MovingPatch<double>& patch = other.patches[side];
+    if (is_of_bodies(query)) {  // bodies stay such that engines can make them
+      patch.velocities[0] = -patch.velocities[0];
+      continue;
+    }
     for (size_t i = 0; i < patch.positions.size(); ++i) {
       patch.positions[i] = {8.0 * static_cast<double>(side), static_cast<double>(i % 2),
                             static_cast<double>(i % 3)};
     }
     patch.moves() = patch.has_ends()
                         ? patch.positions
-                        : Points<double>(patch.positions.size(), Vec3<double>(0, 0, 0));
+                        : Points<double>(patch.velocities.size(), Vec3<double>(0, 0, 0));
   }
   other.t_max = 1;
   return other;
@@ -55,10 +59,11 @@ PoisonedQuery poisoned_query(const Query& query) {
   const bool in_moves = take(2) == 1;
   MovingPatch<double>& patch = out.query.patches[side];
   Points<double>& moves = patch.moves();
-  const size_t point = take(patch.positions.size());
+  Points<double>& poisoned = in_moves ? moves : patch.positions;
+  const size_t point = take(poisoned.size());
   const size_t k = take(3);
   const double poison = kPoisons[take(kPoisons.size())];
-  (in_moves ? moves : patch.positions)[point][static_cast<int>(k)] = poison;
+  poisoned[point][static_cast<int>(k)] = poison;
   const char* const name = !in_moves ? "positions" : patch.has_ends() ? "ends" : "velocities";
   out.where = fmt::format("patches[{}].{}[{}][{}] = {}", side, name, point, k, poison);
   return out;

@@ -99,6 +99,8 @@ const char* shape_name(std::uint32_t shape) {
       return "triangle";
     case CCDFUZZ_TENSOR:
       return "tensor";
+    case CCDFUZZ_HULL:
+      return "hull";
     default:
       fault("sizes", "describes a shape " + std::to_string(shape) + " that there is not");
   }
@@ -107,6 +109,7 @@ const char* shape_name(std::uint32_t shape) {
 std::uint32_t shape_named(const std::string& name) {
   if (name == "point") return CCDFUZZ_POINT;
   if (name == "curve") return CCDFUZZ_CURVE;
+  if (name == "hull") return CCDFUZZ_HULL;
   return name == "triangle" ? CCDFUZZ_TRIANGLE : CCDFUZZ_TENSOR;
 }
 
@@ -184,6 +187,7 @@ class Plugin {
             {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
             {"takes_ends", (d.claims & CCDFUZZ_TAKES_ENDS) != 0},
             {"takes_separation", (d.claims & CCDFUZZ_TAKES_SEPARATION) != 0},
+            {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
             {"minimum_separation", real(d.minimum_separation)},
@@ -276,6 +280,7 @@ class Plugin {
     positions = coordinates(patch.at("positions"));
     moves = coordinates(patch.at(has_ends ? "ends" : "velocities"));
     out.count = positions.size();
+    out.radius = patch.value("radius", 0.0);
     out.positions = reinterpret_cast<const double(*)[3]>(positions.data());
     (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
   }

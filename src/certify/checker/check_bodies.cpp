@@ -1,0 +1,122 @@
+#include "certify/checker/check_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "certify/checker/shown.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr const char* kWitness = "truth.witness";
+constexpr const char* kBodyClear = "truth.certificate.clear";
+
+Rational reach_of(const Query& query) {
+  return exact(query.separation) + exact(query.patches[0].radius) + exact(query.patches[1].radius);
+}
+
+/// Charges for `operations` with numbers of so many words besides those of a few doubles.
+void charge_for(std::uint64_t operations, std::uint64_t words, Work& work) {
+  constexpr std::uint64_t kDoubles = 72;  // words of four doubles as fractions
+  work.charge(operations * fraction_work(words + kDoubles));
+}
+
+/// The point of a hull at time t that the weights make.
+Result<Vec3<Rational>> point_of(const MovingPatch<double>& hull, const Rational& t,
+                                const std::vector<Rational>& weights, Work& work) {
+  const auto refuse = [](std::string what) {
+    return input_error(fmt::format("{}.weights", kWitness), std::move(what));
+  };
+  if (weights.size() != hull.positions.size()) {
+    return refuse(fmt::format("{} of them for {}", weights.size(), to_text(hull.shape)));
+  }
+  Rational sum = 0;
+  Vec3<Rational> point = {0, 0, 0};
+  for (size_t i = 0; i < weights.size(); ++i) {
+    constexpr std::uint64_t kOperations = 8;
+    std::uint64_t words = words_of(weights[i]) + words_of(sum);
+    for (int k = 0; k < 3; ++k) words += words_of(point[k]);
+    charge_for(kOperations, words, work);
+    if (weights[i] < 0) return refuse(fmt::format("{} is negative", shown(weights[i])));
+    sum += weights[i];
+    for (int k = 0; k < 3; ++k) point[k] += weights[i] * exact(hull.positions[i][k]);
+  }
+  if (sum != 1) return refuse(fmt::format("their sum is {}, not 1", shown(sum)));
+  for (int k = 0; k < 3; ++k) point[k] += t * exact(hull.velocities[0][k]);
+  return point;
+}
+
+Result<void> check_contact_within(const Query& query, const Witness& witness, Work& work) {
+  if (witness.t < 0) {
+    return input_error(fmt::format("{}.t", kWitness),
+                       fmt::format("{} is negative", shown(witness.t)));
+  }
+  charge_for(3, words_of(witness.t), work);
+  const auto first = point_of(query.patches[0], witness.t, witness.weights[0], work);
+  if (!first) return tl::unexpected(first.error());
+  const auto second = point_of(query.patches[1], witness.t, witness.weights[1], work);
+  if (!second) return tl::unexpected(second.error());
+  Rational squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Rational way = (*second)[k] - (*first)[k];
+    charge_for(2, 2 * words_of(way), work);
+    squared += way * way;
+  }
+  const Rational reach = reach_of(query);
+  if (squared <= reach * reach) return {};
+  return input_error(fmt::format("{}.weights", kWitness),
+                     fmt::format("the points are farther apart than {}: {} squared", shown(reach),
+                                 shown(squared)));
+}
+
+Rational height(const std::array<Rational, 3>& normal, const Vec3<double>& p) {
+  Rational sum = 0;
+  for (int k = 0; k < 3; ++k) sum += normal[static_cast<size_t>(k)] * exact(p[k]);
+  return sum;
+}
+
+Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& clearance,
+                                       Work& work) {
+  const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
+  const auto& [until, normal, closed] = clearance;
+  if (until < 0) return refuse(fmt::format("until: {} is negative", shown(until)));
+  const auto& [a, b] = query.patches;
+  constexpr std::uint64_t kOperations = 8;
+  charge_for(kOperations * (a.positions.size() + b.positions.size() + 4),
+             words_of(normal[0]) + words_of(normal[1]) + words_of(normal[2]) + words_of(until),
+             work);
+  Rational highest = height(normal, a.positions[0]), lowest = height(normal, b.positions[0]);
+  for (const Vec3<double>& p : a.positions) highest = std::max(highest, height(normal, p));
+  for (const Vec3<double>& p : b.positions) lowest = std::min(lowest, height(normal, p));
+  const Rational rate = height(normal, b.velocities[0]) - height(normal, a.velocities[0]);
+  const Rational reach = reach_of(query);
+  const Rational kept =
+      reach * reach * (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+  for (const bool at_end : {false, true}) {
+    const Rational gap = lowest - highest + (at_end ? Rational(until * rate) : Rational(0));
+    const Rational squared = gap * gap;
+    const bool holds = at_end && !closed ? gap >= 0 && squared >= kept : gap > 0 && squared > kept;
+    if (holds) continue;
+    return refuse(fmt::format("the normal does not keep the bodies apart at t = {}",
+                              at_end ? shown(until) : "0"));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> check_body_contact(const Query& query, const Witness& witness,
+                                std::uint64_t most_work) {
+  return within_work(kWitness, most_work,
+                     [&](Work& work) { return check_contact_within(query, witness, work); });
+}
+
+Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
+                                  std::uint64_t most_work) {
+  return within_work(kBodyClear, most_work,
+                     [&](Work& work) { return check_clearance_of_bodies(query, clearance, work); });
+}
+
+}  // namespace ccdfuzz
