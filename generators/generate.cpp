@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/verify.hpp"
+#include "generators/bodies.hpp"
 #include "generators/elsewhere.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
@@ -46,6 +47,7 @@ int eps_t_exponent(const GeneratorOptions& options) {
 
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   if (family == Family::kRegular) return true;
+  if (family == Family::kBodies) return is_made_of_bodies(kind);
   if (std::ranges::find(kQuadraticFamilies, family) != kQuadraticFamilies.end()) {
     return kind == CaseKind::kRP;
   }
@@ -57,6 +59,9 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--eps-t", fmt::format("2^{} is not in [2^-40, 2^-1]", e));
   }
   if (options.proof_pops == 0) return input_error("proof_pops", "0 is not at least 1");
+  if (options.family == Family::kBodies && options.shapes) {
+    return input_error("--shape", "is of patches, and the family bodies has none");
+  }
   if (is_shaped(options)) return validate_shaped(options);
   if (!is_made(options.family, options.contact, options.kind)) {
     return input_error("--kind", fmt::format("{} is not generated in the family {}",
@@ -158,9 +163,10 @@ tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const
 Generated generate(const GeneratorOptions& options, Draw& draw) {
   CCDFUZZ_VERIFY(validate(options));
   const Dyadic eps_t(1, eps_t_exponent(options));
-  const auto attempt = options.family == Family::kAnywhere ? case_anywhere
-                       : is_shaped(options)                ? shaped_case
-                                                           : quadratic_case;
+  const auto attempt = options.family == Family::kBodies     ? bodies_case
+                       : options.family == Family::kAnywhere ? case_anywhere
+                       : is_shaped(options)                  ? shaped_case
+                                                             : quadratic_case;
   Generated out;
   const auto made = draw.until(
       [&] {

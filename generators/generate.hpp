@@ -30,7 +30,8 @@ std::string_view name_of(Construction construction);
 /// construction asked for, and is made to bring out one weakness or is a contact of another kind.
 /// The first five make positives of quadratic triangles and claim nothing of the time before the
 /// contact, unless shapes are asked for. The others, of random shapes unless they are asked for,
-/// prove by a moving plane that nothing touches before t*, but where it says that they do not.
+/// prove by a moving plane that nothing touches before t*, but where it says that they do not. The
+/// last is of bodies (bodies.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -52,14 +53,21 @@ enum class Family : std::uint8_t {
   kFarAway,
   kConcurrentLines,
   kAnywhere,
+  kBodies,
 };
+/// Those of patches.
 inline constexpr auto kFamilies = [] {
   std::array<Family, static_cast<size_t>(Family::kAnywhere) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
+inline constexpr auto kAllFamilies = [] {
+  std::array<Family, kFamilies.size() + 1> all{};
+  for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
+  return all;
+}();
 constexpr const auto& all_of(Family) {
-  return kFamilies;
+  return kAllFamilies;
 }
 std::string_view name_of(Family family);
 /// In a few words, without a full stop.

@@ -13,7 +13,7 @@ constexpr std::array kOfBoundaries = {kEE, kVE, kVV};
 constexpr std::array kOfAFace = {kFF, kEF, kVF};
 constexpr std::array kButFF = {kEF, kEE, kVF, kVE, kVV};
 
-constexpr std::array<FamilyRow, kFamilies.size()> kRows = {{
+constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kRegular, "regular", "the contact that --contact names, and nothing else", kAll, kAll,
      families::regular},
     // They touch at t* ≤ t_max and at no other time. Against absolute pull-apart.
@@ -70,11 +70,13 @@ constexpr std::array<FamilyRow, kFamilies.size()> kRows = {{
     {Family::kAnywhere, "anywhere",
      "contacts of these families and others in any scale and place; some witness only", kAll,
      kNone},
+    {Family::kBodies, "bodies", "convex bodies, as engines cast them; all numbers are floats", kAll,
+     kAll},
 }};
 
 constexpr bool are_in_order() {
   for (size_t i = 0; i < kRows.size(); ++i) {
-    if (kRows[i].family != kFamilies[i]) return false;
+    if (kRows[i].family != kAllFamilies[i]) return false;
   }
   return true;
 }

@@ -26,8 +26,8 @@ struct FamilyRow {
   std::span<const ContactClass> positives;
   /// Those that a moving plane separates before t*, where RN cases end.
   std::span<const ContactClass> negatives;
-  /// A scene of any shapes that have the features of the class and fit. Null for twins and
-  /// anywhere, which generate() makes.
+  /// A scene of any shapes that have the features of the class and fit. Null for twins,
+  /// anywhere and bodies, which generate() makes.
   Make* make = nullptr;
   Fits* fits = nullptr;  ///< null: all shapes do
 };

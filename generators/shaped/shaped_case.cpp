@@ -96,6 +96,7 @@ bool end_before_contact(Case& value, const Dyadic& until) {
 
 bool is_shaped(const GeneratorOptions& options) {
   const bool quadratic = options.family == Family::kRegular || is_quadratic_family(options.family);
+  if (options.family == Family::kBodies) return false;
   return !quadratic || options.shapes.value_or(kTwoQuadratics) != kTwoQuadratics;
 }
 

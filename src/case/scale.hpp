@@ -21,4 +21,16 @@ inline bool is_within_scale(const Query& query, int bits) {
   return all_fit;
 }
 
+/// True iff each number of the query is a finite float (binary32), as engines have them.
+inline bool is_binary32(const Query& query) {
+  const auto is_float = [](double x) {
+    return std::abs(x) <= 0x1.fffffep127 && static_cast<double>(static_cast<float>(x)) == x;
+  };
+  bool all_are = is_float(query.t_max) && is_float(query.separation);
+  for (const MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, [&](double x) { all_are = all_are && is_float(x); });
+  }
+  return all_are;
+}
+
 }  // namespace ccdfuzz

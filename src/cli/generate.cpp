@@ -285,7 +285,7 @@ void add_generate(CommandLine& line) {
       "tensor:NxM. By default triangle:2 in the first six families, random ones in the others",
       &parse_shapes);
   std::string families = "What the cases are made to stress";
-  for (const Family f : kFamilies) {
+  for (const Family f : kAllFamilies) {
     families += fmt::format("\n{}: {}", name_of(f), description_of(f));
   }
   const Option family = command.choice("--family FAMILY", options->family, families);

@@ -209,7 +209,7 @@ const std::vector<Family>& families() {
            "ours: says nothing that an independent checker has not proven; slower",
            true,
            {},
-           {.ends = true, .separation = true}}),
+           kAllFeatures}),
   };
   return all;
 }

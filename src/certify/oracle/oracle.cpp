@@ -14,6 +14,7 @@
 #include "certify/checker/run_work.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/decide_bodies.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
@@ -184,8 +185,8 @@ Decision decide(const Query& query, const OracleOptions& options) {
   const FpGuard guard;
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
-  if (is_of_bodies(query)) return undecided({"patches", kNoBodies}, 0);
-  const Decision found = linear::is_linear(query) && query.separation == 0
+  const Decision found = is_of_bodies(query) ? decide_bodies(query, options)
+                         : linear::is_linear(query) && query.separation == 0
                              ? decide_linear(query, options)
                              : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept, or that takes it too long.
@@ -199,7 +200,7 @@ Decision decide(const Query& query, const OracleOptions& options) {
 }
 
 Answer Oracle::answer(const Query& query, const SearchOptions& options) {
-  if (!is_taken(query, options)) return refusal(query, options);
+  if (!is_question(query, options)) return refusal(query, options);
   const auto start = std::chrono::steady_clock::now();
   OracleOptions limits;
   limits.max_pops = options.max_pops;

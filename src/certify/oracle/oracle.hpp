@@ -40,14 +40,14 @@ struct Decision {
 
 /// Decides a query and proves the decision: tdibm-c finds what is to be proven, tdibm-rational
 /// where that stays undecided; a contact is proven by W or M, absence by P or T. Linear queries are
-/// decided exactly (decide_linear), by W or R and L. Both are always
-/// sought: the earliest contact, and the latest time before it that is clear. A query that is not
-/// valid stays undecided, with what is wrong with it as the note. Keeps two solvers for each thread
-/// that asked, each at most kKeptBytes.
+/// decided exactly (decide_linear), by W or R and L; bodies by W and K (decide_bodies). Both are
+/// always sought: the earliest contact, and the latest time before it that is clear. A query that
+/// is not valid stays undecided, with what is wrong with it as the note. Keeps two solvers for each
+/// thread that asked, each at most kKeptBytes.
 Decision decide(const Query& query, const OracleOptions& options = {});
 
 /// decide as a method. toi is the certified clear time: no contact comes before it. What is no
-/// valid query (is_taken) is refused.
+/// question (is_question) is refused.
 class Oracle {
  public:
   Answer answer(const Query& query, const SearchOptions& options);

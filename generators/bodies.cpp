@@ -1,0 +1,277 @@
+#include "generators/bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/verify.hpp"
+#include "case/scale.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "generators/prescribe.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Whole numbers: points and directions before they are scaled.
+using Whole = std::array<std::int64_t, 3>;
+
+Whole operator+(const Whole& a, const Whole& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Whole operator*(std::int64_t k, const Whole& a) {
+  return {k * a[0], k * a[1], k * a[2]};
+}
+Whole cross_of(const Whole& a, const Whole& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+std::int64_t dot_of(const Whole& a, const Whole& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Whole any_whole(Draw& draw, std::int64_t most) {
+  Whole out{};
+  for (std::int64_t& x : out) x = draw.integer(-most, most);
+  return out;
+}
+
+/// Three directions of the frame's coordinates. `length`: that of each, where they are at right
+/// angles and of one length; else 0.
+struct WholeFrame {
+  std::array<Whole, 3> axes;
+  std::int64_t length = 0;
+
+  Whole operator()(const Whole& p) const {
+    return p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2];
+  }
+  /// At right angles to the first two, towards the third.
+  Whole normal() const {
+    const Whole n = length != 0 ? axes[2] : cross_of(axes[0], axes[1]);
+    return dot_of(n, axes[2]) < 0 ? -1 * n : n;
+  }
+};
+
+/// Whole orthogonal matrices times the length of their rows.
+constexpr std::array<WholeFrame, 5> kRightAngles = {
+    WholeFrame{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1},
+    WholeFrame{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}, 5},
+    WholeFrame{{{{2, -1, 2}, {2, 2, -1}, {-1, 2, 2}}}, 3},
+    WholeFrame{{{{2, 3, 6}, {3, -6, 2}, {6, 2, -3}}}, 7},
+    WholeFrame{{{{1, 4, 8}, {8, -4, 1}, {4, 7, -4}}}, 9}};
+
+void shuffle_axes(WholeFrame& frame, Draw& draw) {
+  std::rotate(frame.axes.begin(), frame.axes.begin() + static_cast<long>(draw.below(3)),
+              frame.axes.end());
+  if (draw.coin()) std::swap(frame.axes[0], frame.axes[1]);
+  for (Whole& axis : frame.axes) axis = draw.coin() ? -1 * axis : axis;
+}
+
+WholeFrame draw_frame(bool is_round, Draw& draw) {
+  if (!is_round && draw.below(4) == 3) {
+    return draw.until(
+        [&] {
+          WholeFrame frame;
+          for (Whole& axis : frame.axes) axis = any_whole(draw, 4);
+          return frame;
+        },
+        [](const WholeFrame& f) { return dot_of(cross_of(f.axes[0], f.axes[1]), f.axes[2]) != 0; });
+  }
+  WholeFrame frame = draw.coin() ? kRightAngles[0] : draw.pick(kRightAngles);
+  shuffle_axes(frame, draw);
+  return frame;
+}
+
+/// A body at z ≤ 0, whose part at z = 0 is the feature; and the weights that make its point
+/// (0,0,0).
+struct FramedBody {
+  std::vector<Whole> points;
+  std::vector<Rational> weights;
+};
+
+/// In order of their points: 1 to 4.
+enum class BodyKind : std::uint8_t { kPoint, kSegment, kTriangle, kTetrahedron, kHull, kBox };
+constexpr std::array kBodyKinds = {BodyKind::kPoint,       BodyKind::kSegment, BodyKind::kTriangle,
+                                   BodyKind::kTetrahedron, BodyKind::kHull,    BodyKind::kBox};
+
+/// The part in the plane: 1, 2 or 3 points around (0,0,0), and their weights.
+void add_feature(Feature feature, FramedBody& body, Draw& draw) {
+  const auto flat = [&] {
+    Whole p = any_whole(draw, 8);
+    p[2] = 0;
+    return p;
+  };
+  if (feature == Feature::kCorner) {
+    body = {{Whole{}}, {1}};
+    return;
+  }
+  const std::int64_t i = draw.integer(1, 3);
+  if (feature == Feature::kEdge) {
+    const Whole a = draw.until(flat, [](const Whole& p) { return p != Whole{}; });
+    body = {{a, -i * a}, {Rational(i, i + 1), Rational(1, i + 1)}};
+    return;
+  }
+  const std::int64_t j = draw.integer(1, 3);
+  const auto [a, b] = draw.until(
+      [&] {
+        const Whole first = flat();
+        return std::pair(first, flat());
+      },
+      [](const auto& p) { return cross_of(p.first, p.second)[2] != 0; });
+  const Rational all(i + j + 1);
+  body = {{a, b, -i * a + -j * b}, {Rational(i) / all, Rational(j) / all, 1 / all}};
+}
+
+/// With the axes of a box that its feature asks for: in the plane for it, out of it below.
+FramedBody draw_box(Feature feature, Draw& draw) {
+  std::array<Whole, 3> axes{};
+  if (feature == Feature::kFace) {
+    axes = kRightAngles[draw.below(2)].axes;
+  } else if (feature == Feature::kEdge) {
+    axes = {{{5, 0, 0}, {0, 4, 3}, {0, -3, 4}}};
+  } else {
+    axes = kRightAngles[2 + draw.below(3)].axes;
+  }
+  FramedBody body{{Whole{}}, {1}};
+  for (const Whole& axis : axes) {
+    const Whole along = axis[2] > 0 ? -1 * axis : axis;
+    const long before = axis[2] == 0 ? static_cast<long>(draw.integer(1, 4)) : 0;
+    const long after = static_cast<long>(draw.integer(1, 4));
+    const size_t count = body.points.size();
+    for (size_t i = 0; i < count; ++i) {
+      const Whole p = body.points[i];
+      const Rational weight = body.weights[i];
+      body.points[i] = p + -before * along;
+      body.weights[i] = weight * after / (before + after);
+      body.points.push_back(p + after * along);
+      body.weights.push_back(weight * before / (before + after));
+    }
+  }
+  return body;
+}
+
+FramedBody draw_body(Feature feature, Draw& draw) {
+  const auto least = static_cast<std::uint8_t>(feature == Feature::kCorner ? BodyKind::kPoint
+                                               : feature == Feature::kEdge ? BodyKind::kSegment
+                                                                           : BodyKind::kTriangle);
+  const BodyKind kind = kBodyKinds[least + draw.below(kBodyKinds.size() - least)];
+  if (kind == BodyKind::kBox) return draw_box(feature, draw);
+  FramedBody body;
+  add_feature(feature, body, draw);
+  const size_t count = kind == BodyKind::kHull ? static_cast<size_t>(draw.integer(5, 15))
+                                               : static_cast<size_t>(kind) + 1;
+  while (body.points.size() < count) {
+    Whole p = any_whole(draw, 8);
+    p[2] = -draw.integer(1, 8);
+    body.points.push_back(p);
+    body.weights.emplace_back(0);
+  }
+  return body;
+}
+
+/// No point twice, and of four points or more not all in a plane.
+bool is_proper(const FramedBody& body) {
+  const std::vector<Whole>& p = body.points;
+  if (std::set<Whole>(p.begin(), p.end()).size() < p.size()) return false;
+  if (p.size() < 3) return true;
+  const auto from_first = [&](size_t i) { return p[i] + -1 * p[0]; };
+  bool is_flat = true;
+  Whole normal{};
+  for (size_t i = 2; i < p.size() && normal == Whole{}; ++i) {
+    normal = cross_of(from_first(1), from_first(i));
+  }
+  for (size_t i = 0; i < p.size(); ++i) is_flat = is_flat && dot_of(normal, from_first(i)) == 0;
+  return normal != Whole{} && is_flat == (p.size() == 3);
+}
+
+/// The numbers of a scene, in units of the frame, of which kParts make a whole one.
+constexpr std::int64_t kParts = 8;
+
+}  // namespace
+
+bool is_made_of_bodies(CaseKind kind) {
+  return kind != CaseKind::kNHP;
+}
+
+tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                        Draw& draw) {
+  const std::array<Feature, 2> features = features_of(options.contact);
+  std::array<FramedBody, 2> bodies;
+  for (size_t s = 0; s < 2; ++s) {
+    bodies[s] = draw.until([&] { return draw_body(features[s], draw); }, is_proper);
+  }
+  const bool are_points = bodies[0].points.size() + bodies[1].points.size() == 2;
+  const bool is_round = are_points || draw.coin();
+  const WholeFrame frame = draw_frame(is_round, draw);
+  // In parts: both radii together are `lift` times the length of the frame's axes.
+  const std::int64_t lift = is_round ? draw.integer(1, 4) * kParts / 2 : 0;
+  const std::int64_t radii = lift * frame.length;
+  std::array<std::int64_t, 2> radius{};
+  if (is_round) radius[0] = draw.pick(std::array<std::int64_t, 4>{0, radii, radii / 2, radii / 4});
+  radius[1] = radii - radius[0];
+
+  const bool is_miss = options.kind == CaseKind::kNMN;
+  const std::int64_t gap = is_miss ? draw.integer(1, kParts) : 0;
+  const std::int64_t eighths = draw.integer(1, 8);
+  Whole approach = any_whole(draw, 16);
+  approach[2] = is_miss ? 0 : -draw.integer(1, 16);
+  const Whole common = draw.coin() ? Whole{} : any_whole(draw, 8);
+  const std::uint64_t mover = draw.below(2);
+  const bool is_far = draw.below(8) == 7;
+  Whole place = any_whole(draw, 16);
+  const int unit = static_cast<int>(draw.integer(-7, 0));
+  if (is_far) place = (std::int64_t{1} << (draw.integer(10, 16) - unit - 5)) * place;
+
+  Case out;
+  Query& query = out.query;
+  Witness witness;
+  for (size_t s = 0; s < 2; ++s) {
+    const Whole velocity = frame(s != mover ? common
+                                 : s == 1   ? common + approach
+                                            : common + -1 * approach);
+    MovingPatch<double>& hull = query.patches[s];
+    const auto real = [&](const Whole& p, int exponent) {
+      Vec3<double> x;
+      for (int k = 0; k < 3; ++k) {
+        x[k] = std::ldexp(static_cast<double>(p[static_cast<size_t>(k)]), exponent);
+      }
+      return x;
+    };
+    for (Whole p : bodies[s].points) {
+      if (s == 1) p[2] = -p[2];
+      p = kParts * p;
+      if (s == 1) p[2] += lift + gap;
+      const Whole start = frame(p) + -eighths * velocity + kParts * place;
+      hull.positions.push_back(real(start, unit - 3));
+    }
+    hull.velocities.push_back(real(velocity, unit));
+    hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
+    hull.radius = std::ldexp(static_cast<double>(radius[s]), unit - 3);
+    witness.weights[s] = bodies[s].weights;
+  }
+  const Dyadic t(Integer(static_cast<long>(eighths)), -3);
+  witness.t = t.rational();
+  query.t_max = *t.to_double_exactly() * static_cast<double>(draw.integer(2, 4)) / 2;
+  if (options.kind == CaseKind::kRP && exact(query.t_max) == witness.t) query.t_max *= 2;
+  if (options.kind == CaseKind::kRN) query.t_max = *(t - eps_t).to_double_exactly();
+  if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
+
+  Whole normal = frame.normal();
+  if (draw.coin()) {
+    std::swap(query.patches[0], query.patches[1]);
+    std::swap(witness.weights[0], witness.weights[1]);
+    normal = -1 * normal;
+  }
+  const bool touches = options.kind == CaseKind::kRP;
+  Truth& truth = out.truth;
+  truth.collides = touches;
+  BodyClearance clear{touches ? witness.t : exact(query.t_max), {}, !touches};
+  for (size_t k = 0; k < 3; ++k) clear.normal[k] = static_cast<long>(normal[k]);
+  truth.clear_until = clear.until;
+  truth.clearance = clear;
+  if (touches) truth.witness = witness;
+  if (!touches) truth.proof = proof_word(*truth.clearance);
+  CCDFUZZ_VERIFY(check_truth(out));
+  CCDFUZZ_VERIFY(check_clearance(query, *truth.clearance, ""));
+  return out;
+}
+
+}  // namespace ccdfuzz

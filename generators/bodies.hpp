@@ -1,0 +1,28 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "generators/draw/draw.hpp"
+#include "generators/generate.hpp"
+
+namespace ccdfuzz {
+
+/// True iff there are body cases of the kind: RP, RN and NMN, of every class.
+bool is_made_of_bodies(CaseKind kind);
+
+/// One attempt at a case of two bodies (ShapeKind::kHull) with its truth, without its origin; or
+/// why it was thrown away. Points, segments, triangles, tetrahedra, boxes and hulls of up to 15
+/// points, with a radius or without; the class says what of each is in contact at t*: a vertex, a
+/// point inside of an edge or of a face. All numbers are floats (binary32) of few bits, of sizes
+/// and speeds from 0.01 to 1000; one scene in eight is up to 2^16 away from the origin.
+///
+/// A frame has two directions in the contact plane and one out of it. One body is on or below the
+/// plane z = 0 of the frame, the other on or above z = (both radii), where the frame's third
+/// direction has a rational length and is at right angles to the others if there is a radius. So
+/// the plane's normal is certificate K up to t*, and the point on either plane is the witness.
+/// RP: t* < t_max. RN: the same patches with t_max = t* − eps_t. NMN: moved away from each other,
+/// and moving along the plane: they pass by at a distance that is proven.
+tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                        Draw& draw);
+
+}  // namespace ccdfuzz

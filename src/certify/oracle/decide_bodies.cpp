@@ -1,0 +1,182 @@
+#include "certify/oracle/decide_bodies.hpp"
+
+#include <algorithm>
+
+#include "base/verify.hpp"
+#include "bezier/exact_patch.hpp"
+#include "certify/oracle/nearest_points.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// How near to each other, relative to the time, clear_until and the witness are to be.
+constexpr int kBracketBits = 40;
+/// Times that are no contact are rounded down to about so many bits, lest they grow.
+constexpr int kTimeBits = 96;
+
+size_t bits_of(const Integer& x) {
+  return mpz_sizeinbase(x.get_mpz_t(), 2);
+}
+
+/// The root of x ≥ 0, rounded up by at most 2^-kTimeBits of it; exact where it is rational.
+Rational root_above(const Rational& x) {
+  const Integer &p = x.get_num(), &q = x.get_den();
+  if (mpz_perfect_square_p(p.get_mpz_t()) != 0 && mpz_perfect_square_p(q.get_mpz_t()) != 0) {
+    return Rational(sqrt(p), sqrt(q));
+  }
+  // √(p/q) = √(pq)/q = √(pq·4^k) / (q·2^k)
+  const Integer product = p * q;
+  const size_t has = bits_of(product) / 2;
+  const size_t k = has < kTimeBits + 1 ? kTimeBits + 1 - has : 0;
+  Rational root(Integer(sqrt(Integer(product << (2 * k))) + 1), Integer(q << k));
+  root.canonicalize();
+  return root;
+}
+
+/// x > 0 rounded down, if it is long.
+Rational shortened(const Rational& x) {
+  const size_t num = bits_of(x.get_num()), den = bits_of(x.get_den());
+  if (num + den <= 4 * kTimeBits) return x;
+  const auto shift = static_cast<long>(den) - static_cast<long>(num) + kTimeBits;
+  const Rational unit = power_of_two(static_cast<int>(-shift));
+  const Rational scaled = x / unit;
+  return Rational(Integer(scaled.get_num() / scaled.get_den())) * unit;
+}
+
+class DecidingBodies {
+ public:
+  DecidingBodies(const Query& query, const OracleOptions& options)
+      : query_(query), options_(options), t_max_(exact(query.t_max)) {
+    const auto a = exact_patch<Rational>(query.patches[0]);
+    const auto b = exact_patch<Rational>(query.patches[1]);
+    points_ = {a.positions, b.positions};
+    for (int k = 0; k < 3; ++k) velocity_[k] = b.velocities[0][k] - a.velocities[0][k];
+    reach_ = exact(query.separation) + a.radius + b.radius;
+  }
+
+  Decision run() {
+    if (!misses()) approach();
+    return std::move(out_);
+  }
+
+ private:
+  using Found = NearestPoints::Found;
+
+  Points<Rational> moved(const Rational& t) const {
+    Points<Rational> at = points_[1];
+    for (Vec3<Rational>& p : at) {
+      for (int k = 0; k < 3; ++k) p[k] += t * velocity_[k];
+    }
+    return at;
+  }
+
+  const Found& nearest_at(const Rational& t) {
+    ++out_.pops;
+    return nearest_(points_[0], moved(t));
+  }
+
+  bool is_contact(const Found& found) const { return found.squared <= reach_ * reach_; }
+
+  void say_clear(const Rational& until, const Vec3<Rational>& normal, bool closed) {
+    out_.truth.clear_until = until;
+    out_.truth.clearance = BodyClearance{until, {normal[0], normal[1], normal[2]}, closed};
+  }
+
+  void say_contact(const Rational& t, const Found& found) {
+    out_.truth.collides = true;
+    out_.truth.witness = Witness{t, {}, found.weights};
+    const auto& known = options_.known;
+    if (known && known->t < t) out_.truth.witness = known;
+  }
+
+  /// Otherwise a contact is known, by which the first has come.
+  bool misses() {
+    const size_t count = points_[1].size();
+    Points<Rational> swept = points_[1];
+    for (Vec3<Rational>& p : moved(t_max_)) swept.push_back(std::move(p));
+    NearestPoints nearest;
+    Found found = nearest(points_[0], swept);
+    if (!is_contact(found)) {
+      say_clear(t_max_, found.way, true);
+      out_.truth.collides = false;
+      out_.truth.proof = proof_word(*out_.truth.clearance);
+      return true;
+    }
+    std::vector<Rational>& weights = found.weights[1];
+    Rational moved_part = 0;
+    for (size_t i = 0; i < count; ++i) {
+      moved_part += weights[i + count];
+      weights[i] += weights[i + count];
+    }
+    weights.resize(count);
+    late_ = t_max_ * moved_part;
+    late_found_ = std::move(found);
+    return false;
+  }
+
+  void approach() {
+    Rational t = 0;
+    Found at = nearest_at(t);
+    if (is_contact(at)) return say_contact(t, at);
+    for (;;) {
+      const Rational speed = dot_of(at.way, velocity_);
+      CCDFUZZ_VERIFY(speed < 0);  // as a contact comes
+      const Rational ahead = (at.squared - reach_ * root_above(at.squared)) / -speed;
+      const Rational next = t + ahead;
+      if (ahead > 0) say_clear(next, at.way, false);
+      const Found found = nearest_at(next);
+      if (is_contact(found)) return say_contact(next, found);
+      if (ahead <= next * power_of_two(-kBracketBits - 4)) return enclose(next);
+      t = shortened(next);
+      at = t == next ? found : nearest_at(t);
+    }
+  }
+
+  /// The first contact comes soon after t.
+  void enclose(Rational t) {
+    for (int bits = kBracketBits + 12; bits >= kBracketBits; bits -= 4) {
+      const Rational later = shortened(t * (1 + power_of_two(-bits)));
+      if (later >= late_) break;
+      const Found found = nearest_at(later);
+      if (is_contact(found)) return say_contact(later, found);
+      t = later;
+    }
+    while (late_ - t > late_ * power_of_two(-kBracketBits)) {
+      const Rational middle = shortened((t + late_) / 2);
+      const Found& found = nearest_at(middle);
+      if (is_contact(found)) {
+        late_ = middle;
+        late_found_ = found;
+      } else {
+        say_clear_if_on_the_way(middle, found);
+        t = middle;
+      }
+    }
+    say_contact(late_, late_found_);
+  }
+
+  /// The way at t keeps them apart before it, too, where they approach along it.
+  void say_clear_if_on_the_way(const Rational& t, const Found& found) {
+    if (dot_of(found.way, velocity_) <= 0) say_clear(t, found.way, false);
+  }
+
+  const Query& query_;
+  const OracleOptions& options_;
+  const Rational t_max_;
+  std::array<Points<Rational>, 2> points_;
+  Vec3<Rational> velocity_;  ///< patch 2 relative to patch 1
+  Rational reach_;
+  NearestPoints nearest_;
+  Rational late_;  ///< the time of a contact, and its points
+  Found late_found_;
+  Decision out_;
+};
+
+}  // namespace
+
+Decision decide_bodies(const Query& query, const OracleOptions& options) {
+  return DecidingBodies(query, options).run();
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,105 @@
+#include "certify/oracle/nearest_points.hpp"
+
+#include <optional>
+
+namespace ccdfuzz {
+
+namespace {
+
+Vec3<Rational> minus(const Vec3<Rational>& a, const Vec3<Rational>& b) {
+  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
+}
+
+/// The place of the point that reaches least along a direction, or, of `sign` −1, furthest.
+size_t support(const Points<Rational>& points, const Vec3<Rational>& direction, int sign) {
+  size_t best = 0;
+  Rational least;
+  for (size_t i = 0; i < points.size(); ++i) {
+    Rational height = dot_of(points[i], direction);
+    if (sign < 0) height = -height;
+    if (i == 0 || height < least) {
+      best = i;
+      least = std::move(height);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+/// The weights of the least vector in the affine span of the parts' ways: with w = ways[0] + Σ c_k
+/// d_k, d_k = ways[k] − ways[0], it is at right angles to all d_k.
+std::vector<Rational> NearestPoints::least_of_span() const {
+  const size_t n = parts_.size() - 1;
+  std::vector<Vec3<Rational>> d;
+  for (size_t k = 1; k <= n; ++k) d.push_back(minus(parts_[k].way, parts_[0].way));
+  std::vector<std::vector<Rational>> rows(n);
+  for (size_t i = 0; i < n; ++i) {
+    for (size_t j = 0; j < n; ++j) rows[i].push_back(dot_of(d[i], d[j]));
+    rows[i].push_back(-dot_of(d[i], parts_[0].way));
+  }
+  // No pivot is 0: the matrix is positive definite, as the d_k are independent.
+  for (size_t i = 0; i < n; ++i) {
+    for (size_t r = 0; r < n; ++r) {
+      if (r == i || rows[r][i] == 0) continue;
+      const Rational factor = rows[r][i] / rows[i][i];
+      for (size_t c = i; c <= n; ++c) rows[r][c] -= factor * rows[i][c];
+    }
+  }
+  std::vector<Rational> weights(n + 1);
+  weights[0] = 1;
+  for (size_t k = 0; k < n; ++k) {
+    weights[k + 1] = rows[k][n] / rows[k][k];
+    weights[0] -= weights[k + 1];
+  }
+  return weights;
+}
+
+/// Moves the weights to the least vector of the parts' span; those that it leaves out first go.
+void NearestPoints::settle() {
+  for (;;) {
+    const std::vector<Rational> goal = least_of_span();
+    std::optional<Rational> step;  // how far the weights get before one is 0
+    for (size_t k = 0; k < goal.size(); ++k) {
+      if (goal[k] > 0) continue;
+      const Rational most = parts_[k].weight / (parts_[k].weight - goal[k]);
+      if (!step || most < *step) step = most;
+    }
+    for (size_t k = 0; k < goal.size(); ++k) {
+      Rational& weight = parts_[k].weight;
+      weight = step ? Rational(weight + *step * (goal[k] - weight)) : goal[k];
+    }
+    if (!step) return;
+    std::erase_if(parts_, [](const Part& part) { return part.weight == 0; });
+  }
+}
+
+const NearestPoints::Found& NearestPoints::operator()(const Points<Rational>& from,
+                                                      const Points<Rational>& to) {
+  if (found_.weights[0].size() != from.size() || found_.weights[1].size() != to.size()) {
+    parts_ = {{{0, 0}, {}, 1}};
+  }
+  for (Part& part : parts_) part.way = minus(to[part.places[1]], from[part.places[0]]);
+  for (;;) {
+    settle();
+    Vec3<Rational>& way = found_.way;
+    way = {0, 0, 0};
+    for (const Part& part : parts_) {
+      for (int k = 0; k < 3; ++k) way[k] += part.weight * part.way[k];
+    }
+    found_.squared = dot_of(way, way);
+    if (found_.squared == 0) break;
+    const std::array<size_t, 2> places = {support(from, way, -1), support(to, way, 1)};
+    Vec3<Rational> least = minus(to[places[1]], from[places[0]]);
+    if (dot_of(least, way) >= found_.squared) break;
+    parts_.push_back({places, std::move(least), 0});
+  }
+  found_.weights[0].assign(from.size(), 0);
+  found_.weights[1].assign(to.size(), 0);
+  for (const Part& part : parts_) {
+    for (size_t s = 0; s < 2; ++s) found_.weights[s][part.places[s]] += part.weight;
+  }
+  return found_;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bezier/patch.hpp"
+#include "numeric/rational.hpp"
+
+namespace ccdfuzz {
+
+/// The nearest points of two convex hulls, exactly, by Wolfe's algorithm for the least vector of a
+/// polytope, which is the hull of the differences of their points. It ends, as each of its
+/// candidates, the nearest points of affinely independent differences, is nearer than the last.
+class NearestPoints {
+ public:
+  /// The way from a point of one hull to the nearest one of the other, and the weights that make
+  /// both of the hulls' points.
+  struct Found {
+    Vec3<Rational> way;
+    Rational squared;  ///< the length of the way
+    std::array<std::vector<Rational>, 2> weights;
+  };
+
+  /// Requires a point of each. The next call begins where this one ended, if there are as many.
+  const Found& operator()(const Points<Rational>& from, const Points<Rational>& to);
+
+ private:
+  /// A difference to[places[1]] − from[places[0]], and its weight.
+  struct Part {
+    std::array<size_t, 2> places;
+    Vec3<Rational> way;
+    Rational weight;
+  };
+
+  void settle();
+  std::vector<Rational> least_of_span() const;
+
+  std::vector<Part> parts_;
+  Found found_;
+};
+
+inline Rational dot_of(const Vec3<Rational>& a, const Vec3<Rational>& b) {
+  return Rational(a[0] * b[0]) + Rational(a[1] * b[1]) + Rational(a[2] * b[2]);
+}
+
+}  // namespace ccdfuzz
