@@ -51,9 +51,9 @@ struct ChildProgram {
 };
 
 /// A process that answers lines with lines, started by exec, so that any thread may ask one. It has
-/// a process group of its own, limited memory, and dies with us, with all that it has started,
-/// unless it seeks out and kills both processes that watch over it (supervise.hpp). Whatever it
-/// does, a question ends: with its answer or with what it did instead. For one thread at a time.
+/// a process group of its own and limited memory. It and all that it has started die with us,
+/// unless it kills both processes that watch over it (supervise.hpp). Every question ends, with its
+/// answer or with what it did instead. For one thread at a time.
 class Child {
  public:
   explicit Child(ChildProgram program) : program_(std::move(program)) {}

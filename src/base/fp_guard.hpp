@@ -7,13 +7,12 @@
 
 namespace ccdfuzz {
 
-/// Puts this thread's floating-point environment into the state that every bound assumes (round to
-/// nearest, gradual underflow, no exception traps), and on leaving restores the caller's control
-/// word if that was another: a host program, or a library that it loaded, may have set it. Where
-/// the state is that already, costs one read of the control word.
-/// What is to be computed within must come from memory or go through a call: a compiler may move
-/// arithmetic on registers across. (x86: the x87 control word stays as it is; no arithmetic here is
-/// done there.)
+/// Puts this thread's floating-point environment into the state that every bound assumes: round to
+/// nearest, gradual underflow, no exception traps. A host program, or a library that it loaded, may
+/// have set another. The destructor restores the caller's. If the state is right already, that
+/// costs one read of the control word. What is computed within must come from memory or go through
+/// a call: a compiler may move arithmetic on registers across. (x86: the x87 control word stays as
+/// it is; no arithmetic here is done there.)
 class FpGuard {
  public:
   FpGuard() : callers_(read()) {

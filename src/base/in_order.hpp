@@ -13,12 +13,12 @@
 
 namespace ccdfuzz {
 
-/// Runs work(item) on `threads` threads for each item that next() gives, until it gives nothing,
-/// and hands the results to sink one at a time in the order of the items, so that what sink sees
-/// does not depend on the number of threads. next returns a std::optional and is called by one
-/// thread at a time. All three run in a sound floating-point environment, whatever the threads were
-/// started in (FpGuard), and may throw: the first exception ends the run and is thrown here. At
-/// most 64 items per thread are held. Requires threads ≥ 1. Returns how many results reached sink.
+/// Runs work(item) on `threads` threads for each item that next() returns, until it returns
+/// nothing. Sink gets the results one at a time, in the order of the items, on any number of
+/// threads. next returns a std::optional and is called by one thread at a time. All three run in a
+/// sound floating-point environment, whatever the threads were started in (FpGuard), and may throw:
+/// the first exception ends the run and is thrown here. At most 64 items per thread are held.
+/// Requires threads ≥ 1. Returns how many results reached sink.
 template <class Result, class Next, class Work, class Sink>
 size_t stream_in_order(int threads, const Next& next, const Work& work, const Sink& sink) {
   using Item = decltype(next());
@@ -55,7 +55,7 @@ size_t stream_in_order(int threads, const Next& next, const Work& work, const Si
 }
 
 /// The same with the items 0, 1, …, count − 1. stop, if given, is read before each item is handed
-/// out; once it is true no more are, and what was handed out still reaches sink.
+/// out. Once it is true no more are, but the results of those before still reach sink.
 template <class Result, class Work, class Sink>
 size_t run_in_order(size_t count, int threads, const Work& work, const Sink& sink,
                     const std::atomic<bool>* stop = nullptr) {

@@ -27,9 +27,9 @@ struct JsonValue {
 inline constexpr size_t kMaxJsonDepth = 64;
 inline constexpr size_t kMaxJsonKeys = 1024;
 
-/// Reads one JSON text (RFC 8259; a UTF-8 byte order mark is skipped) and nothing after it.
-/// Errors: anything else, a key given twice in an object, and a number out of a double's range,
-/// naming `file` and the line and column or the JSON path.
+/// Reads one JSON text (RFC 8259; a UTF-8 byte order mark is skipped) and nothing after it. Errors:
+/// anything else, a key given twice in an object, a number out of a double's range. Each names
+/// `file`, and the line and column or the JSON path.
 Result<JsonValue> parse_json(std::string_view text, const std::string& file);
 
 /// A value for a message: numbers and short strings as written, "an array", "an object".

@@ -8,11 +8,11 @@
 
 namespace ccdfuzz {
 
-/// A number as people write one on a command line: terms joined by + and −, each a decimal
-/// ("1e-6", "1.5"), a hex-float ("0x1p-20") or a power of two ("2^-20"); "1+2^-30" is one number.
-/// Each term is read to the nearest double and they are added from the left.
-/// Errors: anything else, a value that is not finite, a power of two below 2^-1074, or a term that
-/// rounding loses, as in 1+2^-60; `where` is the option's name.
+/// A number as people write one on a command line: terms joined by + and −, each a decimal ("1e-6",
+/// "1.5"), a hex-float ("0x1p-20") or a power of two ("2^-20"); "1+2^-30" is one number. Each term
+/// is read to the nearest double and they are added from the left. Errors: anything else, a value
+/// that is not finite, a power of two below 2^-1074, a term that rounding loses, as in 1+2^-60.
+/// `where` is the option's name.
 Result<double> parse_number(const std::string& where, const std::string& text);
 
 /// More than 30 years: no limit of a run.

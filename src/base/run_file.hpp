@@ -38,8 +38,8 @@ struct RunHeader {
   std::optional<std::string> difference(const RunHeader& other) const;
 };
 
-/// The lines of a run file: the header, then one for each item of the share that is done, a JSON
-/// object that begins with its "index" in the whole run, unless nobody knows how many there are. A
+/// The lines of a run file: the header, then one for each finished item of the share. An item is a
+/// JSON object. It begins with its "index" in the run, unless the number of items is unknown. A
 /// last line without its end was being written when the run ended, and does not count.
 class RunLines {
  public:
@@ -66,17 +66,17 @@ class RunLines {
   std::uint64_t bytes_ = 0;
 };
 
-/// What a long run has finished so far: a line an item, in a file that is only appended to. A run
-/// that was killed at any moment finds all whole lines when it begins again, and goes on after
-/// them. A finished share is such a file, too: all its items, under the name of the output.
+/// What a long run has finished so far: a line per item, in a file that is only appended to. A run
+/// that was killed, at any moment, resumes after the last complete line. A finished share is such a
+/// file, too: all its items, under the name of the output.
 class RunFile {
  public:
   /// Where the file stands while the run whose result goes to `output` is under way.
   static std::string path_for(const std::string& output) { return output + ".partial"; }
 
-  /// Goes on with the file at `path`, or begins it where there is none. Errors: it belongs to a run
-  /// that was asked for something else, naming what; another process is at this run (where the file
-  /// system has locks); it is no run file; what the system says. What stands there then stays.
+  /// Resumes the file at `path`, or begins it where there is none. Errors: it belongs to a run with
+  /// other options, naming them; another process has it (where the file system has locks); it is no
+  /// run file; what the system says. After an error the file is unchanged.
   static Result<RunFile> open(const std::string& path, const RunHeader& header);
   RunFile(RunFile&& other) noexcept;
   RunFile& operator=(RunFile&&) = delete;
@@ -105,12 +105,12 @@ class RunFile {
   std::uint64_t size_ = 0;
 };
 
-/// The items of all shares of one run, in the order in which one run has them: one line of each
-/// share in turn. Holds one line at a time.
+/// The items of all shares of one run, in the order of the run: one line of each share in turn.
+/// Holds one line at a time.
 class MergedRun {
  public:
-  /// Errors: a file is no run file, they were not asked for the same, a share is there twice, is
-  /// missing or is not complete; naming the file.
+  /// Errors, each naming the file: it is no run file, its run had other options, its share is there
+  /// twice or incomplete, or a share is missing.
   static Result<MergedRun> open(const std::vector<std::string>& paths);
 
   /// The header of the whole run.

@@ -2,13 +2,13 @@
 
 namespace ccdfuzz {
 
-/// Parts the process in three: two that watch, one below the other, and the child of the lower one,
-/// in which this returns and which goes on as it is, in a process group that it shares with its
-/// parent. Who watches waits for what is below to end, then ends all that it has started and that
-/// lives on, in whatever session and process group, and ends as it did: by the same signal or with
-/// the same code. On SIGTERM, or when whoever is above is gone, all of them end at once. So the
-/// child may kill its parent or its process group, and still nothing lives on; only what kills both
-/// that watch, of which the upper one is neither its parent nor of its group, gets away.
+/// Splits the process into three: an upper watcher, a lower watcher, and its child. This function
+/// returns in the child, which shares a process group with the lower watcher.
+/// A watcher waits until the process below it ends. Then it ends all that this one has started, in
+/// any session or process group, and ends in the same way: by the same signal or with the same
+/// code. On SIGTERM, or when the process above it is gone, each ends at once.
+/// So nothing survives where the child kills its parent or its process group. It must kill both
+/// watchers, and the upper one is neither its parent nor in its group.
 void continue_in_supervised_child();
 
 }  // namespace ccdfuzz

@@ -133,8 +133,8 @@ void print_shrunk(const CheckedProperty& checked) {
   print_out(text + "\n");
 }
 
-/// One property put to its inputs. A failure is told and saved as it was found at once, then as it
-/// was shrunk, so that nothing that happens in between loses it; with --json it is told in the end.
+/// Runs one property on its inputs. A failure is printed and saved at once, and again after it was
+/// shrunk, so that an interruption does not lose it. With --json it is printed at the end.
 class PropertyCheck {
  public:
   PropertyCheck(const CheckArguments& options, const CheckedInputs& inputs,

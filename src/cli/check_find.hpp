@@ -13,15 +13,15 @@
 
 namespace ccdfuzz {
 
-/// Runs of a property to shrink a failure of it.
+/// How often a property runs at most, to shrink one of its failures.
 inline constexpr std::uint64_t kShrinkTries = 4000;
 
-/// The command that puts these choices to a property.
+/// The command that runs a property on these choices.
 std::string check_command(std::string_view property, const ChoiceNumbers& choices);
-/// The same of one draw.
+/// The command that runs it on one draw.
 std::string check_command(std::string_view property, std::uint64_t seed, std::uint64_t index);
 
-/// What has been done of a find.
+/// How far a find has been shrunk.
 enum class Shrunk : std::uint8_t {
   kNot,       ///< it has not failed again
   kCutShort,  ///< not to the end
@@ -41,7 +41,7 @@ struct ClaimFind {
   Check::Status expect = Check::Status::kFails;  ///< what it must show when it is replayed
   std::string error;  ///< the name of what the input ended in ("crash SIGSEGV"); mostly none
   Shrunk shrunk = Shrunk::kNot;
-  ChoiceNumbers choices;        ///< of the input that it was shrunk to; none before
+  ChoiceNumbers choices;        ///< the input that it was shrunk to; empty before
   std::string text;             ///< what that showed; empty before
   std::string found, as_found;  ///< text and command of the input that failed first
 
@@ -72,8 +72,8 @@ struct ClaimFind {
   void set_least(const Counterexample& least);
 
   bool is_complete() const { return shrunk == Shrunk::kToTheEnd; }
-  /// Whether it takes the place of another find of its claim and error: it is shrunk further, or to
-  /// less. Of two that have not failed again, the later is as good as the former.
+  /// Whether it replaces another find of its claim and error: it is shrunk further, or to less, or
+  /// neither has failed again.
   bool replaces(const ClaimFind& other) const;
 };
 

@@ -351,8 +351,8 @@ int CommandLine::parse_and_run_chosen(int argc, char** argv) {
     error = system_error(refused.path1().string(), "read", refused.code().value()).value();
   }
   if (error) name_option(*app_->get_subcommands().front(), *error);
-  // What was printed before an error must be out before the complaint, and an unwritable stdout is
-  // an error of its own unless there is one already.
+  // What was printed before an error must appear before its message. An unwritable stdout is an
+  // error, too, unless there is one already.
   const Result<void> flushed = flush_stdout();
   if (!flushed && !error) error = flushed.error();
   return error ? complain(error->message(), kBadInput, chosen_name(*app_)) : code;

@@ -19,8 +19,8 @@
 
 namespace ccdfuzz {
 
-/// The methods that answer in seconds, whatever the case; `trad` takes minutes where patches are
-/// nearly parallel and runs where it is named or its budget is small.
+/// The methods that answer every case in seconds. `trad` is not one: it takes minutes where patches
+/// are nearly parallel. It runs where it is named or its budget is small.
 std::vector<std::string> default_methods();
 
 /// --precision, --max-pops and --max-seconds, the limits of one query.
@@ -66,11 +66,11 @@ Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const ch
 /// "triangle:N", "tensor:NxM", degrees 1 to kMaxDegree. Errors: anything else, naming `where`.
 Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text);
 
-/// What is to be known of the cases that a command was given.
+/// Counts of the cases that a command was given.
 struct CaseCount {
   std::uint64_t cases = 0;
-  /// That nothing touches up to t_max or, where that is left open, up to clear_until, rests on the
-  /// word of a method, by which nothing is judged.
+  /// Cases whose absence of contact, up to t_max or else up to clear_until, has no proof but the
+  /// word of a method. Nothing is judged by it.
   std::uint64_t by_word = 0;
   /// With a truth and a label of a query CSV; of them, those whose label says otherwise.
   std::uint64_t labels = 0, wrong_labels = 0;

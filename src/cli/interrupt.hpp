@@ -10,9 +10,9 @@ namespace ccdfuzz {
 /// that a file that grows too large is an error of whoever writes it. Called once, by main.
 void end_on_signals();
 
-/// For a command that has results to print: the first signal sets the flag that this returns, which
-/// the command polls, and the program ends at once a second later, or at a second signal.
-/// The flag lives as long as the program.
+/// For a command that has results to print. The first signal sets the returned flag, which the
+/// command polls. A second later, or at a second signal, the program ends at once. The flag lives
+/// as long as the program.
 const std::atomic<bool>& catch_interrupts();
 
 /// Takes that second's limit away, for a command that has stopped its work and writes what it has.

@@ -23,7 +23,7 @@ struct JsonForm<HexBytes> {
 
 /// The cases of one construction and what they cost: a line of the run file of `generate`.
 struct MadeCases {
-  std::uint64_t index = 0;  ///< of the construction, in the whole run
+  std::uint64_t index = 0;  ///< which construction of the run
   std::vector<Case> cases;
   HexBytes tree;  ///< the miss tree of them all; empty: they have none
   GenerationCost cost;

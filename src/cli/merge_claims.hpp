@@ -17,12 +17,12 @@ struct MergedClaims {
 /// Whether a path is of a folder of inputs of claims itself, by its name (kClaims).
 bool is_claims_folder(const std::string& path);
 
-/// Takes the inputs of claims of corpora (in their folders kClaims, or in such a folder itself)
-/// over into that of another corpus, which is made if there are any. An entry that is called by its
-/// claim and error (ClaimFind::stem) takes the place of one that is shrunk less; one that must show
-/// something else than what stands there, or that has another's name, is called by its hash. An
-/// input that stands there already stays as it is. known: all the properties that there are. Throws
-/// BadInput: of a folder or file; an entry of an unknown property, naming it.
+/// Copies the inputs of claims of corpora into another corpus. They are in folders called kClaims,
+/// any of which may also be named itself; the new one is made if there are any. An entry whose name
+/// is its claim and error (ClaimFind::stem) replaces one that is shrunk less. Its name is its hash
+/// if another entry has the name or expects something else. An input that is there already stays as
+/// it is. known: all the properties that there are. Throws BadInput: of a folder or file; an entry
+/// of an unknown property, naming it.
 MergedClaims merge_claims(const std::vector<std::string>& corpora, const std::string& into,
                           const std::vector<Property>& known);
 

@@ -29,7 +29,7 @@ namespace {
 struct ReplayOptions {
   std::string corpus = "corpus";
   std::vector<std::string> methods;  ///< empty: those that an entry names
-  std::optional<Outcome> expect;     ///< of every method, in place of what an entry says
+  std::optional<Outcome> expect;     ///< for every method, in place of what an entry says
   bool update = false;
   SearchFlags search;
   std::vector<Property> known;

@@ -24,9 +24,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// share: how much is done, in [0, 1]; the time left is reckoned from it and from the first call,
-  /// before which an earlier run may have done a part. note: what to show
-  /// beside the bar, of one line. done: how many `unit`s so far, of which the rate is shown.
+  /// share: how much is done, in [0, 1]. The time left follows from its growth since the first
+  /// call, as an earlier run may have done a part. note: what to show beside the bar, of one line.
+  /// done: how many `unit`s so far, of which the rate is shown.
   void show(double share, const std::string& note, std::uint64_t done, std::string_view unit);
   /// Wipes the line, so that other output may follow.
   void clear();

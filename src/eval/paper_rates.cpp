@@ -22,8 +22,8 @@ struct PaperRow {
   std::array<std::uint64_t, 6> false_negatives;
 };
 
-// Table 2. It prints one column of TDIBM-H less for false positives than for times; where 1e-12 and
-// 1e-8 differ, Table 1 less the regular half tells which is which.
+// Table 2. For false positives it prints one column of TDIBM-H less than for times. Where 1e-12 and
+// 1e-8 differ, Table 1 minus the regular half tells which it is.
 constexpr std::array<PaperRow, 6> kRegularRows = {{
     {"FF", {2.23e5, 338.09, 390.50, 377.61, 624.43, 382.02}, 6003, 20, {13, 6, 6, 6, 6, 6}, {}},
     {"EF", {293.11, 56.06, 59.16, 57.52, 80.02, 57.26}, 1020, 1020, {2, 1, 1, 1, 1, 1}, {}},

@@ -11,9 +11,9 @@
 
 namespace ccdfuzz {
 
-/// Times methods against each other on the same queries, turn by turn in one thread, so that their
-/// ratios depend little on the machine and on what else it does. Times are CPU time: the least of
-/// up to kRepeats answers, of one where that took longer than kLong.
+/// Times methods on the same queries, by turns in one thread. Their ratios then depend little on
+/// the machine and its load. Times are CPU time: the least of up to kRepeats answers, of one where
+/// that took longer than kLong.
 class Race {
  public:
   static constexpr int kRepeats = 3;

@@ -19,13 +19,13 @@ const NamedCase& named_of(const Asked& asked) {
   return asked.named();
 }
 
-/// Reads one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each
-/// case on `threads` threads. make(NamedCase) is called for each case in order, by one thread at a
-/// time; it returns a Result of the shared pointer to what is asked, null to pass over the case.
-/// work returns a Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is
-/// how much of the files has been read. Once stop() is true no more is read, and what was begun
-/// still reaches sink. What work checks counts (RunWork). Errors: the first of reading, of make, of
-/// work or of RunWork::add, after all rows before it.
+/// Reads one case at a time and runs work(asked, part) for part = 0, …, parts − 1 of each case on
+/// `threads` threads. make(NamedCase) is called for each case in order, by one thread at a time. It
+/// returns a Result of a shared pointer to what is asked; null skips the case. work returns a
+/// Result<Row>. sink(asked, part, row, share) sees the rows in that order; share is how much of the
+/// files has been read. Once stop() is true no more is read, but what was begun still reaches sink.
+/// The checks within work count (RunWork). Errors: the first of reading, of make, of work or of
+/// RunWork::add, after all rows before it.
 template <class Row, class Make, class Work, class Sink, class Stop>
 Result<void> stream_cases(CaseStream cases, size_t parts, int threads, const Make& make,
                           const Work& work, const Sink& sink, const Stop& stop) {

@@ -11,10 +11,9 @@ namespace ccdfuzz {
 /// Where the inputs of properties are, in a folder of finds or a corpus.
 inline constexpr const char* kClaims = "claims";
 
-/// The paths of all entries (every .json whose name does not start with a dot) of a folder and its
-/// sub-folders, in order; but for folders called kClaims. Errors:
-/// the folder or a sub-folder cannot be read, or an entry is not a regular file, as a pipe, naming
-/// it.
+/// The paths of all entries of a folder and its sub-folders, except those called kClaims, in order.
+/// An entry is a .json whose name does not start with a dot. Errors: the folder or a sub-folder
+/// cannot be read; an entry is not a regular file (a pipe), naming it.
 Result<std::vector<std::string>> list_entries(const std::string& folder);
 
 /// Calls visit on each entry of a folder in their order, one at a time; its id is its path. Entries

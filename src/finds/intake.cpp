@@ -64,8 +64,9 @@ Result<Store::Put> Intake::take(const NamedCase& entry) {
   return Store::Put::kKnown;
 }
 
-/// Unless it, or nothing, stands for the failure, an entry that nothing speaks for keeps the
-/// address of its query as its name; so does one against which its method spoke.
+/// Puts an entry whose failure could not be confirmed, or was refuted by its method. It is named
+/// by the address of its query if another entry is stored for the failure, or none is and its
+/// method refuted it.
 Result<Store::Put> Intake::put_aside(const NamedCase& entry, const Failure& failure) {
   const std::string trees = trees_path(entry.file);
   const Result<std::optional<NamedCase>> standing = store_.standing(failure);

@@ -47,16 +47,16 @@ class Intake {
   /// Puts an entry of another folder: for the failure that it is called by, or under its own name.
   /// Where its query stands there, the two are one then (unite), and what they disagree about the
   /// methods are asked. One whose method, when it is asked, does not fail as the name says waits
-  /// for take_doubtful. Where another find stands for that failure, the smaller stays; an entry
-  /// whose method was not admitted keeps beside it the address of its query as its name.
+  /// for take_doubtful. If another find is stored for that failure, the smaller one stays. An entry
+  /// whose method was not admitted is then kept beside it, named by the address of its query.
   /// Errors: of the store.
   Result<Store::Put> take(const NamedCase& entry);
   /// Puts the entries that wait under the address of their query, or into one of that query that
   /// stands for their failure. Returns how many changed the store. Errors: as take, and of reading.
   Result<std::uint64_t> take_doubtful();
 
-  /// How often a method was asked in place of what entries said; and of which methods what is said
-  /// was kept, as none can be asked, how often.
+  /// How often a method was asked where entries disagreed. And, for each method that could not be
+  /// asked, how often the stored outcome was kept.
   struct Settled {
     std::uint64_t asked = 0;
     std::map<std::string, std::uint64_t> kept;

@@ -20,18 +20,15 @@ struct Minimised {
 
 /// A simpler case that fails alike: fewer significant bits, exponents towards 0, fewer and equal
 /// control points, no velocities, lower degrees and shapes.
-/// still_fails: whether a case shows the very failure of `found`, whose outcome is `failure`. What
-/// the outcome rests on holds of every case that it is asked about and of the result:
-///   missed, late    a dyadic witness, at which the patches touch exactly, checked by
-///   check_witness,
+/// still_fails: whether a case shows the very failure of `found`, whose outcome is `failure`. It is
+/// asked only about cases, and the result is one, of which this holds:
+///   missed, late    a dyadic witness, at which the patches touch exactly (check_witness). It is
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
 ///                   unless it was
-///   false_positive  nothing touches in [0, t_max] by certificate L; so it becomes a query of
-///   linear
-///                   patches, or comes back as it is
+///   false_positive  nothing touches in [0, t_max] by certificate L, so the patches are linear
 ///   error           nothing; the result has no truth
-/// A case whose truth is none of these comes back as it is. Never less simple than `found`.
-/// Deterministic, but for stop.
+/// A case of which that cannot be made to hold comes back as it is. Never less simple than `found`.
+/// Deterministic, except for stop.
 Minimised minimise(const Case& found, Outcome failure,
                    const std::function<bool(const Case&)>& still_fails,
                    const MinimiseOptions& options = {});

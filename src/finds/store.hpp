@@ -20,13 +20,12 @@ namespace ccdfuzz {
 ///
 /// Laws, with any number of threads and processes writing to one folder, and after SIGKILL at any
 /// moment:
-///  1. Every entry is whole.
-///  2. The entry of a failure is the smallest of all finds that were put for it, by Rank; so what
+///  1. Every entry is complete.
+///  2. The entry of a failure is the smallest, by Rank, of all finds that were put for it. So what
 ///     is kept does not depend on the order. (A killed writer may leave the larger one beside it,
 ///     under its address.)
-///  3. If two entries have one query, the stronger truth stays (unite), and no expectation is
-///  changed
-///     by another find, unless who puts it asks the method again.
+///  3. If two entries have one query, the stronger truth stays (unite). Another find changes no
+///     expectation, unless the caller asks the method again.
 class Store {
  public:
   enum class Put {
@@ -37,8 +36,8 @@ class Store {
   };
 
   /// Opens a folder, making it if need be. If it has a sub-folder `cases`, finds are written there.
-  /// Errors: the folder cannot be made, read, written or locked; an entry in it cannot be read; it
-  /// has no `cases` but `regressions`, as that was called.
+  /// Errors: the folder cannot be made, read, written or locked; an entry cannot be read; it has
+  /// `regressions`, the old name, and no `cases`.
   static Result<Store> open(const std::string& folder);
   Store(Store&&) noexcept;
   Store& operator=(Store&&) noexcept;
@@ -52,8 +51,8 @@ class Store {
   Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                   const AskAgain& again = nullptr);
 
-  /// Puts an entry under a name of its own, without ".json"; under its address where another case
-  /// has that name, or it is longer than a file's may be. Errors: as put; no file name.
+  /// Puts an entry under a name of its own (without ".json"), or under its address if another case
+  /// has the name or it is too long for a file. Errors: as put; no file name.
   Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "",
                         const AskAgain& again = nullptr);
 

@@ -20,11 +20,11 @@ struct United {
 };
 
 /// Takes each part of the truths from where it is stronger: the earlier contact; absence of contact
-/// by certificate before any by a method's word, and the later of two. The rest is of `old`. Where
-/// the entries disagree about a method, or say of one what was so of a weaker truth or of another
-/// way of asking, `again` is asked; what it does not know, or all without it, stays as `old` says
-/// first and `find` second. Requires that both truths were checked. trees: where the tree of find
-/// is; empty: without it what a tree proves is left out.
+/// by certificate before any by a method's word, and the later of two. The rest is of `old`.
+/// `again` is asked about each method on which the entries disagree, or whose outcome was judged by
+/// a weaker truth or asked in another way. Without it, or where it does not know, the outcome of
+/// `old` stays, and else that of `find`. Requires that both truths were checked. trees: where the
+/// tree of find is; empty: without it what a tree proves is left out.
 United unite(const NamedCase& old, const Case& find, const std::string& trees,
              const AskAgain& again);
 
