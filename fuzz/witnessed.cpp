@@ -1,5 +1,5 @@
-// Whole queries with a known contact: the witness is traced through the methods that are proven to
-// lose none, which must not, and through one of the others, which the input names. The bytes are a
+// Queries with a known contact, whose witness is traced. The methods that are proven to lose none
+// must not lose it. One of the others is traced as well, which the input names. The bytes are a
 // method and a case (fuzz/mutator/case_bytes.hpp). Mutants keep their contact exactly, and mostly
 // their method, so that how nearly it lost the contact guides libFuzzer.
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 
 namespace ccdfuzz {
 
-/// Reading any text gives an error that says something, or a case; what was read is written as a
-/// text that reads as the same case, and then as the same text, in both layouts.
+/// Reading any text gives a case, or an error that says something. A case is written as a text that
+/// reads as the same case, and again as the same text, in both layouts.
 void claim_reader_takes(const std::string& text);
 
 /// The text with a few changes of the kind that confuses readers, or none.

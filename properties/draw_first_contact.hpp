@@ -9,9 +9,9 @@ namespace ccdfuzz {
 inline constexpr double kFinePrecision = 0x1p-10;
 inline constexpr SearchOptions kFineSearch = {kFinePrecision, 2000, SearchOptions().max_bytes};
 
-/// A one-sided scene, whose first contact is proven. Cells of width h have control points within
-/// n·h times the patch's extent of each other, n the degree, so boxes that cannot be told apart are
-/// that near, and the gap along the plane's normal closes at a speed that is known.
+/// A one-sided scene, whose first contact is proven. Control points of a cell of width h are within
+/// n·h times the patch's extent of each other, n the degree. So boxes that a method cannot separate
+/// are that near. The gap along the plane's normal closes at a known speed.
 struct FirstContact {
   Query query;
   Witness witness;   ///< the first contact's

@@ -23,8 +23,8 @@ double draw_number(Draw& choices) {
 }
 
 std::vector<Line<double>> draw_lines(Draw& choices, double through_t, double through_x) {
-  // Concurrent lines are hard for the predicates, twins hide what lies behind them; together they
-  // get in each other's way, so there are lists of one sort as well as mixed ones.
+  // Concurrent lines are hard for the predicates, and twins hide what lies behind them. Together
+  // they disturb each other, so there are lists of one sort as well as mixed ones.
   const std::uint64_t sort = choices.choose(2);
   const bool concurrent = sort != 1, twins = sort != 0;
   std::vector<Line<double>> lines;

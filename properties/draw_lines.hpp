@@ -8,18 +8,18 @@
 
 namespace ccdfuzz {
 
-/// The lines of two patches on one axis: f of patch 1, g of patch 2 negated, so that the axis
-/// separates the patches where max f + max g < 0 (patch 1 below patch 2).
+/// The lines of two patches on one axis: f of patch 1, g of patch 2 negated. The axis separates the
+/// patches, patch 1 below patch 2, where max f + max g < 0.
 struct LinePairs {
   std::vector<Line<double>> f;
   std::vector<Line<double>> g;
   TimeWindow<double> window;
 };
 
-/// Lines that are hard to order: concurrent up to a few floats, twins of each other up to a few
-/// floats, and others between them; often max f + max g is about 0 at some time of the window.
-/// 1 to 10 lines a side. Slopes and intercepts are 0 or between 2^-60 and 2^9, so that no product
-/// of two of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
+/// Lines that are hard to order: some concurrent, some twins of each other, both up to a few
+/// floats, and others between them. Often max f + max g is about 0 at some time of the window. 1 to
+/// 10 lines a side. Slopes and intercepts are 0 or between 2^-60 and 2^9, so that no product of two
+/// of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
 LinePairs draw_line_pairs(Draw& choices);
 
 /// The same, or half of the time g is f itself up to a few floats: then max f + max g is about 0

@@ -11,8 +11,8 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Eq. 3 on heights p, q of control points: the spans of p and q have a point in common iff
-/// max p ≥ min q and max q ≥ min p; as printed, with ≤ for both ≥.
+/// Eq. 3 on heights p, q of control points: the spans of p and q have a common point iff max p ≥
+/// min q and max q ≥ min p. as_printed: with ≤ for both ≥.
 void claim_overlap(Draw& d, bool as_printed) {
   std::array<std::vector<std::int64_t>, 2> heights;
   for (auto& side : heights) {

@@ -128,8 +128,8 @@ double full_bits(Draw& choices) {
   return std::ldexp(static_cast<double>(choices.integer(-kMost, kMost)), -53);
 }
 
-/// Two edges, or a point and a face, that touch about t = ½ or nearly do, often with a corner or a
-/// point of an edge.
+/// Two edges, or a point and a face, that touch or nearly touch about t = ½, often at a corner or
+/// on an edge.
 Query draw_about_touching(Draw& choices) {
   const auto vector = [&] {
     const double x = full_bits(choices), y = full_bits(choices);
@@ -159,8 +159,8 @@ Query draw_about_touching(Draw& choices) {
   return query;
 }
 
-/// Also where the window ends or begins at the contact, as near as doubles are, and where corners
-/// pass each other, which are as often inside as outside.
+/// The window may end or begin at the contact, to the last double. Corners may pass each other, as
+/// often inside as outside.
 void check_doubles(Draw& d) {
   using certified::RoughContact;
   Query query = draw_about_touching(d);

@@ -48,9 +48,9 @@ constexpr std::array kTimeScaleFree = {"tdibm@exact-windows",
                                        "trad:aabb"};
 /// Those whose arithmetic is the same in any mirror.
 constexpr std::array kMirrorFree = {"tdibm-rational", "tdibm-c", "trad", "trad:aabb"};
-/// These find where an upper and a lower envelope cross by steps that try the lines of one of them
-/// first, which matters where rounding decides; some also count the steps (Eq. 18). What exchanges
-/// the two, a mirror or a swap, moves an answer now and then: by thousands of ulps where the
+/// These step to the crossing of an upper and a lower envelope, and try the lines of one of them
+/// first. That matters where rounding decides; some also count the steps (Eq. 18). A mirror or a
+/// swap exchanges the two, and now and then moves an answer: by thousands of ulps where the
 /// crossing lines are almost parallel. methods.not_early holds that of tdibm-e to the time that its
 /// boxes explain; the others may also miss.
 constexpr std::array kMirrorMatters = {"tdibm", "tdibm-h:1e-12", "tdibm-e", "tdibm-e-literal"};

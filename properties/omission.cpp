@@ -126,8 +126,8 @@ void check_each_line_once(Draw& d) {
   CLAIM(pops + left <= sorted.size());
 }
 
-/// Three lines, the middle one above the crossing of the others by little more than rounding; their
-/// intercepts differ by little, so that the bound is small against the rounding of a shift.
+/// Three lines, the middle one above the crossing of the others by little more than rounding. Their
+/// intercepts differ by little, so that the bound is smaller than the rounding of a shift.
 std::vector<Line<double>> draw_near_concurrent(Draw& choices) {
   std::vector<Line<double>> lines;
   const double t = std::ldexp(static_cast<double>(choices.integer(1, 24)), -4);

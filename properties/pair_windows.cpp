@@ -15,8 +15,8 @@ namespace {
 
 using certified::PairSplit;
 
-/// Follows one pair of cells through its axes, and claims of each that it is tried with no less
-/// than the bound of its pair's depth, in what is left of the window.
+/// Follows one pair of cells through its axes. Claims that each is tried in the rest of the window,
+/// and with at least the bound of the pair's depth.
 class Follower final : public ExclusionObserver {
  public:
   /// depth: of the pair.

@@ -37,8 +37,8 @@ void check_separation(Draw& d) {
   claim_separation_is_true<Policy>(pairs);
 }
 
-/// An end that Step III finds inside of the window is the root of two lines whose sum falls there
-/// (the start) or rises (the end), however rounding misleads it.
+/// An end that Step III finds inside of the window is the root of two lines. Their sum falls at a
+/// start and rises at an end, however much is rounded.
 template <class Policy>
 void check_ends(Draw& d) {
   const Policy policy;

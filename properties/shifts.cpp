@@ -24,8 +24,8 @@ void check_eps_constr(Draw& d) {
   const Dyadic arithmetic = eps_arith(exact_lines(sorted), Dyadic::exact(t));
   const Dyadic coefficients =
       Dyadic::exact(t) * Dyadic::exact(error.slope) + Dyadic::exact(error.intercept);
-  // A product and two sums of what is not negative, each u at most too low; the room that Appendix
-  // B leaves is of eps_arith alone.
+  // A product and two sums of numbers ≥ 0, each at most u too low. Appendix B leaves room for
+  // eps_arith alone.
   const Dyadic lost = coefficients * half_ulp().scaled(2);
   show(d, "eps_a", error.slope);
   show(d, "eps_b", error.intercept);
@@ -34,8 +34,8 @@ void check_eps_constr(Draw& d) {
   CLAIM(coefficients - lost + arithmetic <= Dyadic::exact(computed));
 }
 
-/// Section 4.5: an end of a separated interval is where the envelopes meet that were pulled apart
-/// by I·delta each, I the steps from the end that the sweep began at, or further inward.
+/// Section 4.5: pull both envelopes apart by I·delta, I the steps from the end at which the sweep
+/// began. An end of a separated interval is where these meet, or further inward.
 void check_pulled_roots(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
   const Lines<double> f = sorted_lines(pairs.f), g = sorted_lines(pairs.g);

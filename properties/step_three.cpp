@@ -16,8 +16,8 @@ struct PaperEnvelopes {
   Lines<double> first, second;
 };
 
-/// The indices alpha, beta at which the walk of Section 3 ends; nothing if it runs out of lines, or
-/// if the envelopes come apart no more.
+/// The indices alpha, beta at which the walk of Section 3 ends. Nothing if the lines end first, or
+/// the distance of the envelopes no longer grows.
 template <class Policy>
 std::optional<std::pair<int, int>> first_crossing(const Policy& policy,
                                                   const PaperEnvelopes& envelopes, double t_end) {
@@ -148,7 +148,7 @@ void claim_envelopes_follow(Draw& d, const Policy& policy, const LinePairs& pair
   claim_follows(d, policy, envelopes, pairs.window);
 }
 
-/// Where Step II was wrong, Step III meets lists that are no envelopes, and must not go on past the
+/// After an error of Step II, Step III gets lists that are no envelopes. It must not go past the
 /// point from which f + g falls no more.
 void claim_lists_follow(Draw& d, const LinePairs& pairs) {
   BothLists lists;

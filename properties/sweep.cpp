@@ -76,9 +76,9 @@ Walk walk(const Envelopes& e) {
   return out;
 }
 
-/// Eq. 18: where Psi_max < 0 in truth and the computed one is not below −eps, and the next line of
-/// f is still less steep than that of g, then the crossing with f's next line, of envelopes pulled
-/// apart by delta each, is no earlier than the crossing that was missed.
+/// Eq. 18. Let the exact Psi_max be < 0, the computed one not below −eps, and the next line of f
+/// less steep than that of g. Pull both envelopes apart by delta. Then the crossing with f's next
+/// line is no earlier than the crossing that was missed.
 void check_eq_18(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
   const auto f = draw_sorted(d, 2, pairs.f);

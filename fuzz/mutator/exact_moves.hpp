@@ -5,9 +5,8 @@
 
 namespace ccdfuzz {
 
-/// Moves that keep the contact by what they are. Each takes a whole query to a whole query, or
-/// returns false where a number of the result would not be a double, or there is nothing to do;
-/// the query is then to be thrown away.
+/// Moves that keep the contact exactly, by construction. Each returns false if a number of the
+/// result would not be a double, or if there is nothing to do. The caller must then discard q.
 
 /// Two control points of a patch move against each other, or one without weight alone: positions or
 /// velocities or ends change in the null space of the Bernstein row.

@@ -30,15 +30,19 @@ enum class Aim : std::uint8_t {
   kNothing,  ///< chance: for comparison
 };
 
-/// Contacts of one method, bred from two populations, either as often: from those that its own
-/// tests nearly lose (the margin or slack of the witness trace), the nearest of each niche, and
-/// from one that drifts, where what is kept takes the place of any. A trace takes microseconds, so
-/// thousands of mutants cost what a few queries do.
+/// Searches for counterexamples to one method by mutating cases with a known contact.
 ///
-/// A mutant whose contact is lost is put to the method, up to the contact and past it, if it is
-/// smaller than what failed before; a failure there is a counterexample, unless the moves have led
-/// back to a founder, which is a case of its own. A plug-in cannot be traced: every mutant is put
-/// to it, and there is the drifting population alone.
+/// Every mutant keeps an exact witness, so its truth needs no new proof. Parents come from two
+/// populations, equally often:
+///   nearest   per niche, the contact that the method came closest to losing (its trace's margin
+///             or slack)
+///   drifting  each mutant that keeps its contact replaces a random member
+/// A trace takes microseconds, so thousands of mutants cost as much as a few queries.
+///
+/// If a trace loses its contact and the mutant is smaller than every failure before, the method is
+/// asked up to the contact and past it. A failure there is a counterexample, unless the moves led
+/// back to a founder, which is asked elsewhere. A plug-in cannot be traced: it is asked about every
+/// smaller mutant, and the drifting population alone is used.
 class Breeder {
  public:
   Breeder(std::string method, std::uint64_t seed, const HuntGround& ground = {},

@@ -21,8 +21,9 @@ struct HuntDraw {
 };
 
 /// The draws of a hunt: an endless sequence for each contact class, which depends on the seed and
-/// the ground alone. It goes round both constructions and all stress families that have the class
-/// and the ground's shapes, and leaves out what is not on the ground, if need be all of a draw.
+/// the ground alone. It alternates between both constructions and all stress families that have the
+/// class and the ground's shapes. Cases that are not on the ground are left out, so a draw may be
+/// empty.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed, const HuntGround& ground = {});

@@ -57,9 +57,9 @@ struct Nursery {
   std::uint64_t founded = 0;
 };
 
-/// A hunt by time depends on the clock anyway. A plug-in is told of kLongestQuerySeconds, and
-/// begins nothing new with a query after it; but what it was asked it has its own time for
-/// (seconds=S), so that it may hold up the end for so long besides.
+/// A hunt by time depends on the clock anyway. A plug-in is asked nothing more about a query after
+/// kLongestQuerySeconds. For the question that it has it may take its own time (seconds=S), and so
+/// delay the end by that.
 HuntOptions within_its_time(HuntOptions options) {
   if (!options.cases) {
     options.search.max_seconds = std::min(options.search.max_seconds, kLongestQuerySeconds);
@@ -269,8 +269,8 @@ class Hunt {
     }
   }
 
-  /// Shrinks, by time for at most as long again as the hunt, but long enough for a short one's
-  /// finds; and asks all methods about all new finds.
+  /// Shrinks the new finds, in a hunt by time for at most as long again but at least 20 s. Then
+  /// asks all methods about them.
   Result<void> finish() {
     const double until = options_.cases ? std::numeric_limits<double>::infinity()
                                         : elapsed() + std::max(options_.seconds, 20.0);

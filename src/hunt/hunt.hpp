@@ -90,14 +90,12 @@ struct HuntProgress {
   std::vector<Failure> met = {};  ///< that this hunt meets first, since the last call
 };
 
-/// The main job: draws cases of all six contact classes, puts them to the methods, judges, breeds
-/// mutants of them that each method nearly loses (Breeder), and stores the smallest find of each
-/// Failure that it met. (A mutant is asked about only where it is smaller than what failed before,
-/// in whatever way.)
-/// By time, each cell of a class and a method gets an equal share of CPU time, half of it for
-/// mutants, and all methods of a class walk the same sequence of draws (Schedule). stop ends the
-/// hunt early, with what it has.
-/// Requires at least one method.
+/// Searches for failures of methods and stores the smallest find of each Failure. Draws cases of
+/// all six contact classes, runs the methods on them, judges, and breeds mutants that a method
+/// nearly loses (Breeder). (A mutant is asked about only if it is smaller than every failure of the
+/// method before.) By time, each cell of a class and a method gets an equal share of CPU time, half
+/// of it for mutants. All methods of a class walk the same sequence of draws (Schedule). stop ends
+/// the hunt early, with what it has. Requires at least one method.
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,
                 const std::atomic<bool>& stop);

@@ -33,19 +33,18 @@ struct Niche {
 /// A contact's place in a population.
 struct Standing {
   Niche niche;
-  double nearness = 0;  ///< to being lost: less is nearer
+  double nearness = 0;  ///< how near it is to being lost; less is nearer
 };
 
-/// How nearly the contact of q was lost in its trace, and what decided that. For methods that
-/// compare at the ends of windows: the slack. For the others: how far apart the patches still are
-/// where the nearest exclusion ends, by the speed at which they close in the contact, in units of
-/// what rounding may do to a height (2^-53 of the largest on the way). Time alone would favour
-/// patches that are fast, not those whose heights are rounded most. Computed in double precision: a
-/// guide, no proof.
+/// How nearly the contact of q was lost in its trace, and in which niche. For methods that compare
+/// at the ends of windows: the slack. For the others: how far apart the patches are where the
+/// nearest exclusion ends. That is the time to the contact times the closing speed, in units of
+/// what rounding may do to a height (2^-53 of the largest on the way). Time alone would favour fast
+/// patches over badly rounded ones. Computed in double precision: a guide, no proof.
 Standing standing_of(const Contact& q, const Trace& trace);
 
-/// The contacts that came nearest to being lost, one a niche: so none takes the place of all
-/// others, whatever it is that it nearly fails by.
+/// The contacts that came nearest to being lost, one per niche. So a contact that nearly fails in
+/// one way cannot displace those of other ways.
 class Population {
  public:
   /// Takes the place of a member of its niche that is no nearer: of equals the younger stays, so

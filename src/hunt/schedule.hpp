@@ -21,12 +21,12 @@ struct Turn {
 
 /// Whose turn it is, and for what. Not synchronised: the caller locks.
 ///
-/// By time it shares CPU time equally among cells, whatever one turn of each costs: the next turn
-/// goes to the cell that has used least, so that a slow cell gets few turns and starves nobody; of
-/// equals to the one with the fewest turns, and then to the last. A cell breeds while that has
-/// taken less time than its draws. Turns may overlap: a cell whose turn still runs is charged with
-/// what its last turn cost, so that several threads do not all pick the same one.
-/// By draws it gives every draw of each cell, and then one breeding turn of each.
+/// By time it shares CPU time equally among cells, whatever one turn of each costs. The next turn
+/// goes to the cell that has used least; among equals to the one with the fewest turns, and then to
+/// the last. So a slow cell gets few turns and starves nobody. A cell breeds while that has taken
+/// less time than its draws. Turns may overlap: a cell whose turn still runs is charged with what
+/// its last turn cost, so that several threads do not all pick the same one. By draws it gives
+/// every draw of each cell, and then one breeding turn of each.
 class Schedule {
  public:
   /// By time, without end; or by so many draws of each cell. Requires a cell.

@@ -133,8 +133,8 @@ Result<std::optional<Case>> Triage::take_in(const Confirmed& confirmed) {
   const auto& [asked, failure] = confirmed;
   Case find = shrink(asked, failure, asker_, {options_.shrink_trials, options_.stop}).value;
   if (failure.who != kOracle) find = with_truth(find).value_or(find);
-  // What is not shrunk to the end is left to another time, which would find it anew; but not a
-  // hang, which would take as long again.
+  // A find that is not shrunk to the end is left to a later run, which finds it anew. A hang is
+  // kept, as it would take as long again.
   if (options_.stop() && failure.cause != "hang") return std::nullopt;
   asker_.ask_others(find, options_.methods);
   intake_.offer(failure, find);

@@ -16,14 +16,13 @@ struct CaseText {
   std::string details;  ///< JSON
 };
 
-/// Traces the witness of the case, if it has one within t_max, through every method that has failed
-/// on it; with trace_all, or if none has, through all that were asked; not through plug-ins.
-/// The row: [id, class, kind, generator, outcomes, new, worst, setting, bits, causes]:
-/// - `outcomes` has a letter for each method (letter_of; "-" where it was not asked);
-/// - `worst` is the first loss of a method that failed, [method, level, axis, ulps or null], or
-/// null;
-/// - `bits` are the query's significant bits (CaseSize);
-/// - `causes` maps methods that failed to the cause: the one that the case expects, or the trace's.
+/// Traces the witness of the case, if it has one within t_max, through every method that failed on
+/// it. With trace_all, or if none failed, through all that were asked. Plug-ins are not traced. The
+/// row: [id, class, kind, generator, outcomes, new, worst, setting, bits, causes]: - `outcomes` has
+/// a letter for each method (letter_of; "-" where it was not asked); - `worst` is the first loss of
+/// a method that failed, [method, level, axis, ulps or null], or null; - `bits` are the query's
+/// significant bits (CaseSize); - `causes` maps methods that failed to the cause: the one that the
+/// case expects, or the trace's.
 CaseText describe(const ReportedCase& reported, const std::vector<std::string>& methods,
                   bool trace_all, TracerSet& tracers);
 

@@ -8,8 +8,8 @@
 
 namespace ccdfuzz {
 
-/// A loss of the witness, measured in exact arithmetic: what is true of the pair of parts that the
-/// method took apart, along the axis that it took them apart by, at the time t* of the contact.
+/// A loss of the witness, measured in exact arithmetic at the time t* of the contact. It is of the
+/// pair of parts that the method separated, and along the axis by which it did.
 struct LossFacts {
   struct Overlap {
     /// By how much the parts overlap along the unit axis, ≥ 0 since they touch; rounded.
@@ -19,9 +19,9 @@ struct LossFacts {
   };
   /// None if the axis is no direction: zero, or past the range of doubles.
   std::optional<Overlap> overlap;
-  /// From t* to the end of the excluded times that is past it, though it should be before it, in
-  /// steps from one double to the next; the nearer one of two. None if the window cuts off both
-  /// ends: the axis claims all that is left of the time.
+  /// How many doubles the end of the excluded times is past t*, though it should be before it; of
+  /// two ends the nearer one. None if the window cuts off both ends: the axis claims all that is
+  /// left of the time.
   std::optional<std::uint64_t> ulps_past;
 };
 

@@ -99,8 +99,8 @@ inline constexpr std::size_t kMostPageBytes = 19'000'000;
 /// True iff any method's outcome is a failure: a false negative or positive, or an error.
 bool has_failure(const ReportedCase& reported);
 
-/// At most `most` of the cases, of every class, kind and set of failing methods the same number
-/// (the first ones) where there are enough; the rest goes, and is counted in cases_left_out.
+/// Keeps at most `most` of the cases: the same number of each class, kind and set of failing
+/// methods where there are enough, the first ones. Counts the rest in cases_left_out.
 void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases);
 
 /// The page as one HTML text that needs no network: the viewer, and the report as data in it.

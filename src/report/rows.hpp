@@ -18,8 +18,9 @@ class ReportRows {
   /// precision: that the case was asked at.
   void add(const EvaluatedCase& evaluated, const Case& known, double precision);
 
-  /// Rows by class, kind, horizon and method; all cases with a failure, as far as there is room,
-  /// or where there is none, some of each class and kind. costs: of making the cases, if known.
+  /// Adds the rows, by class, kind, horizon and method, and all cases with a failure, as far as
+  /// there is room. If there is none, some cases of each class and kind. costs: of making the
+  /// cases, if known.
   void finish(ReportPage& report, const std::vector<GenerationCost>& costs);
 
  private:

@@ -63,9 +63,9 @@ inline Line<double> twin(Draw& random, const Lines<double>& lines) {
   return {slope, intercept};
 }
 
-/// Lines through a common point, give or take an ulp, and twins of them: what control points on a
-/// plane that an axis is nearly normal to look like, and where every predicate of Steps II and III
-/// is nearly zero. The point lies in the window or at one of its ends.
+/// Lines through a common point, give or take an ulp, and twins of them. Control points on a plane
+/// look so, along an axis nearly normal to it. Every predicate of Steps II and III is nearly zero
+/// there. The point lies in the window or at one of its ends.
 inline LineProblem concurrent_lines(Draw& random) {
   LineProblem p;
   const double t = std::abs(fraction(random, random.coin() ? 3 : 30));

@@ -4,9 +4,10 @@
 
 namespace ccdfuzz {
 
-/// Two triangular quadratics that touch transversally at t = 3/4, patch 1 at (0, 0) and patch 2 at
-/// (1/4, 1/4); the first contact is at about .742. On the axis z the control points of patch 1 make
-/// a twin shield: one line that is redundant by 1e-16 hides another that is redundant by much more.
+/// Two quadratic triangles that touch transversally at t = 3/4, at (0, 0) of patch 1 and (1/4, 1/4)
+/// of patch 2. The first contact is at about 0.742. On the axis z the control points of patch 1
+/// make a twin shield: one line that is redundant by 1e-16 hides another that is redundant by much
+/// more.
 inline Query twin_shield() {
   const auto triangle = [](std::array<std::array<double, 3>, 6> p, std::array<double, 6> vz) {
     MovingPatch<double> patch{Shape::triangle(2), {}, {}};

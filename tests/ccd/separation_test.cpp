@@ -100,8 +100,8 @@ TEST(Separation, PrintedSignExcludesTooMuch) {
 }
 
 /// The lines of twin_shield() on the axis z. The second line is redundant by less than the bound,
-/// so it stays; the third shields it from the fourth; the chain is not convex by O(1), and no
-/// epsilon covers that.
+/// so it stays, and the third shields it from the fourth. The chain fails to be convex by O(1),
+/// which no bound of rounding covers.
 TEST(Separation, PrintedSignLosesATwinShieldByMuch) {
   const LineProblem p = sorted_problem({{2, -1}, {.3, -.25}, {.1 * 3, -.25}, {0, 0}}, {{-10, 7}});
   const auto printed = separated_times(ErrorBoundPrinted(), p.f, p.g, p.w);

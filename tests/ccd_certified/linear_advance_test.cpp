@@ -28,8 +28,8 @@ std::array<Shape, 2> any_linear_shapes(Draw& random) {
                                                           {kPoint, kPoint}}});
 }
 
-/// Two linear patches in full doubles that are within a few floats of touching at t = 1/2, at a
-/// corner, on an edge or inside; far from the origin, fast in common, or neither.
+/// Two linear patches in full doubles that are within a few floats of touching at t = 1/2: at a
+/// corner, on an edge or inside. They may be far from the origin, or have a fast common velocity.
 Query almost_touching(Draw& random) {
   const std::array<Shape, 2> shapes = any_linear_shapes(random);
   Query query;

@@ -177,8 +177,8 @@ Query gap_of_places(int places, double gap, double scale) {
           1};
 }
 
-// As many binary places as it says, from the lowest bit of a coordinate to its highest; beyond,
-// hits are all that the bounds of doubles leave.
+// It is exact for the number of binary places that it promises, from the lowest bit of a coordinate
+// to its highest. Beyond, it says hit wherever the bounds of doubles do not exclude one.
 TEST(LinearContact, IsExactInTheRangeThatItSays) {
   for (int places = 240; places <= 270; ++places) {
     if (places == 255) continue;  // covered here, but not promised

@@ -17,8 +17,8 @@ struct Contact {
   std::array<Uv<Dyadic>, 2> uv;
 };
 
-/// Two lattice patches of any shapes, moved together exactly so that they touch at a dyadic time
-/// and dyadic parameters; t_max at the contact or past it.
+/// Two lattice patches of any shapes, moved exactly so that they touch at a dyadic time and dyadic
+/// parameters. t_max is at the contact or past it.
 Contact any_contact() {
   Contact c;
   const RandomCoordinates coordinates{

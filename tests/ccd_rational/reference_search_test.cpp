@@ -10,8 +10,8 @@
 namespace ccdfuzz {
 namespace {
 
-/// Rounded windows start the next level a little earlier, and axes made at another time, however
-/// near, may round to another of their least 16 bits.
+/// Rounded windows start the next level a little earlier. Axes made at another time, however near,
+/// may differ in the last of their 16 bits.
 constexpr double kAxisRounding = 0x1p-14;
 
 class ReferenceTest {

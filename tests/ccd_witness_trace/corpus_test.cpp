@@ -9,8 +9,8 @@
 namespace ccdfuzz {
 namespace {
 
-// A method that answers that there is no contact has lost the witness in all its pairs, and one
-// that is late in those that it would have come to before.
+// A method that answers "no contact" has lost the witness in all its pairs. One that is late has
+// lost it in the earlier ones.
 TEST(Corpus, WhereAMethodMissesItLosesTheWitnessAndTheSoundOnesKeepIt) {
   int entries = 0, losses = 0;
   for (const auto& file : std::filesystem::directory_iterator(CCDFUZZ_CORPUS "/cases")) {

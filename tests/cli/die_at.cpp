@@ -1,9 +1,8 @@
 // Preloaded into a program, counts its calls that change files and ends it by SIGKILL at one of
 // them:
-//   CCDFUZZ_TEST_DIE_AT=N     at the N-th, from 0, before it is made; a write counts twice, and at
-//   the
-//                             second time half of it is made
-//   CCDFUZZ_TEST_CALLS=FILE   or writes how many there were into a file when the program ends
+//   CCDFUZZ_TEST_DIE_AT=N     before the N-th, counted from 0. A write counts twice: the second
+//                             time, half of it is made
+//   CCDFUZZ_TEST_CALLS=FILE   at none; writes their number into a file when the program ends
 // Programs that this one starts are left alone.
 #include <dlfcn.h>
 #include <fcntl.h>

@@ -191,8 +191,8 @@ TEST(Hunt, KilledAtAnyMomentItLeavesFindsThatLoadAndReplay) {
 TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
   const ScratchFolder folder;
   const std::string finds = folder / "finds";
-  // One block of 512 or 1,024 bytes a file stops the write of a case in its middle, as a full disk
-  // does; the pipe keeps stdout out of the limit.
+  // A limit of one block (512 or 1,024 bytes) per file stops the write of a case in its middle, as
+  // a full disk does. The pipe exempts stdout.
   const Finished finished = shell(fmt::format(
       "{{ trap '' XFSZ; ulimit -f 1; $ccdfuzz hunt --cases 3 --methods tdibm --max-pops 20 "
       "--corpus {} 2>&1; echo \"exit code $?\"; }} | cat",

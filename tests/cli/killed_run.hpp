@@ -19,10 +19,10 @@ inline std::uintmax_t size_or_zero(const std::string& path) {
   return none ? 0 : size;
 }
 
-/// Runs ccdfuzz until its run file has grown, kills it up to 20 ms later, and that `kills` times,
-/// each run going on where the last was killed. If a run was over before that, as where the machine
-/// gave this process no time, calls `forget`, which removes what was written, and begins anew.
-/// False if that was so `kAttempts` times.
+/// Runs ccdfuzz until its run file has grown and kills it up to 20 ms later; `kills` times, each
+/// run resuming the one before. A run may end before it is killed, if this process gets no time.
+/// Then it calls `forget`, which removes what was written, and starts over. Returns false after
+/// `kAttempts` such attempts.
 template <class Forget>
 bool kill_often(const std::vector<std::string>& arguments, const std::string& journal, int kills,
                 const Forget& forget) {

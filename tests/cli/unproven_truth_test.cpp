@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A vertex that comes down on a triangle, at t = 1/2 if it falls by 2 and not before t = 2 if by
-/// 1/2, with this truth; tdibm-c finds that, and is said to be wrong.
+/// A vertex that falls on a triangle, with this truth. At speed 2 they touch at t = 1/2, at speed
+/// 1/2 at t = 2. The case expects tdibm-c to be wrong, which answers right.
 std::string case_saying(const std::string& truth, const std::string& speed) {
   return R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,)"
          R"("positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},)"

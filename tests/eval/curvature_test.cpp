@@ -5,8 +5,8 @@
 namespace ccdfuzz {
 namespace {
 
-/// The graph of z = a·x² + b·x·y + c·y² over the triangle (0,0), (1,0), (0,1) of parameters (u, v),
-/// x = size·u and y = size·v, as it is at t = 2; before, it moves along.
+/// At t = 2 the graph of z = a·x² + b·x·y + c·y², with x = size·u and y = size·v, over the triangle
+/// (0,0), (1,0), (0,1) of (u, v). Before, it moves along.
 MovingPatch<double> graph(double a, double b, double c, double size) {
   const double s = size * size;
   MovingPatch<double> patch{Shape::triangle(2),

@@ -104,8 +104,8 @@ TEST(StoreInTrouble, KilledAtAnyMomentLeavesWholeEntries) {
     const pid_t child = ::fork();
     if (child == 0) {
       try {
-        // Every fourth find is the first of its failure, every other smaller than the one before
-        // it, so that files come and go all the time.
+        // Every fourth find is the first of its failure. Each of the others is smaller than the one
+        // before it, so that files come and go all the time.
         Store store = open_store(folder.path());
         for (int i = 0;; ++i) {
           put(store, find_of(std::ldexp(1, 5 - i % 4) - 1, fmt::format("m{}-{}", round, i / 4)));

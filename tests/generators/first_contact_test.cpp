@@ -40,8 +40,8 @@ TEST(FirstContact, IsNotProvenWhereThePatchesComeOutOfEachOther) {
   }
 }
 
-/// Patch 1 comes down on the large flat patch 2 with its corner w; its corner u has this speed, and
-/// is one above the plane at t*.
+/// Patch 1 falls on the large flat patch 2, its corner w first. Its corner u has this speed, and is
+/// at height 1 above the plane at t*.
 Scene corner_on_plate(int speed_of_u) {
   constexpr std::array<std::array<int, 3>, 3> kCorner = {{{2, 0, 1}, {0, 2, 1}, {0, 0, 0}}};
   constexpr std::array<std::array<int, 2>, 3> kPlate = {{{24, -8}, {-8, 24}, {-8, -8}}};

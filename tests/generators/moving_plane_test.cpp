@@ -7,8 +7,8 @@ namespace {
 
 const Vec3<Dyadic> kUp = {Dyadic(0), Dyadic(0), Dyadic(1)};
 
-/// A flat triangle in the plane z = 0 that touches another one like it at its corner w, while
-/// patch 1 comes down with speed 1 and patch 2 comes up with speed 1.
+/// Two equal flat triangles in the plane z = 0 that touch at their corners w. Patch 1 moves down
+/// and patch 2 up, each with speed 1.
 Scene two_flat_triangles() {
   Scene scene;
   scene.contact.t = Dyadic(1);

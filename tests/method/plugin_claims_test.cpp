@@ -20,8 +20,8 @@ constexpr const char* kConservative = ":claims=7";
 constexpr const char* kOpenTMax = ":claims=4";
 constexpr const char* kNotAtZero = ":claims=2";
 
-/// Two points, one of which runs along the x axis at speed 1 from -contact to where the other
-/// rests; 100 away from the origin to make what is relative to coordinates so.
+/// Two points. One moves along the x axis at speed 1, from -contact to where the other rests. They
+/// are 100 away from the origin, since some tolerances are relative to coordinates.
 Case meeting_at(double contact, double t_max) {
   Case made;
   made.query.patches[0] = {Shape::point(), {{-contact, 100, 0}}, {{1, 0, 0}}};

@@ -31,9 +31,9 @@ TEST(SubPatch, OfAnInvertedTriangle) {
 }
 
 /// t − 7/8 and its twin lie below the maximum of 0 and 2t − 13/8 by 1/16 and more. The printed sign
-/// keeps the first because Phi cannot tell it from its twin, then both because the twin shields it
-/// from the last line; so the sweep believes in t − 7/8 where 0 is higher, and takes the patches to
-/// be separated up to 25/32, where they touch at 3/4.
+/// keeps the first because Phi cannot tell it from its twin. It keeps both because the twin shields
+/// the first from the last line. So the sweep takes t − 7/8 for the maximum where 0 is higher. It
+/// says that the patches are separated up to 25/32, though they touch at 3/4.
 TEST(Separation, TwinShieldMisleadsTheSignAsPrinted) {
   const LinePairs pairs{
       {{0, 0}, {1, -0.875}, {1 + 0x1p-52, -0.875}, {2, -1.625}}, {{2, -1.5}}, {0, 1}};

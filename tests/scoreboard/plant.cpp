@@ -1,10 +1,10 @@
-// plant FAULTS SOURCES OUT: writes to OUT the files of the source tree that faults stand in, each
-// right text replaced by a choice between it and the wrong ones, made when the program runs.
-// OUT/faults.txt is the list as it was then: faults are known by their places in it.
-// Nothing else of the project knows of faults. A fault is stale if its text is not in its file just
-// once. It is left out with a warning and named in OUT/left_out.txt, so that whoever changes a
-// source can still build. If OUT is "-", nothing is written, and the exit code is 1 if any fault is
-// stale: this is how a test says that the list must follow.
+// plant FAULTS SOURCES OUT: writes to OUT the source files that have faults. There each right text
+// becomes a choice between it and the wrong ones, made when the program runs. OUT/faults.txt is the
+// list as it was then: faults are known by their places in it. Nothing else of the project knows of
+// faults. A fault is stale if its text is not in its file just once. It is left out with a warning
+// and named in OUT/left_out.txt, so that whoever changes a source can still build. If OUT is "-",
+// nothing is written, and the exit code is 1 if any fault is stale: this is how a test says that
+// the list must follow.
 #include <fmt/format.h>
 
 #include <filesystem>

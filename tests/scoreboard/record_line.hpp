@@ -12,9 +12,8 @@ namespace ccdfuzz {
 /// A record as a line of JSON, without the line's end.
 std::string to_line(const Record& record);
 
-/// The record of a line. Errors: it is no JSON, a field is missing, unknown or of another kind, the
-/// driver or the fault is none that there is, the seed is 0, the limit is 0; naming where, field
-/// and value.
+/// The record of a line. Errors, naming where, field and value: it is no JSON; a field is missing,
+/// unknown or of another kind; the driver or the fault is unknown; the seed or the limit is 0.
 Result<Record> parse_record(std::string_view line, const std::string& where,
                             const std::vector<PlantedFault>& faults);
 

@@ -9,9 +9,9 @@
 
 namespace ccdfuzz {
 
-/// What the runs of one driver against one fault say together; times and executions are medians
-/// over the runs, where one that did not detect the fault counts as longer than all that did,
-/// whatever its limit; where the median is of such a run, it is at least so much ("censored").
+/// What the runs of one driver against one fault say together. Times and executions are medians
+/// over the runs. A run that did not detect the fault counts as longer than all that did, whatever
+/// its limit. If the median is such a run, it is a lower bound ("censored").
 struct Row {
   std::string driver, fault;  ///< fault "none": false alarms
   bool equivalent = false;

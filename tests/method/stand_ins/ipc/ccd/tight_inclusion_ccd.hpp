@@ -1,6 +1,6 @@
-// A stand-in for ipc-toolkit: the signatures of its narrow phase that the adapter uses, as they are
-// since version 1.4 (commit 12a6475 of its repository); before, Eigen::ConstRef<Eigen::Vector3d>
-// stood in the place of each ConstRef. Nothing is defined.
+// A stand-in for ipc-toolkit: the signatures of its narrow phase that the adapter uses, as of
+// version 1.4 (commit 12a6475 of its repository). Before, each ConstRef was
+// Eigen::ConstRef<Eigen::Vector3d>. Nothing is defined.
 #pragma once
 
 #include <Eigen/Core>
