@@ -15,7 +15,7 @@ class Margins {
   static constexpr std::size_t kMethods = 10;
   /// Margins and slacks from 2^-64 to 2^64 of their unit, in buckets of four doublings.
   static constexpr std::size_t kBuckets = 32;
-  static constexpr std::size_t kLevels = 24;  ///< the last stands for all that are deeper
+  static constexpr std::size_t kLevels = 24;  ///< the last is for all that are deeper
   static constexpr std::size_t kPerMethod = kLevels * kBuckets * 2;
   static constexpr std::size_t kCounters = kMethods * kPerMethod;  ///< those of a method together
 

@@ -7,10 +7,10 @@
 
 namespace ccdfuzz {
 
-/// The name of the suite that this program puts inputs to (suite.cpp).
+/// The name of the suite that this program checks (suite.cpp).
 extern const std::string_view kSuite;
 
-/// Puts the bytes to one of the suite's claims (claim_input). A failure is printed with its
+/// Checks one of the suite's claims on the bytes (claim_input). A failure is printed with its
 /// operands and ends the process, so that libFuzzer keeps the input. What links this mutates and
 /// crosses choices (generators/draw/mutate_choices.hpp), and draws every other input anew; but not
 /// texts.

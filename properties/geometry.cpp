@@ -95,7 +95,7 @@ void check_children_cover(Draw& d) {
   const Cell cell = draw_cell(d, shape, 8);
   const Uv<Dyadic> drawn = draw_uv(d, shape, 10);
   const Uv<Rational> uv{drawn[0].rational(), drawn[1].rational()};
-  // A point stands for itself and is its own child.
+  // A point is its own child.
   bool is_in_a_child = false;
   for (int c = 0; c < shape.child_count(); ++c) {
     is_in_a_child = is_in_a_child || contains(cell.child(shape, c), shape, uv);

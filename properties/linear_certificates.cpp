@@ -12,7 +12,7 @@ namespace ccdfuzz {
 namespace {
 
 /// A clearance that ends before, at or after the first contact, or before t = 0. If after, at a
-/// time of which the contact's is so many eighths, where halving comes to it: else the checker
+/// time of which the contact's is a number of eighths, which halving reaches: else the checker
 /// refuses, too, but only after 4,000 halvings.
 void check_clearance_of_linear(Draw& d) {
   Case asked;

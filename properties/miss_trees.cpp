@@ -12,7 +12,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Two patches of any shapes with whole coordinates within 8 of 0 and speeds of less than 2.
+/// Two patches of any shapes with integer coordinates within 8 of 0 and speeds of less than 2.
 Query draw_small_query(Draw& choices) {
   Query query;
   for (MovingPatch<double>& patch : query.patches) {

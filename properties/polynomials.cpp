@@ -17,7 +17,7 @@ struct Monomial {
 };
 using Polynomial = std::vector<Monomial>;
 
-/// x·(x − 1)·… of so many factors.
+/// x·(x − 1)·… with this many factors.
 Rational falling(int x, int factors) {
   Rational product = 1;
   for (int k = 0; k < factors; ++k) product *= x - k;
@@ -126,7 +126,7 @@ Rational least_of_quadratic(const Shape& shape, const Polynomial& quadratic) {
   return least;
 }
 
-/// All terms up to a degree that the shape has, of small whole factors, and none of degree 0.
+/// All terms up to a degree that the shape has, with small integer factors, and none of degree 0.
 Polynomial draw_terms(Draw& choices, const Shape& shape, int max_degree) {
   constexpr int kLargest = 4;
   Polynomial drawn;

@@ -82,9 +82,10 @@ struct Property {
   Expectation expected = Expectation::kHolds;
 };
 
-/// What the check of a property says of an input. An exception is a failure, but for
-/// std::bad_alloc, which goes on to whoever limits memory. A failure is told by checking the same
-/// choices once more while show() listens; not if `tells` is false: who counts need not pay for it.
+/// What the check of a property says of an input. An exception is a failure, except
+/// std::bad_alloc, which passes to whoever limits memory. A failure is described by checking the
+/// same choices once more while show() listens; not if `tells` is false: who counts need not pay
+/// for it.
 Check run(const Property& property, Draw& choices, bool tells = true);
 
 }  // namespace ccdfuzz

@@ -58,7 +58,7 @@ void check_not_early(Draw& d) {
   claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational", "tdibm-e"}), drawn, d);
 }
 
-/// One of the patches is split: control points of parts are within those of the whole, and so are
+/// One of the patches is split: control points of parts are within those of the patch, and so are
 /// the boxes of their cells.
 void check_split(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d));

@@ -58,7 +58,7 @@ std::string shown(const T& value) {
   }
 }
 
-/// Within a check: a value that a failure is told with, one line each. Costs a branch otherwise.
+/// Within a check: a value that a failure shows, one line each. Costs a branch otherwise.
 template <class T>
 void show(Draw& draw, std::string_view name, const T& value) {
   if (std::string* story = draw.story()) *story += fmt::format("\n  {} = {}", name, shown(value));

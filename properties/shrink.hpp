@@ -20,7 +20,7 @@ struct Counterexample {
 
 /// When no more simpler inputs are tried. (The input itself, and what comes out, are run besides.)
 struct ShrinkLimits {
-  std::uint64_t tries;                 ///< so many inputs
+  std::uint64_t tries;                 ///< runs at most
   std::function<bool()> is_over = {};  ///< asked before each of them; empty: never over
 };
 

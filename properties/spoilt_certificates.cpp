@@ -83,7 +83,7 @@ void check_wrong_plane(Draw& d) {
   for (Rational& x : plane.normal) x = draw_number(d, x);
   plane.offset = draw_number(d, plane.offset);
   plane.until = draw_late(d, *truth.contact_by());
-  // At the contact itself the plane may stand: it proves what comes before.
+  // At the contact itself the plane is right: it proves the time before.
   if (plane.until == *truth.contact_by()) plane.until += power_of_two(-40);
   show(d, "until", plane.until);
   show(d, "normal", plane.normal);

@@ -9,7 +9,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// What local parameters of a cell stand for.
+/// The parameters of the patch that local parameters of a cell mean.
 Uv<Dyadic> to_global(const Shape& shape, const std::array<Uv<Dyadic>, 3>& corners,
                      const Uv<Dyadic>& uv) {
   const auto& [u, v] = uv;

@@ -8,8 +8,8 @@
 
 namespace ccdfuzz {
 
-/// Claims about one subject. A fuzz target of its name puts inputs to those that are thought to
-/// hold (fuzz/suite.cpp). properties/CMakeLists.txt says which files it is made of.
+/// Claims about one subject. A fuzz target of its name checks inputs against those that are thought
+/// to hold (fuzz/suite.cpp). properties/CMakeLists.txt says which files it is made of.
 struct Suite {
   std::string name;
   /// True if its one claim draws a text first: the bytes of the fuzz target are that text.

@@ -101,7 +101,7 @@ void check_eq_18(Draw& d) {
 }
 
 /// C.3: at every pair of the path but the last, "the situation corresponds to case 1", in Fig. 3
-/// c_beta > c_(alpha+1). That is so of the line that the step goes on to, alpha + 1 or beta + 1.
+/// c_beta > c_(alpha+1). That holds for the next line of the step, alpha + 1 or beta + 1.
 void check_path_is_case_1(Draw& d) {
   const Envelopes e = draw_envelopes(d);
   suppose(!policy_starts_below(e));

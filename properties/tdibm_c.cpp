@@ -7,7 +7,7 @@ std::vector<Property> tdibm_c_claims() {
   constexpr auto kMethod = "tdibm-c", kSource = "src/ccd/certified/DERIVATION.md";
   // Nothing that is drawn under- or overflows a double; products do both.
   constexpr ContactRange kAllScales{-1000, 900, 5};
-  // What users ask with, but for a budget that static and grazing contacts run out of.
+  // What users ask with, except for a budget that static and grazing contacts exceed.
   constexpr SearchOptions kFullSearch = {1e-4, 2000, SearchOptions().max_bytes};
   return {
       {"tdibm-c.no_false_negative", "No proven contact is missed, and none reported late", kSource,

@@ -40,7 +40,7 @@ Case draw_linear_proofs(Draw& choices) {
 }
 
 /// A case with what it proves, a contact, its absence or both, and nothing that it says. A tree
-/// stands in no file: check_absence comes as far as that.
+/// is in no file: check_absence gets as far as that.
 Case draw_proofs(Draw& choices) {
   enum class Source : std::uint8_t { kGenerated, kContact, kLinear, kTree };
   const Source source = choices.pick(

@@ -42,7 +42,7 @@ unsigned long effort_or_exit() {
   std::exit(2);
 }
 
-/// What a run depends on, as the assignments that stand before its command.
+/// What a run depends on, as the assignments before its command.
 std::string fix_random_cases() {
   const unsigned long effort = effort_or_exit();
   const std::string own = from_environment("RC_PARAMS", "");

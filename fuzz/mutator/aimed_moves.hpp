@@ -6,13 +6,13 @@
 namespace ccdfuzz {
 
 /// Moves towards what breaks geometry: coincidences and near-coincidences. Each edits control
-/// points as it likes and then makes the query whole again (repair). Returns false where that is
+/// points as it likes and then repairs the query (repair). Returns false where that is
 /// not exact, or there is nothing to do; the query is then to be thrown away.
 
 /// A few coordinates or velocities by a few floats.
 bool nudge(Contact& q, Draw& draw);
 
-/// A control point's velocity, or position, that of another one but for a few floats: nearly equal
+/// A control point's velocity, or position, that of another one up to a few floats: nearly equal
 /// slopes or intercepts, nearly parallel lines.
 bool make_twins(Contact& q, Draw& draw);
 

@@ -23,7 +23,7 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t
 /// The method that the bytes are for; 0 if there are none.
 std::uint8_t method_number(std::span<const std::uint8_t> bytes);
 
-/// The query that the bytes are; made whole (repair) where they are not a contact any more, as
+/// The query that the bytes are; repaired (repair) where they are not a contact any more, as
 /// after another's mutations. nullopt if they are no valid query of the
 /// range with a contact within t_max.
 std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes,
@@ -32,9 +32,9 @@ std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes,
 /// The query that the bytes are, whatever they say of a contact. nullopt if it is not valid.
 std::optional<Query> query_of(std::span<const std::uint8_t> bytes);
 
-/// What fuzz_query and fuzz_witnessed make of the bytes: the query as it stands, without a truth,
-/// unless it is the next; and the one whose contact was made whole, with it. None if no valid query
-/// stands there.
+/// What fuzz_query and fuzz_witnessed make of the bytes: the query unchanged, without a truth,
+/// unless it is the next; and the one whose contact was repaired, with it. None if there is no
+/// valid query.
 std::vector<Case> cases_of(std::span<const std::uint8_t> bytes);
 
 }  // namespace ccdfuzz

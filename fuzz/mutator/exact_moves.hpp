@@ -12,7 +12,7 @@ namespace ccdfuzz {
 /// velocities or ends change in the null space of the Bernstein row.
 bool shift_in_null_space(Contact& q, Draw& draw);
 
-/// A control point gets another velocity, and comes to the same place at t: p + t·v stays.
+/// A control point gets another velocity, and is at the same place at t: p + t·v stays.
 bool trade_position_for_velocity(Contact& q, Draw& draw);
 
 /// Both patches in other coordinates: moved, with a common velocity, in other units.

@@ -46,7 +46,7 @@ std::span<const Move> moves() {
 
 Contact mutate(const Contact& q, const Contact& other, Draw& draw, QueryRange range) {
   constexpr std::size_t kMost = 4;
-  // Where a single move is possible, so many draws have it kMost times in the mean.
+  // Where a single move is possible, this many draws have it kMost times in the mean.
   constexpr std::size_t kTries = kMost * kMoves.size();
   const std::size_t moves = range == QueryRange::kAll ? kMoves.size() : kMoves.size() - kNotPlain;
   Contact mutant = q, next = q;

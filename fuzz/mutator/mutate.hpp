@@ -20,7 +20,7 @@ Contact mutate(const Contact& q, const Contact& other, Draw& draw,
                QueryRange range = QueryRange::kPlain);
 
 struct CaseMutation {
-  /// One mutant in so many is libFuzzer's own, which breaks the contact mostly; at least 1.
+  /// One mutant in this many is libFuzzer's own, which mostly breaks the contact; at least 1.
   std::uint64_t own_in = 8;
   /// How many methods an input can name; at least 1.
   std::uint8_t methods = 1;

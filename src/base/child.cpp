@@ -26,12 +26,13 @@ namespace {
 constexpr size_t kMostPrintedBytes = 1 << 20;  ///< between two questions
 /// How long a process that closed its output may take to die before it is killed.
 constexpr auto kTimeToDie = std::chrono::milliseconds(500);
-/// And one that was told to end, which first ends all that it has started: thousands of processes.
+/// The same for one that is ending, which first ends all that it has started: thousands of
+/// processes.
 constexpr auto kTimeToEnd = std::chrono::seconds(5);
 /// How long a process may be dead, its output held open by another, before that is noticed.
 constexpr long kMostBetweenLooks = 50;  // ms
 
-/// So much of the end of what a process printed is kept.
+/// This much of the end of a process's output is kept.
 constexpr size_t kKeptPrintedBytes = 300;
 
 [[noreturn]] void system_refused(const char* what, int error) {

@@ -16,7 +16,7 @@ namespace ccdfuzz {
 
 /// What a process did in place of answering.
 struct Fault {
-  /// One of a few, so that faults can be told apart and counted: "crash SIGSEGV", "exit 3", "hang",
+  /// One of a few, so that faults can be counted by it: "crash SIGSEGV", "exit 3", "hang",
   /// "memory", "output", "garbage", …
   std::string name;
   std::string note;  ///< for people

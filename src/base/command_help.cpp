@@ -66,7 +66,7 @@ HelpCommand described(const CLI::App& app) {
     group("Arguments").push_back({name, "", text});
     help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
-  // How to go on stands last.
+  // What to type next comes last.
   for (const char* last : {"Limits", "Other"}) {
     const auto at = std::ranges::find(help.groups, last, [](const auto& g) { return g.first; });
     if (at != help.groups.end()) std::rotate(at, at + 1, help.groups.end());

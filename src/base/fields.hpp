@@ -104,7 +104,7 @@ struct Each {
 template <class Check>
 Each(Check) -> Each<Check>;
 
-/// JSON text that stands as it is. Not read back.
+/// JSON text, written unchanged. Not read back.
 struct RawJson {
   std::string_view text;
 };

@@ -13,7 +13,7 @@ struct HelpOption {
   std::string text;
 };
 
-/// A command. The program itself is one without options; its commands stand in a group.
+/// A command. The program itself is one without options; its commands are a group.
 struct HelpCommand {
   std::string name;     ///< "hunt"
   std::string summary;  ///< one line

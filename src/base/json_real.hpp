@@ -8,7 +8,7 @@ namespace ccdfuzz {
 /// 1,077 characters.
 inline constexpr size_t kMaxNumberLength = 2000;
 
-/// The double that a JSON number's text or a hex float's text ("0x1.8p-3") stands for. Decimal
+/// The double that a JSON number's text or a hex float's text ("0x1.8p-3") means. Decimal
 /// fractions round to nearest; integers and hex floats must be doubles exactly.
 /// Errors: the reason, naming the text; `where` is left to the caller.
 Result<double> parse_real(const JsonValue& value);

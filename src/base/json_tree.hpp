@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 enum class JsonKind : std::uint8_t { kNull, kBool, kNumber, kString, kArray, kObject };
 
-/// One JSON value as it stood in the text. Numbers keep their text, so that nothing is rounded
+/// One JSON value as in the text. Numbers keep their text, so that nothing is rounded
 /// before the reader knows what it wants of them.
 struct JsonValue {
   JsonKind kind = JsonKind::kNull;

@@ -8,9 +8,9 @@
 
 namespace ccdfuzz {
 
-/// A file that appears whole or not at all: written under a temporary name in the same folder,
+/// A file that appears complete or not at all: written under a temporary name in the same folder,
 /// flushed to the disk and renamed over its path by commit(). Until then, and for ever if commit
-/// is never reached, what stood at the path stays. A path that is a device or a pipe is written
+/// is never reached, the file at the path stays. A path that is a device or a pipe is written
 /// directly. Errors: what the system says, naming the path; "-", which others take for stdout.
 class OutputFile {
  public:
@@ -33,7 +33,7 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
-/// Writes a whole file so.
+/// Writes a complete file so.
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
 /// Makes a folder, and those that it lies in, unless it is there. Errors: as above.

@@ -26,7 +26,7 @@ inline void limit_resource(int resource, rlim_t most) {
   ::setrlimit(resource, &now);
 }
 
-/// For a process that answers in place of another: so much address space, if it is not 0, no core
+/// For a process that answers in place of another: limits its address space, if not 0, no core
 /// file, no file that would fill the disk.
 inline void limit_answering_process(std::uint64_t bytes) {
   if (bytes > 0) limit_resource(RLIMIT_AS, bytes);

@@ -6,7 +6,7 @@
 
 namespace ccdfuzz {
 
-/// Why outside data was refused: where it stands and what is wrong with it.
+/// Why outside data was refused: where it is and what is wrong with it.
 struct InputError {
   std::string where;  ///< file and JSON path, or option name; may be empty
   std::string what;   ///< the complaint, with the offending value

@@ -20,7 +20,7 @@ namespace {
 /// No item comes near this; it bounds the memory that a wrong file takes.
 constexpr size_t kLongestLine = 64 << 20;
 
-/// The header's parts but for the share, by name.
+/// The header's parts except the share, by name.
 std::map<std::string, std::string> parts_of(const RunHeader& header) {
   std::map<std::string, std::string> parts = header.asked;
   parts["run"] = header.run;
@@ -34,7 +34,7 @@ std::string text_of(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.of);
 }
 
-/// True iff the descriptor's file is the one that stands at the path.
+/// True iff the descriptor's file is the one at the path.
 bool stands_at(const std::string& path, int descriptor) {
   struct stat named {
   }, held{};

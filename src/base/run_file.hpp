@@ -33,7 +33,7 @@ struct RunHeader {
     archive("shard", header.shard);
   }
 
-  /// Where the other header differs from this one, but for the share: "--seed 7 in place of 8".
+  /// Where the other header differs from this one, except for the share: "--seed 7 in place of 8".
   /// Nothing if it does not.
   std::optional<std::string> difference(const RunHeader& other) const;
 };
@@ -71,7 +71,7 @@ class RunLines {
 /// file, too: all its items, under the name of the output.
 class RunFile {
  public:
-  /// Where the file stands while the run whose result goes to `output` is under way.
+  /// Where the file is while the run whose result goes to `output` is under way.
   static std::string path_for(const std::string& output) { return output + ".partial"; }
 
   /// Resumes the file at `path`, or begins it where there is none. Errors: it belongs to a run with
@@ -91,7 +91,7 @@ class RunFile {
 
   /// The run is over: its file is flushed to the disk and becomes `output`.
   Result<void> rename(const std::string& output);
-  /// The run is over and its result stands elsewhere: removes the file.
+  /// The run is over and its result is elsewhere: removes the file.
   Result<void> remove();
 
  private:
@@ -113,7 +113,7 @@ class MergedRun {
   /// twice or incomplete, or a share is missing.
   static Result<MergedRun> open(const std::vector<std::string>& paths);
 
-  /// The header of the whole run.
+  /// The header of the complete run.
   const RunHeader& header() const { return header_; }
   /// As RunLines.
   Result<std::optional<std::string_view>> next();

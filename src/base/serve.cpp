@@ -31,7 +31,7 @@ std::atomic<bool> this_program_serves = false;
 constexpr std::array kFatalSignals = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,
                                       SIGABRT, SIGTRAP, SIGSYS, SIGPROF};
 
-/// SIGPROF ends this process once it has used so much more CPU time; 0: it does not any more.
+/// SIGPROF ends this process once it has used this much more CPU time; 0: no longer.
 void limit_cpu_seconds(double seconds) {
   double whole = 0;
   const auto micro = static_cast<suseconds_t>(std::modf(seconds, &whole) * 1e6);

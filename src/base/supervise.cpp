@@ -15,7 +15,7 @@ namespace ccdfuzz {
 namespace {
 
 /// Kills the children, which orphans below them become then, until there are none. The list is read
-/// once for all that stand in it: what has thousands of children is not to gain time by that.
+/// once for all in it: a process with thousands of children must not gain time by that.
 void end_descendants() {
   const std::string self = std::to_string(::getpid());
   const std::string list = "/proc/self/task/" + self + "/children";
@@ -62,7 +62,7 @@ void end_descendants() {
 }
 
 void continue_below_a_watcher() {
-  // Where it is ignored, which exec hands on, nobody is told that a child has ended.
+  // Where it is ignored (exec inherits that), waitpid does not report that a child has ended.
   ::signal(SIGCHLD, SIG_DFL);
   sigset_t awaited;
   sigset_t before;

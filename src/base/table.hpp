@@ -39,7 +39,7 @@ class Table {
   size_t row_count() const { return rows_taken_ + rows_.size(); }
 
   std::vector<std::string> titles() const;
-  /// What stands in the rows.
+  /// The cells of the rows.
   std::vector<std::vector<std::string>> texts() const;
 
   /// Columns two blanks apart, no trailing blanks. Widths count code points, not bytes. Control

@@ -46,7 +46,7 @@ std::size_t width(std::string_view text) {
 
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t column) {
   std::string out;
-  bool begins = true;  // nothing but blanks stands in the line
+  bool begins = true;  // the line has only blanks so far
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of(" \n"), text.size());
     const std::string_view word = text.substr(0, end);

@@ -24,7 +24,7 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t colum
 /// of its letters are put in, left out or changed. Empty if none is so near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 
-/// What stands between the commas of a text; one empty text of an empty one.
+/// The parts of a text between its commas; for an empty text one empty part.
 std::vector<std::string> texts_between_commas(const std::string& text);
 
 /// The text as one word of a shell's command line.

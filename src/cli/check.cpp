@@ -30,14 +30,14 @@ struct CheckArguments {
   std::optional<std::string> choices, save;
 };
 
-/// What is told of one property: a row of the table and of the JSON output.
+/// The result of one property: a row of the table and of the JSON output.
 struct CheckedProperty {
   const Property& property;
   const CheckedInputs& inputs;
   CheckTally tally = {};
   std::string reproduce = {};          ///< the first failure
   std::optional<ClaimFind> find = {};  ///< made of it where somebody wants to see it
-  std::string saved = {};              ///< where it stands; empty where it need not or could not
+  std::string saved = {};              ///< its path; empty where it need not or could not be saved
   std::string not_saved = {};          ///< why not, as it was found or as it was shrunk
 
   bool known_false() const { return property.expected == Expectation::kFails; }
@@ -201,7 +201,7 @@ class PropertyCheck {
     save();
   }
 
-  /// Unless a better find of the same failure stands there.
+  /// Unless a better find of the same failure is there.
   void save() {
     if (checked_.known_false()) return;
     const Result<std::string> saved = save_find(options_.save.value_or(kFolder), *checked_.find);

@@ -34,7 +34,7 @@ constexpr const auto& all_of(Shrunk) {
   return kAllShrunk;
 }
 
-/// An input of a property that is worth keeping, as it stands in its file: a find, or an entry of a
+/// An input of a property that is worth keeping, as its file has it: a find, or an entry of a
 /// corpus.
 struct ClaimFind {
   std::string property, claim;
@@ -80,15 +80,15 @@ struct ClaimFind {
 /// Makes the folder unless it is there. Errors: it cannot be made, or no file in it.
 Result<void> make_find_folder(const std::string& folder);
 
-/// The find in a file. Errors: it cannot be read, or is none.
+/// The find in a file. Errors: it cannot be read, or is no find.
 Result<ClaimFind> read_find(const std::string& path);
 
-/// The find of a property and an error that stands in a folder. Errors: a file that is none.
+/// The find of a property and an error in a folder. Errors: a file that is no find.
 Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
                                             const std::string& error);
 
 /// Puts a find into the file that is called by its property and error, unless it does not replace
-/// what stands there. Returns the path. Errors: of the folder or file.
+/// the one there. Returns the path. Errors: of the folder or file.
 Result<std::string> save_find(const std::string& folder, const ClaimFind& find);
 
 }  // namespace ccdfuzz

@@ -22,7 +22,7 @@ constexpr double kShortRound = 0.1;
 /// Questions between two looks at the clock, for each thread.
 constexpr std::uint64_t kRangesEach = 4;
 
-/// So many inputs are all discarded before a property is given up whose time is over.
+/// A property whose time is over is given up after this many inputs, if all were discarded.
 constexpr std::uint64_t kDiscardedInVain = 1000;
 
 using Clock = std::chrono::steady_clock;

@@ -38,7 +38,7 @@ class ClaimChildren {
   std::vector<std::unique_ptr<ServedClaim>> idle_;
 };
 
-/// In children, one for each thread. Depends on the inputs alone, but for the time that it took.
+/// In children, one for each thread. Depends on the inputs alone, except for the time that it took.
 /// stop: no further inputs. on_failure is called once, as soon as the first failure is known, from
 /// any thread.
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,

@@ -47,7 +47,7 @@ int complain(const std::string& message, int code, const std::string& command = 
   return code;
 }
 
-/// Says of which option of the command the path is that the error stands at, if it is of one: the
+/// Names the option of the command whose path the error is about, if there is one: the
 /// option's value, or what is in it or beside it.
 void name_option(const CLI::App& command, InputError& error) {
   for (const CLI::Option* option : command.get_options()) {

@@ -39,7 +39,7 @@ const std::string& program_name();
 /// The command line as the user typed it, quoted for a shell.
 const std::string& command_line();
 
-/// The value whose name the text is. Errors: none is; all are listed.
+/// The value whose name the text is. Errors: no value has it; lists all.
 template <NamedEnum E>
 Result<E> parse_choice(const std::string& where, const std::string& text) {
   if (const std::optional<E> named = enum_named<E>(text)) return *named;
@@ -181,7 +181,7 @@ void add_query(CommandLine& line);
 void add_replay(CommandLine& line, const std::vector<Property>& known);
 void add_report(CommandLine& line);
 void add_trace(CommandLine& line);
-/// find_suite: what a name after --target stands for.
+/// find_suite: finds the suite that --target names.
 using FindSuite = std::function<Result<Suite>(std::string_view)>;
 void add_triage(CommandLine& line, const FindSuite& find_suite);
 void add_verify(CommandLine& line);

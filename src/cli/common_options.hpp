@@ -57,9 +57,9 @@ Table::Column method_column();
 /// "1 case", "2 cases".
 std::string counted(std::uint64_t count, const char* one, const char* many);
 
-/// --shard, by default the whole.
+/// --shard, by default the complete run.
 Option add_shard(Command& command, std::string& shard);
-/// "i/n", of at most `total` shards, so that none is empty. Errors: it is none.
+/// "i/n", of at most `total` shards, so that none is empty. Errors: anything else.
 Result<Shard> parse_shard(const std::string& text, std::uint64_t total, const char* what);
 
 /// Reads one shape for both patches, or one for each with a comma between: "point", "curve:N",

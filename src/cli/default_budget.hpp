@@ -25,7 +25,7 @@ class DefaultBudget {
  public:
   /// Limits an answer, so that all default methods together take about 5 s on two close patches
   /// that none can decide.
-  /// times: of that budget, so many.
+  /// times: a multiple of that budget.
   static void limit(SearchOptions& search, const Query& query, std::uint64_t times = 1) {
     const std::uint64_t pops = times * kWorkOfAnAnswer / work_of_a_pop(query);
     const std::uint64_t most = std::clamp<std::uint64_t>(pops, 1, SearchOptions().max_pops);

@@ -146,7 +146,7 @@ void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& 
   need(write_report(page, arguments.page, threads));
 }
 
-/// The run file of an evaluation that goes into a folder, and the lines that stand in it already.
+/// The run file of an evaluation that goes into a folder, and the lines that it already has.
 struct Kept {
   std::string path;  ///< where the file ends
   RunFile file;

@@ -146,7 +146,7 @@ void print_costs(const std::vector<GenerationCost>& costs, bool is_paper, bool j
 }
 
 /// Where the constructions go: those of a share into its run file, others into a data set; those of
-/// the paper's whole set go on from a run file.
+/// the paper's complete set resume from a run file.
 struct Target {
   std::optional<RunFile> file;
   std::optional<RunLines> earlier;

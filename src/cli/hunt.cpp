@@ -236,7 +236,7 @@ void write_hunt_page(const HuntReport& report, const HuntArguments& options,
   if (!json) print_out(fmt::format("Page:         {}/index.html\n", options.page));
 }
 
-/// No draw stands on the ground, or there was no time for any: then nothing was checked.
+/// No draw is on the ground, or there was no time for any: then nothing was checked.
 bool asked_nothing(const HuntReport& report) {
   return query_count(report) == 0 &&
          std::ranges::all_of(report.cells, [](const HuntCell& c) { return c.bred.mutants == 0; });

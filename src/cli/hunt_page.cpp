@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 /// A record has 200 samples and some thousand paths.
 constexpr std::size_t kMostRecordBytes = 256 << 20;
 
-/// The store and what was found in it as they stand seen from here: as the hunt was told, unless
+/// The store and its finds as paths from here: as the command line gave them, unless
 /// the record has been moved and the store with it.
 void follow_store(const std::string& folder, HuntRecord& record) {
   std::error_code error;

@@ -34,7 +34,7 @@ class CourseNotes {
 /// What a hunt leaves beside its page, so that `ccdfuzz report` can make the page again.
 struct HuntRecord {
   std::string command;     ///< that hunted
-  std::string store;       ///< folder of the counterexamples, as the hunt was told
+  std::string store;       ///< folder of the counterexamples, as the command line gave it
   std::string store_from;  ///< the way to it from the folder of the record; empty: there is none
   double seconds = 0;
   std::vector<HuntCell> cells;

@@ -17,7 +17,7 @@ struct ImportOptions {
   CsvOptions csv{.round = false, .any_name = true};
 };
 
-/// How a query stands to what its file says.
+/// How a query's truth compares with what its file says.
 struct ImportedRow {
   std::string id;
   std::optional<bool> label;     ///< what the file says

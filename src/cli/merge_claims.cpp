@@ -30,7 +30,7 @@ std::string input_of(const ClaimFind& find) {
   return hash_name(fmt::format("{} {}", find.property, to_word(find.choices)));
 }
 
-/// The inputs that stand in a folder (input_of).
+/// The inputs in a folder (input_of).
 std::set<std::string> inputs_in(const std::string& folder) {
   std::set<std::string> inputs;
   for (const std::string& path : need(list_entries(folder))) {
@@ -39,7 +39,7 @@ std::set<std::string> inputs_in(const std::string& folder) {
   return inputs;
 }
 
-/// Returns whether the folder changed. inputs: those that stand in it.
+/// Returns whether the folder changed. inputs: those in it.
 bool take(const ClaimFind& find, const std::string& stem, const std::string& folder,
           std::set<std::string>& inputs) {
   if (inputs.contains(input_of(find))) return false;

@@ -42,7 +42,7 @@ std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   return infos;
 }
 
-/// What may stand behind a spec, and behind which.
+/// The switches, and the specs that take each.
 std::string switches_of(const std::vector<MethodInfo>& infos) {
   Table table({{"behind a spec", Align::kLeft}, {"of", Align::kLeft}, {"reads", Align::kLeft}});
   for (const MethodSwitch& s : method_switches()) {

@@ -7,8 +7,8 @@
 
 namespace ccdfuzz {
 
-/// The command that puts the case of a file to the methods that are expected to fail on it; to all
-/// where none is.
+/// The command that asks the methods that are expected to fail on the case of a file; or all,
+/// if none is.
 std::string reproduction(const std::string& path, const std::map<std::string, Expected>& expect);
 
 }  // namespace ccdfuzz

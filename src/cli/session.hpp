@@ -58,7 +58,7 @@ class Session {
   }
 
   /// stream_cases with progress, until a signal or until stop is true. work may throw BadInput,
-  /// which stands for its error; sink(asked, part, row) may throw it, too. unit: what is counted,
+  /// whose error it is; sink(asked, part, row) may throw it, too. unit: what is counted,
   /// for the progress.
   template <class Asked, class Row, class Work, class Sink>
   void each_case(CaseStream cases, size_t parts, const char* unit, const Work& work,

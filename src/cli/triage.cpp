@@ -190,7 +190,7 @@ class ClaimTriage {
   }
 
  private:
-  /// What stands in the folder, or what is complete elsewhere: what is not hides nothing here.
+  /// The find in the folder, or a complete one elsewhere. (An incomplete one hides nothing here.)
   std::optional<ClaimFind> known_find(const ClaimFind& find) const {
     const auto in = [&](const std::string& folder) {
       return need(saved_find(folder, find.property, find.error));

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What libFuzzer makes and reads unless it is told otherwise (-max_len).
+/// The largest input of libFuzzer by default (-max_len).
 constexpr std::size_t kMostInputBytes = 1 << 20;
 
 }  // namespace

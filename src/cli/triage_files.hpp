@@ -41,7 +41,7 @@ class TriageWalk {
   /// What is left to do with a file that was read; false: it is not done, or to stay.
   /// Throws BadInput: of the store.
   using Work = std::function<bool()>;
-  /// Errors: it is no input; it is told, and left as it is.
+  /// Errors: it is no input; says so, and leaves it as it is.
   using Read = std::function<Result<Work>(const std::string& file)>;
 
   /// is_over: no further work. remove: each file that is done.
@@ -54,7 +54,7 @@ class TriageWalk {
 
   /// On stderr.
   void note(const std::string& line);
-  /// One more find; what is printed after that stands on a line of its own.
+  /// One more find. Later output is on a line of its own.
   void note_find();
   TriageCounts& counts() { return counts_; }
 

@@ -16,7 +16,7 @@ namespace ccdfuzz {
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
   /// Multiples ≥ 1 of the contact's time to ask positive cases up to; negative cases are asked
-  /// once, as they stand. Empty: every case is asked once, as it stands.
+  /// once, unchanged. Empty: every case is asked once, unchanged.
   std::vector<double> horizon_factors;
   SearchOptions search;
   /// Limits of one case; empty: `search` for all.
@@ -37,11 +37,11 @@ using OnEvaluated = std::function<Result<void>(
     const NamedCase& named, const EvaluatedCase& evaluated, bool is_new, double share)>;
 
 /// earlier: what need not be asked; null: nothing. Checks every case of the share (decide_rows,
-/// check_case) and puts it to every method. on_case sees the cases in their order, the answers by
-/// horizon and then by method, whatever the number of threads. Everything but times is the same in
-/// every run. Holds a few cases at a time. Once stop() is true no more is read, and what was begun
-/// still reaches on_case. Errors: of reading; the first case that is refuted, naming it; a line
-/// that is not of the next case; of on_case.
+/// check_case) and asks every method about it. on_case sees the cases in their order, the answers
+/// by horizon and then by method, whatever the number of threads. Everything but times is the same
+/// in every run. Holds a few cases at a time. Once stop() is true no more is read, and what was
+/// begun still reaches on_case. Errors: of reading; the first case that is refuted, naming it; a
+/// line that is not of the next case; of on_case.
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
                       EarlierAnswers* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop);

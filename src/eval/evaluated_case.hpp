@@ -11,7 +11,7 @@ namespace ccdfuzz {
 
 /// What a method answered to a case, up to one time.
 struct GivenAnswer {
-  std::optional<double> factor;  ///< t_max by the contact's time; absent where asked as it stands
+  std::optional<double> factor;  ///< t_max by the contact's time; absent where asked unchanged
   std::string method;
   double t_max = 0;
   Verdict verdict = Verdict::kUndecided;

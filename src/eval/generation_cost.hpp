@@ -48,12 +48,12 @@ struct GenerationCost {
   GenerationCost& operator+=(const GenerationCost& o);
 };
 
-/// Where the costs of a case file stand: beside it, since times differ from run to run and the
+/// Where the costs of a case file are: beside it, since times differ from run to run and the
 /// cases do not. X.json → X.generation.jsonl, and so for .jsonl and .jsonl.zst. It stays:
 /// `evaluate` makes Table 4 of it.
 std::string costs_path(const std::string& case_path);
 
-/// The costs of a case file, a line each; empty where no file of them stands there. Errors: it
+/// The costs of a case file, a line each; empty if there is no such file. Errors: it
 /// holds something else, naming file and line.
 Result<std::vector<GenerationCost>> read_costs(const std::string& case_path);
 /// The same of several, together (add_cost).

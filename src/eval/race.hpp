@@ -31,7 +31,7 @@ class Race {
   /// Requires specs that parse_method_list accepts.
   Race(const std::vector<std::string>& specs, const SearchOptions& options);
 
-  /// Puts one query to all of them.
+  /// Asks all of them one query.
   void ask(const Query& query);
 
   const std::vector<Runner>& runners() const { return runners_; }

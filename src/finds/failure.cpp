@@ -31,7 +31,7 @@ std::string plain(const std::string& text) {
   return fmt::format("{}-{}", hash_name(text).substr(0, kHashDigits), out.substr(begin));
 }
 
-/// With dashes for spaces; what had dashes is told from that.
+/// With dashes for spaces; a text with dashes of its own stays different.
 std::string dashed(std::string text) {
   std::ranges::replace(text, '-', '/');
   std::ranges::replace(text, ' ', '-');

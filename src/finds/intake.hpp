@@ -17,9 +17,9 @@ namespace ccdfuzz {
 /// What a run has kept for one failure.
 struct Find {
   Failure failure;
-  std::string path;     ///< where it stands; empty if it could not be stored
+  std::string path;     ///< where it is; empty if it could not be stored
   Case value;           ///< with its expectations
-  bool is_new = false;  ///< put by this run; else it stood there before, or a smaller one did
+  bool is_new = false;  ///< stored by this run; else it was there before, or a smaller one was
 };
 
 /// The finds of one run on their way into a store: the smallest of each failure is kept in memory,
@@ -41,11 +41,11 @@ class Intake {
   /// in the store.
   bool offer(const Failure& failure, Case find);
 
-  /// An entry of another folder, whose failures are known as if it stood in the store.
+  /// An entry of another folder, whose failures are known as if it were in the store.
   void know(const NamedCase& entry);
 
   /// Puts an entry of another folder: for the failure that it is called by, or under its own name.
-  /// Where its query stands there, the two are one then (unite), and what they disagree about the
+  /// If its query is there, the two become one (unite), and what they disagree about the
   /// methods are asked. One whose method, when it is asked, does not fail as the name says waits
   /// for take_doubtful. If another find is stored for that failure, the smaller one stays. An entry
   /// whose method was not admitted is then kept beside it, named by the address of its query.
@@ -72,7 +72,7 @@ class Intake {
 
   struct Finish {
     int threads = 1;
-    /// Whether to minimise the find of a failure, in at most so many trials.
+    /// Whether to minimise the find of a failure, in at most this many trials.
     std::function<bool(const Failure&)> shrinks;
     std::uint64_t max_trials = 1000;
     /// True ends minimising.

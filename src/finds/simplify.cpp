@@ -29,7 +29,7 @@ std::uint64_t bits_of(const Dyadic& x) {
   return x.sign() == 0 ? 0 : mpz_sizeinbase(x.mantissa().get_mpz_t(), 2);
 }
 
-/// x with at most so many significant bits, towards 0; 0 with none.
+/// x with at most `bits` significant bits, towards 0.
 double cut_to(double x, int bits) {
   if (bits == 0 || x == 0) return 0;
   int exponent = 0;

@@ -48,7 +48,7 @@ Result<void> remove_entry(const std::string& path) {
   return {};
 }
 
-/// Writes the tree and then the entry. trees: where the tree stands now.
+/// Writes the tree and then the entry. trees: where the tree is now.
 Result<void> write_entry(const std::string& path, Case value, const std::string& trees) {
   return carry_tree(value.truth, trees, path).and_then([&] {
     return write_file(path, to_json(value, JsonLayout::kReadable) + "\n");
@@ -156,8 +156,8 @@ void Store::State::note_named(const NamedCase& entry) {
   }
 }
 
-/// Gives an entry its address as its name. Where its query stands there already, that entry stays
-/// and says of it what both do. Returns its new path, or nothing if it stood there.
+/// Gives an entry its address as its name. If its query is there already, that entry stays
+/// and says of it what both do. Returns its new path, or nothing if it was there.
 Result<std::optional<std::string>> Store::State::move_aside(const NamedCase& entry) const {
   const std::string aside = fmt::format("{}/{}.json", home, content_address(entry.value.query));
   const auto standing = entry_at(aside);

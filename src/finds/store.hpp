@@ -47,7 +47,7 @@ class Store {
   /// several threads. Requires that the find expects the failure. trees: the file of trees beside
   /// the case, of which its own comes along; without it (empty) what a tree proves is left out.
   /// again: as for unite. Errors: a refuted truth; a full disk or any other refusal of the system,
-  /// after which the entries so far stand.
+  /// after which the entries so far remain.
   Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                   const AskAgain& again = nullptr);
 
@@ -59,11 +59,13 @@ class Store {
   /// The smallest entry that says that it shows the failure. Errors: as put.
   Result<std::optional<NamedCase>> standing(const Failure& failure);
 
-  /// An entry has turned out not to show the failure that it says: it stands for it no more. If it
-  /// is called by the failure, it is renamed to the address of its query. Errors: as put.
+  /// An entry has turned out not to show the failure that it says: it is no longer the entry of
+  /// that failure. If it is called by the failure, it is renamed to the address of its query.
+  /// Errors: as put.
   Result<void> disown(const Failure& failure, const std::string& path);
 
-  /// All entries, ordered by path; none is no error. Makes the folder again if it was removed.
+  /// All entries, ordered by path; an empty folder is no error. Makes the folder again if it was
+  /// removed.
   Result<std::vector<NamedCase>> load() const;
 
   /// The file of a failure's entry.

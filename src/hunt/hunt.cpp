@@ -154,7 +154,7 @@ class Hunt {
     return stop_ || failed_ || (!options_.cases && elapsed() >= options_.seconds);
   }
 
-  /// Puts one draw to the method of the cell.
+  /// Asks the method of the cell about one draw.
   Done draw(const Turn& turn, Tools& tools) {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
@@ -216,7 +216,7 @@ class Hunt {
     return done;
   }
 
-  /// Outside of the lock if it may: the intake may ask a method about what stands in the store.
+  /// Outside of the lock if it may: the intake may ask a method about entries of the store.
   void offer(Done& done) {
     for (const auto& [failure, find] : done.failures) {
       if (intake_.offer(failure, find)) done.met.push_back(failure);

@@ -10,7 +10,7 @@ namespace ccdfuzz {
 /// A step of a hunt.
 struct Turn {
   enum class What : std::uint8_t {
-    kDraw,   ///< put a draw to the cell's method
+    kDraw,   ///< ask the cell's method about a draw
     kBreed,  ///< go on with the cell's population; no two threads do so for one cell
   };
   std::size_t cell = 0;
@@ -29,13 +29,13 @@ struct Turn {
 /// every draw of each cell, and then one breeding turn of each.
 class Schedule {
  public:
-  /// By time, without end; or by so many draws of each cell. Requires a cell.
+  /// By time, without end; or by this many draws of each cell. Requires a cell.
   explicit Schedule(std::size_t cells, std::optional<std::uint64_t> draws = std::nullopt);
 
   /// Every turn is followed by one done. Nothing once all draws and breeding turns were given.
   std::optional<Turn> next();
-  /// The turn is over and cost so much CPU time. bred: false of a breeding turn that had nothing to
-  /// make mutants of.
+  /// The turn is over and cost this much CPU time. bred: false of a breeding turn that had nothing
+  /// to make mutants of.
   void done(const Turn& turn, double seconds, bool bred = true);
 
   double used(std::size_t cell) const { return cells_[cell].drawn + cells_[cell].bred; }

@@ -77,7 +77,7 @@ CheckTally run_on_draws(const Property& property, const ChoiceNumbers& numbers) 
   CheckTally tally;
   for (std::uint64_t i = 0; i < numbers.at(2); ++i) {
     Draw drawn = Draw::mostly_small(Random::keyed({numbers[0], numbers[1] + i}));
-    const Check check = run(property, drawn, tally.failed == 0);  // the first alone is told
+    const Check check = run(property, drawn, tally.failed == 0);  // only the first is described
     tally.add(tally_of(numbers[1] + i, check, ""));
   }
   return tally;
@@ -171,7 +171,7 @@ CheckTally ServedClaim::on_draws(std::uint64_t seed, std::uint64_t first, std::u
 }
 
 InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
-  made_.clear();  // what a child never comes to read has no choices
+  made_.clear();  // what a child never reads has no choices
   const auto said = ask_served<Said>(child_, to_json(Question{name_, of, numbers}));
   InputRun run;
   made_.read_into(run);

@@ -70,7 +70,7 @@ class ServedClaim {
   CheckTally on_draws(std::uint64_t seed, std::uint64_t first, std::uint64_t count);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
-  /// is, since each try would cost its whole time. None if it does not fail each time. found: what
+  /// is, since each try would cost all its time. None if it does not fail each time. found: what
   /// on() or on_draw() gave, and fails.
   std::optional<Counterexample> least(const InputRun& found, const ShrinkLimits& limits);
 

@@ -74,7 +74,7 @@ class Triage {
 
   /// A case with its truth, or without: then the oracle decides it, whose crash or hang is a find
   /// of the method "oracle". Calls found for each new failure, with the find as it was stored. What
-  /// refutes a claim of sound methods, but by none of their full runs, is told by options.warn.
+  /// refutes a claim of sound methods, but by none of their full runs, is passed to options.warn.
   /// Errors: of the store.
   using Found = std::function<void(const Failure& failure, const Case& find)>;
   Result<void> add(const Case& candidate, const Found& found);

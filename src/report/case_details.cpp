@@ -104,7 +104,7 @@ Json worst_json(const std::string& method, const Json& loss) {
       {method, loss["level"], loss.value("axis", -1), loss.value("ulps_past", Json())});
 }
 
-/// The steps' cells are the same for every method that follows the same path: each stands once.
+/// The steps' cells are the same for every method that follows the same path: each is written once.
 void share_cells(Json& traces, Json& cells) {
   for (Json& trace : traces) {
     for (Json& step : trace["steps"]) {

@@ -9,7 +9,7 @@ namespace ccdfuzz {
 std::string gzip_base64(std::string_view bytes);
 
 /// JSON or any other text made safe inside a <script> element: no "</" and no "<!--" is left.
-/// Requires JSON, in whose strings alone a "<" may stand.
+/// Requires JSON, which has "<" in strings alone.
 std::string script_safe(std::string json);
 
 }  // namespace ccdfuzz

@@ -29,7 +29,7 @@ constexpr size_t kCasesPerChunk = 32;
 /// A page of as many cases has room for the traces of the methods that did not fail on them.
 constexpr size_t kFewCases = 200;
 
-/// Where the family of a method stands among those registered; those unknown come last.
+/// The place of a method's family among those registered; unknown ones come last.
 size_t rank_of_method(const std::string& method) {
   const std::vector<MethodInfo>& all = registered_methods();
   if (names_plugin(method)) return all.size();

@@ -26,7 +26,7 @@ std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods);
 
 ReportTable report_table(const std::string& id, const std::string& title, const Table& table);
 
-/// How one method stands to a case.
+/// How one method did on a case.
 struct ReportedAnswer {
   std::string method;
   Outcome outcome = Outcome::kUnknown;
@@ -35,7 +35,7 @@ struct ReportedAnswer {
 
 /// A case that the page shows in its viewer.
 struct ReportedCase {
-  std::string id;  ///< where it stands
+  std::string id;  ///< where it is
   Case value;
   std::vector<ReportedAnswer> answers;
   double precision = 1e-4;     ///< that it was asked at
@@ -107,8 +107,9 @@ void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases
 /// Witnesses are traced on `threads` threads.
 std::string report_page(const ReportPage& report, int threads);
 
-/// Writes folder/index.html, whole or not at all. A page of more than most_bytes is made of fewer
-/// cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the path.
+/// Writes folder/index.html, complete or not at all. A page of more than most_bytes is made of
+/// fewer cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the
+/// path.
 Result<void> write_report(ReportPage report, const std::string& folder, int threads,
                           std::size_t most_bytes = kMostPageBytes);
 

@@ -30,7 +30,7 @@ struct RunUnderTest {
 
 using RunCommand = rc::state::Command<std::uint64_t, RunUnderTest>;
 
-/// The file is the header and the lines of so many items.
+/// The file is the header and the lines of this many items.
 void check_lines(std::uint64_t done, const RunUnderTest& sut) {
   RC_ASSERT(sut.file->size() == done);
   Result<RunLines> lines = RunLines::open(sut.path);

@@ -65,7 +65,7 @@ std::set<std::string> allowed(const std::string& room) {
   return all;
 }
 
-/// The room of a path relative to the source folder or to src: the longest one it stands in.
+/// The room of a path relative to the source folder or to src: the longest one it is in.
 std::string room_of(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
   std::string found;
@@ -218,7 +218,7 @@ std::set<std::string> closure(const fs::path& root, const std::string& header) {
   return all;
 }
 
-// The certified method is to stand alone: with doubles only, and without the paper's methods.
+// The certified method uses doubles only, and nothing of the paper's methods.
 TEST(Layering, HeadersOfTheCertifiedMethodHaveNoGmpAndNothingOfThePaper) {
   const fs::path root = CCDFUZZ_SOURCE_DIR;
   int headers = 0;

@@ -22,7 +22,7 @@ struct ForeignDecimalPoint {
 
 }  // namespace
 
-/// Stands in for the C library's, for the whole test program.
+/// Replaces the C library's, in all of the test program.
 extern "C" lconv* localeconv() noexcept {
   static std::string point;
   static lconv said;

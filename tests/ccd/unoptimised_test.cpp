@@ -13,7 +13,7 @@ constexpr std::uint64_t kPerFamily = 5, kPerPairOfShapes = 2;
 /// Both forms are templates, slow without optimisation: fewer still are looked at then.
 constexpr std::size_t kComparedOneIn = kOneIn == 1 ? 1 : 3 * kOneIn;
 
-/// Cases of every contact class and family as they stand, and past the contact; then planted
+/// Cases of every contact class and family, at and past the contact; then planted
 /// contacts of every pair of shapes.
 std::vector<Query> mixed_queries() {
   std::vector<Query> queries;

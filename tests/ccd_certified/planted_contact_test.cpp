@@ -59,7 +59,7 @@ RC_GTEST_PROP(TdibmC, NeverMissesNorIsLateOnAPlantedContact, ()) {
   RC_ASSERT(*answer.toi <= planted.t);
 }
 
-/// Cells of any depths may meet: of pairs of a child and a whole patch, too, no contact is lost.
+/// Cells of any depths may meet: pairs of a child and an undivided patch lose no contact either.
 RC_GTEST_PROP(PairSplit, KeepsAContactOfCellsOfUnequalDepth, ()) {
   constexpr int kFinest = 5;
   const Planted planted = any_planted();

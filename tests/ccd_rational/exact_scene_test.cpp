@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kAxisBits = 30;
 
-/// Coordinates that are all ±(2^bits − 1), but for one that is 1.
+/// Coordinates that are all ±(2^bits − 1), except one that is 1.
 Points<double> extreme_points(const Shape& shape, int bits, bool positive) {
   const double largest = std::ldexp(1.0, bits) - 1;
   Points<double> points(static_cast<size_t>(shape.control_count()), {largest, largest, largest});

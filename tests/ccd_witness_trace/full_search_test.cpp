@@ -46,8 +46,9 @@ class Recording {
   std::array<std::array<Cell, 4>, 2> parts_;
 };
 
-// A trace asks the inclusion test nothing that a full search would not ask, and is told the same. A
-// search ends with the first hit: pairs it had not come to by then, it did not ask about.
+// A trace asks the inclusion test nothing that a full search would not ask, and gets the same
+// answers. A search ends with the first hit: pairs it had not come to by then, it did not ask
+// about.
 template <class Inclusion, class... Args>
 void expect_the_trace_within_the_search(const Args&... args) {
   size_t same = 0;

@@ -77,7 +77,7 @@ TEST(Nonnegative, IsSeenOfSquaresOnEveryShape) {
   EXPECT_TRUE(is_nonnegative(Shape::curve(2), numbers({1, -1, 1})));      // (2u − 1)²
   EXPECT_TRUE(is_nonnegative(Shape::curve(3), numbers({3, -1, -1, 3})));  // 3(2u − 1)²
   EXPECT_TRUE(is_nonnegative(Shape::tensor(2, 1), numbers({1, 1, -1, -1, 1, 1})));
-  // 4(u − ½)² + 4(v − ½)², positive but for the middle
+  // 4(u − ½)² + 4(v − ½)², positive except in the middle
   EXPECT_TRUE(is_nonnegative(Shape::tensor(2, 2), numbers({2, 0, 2, 0, -2, 0, 2, 0, 2})));
   EXPECT_FALSE(is_nonnegative(Shape::tensor(2, 2), numbers({2, 0, 2, 0, -3, 0, 2, 0, 2})));
   // 3(2v − 1)² along the edge u = 0 of a cubic triangle, positive off it

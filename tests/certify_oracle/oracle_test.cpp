@@ -120,7 +120,7 @@ TEST(Oracle, FindsContactsAtTheBeginning) {
   EXPECT_EQ(decide(query).truth.collides, false);
 }
 
-/// A wavy patch at rest, its control points so much higher.
+/// A wavy patch at rest, its control points this much higher.
 MovingPatch<double> wavy(double height) {
   MovingPatch<double> patch{Shape::tensor(8, 8), {}, Points<double>(81, {0, 0, 0})};
   for (int i = 0; i <= 8; ++i) {

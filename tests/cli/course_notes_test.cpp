@@ -11,7 +11,7 @@ HuntProgress progress(double share, std::uint64_t queries, std::uint64_t mutants
   return {share, queries, mutants, queries / 10, {queries, std::nullopt}};
 }
 
-/// As many samples as a page has room for, in order, each whole.
+/// As many samples as a page has room for, in order, each complete.
 void expect_course(const HuntCourse& course) {
   EXPECT_LE(course.samples.size(), 400U);
   double before = -1;

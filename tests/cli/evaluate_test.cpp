@@ -98,7 +98,7 @@ std::string paper_part(const ScratchFolder& folder) {
   return path;
 }
 
-/// What stands in a report folder, but for times.
+/// The files of a report folder, without times.
 std::vector<std::string> without_times(const std::string& report) {
   std::vector<std::string> all;
   for (nlohmann::ordered_json one : json_lines(read_text(report + "/answers.jsonl"))) {

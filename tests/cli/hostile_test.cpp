@@ -25,7 +25,7 @@ std::string digits(size_t count) {
   return text;
 }
 
-/// A fraction below 1 of so many digits.
+/// A fraction below 1 with this many digits.
 Rational fraction(size_t count) {
   return Rational(Integer("1" + digits(count - 1)), Integer("9" + digits(count - 1)));
 }
@@ -176,7 +176,7 @@ TEST_F(Hostile, AFileOfManyCasesThatNobodyDecidesIsLeftUndecidedAfterAWhile) {
   EXPECT_EQ(json_lines(all.out).size(), kCases);
 }
 
-/// So many cases with this truth, of which each takes seconds alone.
+/// This many cases with this truth, each of which takes seconds.
 std::string costly_cases(size_t count, const Truth& truth) {
   Case value;
   value.query = near_tensors();

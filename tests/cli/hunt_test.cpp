@@ -36,7 +36,7 @@ std::map<std::string, std::string> files_in(const std::string& folder) {
   return files;
 }
 
-/// A whole find, not one that is being written.
+/// A complete find, not one that is being written.
 bool has_entry(const std::string& folder) {
   const auto files = files_in(folder);
   return std::ranges::any_of(files, [](const auto& file) {

@@ -109,7 +109,7 @@ void fails_once(Draw& choices) {
   holds(choices);
 }
 
-/// The simplest input is hundreds of runs away, and aborts where it comes to that.
+/// The simplest input is hundreds of runs away, and aborts.
 void takes_long_to_shrink(Draw& choices, int runs) {
   static std::atomic<int> done = 0;
   if (++done > runs) std::abort();

@@ -20,7 +20,7 @@ std::vector<std::string> paper(const std::string& output, std::vector<std::strin
   return arguments;
 }
 
-/// The files of a data set, but for the times of its costs.
+/// The files of a data set, without the times of its costs.
 std::vector<std::string> contents(const ScratchFolder& folder, const std::string& name) {
   std::vector<std::string> all = {read_text(folder / (name + ".jsonl.zst")),
                                   read_text(folder / (name + ".trees.zst"))};

@@ -30,7 +30,7 @@ TEST(Plugins, ThatMisbehaveLeaveTheHuntRunningAndAreOneFindEach) {
   for (const char* does :
        {"crash", "exit", "throw", "hang:seconds=0.05", "memory:mb=64", "print", "silent", "nan",
         "outside", "verdict", "small", "overrun", "stale", "describe-abort"}) {
-    // Only what hangs comes to this limit, however busy the machine is.
+    // Only a hang reaches this limit, however busy the machine is.
     const bool hangs = std::string(does).starts_with("hang");
     methods.push_back(kMisbehaving + does + (hangs ? "" : ":seconds=30"));
   }

@@ -36,7 +36,7 @@ TEST(StandardStreams, NoFileTakesThePlaceOfAClosedStream) {
   const std::string set = folder / "p.jsonl";
   const std::string line =
       fmt::format("\"$ccdfuzz\" generate --paper --one-in 400 --threads 1 -o {}", set);
-  // Interrupted, then run again with nowhere to say that it goes on.
+  // Interrupted, then run again with nowhere to say that it resumes.
   shell("timeout -s INT 1 " + line);
   shell("timeout -s INT 1 " + line + " 2>&-");
   EXPECT_EQ(shell("grep -c 'going on behind' " + set + ".partial").code,

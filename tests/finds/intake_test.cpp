@@ -126,7 +126,7 @@ TEST(Intake, EntriesOfOtherFoldersAreKnownIfTheyFailAsTheySay) {
   EXPECT_TRUE(taken.intake.has(failure).value());
 }
 
-/// Puts a find into a folder by its failure, and gives the entry that stands for it there.
+/// Puts a find into a folder by its failure, and returns its entry there.
 NamedCase entry_in(const std::string& folder, const Case& find) {
   Store store = open_store(folder);
   put(store, find);

@@ -160,7 +160,7 @@ TEST(ExtendedContacts, AreasCoincide) {
       for_each_extended_scene(Family::kArea, [&](ContactClass, const ContactScene& scene) {
         expect_contact(scene);
         const auto& [part, whole] = scene.sides;
-        // Where the part's first three corners are on the whole.
+        // Where the part's first three corners are on the complete patch.
         std::array<std::optional<Uv<Dyadic>>, 3> corner;
         const std::vector<Uv<Dyadic>> corners = corners_of(part.shape);
         for (size_t k = 0; k < 3; ++k) {

@@ -57,7 +57,7 @@ TEST(Prescribe, ReachesEveryEdgeAndEveryCorner) {
   }
 }
 
-// Appendix E.2, and the minors of such parameters being powers of two, stand on these very values.
+// Appendix E.2, and the minors of such parameters being powers of two, rest on these very values.
 TEST(Prescribe, ParentParametersArePowersOfTwo) {
   Draw random{Random(3)};
   for (const Feature feature : kFeatures) {

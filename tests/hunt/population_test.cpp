@@ -12,7 +12,7 @@
 namespace ccdfuzz {
 namespace {
 
-/// Told from others by its t_max.
+/// Its t_max identifies it.
 Contact numbered(double t_max) {
   Contact q = falling_point();
   q.query.t_max = t_max;

@@ -35,7 +35,7 @@ Case meeting_at(double contact, double t_max) {
   return made;
 }
 
-/// How the answer of a plug-in with these options stands; "error (name)" of an error.
+/// The outcome of a plug-in with these options; "error (name)" for an error.
 std::string outcome_of(const std::string& options, const Case& known) {
   auto method = admitted(kClaiming + options);
   if (!method) return method.error().message();
@@ -230,7 +230,7 @@ TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
   // Who claims nothing, or is asked once only, is not asked.
   EXPECT_EQ(outcome_of(right + ":nan=0:poisoned=9", known), "correct");
   EXPECT_EQ(outcome_of(right + ":nan=1:repeat=no:poisoned=9", known), "correct");
-  // What the process does is told by its own name.
+  // An error of the process is reported by its own name.
   EXPECT_THAT(outcome_of(right + ":nan=1:poisoned=9", known),
               testing::StartsWith("error (crash SIGSEGV): asked with patches["));
   // A toi that is NaN is no answer, whatever it claims to say to NaN.

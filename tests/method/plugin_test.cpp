@@ -47,7 +47,7 @@ std::pair<std::string, std::string> fault_of(Method& method) {
   }
 }
 
-/// Options with a time limit that only what hangs comes to, however busy the machine is.
+/// Options with a time limit that only a hang reaches, however busy the machine is.
 std::string patient(const std::string& options) {
   return options.find("seconds=") == std::string::npos ? options + ":seconds=30" : options;
 }
@@ -64,7 +64,7 @@ void PrintTo(const Misdeed& misdeed, std::ostream* out) {
 
 class PluginFaults : public testing::TestWithParam<Misdeed> {};
 
-/// Each is told by its name, again and again, and the method can be asked on.
+/// Each is reported by its name, again and again, and the method can still be asked.
 TEST_P(PluginFaults, OfALibraryHaveNames) {
   const auto method = made(kMisbehaving + ":" + patient(GetParam().options));
   for (int round = 0; round < 2; ++round) {

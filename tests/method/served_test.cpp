@@ -1,4 +1,4 @@
-// What works in a child may do whatever it likes: it is told by its name, and nothing of it is
+// Work in a child may do whatever it likes: the error has its name, and nothing of it is
 // left.
 #include "base/serve.hpp"
 
@@ -83,7 +83,7 @@ std::string close_everything(const std::string& question) {
   return wait_for_ever(question);
 }
 
-/// So many bytes, after words that nobody reads.
+/// This many bytes, after words that nobody reads.
 std::string repeat(const std::string& question) {
   std::fputs("printed to nobody\n", stdout);
   return to_json(Said{std::string(std::stoul(question), 'y')});
@@ -125,7 +125,7 @@ struct Aborting : Method {
   Answered answer(const Query&, const SearchOptions&) override { std::abort(); }
 };
 
-/// Answers with what it was told.
+/// Answers with the line that it got.
 struct Echoing : Method {
   Answered answer(const Query& query, const SearchOptions& options) override {
     Answered given{

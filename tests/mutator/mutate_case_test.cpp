@@ -17,7 +17,7 @@ std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std::size_t siz
                                       const std::uint8_t* data2, std::size_t size2,
                                       std::uint8_t* out, std::size_t max_size, unsigned int seed);
 
-// Stands in for libFuzzer's: it may write anything.
+// In place of libFuzzer's: it may write anything.
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
   std::fill_n(data, size, static_cast<std::uint8_t>(0xA5));
   if (size < max_size) data[size++] = 0xA5;

@@ -13,7 +13,7 @@
 namespace ccdfuzz {
 namespace {
 
-/// What is wrong with q; empty if it is whole.
+/// What is wrong with q; empty if it is consistent.
 std::string complaint_about(const Contact& q) {
   const Case made = case_of(q);
   if (const auto valid = validate(q.query, "query"); !valid) return valid.error().message();

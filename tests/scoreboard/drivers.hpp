@@ -51,7 +51,7 @@ struct DriveLimit {
   std::uint64_t executions = std::numeric_limits<std::uint64_t>::max();
 };
 
-/// Runs a driver until it finds something wrong or comes to its limit, and calls done, which must
+/// Runs a driver until it finds something wrong or reaches its limit, and calls done, which must
 /// not return. Requires is_built(driver).
 [[noreturn]] void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                         const std::function<void(const DriverRun&)>& done);

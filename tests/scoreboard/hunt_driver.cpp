@@ -10,9 +10,9 @@ namespace ccdfuzz {
 namespace {
 
 constexpr int kMutants = 4;  // of each method, an execution
-/// Where contacts are traced, one in so many is asked: a query takes as long as many traces.
+/// Where contacts are traced, one in this many is asked: a query takes as long as many traces.
 constexpr std::uint64_t kOneAskedIn = 4;
-/// One in so many is bred, the first of those that are of one class.
+/// One in this many is bred, the first of those that are of one class.
 constexpr std::uint64_t kOneBredIn = 8;
 
 /// A contact in any scale and place, asked up to it or past it.

@@ -25,7 +25,7 @@ std::string content_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The text that stands for `from` and all faults in it.
+/// The text that replaces `from` and all faults in it.
 std::string choice(const std::vector<PlantedFault>& faults,
                    const std::vector<std::size_t>& numbers) {
   std::string text = faults[numbers[0]].from;

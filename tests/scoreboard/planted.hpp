@@ -5,7 +5,7 @@
 #include <concepts>
 #include <cstdint>
 
-/// What the planted sources (plant.cpp) ask at each place where a fault stands. One fault or none
+/// What the planted sources (plant.cpp) ask at each place that has a fault. One fault or none
 /// is active in a process, or all are watched; this header is part of no other build.
 namespace ccdfuzz::planted {
 

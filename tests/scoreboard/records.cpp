@@ -18,7 +18,7 @@ namespace {
 
 const RunHeader kHeader = {"scoreboard", "", {}, {}, 0, {}};
 
-/// The lines of the run file that stands there, which a campaign may be writing.
+/// The lines of the run file at the path, which a campaign may be writing.
 Result<std::vector<std::string>> lines_of_run(const std::string& path) {
   Result<RunLines> run = RunLines::open(path);
   if (!run) return tl::unexpected(run.error());
@@ -32,7 +32,7 @@ Result<std::vector<std::string>> lines_of_run(const std::string& path) {
   }
 }
 
-/// All that a file of records holds, each line ended, but for one that was being written when its
+/// All that a file of records holds, each line ended, except one that was being written when its
 /// writer ended.
 Result<std::string> text_of(const std::string& path) {
   auto file = LineReader::open(path, false, std::numeric_limits<std::size_t>::max());

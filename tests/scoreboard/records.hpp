@@ -14,9 +14,9 @@
 
 namespace ccdfuzz {
 
-/// Stands for the fault of a run on the sources as they are.
+/// In place of a fault: a run on the sources as they are.
 inline constexpr const char* kNoFault = "none";
-/// Stands for a run of the right sources with all faults watched.
+/// In place of a fault: a run of the right sources with all faults watched.
 inline constexpr const char* kWatchedFaults = "watched";
 
 /// What one run of a driver against one fault gave.
@@ -52,7 +52,7 @@ struct Record {
 };
 
 /// The records of a campaign, kept in a file of a JSON object a line. Those of a campaign that goes
-/// on stand in a journal beside it, so that one that is interrupted goes on where it was.
+/// on are in a journal beside it, so that an interrupted one resumes where it was.
 class Records {
  public:
   enum class Use : std::uint8_t {

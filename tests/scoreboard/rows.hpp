@@ -15,8 +15,9 @@ namespace ccdfuzz {
 struct Row {
   std::string driver, fault;  ///< fault "none": false alarms
   bool equivalent = false;
-  std::size_t runs = 0, reached = 0, triggered = 0, detected = 0;  ///< of so many, how many did
-  std::size_t watched = 0;  ///< so many were decided by a run of the right sources
+  std::size_t runs = 0, reached = 0, triggered = 0,
+              detected = 0;  ///< all runs, and how many did so
+  std::size_t watched = 0;   ///< how many were decided by a run of the right sources
   double seconds = 0, executions = 0;
   double limit = 0,
          most = 0;    ///< CPU seconds, the least and most of the runs that detected nothing
@@ -36,7 +37,7 @@ struct DriverRow {
   std::size_t watched = 0;                    ///< faults decided without a run of their own
   double seconds = 0, executions = 0;         ///< medians over the faults, misses censored
   double mean_seconds = 0;                    ///< restricted to the limits
-  bool censored = false;  ///< the median is that of a miss: it is at least so much
+  bool censored = false;  ///< the median is that of a miss, and so a lower bound
 };
 
 /// All rows that there are records of: driver by driver, no fault first, then as in the list.
@@ -55,8 +56,8 @@ std::string seconds_text(double seconds);
 ///    "rows": [{"driver", "fault", "what", "equivalent", "runs", "watched", "reached",
 ///              "triggered", "detected", "seconds", "executions", "limit", "most",
 ///              "found"}, …]}
-/// with the fields of DriverRow and Row, "what" being the fault in words. Each appears whole or not
-/// at all.
+/// with the fields of DriverRow and Row, "what" being the fault in words. Each appears complete or
+/// not at all.
 Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records);
 

@@ -10,7 +10,7 @@ const std::vector<PlantedFault> kThreeFaults = {{"a", "what", "a.hpp", false, "x
                                                 {"b", "what", "a.hpp", false, "x", "y", ""},
                                                 {"c", "what", "a.hpp", false, "x", "y", ""}};
 
-/// A run by the hunt, which noticed the fault after so many seconds, or did not within them.
+/// A run by the hunt, which noticed the fault after this many seconds, or did not within them.
 struct Run {
   bool detected;
   double seconds;

@@ -36,7 +36,7 @@ namespace {
 }
 
 /// Far above what a driver may take, which ends by itself, and of which a step that hangs is ended
-/// by Heartbeat: the kernel counts whole ticks, on a loaded machine a tenth more than were used.
+/// by Heartbeat: the kernel counts full ticks, on a loaded machine a tenth more than were used.
 rlim_t most_cpu_seconds(double seconds) {
   return static_cast<rlim_t>(2 * seconds) + 5;
 }

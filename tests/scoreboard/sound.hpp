@@ -23,10 +23,10 @@ std::string contradiction(const Query& query);
 /// What is done with a contact.
 struct Look {
   bool traces = true;  ///< follow the witness, if there is one, through the methods' tests
-  bool asks = true;    ///< put the query to them
+  bool asks = true;    ///< ask them about the query
 };
 
-/// Checks what is known of a case, and puts it to the sound methods.
+/// Checks the truth of a case, and asks the sound methods about it.
 std::string lost_contact(const Case& known, Look look, TracerSet& tracers);
 
 }  // namespace ccdfuzz

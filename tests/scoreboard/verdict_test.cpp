@@ -61,7 +61,7 @@ TEST(Verdict, OfTheRepositorysRecordsIsGood) {
   const std::string folder = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/";
   const auto faults = read_faults(folder + "faults.txt");
   ASSERT_TRUE(faults) << faults.error().message();
-  const ScratchFolder scratch;  // without the journal of a campaign that goes on
+  const ScratchFolder scratch;  // without the journal of a running campaign
   std::filesystem::copy_file(folder + "records.jsonl", scratch / "r");
   const auto records = Records::open(scratch / "r", *faults, Records::Use::kRead);
   ASSERT_TRUE(records) << records.error().message();
