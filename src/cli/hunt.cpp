@@ -21,6 +21,7 @@
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
 #include "eval/row_columns.hpp"
+#include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {
 
@@ -104,7 +105,7 @@ std::uint64_t count_of(const HuntReport& report, bool is_new) {
   return static_cast<std::uint64_t>(std::ranges::count(report.finds, is_new, &Find::is_new));
 }
 
-/// Those that break a claim first, then the most ordinary: what convinces most.
+/// The most convincing first: those that break a claim, then false negatives, then by setting.
 std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
   std::vector<const Find*> finds;
   for (const Find& find : report.finds) {
@@ -112,7 +113,9 @@ std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
   }
   // Those alike in the report's order, in which they lie.
   std::ranges::sort(finds, {}, [](const Find* find) {
-    return std::tuple(!breaks_claim(find->failure), find->failure.setting, find);
+    const Failure& failure = find->failure;
+    return std::tuple(!breaks_claim(failure), failure.outcome == Outcome::kFalsePositive,
+                      failure.setting, find);
   });
   return finds;
 }
@@ -151,6 +154,11 @@ std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
   return sums;
 }
 
+/// Plug-ins are not: none of their mutants is known to be lost.
+bool any_is_traced(const std::vector<HuntCell>& cells) {
+  return !std::ranges::all_of(cells, names_plugin, &HuntCell::method);
+}
+
 Table method_table(const std::vector<HuntCell>& cells) {
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
@@ -175,8 +183,11 @@ Table method_table(const std::vector<HuntCell>& cells) {
   columns.push_back({"mutants", [](const HuntCell& cell) {
                        return TableCell{fmt::format("{}", cell.bred.mutants)};
                      }});
-  columns.push_back(
-      {"lost", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.bred.lost)}; }});
+  if (any_is_traced(cells)) {
+    columns.push_back({"lost", [](const HuntCell& cell) {
+                         return TableCell{fmt::format("{}", cell.bred.lost)};
+                       }});
+  }
   return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
 }
 
@@ -190,11 +201,12 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
   print_table(options.by_class ? hunt_table(report.cells) : method_table(by_method(report.cells)));
   print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
             refused_note(report.cells) +
-            "lost: mutants whose known contact the method's tests discard\n");
+            (any_is_traced(report.cells)
+                 ? "lost: mutants whose known contact the method's tests discard\n"
+                 : ""));
   if (stored.empty()) return;
-  print_out(fmt::format("Show one:     {}\nRun them all: {} replay {}\n",
-                        command_of(*stored.front()), shell_word(program_name()),
-                        shell_word(options.corpus)));
+  print_out(fmt::format("Show one:     {}\nRun them all: {}\n", command_of(*stored.front()),
+                        replay_command(options.corpus, options.hunt.methods)));
 }
 
 /// The last line.

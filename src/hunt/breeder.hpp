@@ -30,14 +30,12 @@ enum class Aim : std::uint8_t {
   kNothing,  ///< chance: for comparison
 };
 
-/// Searches for counterexamples to one method by mutating cases with a known contact.
-///
-/// Every mutant keeps an exact witness, so its truth needs no new proof. Parents come from two
-/// populations, equally often:
-///   nearest   per niche, the contact that the method came closest to losing (its trace's margin
-///             or slack)
+/// Searches for counterexamples to one method by mutating cases with a known contact. Every mutant
+/// keeps an exact witness, so its truth needs no new proof. A trace takes microseconds, so
+/// thousands of mutants cost as much as a few queries. Parents come from two populations, equally
+/// often:
+///   nearest   per niche, the contact that the method came closest to losing, by its trace
 ///   drifting  each mutant that keeps its contact replaces a random member
-/// A trace takes microseconds, so thousands of mutants cost as much as a few queries.
 ///
 /// If a trace loses its contact and the mutant is smaller than every failure before, the method is
 /// asked up to the contact and past it. A failure there is a counterexample, unless the moves led

@@ -107,9 +107,8 @@ void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases
 /// Witnesses are traced on `threads` threads.
 std::string report_page(const ReportPage& report, int threads);
 
-/// Writes folder/index.html, complete or not at all. A page of more than most_bytes is made of
-/// fewer cases (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the
-/// path.
+/// Writes folder/index.html atomically. A page of more than most_bytes is made of fewer cases
+/// (keep_most_telling). Makes the folder if need be. Errors: of the system, naming the path.
 Result<void> write_report(ReportPage report, const std::string& folder, int threads,
                           std::size_t most_bytes = kMostPageBytes);
 

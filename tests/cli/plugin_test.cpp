@@ -105,6 +105,26 @@ TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
             fmt::format("{0} entries, {0} expectations: all as expected\n", finds.size()));
 }
 
+TEST(Plugins, AreStartedByThePrintedReplayCommand) {
+  const ScratchFolder folder;
+  for (const bool is_named : {false, true}) {
+    const std::string finds = folder / (is_named ? "named" : "unnamed");
+    std::vector<std::string> line = {
+        "hunt", "--cases", "1", "--corpus", finds, "--methods", is_named ? "plugin:naive" : kNaive};
+    if (is_named) line.insert(line.end(), {"--plugin", "naive=" + kNaive});
+    const std::string out = ccdfuzz(line).out;
+    EXPECT_EQ(out.find("lost"), std::string::npos) << "a plug-in is not traced\n" << out;
+    const std::string before = "Run them all: ";
+    const size_t at = out.find(before);
+    ASSERT_NE(at, std::string::npos) << out;
+    const size_t begin = at + before.size();
+    const Finished replayed = shell(out.substr(begin, out.find('\n', begin) - begin));
+    EXPECT_EQ(replayed.code, 0) << replayed.err;
+    EXPECT_NE(replayed.out.find(": all as expected"), std::string::npos) << replayed.out;
+    EXPECT_EQ(replayed.out.find(" 0 expectations"), std::string::npos) << replayed.out;
+  }
+}
+
 TEST(Plugins, WhoseNameIsNoneAreRefusedNamingIt) {
   for (const std::string& bad :
        {std::string("naive"), "a b=" + kNaive, "=" + kNaive, std::string("naive=tdibm"),
