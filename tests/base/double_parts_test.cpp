@@ -48,7 +48,7 @@ TEST(DoubleParts, CompareLikeReals) {
   EXPECT_TRUE(is_finite(std::numeric_limits<double>::max()));
 }
 
-TEST(DoubleParts, OfTheEndsOfTheRange) {
+TEST(DoubleParts, AreRightAtTheEndsOfTheRange) {
   EXPECT_EQ(parts_of(0.0), (DoubleParts{0, 0}));
   EXPECT_EQ(parts_of(-0.0), (DoubleParts{0, 0}));
   EXPECT_EQ(parts_of(0x1p-1074), (DoubleParts{1, -1074}));

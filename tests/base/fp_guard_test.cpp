@@ -23,7 +23,7 @@ TEST(FpGuard, RestoresTheRoundingModeOfTheHost) {
   std::fesetround(before);
 }
 
-TEST(FpGuard, OfAGuardChangesNothing) {
+TEST(FpGuard, ChangesNothingWithinAnother) {
   const FpGuard outer;
   {
     const FpGuard inner;

@@ -175,7 +175,7 @@ TEST(MergedRun, GivesTheItemsAsOneRunHasThem) {
   }
 }
 
-TEST(MergedRun, WhatAreNotTheSharesOfOneRunIsRefused) {
+TEST(MergedRun, RefusesFilesThatAreNotTheSharesOfOneRun) {
   const ScratchFolder folder;
   const std::vector<std::string> paths = shares(folder, 3), others = shares(folder, 3, "8");
   EXPECT_EQ(merged_refusal(paths), "");

@@ -118,7 +118,7 @@ TEST(CaseFiles, StopsAtTheFirstBadLineAndNamesIt) {
   EXPECT_FALSE(cases.next());
 }
 
-TEST(CaseFiles, WhatCannotBeReadIsNamed) {
+TEST(CaseFiles, NameWhatTheyCannotRead) {
   const ScratchFolder folder;
   fs::create_directory(folder / "d.json");
   write_text(folder / "empty.json", "");

@@ -125,7 +125,7 @@ TEST(Judge, AHitIsFalseOnlyWhereAbsenceIsProvenOnTheClosedHorizon) {
   EXPECT_EQ(judged(clear(0), says(Verdict::kMiss), 0), "unknown");
 }
 
-TEST(Judge, WithoutProofNothingIsKnown) {
+TEST(Judge, KnowsNothingWithoutProof) {
   EXPECT_EQ(judged(unknown(), hit(0.5)), "unknown");
   EXPECT_EQ(judged(unknown(), says(Verdict::kMiss)), "unknown");
   EXPECT_EQ(judge({}, says(Verdict::kMiss)), Outcome::kUnknown);
@@ -199,7 +199,7 @@ TEST(Judge, NonsenseIsAnErrorWhateverTheTruth) {
   }
 }
 
-TEST(Judge, WhatAMissSaysOfTimeIsNotLookedAt) {
+TEST(Judge, IgnoresTheTimeOfAMiss) {
   EXPECT_EQ(judged(no_contact(), says(Verdict::kMiss, 0)), "correct");
   EXPECT_EQ(judged(no_contact(), says(Verdict::kMiss, kNan)), "correct");
 }

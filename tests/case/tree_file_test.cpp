@@ -42,7 +42,7 @@ TEST_F(TreeFiles, GiveBackEachTree) {
   }
 }
 
-TEST_F(TreeFiles, NoneIsWrittenForNoTree) {
+TEST_F(TreeFiles, AreNotWrittenWithoutATree) {
   TreeWriter writer(folder / "Y.json");
   EXPECT_TRUE(writer.finish());
   EXPECT_EQ(folder.entry_count(), 1U);

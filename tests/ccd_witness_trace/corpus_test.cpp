@@ -11,7 +11,7 @@ namespace {
 
 // A method that answers "no contact" has lost the witness in all its pairs. One that is late has
 // lost it in the earlier ones.
-TEST(Corpus, WhereAMethodMissesItLosesTheWitnessAndTheSoundOnesKeepIt) {
+TEST(Corpus, HasTracesThatLoseTheWitnessWhereAMethodMissesAndSoundOnesThatKeepIt) {
   int entries = 0, losses = 0;
   for (const auto& file : std::filesystem::directory_iterator(CCDFUZZ_CORPUS "/cases")) {
     if (file.path().extension() != ".json") continue;

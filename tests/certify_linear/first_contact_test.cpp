@@ -93,7 +93,7 @@ const std::vector<NamedLinear>& named_linear() {
   return all;
 }
 
-TEST(FirstContact, OfNamedQueries) {
+TEST(FirstContact, IsRightForNamedQueries) {
   for (const NamedLinear& named : named_linear()) {
     for (const bool swapped : {false, true}) {
       Query query{{named.a, named.b}, 1};

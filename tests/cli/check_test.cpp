@@ -27,7 +27,7 @@ TEST(Check, AKnownFalseClaimFailsWithoutFailingTheCommandAndIsReproduced) {
   EXPECT_EQ(repeated[0].at("failure"), rows[0].at("failure"));
 }
 
-TEST(Check, WhatIsAskedForByNameIsShrunkAndSeenAgainFromItsBytes) {
+TEST(Check, ShrinksANamedPropertyAndRepeatsItsFailureFromItsChoices) {
   const auto rows = check({"tdibm.separation", "--count", "200"});
   ASSERT_EQ(rows.size(), 1U);
   const Finished again = shell(rows[0].at("reproduce_shrunk").get<std::string>() + " --json");
@@ -75,7 +75,7 @@ TEST(Check, DependsOnSeedAndIndicesAlone) {
             one[0].at("discarded").get<int>());
 }
 
-TEST(Check, ByHoweverLittleTimeSomethingIsChecked) {
+TEST(Check, ChecksSomethingInHoweverLittleTime) {
   for (const char* name : {"dyadic.round_trip", "paper.one_interval"}) {
     const auto rows = check({name, "--seconds", "1e-9", "--first", "7"});
     ASSERT_EQ(rows.size(), 1U);
@@ -84,7 +84,7 @@ TEST(Check, ByHoweverLittleTimeSomethingIsChecked) {
   }
 }
 
-TEST(Check, ByTimeItNeedsRoomForAnInput) {
+TEST(Check, NeedsTimeForAnInput) {
   const Finished refused =
       ccdfuzz({"check", "dyadic.round_trip", "--seconds", "1", "--first", "18446744073709551615"});
   EXPECT_EQ(refused.code, 2);
@@ -157,7 +157,7 @@ TEST(Check, AClaimKnownToBeFalseThatDoesNotFailIsTold) {
   EXPECT_NE(run.out.find("\n1 expected failure did not fail: "), std::string::npos) << run.out;
 }
 
-TEST(Check, OfAnUnknownNameItSaysTheFewThatAreLikeItOrWhereTheListIs) {
+TEST(Check, NamesSimilarPropertiesForAnUnknownOneOrWhereTheListIs) {
   const auto said = [](const char* name) { return ccdfuzz({"check", name}).err; };
   EXPECT_EQ(
       said("swap"),
@@ -193,7 +193,7 @@ TEST(Check, TheHelpNamesTheEnvironmentThatItReads) {
   EXPECT_NE(ccdfuzz({"check", "--help"}).out.find("CCDFUZZ_EFFORT"), std::string::npos);
 }
 
-TEST(Check, ByTimeChecksEveryPropertyThatIsListed) {
+TEST(Check, ChecksEveryListedPropertyWhenLimitedByTime) {
   const Finished listed = ccdfuzz({"properties", "--json"});
   EXPECT_EQ(listed.code, 0) << listed.err;
   const auto rows = check({"--seconds", "0.5"});

@@ -23,7 +23,7 @@ void expect_course(const HuntCourse& course) {
   }
 }
 
-TEST(CourseNotes, OfALongHuntByTimeAreAFewHundredAndWhole) {
+TEST(CourseNotes, KeepAFewHundredCompleteSamplesOfALongHunt) {
   constexpr int kSeconds = 1000;
   CourseNotes notes({"a", "b"});
   for (int i = 0; i <= 10 * kSeconds; ++i) {
@@ -37,7 +37,7 @@ TEST(CourseNotes, OfALongHuntByTimeAreAFewHundredAndWhole) {
   EXPECT_EQ(samples.back().seconds, kSeconds) << "how it ended";
 }
 
-TEST(CourseNotes, OfAHuntByCasesShowTheBreedingAndTheEnd) {
+TEST(CourseNotes, ShowBreedingAndEndOfAHuntByCases) {
   constexpr std::uint64_t kDraws = 5000, kPopulations = 12;
   CourseNotes notes({"a", "b"});
   double seconds = 0;

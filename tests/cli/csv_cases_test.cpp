@@ -180,7 +180,7 @@ TEST(CsvCases, AnEvaluationGoesOnAfterKills) {
             untimed(read_text(whole + "/answers.jsonl")));
 }
 
-TEST(CsvCases, WhatIsWrongInAFileIsNamedByFileLineAndColumn) {
+TEST(CsvCases, NameErrorsByFileLineAndColumn) {
   const ScratchFolder folder;
   fs::create_directories(folder / "vertex-face");
   const std::string csv = folder / "vertex-face/0.csv";

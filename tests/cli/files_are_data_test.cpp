@@ -46,7 +46,7 @@ void expect_data(const Trap& trap, const std::vector<std::string>& command, int 
   EXPECT_FALSE(trap.is_sprung()) << testing::PrintToString(command);
 }
 
-TEST(FilesAreData, WhatReadsCasesStartsNothing) {
+TEST(FilesAreData, CommandsThatReadCasesStartNothing) {
   const Trap trap;
   const std::string cases = trap / "cases.jsonl", entry = trap.entry_path();
   expect_data(trap, {"query", cases, "--methods", "tdibm-c"});

@@ -51,7 +51,7 @@ std::unique_ptr<Process> hunting(const std::string& corpus) {
   return process;
 }
 
-TEST(Hunt, ByCasesRepeatsExactlyOnAnyNumberOfThreads) {
+TEST(Hunt, RepeatsExactlyByCasesOnAnyNumberOfThreads) {
   std::vector<std::string> tables;
   std::vector<std::map<std::string, std::string>> finds;
   for (const char* threads : {"1", "2"}) {
@@ -204,7 +204,7 @@ TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
   EXPECT_TRUE(files_in(finds).empty());
 }
 
-TEST(Hunt, OfShapesHasTheClassesThatTheyHaveAndFindsThemAlone) {
+TEST(Hunt, HasTheClassesOfItsShapesAndFindsThemAlone) {
   const ScratchFolder folder;
   const Finished finished =
       ccdfuzz(hunt(folder / "finds", {"--cases", "12", "--shape", "point,curve:2", "--json"}));
@@ -236,7 +236,7 @@ TEST(Hunt, RefusesShapesThatAreNone) {
 const std::vector<std::string> kNothingToAsk = {"--cases",  "1", "--shape",   "triangle:2",
                                                 "--within", "1", "--methods", "tdibm"};
 
-TEST(Hunt, ThatAskedNothingFailsAndSaysWhy) {
+TEST(Hunt, FailsAndSaysWhyWhenItAskedNothing) {
   const ScratchFolder folder;
   std::vector<std::string> arguments = {"hunt", "--json", "--corpus", folder / "finds"};
   arguments.insert(arguments.end(), kNothingToAsk.begin(), kNothingToAsk.end());

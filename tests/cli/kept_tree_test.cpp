@@ -45,13 +45,13 @@ class KeptTree : public testing::Test {
   const ScratchFolder folder_;
 };
 
-TEST_F(KeptTree, OfAMergedEntry) {
+TEST_F(KeptTree, StaysWithAMergedEntry) {
   const std::string all = folder_ / "all";
   ASSERT_EQ(ccdfuzz({"merge", folder_ / "plain", "-o", all}).code, 0);
   expect_proven(all);
 }
 
-TEST_F(KeptTree, OfAnEntryThatMeetsItselfWithoutProof) {
+TEST_F(KeptTree, StaysWhenAnEntryMeetsItselfWithoutProof) {
   std::filesystem::create_directories(folder_ / "weak");
   auto entry = read_case(case_in("plain"));
   drop_tree(entry->value.truth);
@@ -67,7 +67,7 @@ TEST_F(KeptTree, OfAnEntryThatMeetsItselfWithoutProof) {
   expect_proven(weak);
 }
 
-TEST_F(KeptTree, OfAnEntryThatGetsAName) {
+TEST_F(KeptTree, StaysWithAnEntryThatGetsAName) {
   const std::string all = folder_ / "all";
   ASSERT_EQ(ccdfuzz({"merge", folder_ / "plain", folder_ / "named", "-o", all}).code, 0);
   expect_proven(all);
@@ -79,7 +79,7 @@ TEST_F(KeptTree, OfAnEntryThatGetsAName) {
   EXPECT_EQ(files, 2U);
 }
 
-TEST_F(KeptTree, OfACaseThatMinimizeCannotChange) {
+TEST_F(KeptTree, StaysWithACaseThatMinimizeCannotChange) {
   const std::string small = folder_ / "small.json";
   const Finished done = ccdfuzz({"minimize", case_in("plain"), "--method", "tdibm", "-o", small});
   ASSERT_EQ(done.code, 0) << done.err;

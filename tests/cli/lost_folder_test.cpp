@@ -91,7 +91,7 @@ TEST_F(LostFolder, IsWrittenOnceItCanBe) {
   EXPECT_EQ(entries_in(folder_ / "merged"), entries_in(finds_));
 }
 
-TEST_F(LostFolder, ThatStaysLostIsAnErrorAfterTheSummaryAndTheCases) {
+TEST_F(LostFolder, IsAnErrorAfterTheSummaryAndTheCasesWhenItStaysLost) {
   begin("5");
   fs::rename(finds_, away_);
   write_text(finds_, "no folder");

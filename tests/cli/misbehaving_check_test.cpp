@@ -186,7 +186,7 @@ TEST(Check, ARunThatIsInterruptedSaysWhatItDidNotBegin) {
   EXPECT_THAT(run.err, HasSubstr("interrupted: 1 of 2 properties begun\n"));
 }
 
-TEST(Check, WhereNothingIsCheckedItDoesNotPass) {
+TEST(Check, FailsWhenNothingIsChecked) {
   const Finished run = misbehaving({"made_up.is_discarded", "made_up.holds"});
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.out, HasSubstr("nothing checked"));

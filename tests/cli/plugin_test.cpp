@@ -24,7 +24,7 @@ std::vector<nlohmann::ordered_json> rows_of(const std::string& out, const std::s
   return rows;
 }
 
-TEST(Plugins, ThatMisbehaveLeaveTheHuntRunningAndAreOneFindEach) {
+TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   const ScratchFolder folder;
   std::vector<std::string> methods;
   for (const char* does :
@@ -60,7 +60,7 @@ TEST(Plugins, ThatMisbehaveLeaveTheHuntRunningAndAreOneFindEach) {
   }
 }
 
-TEST(Plugins, ThatAreNaiveAreBrokenAndTheFindsShrunk) {
+TEST(Plugins, AreRefutedAndTheFindsShrunkWhenTheyAreNaive) {
   const ScratchFolder folder;
   const Finished hunted = ccdfuzz(
       {"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "finds", "--json"});
@@ -125,7 +125,7 @@ TEST(Plugins, AreStartedByThePrintedReplayCommand) {
   }
 }
 
-TEST(Plugins, WhoseNameIsNoneAreRefusedNamingIt) {
+TEST(Plugins, AreRefusedWhenTheirNameIsNone) {
   for (const std::string& bad :
        {std::string("naive"), "a b=" + kNaive, "=" + kNaive, std::string("naive=tdibm"),
         "naive=" + kNaive + ",naive=" + kNaive, std::string("naive=plugin:/nowhere")}) {
@@ -139,7 +139,7 @@ TEST(Plugins, WhoseNameIsNoneAreRefusedNamingIt) {
   EXPECT_NE(unknown.err.find("\"plugin:naive\""), std::string::npos) << unknown.err;
 }
 
-TEST(Plugins, OfLinearMeshesAreHuntedWithLinearQueries) {
+TEST(Plugins, AreHuntedWithLinearQueriesWhenTheyTakeNoOthers) {
   const ScratchFolder folder;
   const std::string linear = std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN;
   const Finished hunted = ccdfuzz({"hunt", "--linear", "--cases", "12", "--methods",
@@ -165,7 +165,7 @@ TEST(Plugins, OfLinearMeshesAreHuntedWithLinearQueries) {
 const std::string kRefusing =
     std::string("plugin:") + CCDFUZZ_TEST_CLAIMING_PLUGIN + ":verdict=5:nan=1";
 
-TEST(Plugins, ThatRefuseEverythingAreAskedNothing) {
+TEST(Plugins, AreNeverAskedWhenTheyRefuseEverything) {
   const ScratchFolder folder;
   const std::vector<std::string> hunt = {
       "hunt", "--cases", "1", "--methods", kRefusing, "--corpus", folder / "f", "--fail-on", "any"};
@@ -188,7 +188,7 @@ TEST(Plugins, ThatRefuseEverythingAreAskedNothing) {
   EXPECT_TRUE(rows_of(hunted.out, "find").empty());
 }
 
-TEST(Plugins, ThatRefuseAreInARowOfTheirOwn) {
+TEST(Plugins, HaveTheirRefusalsInAColumn) {
   const ScratchFolder folder;
   const std::string cases = folder / "c.jsonl";
   ASSERT_EQ(
@@ -229,7 +229,7 @@ TEST(Plugins, ThatRefuseAreInARowOfTheirOwn) {
   EXPECT_EQ(json_lines(replayed.out).front().at("expected"), "not_asked");
 }
 
-TEST(Plugins, InBubblewrapAsThePageSaysWriteNothingAndHaveNoNetwork) {
+TEST(Plugins, WriteNothingAndHaveNoNetworkInBubblewrapAsThePageSays) {
   if (shell("bwrap --ro-bind / / --unshare-all true").code != 0) {
     GTEST_SKIP() << "bwrap is not installed, or not permitted here";
   }
@@ -286,7 +286,7 @@ std::string newcomers_plugin() {
   return page.substr(begin, page.find("```", begin) - begin);
 }
 
-TEST(Plugins, OfANewcomerIsAtMostSixtyLinesBuiltAndHuntedAsThePageSays) {
+TEST(Plugins, TakeAtMostSixtyLinesToBuildAndHuntAsThePageSays) {
   const ScratchFolder folder;
   const std::string source = newcomers_plugin();
   EXPECT_LE(std::ranges::count(source, '\n'), 60);

@@ -161,7 +161,7 @@ TEST_F(DamagedTrees, Foreign) {
   EXPECT_EQ(verified.code, 1) << verified.out;
 }
 
-TEST_F(DamagedTrees, OfAnotherCase) {
+TEST_F(DamagedTrees, AreRefusedWhenTheyAreOfAnotherCase) {
   auto cases = cases_of(set);
   // The hash is right, but the tree is that of the case before.
   cases[2].value.truth.clearance = cases[1].value.truth.clearance;

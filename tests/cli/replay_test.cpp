@@ -53,7 +53,7 @@ TEST(Replay, AnyChangeExits1AlsoForTheBetter) {
   EXPECT_EQ(rows[1].at("change"), "as expected");
 }
 
-TEST(Replay, OfNamedMethodsExpectsWhatIsAskedForOfEveryEntryThatTheyTake) {
+TEST(Replay, ExpectsTheGivenOutcomeOfNamedMethodsOnEveryEntryThatTheyTake) {
   const ScratchFolder folder;
   const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kMissed}});
   const Finished correct =
@@ -97,7 +97,7 @@ TEST(Replay, ACrashThatIsNoneAnyMoreIsAChange) {
   for (const auto& row : rows) EXPECT_EQ(row.at("outcome"), "correct") << row;
 }
 
-TEST(Replay, OfACorpusWithoutExpectationsIsNoSuccess) {
+TEST(Replay, FailsOnACorpusWithoutExpectations) {
   const ScratchFolder folder;
   const Finished finished = ccdfuzz({"replay", corpus_of(folder, {})});
   EXPECT_EQ(finished.code, 1);

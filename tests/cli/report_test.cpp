@@ -11,7 +11,7 @@ using testing::HasSubstr;
 const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
 const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
-TEST(ReportCommand, OfAnEvaluationShowsAFileOfCases) {
+TEST(ReportCommand, ShowsAFileOfCasesAfterAnEvaluation) {
   const ScratchFolder folder;
   const Finished made =
       ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "--report", folder / "page"});
@@ -125,7 +125,7 @@ TEST(ReportCommand, ShowsAPluginsAnswers) {
   EXPECT_EQ(page["cases"][0][4], "cm");
 }
 
-TEST(ReportCommand, OfAHuntNeedsNeitherItsPluginsNorTheFolderItRanIn) {
+TEST(ReportCommand, NeedsNeitherThePluginsNorTheFolderOfAHunt) {
   const ScratchFolder folder;
   std::filesystem::copy(CCDFUZZ_TEST_NAIVE_PLUGIN, folder / "libmine.so");
   const Finished hunted =

@@ -69,7 +69,7 @@ TEST(OddFiles, AreErrorsInWords) {
   EXPECT_THAT(linear.err, testing::Not(HasSubstr("internal error")));
 }
 
-TEST(OddFiles, ThatDoNotEndAreRefused) {
+TEST(OddFiles, AreRefusedWhenTheyDoNotEnd) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "VV", "RP", 1), csv = folder / "q.csv";
   write_text(csv, "0,1,0,1,0,1\n");

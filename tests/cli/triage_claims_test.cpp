@@ -148,7 +148,7 @@ TEST_F(TriageOfClaims, AFileThatIsNoFindInItsPlaceIsAnErrorAndStays) {
   EXPECT_EQ(read_text(path), "{}");
 }
 
-TEST_F(TriageOfClaims, WhatDoesNotFailAgainHidesNothing) {
+TEST_F(TriageOfClaims, KeepsLookingWhereAFindDoesNotFailAgain) {
   no_inputs();
   write_text(inputs_ + "/a", input_of(kFailsOnce, 1));
   EXPECT_THAT(triage({}).out, HasSubstr("made_up.fails_once, not shrunk: "));

@@ -152,7 +152,7 @@ TEST(Methods, ListsAllAsTableAndAsJson) {
   }
 }
 
-TEST(Usage, WhatAnErrorMessageQuotesIsShownAndNotObeyedByATerminal) {
+TEST(Usage, QuotesControlCharactersSoThatNoTerminalObeysThem) {
   const Finished refused = ccdfuzz({"query", "no\x1b[2Jsuch.json"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.err.find('\x1b'), std::string::npos) << refused.err;

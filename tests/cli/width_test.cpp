@@ -94,7 +94,7 @@ TEST(Help, FitsATerminalAndHasAnExample) {
   EXPECT_EQ(ccdfuzz({"-V"}).out, ccdfuzz({"--version"}).out);
 }
 
-TEST(Help, OfAMisspeltNameSaysTheOneThatIsMeant) {
+TEST(Help, NamesTheCommandThatAMisspeltOneMeans) {
   EXPECT_EQ(ccdfuzz({"hnt"}).err, "ccdfuzz: hnt: no such command; did you mean hunt?\n");
   EXPECT_EQ(ccdfuzz({"help", "qeury"}).err,
             "ccdfuzz: help: qeury: no such command; did you mean query?\n");

@@ -21,7 +21,7 @@ MovingPatch<double> graph(double a, double b, double c, double size) {
   return patch;
 }
 
-TEST(Curvature, OfAGraphAtItsFlatPointIsItsHessian) {
+TEST(Curvature, IsTheHessianOfAGraphAtItsFlatPoint) {
   const auto bowl = curvature_at(graph(3, 0, 1, 0.25), {0, 0}, 2);
   ASSERT_TRUE(bowl);
   EXPECT_DOUBLE_EQ(bowl->kappa[0], 6);
@@ -35,13 +35,13 @@ TEST(Curvature, OfAGraphAtItsFlatPointIsItsHessian) {
 }
 
 // z = x²: the curvature along x at any point is 2/(1 + 4x²)^(3/2), the other one 0.
-TEST(Curvature, OfACylinderAwayFromItsVertex) {
+TEST(Curvature, IsRightForACylinderAwayFromItsVertex) {
   const auto at = curvature_at(graph(1, 0, 0, 1), {Rational(1, 2), Rational(1, 4)}, 2);
   EXPECT_NEAR(at->kappa[0], 2 / std::pow(2.0, 1.5), 1e-14);
   EXPECT_NEAR(at->kappa[1], 0, 1e-14);
 }
 
-TEST(Curvature, OfATensorPatchIsThatOfItsTriangle) {
+TEST(Curvature, IsTheSameForATensorPatchAndItsTriangle) {
   // z = x·y over the unit square: bilinear.
   const MovingPatch<double> patch{Shape::tensor(1, 1),
                                   {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 1}},

@@ -44,7 +44,7 @@ TEST(Tally, UndecidedIsNeitherFalseNegativeNorFalsePositive) {
   EXPECT_EQ(tally.count(Outcome::kFalsePositive), 0U);
 }
 
-TEST(Tally, WhatIsNotAskedIsInNoOtherNumber) {
+TEST(Tally, CountsQueriesThatWereNotAskedInNoOtherNumber) {
   Tally asked, tally;
   asked.add(answer_of(Verdict::kMiss, 3, 0.5), Outcome::kCorrect, false);
   tally = asked;
@@ -117,7 +117,7 @@ TEST(LogHistogram, AMedianOfTwoIsTheLower) {
   EXPECT_EQ(samples.p99(), 2);
 }
 
-TEST(LogHistogram, WhatIsNotPositiveCountsAsZero) {
+TEST(LogHistogram, CountsNumbersThatAreNotPositiveAsZero) {
   LogHistogram samples;
   for (const double x : {0.0, -1.0, std::nan(""), 3.0}) samples.add(x);
   EXPECT_EQ(samples.count(), 4U);

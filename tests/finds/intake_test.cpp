@@ -62,7 +62,7 @@ TEST(Intake, KeepsAndStoresTheSmallestOfEachFailure) {
   EXPECT_EQ(finds[0].path, folder / "tdibm-missed-VV-at-an-end.json");
 }
 
-TEST(Intake, WhatStoodThereAndStillFailsIsKnown) {
+TEST(Intake, KnowsAnEntryThatStillFails) {
   const ScratchFolder folder;
   Taken(folder.path(), 1).offer(find_of(3));
   Taken again(folder.path(), 1);
@@ -133,7 +133,7 @@ NamedCase entry_in(const std::string& folder, const Case& find) {
   return *store.standing(failures_of(find).front()).value();
 }
 
-TEST(Intake, OfTwoEntriesThatFailAlikeTheSmallerIsTaken) {
+TEST(Intake, TakesTheSmallerOfTwoEntriesThatFailAlike) {
   for (const bool smaller_first : {false, true}) {
     const ScratchFolder folder, other;
     Taken taken(folder.path(), 1);
@@ -164,7 +164,7 @@ Case unproven_find() {
   return weak;
 }
 
-TEST(Intake, OfTwoEntriesOfOneQueryTheStrongerTruthStays) {
+TEST(Intake, KeepsTheStrongerTruthOfTwoEntriesOfOneQuery) {
   for (const std::string name : {"tdibm-missed-VV-at-an-end", "own name (1)"}) {
     for (const bool proven_first : {false, true}) {
       const ScratchFolder folder, other;
@@ -192,7 +192,7 @@ TEST(Intake, AnEntryThatNoLongerFailsIsNotCalledByItsFailure) {
   EXPECT_FALSE(fs::exists(taken.store.path_of(failures_of(find_of(3)).front())));
 }
 
-TEST(Intake, WhereEntriesOfOneQueryDisagreeItsMethodIsAsked) {
+TEST(Intake, AsksTheMethodWhenEntriesOfOneQueryDisagree) {
   const std::string nobody = "plugin-exec:./nobody";
   Case one = find_of(3), two = find_of(3);
   one.expect = {{"tdibm", Outcome::kCorrect}, {nobody, Outcome::kMissed}};

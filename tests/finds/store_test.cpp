@@ -126,7 +126,7 @@ TEST(Store, NamesThatAreNoFileNamesAreErrors) {
   EXPECT_EQ(cases_in(folder.path()).size(), 4U);
 }
 
-TEST(Store, WhereAnotherCaseHasTheNameAnEntryIsCalledByItsAddress) {
+TEST(Store, NamesAnEntryByItsAddressWhenAnotherHasItsName) {
   const ScratchFolder folder;
   Store store = open_store(folder.path());
   EXPECT_EQ(store.put_named("good", find_of(3)).value(), Put::kNew);
@@ -136,7 +136,7 @@ TEST(Store, WhereAnotherCaseHasTheNameAnEntryIsCalledByItsAddress) {
   EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(find_of(3), find_of(5)));
 }
 
-TEST(Store, WhatIsMovedAsideChangesAndRemovesNoEntryOfItsAddress) {
+TEST(Store, KeepsTheEntryOfAnAddressWhenAnotherIsMovedThere) {
   const ScratchFolder folder;
   Case by_hand = find_of(7);
   by_hand.origin.note = "keep me";
@@ -179,7 +179,7 @@ TEST(Store, ANamedEntryThatIsDisownedStaysAndHidesNothing) {
   EXPECT_THAT(cases_in(folder.path()), UnorderedElementsAre(find_of(1), find_of(15)));
 }
 
-TEST(Store, WhatStandsUnderTheNameOfAFailureThatItDoesNotShowIsMovedAside) {
+TEST(Store, MovesAsideAnEntryNamedByAFailureThatItDoesNotShow) {
   const ScratchFolder folder;
   Case other = find_of(1, "trad");
   ASSERT_TRUE(write_file(folder / "tdibm-missed-VV-at-an-end.json", to_json(other)));

@@ -61,7 +61,7 @@ TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   EXPECT_FALSE(seen.contains("ruled RP")) << "there is none of VV";
 }
 
-TEST(Draw, OfShapesGoesRoundTheClassesAndFamiliesThatTheyHave) {
+TEST(Draw, CyclesThroughTheClassesAndFamiliesOfItsShapes) {
   struct Expected {
     std::array<Shape, 2> shapes;
     std::vector<ContactClass> classes;
@@ -93,7 +93,7 @@ TEST(Draw, OfShapesGoesRoundTheClassesAndFamiliesThatTheyHave) {
   }
 }
 
-TEST(Draw, OfShapesHasTheKindsOfNegativesThatTheirFamiliesHave) {
+TEST(Draw, HasTheKindsOfNegativesOfItsFamilies) {
   HuntGround ground;
   ground.shapes = {Shape::triangle(3), Shape::triangle(1)};
   const Draws draws(1, ground);

@@ -101,7 +101,7 @@ TEST(Schedule, APopulationOfNothingLeavesTheTimeToDraws) {
   EXPECT_EQ(draws, 500U) << "each breeding turn waits for a further draw";
 }
 
-TEST(Schedule, ByDrawsGivesEveryDrawAndThenOneBreedingTurnOfEachCell) {
+TEST(Schedule, GivesEveryDrawAndThenOneBreedingTurnOfEachCellWhenItCountsDraws) {
   constexpr std::uint64_t kDraws = 5;
   Schedule schedule(3, kDraws);
   std::map<size_t, std::vector<std::uint64_t>> drawn;

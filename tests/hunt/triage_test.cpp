@@ -158,7 +158,7 @@ TEST(Triage, AsksAnInputAsItStandsToo) {
   EXPECT_GE(finds[0].value.query.t_max, limit);
 }
 
-TEST(Triage, WhatIsNotShrunkToTheEndIsFoundAnew) {
+TEST(Triage, FindsAnewWhatItCouldNotShrinkToTheEnd) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();
   TriageOptions options = quick_options();

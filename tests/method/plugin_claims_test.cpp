@@ -166,7 +166,7 @@ TEST(PluginClaims, AnAchievedToleranceThatIsLooserThanTheClaimedOneIsABrokenClai
   EXPECT_EQ(outcome_of(kMiss + ":tolerance=0.1:achieved=1e300", known), "missed");
 }
 
-TEST(PluginClaims, ThatExcuseAnyAnswerAreRefusedNamingTheFieldAndWhatIsAccepted) {
+TEST(PluginClaims, AreRefusedWhenTheyExcuseAnyAnswer) {
   const auto refused = [](const std::string& claims) {
     const Result<void> admitted = admit_plugin(kClaiming + claims);
     return admitted ? std::string() : admitted.error().message();
@@ -241,7 +241,7 @@ TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {
   EXPECT_EQ(outcome_of(hit(1) + ":nan=1", known), "late");
 }
 
-TEST(PluginClaims, WhatIsRefusedIsNotAskedAndHeldToNoClaim) {
+TEST(PluginClaims, DoNotApplyToRefusedQueries) {
   for (const Case& known : {meeting_at(0.5, 2), meeting_at(0.5, 0.25)}) {
     EXPECT_EQ(outcome_of(":verdict=5", known), "not_asked");
     EXPECT_EQ(outcome_of(std::string(":verdict=5:nan=1") + kConservative, known), "not_asked");
@@ -249,7 +249,7 @@ TEST(PluginClaims, WhatIsRefusedIsNotAskedAndHeldToNoClaim) {
   }
 }
 
-TEST(PluginClaims, WhoHangsOnWhatIsNotFiniteAgainAndAgainIsAskedNoMore) {
+TEST(PluginClaims, AskNoMoreAfterRepeatedHangsOnNumbersThatAreNotFinite) {
   const Case known = meeting_at(0.5, 2);
   auto method = admitted(kClaiming + ":nan=1:poisoned=8:seconds=0.05" + hit(0.5));
   ASSERT_TRUE(method);
@@ -262,7 +262,7 @@ TEST(PluginClaims, WhoHangsOnWhatIsNotFiniteAgainAndAgainIsAskedNoMore) {
   EXPECT_THAT(judged.answer.note, testing::HasSubstr("asked no more"));
 }
 
-TEST(PluginClaims, ThatOverflowAreTheLargestAndOfNoneIsNone) {
+TEST(PluginClaims, AreTheLargestDoubleWhenTheyOverflow) {
   // Two points at a distance of 100 that run off the end of double.
   Case known = meeting_at(2.25, 2);
   known.truth = {};
@@ -331,7 +331,7 @@ TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
             "0.5, NaN: hit");
 }
 
-TEST(PluginClaims, InLinesThatCannotBeReadAreGarbageAndNotGuessedAt) {
+TEST(PluginClaims, AreGarbageWhenTheirLineCannotBeRead) {
   EXPECT_TRUE(read_description(R"({"protocol":1})"));
   EXPECT_TRUE(read_description(R"({"protocol":1,"nan_policy":"hit","tolerance_kind":"space"})"));
   for (const char* claim :

@@ -65,7 +65,7 @@ void PrintTo(const Misdeed& misdeed, std::ostream* out) {
 class PluginFaults : public testing::TestWithParam<Misdeed> {};
 
 /// Each is reported by its name, again and again, and the method can still be asked.
-TEST_P(PluginFaults, OfALibraryHaveNames) {
+TEST_P(PluginFaults, HaveNamesInALibrary) {
   const auto method = made(kMisbehaving + ":" + patient(GetParam().options));
   for (int round = 0; round < 2; ++round) {
     const auto [name, note] = fault_of(*method);
@@ -126,14 +126,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Misdeed{"says uv [[0,0]]", "garbage", "uv is not"},
                     Misdeed{"says id 1.5", "stale", "1.5"}));
 
-TEST(Plugin, ThatLiesAboutItsTableIsKnownByThat) {
+TEST(Plugin, IsRefusedWhenItsTableHasAWrongSize) {
   ::setenv("CCDFUZZ_TEST_LYING_TABLE", "1", 1);
   const auto method = made(kMisbehaving + ":table");
   ::unsetenv("CCDFUZZ_TEST_LYING_TABLE");
   EXPECT_EQ(fault_of(*method).first, "sizes");
 }
 
-TEST(Plugin, ThatHangsAgainAndAgainIsAskedNoMore) {
+TEST(Plugin, IsAskedNoMoreAfterRepeatedHangs) {
   const auto method = made(kMisbehaving + ":hang:seconds=0.02");
   for (int i = 0; i < 8; ++i) EXPECT_EQ(fault_of(*method).first, "hang");
   const Answer answer = method->answer(falling_vertex(), {});
@@ -214,7 +214,7 @@ TEST(Plugin, StartsOnlyOnceItIsAdmitted) {
   EXPECT_TRUE(is_admitted("tdibm-c"));
 }
 
-TEST(Plugin, ThatIsNoneIsBadInput) {
+TEST(Plugin, IsBadInputWhenItsFileIsNoPlugin) {
   const ScratchFolder folder;
   write_text(folder / "text", "no library\n");
   write_text(folder / "mute", "#!/bin/sh\n");
@@ -280,9 +280,9 @@ bool ends_soon(pid_t pid) {
   return !lives(pid);
 }
 
-class Murders : public testing::TestWithParam<const char*> {};
+class PluginSupervisor : public testing::TestWithParam<const char*> {};
 
-TEST_P(Murders, OfWhoWatchesOverAPluginAreKnownAndLeaveNothingBehind) {
+TEST_P(PluginSupervisor, LeavesNoProcessWhenItIsKilledAndTheErrorIsReported) {
   const std::string whom = GetParam();
   const auto [name, note] =
       fault_of(*made(kMisbehavingProgram + ":murder " + whom + ":repeat=no:seconds=15"));
@@ -298,7 +298,8 @@ TEST_P(Murders, OfWhoWatchesOverAPluginAreKnownAndLeaveNothingBehind) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Murders, testing::Values("parent", "group", "grandparent", "both"));
+INSTANTIATE_TEST_SUITE_P(Each, PluginSupervisor,
+                         testing::Values("parent", "group", "grandparent", "both"));
 
 TEST(Plugin, EndsAsItDidWhereSigchldIsIgnored) {
   const auto before = std::signal(SIGCHLD, SIG_IGN);

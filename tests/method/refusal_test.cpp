@@ -179,7 +179,7 @@ TEST(Refusal, TheLimitsThemselvesAreTaken) {
   }
 }
 
-TEST(Refusal, WhatIsNoQueryIsNeitherDecidedNorProvenClear) {
+TEST(Refusal, LeavesAnInvalidQueryUndecidedAndUnproven) {
   std::vector<Spoilt> all = spoilt_structures();
   for (const Spoilt& spoilt : all) {
     Query query = meeting(Shape::triangle(1));

@@ -109,7 +109,7 @@ TEST(Registry, SwitchesAreTakenInAnyOrder) {
   }
 }
 
-TEST(Registry, WhatWasRenamedIsNamed) {
+TEST(Registry, NamesTheNewNameOfARenamedMethod) {
   const std::string message = make_method("tdibm-h-rel:1e-12").error().message();
   EXPECT_NE(message.find("tdibm-h:F@absolute"), std::string::npos) << message;
 }

@@ -211,7 +211,7 @@ TEST(Served, WantOfMemoryIsToldByItsName) {
   }
 }
 
-TEST(Served, WhatThisProcessHasOfMemoryIsNotCounted) {
+TEST(Served, DoesNotCountTheMemoryOfThisProcess) {
   const std::string own(300 << 20, 'x');
   const auto done = asked_once("abort", kLittleMemory);
   ASSERT_FALSE(done);

@@ -69,7 +69,7 @@ TEST(CaseBytes, ABrokenContactIsShownAsItStandsAndMadeWhole) {
   EXPECT_TRUE(cases_of({}).empty());
 }
 
-TEST(CaseBytes, OfATimeThatIsNoDoubleThereAreNone) {
+TEST(CaseBytes, AreNoneWhenTheTimeIsNoDouble) {
   Contact q = mutation_bases().front();
   q.t = Dyadic(1) + Dyadic(Integer(1), -60);
   EXPECT_FALSE(to_bytes(q));

@@ -21,7 +21,7 @@ TEST(DyadicRoundTrip, AtTheEndsOfTheRange) {
   }
 }
 
-TEST(SubPatch, OfAnInvertedTriangle) {
+TEST(SubPatch, IsRightForAnInvertedTriangle) {
   const Shape shape = Shape::triangle(2);
   Points<Dyadic> points;
   for (int i = 0; i < 6; ++i) points.push_back({Dyadic(i), Dyadic(i * i), Dyadic(3 * i - i * i)});

@@ -67,7 +67,7 @@ TEST(ClaimInput, NamesItsClaimAndComesBackFromItsBytes) {
   }
 }
 
-TEST(ClaimInput, OfNoClaimOfTheSuiteIsNone) {
+TEST(ClaimInput, IsNoneForAClaimOfAnotherSuite) {
   const Suite suite = suite_named("tdibm_e").value();
   const Suite other = suite_named("linear").value();
   EXPECT_FALSE(claim_input(suite, {}));
@@ -76,7 +76,7 @@ TEST(ClaimInput, OfNoClaimOfTheSuiteIsNone) {
   EXPECT_FALSE(claim_input(suite, to_bytes({known_false, {}})));
 }
 
-TEST(ClaimInput, OfATextIsItsBytes) {
+TEST(ClaimInput, IsTheBytesOfAText) {
   const std::vector<std::uint8_t> text = {200, 7};
   EXPECT_EQ(claim_input(suite_named("query_csv").value(), text)->choices, (ChoiceNumbers{200, 7}));
 }

@@ -38,7 +38,7 @@ TEST(Histogram, LinearBinsHoldOutliersInTheLastAndZerosInTheFirst) {
   EXPECT_EQ(total(h), 100U);
 }
 
-TEST(Histogram, OfNothingIsEmpty) {
+TEST(Histogram, IsEmptyWithoutValues) {
   EXPECT_TRUE(log_bins(of({})).counts.empty());
   EXPECT_TRUE(log_bins(of({0, -1})).counts.empty());
   EXPECT_TRUE(linear_bins(of({}), 1).counts.empty());

@@ -50,7 +50,7 @@ TEST(LossFacts, OverlapIsALengthWhateverTheLengthOfTheAxis) {
   }
 }
 
-TEST(LossFacts, OfPartsCountsThePartsAlone) {
+TEST(LossFacts, MeasureOnlyThePartsThatWereSeparated) {
   Meeting m;
   // The lower half of patch 2 is the same; the lower half of patch 1 ends at −1/2 + t.
   m.loss.place.cells[0] = Cell{0, 0, 1, false};

@@ -53,7 +53,7 @@ Json data_of(const std::string& page) {
   return element(page, "report");
 }
 
-TEST(ReportPage, OfNothingIsTheTemplateWithItsData) {
+TEST(ReportPage, IsTheTemplateWithItsDataWhenNothingIsReported) {
   const std::string page = report_page({}, 1);
   EXPECT_EQ(count(std::string(report_template()), std::string(kReportDataMark)), 1U);
   EXPECT_EQ(count(page, std::string(kReportDataMark)), 0U);
@@ -89,7 +89,7 @@ TEST(ReportPage, HasTheCourseOfAHuntAndTheScoreboard) {
   EXPECT_EQ(count(none, R"(id="scoreboard")"), 0U);
 }
 
-TEST(ReportPage, OfPluginsThatAreGoneHasAllButTheirTraces) {
+TEST(ReportPage, HasAllButTracesWhenItsPluginsAreGone) {
   ReportPage report;
   const std::string gone = "plugin:./gone.so", known = "plugin-exec:./known";
   report.cases = {reported("VV", Outcome::kMissed)};
@@ -118,7 +118,7 @@ TEST(ReportPage, ACaseHasItsSettingItsBitsAndTheCausesOfItsFailures) {
   EXPECT_EQ(row[9], (Json{{"tdibm", "left root"}, {"plugin:./gone.so", "hang"}}));
 }
 
-TEST(ReportPage, WhereACaseExpectsNoCauseItIsThatOfTheTrace) {
+TEST(ReportPage, TakesTheCauseFromTheTraceWhenACaseExpectsNone) {
   ReportPage report;
   report.cases = {reported("VV", Outcome::kMissed)};
   const Json row = data_of(report_page(report, 1))["cases"][0];
@@ -140,7 +140,7 @@ TEST(ReportPage, IsTheOnlyFileOfItsFolder) {
   EXPECT_EQ(data_of(read_text(folder / "page/index.html"))["tables"][0]["rows"][0][0], "b");
 }
 
-TEST(ReportPage, OfTooManyBytesHasFewerCases) {
+TEST(ReportPage, HasFewerCasesWhenItIsTooLarge) {
   ReportPage report;
   for (int i = 0; i < 150; ++i) {
     report.cases.push_back(reported("VV", Outcome::kMissed));

@@ -33,7 +33,7 @@ TEST(CampaignOptions, ADriverThatIsNotBuiltIsRefused) {
               StartsWith("--drivers: libfuzzer is not in this build"));
 }
 
-TEST(CampaignOptions, WhatIsAskedForIsNamedUnlessAllFaultsAreWatched) {
+TEST(CampaignOptions, NameTheirFaultsUnlessAllAreWatched) {
   std::vector<PlantedFault> faults = {kFewFaults[0], kFewFaults[0]};
   faults[1].name = "b.fault";
   CampaignOptions options;

@@ -82,7 +82,7 @@ TEST(Records, AreThereAgainWhereTheCampaignWasKilled) {
   EXPECT_EQ(Records::open(path, kFaults, Use::kRead)->all().size(), 1);
 }
 
-TEST(Records, OfACampaignThatGoesOnAreReadAndLeftWhereTheyAre) {
+TEST(Records, AreReadAndLeftInPlaceWhileACampaignRuns) {
   const ScratchFolder folder;
   const std::string path = folder / "r", journal = RunFile::path_for(path);
   auto running = Records::open(path, kFaults, Use::kExtend);
@@ -156,7 +156,7 @@ TEST(Records, RefuseWhatIsNoneNamingLineFieldAndValue) {
   EXPECT_EQ(refusal_of(good + good), "");
 }
 
-TEST(Records, OfAFaultThatIsAnotherNowAreLeftOut) {
+TEST(Records, AreLeftOutWhenTheirFaultHasChanged) {
   const ScratchFolder folder;
   const std::string path = folder / "r";
   auto records = Records::open(path, kFaults, Use::kExtend);
@@ -182,7 +182,7 @@ TEST(Records, OfAFaultThatIsAnotherNowAreLeftOut) {
   EXPECT_EQ(Records::open(path, with_field(&PlantedFault::to), Use::kRead)->all().size(), 1);
 }
 
-TEST(Records, OfARunWithAllFaultsWatchedAreLeftOutWhereThereAreOthersNow) {
+TEST(Records, AreLeftOutWhenTheyWatchedOtherFaults) {
   const ScratchFolder folder;
   const std::string path = folder / "r";
   Record watched = record_of(1);
@@ -199,14 +199,14 @@ TEST(Records, OfARunWithAllFaultsWatchedAreLeftOutWhereThereAreOthersNow) {
   EXPECT_EQ(others->outdated(), 1);
 }
 
-TEST(Records, ThatAreRefusedLeaveNoJournal) {
+TEST(Records, LeaveNoJournalWhenTheyAreRefused) {
   const ScratchFolder folder;
   write_text(folder / "r", "{\n" + old_line(1));
   EXPECT_FALSE(Records::open(folder / "r", kFaults, Use::kExtend));
   EXPECT_EQ(folder.entry_count(), 1);
 }
 
-TEST(Records, WhereNothingCanBeWrittenSaySoAtOnce) {
+TEST(Records, FailAtOnceWhenTheirFileCannotBeWritten) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "d");
   EXPECT_FALSE(Records::open(folder / "d", kFaults, Use::kExtend));

@@ -41,14 +41,14 @@ TEST(Rows, AMissTookLongerThanAllKillsHoweverSmallItsLimit) {
   EXPECT_EQ(row.executions, 45000);
 }
 
-TEST(Rows, WhereMostRunsMissTheMedianIsWhatItIsAtLeast) {
+TEST(Rows, HaveALowerBoundAsMedianWhenMostRunsMiss) {
   const Row row = row_of_runs({{true, 45}, {false, 10}, {false, 60}});
   EXPECT_FALSE(row.is_kill());
   EXPECT_EQ(row.seconds, 45);
   EXPECT_EQ(row_of_runs({{false, 10}, {false, 60}, {false, 10}}).seconds, 10);
 }
 
-TEST(Rows, OfADriverCountAMissedFaultAsLongerThanThoseKilled) {
+TEST(Rows, CountAMissedFaultAsLongerThanAnyKilledOne) {
   auto records = Records::open("", kThreeFaults, Records::Use::kExtend);
   add_runs(*records, "a", {{true, 45}});
   add_runs(*records, "b", {{false, 10}});

@@ -114,7 +114,7 @@ TEST(RunApart, ACopyHoldsNoFileOfItsCaller) {
   _exit(3);
 }
 
-TEST(RunApartDeathTest, WithoutAProcessThereIsNoReport) {
+TEST(RunApartDeathTest, ReportsNothingWithoutAProcess) {
   EXPECT_EXIT(run_where_no_process_is_to_be_had(), testing::ExitedWithCode(3),
               "^cannot start a process: ");
 }

@@ -57,7 +57,7 @@ TEST(Verdict, NamesFaultsThatNobodyNoticed) {
                           "properties,hunt --faults some"));
 }
 
-TEST(Verdict, OfTheRepositorysRecordsIsGood) {
+TEST(Verdict, IsGoodOnTheStoredRecords) {
   const std::string folder = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/";
   const auto faults = read_faults(folder + "faults.txt");
   ASSERT_TRUE(faults) << faults.error().message();
