@@ -200,15 +200,15 @@ Option Command::add_text(
 
 Option Command::threads() {
   session_->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return whole("--threads", session_->threads, "Threads; results do not depend on it", 1, 1024)
+  return whole("--threads", session_->threads,
+               "Threads; results depend on it only where time is limited", 1, 1024)
       .in("Other");
 }
 
 Option Command::plugin_names() {
   return add_text("--plugin NAME=SPEC",
-                  "Lets plugin:NAME stand for this plug-in in all that is read and written; "
-                  "several with "
-                  "commas between",
+                  "Call this plug-in plugin:NAME in options, files and output; several with commas "
+                  "between",
                   "",
                   [](const std::string& where, const std::string& text) -> Result<void> {
                     for (const std::string& item : texts_between_commas(text)) {
@@ -228,8 +228,8 @@ Option Command::plugin_names() {
 
 Option Command::allow_plugins() {
   return add_text("--allow-plugins LIST",
-                  "Plug-ins of expectations that may be started, separated by commas, each spelled "
-                  "as there",
+                  "Plug-ins that may be started where files name them, separated by commas, each "
+                  "spelled as in the file",
                   "",
                   [](const std::string& where, const std::string& text) -> Result<void> {
                     const Result<std::vector<std::string>> specs = parse_method_list(text);
@@ -247,8 +247,8 @@ Option Command::allow_plugins() {
 
 Option Command::max_work() {
   return add_text("--max-work N",
-                  "Work of checking all cases together, in operations on 64-bit words; then the "
-                  "command ends. By default 2^32, and 2^27 for each case",
+                  "End the command after this much work of checking cases, in operations on 64-bit "
+                  "words. By default 2^32, and 2^27 for each case",
                   "",
                   [](const std::string& where, const std::string& text) {
                     return parse_whole(where, text).map(&RunWork::allow);

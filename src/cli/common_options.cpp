@@ -103,10 +103,10 @@ void SearchFlags::add_to(Command& command) {
 
 std::vector<Option> SearchFlags::add_budget_to(Command& command) {
   Option pops = command.whole("--max-pops", max_pops,
-                              "Pairs of boxes to look at before a method gives up as undecided", 1);
+                              "End a query as undecided after this many pairs of boxes", 1);
   Option seconds = command.parsed(
       "--max-seconds SECONDS", max_seconds,
-      "Wall time of a query before it gives up; its answer then depends on the machine",
+      "End a query as undecided after this wall time; answers then depend on the machine",
       &parse_seconds);
   return {pops.in("Limits"), seconds.in("Limits")};
 }

@@ -325,14 +325,14 @@ void add_hunt(CommandLine& line) {
   auto [command, options] = line.add<HuntArguments>(
       "hunt", "Search for counterexamples and store them (start here)", run_hunt);
   command.example("one minute on your own code, for triangle meshes",
-                  "hunt --methods plugin:./libmine.so --linear --corpus mine");
+                  "hunt --methods plugin:./libmine.so --linear --ordinary --corpus mine");
   HuntOptions& hunt = options->hunt;
   command.group("How long");
   const Option seconds =
       command.parsed("--seconds SECONDS", hunt.seconds, "How long to hunt", parse_seconds, "60");
   command
       .whole("--cases", options->cases,
-             "Instead: this many cases of each contact class, each put to every method. The same "
+             "Instead: this many cases of each contact class, each run with every method. The same "
              "--seed then finds the same",
              1, kMostCases)
       .excludes(seconds)
@@ -363,11 +363,11 @@ void add_hunt(CommandLine& line) {
   command.group("Results");
   command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
   command.choice("--shrink WHICH", hunt.shrink,
-                 "Whose counterexamples to minimise at the end, for at most as long again or 20 "
+                 "Minimise the counterexamples of these methods, for at most as long again or 20 "
                  "seconds: none, plugins or all");
   command.choice("--fail-on WHICH", options->fail_on,
-                 "Exit with 1 after which finds, known ones too: none, claims (a method breaks its "
-                 "guarantee) or any");
+                 "Exit with 1 after such counterexamples, known ones too: none, claims (a method "
+                 "breaks its guarantee) or any");
   command.text("--report FOLDER", options->page,
                "Also make a page (index.html) of the counterexamples and of how the hunt went");
   command.flag("--by-class", options->by_class, "A row for each contact class and method");
