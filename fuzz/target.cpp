@@ -21,7 +21,7 @@ const Suite& this_suite() {
   return suite;
 }
 
-/// What runs one input of one property again.
+/// The command that runs one input of one property again.
 std::string check_command() {
 #ifdef CCDFUZZ_PROGRAM
   return shell_word(CCDFUZZ_PROGRAM) + " check";

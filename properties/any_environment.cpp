@@ -221,7 +221,7 @@ std::string bits(const Trace& trace) {
   return out;
 }
 
-/// What a method says of a case, all of it but the time that it took.
+/// A method's answer to a case, without the time that it took.
 std::string said_by(const std::string& spec, const Case& value) {
   const SearchOptions options{.precision = 0x1p-7, .max_pops = 24};
   const Witness& witness = *value.truth.witness;

@@ -33,7 +33,7 @@ Case draw_case(Draw& choices) {
   return contact ? *contact : draw_any_case(choices);
 }
 
-/// What tends to confuse readers.
+/// Texts that tend to confuse readers.
 constexpr std::array<std::string_view, 22> kTokens = {"\"",
                                                       "{",
                                                       "}",

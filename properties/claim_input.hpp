@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// What an input of a suite's fuzz target is: one of its claims, and the choices that it is put to.
+/// An input of a suite's fuzz target: one of its claims, and choices for it.
 struct ClaimInput {
   Property property;
   ChoiceNumbers choices;

@@ -21,7 +21,7 @@ inline constexpr ContactRange kElsewhere{
 /// Coordinates of many bits, and contacts just before or after the times that windows end at.
 inline constexpr ContactRange kManyBits{0, 0, 2, 32, true};
 
-/// What fuzzing asks with: coarse, and cheap.
+/// The options that fuzzing asks with: coarse, and cheap.
 inline constexpr SearchOptions kQuickSearch = {0x1p-6, 300, SearchOptions().max_bytes};
 
 /// The method neither says "no contact" (missed) nor names a time after a proven contact (late).

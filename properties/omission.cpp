@@ -100,7 +100,7 @@ void check_eq_13_second(Draw& d) {
   CLAIM(abs(phi.r) * abs(phi.s) + abs(phi.p) * abs(phi.q) <= phi.p * (abs(phi.s) + abs(phi.q)));
 }
 
-/// What Step II takes from the stack.
+/// The lines that Step II takes from the stack.
 struct CountingPops : ErrorBoundIntended {
   int* pops;
 

@@ -12,7 +12,7 @@
 
 namespace ccdfuzz {
 
-/// What one input showed of a property.
+/// The result of a property on one input.
 struct Check {
   enum class Status : std::uint8_t {
     kHolds,
@@ -34,14 +34,14 @@ inline constexpr std::array kCheckStatuses = {Check::Status::kHolds, Check::Stat
 constexpr const auto& all_of(Check::Status) {
   return kCheckStatuses;
 }
-/// What a property does on an input: it "holds", "fails" or "is discarded".
+/// The result as a verb: the property "holds", "fails" or "is discarded".
 constexpr std::string_view name_of(Check::Status status) {
   constexpr std::array<std::string_view, kCheckStatuses.size()> kNames = {"holds", "fails",
                                                                           "is discarded"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
-/// What is known of a claim. A claim that is false stays as it was made, and is marked.
+/// Whether a claim is expected to hold. A claim that is false stays as it was made, and is marked.
 enum class Expectation : std::uint8_t {
   kHolds,  ///< no counterexample is known; one is a finding
   kFails,  ///< counterexamples are known, and not to find one means that the harness is broken
@@ -82,7 +82,7 @@ struct Property {
   Expectation expected = Expectation::kHolds;
 };
 
-/// What the check of a property says of an input. An exception is a failure, except
+/// Checks a property on an input. An exception is a failure, except
 /// std::bad_alloc, which passes to whoever limits memory. A failure is described by checking the
 /// same choices once more while show() listens; not if `tells` is false: who counts need not pay
 /// for it.

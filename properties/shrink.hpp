@@ -24,7 +24,7 @@ struct ShrinkLimits {
   std::function<bool()> is_over = {};  ///< asked before each of them; empty: never over
 };
 
-/// What an input showed of a property, or what running it did in place of ending.
+/// The result of a property on an input, or the error by which the run ended.
 struct InputRun {
   Check check;
   std::string error;      ///< its name ("crash SIGSEGV"), and check fails; empty: it ended

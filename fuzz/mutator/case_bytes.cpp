@@ -57,7 +57,7 @@ class ByteReader {
 /// Behind the kinds of shapes, flags: the patch has ends; of the first, the query has a separation.
 constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds;
 
-/// What the bytes say: a valid query, and numbers that may be those of a contact.
+/// The contents of the bytes: a valid query, and numbers that may be those of a contact.
 struct CaseParts {
   Query query;
   double t = 0;

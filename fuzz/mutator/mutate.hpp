@@ -27,13 +27,13 @@ struct CaseMutation {
   QueryRange range = QueryRange::kPlain;
 };
 
-/// What LLVMFuzzerCustomMutator is to do where inputs are case bytes (to_bytes): a mutant that
+/// For LLVMFuzzerCustomMutator where inputs are case bytes (to_bytes): makes a mutant that
 /// keeps its contact exactly, and its method seven times in eight. Changes the data in place.
 /// Returns the new size, 0 where it is more than max_size.
 std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
                         const CaseMutation& options = {});
 
-/// What LLVMFuzzerCustomCrossOver is to do there: a mutant of the first with parts of the second,
+/// For LLVMFuzzerCustomCrossOver there: makes a mutant of the first with parts of the second,
 /// and its method. Returns the size of what is in `out`, 0 where there is none.
 std::size_t cross_cases(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,
                         std::uint8_t* out, std::size_t max_size, unsigned seed,

@@ -96,7 +96,7 @@ std::string last_words(std::string printed) {
   return printed.empty() ? "" : "; it printed: " + printed;
 }
 
-/// What a process did that ended in place of answering, by how it ended (waitpid) and the memory it
+/// The failure of a process that ended without an answer, by its status (waitpid) and the memory it
 /// used: "crash SIGSEGV", "exit 3", or "memory", since running out of it shows as many things. What
 /// it printed ends the note.
 Fault fault_of_end(int status, std::uint64_t kibibytes_used, const ChildLimits& limits,

@@ -14,7 +14,7 @@
 
 namespace ccdfuzz {
 
-/// What a process did in place of answering.
+/// The failure of a process that did not answer.
 struct Fault {
   /// One of a few, so that faults can be counted by it: "crash SIGSEGV", "exit 3", "hang",
   /// "memory", "output", "garbage", …
@@ -28,7 +28,7 @@ struct Fault {
   }
 };
 
-/// What a child may use.
+/// The limits of a child.
 struct ChildLimits {
   double seconds = 2;  ///< wall time from a question to its answer
   /// CPU time of the same, which a served child limits by itself (serve_lines). 0: no limit.
@@ -37,7 +37,7 @@ struct ChildLimits {
   std::size_t reply_bytes = 64 << 10;
 };
 
-/// What a child is, and what it may use.
+/// The program of a child, and its limits.
 struct ChildProgram {
   /// {"run", PROGRAM, arguments…}, or {"load", LIBRARY}, which is a plug-in's.
   std::vector<std::string> command;

@@ -12,7 +12,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// What help says besides of an option.
+/// Further notes of help on an option.
 std::string facts_of(const CLI::Option& option) {
   const auto listed = [](const std::set<CLI::Option*>& others) {
     std::set<std::string> names;
@@ -66,7 +66,7 @@ HelpCommand described(const CLI::App& app) {
     group("Arguments").push_back({name, "", text});
     help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
   }
-  // What to type next comes last.
+  // The next thing to type comes last.
   for (const char* last : {"Limits", "Other"}) {
     const auto at = std::ranges::find(help.groups, last, [](const auto& g) { return g.first; });
     if (at != help.groups.end()) std::rotate(at, at + 1, help.groups.end());

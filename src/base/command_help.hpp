@@ -22,16 +22,16 @@ std::shared_ptr<CLI::FormatterBase> help_formatter();
 /// The help of one of them.
 std::string help_of(const CLI::App& app);
 
-/// What the program and its listed commands say of themselves, the program first.
+/// The help of the program and its listed commands, the program first.
 std::vector<HelpCommand> all_described(const CLI::App& app);
 
 /// The command that was given; empty if none was.
 std::string chosen_name(const CLI::App& app);
 
-/// What is wrong with a name that is no command's.
+/// The error of a name that is no command's.
 std::string no_such_command(const CLI::App& app, const std::string& name);
 
-/// What is wrong with a command line, as "object: problem".
+/// The error of a command line, as "object: problem".
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace ccdfuzz

@@ -5,7 +5,7 @@
 #include <compare>
 #include <cstdint>
 
-// What exact code does with a double, by its bits: nothing here depends on the floating-point
+// Exact operations on a double, by its bits: nothing here depends on the floating-point
 // environment. (A comparison of doubles does: a thread that flushes subnormals sees 2^-1074 == 0.)
 namespace ccdfuzz {
 

@@ -144,7 +144,7 @@ class JsonWriter {
   void reserved(std::initializer_list<std::string_view>) {}
   /// A field that says what the record is.
   void constant(std::string_view name, std::string_view text) { (*this)(name, text); }
-  /// What the text is, in its first two fields; returns the version.
+  /// The kind of the text, in its first two fields; returns the version.
   int format(std::string_view name, int, int version) {
     constant("format", name);
     (*this)("version", version);
@@ -156,7 +156,7 @@ class JsonWriter {
   bool first_ = true;
 };
 
-/// What a reader does with a member that the record does not name.
+/// How a reader treats a member that the record does not name.
 enum class Unknown { kRefuse, kIgnore };
 
 /// An archive that reads an object's members. Refused: see JsonCursor.

@@ -6,7 +6,7 @@
 
 namespace ccdfuzz {
 
-/// What help, manual page and completion say of one option or argument of a command.
+/// One option or argument of a command, for help, manual page and completion.
 struct HelpOption {
   std::string names;  ///< "-o, --output", or the name of an argument
   std::string value;  ///< "FILE"; empty for a flag
@@ -30,8 +30,8 @@ std::string help_text(const std::string& program, const HelpCommand& command);
 std::string manual_page(const std::string& program, const std::string& version,
                         const std::vector<HelpCommand>& commands);
 
-/// What bash reads to complete the names of commands and options, and otherwise files. The first of
-/// the commands is the program itself.
+/// The script by which bash completes the names of commands and options, and otherwise files. The
+/// first of the commands is the program itself.
 std::string bash_completion(const std::string& program, const std::vector<HelpCommand>& commands);
 
 }  // namespace ccdfuzz

@@ -24,7 +24,7 @@ inline tl::unexpected<InputError> input_error(std::string where, std::string wha
   return tl::unexpected<InputError>({std::move(where), std::move(what)});
 }
 
-/// What the result holds, where there is nobody to refuse to. Throws the error's message.
+/// The value of the result, where no caller can take an error. Throws the error's message.
 template <class T>
 T value_or_throw(Result<T> result) {
   if (!result) throw std::runtime_error(result.error().message());

@@ -13,7 +13,7 @@
 
 namespace ccdfuzz {
 
-/// What a long run was asked for. All but the share must agree for a run to go on, and for shares
+/// The options of a long run. All but the share must agree for a run to resume, and for shares
 /// to be merged.
 struct RunHeader {
   std::string run;                           ///< the command
@@ -66,7 +66,7 @@ class RunLines {
   std::uint64_t bytes_ = 0;
 };
 
-/// What a long run has finished so far: a line per item, in a file that is only appended to. A run
+/// The finished part of a long run: a line per item, in a file that is only appended to. A run
 /// that was killed, at any moment, resumes after the last complete line. A finished share is such a
 /// file, too: all its items, under the name of the output.
 class RunFile {

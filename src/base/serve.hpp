@@ -8,7 +8,7 @@
 
 namespace ccdfuzz {
 
-/// What a child does that is a program of ours: answers each line of stdin with a line on stdout
+/// The loop of a child that is a program of ours: answers each line of stdin with a line on stdout
 /// until stdin ends. What `work` prints goes to stderr. Where it throws, the answer is a Fault,
 /// "memory" or "exception", and the process ends. A question that takes more CPU time than that, if
 /// it is not 0, ends the process by SIGPROF.

@@ -42,7 +42,7 @@ void end_descendants() {
 }
 
 [[noreturn]] void supervise(pid_t child, const sigset_t& awaited) {
-  // What the child closes is to be closed.
+  // A descriptor that the child closes must be closed here, too.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::close(descriptor);
   while (true) {
     int signal = 0;

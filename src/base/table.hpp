@@ -46,7 +46,7 @@ class Table {
   /// characters are shown (shown_line), in Markdown, too. A table wider than kTextWidth is shown in
   /// parts, one below the other, each with the texts to the left that its rows begin with.
   std::string to_text(bool colour) const;
-  /// What to_text has more than at the last call: for a table that is read while it grows. A text
+  /// The text of to_text since the last call, for a table that is read while it grows. A text
   /// wider than its column's title and least_width moves its own row only.
   std::string next_text(bool colour);
   /// to_text of the rows added since the last call, which are forgotten: for a table of any length.

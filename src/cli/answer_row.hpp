@@ -7,7 +7,7 @@
 
 namespace ccdfuzz {
 
-/// What a method says of a case and how that is judged, as a row of the JSON output.
+/// A method's answer to a case and its judgement, as a row of the JSON output.
 struct AnswerRow {
   const std::string& id;
   const std::string& method;

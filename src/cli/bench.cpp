@@ -77,7 +77,7 @@ std::string ratio_text(const Race::Runner& runner, const std::optional<double>& 
                      ratio);
 }
 
-/// What one method needed on the queries of one class, beside the first.
+/// The cost of one method on the queries of one class, beside the first.
 struct BenchRow {
   ContactClass contact;
   const Race::Runner& runner;

@@ -95,7 +95,7 @@ std::vector<TableCell> cells_of(const CheckedProperty& checked) {
       note};
 }
 
-/// What a check showed, in lines of a terminal's width: what does not fit, --json has.
+/// The result of a check, in lines of a terminal's width; --json has the rest.
 std::string shown_failure(const std::string& text) {
   std::istringstream lines(wrapped(text, 2));
   std::string shown;

@@ -26,7 +26,7 @@ class Session;
 struct Suite;
 struct Property;
 
-/// What every command ends with. A command that was interrupted ends with 128 + the signal.
+/// The exit codes of every command. A command that was interrupted ends with 128 + the signal.
 enum ExitCode : int {
   kDone = 0,
   kCheckFailed = 1,  ///< a replay regression, a refuted truth, a find that --fail-on names
@@ -69,7 +69,7 @@ class Command {
  public:
   /// Help shows the options that are added from now on in this group.
   void group(const std::string& title);
-  /// What help shows last: what the command line does, and the line behind "ccdfuzz".
+  /// The example that help shows last: its purpose, and the line behind "ccdfuzz".
   void example(const std::string& what, const std::string& line);
 
   /// An empty text is refused, as `value` that stays empty means that the option was not given.
@@ -88,7 +88,7 @@ class Command {
   Option whole(const std::string& name, int& value, const std::string& description, int least,
                int most);
 
-  /// What parse(where, text) makes of the text; where is the option's name.
+  /// The value that parse(where, text) makes of the text; where is the option's name.
   template <class Value, class T>
   Option parsed(const std::string& name, Value& value, const std::string& description,
                 Result<T> (*parse)(const std::string& where, const std::string& text),

@@ -38,7 +38,7 @@ struct SearchFlags {
   SearchOptions options_for(const Case& value) const;
 };
 
-/// What plug-ins of expectations were not allowed: how many expectations each has.
+/// The plug-ins of expectations that were not allowed, and how many expectations each has.
 using NotAllowed = std::map<std::string, std::uint64_t>;
 
 /// "3 expectations of plug-ins not run: allow them with --allow-plugins A,B". Requires not empty.
@@ -50,7 +50,7 @@ void add_methods(Command& command, std::vector<std::string>& methods,
 
 /// The method as tables show it: " *" follows where it claims to have no false negative.
 std::string marked(const std::string& method);
-/// What " *" means; empty if none of the methods has it.
+/// A note that explains " *"; empty if none of the methods has it.
 std::string mark_note(const std::vector<std::string>& methods);
 /// A column for marked().
 Table::Column method_column();

@@ -20,7 +20,7 @@ inline std::uint64_t work_of_a_pop(const Query& query) {
   return points * (points + 100);
 }
 
-/// What a run may do where no --max-pops is given, on every machine and number of threads alike.
+/// The budget of a run without --max-pops, the same on every machine and number of threads.
 class DefaultBudget {
  public:
   /// Limits an answer, so that all default methods together take about 5 s on two close patches

@@ -37,7 +37,7 @@ struct GenerateOptions {
   bool is_to_stdout() const { return output.empty() || output == "-"; }
 };
 
-/// What is to be made, construction by construction.
+/// The constructions to make, one by one.
 struct Plan {
   RunHeader header;
   std::function<MadeCases(std::uint64_t)> make;

@@ -27,7 +27,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// What TDIBM needs stays far below; trad alone reaches it, after about a second.
+/// TDIBM stays far below; trad alone reaches it, after about a second.
 constexpr std::uint64_t kDefaultPops = 10'000;
 
 /// The cases of one class: six times as many are still below 2^63.

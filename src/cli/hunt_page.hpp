@@ -31,7 +31,7 @@ class CourseNotes {
   double next_ = 0;
 };
 
-/// What a hunt leaves beside its page, so that `ccdfuzz report` can make the page again.
+/// The record that a hunt leaves beside its page, so that `ccdfuzz report` can make the page again.
 struct HuntRecord {
   std::string command;     ///< that hunted
   std::string store;       ///< folder of the counterexamples, as the command line gave it
@@ -69,14 +69,14 @@ Result<HuntRecord> read_hunt_record(const std::string& folder);
 /// The mean time of an answer.
 Column<HuntCell> mean_column();
 
-/// What each method did in each class.
+/// The results of each method in each class.
 Table hunt_table(const std::vector<HuntCell>& cells);
 
 /// An entry as its expectations say. Where those are of a time that a method reported, a method
 /// that may be started (is_admitted) is asked for it again.
 Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods);
 
-/// What a hunt's page shows: its cells, its course, what it found, and what its store held before;
+/// The data of a hunt's page: its cells, its course, its finds, and the earlier ones of its store;
 /// if the store is not there, only that, which stderr says, too. Errors: the store cannot be read.
 Result<ReportPage> hunt_page(const HuntRecord& record);
 

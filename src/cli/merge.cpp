@@ -83,7 +83,7 @@ int merge_evaluated(const MergeOptions& options, Session& session) {
   return kDone;
 }
 
-/// What a merge of corpora did.
+/// The counts of a merge of corpora.
 struct MergedCorpora {
   std::uint64_t entries = 0, taken = 0, now = 0;
   Intake::Settled settled = {};

@@ -8,7 +8,7 @@
 
 namespace ccdfuzz {
 
-/// What a merge did with inputs of claims.
+/// The counts of a merge of inputs of claims.
 struct MergedClaims {
   std::uint64_t entries = 0, taken = 0, now = 0;
   std::uint64_t without_input = 0;  ///< finds that did not fail again, which have no choices

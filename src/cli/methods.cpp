@@ -14,7 +14,7 @@ struct MethodsOptions {
   std::vector<std::string> specs;
 };
 
-/// What a user may know of a method, as a row of the JSON output.
+/// A method, as a row of the JSON output.
 struct MethodRow {
   const MethodInfo& info;
 

@@ -23,7 +23,7 @@ struct MinimizeOptions {
   SearchFlags search;
 };
 
-/// What was reached, as a row of the JSON output.
+/// The result, as a row of the JSON output.
 struct MinimisedRow {
   std::string id;
   Failure failure;
@@ -46,7 +46,7 @@ std::string size_text(const Query& query) {
                      to_text(query.patches[1].shape), size_of(query).significant_bits);
 }
 
-/// What asks the method: in a process of its own where it is said to crash on the case.
+/// Asks the method, in a process of its own if it is expected to crash on the case.
 Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
   const std::string& spec = options.method;
   const auto expected = found.value.expect.find(spec);

@@ -27,7 +27,7 @@ std::string time_text(const Rational& t) {
   return text.size() <= kLong ? text : fmt::format("{:.10g}", t.get_d());
 }
 
-/// What is asked, and what is proven of it.
+/// A case to ask about, and its checked truth.
 std::string title_of(const NamedCase& named) {
   const auto& [query, truth, origin, asked, expect] = named.value;
   std::string known = "nothing is known of a contact";
@@ -63,7 +63,7 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
           {duration_text(answer.seconds)}};
 }
 
-/// What is to be said besides of some answers.
+/// Notes about some answers.
 class Notes {
  public:
   void add(const AnswerRow& row) {

@@ -73,14 +73,14 @@ struct RefutedJson {
   }
 };
 
-/// What became of one entry.
+/// The results of one entry.
 struct Replayed {
   std::vector<ReplayRow> rows;
   std::map<std::string, Expected> not_allowed;
   std::string refuted;  ///< why; empty if its truth holds
 };
 
-/// What to ask about an entry, and what is expected.
+/// The methods to ask about an entry, and the expected outcomes.
 std::map<std::string, Expected> expectations(const Case& entry, const ReplayOptions& options) {
   if (options.methods.empty() && !options.expect) return entry.expect;
   std::map<std::string, Expected> wanted;
@@ -124,7 +124,7 @@ Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& o
   constexpr std::uint64_t kTimes = 16;
   if (options.search.max_pops == 0) DefaultBudget::limit(search, known->query(), kTimes);
   result.rows = replayer.replay(entry.id, *known, wanted, search);
-  // What a method does not take, it need not answer.
+  // A method need not answer a query that it does not take.
   if (options.expect) {
     std::erase_if(result.rows,
                   [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });

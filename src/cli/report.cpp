@@ -73,7 +73,7 @@ Result<ReportPage> report_corpus(const ReportArguments& options, int threads,
   return report;
 }
 
-/// What `evaluate -o` left: its cases and the answers to them, side by side.
+/// The folder of `evaluate -o`: its cases and the answers to them, side by side.
 ReportPage report_run(const ReportArguments& options, Session& session) {
   EarlierAnswers answers{need(RunLines::open(answers_path(options.source))),
                          std::numeric_limits<std::uint64_t>::max()};

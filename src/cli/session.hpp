@@ -23,14 +23,14 @@ struct BadInput {
   InputError error;
 };
 
-/// What the result holds. Throws BadInput if it is an error.
+/// The value of the result. Throws BadInput if it is an error.
 template <class T>
 T need(Result<T> result) {
   if (!result) throw BadInput{std::move(result.error())};
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
 
-/// What every command has: threads, --json, a table or rows on stdout, progress, interrupts.
+/// The common part of commands: threads, --json, a table or rows on stdout, progress, interrupts.
 class Session {
  public:
   int threads = 1;
@@ -88,7 +88,7 @@ class Session {
 
   /// True iff a signal asked the command to end.
   bool interrupted() const { return catch_interrupts(); }
-  /// What the command ends with: `code`, or that of the signal.
+  /// The exit code of the command: `code`, or that of the signal.
   int exit_code(int code) const { return interrupted() ? interrupted_exit_code() : code; }
 
   Progress& progress() { return progress_; }

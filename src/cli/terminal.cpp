@@ -37,7 +37,7 @@ std::string clock_text(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-/// What came since `before`, gone on like that; nothing before there is enough to reckon with.
+/// Extrapolates the progress since `before`; nothing before there is enough of it.
 std::string time_left_text(double share, double before, double elapsed) {
   constexpr double kEnough = 0.5, kTooLong = 100 * 3600;  // seconds
   if (elapsed < kEnough || !(share > before) || share >= 1) return "";

@@ -63,7 +63,7 @@ void TriageWalk::go(const std::vector<std::string>& files, const Read& read) {
     }
     if (is_over_()) break;
     const bool is_done = (*work)();
-    // What was done in spite of that is done.
+    // Work that was done in spite of that counts.
     if (!is_done && is_over_()) break;
     ++counts_.files_done;
     if (is_done && remove_) {

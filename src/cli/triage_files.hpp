@@ -11,7 +11,7 @@
 
 namespace ccdfuzz {
 
-/// What became of the files that fuzzers left, and of the inputs in them.
+/// The results for the files that fuzzers left, and for the inputs in them.
 struct TriageCounts {
   std::uint64_t files = 0, files_done = 0, files_unread = 0;
   TriageTally tally;
@@ -38,7 +38,7 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path);
 /// Goes through files, with progress.
 class TriageWalk {
  public:
-  /// What is left to do with a file that was read; false: it is not done, or to stay.
+  /// Whether a file that was read may be removed; false: it is not done, or to stay.
   /// Throws BadInput: of the store.
   using Work = std::function<bool()>;
   /// Errors: it is no input; says so, and leaves it as it is.

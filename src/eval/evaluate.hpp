@@ -25,7 +25,7 @@ struct EvaluateOptions {
   int threads = 1;
 };
 
-/// What an earlier run answered to the first cases of the share, a line each.
+/// The answers of an earlier run to the first cases of the share, a line each.
 struct EarlierAnswers {
   RunLines lines;
   std::uint64_t left = 0;  ///< lines to read still, at most

@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// What a method answered to a case, up to one time.
+/// A method's answer to a case, up to one time.
 struct GivenAnswer {
   std::optional<double> factor;  ///< t_max by the contact's time; absent where asked unchanged
   std::string method;

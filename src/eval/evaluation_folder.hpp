@@ -13,7 +13,7 @@ namespace ccdfuzz {
 // a line for each row of the table of performance. tables.md has the tables as they are printed.
 // answers.jsonl appears last: once it is there the others are, too.
 
-/// What the run file's --precision is where none was given.
+/// The run file's --precision where none was given.
 inline constexpr std::string_view kOwnPrecision = "the case's own";
 
 std::string answers_path(const std::string& folder);

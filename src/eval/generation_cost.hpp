@@ -26,7 +26,7 @@ struct JsonForm<StepCounts> {
   static void read(const JsonCursor& from, StepCounts& counts);
 };
 
-/// What the cases of one class and kind cost.
+/// The cost of the cases of one class and kind.
 struct GenerationCost {
   std::string contact;
   std::string kind;         ///< "RP+RN" where both are made of one construction

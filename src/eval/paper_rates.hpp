@@ -13,7 +13,7 @@ struct PaperRate {
   std::uint64_t total = 0;
 };
 
-/// What the paper reports of a method on the cases of a contact class.
+/// The paper's numbers of a method on the cases of a contact class.
 struct PaperResult {
   double seconds = 0;  ///< mean
   PaperRate false_positives;

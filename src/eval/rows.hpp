@@ -18,7 +18,7 @@ inline constexpr std::string_view kRegularKinds = "RP+RN", kGrazingKinds = "NHP+
 /// other kind by itself, and "-" for none.
 std::string kinds_of(const std::string& kind);
 
-/// What the answers of a row have in common.
+/// The common properties of a row's answers.
 struct RowKey {
   std::string contact;  ///< "-" if the case does not say
   std::string kind;     ///< one kind, or several that are taken together; empty if unknown

@@ -10,9 +10,9 @@
 
 namespace ccdfuzz {
 
-/// What one method did on one group of queries. Merging and adding commute, so that nothing depends
-/// on the order of the answers but the last bits of sums of times. What the method refused is in
-/// by_outcome[kNotAsked] and in nothing else.
+/// The results of one method on one group of queries. Merging and adding commute, so that nothing
+/// depends on the order of the answers but the last bits of sums of times. What the method refused
+/// is in by_outcome[kNotAsked] and in nothing else.
 struct Tally {
   std::uint64_t n = 0;          ///< queries answered, none refused
   std::uint64_t positives = 0;  ///< those of them whose truth is a contact

@@ -21,8 +21,8 @@ inline constexpr double kLongestQuerySeconds = 5;
 /// does so with more.
 Asked asked_with(const SearchOptions& search);
 
-/// What lost the contact of a case in the search of a method: loss_cause of its trace. Empty where
-/// no contact by t_max is known, or the method cannot be traced.
+/// The cause that lost the contact of a case in the search of a method: loss_cause of its trace.
+/// Empty where no contact by t_max is known, or the method cannot be traced.
 std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
 
 /// Asks methods about cases and says how they fail. For one thread.
@@ -50,7 +50,7 @@ class Asker {
   std::optional<Failure> failure(const std::string& method, const Case& value);
   /// The same, at the precision that the case says, and with no more pops than it says.
   std::optional<Failure> failure_as_asked(const std::string& method, const CheckedCase& known);
-  /// What the method shows then.
+  /// The outcome of the method then.
   Expected shown_as_asked(const std::string& method, const CheckedCase& known);
 
   /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes

@@ -177,7 +177,7 @@ Result<void> Intake::store_kept() {
   return noted(stored);
 }
 
-/// What was stored in a folder that is gone is kept only here.
+/// A find that was stored in a folder that is gone is kept only here.
 void Intake::notice_replacement() {
   const std::uint64_t times = store_.times_replaced();
   if (std::exchange(times_replaced_, times) == times) return;

@@ -14,7 +14,7 @@
 
 namespace ccdfuzz {
 
-/// What a run has kept for one failure.
+/// The find that a run has kept for one failure.
 struct Find {
   Failure failure;
   std::string path;     ///< where it is; empty if it could not be stored

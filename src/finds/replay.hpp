@@ -11,7 +11,7 @@
 
 namespace ccdfuzz {
 
-/// What became of an expectation.
+/// The result of an expectation.
 enum class Change : std::uint8_t {
   kNone,
   kRegression,   ///< it is worse: what was correct is undecided or fails, what was undecided fails

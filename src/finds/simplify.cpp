@@ -300,7 +300,7 @@ Simplicity simplicity_of(const Contact& q) {
       const Vec3<double>&p = patch.positions[i], &v = patch.moves()[i];
       different.insert({p[0], p[1], p[2], v[0], v[1], v[2]});
     }
-    // What a shape has of control points counts, too: fewer are simpler even where they coincide.
+    // The number of control points counts, too: fewer are simpler even where they coincide.
     s.different_points += 64 * patch.positions.size() + different.size();
     // Ends are more than velocities, which every method takes.
     s.different_points += patch.has_ends() ? 32 : 0;

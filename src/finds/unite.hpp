@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// What a method shows now on a case; nothing where it cannot be asked.
+/// The outcome of a method now on a case; nothing where it cannot be asked.
 using AskAgain =
     std::function<std::optional<Expected>(const std::string& method, const CheckedCase& known)>;
 

@@ -15,7 +15,7 @@
 
 namespace ccdfuzz {
 
-/// What breeding did.
+/// The counts of breeding.
 struct BreedTally {
   std::uint64_t mutants = 0;  ///< made and traced
   std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
@@ -24,7 +24,7 @@ struct BreedTally {
   std::optional<std::uint64_t> margin;
 };
 
-/// What decides which of a population have offspring.
+/// How parents are chosen.
 enum class Aim : std::uint8_t {
   kMargins,  ///< how nearly the method lost the contact, in each niche
   kNothing,  ///< chance: for comparison

@@ -30,7 +30,7 @@ constexpr double kSlice = 0.02;
 /// Trials of one find that is shrunk; most need fewer to come to an end.
 constexpr std::uint64_t kShrinkTrials = 1000;
 
-/// What one thread asks and traces with.
+/// The methods and tracers of one thread.
 struct Tools {
   explicit Tools(const SearchOptions& search) : asker(search) {}
 
@@ -39,7 +39,7 @@ struct Tools {
   TracerSet tracers;
 };
 
-/// What came of a turn.
+/// The result of a turn.
 struct Done {
   Tally tally;                ///< for a draw
   double cpu_seconds = 0;     ///< in all
@@ -112,7 +112,7 @@ class Hunt {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
 
-  /// What answers in another process costs what we wait for it.
+  /// A method in another process costs the time that we wait for it.
   double clock_of(const Method& method) const {
     return method.runs_elsewhere() ? elapsed() : thread_cpu_seconds();
   }

@@ -42,7 +42,7 @@ struct HuntOptions {
   SearchOptions search;
 };
 
-/// What one method did on one contact class.
+/// The results of one method on one contact class.
 struct HuntCell {
   std::string method;
   ContactClass contact = ContactClass::kFF;
@@ -76,7 +76,7 @@ struct HuntReport {
   std::optional<InputError> error;
 };
 
-/// What to show while the hunt runs.
+/// The progress of a hunt.
 struct HuntProgress {
   double share = 0;           ///< 1 at its end, with all that was found
   std::uint64_t queries = 0;  ///< answered and judged
@@ -84,7 +84,7 @@ struct HuntProgress {
   std::uint64_t finds = 0;
   /// For each of HuntOptions::methods: BreedTally::margin over all classes.
   std::vector<std::optional<std::uint64_t>> margins;
-  /// What first went wrong with the store, if anything did. The hunt continues: it keeps its finds
+  /// The first error of the store, if there was one. The hunt continues: it keeps its finds
   /// in memory and stores them as soon as it can.
   std::optional<InputError> trouble = {};
   std::vector<Failure> met = {};  ///< that this hunt meets first, since the last call

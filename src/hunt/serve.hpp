@@ -10,7 +10,7 @@
 
 namespace ccdfuzz {
 
-/// What `serve` of a program has.
+/// The parts of a program's `serve`.
 struct Served {
   std::vector<Property> claims = {};
   MethodSet::Make make = make_method;

@@ -28,7 +28,7 @@ class MadeChoices {
   int file_;
 };
 
-/// What inputs showed of one property.
+/// The results of one property on inputs.
 struct CheckTally {
   std::uint64_t checked = 0, discarded = 0, failed = 0;
   std::uint64_t first_failure = 0;  ///< index of the input
@@ -82,7 +82,7 @@ class ServedClaim {
   Child child_;
 };
 
-/// What the child answers to a line.
+/// The child's answer to a line.
 std::string served_check(const std::vector<Property>& claims, const std::string& question);
 
 }  // namespace ccdfuzz

@@ -20,7 +20,7 @@ Case decided_with_little_effort(const Case& candidate);
 /// coarse search misses it; the checker refuses the oracle's certificate. Empty: they are not.
 std::string refutation_by_sound_methods(const Case& known);
 
-/// What is done of a triage in a child, since it may crash or hang.
+/// The steps of a triage that run in a child, since they may crash or hang.
 struct TriageErrands {
   /// The truth of a case that has none, as far as little effort gives one.
   std::function<Case(const Case&)> decide = decided_with_little_effort;
@@ -45,7 +45,7 @@ struct TriageOptions {
   std::function<void(const std::string&)> warn = [](const std::string&) {};
 };
 
-/// What became of the inputs.
+/// The counts of the inputs.
 struct TriageTally {
   std::uint64_t inputs = 0;
   std::uint64_t failures = 0;  ///< full runs that fail, of all inputs and methods
@@ -62,7 +62,7 @@ struct TriageTally {
   }
 };
 
-/// What fuzzers found, on its way into a store: confirmed by full runs up to the contact and past
+/// Takes what fuzzers found into a store: confirms it by full runs up to the contact and past
 /// it, shrunk exactly, and kept if its failure was not known. Methods and oracle work in children,
 /// so that this process survives whatever they do.
 class Triage {

@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// What the page holds of one case: a short row for lists, and the details that its viewer reads
+/// One case on the page: a short row for lists, and the details that its viewer reads
 /// when the case is opened.
 struct CaseText {
   nlohmann::ordered_json row;

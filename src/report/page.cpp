@@ -99,7 +99,7 @@ Json row_json(const Row& of) {
   return row;
 }
 
-/// What the paper's Table 2 says of the report's methods, on classes that hold no linear queries.
+/// The paper's Table 2 for the report's methods, on classes that hold no linear queries.
 Json paper_json(const std::vector<Row>& own, const std::vector<std::string>& methods) {
   Json rows = Json::array();
   for (const ContactClass contact : kContactClasses) {

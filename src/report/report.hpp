@@ -21,7 +21,7 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;  ///< each as long as columns
 };
 
-/// What the plug-ins among the methods say that they are; those start for it that did not before.
+/// The descriptions of the plug-ins among the methods; starts those that were not started.
 std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods);
 
 ReportTable report_table(const std::string& id, const std::string& title, const Table& table);
@@ -82,7 +82,7 @@ struct ReportPage {
   std::string command;  ///< that made it
   std::vector<ReportTable> tables;
   std::vector<Row> rows;  ///< what figures are made of; untimed where nothing was timed
-  /// What is known of the plug-ins among the methods: to make a page starts none of them.
+  /// The descriptions of the plug-ins among the methods: to make a page starts none of them.
   std::vector<MethodInfo> plugins;
   HuntCourse course;       ///< for a hunt
   std::string scoreboard;  ///< the JSON that `ccdfuzz-scoreboard --tables` wrote, or empty
@@ -92,7 +92,7 @@ struct ReportPage {
   std::uint64_t cases_left_out = 0;  ///< failures that the page has no room for
 };
 
-/// What a page holds at most, so that it stays small and quick to open.
+/// The limits of a page, so that it stays small and quick to open.
 inline constexpr std::size_t kMostReportedCases = 5000;
 inline constexpr std::size_t kMostPageBytes = 19'000'000;
 
