@@ -38,8 +38,8 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path);
 /// Goes through files, with progress.
 class TriageWalk {
  public:
-  /// Whether a file that was read may be removed; false: it is not done, or to stay.
-  /// Throws BadInput: of the store.
+  /// The rest of the work on a file that was read. Returns false if it is not done, or the file is
+  /// to stay. Throws BadInput: of the store.
   using Work = std::function<bool()>;
   /// Errors: it is no input; says so, and leaves it as it is.
   using Read = std::function<Result<Work>(const std::string& file)>;
