@@ -173,7 +173,7 @@ std::vector<Property> arithmetic_claims() {
        "src/numeric/bounded_int.hpp", check_bounded_int},
       {"double.parts", "A double is its mantissa times its power of two, and next_up is nextafter",
        "src/base/double_parts.hpp", check_double_parts},
-      {"double.exact_sums", "A sum of doubles is told from a rounded one",
+      {"double.exact_sums", "A sum of doubles is known to be exact or rounded",
        "generators/exact_sum.hpp", check_exact_sums},
       {"number.texts", "Numbers come back from the texts that files hold", "the case format",
        check_number_texts},

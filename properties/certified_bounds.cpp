@@ -245,14 +245,17 @@ void check_derived_bound(Draw& d) {
 std::vector<Property> certified_bounds_claims() {
   return {
       {"tdibm-c.normalised",
-       "Of any finite doubles, the control points are those of the query, moved and scaled alike, "
-       "up to the stated errors, and of magnitude 1 at most",
+       "The normalised control points of any finite doubles are those of the query, moved and "
+       "scaled alike, up to the stated errors, and of magnitude 1 at most",
        "src/ccd/certified/normalise.hpp", check_normalised},
-      {"tdibm-c.normalised_ends", "The same of patches with ends",
+      {"tdibm-c.normalised_ends",
+       "The normalised control points of patches with ends are those of the query, up to the "
+       "stated errors",
        "src/ccd/certified/normalise.hpp", check_normalised_ends},
-      {"tdibm-c.sub_patches", "Control points of cells are off by the roundings counted at most",
+      {"tdibm-c.sub_patches",
+       "Control points of cells are off by at most the roundings that are counted",
        "src/ccd/certified/DERIVATION.md, 2", check_sub_patches},
-      {"tdibm-c.error_bound", "E is no less than what was derived",
+      {"tdibm-c.error_bound", "The error bound E is at least the derived one",
        "src/ccd/certified/DERIVATION.md, 3", check_derived_bound},
   };
 }

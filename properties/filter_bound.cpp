@@ -119,7 +119,9 @@ std::vector<Property> filter_bound_claims() {
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "
        "derived",
        "src/ccd/rational/gap.cpp", check_rational_filter},
-      {"tdibm-rational.error_bound_ends", "The same of patches with ends",
+      {"tdibm-rational.error_bound_ends",
+       "Gaps in doubles are off by the filter's error at most, which is no less than what was "
+       "derived, for patches with ends",
        "src/ccd/rational/gap.cpp", check_filter_of_ends},
   };
 }

@@ -233,7 +233,9 @@ std::vector<Property> generator_steps_claims() {
       {"generator.grazing",
        "Grazing patches meet at t*, slide along the contact plane, and are apart in a near-miss",
        "Section 5.2", check_grazing},
-      {"generator.grazing_shapes", "The same of patches of any shapes",
+      {"generator.grazing_shapes",
+       "Grazing patches of any shapes meet at t*, slide along the contact plane, and are apart in "
+       "a near-miss",
        "generators/shaped/families.hpp", check_grazing_shapes},
       {"generator.cases", "A generated case has the truth, the class and the numbers that it says",
        "Section 5.1, Step VI, Section 5.4", check_generated},

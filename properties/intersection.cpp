@@ -213,7 +213,9 @@ std::vector<Property> intersection_claims() {
        check_eps_tau},
       {"tdibm-e.safe_roots", "An end that was moved inward and clamped is not before the root",
        "Section 4.5, Appendices B and C.2", [](Draw& d) { claim_safe_root(d, draw_crossing(d)); }},
-      {"tdibm-e.safe_roots_of_sums", "The same where all of Eq. 10 rounds by as much as it may",
+      {"tdibm-e.safe_roots_of_sums",
+       "An end that was moved inward and clamped is not before the root, where all of Eq. 10 "
+       "rounds by as much as it may",
        "Section 4.5, Appendices B and C.2", check_safe_roots_of_sums},
       {"paper.pull_apart_path",
        "Pulling envelopes apart by I delta each makes the left end that the sweep finds safe",

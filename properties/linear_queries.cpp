@@ -221,8 +221,9 @@ std::vector<Property> linear_queries_claims() {
        "Degenerate linear queries, near ones and ones that graze are decided exactly, at a time "
        "within the precision",
        kDerivation, check_answer},
-      {"tdibm-c.linear_ends_decided_exactly", "The same of patches with ends", kDerivation,
-       check_answer_to_ends},
+      {"tdibm-c.linear_ends_decided_exactly",
+       "Degenerate linear queries with ends are decided exactly, at a time within the precision",
+       kDerivation, check_answer_to_ends},
       {"tdibm-c.doubles_decide_exactly",
        "Where doubles decide a linear query, exact arithmetic finds the same, at such a time",
        kDerivation, check_doubles},

@@ -206,15 +206,18 @@ std::vector<Property> method_answers_claims() {
       {"methods.not_contradicted", "No claim to miss nothing is contradicted by the oracle",
        "src/certify/oracle/oracle.hpp", check_against_the_oracle},
       {"methods.not_contradicted_anywhere",
-       "Nor on any finite numbers in any two shapes, and the checker accepts the oracle there",
+       "No claim to miss nothing is contradicted by the oracle on any finite numbers in any two "
+       "shapes, and the checker accepts the oracle there",
        "src/certify/oracle/oracle.hpp", check_agree_anywhere},
       {"methods.monotone_in_t_max",
        "No method that narrows its windows hits up to a time and misses up to a later one; but two "
        "patches within the precision may be hit by other windows, and not by these",
        "Section 3", [](Draw& d) { claim_monotone_in_t_max(d, d.pick(kWindowed)); }, kFails},
       {"trad.monotone_in_t_max",
-       "The same where windows are halved: what is narrow depends on t_max", "Section 6 (1)",
-       [](Draw& d) { claim_monotone_in_t_max(d, d.pick(std::array{"trad"})); }, kFails},
+       "No method that halves its windows hits up to a time and misses up to a later one; but what "
+       "is narrow depends on t_max",
+       "Section 6 (1)", [](Draw& d) { claim_monotone_in_t_max(d, d.pick(std::array{"trad"})); },
+       kFails},
       {"methods.miss_what_is_far_apart", "Every method says of patches far apart that they miss",
        "Section 3", check_far_apart},
       {"methods.hit_where_points_meet", "Methods that claim to miss nothing hit where points meet",

@@ -180,10 +180,13 @@ std::vector<Property> omission_claims() {
        "Section 4.4", check_each_line_once},
       {"tdibm-e.convex_chain", "The lines selected with Phi <= eps_Phi make a convex chain",
        "Section 4.4, Fig. 2", [](Draw& d) { claim_convex_chain<ErrorBoundIntended>(d, false); }},
-      {"tdibm-e.convex_chain_raised", "They still do once each is raised by eps_constr",
+      {"tdibm-e.convex_chain_raised",
+       "The lines selected with Phi <= eps_Phi still make a convex chain once each is raised by "
+       "eps_constr",
        "Section 4.4, which shifts each intercept by itself",
        [](Draw& d) { claim_convex_chain<ErrorBoundIntended>(d, true); }, kFails},
-      {"tdibm-e-literal.convex_chain", "The lines selected with eps_Phi's sign as printed do",
+      {"tdibm-e-literal.convex_chain",
+       "The lines selected with eps_Phi's sign as printed make a convex chain",
        "Section 4.4 as printed", [](Draw& d) { claim_convex_chain<ErrorBoundPrinted>(d, false); },
        kFails},
   };

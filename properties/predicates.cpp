@@ -114,7 +114,9 @@ std::vector<Property> predicates_claims() {
        "A predicate that counts as negative is negative, and its computed bound is no less than "
        "the exact one",
        "Sections 4.4 to 4.6, Appendix B", decisions_are_conservative(0)},
-      {"tdibm-e.conservative_decisions_underflow", "The same of lines about 2^-530",
+      {"tdibm-e.conservative_decisions_underflow",
+       "A predicate that counts as negative is negative, and its computed bound is no less than "
+       "the exact one, for lines about 2^-530",
        "Section 4.6, which does not exclude underflow", decisions_are_conservative(-530), kFails},
   };
 }

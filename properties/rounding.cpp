@@ -145,7 +145,9 @@ std::vector<Property> rounding_claims() {
        "The error of an expression in +, -, * is at most B[(1+eps)^k - 1], far from underflow",
        "Theorem 4.1",
        [](Draw& d) { claim_theorem_4_1(d, static_cast<long>(d.integer(-40, 20)), -1000); }},
-      {"paper.theorem_4_1_underflow", "The same of expressions in numbers about 2^-530",
+      {"paper.theorem_4_1_underflow",
+       "The error of an expression in +, -, * is at most B[(1+eps)^k - 1], for numbers about "
+       "2^-530",
        "Theorem 4.1, which does not exclude underflow",
        [](Draw& d) { claim_theorem_4_1(d, -540, -1'000'000); }, kFails},
       {"paper.linear_bound", "2Bk eps, computed in doubles, is at least B[(1+eps)^k - 1]",

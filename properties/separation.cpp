@@ -80,8 +80,10 @@ std::vector<Property> separation_claims() {
        "An end that Step III finds is the root of two lines that fall there, or rise if it is the "
        "right one, also where rounding misleads it",
        "Section 3, Eqs. 7-10, in double arithmetic", check_ends<Plain>},
-      {"tdibm-e.ends", "The same with the guards of Sections 4.4 and 4.5", "Sections 4.4 and 4.5",
-       check_ends<ErrorBoundIntended>},
+      {"tdibm-e.ends",
+       "With the guards of Sections 4.4 and 4.5, an end that Step III finds is the root of two "
+       "lines that fall or rise there",
+       "Sections 4.4 and 4.5", check_ends<ErrorBoundIntended>},
   };
 }
 
