@@ -200,8 +200,8 @@ Option Command::add_text(
 
 Option Command::threads() {
   session_->threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return whole("--threads", session_->threads,
-               "Threads; results depend on it only where time is limited", 1, 1024)
+  return whole("--threads", session_->threads, "Threads; equal results unless time is limited", 1,
+               1024)
       .in("Other");
 }
 

@@ -117,7 +117,7 @@ def main():
         folder = Path(scratch)
         (folder / 'build/release').mkdir(parents=True)
         (folder / 'build/release/ccdfuzz').symlink_to(ccdfuzz)
-        for part in ('src', 'examples', 'corpus', 'tests', 'web'):
+        for part in ('src', 'examples', 'corpus', 'properties', 'tests', 'web'):
             (folder / part).symlink_to(ROOT / part)
         failed = [*run_blocks(name, text, folder), *check_spans(text, ccdfuzz)]
     print(*(f'{name}: {what}' for what in failed), sep='\n')
