@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/output_file.hpp"
+#include "case/engine_test.hpp"
 #include "case/query_csv.hpp"
 #include "case/test_snippet.hpp"
 #include "certify/checker/check_case.hpp"
@@ -12,26 +14,41 @@ namespace ccdfuzz {
 
 namespace {
 
-enum class ExportForm { kCsv, kGoogleTest, kCatch2 };
+enum class ExportForm { kCsv, kGoogleTest, kCatch2, kEngine };
 constexpr std::array kExportForms = {ExportForm::kCsv, ExportForm::kGoogleTest,
                                      ExportForm::kCatch2};
-constexpr const auto& all_of(ExportForm) {
-  return kExportForms;
-}
 std::string_view name_of(ExportForm form) {
-  return std::array{"csv", "gtest", "catch2"}[static_cast<size_t>(form)];
+  return std::array{"csv", "gtest", "catch2", "engine"}[static_cast<size_t>(form)];
+}
+
+struct Form {
+  ExportForm form = ExportForm::kCsv;
+  Engine engine = {};  ///< for kEngine
+};
+
+Result<Form> parse_form(const std::string& where, const std::string& text) {
+  std::vector<std::string_view> names;
+  for (const ExportForm form : kExportForms) {
+    if (name_of(form) == text) return Form{form};
+    names.push_back(name_of(form));
+  }
+  for (const Engine engine : kEngines) {
+    if (name_of(engine) == text) return Form{ExportForm::kEngine, engine};
+    names.push_back(name_of(engine));
+  }
+  return input_error(where, fmt::format("\"{}\" is none of {}", text, fmt::join(names, ", ")));
 }
 
 struct ExportOptions {
   std::vector<std::string> files;
   std::string output;
-  ExportForm as = ExportForm::kCsv;
+  Form as;
   bool round = false;
 };
 
 int export_tests(const ExportOptions& options, OutputFile& out) {
-  const auto framework =
-      options.as == ExportForm::kGoogleTest ? TestFramework::kGoogleTest : TestFramework::kCatch2;
+  const auto framework = options.as.form == ExportForm::kGoogleTest ? TestFramework::kGoogleTest
+                                                                    : TestFramework::kCatch2;
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
   need(for_each_checked_case(options.files, [&](const NamedCase& named) {
@@ -95,9 +112,31 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
   return kDone;
 }
 
+int export_engine_test(const ExportOptions& options, OutputFile& out) {
+  std::uint64_t count = 0;
+  need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+    if (++count > 1) return input_error(named.id, "a test of an engine is of one case");
+    return engine_test(named, options.as.engine).and_then([&](const std::string& text) {
+      return out.write(text);
+    });
+  }));
+  need(out.commit());
+  print_out("1 test\n");
+  return kDone;
+}
+
 int run_export(const ExportOptions& options, Session&) {
   OutputFile out = need(OutputFile::create(options.output));
-  return options.as == ExportForm::kCsv ? export_csv(options, out) : export_tests(options, out);
+  switch (options.as.form) {
+    case ExportForm::kCsv:
+      return export_csv(options, out);
+    case ExportForm::kEngine:
+      return export_engine_test(options, out);
+    case ExportForm::kGoogleTest:
+    case ExportForm::kCatch2:
+      return export_tests(options, out);
+  }
+  return kDone;
 }
 
 }  // namespace
@@ -109,10 +148,12 @@ void add_export(CommandLine& line) {
                   "export finds/*.json --as gtest -o found_test.cpp");
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("-o,--output FILE", options->output, "File to write").in("Results").required();
-  command.choice(
+  command.parsed(
       "--as FORM", options->as,
       "csv: 8 rows per linear query, 24 per curved one. gtest, catch2: a C++ file with a "
-      "test per case, which needs ccdfuzz_plugin.h and the plug-in to link with");
+      "test per case, which needs ccdfuzz_plugin.h and the plug-in to link with. rapier, jolt, "
+      "physx, havok, fcl, bullet: a test of one case that needs this engine alone",
+      parse_form, "csv");
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
   command.max_work();

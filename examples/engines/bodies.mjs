@@ -1,0 +1,65 @@
+// What the adapters of physics engines share: the loop of a plug-in by lines of JSON, and bodies.
+// A body is the hull of `points` about `centre`, with a ball of `radius` around each of its points.
+import { createInterface } from 'node:readline';
+
+/// Thrown where an engine promises nothing of a query.
+export class Refusal extends Error {}
+
+export function float32(x, what) {
+  if (Math.fround(x) !== x) throw new Refusal(`${what} is no float`);
+  return x;
+}
+
+const axes = [0, 1, 2];
+const low = (points, k) => Math.min(...points.map((p) => p[k]));
+const high = (points, k) => Math.max(...points.map((p) => p[k]));
+const differences = (points, from) => points.map((p) => axes.map((k) => p[k] - from[k]));
+const allFloats = (points) => points.every((p) => p.every((x) => Math.fround(x) === x));
+
+/// The points as the engine gets them: about the middle where these differences are floats, and
+/// else as they are.
+function body(patch) {
+  const { positions, radius = 0, velocities } = patch;
+  const middle = axes.map((k) => (low(positions, k) + high(positions, k)) / 2);
+  const about = differences(positions, middle);
+  const exact = allFloats([middle]) && allFloats(about) &&
+    about.every((p, i) => axes.every((k) => p[k] + middle[k] === positions[i][k]));
+  const centre = exact ? middle : [0, 0, 0];
+  const points = exact ? about : positions;
+  points.flat().forEach((x) => float32(x, 'a coordinate'));
+  float32(radius, 'the radius');
+  return { centre, points, radius, half: halfExtents(exact, points), velocity: velocities[0] };
+}
+
+/// Of a box whose edges are along the axes; undefined of others.
+function halfExtents(centred, points) {
+  if (!centred || points.length !== 8) return undefined;
+  const half = axes.map((k) => high(points, k));
+  const corners = new Set(points.map((p) => p.map((x, k) => x === half[k]).join()));
+  const isBox = points.every((p) => p.every((x, k) => Math.abs(x) === half[k]));
+  return isBox && corners.size === 8 && half.every((x) => x > 0) ? half : undefined;
+}
+
+/// Answers queries until the input ends. cast(a, b, way) gives the share of `way`, the motion of a
+/// against b in the whole step, after which the two bodies touch; undefined: they do not.
+export async function serve(description, cast) {
+  for await (const line of createInterface({ input: process.stdin })) {
+    const asked = JSON.parse(line);
+    const reply = asked.ask === 'describe'
+      ? { protocol: 1, accepts: [[{ shape: 'hull' }, { shape: 'hull' }]], takes_bodies: true, ...description }
+      : { id: asked.id, ...answer(asked, cast) };
+    process.stdout.write(JSON.stringify(reply) + '\n');
+  }
+}
+
+function answer({ patches, t_max: tMax }, cast) {
+  try {
+    const [a, b] = patches.map(body);
+    const way = axes.map((k) => float32((a.velocity[k] - b.velocity[k]) * tMax, 'the relative motion'));
+    const share = cast(a, b, way);
+    return share === undefined ? { verdict: 'miss' } : { verdict: 'hit', toi: share * tMax };
+  } catch (error) {
+    if (error instanceof Refusal) return { verdict: 'refused', message: error.message };
+    throw error;
+  }
+}

@@ -1,0 +1,72 @@
+// Bullet 3.24 (Debian libbullet-dev): the time of impact of two convex shapes that do not turn, by
+// btContinuousConvexCollision. Points and radii are floats; the margin of a hull is its radius.
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include "../../plugins/adapter.hpp"
+
+namespace ccd = adapter::ccd;
+
+struct Bullet {
+  explicit Bullet(const std::string& text) : options(text) { options.check_all_known(); }
+
+  static ccd::Description describe() {
+    ccd::Description description{"Bullet", std::to_string(btGetVersion())};
+    description.claims = CCDFUZZ_TAKES_BODIES;  // neither a contact at 0 nor one at the end
+    description.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+    return description;
+  }
+
+  static btVector3 vector(const double (&x)[3]) {
+    btVector3 v(0, 0, 0);
+    for (int k = 0; k < 3; ++k) {
+      v[k] = static_cast<btScalar>(x[k]);
+      if (double{v[k]} != x[k]) throw std::range_error("no float");
+    }
+    return v;
+  }
+
+  static std::unique_ptr<btConvexShape> shape(const ccdfuzz_patch& body) {
+    const auto radius = static_cast<btScalar>(body.radius);
+    if (double{radius} != body.radius) throw std::range_error("no float");
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (std::uint64_t i = 0; i < body.count; ++i) hull->addPoint(vector(body.positions[i]), false);
+    hull->recalcLocalAabb();
+    hull->setMargin(radius);
+    return hull;
+  }
+
+  static ccd::Answer answer(const ccd::Query& query) {
+    std::unique_ptr<btConvexShape> shapes[2];
+    btTransform to[2];
+    try {
+      for (int side = 0; side < 2; ++side) {
+        const ccdfuzz_patch& body = *query.raw.patches[side];
+        shapes[side] = shape(body);
+        double way[3];
+        for (int k = 0; k < 3; ++k) way[k] = body.velocities[0][k] * query.t_max();
+        to[side] = btTransform(btQuaternion::getIdentity(), vector(way));
+      }
+    } catch (const std::range_error&) {
+      ccd::Answer refusal;
+      refusal.verdict = CCDFUZZ_REFUSED;
+      refusal.message = "a number is no float";
+      return refusal;
+    }
+    btVoronoiSimplexSolver simplex;
+    btGjkEpaPenetrationDepthSolver depth;
+    btContinuousConvexCollision cast(shapes[0].get(), shapes[1].get(), &simplex, &depth);
+    btConvexCast::CastResult result;
+    const bool touches = cast.calcTimeOfImpact(btTransform::getIdentity(), to[0],
+                                               btTransform::getIdentity(), to[1], result);
+    return touches ? ccd::Answer::hit(adapter::scaled_toi(double{result.m_fraction}, query.t_max()))
+                   : ccd::Answer::miss();
+  }
+
+  adapter::Options options;
+};
+
+CCDFUZZ_PLUGIN(Bullet)

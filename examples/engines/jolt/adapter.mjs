@@ -1,0 +1,75 @@
+// Jolt Physics (npm jolt-physics): the fraction of a shape cast, by TransformedShape.CastShape.
+// Convex radii are 0 where the query has no radius. Back faces count, as in a query about bodies.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import initJolt from 'jolt-physics/wasm-compat';
+
+import { Refusal, serve } from '../bodies.mjs';
+
+const manifest = createRequire(import.meta.url).resolve('jolt-physics/package.json');
+const { version } = JSON.parse(readFileSync(manifest));
+const Jolt = await initJolt();
+registerShapes();
+
+/// A physics system registers the kinds of shapes; nothing else is asked of this one.
+function registerShapes() {
+  const settings = new Jolt.JoltSettings();
+  settings.mObjectLayerPairFilter = new Jolt.ObjectLayerPairFilterTable(1);
+  settings.mBroadPhaseLayerInterface = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
+  settings.mObjectVsBroadPhaseLayerFilter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(
+    settings.mBroadPhaseLayerInterface, 1, settings.mObjectLayerPairFilter, 1);
+  new Jolt.JoltInterface(settings);
+}
+
+/// Frees what the steps of a query have made, when it is over.
+let made = [];
+const made_of = (object) => (made.push(object), object);
+const vector = ([x, y, z]) => made_of(new Jolt.Vec3(x, y, z));
+const place = ([x, y, z]) => made_of(new Jolt.RVec3(x, y, z));
+
+function shape({ points, radius, half }) {
+  if (points.length === 1) {
+    if (!(radius > 0)) throw new Refusal('has no sphere without a radius');
+    return new Jolt.SphereShape(radius);
+  }
+  if (half && radius === 0) return new Jolt.BoxShape(vector(half), 0);
+  if (points.length < 4 || radius > 0) throw new Refusal('has no such rounded shape of free corners');
+  const settings = made_of(new Jolt.ConvexHullShapeSettings());
+  settings.mMaxConvexRadius = 0;
+  for (const p of points) settings.mPoints.push_back(vector(p));
+  const result = settings.Create();
+  if (result.HasError()) throw new Refusal(result.GetError().c_str());
+  return result.Get();
+}
+
+function cast(a, b, way) {
+  const [first, second] = [a, b].map(shape);
+  const atRest = Jolt.Quat.prototype.sIdentity();
+  // Hulls are about their own centre of mass; GetCenterOfMass is where it lies among the points.
+  const middle = (body, of) => {
+    const c = of.GetCenterOfMass();
+    return place([body.centre[0] + c.GetX(), body.centre[1] + c.GetY(), body.centre[2] + c.GetZ()]);
+  };
+  const target = made_of(new Jolt.TransformedShape());
+  target.mShape = second;
+  target.mShapePositionCOM = middle(b, second);
+  target.mShapeRotation = atRest;
+  const start = Jolt.RMat44.prototype.sTranslation(middle(a, first));
+  const one = vector([1, 1, 1]);
+  const settings = made_of(new Jolt.ShapeCastSettings());
+  settings.mBackFaceModeTriangles = settings.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
+  const collector = made_of(new Jolt.CastShapeClosestHitCollisionCollector());
+  target.CastShape(made_of(new Jolt.RShapeCast(first, one, start, vector(way))), settings,
+                   place([0, 0, 0]), collector, made_of(new Jolt.ShapeFilter()));
+  return collector.HadHit() ? collector.mHit.mFraction : undefined;
+}
+
+await serve({ name: 'Jolt Physics', version, closed_t_max: false, contact_at_zero: false },
+            (...query) => {
+              try {
+                return cast(...query);
+              } finally {
+                for (const object of made.reverse()) Jolt.destroy(object);
+                made = [];
+              }
+            });

@@ -1,0 +1,67 @@
+// PhysX 5 (npm physx-js-webidl): the distance of a sweep, by PxGeometryQuery.sweep. A sweep takes a
+// unit vector, so only motions along an axis are asked: others would be rounded.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+import { Refusal, serve } from '../bodies.mjs';
+
+const require = createRequire(import.meta.url);
+const folder = require.resolve('physx-js-webidl/package.json');
+const { version } = JSON.parse(readFileSync(folder));
+const { process: node } = globalThis;
+// The package is for browsers and refuses to run where it sees Node.
+delete globalThis.process;
+globalThis.window = {};
+const { default: initPhysX } = await import('physx-js-webidl');
+const wasmBinary = readFileSync(new URL('physx-js-webidl.wasm', `file://${folder}`));
+const physx = await initPhysX({ wasmBinary, print: () => {}, printErr: () => {} });
+globalThis.process = node;
+
+const top = physx.PxTopLevelFunctions.prototype;
+const foundation = top.CreateFoundation(physx.PHYSICS_VERSION, new physx.PxDefaultAllocator(),
+                                        new physx.PxDefaultErrorCallback());
+const cooking = new physx.PxCookingParams(new physx.PxTolerancesScale());
+if (!foundation) throw new Error('PhysX has no foundation');
+
+let made = [];
+const keep = (object) => (made.push(object), object);
+const vector = ([x, y, z]) => keep(new physx.PxVec3(x, y, z));
+const noTurn = new physx.PxQuat(0, 0, 0, 1);
+
+function shape({ points, radius, half }) {
+  if (points.length === 1 && radius > 0) return keep(new physx.PxSphereGeometry(radius));
+  if (half && radius === 0) return keep(new physx.PxBoxGeometry(...half));
+  if (points.length < 4 || radius > 0) throw new Refusal('has no such shape');
+  const corners = keep(new physx.PxArray_PxVec3(0));
+  for (const p of points) corners.pushBack(vector(p));
+  const description = keep(new physx.PxConvexMeshDesc());
+  description.flags = keep(new physx.PxConvexFlags(physx._emscripten_enum_PxConvexFlagEnum_eCOMPUTE_CONVEX()));
+  description.points.count = points.length;
+  description.points.stride = 12;
+  description.points.data = corners.begin();
+  const mesh = top.CreateConvexMesh(cooking, description);
+  if (!mesh) throw new Refusal('does not make a convex mesh of these corners');
+  return keep(new physx.PxConvexMeshGeometry(mesh));
+}
+
+function sweep(a, b, way) {
+  const moved = way.filter((x) => x !== 0);
+  if (moved.length !== 1) throw new Refusal('takes unit vectors: only motions along an axis are exact');
+  const length = Math.abs(moved[0]);
+  const [poseA, poseB] = [a, b].map((body) => keep(new physx.PxTransform(vector(body.centre), noTurn)));
+  const hit = keep(new physx.PxSweepHit());
+  const flags = keep(new physx.PxHitFlags(physx._emscripten_enum_PxHitFlagEnum_eDEFAULT()));
+  const touches = physx.PxGeometryQuery.prototype.sweep(
+    vector(way.map((x) => x / length)), length, shape(a), poseA, shape(b), poseB, hit, flags);
+  return touches ? hit.distance / length : undefined;
+}
+
+await serve({ name: 'PhysX', version: `5 (physx-js-webidl ${version})`, closed_t_max: false, contact_at_zero: false },
+            (...query) => {
+              try {
+                return sweep(...query);
+              } finally {
+                for (const object of made.reverse()) physx.destroy(object);
+                made = [];
+              }
+            });

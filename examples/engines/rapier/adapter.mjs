@@ -1,0 +1,37 @@
+// Rapier (npm @dimforge/rapier3d-compat): the time of impact of two shapes, by castShape.
+import RAPIER from '@dimforge/rapier3d-compat';
+
+import { Refusal, serve } from '../bodies.mjs';
+
+const quiet = console.warn;
+console.warn = () => {};
+await RAPIER.init();
+console.warn = quiet;
+
+const vector = ([x, y, z]) => ({ x, y, z });
+const noTurn = { x: 0, y: 0, z: 0, w: 1 };
+
+function shape({ points, radius, half }) {
+  const corners = points.map(vector);
+  if (points.length === 1) {
+    if (!(radius > 0)) throw new Refusal('has no shape of one point without a radius');
+    return new RAPIER.Ball(radius);
+  }
+  if (points.length === 2 && radius === 0) return new RAPIER.Segment(...corners);
+  if (points.length === 3) {
+    return radius === 0 ? new RAPIER.Triangle(...corners) : new RAPIER.RoundTriangle(...corners, radius);
+  }
+  if (half) return radius === 0 ? new RAPIER.Cuboid(...half) : new RAPIER.RoundCuboid(...half, radius);
+  if (points.length < 4) throw new Refusal('has no capsule along any axis but y');
+  const all = new Float32Array(points.flat());
+  return radius === 0 ? new RAPIER.ConvexPolyhedron(all, null) : new RAPIER.RoundConvexPolyhedron(all, null, radius);
+}
+
+const still = vector([0, 0, 0]);
+await serve(
+  { name: 'Rapier', version: RAPIER.version(), closed_t_max: false, contact_at_zero: false },
+  (a, b, way) => {
+    const hit = shape(a).castShape(vector(a.centre), noTurn, vector(way), shape(b), vector(b.centre),
+                                   noTurn, still, 0, 1, true);
+    return hit?.time_of_impact;
+  });

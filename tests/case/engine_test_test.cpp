@@ -1,0 +1,91 @@
+#include "case/engine_test.hpp"
+
+#include <gmock/gmock.h>
+
+namespace ccdfuzz {
+namespace {
+
+/// A ball of radius 1 that falls onto a box, which it touches at t = 1, half of its way.
+NamedCase falling_ball() {
+  NamedCase named;
+  named.id = "ball.json";
+  Query& query = named.value.query;
+  query.patches[0] = {Shape::hull(1), {{-4, 3, 0.5}}, {{0, -1, 0}}, {}, 1};
+  Points<double> corners;
+  for (const double x : {-5., 5.}) {
+    for (const double y : {-1., 1.}) {
+      for (const double z : {-5., 5.}) corners.push_back({x, y, z});
+    }
+  }
+  query.patches[1] = {Shape::hull(8), corners, {{0, 0, 0}}};
+  query.t_max = 2;
+  named.value.truth.collides = true;
+  Witness witness{Rational(1), {}};
+  witness.weights[0] = {Rational(1)};
+  witness.weights[1] = std::vector<Rational>(8, Rational(0));
+  witness.weights[1][2] = Rational(1);
+  named.value.truth.witness = witness;
+  return named;
+}
+
+NamedCase vertex_through_face() {
+  NamedCase named;
+  named.id = "vertex.json";
+  Query& query = named.value.query;
+  query.patches[0] = {Shape::point(), {{0.25, 0.25, 0.5}}, {{0, 0, -1}}};
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3, {0, 0, 0})};
+  named.value.truth.collides = true;
+  named.value.truth.witness = Witness{Rational(1, 2), {}};
+  named.value.truth.witness->uv[1] = {Rational(1, 4), Rational(1, 4)};
+  return named;
+}
+
+TEST(EngineTest, AsksEachEngineForTheShapesThatItHas) {
+  const NamedCase ball = falling_ball();
+  const std::vector<std::pair<Engine, std::string>> shapes = {
+      {Engine::kRapier, "new RAPIER.Cuboid(5, 1, 5)"},
+      {Engine::kJolt, "new Jolt.BoxShape(vector(5, 1, 5), 0)"},
+      {Engine::kPhysx, "new physx.PxSphereGeometry(1)"},
+      {Engine::kHavok, "hk.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], [10, 2, 10])"},
+      {Engine::kBullet, "hull({btVector3(-4, 3, 0.5)}, 1)"}};
+  for (const auto& [engine, shape] : shapes) {
+    const Result<std::string> text = engine_test(ball, engine);
+    ASSERT_TRUE(text.has_value()) << name_of(engine);
+    EXPECT_THAT(*text, testing::HasSubstr(shape));
+    EXPECT_THAT(*text, testing::HasSubstr("0.5"));
+    EXPECT_THAT(*text, testing::StartsWith("// At t = 1 of t_max = 2"));
+  }
+  const Result<std::string> fcl = engine_test(vertex_through_face(), Engine::kFcl);
+  ASSERT_TRUE(fcl.has_value());
+  EXPECT_THAT(*fcl, testing::HasSubstr("intersect_VF(\n      V(0, 0, 0), V(0, 1, 0), V(1, 0, 0), "
+                                       "V(0.25, 0.25, 0.5),\n"));
+}
+
+TEST(EngineTest, TakesACornerThatIsNoMiddleOfABoxForAHull) {
+  NamedCase named = falling_ball();
+  named.value.query.patches[1].positions[0][0] = -6;
+  const Result<std::string> text = engine_test(named, Engine::kRapier);
+  ASSERT_TRUE(text.has_value());
+  EXPECT_THAT(*text, testing::HasSubstr("new RAPIER.ConvexPolyhedron("));
+}
+
+TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
+  for (const Engine engine : {Engine::kRapier, Engine::kJolt, Engine::kBullet}) {
+    EXPECT_FALSE(engine_test(vertex_through_face(), engine)) << name_of(engine);
+  }
+  EXPECT_FALSE(engine_test(falling_ball(), Engine::kFcl));
+  NamedCase capsule = falling_ball();
+  capsule.value.query.patches[0].positions.push_back({0, 3, 0});
+  capsule.value.query.patches[0].shape = Shape::hull(2);
+  EXPECT_FALSE(engine_test(capsule, Engine::kJolt)) << "its capsules are along y";
+}
+
+TEST(EngineTest, RefusesWhereNothingIsProven) {
+  NamedCase named = falling_ball();
+  named.value.query.t_max = 0.5;
+  EXPECT_FALSE(engine_test(named, Engine::kRapier)) << "the contact comes later";
+}
+
+}  // namespace
+}  // namespace ccdfuzz
