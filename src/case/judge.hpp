@@ -49,6 +49,9 @@ struct Judged {
   std::string error;
   /// For a late hit: how long after the proven contact it comes, rounded up.
   double late_by = 0;
+  /// For a miss or late hit of bodies, where it was asked for: how deep they pass through each
+  /// other in the time that is overlooked, at least.
+  double depth = 0;
 };
 
 /// How long after the proven contact a hit comes, rounded up. Requires that both are there.

@@ -23,6 +23,7 @@ struct AnswerRow {
     archive("uv", is_hit && answer.has_uv ? std::optional(answer.uv) : std::nullopt);
     archive("outcome", row.judged.outcome);
     archive.optional("late_by", row.judged.late_by);
+    archive.optional("depth", row.judged.depth);
     archive("pops", answer.pops);
     archive("seconds", answer.seconds);
     archive.optional("error", row.judged.error);

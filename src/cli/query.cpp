@@ -53,9 +53,10 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
     at = fmt::format(" at {}", *answer.toi);
     if (at.size() > kMost + 4) at = fmt::format(" at {:.10g}", *answer.toi);
   }
-  const std::string outcome = judged.outcome == Outcome::kNotAsked
-                                  ? "not asked"
-                                  : to_text({judged.outcome, ""}, judged.late_by);
+  std::string outcome = judged.outcome == Outcome::kNotAsked
+                            ? "not asked"
+                            : to_text({judged.outcome, ""}, judged.late_by);
+  if (judged.depth > 0) outcome += fmt::format(", {:.3g} deep", judged.depth);
   return {{marked(row.method)},
           {std::string(name_of(answer.verdict)) + at},
           {outcome, bad ? Emphasis::kBad : Emphasis::kPlain},
@@ -117,7 +118,9 @@ int run_query(const QueryOptions& options, Session& session) {
         const CheckedCase& asked = need(shared.checked());
         SearchOptions search = options.search.options_for(shared.named().value);
         if (by_default) DefaultBudget::limit(search, asked.query());
-        return ask(methods.local()[options.methods[m]], asked, search);
+        Judged judged = ask(methods.local()[options.methods[m]], asked, search);
+        judged.depth = depth_of(asked, judged.answer, judged.outcome);
+        return judged;
       },
       [&](const SharedCase& shared, size_t m, const Judged& judged) {
         const NamedCase& named = shared.named();

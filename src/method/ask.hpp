@@ -12,4 +12,8 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
 /// The same, checking the case first (checked_or_unknown), each time that it is asked.
 Judged ask(Method& method, const Case& known, const SearchOptions& options);
 
+/// How deep two bodies pass through each other, at least, in the time that a missed or late answer
+/// overlooks (depth_until); 0 for other queries and outcomes.
+double depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome);
+
 }  // namespace ccdfuzz

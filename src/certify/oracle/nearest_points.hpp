@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bezier/patch.hpp"
-#include "numeric/rational.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 

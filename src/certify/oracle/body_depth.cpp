@@ -1,0 +1,114 @@
+#include "certify/oracle/body_depth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "certify/oracle/nearest_points.hpp"
+#include "numeric/exact_scalars.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Of products, quotients and roots of doubles, each rounded once: three of them, and a sum.
+constexpr double kRoundings = 1 - 0x1p-50;
+
+Vec3<Dyadic> dyadic(const Vec3<double>& v) {
+  return {Dyadic::exact(v[0]), Dyadic::exact(v[1]), Dyadic::exact(v[2])};
+}
+
+Vec3<Dyadic> cross(const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Dyadic dot(const Vec3<Dyadic>& a, const Vec3<Dyadic>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+bool is_zero(const Vec3<Dyadic>& v) {
+  return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
+}
+
+using Hull = std::vector<Vec3<Dyadic>>;
+
+Hull points_of(const MovingPatch<double>& body) {
+  Hull points;
+  for (const Vec3<double>& p : body.positions) points.push_back(dyadic(p));
+  return points;
+}
+
+/// The directions between the points of a hull.
+void add_directions(const Hull& hull, std::vector<Vec3<Dyadic>>& directions) {
+  for (size_t i = 0; i < hull.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const Vec3<Dyadic> way = hull[i] - hull[j];
+      if (!is_zero(way)) directions.push_back(way);
+    }
+  }
+}
+
+/// The lowest and the highest of a hull along a normal.
+std::pair<Dyadic, Dyadic> range_along(const Vec3<Dyadic>& normal, const Hull& hull) {
+  Dyadic low = dot(normal, hull[0]), high = low;
+  for (const Vec3<Dyadic>& p : hull) {
+    const Dyadic height = dot(normal, p);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  return {low, high};
+}
+
+/// The least distance from the origin to the outside of the differences of points of the two
+/// hulls, rounded down; 0 if these have no inside. That way is along the normal of a facet. Each
+/// facet has two of the directions, and all pairs of them are tried.
+double overlap_of(const Hull& swept, const Hull& rest,
+                  const std::vector<Vec3<Dyadic>>& directions) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < directions.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      const Vec3<Dyadic> normal = cross(directions[i], directions[j]);
+      if (is_zero(normal)) continue;
+      const auto [low, high] = range_along(normal, swept);
+      const auto [bottom, top] = range_along(normal, rest);
+      const Dyadic overlap = std::min(high - bottom, top - low);
+      const double length = std::sqrt(round_up(dot(normal, normal).rational()));
+      least = std::min(least, kRoundings * round_down(overlap.rational()) / length);
+    }
+  }
+  return std::isfinite(least) ? least : 0;
+}
+
+}  // namespace
+
+double depth_until(const Query& query, double until) {
+  const auto& [a, b] = query.patches;
+  if (a.positions.size() * b.positions.size() > kMostPairs) return 0;
+  Hull swept = points_of(a);
+  const Hull rest = points_of(b);
+  const Vec3<Dyadic> way =
+      (dyadic(a.velocities[0]) - dyadic(b.velocities[0])) * Dyadic::exact(until);
+  std::vector<Vec3<Dyadic>> directions = {way};
+  add_directions(swept, directions);
+  add_directions(rest, directions);
+  for (size_t i = 0, count = swept.size(); i < count; ++i) swept.push_back(swept[i] + way);
+  Rational reach = exact(query.separation);
+  for (const MovingPatch<double>& body : query.patches) reach += exact(body.radius);
+  const auto rational = [](const Hull& hull) {
+    Points<Rational> points;
+    for (const Vec3<Dyadic>& p : hull) {
+      points.push_back({p[0].rational(), p[1].rational(), p[2].rational()});
+    }
+    return points;
+  };
+  NearestPoints nearest;
+  const Rational squared = nearest(rational(swept), rational(rest)).squared;
+  const double radii = round_down(reach);
+  const double depth = squared > 0 ? radii - std::sqrt(round_up(squared)) / kRoundings
+                                   : radii + overlap_of(swept, rest, directions);
+  return std::max(0.0, kRoundings * depth);
+}
+
+}  // namespace ccdfuzz
