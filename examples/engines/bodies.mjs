@@ -41,12 +41,16 @@ function halfExtents(centred, points) {
 }
 
 /// Answers queries until the input ends. cast(a, b, way) gives the share of `way`, the motion of a
-/// against b in the whole step, after which the two bodies touch; undefined: they do not.
-export async function serve(description, cast) {
+/// against b in the whole step, after which the two bodies touch; undefined: they do not. The
+/// engine promises nothing of contacts at an end of the step, nor of overlaps less deep than
+/// `tolerance`.
+export async function serve(name, version, tolerance, cast) {
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
     const reply = asked.ask === 'describe'
-      ? { protocol: 1, accepts: [[{ shape: 'hull' }, { shape: 'hull' }]], takes_bodies: true, ...description }
+      ? { protocol: 1, name, version, accepts: [[{ shape: 'hull' }, { shape: 'hull' }]],
+          takes_bodies: true, closed_t_max: false, contact_at_zero: false,
+          tolerance_kind: 'space', tolerance }
       : { id: asked.id, ...answer(asked, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }

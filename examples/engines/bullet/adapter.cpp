@@ -17,6 +17,8 @@ struct Bullet {
     ccd::Description description{"Bullet", std::to_string(btGetVersion())};
     description.claims = CCDFUZZ_TAKES_BODIES;  // neither a contact at 0 nor one at the end
     description.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+    description.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
+    description.tolerance = 1e-3;  // as near it stops (calcTimeOfImpact)
     return description;
   }
 

@@ -23,9 +23,9 @@ function registerShapes() {
 
 /// Frees what the steps of a query have made, when it is over.
 let made = [];
-const made_of = (object) => (made.push(object), object);
-const vector = ([x, y, z]) => made_of(new Jolt.Vec3(x, y, z));
-const place = ([x, y, z]) => made_of(new Jolt.RVec3(x, y, z));
+const keep = (object) => (made.push(object), object);
+const vector = ([x, y, z]) => keep(new Jolt.Vec3(x, y, z));
+const place = ([x, y, z]) => keep(new Jolt.RVec3(x, y, z));
 
 function shape({ points, radius, half }) {
   if (points.length === 1) {
@@ -34,7 +34,7 @@ function shape({ points, radius, half }) {
   }
   if (half && radius === 0) return new Jolt.BoxShape(vector(half), 0);
   if (points.length < 4 || radius > 0) throw new Refusal('has no such rounded shape of free corners');
-  const settings = made_of(new Jolt.ConvexHullShapeSettings());
+  const settings = keep(new Jolt.ConvexHullShapeSettings());
   settings.mMaxConvexRadius = 0;
   for (const p of points) settings.mPoints.push_back(vector(p));
   const result = settings.Create();
@@ -50,21 +50,21 @@ function cast(a, b, way) {
     const c = of.GetCenterOfMass();
     return place([body.centre[0] + c.GetX(), body.centre[1] + c.GetY(), body.centre[2] + c.GetZ()]);
   };
-  const target = made_of(new Jolt.TransformedShape());
+  const target = keep(new Jolt.TransformedShape());
   target.mShape = second;
   target.mShapePositionCOM = middle(b, second);
   target.mShapeRotation = atRest;
   const start = Jolt.RMat44.prototype.sTranslation(middle(a, first));
   const one = vector([1, 1, 1]);
-  const settings = made_of(new Jolt.ShapeCastSettings());
+  const settings = keep(new Jolt.ShapeCastSettings());
   settings.mBackFaceModeTriangles = settings.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
-  const collector = made_of(new Jolt.CastShapeClosestHitCollisionCollector());
-  target.CastShape(made_of(new Jolt.RShapeCast(first, one, start, vector(way))), settings,
-                   place([0, 0, 0]), collector, made_of(new Jolt.ShapeFilter()));
+  const collector = keep(new Jolt.CastShapeClosestHitCollisionCollector());
+  target.CastShape(keep(new Jolt.RShapeCast(first, one, start, vector(way))), settings,
+                   place([0, 0, 0]), collector, keep(new Jolt.ShapeFilter()));
   return collector.HadHit() ? collector.mHit.mFraction : undefined;
 }
 
-await serve({ name: 'Jolt Physics', version, closed_t_max: false, contact_at_zero: false },
+await serve('Jolt Physics', version, keep(new Jolt.ShapeCastSettings()).mCollisionTolerance,
             (...query) => {
               try {
                 return cast(...query);
