@@ -13,7 +13,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Of products, quotients and roots of doubles, each rounded once: three of them, and a sum.
+/// Makes up for three products, quotients or roots of doubles and a sum, each rounded once.
 constexpr double kRoundings = 1 - 0x1p-50;
 
 Vec3<Dyadic> dyadic(const Vec3<double>& v) {
