@@ -25,13 +25,13 @@ constexpr const auto& all_of(Construction) {
 }
 std::string_view name_of(Construction construction);
 
-/// What is wanted of the cases beyond contact class and kind; shaped/families.cpp has a row for
-/// each. All but the first are stress families: each has an exact witness, whatever the
-/// construction asked for, and is made to bring out one weakness or is a contact of another kind.
-/// The first five make positives of quadratic triangles and claim nothing of the time before the
-/// contact, unless shapes are asked for. The others, of random shapes unless they are asked for,
-/// prove by a moving plane that nothing touches before t*, but where it says that they do not. The
-/// last is of bodies (bodies.hpp).
+/// The family of the cases, beyond contact class and kind; shaped/families.cpp has a row for each.
+/// All but the first are stress families: each has an exact witness, whatever the construction
+/// asked for, and is made to bring out one weakness or is a contact of another kind. The first five
+/// make positives of quadratic triangles and claim nothing of the time before the contact, unless
+/// shapes are asked for. The others have random shapes, unless some are asked for. They prove by a
+/// moving plane that nothing touches before t*, except where the row says otherwise. The last is of
+/// bodies (bodies.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,

@@ -10,9 +10,8 @@ namespace ccdfuzz {
 struct OneSidedStyle {
   Dyadic t = 1;      ///< t*
   Dyadic t_max = 1;  ///< end of the query
-  /// The contact point's coordinates are multiples of 2^contact_unit up to
-  /// 2^(contact_unit + contact_bits); if it is to lie on a plane through the origin that is the
-  /// contact plane, they are up to 64 times larger.
+  /// The contact point's coordinates are multiples of 2^contact_unit up to 2^(contact_unit +
+  /// contact_bits). They are up to 64 times larger with plane_through_origin.
   int contact_bits = 46;
   long contact_unit = -41;
   bool plane_through_origin = false;
@@ -35,11 +34,11 @@ struct OneSidedStyle {
 /// At t* the control points are c + Σ τ·T + h·m: c is the contact point, T1 and T2 span the contact
 /// plane, m points out of it. The tangential coordinates τ are arbitrary but for Σ β τ = 0, β the
 /// Bernstein weights at the contact, which puts the contact at c. The heights h are the polar form
-/// of a quadratic that is 0 at the contact and positive elsewhere on the patch, but that the
-/// contact edges of EE and VE may be flat; patch 1 takes them upwards, patch 2 downwards. So the
-/// patches touch nowhere but in the plane. All velocities of patch 1 have a smaller normal part
-/// than all of patch 2: moving_plane_separates holds by construction. Sizes: patches and velocities
-/// are up to about 2^3.
+/// of a quadratic that is 0 at the contact and positive elsewhere on the patch; the contact edges
+/// of EE and VE may be flat. Patch 1 takes them upwards, patch 2 downwards. So the patches touch
+/// nowhere but in the plane. All velocities of patch 1 have a smaller normal part than all of patch
+/// 2: moving_plane_separates holds by construction. Sizes: patches and velocities are up to about
+/// 2^3.
 Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Draw& draw);
 
 }  // namespace ccdfuzz

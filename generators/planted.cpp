@@ -10,9 +10,9 @@ namespace ccdfuzz {
 
 namespace {
 
-// Parameters are multiples of 1/4, so a patch whose degrees add up to n has weights that are
-// multiples of 4^-n, n ≤ 6, and coordinates that are multiples of 1/16: its point is a multiple of
-// 2^(-2n-4), and so is what moves it to the other's. The way to t* is a multiple of 2^-7.
+// Parameters are multiples of 1/4. So the weights of a patch whose degrees add up to n ≤ 6 are
+// multiples of 4^-n. Its coordinates are multiples of 1/16, and its point is a multiple of
+// 2^(-2n-4), as is the way to the other's. The way to t* is a multiple of 2^-7.
 constexpr int kPlantedBits = 8, kParameterBits = 2;
 constexpr long kPlantedUnit = -4;
 

@@ -18,9 +18,9 @@ struct Similarity {
 /// The query in other coordinates. nullopt if any number of it is not a double then.
 std::optional<Query> similar(const Query& query, const Similarity& change);
 
-/// The case in other coordinates, with the same truth; but a miss tree is dropped, and absence of
-/// contact is then to be proven by a search again. Expectations are dropped: they were of another
-/// query. nullopt if any number of it is not a double then.
+/// The case in other coordinates, with the same truth. A miss tree is dropped, so that only a new
+/// search proves absence of contact. Expectations are dropped: they were of another query. nullopt
+/// if any number of it is not a double then.
 std::optional<Case> similar(const Case& value, const Similarity& change);
 
 }  // namespace ccdfuzz

@@ -41,8 +41,8 @@ Scene scaled(ContactClass contact, Draw& draw) {
   OneSidedStyle style;
   style.t_max = 2;
   Scene scene = one_sided_scene(contact, style, draw);
-  // Coordinates are about 2^5 to 2^7 before. The products of two projections that Steps II and III
-  // take underflow from 2^-537 down; a subnormal has no room for 52 bits, hence the end at 2^-1000.
+  // Coordinates are about 2^5 to 2^7 before. The products of two projections in Steps II and III
+  // underflow from 2^-537 down. The end is at 2^-1000, as a subnormal has no room for 52 bits.
   const long exponent = draw.below(4) != 0 ? static_cast<long>(draw.integer(-547, -530))
                                            : static_cast<long>(draw.integer(-1000, 900));
   for (MovingPatch<Dyadic>& patch : scene.patches) {

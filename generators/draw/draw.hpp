@@ -56,8 +56,8 @@ class Draw {
   Vec3<Dyadic> vector(int bits, long exponent);
   /// Any finite double: subnormal, −0 and the largest ones as likely as others.
   double finite_double();
-  /// x moved up or down by at most `reach` floats; 0 by as many multiples of 2^-60 instead, since a
-  /// subnormal is not near 0 in the sense of any rounding error.
+  /// x moved up or down by at most `reach` floats. 0 is moved by as many multiples of 2^-60, since
+  /// no rounding error of ordinary numbers is as small as a subnormal.
   double nudged(double x, int reach);
   template <class T, std::size_t N>
   const T& pick(const std::array<T, N>& from) {

@@ -14,17 +14,16 @@
 
 namespace ccdfuzz {
 
-/// For people: the contact, each control point as position + t velocity, and the whole once more
-/// as one line in the format of cases, which `ccdfuzz query` and `ccdfuzz trace` read. Numbers are
-/// the shortest that are read as the same doubles. RapidCheck shows counterexamples so.
+/// How RapidCheck shows counterexamples: the contact, each control point as position + t velocity,
+/// and all of it as one line in the format of cases, for `ccdfuzz query` and `ccdfuzz trace`.
+/// Numbers are the shortest that are read as the same doubles.
 void showValue(const Shape& shape, std::ostream& out);
 void showValue(const Query& query, std::ostream& out);
 void showValue(const Contact& contact, std::ostream& out);
 void showValue(const Case& value, std::ostream& out);
 
 /// Generators for RapidCheck. Values shrink towards fewer control points, fewer numbers that are
-/// not 0, fewer digits and less motion; what is said of contacts and of truths holds of every
-/// shrink.
+/// not 0, fewer digits and less motion. Every shrink keeps the stated contact and truth.
 namespace gen {
 
 /// Two patches of any shapes that touch: draw_contact.

@@ -70,9 +70,9 @@ size_t plate_of(ContactClass contact) {
   return contact == ContactClass::kEF ? 0 : 1;
 }
 
-/// One patch is flat with straight edges and moves as a whole; the other one touches its plane in
-/// one point, which slides onto the plate at t* and stays in touch while it is there; t* is the
-/// first contact where it lies on the plate's boundary.
+/// One patch, the plate, is flat with straight edges and moves rigidly. The other touches its plane
+/// in one point, which slides onto the plate at t* and stays in touch while it is there. t* is the
+/// first contact if that point comes over the plate's boundary.
 ContactScene sliding_onto_a_plate(ContactClass contact, const ShapePair& shapes, Draw& draw) {
   ContactScene scene = touching_at(contact, shapes, kManyBits, kBowlUnit, draw);
   let_graze(scene, draw);

@@ -94,9 +94,9 @@ void make_degenerate(ContactSide& side, Draw& draw) {
   centre(side);
 }
 
-/// Under these velocities all control points of the side pass through one point at one time, so
-/// that the lines that they make on any axis all cross in one point. Patch 1 falls and patch 2
-/// rises, so that point is beyond all of the patch if it comes after t*, else before it.
+/// Sets velocities with which all control points of the side pass through one point at one time.
+/// Their lines on any axis then cross in one point. Patch 1 falls and patch 2 rises, so that point
+/// is beyond all of the patch if it comes after t*, else before it.
 void pass_through_a_point(ContactSide& side, bool upper, bool after, long rate_exponent,
                           Draw& draw) {
   Dyadic lowest, highest;

@@ -26,9 +26,9 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
-/// How absence of contact may be known: by a moving plane, by a tree of separating axes, by a run
-/// of the rational method that `ccdfuzz verify` repeats, by the checker's own decision, which is
-/// for linear patches, or by a direction that keeps bodies apart.
+/// The proofs of absence of contact: a moving plane (P), a tree of separating axes (T), a run of
+/// the rational method that `ccdfuzz verify` repeats, the checker's own decision of linear patches
+/// (L), a direction that keeps bodies apart (K).
 inline constexpr std::array<std::string_view, 5> kProofWords = {"P", "T", "rational-tdibm", "L",
                                                                 "K"};
 constexpr bool is_proof_word(std::string_view word) {

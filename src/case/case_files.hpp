@@ -38,9 +38,9 @@ class SourceBytes {
 inline constexpr size_t kMaxCaseBytes = 1 << 20;
 
 /// The cases of a file one after the other, holding one at a time. The ending says how they are
-/// stored: .json (one case), .jsonl (one a line; CR LF and up to 1,000 blank lines are fine),
-/// .jsonl.zst (the same, compressed by zstd), .csv (a query CSV, whose cases have no truth). A
-/// device or a pipe is read as .jsonl whatever its name.
+/// stored. .json: one case. .jsonl: one per line; CR LF and up to 1,000 blank lines are accepted.
+/// .jsonl.zst: the same, compressed by zstd. .csv: a query CSV, whose cases have no truth. A device
+/// or a pipe is read as .jsonl whatever its name.
 class CaseFile {
  public:
   /// Errors: another ending, no such file, a folder, unreadable; naming the path. As

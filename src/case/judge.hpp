@@ -12,14 +12,14 @@ namespace ccdfuzz {
 struct AnswerTerms {
   bool closed_t_max = true;
   bool contact_at_zero = true;
-  /// A hit is in time so much after the contact. ≥ 0, finite.
+  /// A hit at most this much after the contact is not late. ≥ 0, finite.
   double time_tolerance = 0;
-  /// A hit so near is a contact: what uv says must be this near at toi. ≥ 0, finite.
+  /// A hit is right if the points at uv are at most this far apart at toi. ≥ 0, finite.
   double space_tolerance = 0;
-  /// A hit is true so much before a contact that comes after t_max. ≥ 0, finite.
+  /// A hit is right if a contact after t_max comes at most this much after it. ≥ 0, finite.
   double early_tolerance = 0;
-  /// Patches that come nearer than this are for it to report as if they touched; unless contacts at
-  /// 0 do not count, and they are as near as that from the start. ≥ 0, finite.
+  /// Patches that come nearer than this count as touching; not those that are as near from the
+  /// start if contacts at 0 do not count. ≥ 0, finite.
   double kept_separation = 0;
 };
 

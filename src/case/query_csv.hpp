@@ -64,9 +64,9 @@ struct CsvOptions {
 };
 
 /// Reads a query CSV one query after the other. A row is xn,xd,yn,yd,zn,zd, numerators and
-/// denominators of any size, and then the query's truth, 0 or 1, in each row, or nothing; in the
-/// latter case a JSON list of all truths may stand in a file of its own. Blanks around values,
-/// blank lines and lines that begin with # are skipped.
+/// denominators of any size, and then the query's truth, 0 or 1. Without truths in the rows, a file
+/// of its own may have a JSON list of them. Blanks around values, blank lines and lines that begin
+/// with # are skipped.
 class CsvReader {
  public:
   /// Errors: as open_input; neither the options nor the path tell the layout; no list of truths.
@@ -76,8 +76,8 @@ class CsvReader {
   ~CsvReader();
 
   /// The next query; nothing at the end. Errors, naming file, row, column and value: no number, a
-  /// denominator ≤ 0, too few or many columns; a file that ends within a query, or holds none;
-  /// truths that differ within a query or are not as many as there are queries.
+  /// denominator ≤ 0, a wrong number of columns; a file without a query, or that ends within one;
+  /// truths that differ within a query, or another number of truths than of queries.
   Result<std::optional<CsvQuery>> next();
 
   /// Bytes of the file read so far.

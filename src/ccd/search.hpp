@@ -123,11 +123,10 @@ std::uint64_t exact_work(const Inclusion& inclusion) {
   return 0;
 }
 
-/// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline):
-/// a queue of cell pairs by ascending start of their window, deeper first on ties, older first
-/// after that; a pair whose cells are narrow enough is a hit at the start of its window; any other
-/// is split at the midpoints of all its parameters and every pair of parts is put to the inclusion
-/// test.
+/// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline): a
+/// queue of cell pairs by ascending start of their window, then the deeper first, then the older. A
+/// pair whose cells are narrow enough is a hit at the start of its window. Any other is split at
+/// the midpoints of all its parameters, and the inclusion test is run on every pair of parts.
 ///
 /// Inclusion is the method. It provides
 ///   void begin(const Query&)                     once, before anything else

@@ -8,9 +8,9 @@ namespace ccdfuzz {
 /// Limits of one query; exhaustion is Undecided, with the earliest time at which a contact may
 /// still be. max_pops, max_bytes and max_work are deterministic. With their defaults every
 /// generated query is decided. Patches that coincide over an area need 4^depth pairs; for them
-/// tdibm-c runs out of memory within about a second. A solver holds at most max_bytes, a sixth of
-/// it and kGrowthBytes while it answers, and buffers whose size follows from the degrees alone,
-/// below 12 MiB; between queries it keeps at most kKeptBytes of all that (numeric/block_array.hpp).
+/// tdibm-c runs out of memory within about a second. While it answers, a solver holds at most
+/// max_bytes, a sixth of it more, kGrowthBytes, and buffers below 12 MiB whose size follows from
+/// the degrees. Between queries it keeps at most kKeptBytes of all that (numeric/block_array.hpp).
 struct SearchOptions {
   /// From here on there is no limit of time. Finite: a caller built with -ffast-math may not have
   /// infinity at all, and what its compiler then stores in a default is any number.

@@ -17,9 +17,9 @@ enum class BoxKind {
 };
 
 /// The traditional inclusion test (Section 6 (1); Snyder 1992, Von Herzen et al. 1990): over a
-/// window each sub-patch stays within the hull of its control points at both ends, so two of them
-/// may touch only if the boxes of those hulls overlap. Nothing guards the rounding.
-/// Safe in exact arithmetic: never drops a window with a contact.
+/// window each sub-patch stays within the hull of its control points at both ends. So two of them
+/// may touch only if the boxes of those hulls overlap. Nothing guards the rounding. Safe in exact
+/// arithmetic: never drops a window with a contact.
 class TraditionalInclusion {
  public:
   /// Time is the fifth parameter that is subdivided.

@@ -19,8 +19,8 @@ namespace ccdfuzz {
 struct Trace;
 struct TraceOptions;
 
-/// What a method did in place of answering: an error with a name by which like ones are told from
-/// others ("hang", "crash SIGSEGV").
+/// Thrown when a method fails to answer. name() is the kind of error ("hang", "crash SIGSEGV");
+/// errors of one kind count as the same failure.
 class MethodFault : public std::runtime_error {
  public:
   MethodFault(std::string name, const std::string& note)
@@ -34,7 +34,7 @@ class MethodFault : public std::runtime_error {
 /// An answer with what it claims, which says how it is to be judged.
 struct Answered : Answer {
   AnswerTerms terms = {};
-  /// What the method claims besides and was just seen not to keep; absent: nothing.
+  /// The claim that the method has just broken, such as its NaN policy, if any.
   std::optional<MethodFault> broken_claim = std::nullopt;
 };
 
@@ -52,7 +52,7 @@ class Method {
   /// not answer) it refuses, naming the reason. Errors: throws MethodFault, or any other exception,
   /// where it fails to answer.
   virtual Answered answer(const Query& query, const SearchOptions& options) = 0;
-  /// True iff it answers in another process, so that CPU time of this one says nothing of it.
+  /// True iff it answers in another process, so that this one's CPU time does not measure it.
   virtual bool runs_elsewhere() const { return false; }
 };
 
@@ -62,20 +62,20 @@ class Tracer {
  public:
   virtual ~Tracer() = default;
   /// Requires a valid query, a precision in (0, 1], and a witness of the query (check_witness).
-  /// Errors: InternalError where the query is not valid, or has what the method does not take
-  /// (check_taken), the precision out of range, or t* outside [0, t_max]; whether the patches touch
-  /// there is not checked. The result is valid until the next call.
+  /// Throws InternalError if the query is not valid or not taken (check_taken), the precision is
+  /// out of range, or t* is outside [0, t_max]. Whether the patches touch there is not checked. The
+  /// result is valid until the next call.
   virtual const Trace& trace(const Query& query, const Witness& witness,
                              const TraceOptions& options) = 0;
 };
 
-/// What a family of methods is, for `ccdfuzz methods` and the judge.
+/// A family of methods, for `ccdfuzz methods` and the judge.
 struct MethodInfo {
   std::string spec;         ///< "tdibm-h:F": what --methods takes
   std::string source;       ///< where it is described
   std::string description;  ///< one line
   bool claims_no_false_negative = false;
-  /// What may stand behind a spec after '@', any of them, each once: "tdibm-e@unit-axes".
+  /// The switches that may follow a spec after '@', each once: "tdibm-e@unit-axes".
   std::vector<std::string> switches = {};
   Features features = {};
 
@@ -112,7 +112,7 @@ Result<void> admit_plugin(const std::string& spec);
 /// and '-', or that stands for another plug-in already.
 Result<void> name_plugin(const std::string& name, const std::string& spec);
 
-/// What name_plugin was told that a method stands for; empty of any other method.
+/// The spec of a plug-in that has a name (name_plugin); empty for any other method.
 std::string spec_behind(const std::string& method);
 
 /// True iff make_method may make it: a built-in method, or a plug-in that was admitted.

@@ -34,8 +34,8 @@ std::string to_text(const Rational& x);
 
 /// The longest numerator or denominator that is read, in decimal digits; 16,610 bits. Doubles are
 /// integers of at most 2,098 bits times 2^-1074. The largest numbers of a certificate are
-/// coefficients that multiply four differences of two doubles, so 8,400 bits; the largest written
-/// in a proof of 3,800 random linear queries of all magnitudes has 5,732.
+/// coefficients that multiply four differences of two doubles: 8,400 bits. In proofs of 3,800
+/// random linear queries of all magnitudes the largest has 5,732.
 inline constexpr size_t kMaxRationalDigits = 5000;
 
 /// Reads "p/q" or "p": decimal integers, optional leading minus, q > 0. The result is canonical.

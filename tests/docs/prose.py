@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 MEAN_WORDS = 18
 MAX_WORDS = 30
 MAX_COLUMNS = 100
-OF_COMMENTS = 4
+OF_COMMENTS = 0
 # A full stop, unless it is that of an abbreviation.
 END = re.compile(r'(?<!\bEq)(?<!\bEqs)(?<!\bFig)(?<!\bFigs)(?<!\be\.g)(?<!\bi\.e)(?<!\bal)[.!?]["\')*]*\s+')
 BLOCK = re.compile(r'\s*(?:[-*+]|\d+\.)\s+|#+\s')

@@ -12,9 +12,8 @@ namespace ccdfuzz::certified {
 /// used because arithmetic on subnormals is slow. Lengths are of the order of 1.
 inline constexpr double kLeastAbsolute = 0x1p-1000;
 
-/// A query brought to magnitude 1 by steps whose rounding is known, so that no finite input under-
-/// or overflows later and the error bound scales with the scene, not with its distance from the
-/// origin.
+/// A query brought to magnitude 1 by steps whose rounding is known. No finite input then under- or
+/// overflows later. The error bound scales with the scene, not with its distance from the origin.
 ///
 /// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
 /// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component

@@ -38,11 +38,11 @@ struct CornerFrame {
   void build(const Shape& shape, const PointAt& point_at);
 };
 
-/// Candidate separating axes of two flat shapes, in batches: the complete set for two triangles
-/// (both normals, every cross product of edges, every in-plane edge normal), its analogue for
-/// tensor patches, and for curves and points also the offset of the middles and its parts across
-/// each edge. Those that separate most often come first, and the rest is made only if the first
-/// batch leaves the pair together.
+/// Candidate separating axes of two flat shapes, in batches. For two triangles they are the
+/// complete set: both normals, every cross product of edges, every in-plane edge normal. For tensor
+/// patches they are its analogue. For curves and points there are also the offset of the middles
+/// and its parts across each edge. Those that separate most often come first, and the rest is made
+/// only if the first batch leaves the pair together.
 class CandidateAxes {
  public:
   /// first: an axis to begin with, if it is not zero. Where cells are to be a distance apart, and

@@ -119,8 +119,8 @@ class PairSplit {
   Tiers tiers_;
 
   // The split at hand.
-  Window window_{};                       ///< of the parents
-  std::array<std::uint8_t, 2> depths_{};  ///< of the children
+  Window window_{};                       ///< where the parents may touch
+  std::array<std::uint8_t, 2> depths_{};  ///< how deep the children are
   ErrorBound error_;
   bool newton_ = false;  ///< the parents are coarse enough for it
   bool coarse_ = false;  ///< the children will be split further

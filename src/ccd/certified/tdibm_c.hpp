@@ -10,16 +10,16 @@ namespace ccdfuzz {
 
 /// tdibm-c: the certified method (DERIVATION.md).
 ///
-/// Never misses: a pair of cells is dropped, and a window shortened, only where an axis separates
-/// the two control nets with a margin above the error bound at both ends of the dropped time
-/// interval; by convexity it then separates them throughout. So
+/// Never misses: it drops a pair of cells, or a part of a window, only where an axis separates the
+/// two control nets at both ends of the dropped time. The margin there exceeds the error bound. By
+/// convexity the axis then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every valid query;
 ///   hit        a pair of cells no wider than `precision` could not be separated at toi; every
 ///              contact is at toi or later;
 ///   undecided  a budget ran out; every contact is at toi or later;
 ///   refused    the query is not valid, or an option is out of range (is_taken); any bits may be
 ///              asked about.
-/// How early toi can be: no later time is certified clear for that pair, so it is early by at most
+/// How early toi can be: no later time is certified clear for that pair. So it is early by at most
 /// the time in which the pair's hulls, of diameter O(precision), approach each other.
 /// Linear patches (can_advance) are decided exactly: a hit is a contact, at toi + precision·t_max
 /// at most. Where numbers differ by too many binary places (first_linear_contact), what is said
@@ -37,9 +37,9 @@ class TdibmC {
 
  private:
   struct Entry : certified::CellPair {
-    std::uint16_t depth;        ///< of both cells together
+    std::uint16_t depth;        ///< both cells together
     std::uint32_t time_bucket;  ///< start of the window in units of t_max·2^-20, rounded down
-    std::uint64_t order;        ///< of arrival
+    std::uint64_t order;        ///< when it came, among the others
 
     static bool later(const Entry& x, const Entry& y);
   };

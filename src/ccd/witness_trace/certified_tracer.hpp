@@ -7,8 +7,8 @@
 namespace ccdfuzz {
 
 /// Follows a witness through the splits of tdibm-c. That method does not test the whole patches, so
-/// the first level is 1. Margins are counted, and gaps given, in its own time scale, t* and t_max
-/// divided by a power of two; places and exclusions are given in the query's.
+/// the first level is 1. Margins and gaps are in its own time scale, t* and t_max divided by a
+/// power of two. Places and exclusions are in that of the query.
 class CertifiedTracer {
  public:
   /// As InclusionTracer::trace.

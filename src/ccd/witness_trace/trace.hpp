@@ -54,13 +54,12 @@ struct Trace {
   };
   std::optional<Loss> loss;
 
-  /// By how much t* survived: the number of steps from one double to the next between t* and the
-  /// nearest time that any axis excludes from a pair that contains the witness; least over all
-  /// pairs and axes. Counted from the double next to t* on the side of the exclusion, so it is 0
-  /// where the exclusion ends in t* or between it and the next double; 0 too where it claims t*.
-  /// Nothing if no axis excludes a part of any window: so for trad, which drops whole ones, unless
-  /// the witness is lost.
-  /// Between times of one binade a step is an ulp of t*.
+  /// By how much t* survived: how many doubles are between t* and the nearest time that an axis
+  /// excludes from a pair that contains the witness. The least over all pairs and axes. It is
+  /// counted from the double next to t* on the side of the exclusion. So it is 0 where the
+  /// exclusion ends in t* or before the next double, or claims t*. Nothing if no axis excludes a
+  /// part of any window: so for trad, which drops whole ones, unless the witness is lost. Between
+  /// times of one binade a step is an ulp of t*.
   struct Margin {
     std::uint64_t ulps = 0;
     TracePlace place;
@@ -80,9 +79,8 @@ struct Trace {
   };
   std::optional<Slack> slack;
 
-  /// One pair that contains the witness: what its test left of the window, and what the margin and
-  /// the slack are of this pair alone (no margin where no axis excludes anything, 0 ulps at a
-  /// loss).
+  /// One pair that contains the witness: the rest of its window after the test, and its own margin
+  /// and slack. There is no margin where no axis excludes anything; at a loss it is 0 ulps.
   struct Step {
     TracePlace place;
     std::optional<Window> left;

@@ -26,9 +26,9 @@ struct FirstContact {
   std::array<std::array<int, 2>, 3> corners;
 };
 
-/// The first contact of two patches at a time in the closed [0, until], if there is one; exact for
-/// all queries, whatever is parallel, coplanar, collinear, static or of no extent. Requires
-/// is_linear, until ≥ 0.
+/// The first contact of two patches at a time in the closed [0, until], if there is one. Exact for
+/// all queries: parallel, coplanar, collinear, static or without extent. Requires is_linear, until
+/// ≥ 0.
 ///
 /// The patches touch iff the origin is in the set of differences of their points. That is a
 /// triangle with corners q_j − p for a point and a triangle, a parallelogram with corners

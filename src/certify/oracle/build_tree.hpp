@@ -12,10 +12,9 @@ namespace ccdfuzz {
 
 /// Builds certificate T (certify/checker/miss_tree.hpp): a tree of separating axes for the closed
 /// [0, until]. Nothing if it needs more than max_nodes nodes, as it does where the patches touch.
-/// Depth first; a leaf is written only where the axis, rounded to a few bits, separates by more
-/// than tdibm-c's error bound at both ends of its window, so that the exact checker finds it
-/// separated too. Nothing after the deadline, either. Requires a valid query, 0 ≤ until ≤ the
-/// largest double.
+/// Depth first. A leaf is written only where the axis, rounded to a few bits, separates by more
+/// than tdibm-c's error bound at both ends of its window. So the exact checker accepts it. Nothing
+/// after the deadline, either. Requires a valid query, 0 ≤ until ≤ the largest double.
 std::optional<std::string> build_miss_tree(const Query& query, const Rational& until,
                                            std::uint64_t max_nodes, Deadline* deadline = nullptr);
 

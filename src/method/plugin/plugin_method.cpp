@@ -15,12 +15,11 @@ namespace ccdfuzz {
 
 namespace {
 
-/// After so many queries one after the other in which it hangs, be it asked again or with what is
-/// not finite, a plug-in is asked no more, so that it cannot take all of the time of a run by
-/// cases.
+/// A plug-in is asked no more after this many consecutive queries in which it hangs, also where
+/// they are repeated or not finite. So it cannot take all of the time of a run by cases.
 constexpr int kMostHangs = 8;
 
-/// A method of ours is told this part of its CPU time as max_seconds; kServedLimits says why.
+/// A method of ours gets this part of its CPU time as max_seconds; kServedLimits says why.
 constexpr double kShareTold = 1.0 / 6;
 
 /// "; tolerance 1e-06 (space), NaN: error", or nothing if it claims nothing out of the ordinary.
