@@ -21,10 +21,19 @@ bool all_fit(const std::vector<SmallDyadic>& all) {
   return std::all_of(all.begin(), all.end(), [](const SmallDyadic& x) { return x.fits(); });
 }
 
+template <class S>
+std::vector<S> weights_at(const MovingPatch<double>& patch, const Uv<S>& uv) {
+  std::vector<S> weights = bernstein_weights<S>(patch.shape, uv);
+  for (size_t i = 0; i < patch.weights.size(); ++i) {
+    weights[i] = weights[i] * S::exact(patch.weights[i]);
+  }
+  return weights;
+}
+
 std::vector<SmallDyadic> small_weights(const Contact& q, size_t side) {
   const Uv<Dyadic>& uv = q.uv[side];
-  return bernstein_weights<SmallDyadic>(q.query.patches[side].shape,
-                                        {SmallDyadic::of(uv[0]), SmallDyadic::of(uv[1])});
+  return weights_at<SmallDyadic>(q.query.patches[side],
+                                 {SmallDyadic::of(uv[0]), SmallDyadic::of(uv[1])});
 }
 
 /// Σ weight·(position + t·velocity), or of ends Σ weight·((1 − t)·position + t·end).
@@ -51,11 +60,28 @@ std::array<S, 3> weighted_sum(const MovingPatch<double>& patch, const std::vecto
 std::vector<Dyadic> Contact::weights(int side) const {
   const size_t s = static_cast<size_t>(side);
   const std::vector<SmallDyadic> small = small_weights(*this, s);
-  if (!all_fit(small)) return bernstein_weights(query.patches[s].shape, uv[s]);
+  if (!all_fit(small)) return weights_at(query.patches[s], uv[s]);
   std::vector<Dyadic> weights;
   weights.reserve(small.size());
   for (const SmallDyadic& x : small) weights.push_back(x.dyadic());
   return weights;
+}
+
+Dyadic Contact::weight(int side) const {
+  Dyadic sum(1);
+  if (query.patches[static_cast<size_t>(side)].weights.empty()) return sum;
+  sum = Dyadic();
+  for (const Dyadic& w : weights(side)) sum += w;
+  return sum;
+}
+
+Vec3<Dyadic> Contact::offset() const {
+  const Vec3<Dyadic> a = point(0), b = point(1);
+  if (query.patches[0].weights.empty() && query.patches[1].weights.empty()) return a - b;
+  const Dyadic of_a = weight(0), of_b = weight(1);
+  Vec3<Dyadic> out;
+  for (int k = 0; k < 3; ++k) out[k] = a[k] * of_b - b[k] * of_a;
+  return out;
 }
 
 Vec3<Dyadic> Contact::point(int side) const {
@@ -65,7 +91,7 @@ Vec3<Dyadic> Contact::point(int side) const {
   if (small[0].fits() && small[1].fits() && small[2].fits()) {
     return {small[0].dyadic(), small[1].dyadic(), small[2].dyadic()};
   }
-  const auto sum = weighted_sum(patch, bernstein_weights(patch.shape, uv[s]), t);
+  const auto sum = weighted_sum(patch, weights_at(patch, uv[s]), t);
   return {sum[0], sum[1], sum[2]};
 }
 
@@ -83,7 +109,7 @@ std::optional<Contact> contact_of(const Case& known) {
       q.uv[s][k] = *x;
     }
   }
-  if (known.query.separation > 0 && q.point(0) != q.point(1)) return std::nullopt;
+  if (known.query.separation > 0 && q.offset() != Vec3<Dyadic>()) return std::nullopt;
   return q;
 }
 

@@ -20,10 +20,15 @@ struct Contact {
   Dyadic t;
   std::array<Uv<Dyadic>, 2> uv;
 
-  /// The weights of patch `side`'s control points at the contact.
+  /// The weights of patch `side`'s control points at the contact, of a rational patch its own times
+  /// those of Bernstein.
   std::vector<Dyadic> weights(int side) const;
-  /// The point of patch `side` that is in contact.
+  /// Their sum: 1 of a polynomial patch.
+  Dyadic weight(int side) const;
+  /// The point of patch `side` that is in contact, times weight(side).
   Vec3<Dyadic> point(int side) const;
+  /// From the point of patch 2 to that of patch 1, times both weights.
+  Vec3<Dyadic> offset() const;
   /// The contact, as truths hold it.
   Witness witness() const;
 };

@@ -149,6 +149,22 @@ std::optional<Query> with_drawn_ends(Query query, Draw& choices) {
   return query;
 }
 
+std::vector<double> draw_patch_weights(Draw& choices, std::size_t count) {
+  enum Kind : std::uint64_t { kPowers, kIntegers, kManyBits, kFar, kCircle, kRoundedCircle };
+  const std::uint64_t kind = choices.choose(kRoundedCircle);
+  std::vector<double> weights(count, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    double& w = weights[i];
+    if (kind == kPowers) w = std::ldexp(1.0, static_cast<int>(choices.integer(-3, 3)));
+    if (kind == kIntegers) w = static_cast<double>(choices.integer(1, 9));
+    if (kind == kManyBits) w = 1 + std::ldexp(static_cast<double>(choices.choose(1 << 30)), -31);
+    if (kind == kCircle) w = i % 3 == 2 ? 2 : 1;
+    if (kind == kRoundedCircle) w = i % 3 == 1 ? std::sqrt(0.5) : 1;
+  }
+  if (kind == kFar) weights[choices.below(count)] = choices.coin() ? 0x1p40 : 0x1p-40;
+  return weights;
+}
+
 std::string to_hex_text(const Points<double>& points) {
   return list(points, [](double x) { return to_hex(x); });
 }

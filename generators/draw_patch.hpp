@@ -31,6 +31,10 @@ Query draw_extreme_query(Draw& choices);
 /// both, and t_max at most 1. nullopt if one is not finite.
 std::optional<Query> with_drawn_ends(Query query, Draw& choices);
 
+/// Weights of any of these kinds: powers of two, small integers, of many bits, one of 2^±40 among
+/// ones, those of an exact quarter circle, those of one by a rounded √½.
+std::vector<double> draw_patch_weights(Draw& choices, std::size_t count);
+
 /// For failure texts; a query as a case file.
 std::string to_hex_text(const Points<double>& points);
 std::string to_text(const Points<Dyadic>& points);

@@ -33,14 +33,14 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
 }
 
 /// Heights of a cell's control points along an axis at t: the least and the largest.
-std::array<Dyadic, 2> heights(const MovingPatch<double>& patch, const Cell& cell,
-                              const exact_ccd::Axis& axis, const Dyadic& t) {
-  const MovingPatch<Dyadic> part = restrict_to<Dyadic>(
-      exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
-  std::optional<std::array<Dyadic, 2>> out;
-  for (const Vec3<Dyadic>& p : part.at(t)) {
-    Dyadic height;
-    for (int k = 0; k < 3; ++k) height += Dyadic(axis.l[static_cast<std::size_t>(k)]) * p[k];
+std::array<Rational, 2> heights(const MovingPatch<double>& patch, const Cell& cell,
+                                const exact_ccd::Axis& axis, const Rational& t) {
+  const MovingPatch<Rational> part = restrict_to<Rational>(
+      exact_patch<Rational>(patch), exact_corners<Rational>(cell.corners(patch.shape)));
+  std::optional<std::array<Rational, 2>> out;
+  for (const Vec3<Rational>& p : part.at(t)) {
+    Rational height;
+    for (int k = 0; k < 3; ++k) height += axis.l[static_cast<std::size_t>(k)] * p[k];
     if (!out) out = {height, height};
     out = {std::min((*out)[0], height), std::max((*out)[1], height)};
   }
@@ -78,27 +78,29 @@ void check_filter_on(const Query& query, Draw& d) {
   show(d, "gaps", std::array{at.gap(0), at.gap(1)});
   show(d, "query", query);
   const int horizon = gap.units().horizon;
-  const Dyadic time = Dyadic::exact(t).scaled(horizon);
+  const Rational time = exact(t) * power_of_two(horizon);
   const auto first = heights(query.patches[0], cells[0], axis, time);
   const auto second = heights(query.patches[1], cells[1], axis, time);
-  const Dyadic exact[] = {first[1] - second[0], second[1] - first[0]};
+  const Rational gaps[] = {first[1] - second[0], second[1] - first[0]};
   for (int below = 0; below < 2; ++below) {
-    const Dyadic off = Dyadic::exact(at.gap(below)) - exact[below].scaled(gap.length_shift());
-    CLAIM(abs(off) <= error);
+    const Rational off = exact(at.gap(below)) - gaps[below] * power_of_two(gap.length_shift());
+    CLAIM(abs(off) <= error.rational());
   }
   // 2·gamma_(K + 7)·M + 140·eta a unit of |l|_1, as derived above Gap::begin. A blossom step from
   // scratch takes three roundings for a triangle and two else, and the split one for each argument.
+  // Numerator and weight of a rational patch have these, and two more are of product and quotient.
   int most = 0;
   for (const MovingPatch<double>& patch : query.patches) {
     const int each = patch.shape.kind == ShapeKind::kTriangle ? 4 : 3;
-    most = std::max(most, each * (patch.shape.n + patch.shape.m));
+    const int of_cell = each * (patch.shape.n + patch.shape.m);
+    most = std::max(most, patch.is_rational() ? 2 * of_cell + 2 : of_cell);
   }
   // gamma_k = ku/(1 − ku) ≤ ku(1 + 2ku).
   const int of_ends = has_ends(query) ? 2 : 0;
   const Dyadic ku = Dyadic(most + 7 + of_ends) * half_ulp();
   const Dyadic gamma = ku * (Dyadic(1) + ku.scaled(1));
   const Dyadic per_norm = gamma.scaled(1) * magnitude_of(query, gap.length_shift(), horizon) +
-                          Dyadic(140) * least_double();
+                          Dyadic(140) * least_double().scaled(is_rational(query) ? 60 : 0);
   const Dyadic norm(Integer(static_cast<long>(axis.norm1())), 0);
   CLAIM(per_norm * norm <= error);
 }
@@ -109,6 +111,14 @@ void check_rational_filter(Draw& d) {
 
 void check_filter_of_ends(Draw& d) {
   check_filter_on(supposed(with_drawn_ends(draw_extreme_query(d), d)), d);
+}
+
+void check_filter_of_weights(Draw& d) {
+  Query query = draw_extreme_query(d);
+  for (MovingPatch<double>& patch : query.patches) {
+    patch.weights = draw_patch_weights(d, patch.positions.size());
+  }
+  check_filter_on(query, d);
 }
 
 }  // namespace
@@ -123,6 +133,10 @@ std::vector<Property> filter_bound_claims() {
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "
        "derived, for patches with ends",
        "src/ccd/rational/gap.cpp", check_filter_of_ends},
+      {"tdibm-rational.error_bound_weights",
+       "Gaps in doubles are off by the filter's error at most, which is no less than what was "
+       "derived, for rational patches",
+       "src/ccd/rational/gap.cpp", check_filter_of_weights},
   };
 }
 

@@ -54,8 +54,9 @@ class ByteReader {
   bool ended_ = false;
 };
 
-/// Behind the kinds of shapes, flags: the patch has ends; of the first, the query has a separation.
-constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds;
+/// Behind the kinds of shapes, flags: the patch has ends; of the first, the query has a separation;
+/// the patch has weights.
+constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds, kHasWeights = 4 * kKinds;
 
 /// The contents of the bytes: a valid query, and numbers that may be those of a contact.
 struct CaseParts {
@@ -79,6 +80,9 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
     patch.shape.n = in.byte();
     patch.shape.m = in.byte();
     if (!patch.shape.valid()) return std::nullopt;
+    if ((kind & kHasWeights) != 0) {
+      patch.weights.resize(static_cast<size_t>(patch.shape.control_count()));
+    }
   }
   parts.query.t_max = in.real();
   if (has_separation) parts.query.separation = in.real();
@@ -92,6 +96,7 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
     patch.positions.resize(count);
     (has_ends[s] ? patch.ends : patch.velocities).resize(count);
     for_each_coordinate(patch, [&](double& x) { x = in.real(); });
+    for (double& w : patch.weights) w = in.real();
   }
   if (in.ended() || !validate(parts.query, "query")) return std::nullopt;
   return parts;
@@ -105,7 +110,7 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t
   for (const MovingPatch<double>& patch : q.query.patches) {
     const bool separates = &patch == &q.query.patches[0] && q.query.separation > 0;
     out.byte(static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
-             (separates ? kHasSeparation : 0));
+             (separates ? kHasSeparation : 0) | (patch.weights.empty() ? 0 : kHasWeights));
     out.byte(patch.shape.n);
     out.byte(patch.shape.m);
   }
@@ -118,6 +123,7 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t
   if (!exact) return std::nullopt;
   for (const MovingPatch<double>& patch : q.query.patches) {
     for_each_coordinate(patch, [&](double x) { out.real(x); });
+    for (const double w : patch.weights) out.real(w);
   }
   return out.take();
 }
@@ -128,7 +134,9 @@ std::uint8_t method_number(std::span<const std::uint8_t> bytes) {
 
 std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes, QueryRange range) {
   std::optional<CaseParts> parts = parts_of(bytes);
-  const bool is_plain = parts && !has_ends(parts->query) && parts->query.separation == 0;
+  const bool is_plain = parts && !has_ends(parts->query) && parts->query.separation == 0 &&
+                        parts->query.patches[0].weights.empty() &&
+                        parts->query.patches[1].weights.empty();
   if (range == QueryRange::kPlain && !is_plain) return std::nullopt;
   if (!parts || !(parts->t >= 0 && parts->t <= parts->query.t_max)) return std::nullopt;
   Contact q;

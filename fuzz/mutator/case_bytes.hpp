@@ -9,15 +9,16 @@
 
 namespace ccdfuzz {
 
-/// Which queries are meant: those with velocities that ask for touching, or those with ends and
-/// with a separation, too.
+/// Which queries are meant: those with velocities that ask for touching, or those with ends, with a
+/// separation and with weights, too.
 enum class QueryRange : std::uint8_t { kPlain, kAll };
 
 /// A contact and its query as bytes, for fuzzers. First a byte for the method that is to be asked
 /// (its place in the target's list), then three for the shape of each patch: kind and degrees. To
-/// the kind 4 is added where the patch has ends, and to the first 8 where there is a separation.
-/// Then as doubles, lowest byte first: t_max, the separation if any, t, uv of both contacts, and of
-/// each patch the positions and the velocities or ends. nullopt if t or a parameter is no double.
+/// the kind 4 is added where the patch has ends, 16 where it has weights, and to the first 8 where
+/// there is a separation. Then as doubles, lowest byte first: t_max, the separation if any, t, uv
+/// of both contacts, and of each patch the positions, the velocities or ends, and the weights if
+/// any. nullopt if t or a parameter is no double.
 std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method = 0);
 
 /// The method that the bytes are for; 0 if there are none.

@@ -5,6 +5,7 @@
 #include "fuzz/mutator/repair.hpp"
 #include "fuzz/mutator/reshape.hpp"
 #include "fuzz/mutator/small_vector.hpp"
+#include "generators/draw_patch.hpp"
 #include "generators/similar.hpp"
 
 namespace ccdfuzz {
@@ -131,6 +132,41 @@ bool give_separation(Contact& q, Draw& draw) {
       std::ldexp(static_cast<double>(draw.below(4)), -1 - static_cast<int>(draw.below(20)));
   q.query.separation = std::ldexp(part, size);
   return std::isfinite(q.query.separation);
+}
+
+bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents) {
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  const auto contact = divided(q.point(side), q.weight(side));
+  if (!contact) return false;
+  if (patch.weights.empty()) patch.weights.assign(patch.positions.size(), 1);
+  for (size_t i = 0; i < patch.weights.size(); ++i) {
+    patch.weights[i] = std::ldexp(patch.weights[i], exponents[i]);
+    Vec3<Dyadic> by;
+    for (int k = 0; k < 3; ++k) {
+      const Dyadic start = Dyadic::exact(patch.positions[i][k]);
+      const Dyadic move = Dyadic::exact(patch.moves()[i][k]);
+      const Dyadic place = start + q.t * (patch.has_ends() ? move - start : move);
+      const Dyadic way = place - (*contact)[k];
+      by[k] = way.scaled(-exponents[i]) - way;
+    }
+    if (!add_exactly(patch.positions[i], by)) return false;
+    if (patch.has_ends() && !add_exactly(patch.ends[i], by)) return false;
+  }
+  return are_weights(patch.weights);
+}
+
+bool give_weights(Contact& q, Draw& draw) {
+  const int side = random_side(draw);
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  const size_t count = patch.positions.size();
+  if (count == 1) return false;
+  if (draw.coin()) {
+    patch.weights = draw_patch_weights(draw, count);
+    return repair(q, draw);
+  }
+  std::vector<int> exponents(count);
+  for (int& e : exponents) e = static_cast<int>(draw.integer(-3, 3));
+  return pull_by_weights(q, side, exponents);
 }
 
 bool give_ends(Contact& q, Draw& draw) {

@@ -33,10 +33,11 @@ constexpr std::array kMoves = {
     Move{"change-horizon", alone<change_horizon>},
     Move{"give-ends", alone<give_ends>},
     Move{"give-separation", alone<give_separation>},
+    Move{"give-weights", alone<give_weights>},
 };
 
 /// The last moves make queries that are not plain.
-constexpr std::size_t kNotPlain = 2;
+constexpr std::size_t kNotPlain = 3;
 
 }  // namespace
 

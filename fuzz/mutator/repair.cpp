@@ -27,15 +27,19 @@ bool shift_all(Points<double>& points, const Vec3<Dyadic>& by) {
   return true;
 }
 
-/// The ways to move what patch `side` has at the contact by `by`.
+/// The ways to move what patch `side` has at the contact by `by` over its weight there.
 bool shift_patch(Contact& q, int side, const Vec3<Dyadic>& by) {
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
-  return shift_all(patch.positions, by) && (!patch.has_ends() || shift_all(patch.ends, by));
+  const auto way = divided(by, q.weight(side));
+  return way && shift_all(patch.positions, *way) &&
+         (!patch.has_ends() || shift_all(patch.ends, *way));
 }
 
 bool shift_velocity(Contact& q, int side, const Vec3<Dyadic>& by) {
   const auto k = exponent_of_power_of_two(q.t);
-  return k && shift_all(q.query.patches[static_cast<size_t>(side)].moves(), scaled(by, -*k));
+  const auto way = divided(by, q.weight(side));
+  return k && way &&
+         shift_all(q.query.patches[static_cast<size_t>(side)].moves(), scaled(*way, -*k));
 }
 
 bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
@@ -75,15 +79,28 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
   return true;
 }
 
+std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
+  if (by == Dyadic(1)) return v;
+  Vec3<Dyadic> out;
+  for (int k = 0; k < 3; ++k) {
+    if (v[k].mantissa() % by.mantissa() != 0) return std::nullopt;
+    out[k] = Dyadic(Integer(v[k].mantissa() / by.mantissa()), v[k].exponent() - by.exponent());
+  }
+  return out;
+}
+
 bool repair(Contact& q, Draw& draw) {
-  const Vec3<Dyadic> apart = q.point(0) - q.point(1);
+  const Vec3<Dyadic> apart = q.offset();
   if (is_zero(apart)) return true;
   constexpr std::uint64_t kWays = 6;
   const std::uint64_t first = draw.below(kWays);
   for (std::uint64_t way = first; way < first + kWays; ++way) {
     Contact whole = q;
     const int side = static_cast<int>(way % 2);
-    const Vec3<Dyadic> by = side == 0 ? Vec3<Dyadic>(-apart) : apart;
+    // Over the weight of the other patch: what the numerator of this one is short of.
+    const auto short_of = divided(side == 0 ? Vec3<Dyadic>(-apart) : apart, q.weight(1 - side));
+    if (!short_of) continue;
+    const Vec3<Dyadic>& by = *short_of;
     const std::uint64_t kind = way % kWays / 2;
     if (kind == 0   ? shift_control(whole, side, by, draw)
         : kind == 1 ? shift_patch(whole, side, by)

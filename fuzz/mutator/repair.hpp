@@ -15,6 +15,9 @@ inline constexpr std::array<PatchField, 2> kPatchFields = {
 bool add_exactly(double& x, const Dyadic& by);
 bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
 
+/// v / by, if that is dyadic.
+std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by);
+
 /// Makes the patches of an edited query meet again: moves a patch, a control point or its velocity,
 /// by what is between the two patches at the contact. Returns false if no way is exact.
 bool repair(Contact& q, Draw& draw);

@@ -17,6 +17,7 @@ void permute(MovingPatch<double>& patch, const Shape& shape, const std::vector<i
   for (size_t i = 0; i < from.size(); ++i) {
     patch.positions[i] = old.positions[static_cast<size_t>(from[i])];
     patch.moves()[i] = old.moves()[static_cast<size_t>(from[i])];
+    if (!old.weights.empty()) patch.weights[i] = old.weights[static_cast<size_t>(from[i])];
   }
 }
 
@@ -159,7 +160,7 @@ void reparametrise_patch(Contact& q, int side, std::uint64_t way) {
 bool elevate_patch(Contact& q, int side, bool in_v) {
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
   const Shape higher = elevated(patch.shape, in_v);
-  if (!higher.valid()) return false;
+  if (!higher.valid() || !patch.weights.empty()) return false;  // quotients would be rounded
   const auto make = [&](const auto& points) { return points_of_higher(patch.shape, points, in_v); };
   if (!replace_points(patch.positions, make) || !replace_points(patch.moves(), make)) {
     return false;
@@ -172,6 +173,7 @@ bool restrict_patch(Contact& q, int side) {
   const size_t s = static_cast<size_t>(side);
   MovingPatch<double>& patch = q.query.patches[s];
   const Shape shape = patch.shape;
+  if (!patch.weights.empty()) return false;  // quotients would be rounded
   const Uv<Rational> at = {q.uv[s][0].rational(), q.uv[s][1].rational()};
   for (int c = 0; c < shape.child_count() && shape.kind != ShapeKind::kPoint; ++c) {
     const Cell cell = Cell{}.child(shape, c);

@@ -38,8 +38,9 @@ void show_query(const Query& query, std::ostream& out) {
     const MovingPatch<double>& patch = query.patches[s];
     out << fmt::format("patch {}, {}:\n", s + 1, to_text(patch.shape));
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {
-      out << fmt::format("  {} {} {}\n", point_text(patch.positions[i]),
+      out << fmt::format("  {} {} {}", point_text(patch.positions[i]),
                          patch.has_ends() ? "to" : "+ t", point_text(patch.moves()[i]));
+      out << (patch.weights.empty() ? "\n" : fmt::format(", weight {}\n", patch.weights[i]));
     }
   }
   out << fmt::format("asked up to t = {}", query.t_max);

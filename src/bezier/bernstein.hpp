@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/verify.hpp"
 #include "bezier/patch.hpp"
 #include "numeric/ieee_arithmetic.hpp"
 
@@ -56,6 +57,21 @@ std::vector<S> bernstein_weights(const Shape& shape, const Uv<S>& uv) {
     }
   }
   return weights;
+}
+
+/// Where a rational curve or triangle of degree 1 has the point that the patch without weights has
+/// at uv: barycentrics in proportion to x/w. uv itself of patches without weights.
+template <class S>
+Uv<S> parameters_with_weights(const MovingPatch<S>& patch, const Uv<S>& uv) {
+  if (patch.weights.empty()) return uv;
+  CCDFUZZ_ASSERT(patch.shape.n <= 1 && patch.shape.kind != ShapeKind::kTensor);
+  std::vector<S> x = bernstein_weights<S>(patch.shape, uv);
+  S sum(0);
+  for (size_t i = 0; i < x.size(); ++i) sum += x[i] = S(x[i] / patch.weights[i]);
+  if (!(sum > S(0))) return uv;  // outside of the patch
+  if (patch.shape.kind == ShapeKind::kCurve) return {S(x[1] / sum), S(0)};
+  if (patch.shape.kind == ShapeKind::kPoint) return uv;
+  return {S(x[2] / sum), S(x[1] / sum)};  // control points at (0, 0), (0, 1), (1, 0)
 }
 
 }  // namespace ccdfuzz

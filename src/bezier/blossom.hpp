@@ -98,10 +98,47 @@ Vec3<S> evaluate(const Shape& shape, std::span<const Vec3<S>> points, const Uv<S
   return blossom<S>(shape, points, arguments);
 }
 
+/// Points times their weights, if there are any.
+template <class S>
+void multiply(Points<S>& points, const std::vector<S>& weights) {
+  for (size_t i = 0; i < weights.size(); ++i) {
+    for (int k = 0; k < 3; ++k) points[i][k] = S(weights[i] * points[i][k]);
+  }
+}
+
+/// A homogeneous point over its weight. Numbers that have no quotient have no weights.
+template <class S>
+void divide(Vec3<S>& point, const S& weight) {
+  if constexpr (requires { weight / weight; }) {
+    for (int k = 0; k < 3; ++k) point[k] = S(point[k] / weight);
+  } else {
+    CCDFUZZ_VERIFY(false);
+  }
+}
+
+/// Numbers as points that have them as their first coordinate.
+template <class S>
+Points<S> as_points(std::span<const S> numbers) {
+  Points<S> out;
+  for (const S& x : numbers) out.push_back({x, S(0), S(0)});
+  return out;
+}
+
+/// The point at (u, v) of a patch with weights, or of one without.
+template <class S>
+Vec3<S> evaluate(const Shape& shape, Points<S> points, const std::vector<S>& weights,
+                 const Uv<S>& uv) {
+  multiply(points, weights);
+  Vec3<S> point = evaluate<S>(shape, points, uv);
+  if (weights.empty()) return point;
+  divide(point, evaluate<S>(shape, as_points<S>(weights), uv)[0]);
+  return point;
+}
+
 /// The point of a moving patch at (u, v) and time t (Eq. 2).
 template <class S>
 Vec3<S> evaluate(const MovingPatch<S>& patch, const Uv<S>& uv, const S& t) {
-  return evaluate<S>(patch.shape, patch.at(t), uv);
+  return evaluate<S>(patch.shape, patch.at(t), patch.weights, uv);
 }
 
 }  // namespace ccdfuzz

@@ -9,7 +9,8 @@
 
 namespace ccdfuzz {
 
-/// The same patch in another number type, exactly, with velocities. S is Rational or Dyadic.
+/// The same patch in another number type, exactly, with velocities and its weights. S is Rational
+/// or Dyadic.
 template <class S>
 MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
   const auto convert = [](const Points<double>& from) {
@@ -21,6 +22,7 @@ MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
     return to;
   };
   MovingPatch<S> out{patch.shape, convert(patch.positions), convert(patch.velocities)};
+  for (const double w : patch.weights) out.weights.push_back(from_double<S>(w));
   out.radius = from_double<S>(patch.radius);
   if (patch.has_ends()) {
     out.velocities = convert(patch.ends);

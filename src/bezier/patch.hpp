@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <type_traits>
 #include <vector>
 
+#include "base/double_parts.hpp"
 #include "bezier/shape.hpp"
 #include "numeric/vec3.hpp"
 
@@ -19,20 +22,30 @@ using Points = std::vector<Vec3<S>>;
 /// positions[i] + t·velocities[i]; or, where `ends` are given, at
 /// positions[i] + t·(ends[i] − positions[i]), with a difference that need be no double.
 /// Each array has shape.control_count() entries, in Shape's order; of velocities and ends one has,
-/// and the other is empty. A hull has one velocity for all of its points, and no ends; it is a
-/// body, all that is within `radius` of the hull of its points. Other patches have the radius 0.
+/// and the other is empty. With `weights` w the patch is rational: its point is the sum of
+/// w·B·control point over the sum of w·B, B the Bernstein weights. They do not move.
+/// A hull has one velocity for all of its points, no ends and no weights; it is a body, all that is
+/// within `radius` of the hull of its points. Other patches have the radius 0.
 template <class S>
 struct MovingPatch {
   Shape shape;
   Points<S> positions;
   Points<S> velocities;
-  Points<S> ends = {};  ///< positions at t = 1
+  Points<S> ends = {};          ///< positions at t = 1
+  std::vector<S> weights = {};  ///< > 0; empty: polynomial
   S radius = S(0);
 
   bool has_ends() const { return !ends.empty(); }
   /// The ends or, without them, the velocities.
   Points<S>& moves() { return has_ends() ? ends : velocities; }
   const Points<S>& moves() const { return has_ends() ? ends : velocities; }
+  /// Equal weights, and those of points, are the polynomial patch.
+  bool is_rational() const {
+    return std::any_of(weights.begin(), weights.end(), [&](const S& w) {
+      if constexpr (std::is_same_v<S, double>) return compare(w, weights[0]) != 0;
+      return !(w == weights[0]);
+    });
+  }
 
   /// The velocity of control point i. Requires velocities.
   const Vec3<S>& velocity(size_t i) const {

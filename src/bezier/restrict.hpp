@@ -52,13 +52,27 @@ void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
   }
 }
 
-/// The whole moving patch restricted to corners.
+/// The whole moving patch restricted to corners, with velocities: a rational one as w·p, w·v and w,
+/// which the new w then divides.
 template <class S>
 MovingPatch<S> restrict_to(const MovingPatch<S>& patch, const std::array<Uv<S>, 3>& corners) {
-  MovingPatch<S> part{patch.shape, Points<S>(patch.positions.size()),
-                      Points<S>(patch.velocities.size())};
-  restrict_to<S>(patch.shape, patch.positions, corners, part.positions);
-  restrict_to<S>(patch.shape, patch.velocities, corners, part.velocities);
+  MovingPatch<S> part = patch;
+  if (!patch.is_rational()) part.weights.clear();
+  const auto restrict_in_place = [&](Points<S>& points) {
+    restrict_to<S>(patch.shape, Points<S>(points), corners, points);
+  };
+  multiply(part.positions, part.weights);
+  multiply(part.velocities, part.weights);
+  restrict_in_place(part.positions);
+  restrict_in_place(part.velocities);
+  if (part.weights.empty()) return part;
+  Points<S> weights = as_points<S>(part.weights);
+  restrict_in_place(weights);
+  for (size_t i = 0; i < weights.size(); ++i) {
+    part.weights[i] = weights[i][0];
+    divide(part.positions[i], weights[i][0]);
+    divide(part.velocities[i], weights[i][0]);
+  }
   return part;
 }
 

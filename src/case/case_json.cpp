@@ -58,7 +58,7 @@ struct JsonForm<Vec3<double>> {
 template <>
 struct JsonForm<MovingPatch<double>> {
   static void fields(auto& archive, auto& patch) {
-    archive.reserved({"weights", "trim"});
+    archive.reserved({"trim"});
     auto& shape = patch.shape;
     archive("shape", shape.kind);
     const auto degree = within(1, kMaxDegree);
@@ -89,6 +89,13 @@ struct JsonForm<MovingPatch<double>> {
     } else {
       patch.has_ends() ? archive("ends", patch.ends) : archive("velocities", patch.velocities);
     }
+    archive.optional("weights", patch.weights, {}, Each{positive}, [&](const auto& weights) {
+      if (weights.size() != patch.positions.size()) {
+        return fmt::format("has {} weights of {} control points", weights.size(),
+                           patch.positions.size());
+      }
+      return are_weights(weights) ? std::string() : spread_of_weights();
+    });
   }
 
  private:
@@ -310,7 +317,7 @@ void query_fields(auto& archive, auto& query) {
 
 void case_fields(auto& archive, auto& value) {
   const int version = archive.format("ccdfuzz-case", 1, 2);
-  archive.reserved({"weights", "bodies"});
+  archive.reserved({"bodies"});
   query_fields(archive, value.query);
   archive.optional("truth", value.truth);
   archive.optional("origin", value.origin);

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "base/double_parts.hpp"
@@ -52,7 +55,7 @@ bool is_zero(double x) {
 /// Requires the shape of a hull.
 bool is_hull(const MovingPatch<double>& patch) {
   if (std::cmp_not_equal(patch.positions.size(), patch.shape.n) || patch.velocities.size() != 1 ||
-      patch.has_ends() || !is_not_negative(patch.radius)) {
+      patch.has_ends() || !patch.weights.empty() || !is_not_negative(patch.radius)) {
     return false;
   }
   FiniteScan scan;
@@ -67,6 +70,20 @@ bool are_alike(const Query& query) {
     return p.shape.kind == ShapeKind::kHull;
   };
   return is_hull(query.patches[0]) == is_hull(query.patches[1]);
+}
+
+Result<void> validate_weights(const MovingPatch<double>& patch, const std::string& where) {
+  if (patch.weights.size() != patch.positions.size()) {
+    return input_error(where, fmt::format("{} needs {} weights, not {}", to_text(patch.shape),
+                                          patch.positions.size(), patch.weights.size()));
+  }
+  for (size_t i = 0; i < patch.weights.size(); ++i) {
+    const double w = patch.weights[i];
+    if (is_finite(w) && compare(w, 0) > 0) continue;
+    return input_error(fmt::format("{}[{}]", where, i),
+                       fmt::format("{} is not a finite number > 0", w));
+  }
+  return input_error(where, spread_of_weights());
 }
 
 Result<void> validate_shape(const Shape& shape, const std::string& where) {
@@ -117,6 +134,20 @@ Result<void> validate_points(const Points<double>& points, const Shape& shape, s
 
 }  // namespace
 
+bool are_weights(const std::vector<double>& weights) {
+  int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
+  for (const double w : weights) {
+    if (!is_finite(w) || compare(w, 0) <= 0) return false;
+    least = std::min(least, parts_of(w).top());
+    most = std::max(most, parts_of(w).top());
+  }
+  return weights.empty() || most - least <= kWeightBits;
+}
+
+std::string spread_of_weights() {
+  return fmt::format("has binary exponents that differ by more than {}", kWeightBits);
+}
+
 bool is_valid(const Query& query) {
   const auto is_patch = [](const MovingPatch<double>& patch) {
     if (!patch.shape.valid()) return false;
@@ -125,6 +156,9 @@ bool is_valid(const Query& query) {
     const Points<double>& moves = patch.moves();
     if (patch.positions.size() != count || moves.size() != count) return false;
     if (patch.has_ends() && !patch.velocities.empty()) return false;
+    if (!patch.weights.empty() && (patch.weights.size() != count || !are_weights(patch.weights))) {
+      return false;
+    }
     FiniteScan scan;
     for (size_t i = 0; i < count; ++i) {
       scan.add(patch.positions[i]);
@@ -139,6 +173,28 @@ bool is_valid(const Query& query) {
 
 bool has_ends(const Query& query) {
   return query.patches[0].has_ends() || query.patches[1].has_ends();
+}
+
+bool is_rational(const Query& query) {
+  return query.patches[0].is_rational() || query.patches[1].is_rational();
+}
+
+std::vector<double> scaled_weights(const MovingPatch<double>& patch, int* shift) {
+  std::vector<double> out;
+  int exponent = 0;
+  if (patch.is_rational()) {
+    exponent = -std::ilogb(*std::max_element(patch.weights.begin(), patch.weights.end()));
+    for (const double w : patch.weights) out.push_back(std::ldexp(w, exponent));
+  }
+  if (shift != nullptr) *shift = exponent;
+  return out;
+}
+
+std::optional<Query> without_weights(const Query& query) {
+  if (is_rational(query)) return std::nullopt;
+  Query out = query;
+  for (MovingPatch<double>& patch : out.patches) patch.weights.clear();
+  return out;
 }
 
 void give_rounded_ends(MovingPatch<double>& patch) {
@@ -187,6 +243,13 @@ Result<void> validate(const Query& query, const std::string& where) {
       return input_error(path + ".radius",
                          fmt::format("{} is not {}", patch.radius,
                                      is_hull ? "a finite number ≥ 0" : "0, as of all but hulls"));
+    }
+    if (is_hull && !patch.weights.empty()) {
+      return input_error(path + ".weights", "a hull has none");
+    }
+    const bool has_count = patch.weights.size() == patch.positions.size();
+    if (!are_weights(patch.weights) || (!patch.weights.empty() && !has_count)) {
+      return validate_weights(patch, path + ".weights");
     }
   }
   if (!are_alike(query)) {

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "bezier/patch.hpp"
@@ -11,7 +13,8 @@ namespace ccdfuzz {
 /// A CCD query: are two moving patches in contact at some t in the closed [0, t_max], and when
 /// first? (Eq. 1). They are where a point of one is no farther than `separation` from a point of
 /// the other; with 0, where they touch. All numbers finite, t_max ≥ 0, and ≤ 1 where a patch has
-/// ends; separation ≥ 0, radius ≥ 0. Both patches are hulls, or neither is.
+/// ends; separation ≥ 0, radius ≥ 0; weights as kWeightBits says. Both patches are hulls, or
+/// neither is.
 struct Query {
   std::array<MovingPatch<double>, 2> patches;
   double t_max = 1;
@@ -39,6 +42,25 @@ inline bool is_of_bodies(const Query& query) {
 }
 
 bool has_ends(const Query& query);
+/// A patch has weights that are not all equal.
+bool is_rational(const Query& query);
+
+/// Binary exponents of a patch's weights differ by at most this. Then what products with weights
+/// lose to underflow stays below the least absolute error of tdibm-c: with lengths of 1 and weights
+/// of [2^-60, 2) each loses 2^-1075, which over a weight is 2^-1015; a few thousand of these are
+/// below 2^-1000.
+inline constexpr int kWeightBits = 60;
+/// All finite, > 0 and of such exponents.
+bool are_weights(const std::vector<double>& weights);
+/// What is wrong with weights of other exponents.
+std::string spread_of_weights();
+
+/// The weights of a rational patch times the power of two that brings the largest into [1, 2),
+/// exactly. Other patches have none. shift, if given, gets the exponent.
+std::vector<double> scaled_weights(const MovingPatch<double>& patch, int* shift = nullptr);
+
+/// The query without weights, if those of each patch are equal; it is the same.
+std::optional<Query> without_weights(const Query& query);
 
 /// The query with velocities, if all ends − positions are doubles; it is the same motion.
 std::optional<Query> with_velocities(const Query& query);

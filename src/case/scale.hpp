@@ -6,7 +6,7 @@
 
 namespace ccdfuzz {
 
-/// True iff every coordinate and velocity of a query, t_max and the separation is 0 or of a
+/// True iff every coordinate, velocity and weight of a query, t_max and the separation is 0 or of a
 /// magnitude in [2^-bits, 2^bits]: where bits are few, neither under- nor overflow explains a
 /// failure.
 inline bool is_within_scale(const Query& query, int bits) {
@@ -17,6 +17,7 @@ inline bool is_within_scale(const Query& query, int bits) {
   bool all_fit = fits(query.t_max) && fits(query.separation);
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double x) { all_fit = all_fit && fits(x); });
+    for (const double w : patch.weights) all_fit = all_fit && fits(w);
   }
   return all_fit;
 }

@@ -1,6 +1,7 @@
 #include "case/test_snippet.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -22,9 +23,9 @@ namespace {{
 ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint32_t degree_v,
                          std::uint64_t count, const double (*positions)[3],
                          const double (*velocities)[3], const double (*ends)[3] = nullptr,
-                         double radius = 0) {{
+                         const double* weights = nullptr, double radius = 0) {{
   return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count,
-          positions,             velocities, ends, radius}};
+          positions, velocities, ends, weights, radius}};
 }}
 
 /// Asks the plug-in that this is linked with, with the patches in the order that it takes.
@@ -104,6 +105,12 @@ std::string points_text(const std::string& name, const Points<double>& points) {
   return out + "};\n";
 }
 
+std::string weights_text(const std::string& name, const std::vector<double>& weights) {
+  std::vector<std::string> numbers;
+  for (const double w : weights) numbers.push_back(to_hex(w));
+  return fmt::format("  const double {}[] = {{{}}};\n", name, fmt::join(numbers, ", "));
+}
+
 std::string check_text(TestFramework framework, const std::string& condition) {
   return fmt::format("  {}({});\n",
                      framework == TestFramework::kGoogleTest ? "EXPECT_TRUE" : "CHECK", condition);
@@ -154,7 +161,8 @@ std::string test_preamble(TestFramework framework) {
 
 std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
   const Case& value = named.value;
-  const Query query = with_velocities(value.query).value_or(value.query);
+  const Query moving = with_velocities(value.query).value_or(value.query);
+  const Query query = without_weights(moving).value_or(moving);
   std::string id = named.id;
   std::replace(id.begin(), id.end(), '\n', ' ');
   std::string out = fmt::format("\n// {}\n// {}\n", id, truth_text(value));
@@ -169,13 +177,18 @@ std::string test_snippet(const NamedCase& named, size_t number, TestFramework fr
     out += points_text("positions_" + letter, patch.positions);
     const std::string moves = (patch.has_ends() ? "ends_" : "velocities_") + letter;
     out += points_text(moves, patch.moves());
+    std::string last = (patch.has_ends() ? "nullptr, " : "") + moves;
+    if (!patch.weights.empty()) {
+      out += weights_text("weights_" + letter, patch.weights);
+      last += (patch.has_ends() ? ", weights_" : ", nullptr, weights_") + letter;
+    }
     const bool is_hull = patch.shape.kind == ShapeKind::kHull;
+    if (is_hull) last += ", nullptr, nullptr, " + to_hex(patch.radius);
     patches += fmt::format(
         "  const ccdfuzz_patch {0} =\n"
-        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5}{6}{7});\n",
+        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5});\n",
         letter, abi_name(patch.shape.kind), is_hull ? 0 : patch.shape.n, patch.shape.m,
-        patch.positions.size(), patch.has_ends() ? "nullptr, " : "", moves,
-        is_hull ? ", nullptr, " + to_hex(patch.radius) : "");
+        patch.positions.size(), last);
   }
   out += patches;
   out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));

@@ -20,9 +20,17 @@ size_t place_of(const Cell& cell) {
 void SubPatches::begin(const Query& query) {
   query_ = &query;
   for (size_t side = 0; side < 2; ++side) {
-    const Shape& shape = query.patches[side].shape;
+    const MovingPatch<double>& patch = query.patches[side];
     kept_[side].parts.fill(0);
-    kept_[side].points.resize(kSplits * static_cast<size_t>(4 * 2 * shape.control_count()));
+    kept_[side].points.resize(kSplits * static_cast<size_t>(4 * 2 * patch.shape.control_count()));
+    if (!patch.is_rational()) continue;
+    Homogeneous& h = homogeneous_[side];
+    h.positions = patch.positions;
+    h.velocities = patch.velocities;
+    const std::vector<double> weights = scaled_weights(patch);
+    multiply(h.positions, weights);
+    multiply(h.velocities, weights);
+    h.weights = h.new_weights = as_points<double>(weights);
   }
 }
 
@@ -31,13 +39,22 @@ void SubPatches::prepare(int side, std::span<const Cell> parts) {
   const auto count = static_cast<size_t>(patch.shape.control_count());
   Kept& kept = kept_[side];
   const size_t place = place_of(parts[0]);
+  const bool is_rational = patch.is_rational();
+  Homogeneous& h = homogeneous_[static_cast<size_t>(side)];
+  const Points<double>& positions = is_rational ? h.positions : patch.positions;
+  const Points<double>& velocities = is_rational ? h.velocities : patch.velocities;
   const bool known = kept.parts[place] >= parts.size() && kept.first[place] == parts[0];
   for (size_t c = 0; c < parts.size(); ++c) {
     Vec3<double>* points = &kept.points[(place * 4 + c) * 2 * count];
     if (!known) {
       const auto corners = parts[c].corners(patch.shape);
-      restrict_to<double>(patch.shape, patch.positions, corners, {points, count});
-      restrict_to<double>(patch.shape, patch.velocities, corners, {points + count, count});
+      restrict_to<double>(patch.shape, positions, corners, {points, count});
+      restrict_to<double>(patch.shape, velocities, corners, {points + count, count});
+      if (is_rational) restrict_to<double>(patch.shape, h.weights, corners, h.new_weights);
+      for (size_t i = 0; is_rational && i < count; ++i) {
+        divide(points[i], h.new_weights[i][0]);
+        divide(points[count + i], h.new_weights[i][0]);
+      }
     }
     parts_[side][c].points = points;
     parts_[side][c].frame_time = std::numeric_limits<double>::quiet_NaN();

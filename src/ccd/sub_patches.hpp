@@ -24,7 +24,8 @@ class SubPatches {
   void begin(const Query& query);
 
   /// Makes the nets of the parts of patch `side`, each from the original control points
-  /// (Appendix A (b)), so that rounding errors do not add up over the levels.
+  /// (Appendix A (b)), so that rounding errors do not add up over the levels. Those of a rational
+  /// patch are made of w·p, w·v and w, as polynomials are, and divided by the new w.
   void prepare(int side, std::span<const Cell> parts);
 
   ControlNet net(int side, int part) const {
@@ -53,12 +54,18 @@ class SubPatches {
     std::vector<Vec3<double>> points;
   };
 
+  /// Positions and velocities times their weights, and the weights, of a rational patch.
+  struct Homogeneous {
+    Points<double> positions, velocities, weights, new_weights;
+  };
+
   const Frame& frame(int side, int part, double t);
 
   AxisReading reading_;
   const Query* query_ = nullptr;
   std::array<std::array<Part, 4>, 2> parts_;
   std::array<Kept, 2> kept_;
+  std::array<Homogeneous, 2> homogeneous_;
 };
 
 }  // namespace ccdfuzz

@@ -89,6 +89,9 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
     if (named.value.query.separation > 0) {
       return input_error(named.id, "has a separation, for which a query CSV has no place");
     }
+    if (is_rational(named.value.query)) {
+      return input_error(named.id, "has weights, for which a query CSV has no place");
+    }
     const auto own = csv_layout_of(named.value.query);
     if (!own) {
       return input_error(named.id,

@@ -27,10 +27,7 @@ Vec3<double> rounded_at(const Moving<Rational>& p, const Rational& t, int factor
 class Differentiator {
  public:
   Differentiator(const MovingPatch<double>& patch, const Uv<Rational>& uv, const Rational& t)
-      : shape_(patch.shape),
-        net_(moving_net<Rational>(patch, [](double x, bool) { return exact(x); })),
-        uv_(uv),
-        t_(t) {}
+      : shape_(patch.shape), net_(moving_net<Rational>(patch)), uv_(uv), t_(t) {}
 
   Derivatives run() { return shape_.kind == ShapeKind::kTriangle ? triangle() : tensor(); }
 
@@ -84,9 +81,9 @@ double Curvature::rms() const {
 
 std::optional<Curvature> curvature_at(const MovingPatch<double>& patch, const Uv<Rational>& uv,
                                       const Rational& t) {
-  if (patch.shape.kind != ShapeKind::kTriangle && patch.shape.kind != ShapeKind::kTensor) {
-    return std::nullopt;
-  }
+  const ShapeKind kind = patch.shape.kind;
+  const bool is_surface = kind == ShapeKind::kTriangle || kind == ShapeKind::kTensor;
+  if (!is_surface || patch.is_rational()) return std::nullopt;
   const auto [su, sv, suu, suv, svv] = Differentiator(patch, uv, t).run();
   const Vec3<double> across = cross(su, sv);
   const double length = std::hypot(across[0], across[1], across[2]);

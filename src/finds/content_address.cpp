@@ -23,10 +23,13 @@ std::string content_address(const Query& query) {
   std::string bytes;
   for (const MovingPatch<double>& patch : query.patches) {
     // Kind and degrees fix the number of coordinates, so that no two queries have equal bytes.
-    bytes += static_cast<char>(patch.shape.kind);
+    constexpr int kHasWeights = 128;
+    bytes += static_cast<char>(static_cast<int>(patch.shape.kind) |
+                               (patch.weights.empty() ? 0 : kHasWeights));
     bytes += static_cast<char>(patch.shape.n);
     bytes += static_cast<char>(patch.shape.m);
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
+    for (const double w : patch.weights) append_bits(bytes, w);
   }
   append_bits(bytes, compare(query.t_max, 0) == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
   if (compare(query.separation, 0) != 0) append_bits(bytes, query.separation);
@@ -47,7 +50,10 @@ CaseSize size_of(const Query& query) {
     lowest = std::min(lowest, parts.top());
     highest = std::max(highest, parts.top());
   };
-  for (const MovingPatch<double>& patch : query.patches) for_each_coordinate(patch, count);
+  for (const MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, count);
+    for (const double w : patch.weights) count(w);
+  }
   count_bits(parts_of(query.t_max));
   count_bits(parts_of(query.separation));
   if (lowest <= highest) size.exponent_spread = highest - lowest;

@@ -1,5 +1,6 @@
 #include "finds/simplify.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -41,6 +42,7 @@ double cut_to(double x, int bits) {
 /// point.
 std::optional<MovingPatch<double>> as_point(const Contact& q, std::size_t side) {
   MovingPatch<double> patch = q.query.patches[side];
+  if (!patch.weights.empty()) return std::nullopt;  // offer_weights takes them away
   const std::vector<Dyadic> weights = q.weights(static_cast<int>(side));
   MovingPatch<double> point{Shape::point(), {{0, 0, 0}}, {}};
   (patch.has_ends() ? point.ends : point.velocities) = {{0, 0, 0}};
@@ -75,9 +77,36 @@ MovingPatch<double> thinned(const MovingPatch<double>& patch, const Shape& to) {
       const auto index = static_cast<std::size_t>(from.index(from_i, from_j));
       out.positions.push_back(patch.positions[index]);
       (patch.has_ends() ? out.ends : out.velocities).push_back(patch.moves()[index]);
+      if (!patch.weights.empty()) out.weights.push_back(patch.weights[index]);
     }
   }
   return out;
+}
+
+/// No weights, or equal ones; powers of two; of few bits.
+void offer_weights(const Contact& q, const Offer& offer) {
+  for (const std::size_t side : kSides) {
+    const auto with = [&](const auto& changed) {
+      Contact next = q;
+      std::vector<double>& weights = next.query.patches[side].weights;
+      changed(weights);
+      return weights == q.query.patches[side].weights || offer(next);
+    };
+    if (q.query.patches[side].weights.empty()) continue;
+    if (with([](auto& weights) { weights.clear(); })) continue;
+    if (with([](auto& weights) { std::ranges::fill(weights, 1); })) continue;
+    for (const int bits : {1, 2, 3, 8}) {
+      const auto cut = [bits](auto& weights) {
+        for (double& w : weights) w = cut_to(w, bits);
+      };
+      if (with(cut)) break;
+    }
+    for (std::size_t i = 0; i < q.query.patches[side].weights.size(); ++i) {
+      for (const double w : {1.0, 2.0, 0.5}) {
+        if (with([&](auto& weights) { weights[i] = w; })) break;
+      }
+    }
+  }
 }
 
 /// Velocities in place of ends, where the motion stays the same.
@@ -114,6 +143,7 @@ void offer_shapes(const Contact& q, const Offer& offer) {
               static_cast<std::size_t>(along_u ? shape.index(i, 0) : shape.index(0, i));
           curve.positions.push_back(patch.positions[index]);
           (patch.has_ends() ? curve.ends : curve.velocities).push_back(patch.moves()[index]);
+          if (!patch.weights.empty()) curve.weights.push_back(patch.weights[index]);
         }
         next.uv[side] = {q.uv[side][along_u ? 0 : 1], Dyadic()};
         if (offer(next)) break;
@@ -302,8 +332,9 @@ Simplicity simplicity_of(const Contact& q) {
     }
     // The number of control points counts, too: fewer are simpler even where they coincide.
     s.different_points += 64 * patch.positions.size() + different.size();
-    // Ends are more than velocities, which every method takes.
+    // Ends and weights are more than velocities, which every method takes.
     s.different_points += patch.has_ends() ? 32 : 0;
+    s.different_points += patch.weights.empty() ? 0 : 32;
   }
   Contact copy = q;
   visit_coordinates(copy, [&](double x) {
@@ -314,6 +345,7 @@ Simplicity simplicity_of(const Contact& q) {
 
 void offer_simpler(const Contact& current, const Offer& offer) {
   offer_velocities(current, offer);
+  offer_weights(current, offer);
   offer_shapes(current, offer);
   offer_wholesale(current, offer);
   offer_separations(current, offer);

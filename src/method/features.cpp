@@ -5,23 +5,32 @@
 namespace ccdfuzz {
 
 TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&query) {
+  const auto& [a, b] = query.patches;
   const bool is_apart = query.separation > 0 && !features.separation;
   const bool is_of_ends = has_ends(query) && !features.ends;
+  const bool is_weighted = !(a.weights.empty() && b.weights.empty()) && !features.weights;
   const bool has_bodies = is_of_bodies(query) && !features.bodies;
-  if ((!is_apart && !is_of_ends && !has_bodies) || !is_valid(query)) return;
+  if ((!is_apart && !is_of_ends && !is_weighted && !has_bodies) || !is_valid(query)) return;
+  const auto refuse = [this](const char* why) {
+    query_ = nullptr;
+    why_ = why;
+  };
+  const auto convert = [&](std::optional<Query> (*to)(const Query&), const char* why) {
+    if (query_ == nullptr) return;
+    std::optional<Query> made = to(*query_);
+    if (!made) return refuse(why);
+    converted_ = std::move(made);
+    query_ = &*converted_;
+  };
   if (is_of_ends) {
-    converted_ = with_velocities(query);
-    query_ = converted_ ? &*converted_ : nullptr;
-    why_ = "takes velocities, and not all ends − positions of this query are doubles";
+    convert(with_velocities,
+            "takes velocities, and not all ends − positions of this query are doubles");
   }
-  if (is_apart) {
-    query_ = nullptr;
-    why_ = "knows touching alone, and this query has a separation";
+  if (is_weighted) {
+    convert(without_weights, "takes patches without weights, and those of this query differ");
   }
-  if (has_bodies) {
-    query_ = nullptr;
-    why_ = kNoBodies;
-  }
+  if (is_apart) refuse("knows touching alone, and this query has a separation");
+  if (has_bodies) refuse(kNoBodies);
 }
 
 }  // namespace ccdfuzz

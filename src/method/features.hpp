@@ -12,14 +12,18 @@ struct Features {
   bool ends = false;
   /// A separation above 0.
   bool separation = false;
+  /// Weights that are not all equal.
+  bool weights = false;
   /// Bodies (ShapeKind::kHull).
   bool bodies = false;
 };
 
-inline constexpr Features kAllFeatures = {.ends = true, .separation = true, .bodies = true};
+inline constexpr Features kAllFeatures = {
+    .ends = true, .separation = true, .weights = true, .bodies = true};
 
-/// Makes of a query one that a method takes: with velocities, where it does not take ends. Where
-/// the query is taken as it is, or is not valid, it is not copied.
+/// Makes of a query one that a method takes: with velocities, where it does not take ends, and
+/// without weights, where it does not take those. Where the query is taken as it is, or is not
+/// valid, it is not copied.
 class TakenQuery {
  public:
   TakenQuery(const Query& query, const Features& features);

@@ -108,21 +108,22 @@ Reading reading_of(const SwitchedSpec& spec, Reading reading) {
 /// A family of TdibmInclusion. policy_of: of a spec.
 template <class Policy>
 Family tdibm_family(MethodInfo info, Result<Policy> (*policy_of)(const SwitchedSpec&)) {
+  const Features features = info.features;
   return {std::move(info),
-          [policy_of](const SwitchedSpec& spec) {
+          [features, policy_of](const SwitchedSpec& spec) {
             return policy_of(spec).and_then([&](const Policy& policy) -> MadeMethod {
               const Reading reading = reading_of(spec, Policy::kReading);
               if (spec.has("unoptimised")) {
-                return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(Features(), policy,
+                return std::make_unique<BuiltIn<UnoptimisedTdibm<Policy>>>(features, policy,
                                                                            reading);
               }
-              return std::make_unique<BuiltIn<Tdibm<Policy>>>(Features(), policy, reading);
+              return std::make_unique<BuiltIn<Tdibm<Policy>>>(features, policy, reading);
             });
           },
-          [policy_of](const SwitchedSpec& spec) {
+          [features, policy_of](const SwitchedSpec& spec) {
             return policy_of(spec).and_then([&](const Policy& policy) -> MadeTracer {
               using Follower = InclusionTracer<TdibmInclusion<Policy>>;
-              return std::make_unique<BuiltInTracer<Follower>>(Features(), policy,
+              return std::make_unique<BuiltInTracer<Follower>>(features, policy,
                                                                reading_of(spec, Policy::kReading));
             });
           }};
@@ -139,13 +140,14 @@ Family traditional_family(MethodInfo info, BoxKind kind) {
   const auto axes_of = [](const SwitchedSpec& spec) {
     return reading_of(spec, {kTraditionalAsReleased}).axes;
   };
+  const Features features = info.features;
   return {std::move(info),
           [=](const SwitchedSpec& spec) -> MadeMethod {
-            return std::make_unique<BuiltIn<Traditional>>(Features(), kind, axes_of(spec));
+            return std::make_unique<BuiltIn<Traditional>>(features, kind, axes_of(spec));
           },
           [=](const SwitchedSpec& spec) -> MadeTracer {
             using Follower = InclusionTracer<TraditionalInclusion>;
-            return std::make_unique<BuiltInTracer<Follower>>(Features(), kind, axes_of(spec));
+            return std::make_unique<BuiltInTracer<Follower>>(features, kind, axes_of(spec));
           }};
 }
 
@@ -158,23 +160,29 @@ const std::vector<Family>& families() {
   std::vector<std::string> pulled = released;
   pulled.emplace_back("absolute");
   const std::vector<std::string> bounded = {"unoptimised", "unit-axes", "count-pairs"};
+  // Sub-patches with their weights divided out are as good as others, but the error bounds of the
+  // paper are those of polynomials.
+  constexpr Features kDivided = {.weights = true};
+  constexpr Features kOfPatches = {.ends = true, .separation = true, .weights = true};
   static const std::vector<Family> all = {
       traditional_family(
           {"trad",
            kSnyder,
            "inclusion in time and parameters, oriented boxes, as Chen et al. have it",
            false,
-           {"unit-axes"}},
+           {"unit-axes"},
+           kDivided},
           BoxKind::kOriented),
-      traditional_family({"trad:aabb", kSnyder, "the same with axis-aligned boxes", false},
-                         BoxKind::kAxisAligned),
+      traditional_family(
+          {"trad:aabb", kSnyder, "the same with axis-aligned boxes", false, {}, kDivided},
+          BoxKind::kAxisAligned),
       tdibm_family<Plain>(
           {"tdibm", kChen, "time-dependent inclusion in floating point, without guard", false,
-           released},
+           released, kDivided},
           [](const SwitchedSpec&) -> Result<Plain> { return Plain(); }),
       tdibm_family<PullApart>(
           {"tdibm-h:F", kChen, "tdibm with its envelopes pulled apart by F times each intercept",
-           false, pulled},
+           false, pulled, kDivided},
           [](const SwitchedSpec& spec) {
             return parse_pull_apart(spec.spec).map([&](double factor) {
               return PullApart(factor,
@@ -195,13 +203,13 @@ const std::vector<Family>& families() {
            "tdibm decided in exact arithmetic, rounded only outward",
            true,
            {},
-           {.ends = true, .separation = true}}),
+           kOfPatches}),
       family<TdibmC, CertifiedTracer>({"tdibm-c",
                                        "src/ccd/certified/DERIVATION.md",
                                        "ours: separation certified at both ends of a window",
                                        true,
                                        {},
-                                       {.ends = true, .separation = true}}),
+                                       kOfPatches}),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
           {"oracle",

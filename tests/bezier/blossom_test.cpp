@@ -1,6 +1,8 @@
 #include "bezier/blossom.hpp"
 
 #include "bezier/random_patch.hpp"
+#include "bezier/restrict.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -75,6 +77,25 @@ RC_GTEST_PROP(Blossom, IsSymmetricAndAffineInEachArgument, ()) {
   const Vec3<Dyadic> at_mid = value();
   if (shape.kind == ShapeKind::kTensor) return;  // affine in u and in v apart, not in both at once
   for (int k = 0; k < 3; ++k) RC_ASSERT(at_mid[k] == (at_p[k] + at_q[k]).scaled(-1));
+}
+
+TEST(RationalPatch, OfWeightsOneOneTwoIsAQuarterCircle) {
+  const MovingPatch<Rational> arc{Shape::curve(2),
+                                  {{1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                  {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+                                  {},
+                                  {1, 1, 2}};
+  const std::array<Uv<Rational>, 3> corners = {{{Rational(1, 4), 0}, {Rational(1, 2), 0}, {0, 0}}};
+  const MovingPatch<Rational> part = restrict_to(arc, corners);
+  for (int i = 0; i <= 16; ++i) {
+    const Rational u = Rational(i) / 16;
+    const Vec3<Rational> p = evaluate<Rational>(arc, {u, 0}, 3);
+    EXPECT_EQ(p[0] * p[0] + p[1] * p[1], 1);
+    EXPECT_EQ(p[0] * (1 + u * u), 1 - u * u);
+    EXPECT_EQ(p[2], 3);
+    EXPECT_EQ(evaluate<Rational>(part, {u, 0}, 3),
+              evaluate<Rational>(arc, {Rational((1 + u) / 4), 0}, 3));
+  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ NamedCase falling_ball() {
   NamedCase named;
   named.id = "ball.json";
   Query& query = named.value.query;
-  query.patches[0] = {Shape::hull(1), {{-4, 3, 0.5}}, {{0, -1, 0}}, {}, 1};
+  query.patches[0] = {Shape::hull(1), {{-4, 3, 0.5}}, {{0, -1, 0}}, {}, {}, 1};
   Points<double> corners;
   for (const double x : {-5., 5.}) {
     for (const double y : {-1., 1.}) {

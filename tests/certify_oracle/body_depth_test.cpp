@@ -19,7 +19,7 @@ MovingPatch<double> box(const Vec3<double>& low, const Vec3<double>& high,
 }
 
 MovingPatch<double> ball(const Vec3<double>& centre, double radius, const Vec3<double>& velocity) {
-  return {Shape::hull(1), {centre}, {velocity}, {}, radius};
+  return {Shape::hull(1), {centre}, {velocity}, {}, {}, radius};
 }
 
 void expect_depth(const Query& query, double until, double depth) {

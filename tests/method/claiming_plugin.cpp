@@ -55,6 +55,9 @@ struct Claiming {
     const bool has_ends = query.patch(0).raw.ends != nullptr;
     if (has_ends == (query.patch(0).raw.velocities != nullptr)) throw std::logic_error("not one");
     if (has_ends) answer.verdict = CCDFUZZ_HIT;
+    const bool has_weights = query.patch(0).raw.weights != nullptr;
+    if (has_weights && query.patch(0).weight(0) != 1) throw std::logic_error("another weight");
+    if (has_weights) answer.verdict = CCDFUZZ_HIT;
     answer.toi_lower = number("toi", 0);
     if (answer.toi_lower > query.t_max()) answer.toi_lower = query.t_max();
     answer.tolerance = number("achieved", ccd::kUnknown);

@@ -90,6 +90,20 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   }
 }
 
+TEST(PluginClaims, WeightsAreAskedOfWhomTakesThem) {
+  Case known = meeting_at(0.5, 1);
+  MovingPatch<double>& edge = known.query.patches[0];
+  edge.shape = Shape::curve(1);
+  edge.positions.push_back(edge.positions[0]);
+  edge.velocities.push_back(edge.velocities[0]);
+  // Its answer to weights is a hit at 0. Equal ones are none.
+  edge.weights = {1, 1};
+  EXPECT_EQ(outcome_of(kMiss, known), "missed");
+  edge.weights = {1, 2};
+  EXPECT_EQ(outcome_of(kMiss, known), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=38", known), "correct");
+}
+
 TEST(PluginClaims, AnOpenEndBindsNot) {
   EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");

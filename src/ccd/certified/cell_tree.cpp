@@ -21,9 +21,11 @@ const MidpointProgram& program_for(const Shape& shape) {
 
 }  // namespace
 
-void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> controls) {
+void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> controls,
+                     std::span<const double> weights) {
   if (program_ == nullptr || !(shape == shape_)) program_ = &program_for(shape);
   shape_ = shape;
+  is_rational_ = !weights.empty();
   stride_ = static_cast<size_t>(kPerPoint) * controls.size();
   slots_.resize(stride_ + static_cast<size_t>(kPerPoint) * program_->steps.size());
   values_.reset(stride_);
@@ -35,13 +37,14 @@ void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> 
   made_ = 1;
   *nodes_[0] = {};
   double* net = values_[0];
-  for (const std::array<double, 6>& p : controls) {
+  for (size_t i = 0; i < controls.size(); ++i, net += kPerPoint) {
+    const double weight = is_rational_ ? weights[i] : 1;
     for (size_t k = 0; k < 3; ++k) {
-      net[k] = p[k];
-      net[k + 4] = p[k + 3];
+      net[k] = weight * controls[i][k];
+      net[k + 4] = weight * controls[i][k + 3];
     }
-    net[3] = net[7] = 0;
-    net += kPerPoint;
+    net[kWeightPlace] = is_rational_ ? weight : 0;
+    net[7] = 0;
   }
 }
 

@@ -13,13 +13,15 @@ namespace ccdfuzz::certified {
 
 /// The sub-patches of one moving patch, each made once by midpoint subdivision of its parent and
 /// kept. A net stores each control point in kPerPoint places: position x, y, z, 0, velocity x, y,
-/// z, 0.
+/// z, 0; of a rational patch all times its weight w, and w in place of the first 0.
 class CellTree {
  public:
   using Node = std::uint32_t;
 
-  /// Starts again with a patch's control points as node 0; keeps the memory.
-  void reset(const Shape& shape, std::span<const std::array<double, 6>> controls);
+  /// Starts again with a patch's control points as node 0; keeps the memory. weights: one for each,
+  /// or none.
+  void reset(const Shape& shape, std::span<const std::array<double, 6>> controls,
+             std::span<const double> weights = {});
 
   /// First of shape.child_count() consecutive children. A point is its own child.
   Node children(Node parent);
@@ -31,8 +33,12 @@ class CellTree {
   const Shape& shape() const { return shape_; }
   /// Control points of a net.
   int count() const { return static_cast<int>(stride_) / kPerPoint; }
-  /// Roundings behind each control point of a node at this depth.
-  int roundings(int depth) const { return program_->roundings * depth; }
+  /// Roundings behind each control point of a node at this depth. A rational patch has those of
+  /// numerator and weight, of the first product and of the quotient.
+  int roundings(int depth) const {
+    const int averages = program_->roundings * depth;
+    return is_rational_ ? 2 * averages + 2 : averages;
+  }
   /// Bytes of all nodes, and of the memory that is held for them.
   size_t bytes() const { return made_ * (stride_ * sizeof(double) + sizeof(Entry)); }
   size_t held() const { return values_.held() + nodes_.held(); }
@@ -58,6 +64,7 @@ class CellTree {
   };
 
   Shape shape_;
+  bool is_rational_ = false;
   const MidpointProgram* program_ = nullptr;
   size_t stride_ = 1;
   size_t made_ = 0;            ///< nodes

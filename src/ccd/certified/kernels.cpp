@@ -59,6 +59,49 @@ struct GapVectors {
   std::memcpy(to + 4, &v, sizeof v);
 }
 
+/// p + t·v, over the weight in p's last place if there is one, which then is 0 again.
+template <bool kRational>
+[[gnu::always_inline]] inline void place_at(const Vector& p, const Vector& v, double t,
+                                            Vector& at) {
+  at = p + v * t;
+  if constexpr (kRational) {
+    at /= p[kWeightPlace];
+    at[kWeightPlace] = 0;
+  }
+}
+
+/// As take_snapshot; without ranges where they are a null pointer.
+template <bool kRational>
+[[gnu::always_inline]] inline void snapshot_inline(const double* net, int count, double t0,
+                                                   double t1, double* out, RangeBatch* ranges) {
+  Vector min_lo{}, max_lo{}, min_hi{}, max_hi{};
+  for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
+    Vector p, v;
+    std::memcpy(&p, net, sizeof p);
+    std::memcpy(&v, net + 4, sizeof v);
+    Vector at_t0, at_t1;
+    place_at<kRational>(p, v, t0, at_t0);
+    place_at<kRational>(p, v, t1, at_t1);
+    std::memcpy(out, &at_t0, sizeof p);
+    std::memcpy(out + 4, &at_t1, sizeof p);
+    if (ranges == nullptr) continue;
+    if (i == 0) {
+      min_lo = max_lo = at_t0;
+      min_hi = max_hi = at_t1;
+      continue;
+    }
+    min_lo = at_t0 < min_lo ? at_t0 : min_lo;
+    max_lo = at_t0 > max_lo ? at_t0 : max_lo;
+    min_hi = at_t1 < min_hi ? at_t1 : min_hi;
+    max_hi = at_t1 > max_hi ? at_t1 : max_hi;
+  }
+  if (ranges == nullptr) return;
+  std::memcpy(ranges->min_lo.data(), &min_lo, sizeof min_lo);
+  std::memcpy(ranges->max_lo.data(), &max_lo, sizeof max_lo);
+  std::memcpy(ranges->min_hi.data(), &min_hi, sizeof min_hi);
+  std::memcpy(ranges->max_hi.data(), &max_hi, sizeof max_hi);
+}
+
 [[gnu::always_inline]] inline void project_inline(const Snapshot& snapshot, const AxisBatch& axes,
                                                   RangeBatch& out) {
   Vector l0, l1, l2;
@@ -137,41 +180,15 @@ struct GapVectors {
 
 CCDFUZZ_FOR_EACH_CPU
 void take_snapshot(const double* net, int count, double t0, double t1, double* out) {
-  for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
-    Vector p, v;
-    std::memcpy(&p, net, sizeof p);
-    std::memcpy(&v, net + 4, sizeof v);
-    const Vector at_t0 = p + v * t0, at_t1 = p + v * t1;
-    std::memcpy(out, &at_t0, sizeof p);
-    std::memcpy(out + 4, &at_t1, sizeof p);
-  }
+  if (net[kWeightPlace] != 0) return snapshot_inline<true>(net, count, t0, t1, out, nullptr);
+  snapshot_inline<false>(net, count, t0, t1, out, nullptr);
 }
 
 CCDFUZZ_FOR_EACH_CPU
 void take_snapshot(const double* net, int count, double t0, double t1, double* out,
                    RangeBatch& ranges) {
-  Vector min_lo{}, max_lo{}, min_hi{}, max_hi{};
-  for (int i = 0; i < count; ++i, net += kPerPoint, out += kPerPoint) {
-    Vector p, v;
-    std::memcpy(&p, net, sizeof p);
-    std::memcpy(&v, net + 4, sizeof v);
-    const Vector at_t0 = p + v * t0, at_t1 = p + v * t1;
-    std::memcpy(out, &at_t0, sizeof p);
-    std::memcpy(out + 4, &at_t1, sizeof p);
-    if (i == 0) {
-      min_lo = max_lo = at_t0;
-      min_hi = max_hi = at_t1;
-      continue;
-    }
-    min_lo = at_t0 < min_lo ? at_t0 : min_lo;
-    max_lo = at_t0 > max_lo ? at_t0 : max_lo;
-    min_hi = at_t1 < min_hi ? at_t1 : min_hi;
-    max_hi = at_t1 > max_hi ? at_t1 : max_hi;
-  }
-  std::memcpy(ranges.min_lo.data(), &min_lo, sizeof min_lo);
-  std::memcpy(ranges.max_lo.data(), &max_lo, sizeof max_lo);
-  std::memcpy(ranges.min_hi.data(), &min_hi, sizeof min_hi);
-  std::memcpy(ranges.max_hi.data(), &max_hi, sizeof max_hi);
+  if (net[kWeightPlace] != 0) return snapshot_inline<true>(net, count, t0, t1, out, &ranges);
+  snapshot_inline<false>(net, count, t0, t1, out, &ranges);
 }
 
 CCDFUZZ_FOR_EACH_CPU

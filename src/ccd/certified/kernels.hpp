@@ -34,8 +34,10 @@ struct Bounds {
   [[no_unique_address]] Basis made_from;
 };
 
-/// Places of a control point in a net or a snapshot: two vectors x, y, z, 0.
+/// Places of a control point in a net or a snapshot: two vectors x, y, z, 0. In a net of a rational
+/// patch the fourth place is the weight w of w·x, w·y, w·z; in other nets, and for velocities, 0.
 inline constexpr int kPerPoint = 8;
+inline constexpr int kWeightPlace = 3;
 
 /// The control points of a net at both ends of a window: of each, its place at the start and at the
 /// end.
@@ -48,7 +50,8 @@ struct Snapshot {
 };
 
 /// p + t·v of every control point at t0 and t1, product rounded first. net: of each control point
-/// its position, then its velocity. out: kPerPoint·count places, as in Snapshot.
+/// its position, then its velocity. out: kPerPoint·count places, as in Snapshot. The weight of
+/// a rational patch divides the sum.
 void take_snapshot(const double* net, int count, double t0, double t1, double* out);
 
 /// The same, and the extents on the coordinate axes in the first three lanes; zeros in the last.

@@ -76,6 +76,17 @@ Uv<double> uv_of(double of_b, double of_c) {
   return {of_c, of_c > 1 - v ? next_down(v) : v};
 }
 
+/// Weights of control points 1 and 2 of a rational patch of degree 1 at the point where x are those
+/// of the patch without weights: in proportion to x/w.
+std::array<double, 2> with_weights(const std::array<double, 2>& x,
+                                   const std::vector<double>& weights) {
+  if (weights.empty()) return x;
+  const double first = std::max(0.0, (1 - x[0]) - x[1]) / weights[0], second = x[0] / weights[1],
+               third = weights.size() < 3 ? 0 : x[1] / weights[2];
+  const double sum = (first + second) + third;
+  return sum > 0 ? std::array{second / sum, third / sum} : x;
+}
+
 class Advancing {
  public:
   explicit Advancing(const NormalisedQuery& query)
@@ -213,13 +224,15 @@ std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, doubl
   const Axis a = differences.at(0, t), b = differences.at(1, t), c = differences.at(2, t);
   std::array<Uv<double>, 2> uv{};
   if (differences.is_face) {
-    const auto [of_b, of_c] = nearest_of_face(a, b, c);
-    uv[static_cast<size_t>(differences.face_side)] = uv_of(of_b, of_c);
+    const auto side = static_cast<size_t>(differences.face_side);
+    const auto [of_b, of_c] = with_weights(nearest_of_face(a, b, c), query.weights[side]);
+    uv[side] = uv_of(of_b, of_c);
     return uv;
   }
   const std::array<double, 2> nearest = nearest_of_edges(a, minus(b, a), minus(a, c));
   for (size_t s = 0; s < 2; ++s) {
-    if (query.shapes[s].kind == ShapeKind::kCurve) uv[s][0] = nearest[s];
+    if (query.shapes[s].kind != ShapeKind::kCurve) continue;
+    uv[s][0] = with_weights({nearest[s], 0}, query.weights[s])[0];
   }
   return uv;
 }

@@ -96,6 +96,9 @@ void centre_ends(Controls& controls, const std::array<bool, 2>& has_ends, int sh
 }  // namespace
 
 void normalise(const Query& query, NormalisedQuery& out) {
+  for (size_t s = 0; s < 2; ++s) {
+    out.weights[s] = scaled_weights(query.patches[s], &out.weight_shift[s]);
+  }
   ExponentRange positions, velocities;
   std::array<bool, 2> has_ends{};
   for (size_t s = 0; s < 2; ++s) {

@@ -26,6 +26,10 @@ struct NormalisedQuery {
   std::array<Shape, 2> shapes;
   /// Component k = 0..2 of position i at [side][i][k], of velocity at [side][i][k + 3].
   std::array<std::vector<std::array<double, 6>>, 2> controls;
+  /// The weights of a rational patch times 2^weight_shift, exactly; the largest is in [1, 2). Other
+  /// patches have none.
+  std::array<std::vector<double>, 2> weights;
+  std::array<int, 2> weight_shift{};
   double t_max = 0;
   int time = 0;   ///< t = t'·2^time
   int space = 0;  ///< lengths are scaled by 2^space

@@ -7,7 +7,11 @@ CornerFrame::CornerFrame(const CellTree& tree, CellTree::Node node, double t) {
   const double* net = tree.net(node);
   build(tree.shape(), [&](int i) {
     const double* x = net + kPerPoint * i;
-    return Axis{x[0] + t * x[4], x[1] + t * x[5], x[2] + t * x[6]};
+    Axis p{x[0] + t * x[4], x[1] + t * x[5], x[2] + t * x[6]};
+    if (const double weight = x[kWeightPlace]; weight != 0) {
+      for (double& coordinate : p) coordinate /= weight;
+    }
+    return p;
   });
 }
 

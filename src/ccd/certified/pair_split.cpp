@@ -52,7 +52,8 @@ void set_axis(AxisBatch& batch, size_t lane, const Axis& l) {
 void PairSplit::begin(const Query& query, int finest) {
   finest_ = finest;
   normalise(query, query_);
-  for (int s = 0; s < 2; ++s) trees_[s].reset(query_.shapes[s], query_.controls[s]);
+  for (int s = 0; s < 2; ++s)
+    trees_[s].reset(query_.shapes[s], query_.controls[s], query_.weights[s]);
   coordinate_.first = 0;
   coordinate_.axes = {};
   for (int k = 0; k < 3; ++k)
@@ -197,7 +198,8 @@ bool PairSplit::narrow_by_own_axes(int a, int b, ExclusionObserver* observer, Ce
     seen.window = w;
     for (int s = 0; s < 2; ++s) {
       take_snapshot(nets.net[s], nets.count[s], w.lo, w.hi, values_[s].data());
-      CCDFUZZ_ASSERT(values_[s][4] == nets.net[s][0] + w.hi * nets.net[s][4]);
+      CCDFUZZ_ASSERT(!query_.weights[static_cast<size_t>(s)].empty() ||
+                     values_[s][4] == nets.net[s][0] + w.hi * nets.net[s][4]);
       seen.nets[s] = {values_[s].data(), nets.count[s], provenance(s, kept.cells[s], w)};
     }
   };

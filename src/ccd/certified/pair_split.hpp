@@ -91,7 +91,9 @@ class PairSplit {
   Node node(int side, int child) const { return children_[side].first + static_cast<Node>(child); }
   Provenance provenance(int side, Node cell, const Window& window) const {
     const Shape& shape = query_.shapes[static_cast<size_t>(side)];
-    return {window, (shape.n + shape.m) * trees_[side].depth(cell)};
+    const int averages = (shape.n + shape.m) * trees_[side].depth(cell);
+    return {window,
+            query_.weights[static_cast<size_t>(side)].empty() ? averages : 2 * averages + 2};
   }
   Snapshot snapshot(int side, int child) const {
     return {children_[side].values[child].data(), trees_[side].count(),

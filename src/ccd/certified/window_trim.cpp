@@ -12,6 +12,10 @@ HeightLines::HeightLines(const NetPair& nets, const Axis& axis) {
     for (int i = 0; i < nets.count[s]; ++i, p += kPerPoint) {
       intercepts_[s][i] = (p[0] * axis[0] + p[1] * axis[1]) + p[2] * axis[2];
       slopes_[s][i] = (p[4] * axis[0] + p[5] * axis[1]) + p[6] * axis[2];
+      if (const double weight = p[kWeightPlace]; weight != 0) {
+        intercepts_[s][i] /= weight;
+        slopes_[s][i] /= weight;
+      }
     }
   }
 }

@@ -22,23 +22,28 @@ size_t hash(const Cell& cell) {
 }  // namespace
 
 void CellPointsCache::begin(const Shape& shape, const Points<double>& positions,
-                            const Points<double>& velocities) {
+                            const Points<double>& velocities, const std::vector<double>& weights) {
   if (!program_ || !(shape == shape_)) program_.emplace(shape);
   shape_ = shape;
   width_ = padded(shape.control_count());
   positions_ = positions;
   velocities_ = velocities;
+  weights_ = as_points<double>(weights);
+  multiply(positions_, weights);
+  multiply(velocities_, weights);
   part_.resize(positions.size());
   controls_.resize(positions.size() + program_->steps.size());
   slots_.fill({});
   points_.resize(kSlots * kFamily * 6 * static_cast<size_t>(width_));
 }
 
-int CellPointsCache::roundings(const Shape& shape) {
+int CellPointsCache::roundings(const Shape& shape, bool is_rational) {
   // From scratch, a blossom step sums three products for a triangle and two else. The averages of
   // the midpoint split round once each, one for every argument of the blossom.
   const int steps = shape.n + shape.m;
-  return (shape.kind == ShapeKind::kTriangle ? 3 : 2) * steps + steps;
+  const int of_polynomial = (shape.kind == ShapeKind::kTriangle ? 3 : 2) * steps + steps;
+  // Those of numerator and weight, the product with the weight and the quotient.
+  return is_rational ? 2 * of_polynomial + 2 : of_polynomial;
 }
 
 CellPoints CellPointsCache::family(std::span<const Cell> parts) {
@@ -58,7 +63,10 @@ void CellPointsCache::store(const Place& place, double* out) const {
   const int count = shape_.control_count();
   for (int i = 0; i < width_; ++i) {
     const Control& c = controls_[static_cast<size_t>(place(std::min(i, count - 1)))];
-    for (int k = 0; k < 6; ++k) out[k * width_ + i] = c[static_cast<size_t>(k)];
+    for (int k = 0; k < 6; ++k) {
+      const double number = c[static_cast<size_t>(k)];
+      out[k * width_ + i] = weights_.empty() ? number : number / c[6];
+    }
   }
 }
 
@@ -72,11 +80,13 @@ void CellPointsCache::fill(std::span<const Cell> parts, double* out) {
   CCDFUZZ_ASSERT(root || parent.child(shape_, 0) == first);
 
   const std::array<Uv<double>, 3> corners = parent.corners(shape_);
-  for (Eigen::Index half : {0, 3}) {
-    restrict_to<double>(shape_, half == 0 ? positions_ : velocities_, corners, part_);
+  const std::array<const Points<double>*, 3> nets = {&positions_, &velocities_, &weights_};
+  const size_t numbers = weights_.empty() ? 6 : 7;
+  for (size_t from = 0; from < numbers; from += 3) {
+    restrict_to<double>(shape_, *nets[from / 3], corners, part_);
     for (size_t i = 0; i < part_.size(); ++i) {
-      for (Eigen::Index k = 0; k < 3; ++k)
-        controls_[i][static_cast<size_t>(half + k)] = part_[i][k];
+      for (size_t k = from; k < std::min(from + 3, numbers); ++k)
+        controls_[i][k] = part_[i][static_cast<Eigen::Index>(k - from)];
     }
   }
   if (root) return store([](int i) { return i; }, out);
@@ -85,7 +95,7 @@ void CellPointsCache::fill(std::span<const Cell> parts, double* out) {
   for (const auto& [left, right] : program_->steps) {
     const Control &l = controls_[static_cast<size_t>(left)],
                   &r = controls_[static_cast<size_t>(right)];
-    for (size_t k = 0; k < 6; ++k) (*next)[k] = 0.5 * (l[k] + r[k]);
+    for (size_t k = 0; k < numbers; ++k) (*next)[k] = 0.5 * (l[k] + r[k]);
     ++next;
   }
   for (const std::vector<int>& places : program_->children) {

@@ -34,10 +34,13 @@ constexpr int padded(int n) {
 /// a size.
 ///
 /// Rounding: the parent is restrict_to<double> of the whole patch, its children are averages of
-/// averages; roundings() bounds how many lie behind a control point.
+/// averages; roundings() bounds how many lie behind a control point. Both of a rational patch are
+/// made of w·p, w·v and w, and the w of a control point then divides.
 class CellPointsCache {
  public:
-  void begin(const Shape& shape, const Points<double>& positions, const Points<double>& velocities);
+  /// weights: one a control point, the largest in [1, 2); or none.
+  void begin(const Shape& shape, const Points<double>& positions, const Points<double>& velocities,
+             const std::vector<double>& weights = {});
 
   /// The control points of the children of one cell (or of the root alone). Valid until the next
   /// call.
@@ -48,7 +51,7 @@ class CellPointsCache {
     return {family.data + std::ptrdiff_t{6} * family.width * c, family.count, family.width};
   }
 
-  static int roundings(const Shape& shape);
+  static int roundings(const Shape& shape, bool is_rational = false);
 
  private:
   static constexpr size_t kSlots = 128;
@@ -57,7 +60,7 @@ class CellPointsCache {
     Cell first;
     size_t size = 0;  ///< 0: empty
   };
-  using Control = std::array<double, 6>;  ///< position, velocity
+  using Control = std::array<double, 7>;  ///< position, velocity, and of a rational patch weight
 
   void fill(std::span<const Cell> parts, double* out);
   template <class Place>
@@ -65,7 +68,7 @@ class CellPointsCache {
 
   Shape shape_;
   int width_ = 0;
-  Points<double> positions_, velocities_, part_;
+  Points<double> positions_, velocities_, weights_, part_;
   std::optional<certified::MidpointProgram> program_;
   std::vector<Control> controls_;  ///< as the program numbers them
   std::array<Slot, kSlots> slots_;

@@ -30,7 +30,8 @@ inline Integer integer_in<Integer>(const DoubleParts& parts, int unit) {
 
 /// One query in integers of type Int (a WideInt, or Integer for any size), and the exact sign of
 /// the gap of two cells along an axis at a time.
-/// Int must hold Units::bits_needed bits for every predicate asked.
+/// Int must hold Units::bits_needed bits for every predicate asked; of rational patches it is
+/// Integer.
 template <class Int>
 class ExactScene {
  public:
@@ -40,6 +41,8 @@ class ExactScene {
   /// Allocates only when the query has more control points than any before.
   void load(const Query& query, const Units& units) {
     units_ = units;
+    is_rational_ = is_rational(query);
+    CCDFUZZ_VERIFY(!is_rational_ || kHoldsAll);
     separation_ = integer_in<Int>(parts_of(query.separation), units.length);
     for (size_t side = 0; side < 2; ++side) {
       const MovingPatch<double>& patch = query.patches[side];
@@ -48,6 +51,7 @@ class ExactScene {
       const size_t count = patch.positions.size();
       s.position.resize(count);
       s.velocity.resize(count);
+      s.weight.assign(count, {Int(1), Int(0), Int(0)});
       for (Part& part : s.parts) {
         part.cell.depth = kNoDepth;
         if (part.points.size() < count) part.points.resize(count);
@@ -63,6 +67,7 @@ class ExactScene {
           s.velocity[i][k] -= integer_in<Int>(parts_of(patch.positions[i][at]), unit);
         }
       }
+      if constexpr (kHoldsAll) multiply(s, patch);
     }
   }
 
@@ -74,22 +79,21 @@ class ExactScene {
   int gap_sign(int below, const std::array<Cell, 2>& cells, const Axis& axis, double t,
                const std::array<std::span<const std::uint8_t>, 2>& candidates) {
     const auto lower = static_cast<size_t>(below), upper = 1 - lower;
-    Int max = extreme(lower, true, cells[lower], axis, t, candidates[lower]);
-    Int min = extreme(upper, false, cells[upper], axis, t, candidates[upper]);
+    auto [max, weight_of_max] = extreme(lower, true, cells[lower], axis, t, candidates[lower]);
+    auto [min, weight_of_min] = extreme(upper, false, cells[upper], axis, t, candidates[upper]);
     const int depth = cells[0].depth;
+    if constexpr (kHoldsAll) {
+      if (is_rational_) {
+        const Int n = product(max, weight_of_min), m = product(min, weight_of_max);
+        return sign_of_gap(n, m, product(separation_, product(weight_of_min, weight_of_max)), axis);
+      }
+    }
     const int steps = blossom_steps(sides_[lower].shape) - blossom_steps(sides_[upper].shape);
     if (steps < 0) max = shift(max, -steps * depth);
     if (steps > 0) min = shift(min, steps * depth);
-    if (separation_ == Int(0)) return max < min ? -1 : max > min ? 1 : 0;
-    if (!(max < min)) return 1;
-    // h + d·|l|_2 with h < 0 has the sign of d²·|l|² − h².
     const int most =
         std::max(blossom_steps(sides_[lower].shape), blossom_steps(sides_[upper].shape));
-    const Int d = shift(separation_, most * depth), h = min - max;
-    std::int64_t norm_squared = 0;
-    for (const std::int64_t x : axis.l) norm_squared += x * x;
-    work_ += 4 * words_of(h);
-    return sign_of_difference(d, norm_squared, h);
+    return sign_of_gap(max, min, shift(separation_, most * depth), axis);
   }
 
  private:
@@ -97,9 +101,18 @@ class ExactScene {
   /// Parameters as integers over 2^depth.
   using IntegerUv = std::array<std::int64_t, 2>;
 
-  /// A control point of a cell, times 2^(depth·blossom_steps).
+  static constexpr bool kHoldsAll = std::is_same_v<Int, Integer>;
+
+  /// A control point of a cell, times 2^(depth·blossom_steps), and its weight times the same, which
+  /// is 1 of a polynomial patch; asked for where a patch is rational.
   struct MovingPoint {
     Vector position, velocity;
+    Int weight;
+  };
+
+  /// A height times a weight, and the weight.
+  struct Height {
+    Int value, weight;
   };
 
   /// The control points of a cell that some predicate needed.
@@ -113,7 +126,7 @@ class ExactScene {
 
   struct Side {
     Shape shape;
-    std::vector<Vector> position, velocity;
+    std::vector<Vector> position, velocity, weight;  ///< weights have a first coordinate
     /// Those asked of last: as many as a split has children, each of which meets all of the other
     /// side's, on many axes.
     std::array<Part, 4> parts;
@@ -139,6 +152,45 @@ class ExactScene {
       return (a * a * factor - b * b).sign();
     }
   }
+  /// The control points of a rational patch, homogeneous: of weights, a multiple that is whole.
+  void multiply(Side& s, const MovingPatch<double>& patch) {
+    if (!patch.is_rational()) return;
+    int unit = parts_of(patch.weights[0]).exponent;
+    for (const double w : patch.weights) unit = std::min(unit, parts_of(w).exponent);
+    for (size_t i = 0; i < patch.weights.size(); ++i) {
+      const Int weight = s.weight[i][0] = integer_in<Int>(parts_of(patch.weights[i]), unit);
+      for (size_t k = 0; k < 3; ++k) s.position[i][k] *= weight, s.velocity[i][k] *= weight;
+    }
+  }
+
+  /// x·y of numbers that have as many words as they need.
+  Int product(const Int& x, const Int& y) {
+    work_ += words_of(x) * mpz_size(y.get_mpz_t());
+    return Int(x * y);
+  }
+
+  /// The sign of max − min + d·|l|_2.
+  int sign_of_gap(const Int& max, const Int& min, const Int& d, const Axis& axis) {
+    if (separation_ == Int(0)) return max < min ? -1 : max > min ? 1 : 0;
+    if (!(max < min)) return 1;
+    // h + d·|l|_2 with h < 0 has the sign of d²·|l|² − h².
+    const Int h = min - max;
+    std::int64_t norm_squared = 0;
+    for (const std::int64_t x : axis.l) norm_squared += x * x;
+    work_ += 4 * words_of(h);
+    return sign_of_difference(d, norm_squared, h);
+  }
+
+  bool is_beyond(const Height& a, const Height& b, bool above) {
+    if constexpr (kHoldsAll) {
+      if (is_rational_) {
+        const Int left = product(a.value, b.weight), right = product(b.value, a.weight);
+        return above ? left > right : left < right;
+      }
+    }
+    return above ? a.value > b.value : a.value < b.value;
+  }
+
   static Int shift(const Int& x, int by) {
     if constexpr (std::is_same_v<Int, Integer>) {
       return Int(x << static_cast<mp_bitcnt_t>(by));
@@ -182,18 +234,19 @@ class ExactScene {
       out.position[k] = control(side.shape, side.position, k, part, i, j);
       out.velocity[k] = control(side.shape, side.velocity, k, part, i, j);
     }
+    if (is_rational_) out.weight = control(side.shape, side.weight, 0, part, i, j);
     return out;
   }
 
-  Int extreme(size_t which, bool maximum, const Cell& cell, const Axis& axis, double t,
-              std::span<const std::uint8_t> candidates) {
+  Height extreme(size_t which, bool maximum, const Cell& cell, const Axis& axis, double t,
+                 std::span<const std::uint8_t> candidates) {
     const DoubleParts parts = parts_of(t);
     CCDFUZZ_ASSERT(parts.mantissa == 0 || parts.exponent >= units_.time);
     const std::int64_t time =
         parts.mantissa == 0 ? 0 : parts.mantissa << (parts.exponent - units_.time);
     Side& side = sides_[which];
     Part& part = part_of(side, cell);
-    Int best(0);
+    Height best{Int(0), Int(1)};
     bool any = false;
     const Shape& shape = side.shape;
     const int rows = shape.kind == ShapeKind::kPoint ? 0 : shape.n;
@@ -202,11 +255,11 @@ class ExactScene {
       for (int j = 0; j <= columns; ++j) {
         if (candidates[static_cast<size_t>(shape.index(i, j))] == 0) continue;
         const MovingPoint& p = point(side, part, i, j);
-        Int value(0);
+        Height height{Int(0), p.weight};
         for (size_t k = 0; k < 3; ++k) {
-          value += times(p.position[k] + times(p.velocity[k], time), axis.l[k]);
+          height.value += times(p.position[k] + times(p.velocity[k], time), axis.l[k]);
         }
-        if (!any || (maximum ? value > best : value < best)) best = value;
+        if (!any || is_beyond(height, best, maximum)) best = height;
         any = true;
       }
     }
@@ -236,6 +289,7 @@ class ExactScene {
   }
 
   Units units_;
+  bool is_rational_ = false;
   Int separation_ = Int(0);
   std::array<Side, 2> sides_;
   std::vector<Int> net_;

@@ -69,6 +69,9 @@ int top_of(double m) {
 // velocities; |l|_1 ≥ 1). K + 8 in place of gamma's K + 7 exceeds it by the factor 1 + 1/71, which
 // covers 1/(1 − 71u) and the three roundings of the bound itself; where 2·(K+8)·u·M would itself
 // underflow, it is less than eta, and 256 eta in place of 140 eta covers it.
+// A rational patch has weights of [2^-60, 2), and K is that of numerator and weight and 2 more: the
+// product w·p rounds once, all weights are positive, so gamma_K of the new weight is relative, and
+// the quotient rounds once. What underflows is divided by a weight: 2^60 times as much.
 void Gap::begin(const Query& query) {
   query_ = &query;
   units_ = Units::of(query);
@@ -103,15 +106,17 @@ void Gap::begin(const Query& query) {
     }
     m_position = std::max(m_position, max_magnitude(positions_));
     m_velocity = std::max(m_velocity, max_magnitude(velocities_));
-    roundings = std::max(roundings, CellPointsCache::roundings(patch.shape));
-    cache_[side].begin(patch.shape, positions_, velocities_);
+    roundings = std::max(roundings, CellPointsCache::roundings(patch.shape, patch.is_rational()));
+    cache_[side].begin(patch.shape, positions_, velocities_, scaled_weights(patch));
   }
   if (has_ends(query)) roundings += 2;
   if (query.separation > 0) ++roundings;  // of the sum with it
   separation_ = std::ldexp(query.separation, length_shift_);
   constexpr double u = std::numeric_limits<double>::epsilon() / 2;
   constexpr double eta = std::numeric_limits<double>::denorm_min();
-  error_per_norm_ = 2 * (roundings + 8) * u * (m_position + m_velocity) + 256 * eta;
+  is_rational_ = is_rational(query);
+  const double absolute = is_rational_ ? std::ldexp(256 * eta, kWeightBits) : 256 * eta;
+  error_per_norm_ = 2 * (roundings + 8) * u * (m_position + m_velocity) + absolute;
 }
 
 void Gap::prepare(int side, std::span<const Cell> parts) {
@@ -209,6 +214,7 @@ int Gap::exact_sign(int below, double t, const Extremes& at) {
     exact_work_ += scene.work() - before;
     return sign;
   };
+  if (is_rational_) return ask.operator()<Integer>(counts_.gmp);
   const int bits = units_.bits_needed(axis_bits_, cells_[0].depth);
   if (bits <= 128) return ask.operator()<WideInt<128>>(counts_.int128);
   if (bits <= 256) return ask.operator()<WideInt<256>>(counts_.int256);

@@ -98,6 +98,7 @@ class Gap {
   };
 
   const Query* query_ = nullptr;
+  bool is_rational_ = false;
   Units units_;
   Points<double> positions_, velocities_, starts_;  ///< one side's, normalised; for begin() alone
   std::array<CellPointsCache, 2> cache_;

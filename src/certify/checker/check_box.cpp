@@ -67,7 +67,8 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
   if (determinant(inverse).sign() == 0) return refuse_box("inverse: is singular");
 
   std::array<Dyadic, 3> remainder;
-  for (const TaylorTerm<Dyadic>& term : taylor_terms<Dyadic>(query, box, 3 * kMaxDegree, &work)) {
+  for (const TaylorTerm<Dyadic>& term :
+       taylor_terms<Dyadic>(query, box, kMostTaylorDegree, &work)) {
     Dyadic size(1);
     for (size_t i = 0; i < 3; ++i) {
       for (int p = 0; p < term.power[i]; ++p) size *= rho[i];

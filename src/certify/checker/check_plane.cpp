@@ -30,9 +30,9 @@ void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
   constexpr std::uint64_t kOperations = 64;
   constexpr std::uint64_t kDouble = 18;      // words of a double as a fraction
   constexpr std::uint64_t kDifference = 51;  // of two: 2,099 bits over 1,075
-  const bool has_ends = query.patches[0].has_ends() || query.patches[1].has_ends();
-  std::uint64_t words =
-      kDouble + (has_ends ? kDifference : kDouble) + words_of(plane.until) + words_of(plane.offset);
+  std::uint64_t words = kDouble + (has_ends(query) ? kDifference : kDouble) +
+                        (is_rational(query) ? kDouble : 0) + words_of(plane.until) +
+                        words_of(plane.offset);
   for (const Rational& n : plane.normal) words += words_of(n);
   const std::uint64_t points =
       query.patches[0].positions.size() + query.patches[1].positions.size();
@@ -54,6 +54,8 @@ Result<void> check_within(const Query& query, const MovingPlane& plane, Work& wo
     std::vector<Rational> heights = along(plane.normal, patch.at(plane.until));
     for (Rational& h : heights)
       h = s == 0 ? Rational(h - plane.offset) : Rational(plane.offset - h);
+    // With weights > 0 the height is ≥ 0 where its numerator is, the sum of these times B.
+    for (size_t i = 0; i < patch.weights.size(); ++i) heights[i] *= patch.weights[i];
     if (!is_nonnegative(patch.shape, heights)) {
       return refuse_plane(
           fmt::format("patches[{}] is not known to be on its side of the plane", s));

@@ -26,7 +26,7 @@ struct Part {
 /// pre-order needs; the family stays as long as no other part of its parent's depth is split.
 class Parts {
  public:
-  explicit Parts(Work& work) : polar_(&work) {}
+  Parts(Work& work, bool rational) : polar_(&work, rational) {}
 
   void load(const Shape& shape, MovingNet<Integer> net) {
     shape_ = shape;
@@ -104,13 +104,18 @@ class Walk {
  public:
   /// With until = a/b and every double a multiple of 2^unit, b·kTimeSteps·position·2^-unit and
   /// a·velocity·2^-unit are integers P and V, and P + m·V is a positive multiple of the control
-  /// point at time m. The separation is a multiple as positions are.
+  /// point at time m. The separation is a multiple as positions are. Where a patch is rational P
+  /// and V are times the weight, itself a multiple that is an integer, and it divides at the end.
   Walk(const Query& query, const Rational& until, std::string_view tree, Work& work)
-      : work_(work), reader_(tree), sides_{Parts(work), Parts(work)} {
-    int unit = 0;
+      : work_(work),
+        reader_(tree),
+        is_rational_(is_rational(query)),
+        sides_{Parts(work, is_rational_), Parts(work, is_rational_)} {
+    int unit = 0, unit_of_weights = 0;
+    const auto note = [](int& least, double x) { least = std::min(least, parts_of(x).exponent); };
     for (const MovingPatch<double>& patch : query.patches) {
-      moving_net<int>(patch,
-                      [&](double x, bool) { return unit = std::min(unit, parts_of(x).exponent); });
+      for_each_coordinate(patch, [&](double x) { note(unit, x); });
+      for (const double w : patch.weights) note(unit_of_weights, w);
     }
     unit = std::min(unit, parts_of(query.separation).exponent);
     separation_ = integer_of(query.separation, unit) * until.get_den() * Integer(kTimeSteps);
@@ -120,7 +125,9 @@ class Walk {
         return velocity ? Integer(value * until.get_num())
                         : Integer(value * until.get_den() * Integer(kTimeSteps));
       };
-      sides_[s].load(query.patches[s].shape, moving_net<Integer>(query.patches[s], integer));
+      const auto weight = [&](double w) { return integer_of(w, unit_of_weights); };
+      sides_[s].load(query.patches[s].shape,
+                     moving_net<Integer>(query.patches[s], integer, weight));
     }
   }
 
@@ -170,16 +177,27 @@ class Walk {
   /// separation times |l|.
   bool separates(const TreeAxis& axis, const Part& a, const Part& b, std::uint64_t lo,
                  std::uint64_t hi) {
-    extremes(axis, a, lo, hi, 1, max_);
-    extremes(axis, b, lo, hi, -1, min_);
+    extremes(axis, a, lo, hi, 1, max_, weight_of_max_);
+    extremes(axis, b, lo, hi, -1, min_, weight_of_min_);
     const int up_a = sides_[1].steps() * b.depth, up_b = sides_[0].steps() * a.depth;
     for (size_t end = 0; end < 2; ++end) {
-      if (up_a > up_b) max_[end] <<= static_cast<mp_bitcnt_t>(up_a - up_b);
-      if (up_b > up_a) min_[end] <<= static_cast<mp_bitcnt_t>(up_b - up_a);
+      if (is_rational_) {  // n/w < m/v iff n·v < m·w
+        multiply(max_[end], weight_of_min_[end]);
+        multiply(min_[end], weight_of_max_[end]);
+      } else {
+        if (up_a > up_b) max_[end] <<= static_cast<mp_bitcnt_t>(up_a - up_b);
+        if (up_b > up_a) min_[end] <<= static_cast<mp_bitcnt_t>(up_b - up_a);
+      }
       if (max_[end] >= min_[end]) return false;
       if (separation_ == 0) continue;
       // (min − max)² > d²·|l|², all in the units of the parts.
-      value_ = separation_ << static_cast<mp_bitcnt_t>(std::max(up_a, up_b));
+      value_ = separation_;
+      if (is_rational_) {
+        multiply(value_, weight_of_max_[end]);
+        multiply(value_, weight_of_min_[end]);
+      } else {
+        value_ <<= static_cast<mp_bitcnt_t>(std::max(up_a, up_b));
+      }
       position_ = min_[end] - max_[end];
       work_.charge(product_work(value_, value_) + product_work(position_, position_));
       velocity_ = 0;
@@ -198,12 +216,26 @@ class Walk {
     return value;
   }
 
-  /// The largest (sign 1) or smallest (sign −1) l·(P + m·V) at m = lo and m = hi.
+  void multiply(Integer& x, const Integer& by) {
+    work_.charge(product_work(x, by));
+    x *= by;
+  }
+
+  /// The order of value_/weight and of x/w.
+  int compare_value(const Integer& weight, const Integer& x, const Integer& w) {
+    if (!is_rational_) return cmp(value_, x);
+    left_ = value_, right_ = x;
+    multiply(left_, w);
+    multiply(right_, weight);
+    return cmp(left_, right_);
+  }
+
+  /// The largest (sign 1) or smallest (sign −1) l·(P + m·V) at m = lo and m = hi, over its weight.
   void extremes(const TreeAxis& axis, const Part& part, std::uint64_t lo, std::uint64_t hi,
-                int sign, std::array<Integer, 2>& out) {
+                int sign, std::array<Integer, 2>& out, std::array<Integer, 2>& weight) {
     bool first = true;
     for (const Moving<Integer>& p : *part.net) {
-      for (const Integer& x : p) work_.charge(2 * product_work(x, 1.0));
+      for (const Integer& x : std::span(p).first<kWeight>()) work_.charge(2 * product_work(x, 1.0));
       position_ = 0, velocity_ = 0;
       for (size_t k = 0; k < 3; ++k) {
         add_product(position_, p[k], axis[k]);
@@ -212,7 +244,9 @@ class Walk {
       for (const size_t end : {size_t{0}, size_t{1}}) {
         value_ = position_;
         mpz_addmul_ui(value_.get_mpz_t(), velocity_.get_mpz_t(), end == 0 ? lo : hi);
-        if (first || (sign > 0 ? value_ > out[end] : value_ < out[end])) out[end] = value_;
+        if (!first && compare_value(p[kWeight], out[end], weight[end]) * sign <= 0) continue;
+        out[end] = value_;
+        if (is_rational_) weight[end] = p[kWeight];
       }
       first = false;
     }
@@ -225,10 +259,12 @@ class Walk {
 
   Work& work_;
   TreeReader reader_;
+  bool is_rational_;
   std::array<Parts, 2> sides_;
   std::uint64_t nodes_ = 0;
   Integer separation_;  ///< as positions are
-  std::array<Integer, 2> max_, min_;
+  std::array<Integer, 2> max_, min_, weight_of_max_, weight_of_min_;
+  Integer left_, right_;
   Integer position_, velocity_, value_;
 };
 

@@ -25,10 +25,15 @@ Vec3<Rational> point_at(const MovingPatch<double>& patch, const Uv<Rational>& uv
       triangle ? Weights<Rational>{rest, u, v} : Weights<Rational>{rest_u, u, zero});
   const std::vector<Weights<Rational>> second(static_cast<size_t>(patch.shape.m),
                                               Weights<Rational>{rest_v, v, zero});
-  const auto net = moving_net<Rational>(patch, [](double x, bool) { return exact(x); });
-  Polar<Rational> polar(&work);
-  const Moving<Rational>& at = polar(patch.shape, net, {first, second});
-  return {Rational(at[0] + t * at[3]), Rational(at[1] + t * at[4]), Rational(at[2] + t * at[5])};
+  Polar<Rational> polar(&work, patch.is_rational());
+  const Moving<Rational>& at = polar(patch.shape, moving_net<Rational>(patch), {first, second});
+  Vec3<Rational> point(at[0] + t * at[3], at[1] + t * at[4], at[2] + t * at[5]);
+  if (!patch.is_rational()) return point;
+  for (Rational& x : point) {
+    work.charge(fraction_work(words_of(x) + words_of(at[kWeight])));
+    x /= at[kWeight];
+  }
+  return point;
 }
 
 }  // namespace

@@ -6,12 +6,15 @@
 
 #include "bezier/patch.hpp"
 #include "certify/checker/work.hpp"
+#include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
 
-/// A control point that moves: its position x, y, z, then its velocity.
+/// A control point that moves: its position x, y, z, its velocity, and its weight. A rational
+/// patch has homogeneous ones: the weight is multiplied into the others.
 template <class S>
-using Moving = std::array<S, 6>;
+using Moving = std::array<S, 7>;
+inline constexpr size_t kWeight = 6;
 
 template <class S>
 using MovingNet = std::vector<Moving<S>>;
@@ -32,8 +35,10 @@ struct PolarArguments {
 template <class S>
 class Polar {
  public:
-  /// work, if given, is charged for all that is done, and outlives this.
-  explicit Polar(Work* work = nullptr) : work_(work) {}
+  /// work, if given, is charged for all that is done, and outlives this. rational: makes weights,
+  /// too; otherwise the result has none.
+  explicit Polar(Work* work = nullptr, bool rational = false)
+      : work_(work), places_(rational ? kWeight + 1 : kWeight) {}
 
   /// net: shape.control_count() control points in Shape's order. Valid until the next call.
   const Moving<S>& operator()(const Shape& shape, const MovingNet<S>& net,
@@ -74,7 +79,7 @@ class Polar {
     for (size_t c = 0; c < 3; ++c) {
       if (from[c] < 0 || weights[c] == 0) continue;
       const Moving<S>& p = net_[from[c]];
-      for (size_t k = 0; k < 6; ++k) {
+      for (size_t k = 0; k < places_; ++k) {
         if (work_ != nullptr) work_->charge(product_work(weights[c], p[k]));
         sum_[k] += weights[c] * p[k];
       }
@@ -83,14 +88,17 @@ class Polar {
   }
 
   Work* work_;
+  size_t places_;
   MovingNet<S> net_;
   Moving<S> sum_;
 };
 
 /// The control points of a patch. convert(x, moves) is x in S: of a position, or where `moves` of a
-/// velocity or of what is subtracted to make one. It is linear in x.
-template <class S, class Convert>
-MovingNet<S> moving_net(const MovingPatch<double>& patch, const Convert& convert) {
+/// velocity or of what is subtracted to make one. It is linear in x. weigh(w): the weight in S, of
+/// a rational patch; any positive multiple that is the same for all.
+template <class S, class Convert, class Weigh>
+MovingNet<S> moving_net(const MovingPatch<double>& patch, const Convert& convert,
+                        const Weigh& weigh) {
   MovingNet<S> net(patch.positions.size());
   for (size_t i = 0; i < net.size(); ++i) {
     for (size_t k = 0; k < 3; ++k) {
@@ -101,8 +109,20 @@ MovingNet<S> moving_net(const MovingPatch<double>& patch, const Convert& convert
         net[i][k + 3] = convert(patch.velocities[i][k], true);
       }
     }
+    net[i][kWeight] = 1;
+  }
+  if (!patch.is_rational()) return net;
+  for (size_t i = 0; i < net.size(); ++i) {
+    for (S& x : net[i]) x *= weigh(patch.weights[i]);
   }
   return net;
+}
+
+/// The same in numbers that hold all doubles.
+template <class S>
+MovingNet<S> moving_net(const MovingPatch<double>& patch) {
+  return moving_net<S>(
+      patch, [](double x, bool) { return from_double<S>(x); }, from_double<S>);
 }
 
 }  // namespace ccdfuzz

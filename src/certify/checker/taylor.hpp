@@ -52,14 +52,34 @@ std::vector<Weights<S>> arguments(int degree, const Weights<S>& at, int count,
   return out;
 }
 
+/// coefficient · Π δ_i^power_i of w·S and of w, homogeneous, of one patch.
+template <class S>
+struct PatchTerm {
+  Vec3<S> numerator;
+  S weight;
+  std::array<int, 3> power{};
+};
+
+template <class S>
+S product_of(const S& a, const S& b, Work* work) {
+  if (work != nullptr) work->charge(product_work(a, b));
+  return S(a * b);
+}
+
 }  // namespace taylor_detail
 
-/// The expansion of S1 − S2 about the centre of a contact box in its varied unknowns, the others
-/// fixed; all terms up to max_degree. The blossom is multilinear, so the coefficient of x^i y^j is
-/// the blossom at i directions along x, j along y and the centre for the rest, times a multinomial.
+/// No expansion has a higher degree: two parameters of each patch, of numerator or weight, and the
+/// time.
+inline constexpr int kMostTaylorDegree = 4 * kMaxDegree + 1;
+
+/// The expansion about the centre of a contact box in its varied unknowns, the others fixed, of
+/// S1 − S2; or where a patch is rational, S = N/w, of w2·N1 − w1·N2, which has the same zeros as
+/// w1·w2 > 0. All terms up to max_degree. The blossom is multilinear, so the coefficient of x^i y^j
+/// is the blossom at i directions along x, j along y and the centre for the rest, times a
+/// multinomial.
 template <class S>
 std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& box,
-                                        int max_degree = 3 * kMaxDegree, Work* work = nullptr) {
+                                        int max_degree = kMostTaylorDegree, Work* work = nullptr) {
   using namespace taylor_detail;
   /// Place of an unknown among the varied ones, or −1.
   const auto place = [&](int unknown) {
@@ -77,12 +97,13 @@ std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& bo
     }
     terms.push_back({value, power});
   };
-  Polar<S> polar(work);
+  const bool rational = is_rational(query);
+  Polar<S> polar(work, rational);
+  std::array<std::vector<PatchTerm<S>>, 2> of_patch;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<double>& patch = query.patches[s];
     const Shape& shape = patch.shape;
-    const MovingNet<S> net = moving_net<S>(patch, [](double x, bool) { return from_double<S>(x); });
-    const S sign(s == 0 ? 1 : -1);
+    const MovingNet<S> net = moving_net<S>(patch);
     const int px = place(static_cast<int>(2 * s)), py = place(static_cast<int>(2 * s + 1));
     const S x = from_double<S>(box.centre[2 * s]), y = from_double<S>(box.centre[2 * s + 1]);
     const bool triangle = shape.kind == ShapeKind::kTriangle;
@@ -101,17 +122,36 @@ std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& bo
           second = arguments<S>(shape.m, {S(1) - y, y, S(0)}, j, along);
         }
         const Moving<S>& b = polar(shape, net, {first, second});
-        const S factor = sign * binomial<S>(shape.n, i) * binomial<S>(degree_y, j);
+        const S factor = binomial<S>(shape.n, i) * binomial<S>(degree_y, j);
         std::array<int, 3> power{};
         if (px >= 0) power[static_cast<size_t>(px)] = i;
         if (py >= 0) power[static_cast<size_t>(py)] = j;
-        add(power, Vec3<S>(factor * (b[0] + time * b[3]), factor * (b[1] + time * b[4]),
-                           factor * (b[2] + time * b[5])));
+        of_patch[s].push_back({Vec3<S>(factor * (b[0] + time * b[3]), factor * (b[1] + time * b[4]),
+                                       factor * (b[2] + time * b[5])),
+                               S(factor * b[kWeight]), power});
         if (time_place >= 0 && i + j < max_degree) {
           ++power[static_cast<size_t>(time_place)];
-          add(power, Vec3<S>(factor * b[3], factor * b[4], factor * b[5]));
+          of_patch[s].push_back(
+              {Vec3<S>(factor * b[3], factor * b[4], factor * b[5]), S(0), power});
         }
       }
+    }
+  }
+  if (!rational) {
+    for (const PatchTerm<S>& term : of_patch[0]) add(term.power, term.numerator);
+    for (const PatchTerm<S>& term : of_patch[1]) add(term.power, -term.numerator);
+    return terms;
+  }
+  for (const PatchTerm<S>& a : of_patch[0]) {
+    for (const PatchTerm<S>& b : of_patch[1]) {
+      TaylorTerm<S> both;
+      for (size_t k = 0; k < 3; ++k) both.power[k] = a.power[k] + b.power[k];
+      if (both.degree() > max_degree) continue;
+      for (int k = 0; k < 3; ++k) {
+        both.coefficient[k] = product_of(a.numerator[k], b.weight, work);
+        both.coefficient[k] -= product_of(b.numerator[k], a.weight, work);
+      }
+      add(both.power, both.coefficient);
     }
   }
   return terms;

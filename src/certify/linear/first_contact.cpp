@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/verify.hpp"
+#include "bezier/bernstein.hpp"
 #include "bezier/exact_patch.hpp"
 #include "certify/linear/origin_in_triangle.hpp"
 
@@ -102,6 +103,7 @@ std::array<Uv<Rational>, 2> parameters_at(const Patches& patches, const Corners&
       const int place = corners[c][s];
       if (place > 0) uv[s][is_triangle && place == 1 ? 1 : 0] += weights[c];
     }
+    uv[s] = parameters_with_weights(patches[s], uv[s]);
   }
   return uv;
 }

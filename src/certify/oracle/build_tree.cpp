@@ -38,7 +38,11 @@ RangePair extents(const double* net, int count, const Axis& l, double t0, double
   RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}, {{t0, t1}, 0}};
   for (int i = 0; i < count; ++i, net += kPerPoint) {
     const auto along = [&](const double* x) { return (l[0] * x[0] + l[1] * x[1]) + l[2] * x[2]; };
-    const double position = along(net), velocity = along(net + 4);
+    double position = along(net), velocity = along(net + 4);
+    if (const double weight = net[kWeightPlace]; weight != 0) {
+      position /= weight;
+      velocity /= weight;
+    }
     const double x0 = velocity * t0 + position, x1 = velocity * t1 + position;
     r.at_lo = {std::min(r.at_lo.min, x0), std::max(r.at_lo.max, x0)};
     r.at_hi = {std::min(r.at_hi.min, x1), std::max(r.at_hi.max, x1)};
@@ -68,7 +72,8 @@ class Builder {
     horizon.t_max = round_up(until);
     normalise(horizon, query_);
     until_ = query_.t_max;
-    for (int s = 0; s < 2; ++s) trees_[s].reset(query_.shapes[s], query_.controls[s]);
+    for (int s = 0; s < 2; ++s)
+      trees_[s].reset(query_.shapes[s], query_.controls[s], query_.weights[s]);
   }
 
   std::optional<std::string> run() {

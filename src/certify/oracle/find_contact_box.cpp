@@ -109,6 +109,7 @@ Query scaled_query(const certified::NormalisedQuery& normalised) {
       out.patches[s].positions.push_back({c[0], c[1], c[2]});
       out.patches[s].velocities.push_back({c[3], c[4], c[5]});
     }
+    out.patches[s].weights = normalised.weights[s];
   }
   out.t_max = normalised.t_max;
   return out;
@@ -163,7 +164,10 @@ std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& 
         ContactBox box = start;
         box.radius.fill(std::ldexp(1.0, exponent));
         if (!has_room(scaled, box, box.radius[0])) break;
-        box = unscaled(box, normalised.time, normalised.space);
+        // The checker expands w2·N1 − w1·N2, which scales with space and both weights.
+        const int scale =
+            normalised.space + normalised.weight_shift[0] + normalised.weight_shift[1];
+        box = unscaled(box, normalised.time, scale);
         bool finite = true;
         for (size_t i = 0; i < 3; ++i) {
           finite = finite && box.radius[i] > 0;

@@ -19,14 +19,14 @@ Vector value_at(const Moving<Rational>& p, const Rational& t) {
 }
 
 /// The derivatives of a patch at a point along its parameters and, for a triangle, along u − v.
+/// Those of N/w are (N'·w − N·w')/w², of which the numerator has the direction.
 std::vector<Vector> tangents(const MovingPatch<double>& patch, const Uv<Rational>& uv,
                              const Rational& t) {
   const Shape& shape = patch.shape;
-  const MovingNet<Rational> net =
-      moving_net<Rational>(patch, [](double x, bool) { return exact(x); });
-  Polar<Rational> polar;
+  const MovingNet<Rational> net = moving_net<Rational>(patch);
+  Polar<Rational> polar(nullptr, patch.is_rational());
   std::vector<Vector> out;
-  const auto add = [&](const Weights<Rational>* first, const Weights<Rational>* second) {
+  const auto value = [&](const Weights<Rational>* first, const Weights<Rational>* second) {
     const bool triangle = shape.kind == ShapeKind::kTriangle;
     const Weights<Rational> at = triangle
                                      ? Weights<Rational>{Rational(1 - uv[0] - uv[1]), uv[0], uv[1]}
@@ -35,7 +35,17 @@ std::vector<Vector> tangents(const MovingPatch<double>& patch, const Uv<Rational
         v(static_cast<size_t>(shape.m), {Rational(1 - uv[1]), uv[1], 0});
     if (first != nullptr) u[0] = *first;
     if (second != nullptr) v[0] = *second;
-    out.push_back(value_at(polar(shape, net, {u, v}), t));
+    return polar(shape, net, {u, v});
+  };
+  const Moving<Rational> here = value(nullptr, nullptr);
+  const auto add = [&](const Weights<Rational>* first, const Weights<Rational>* second) {
+    const Moving<Rational> along = value(first, second);
+    out.push_back(value_at(along, t));
+    if (!patch.is_rational()) return;
+    const Vector point = value_at(here, t);
+    for (int k = 0; k < 3; ++k) {
+      out.back()[k] = out.back()[k] * here[kWeight] - point[k] * along[kWeight];
+    }
   };
   const Weights<Rational> along = {-1, 1, 0}, along_v = {-1, 0, 1}, across = {0, 1, -1};
   if (shape.kind != ShapeKind::kPoint) add(&along, nullptr);
@@ -53,7 +63,7 @@ std::optional<MovingPlane> find_plane(const Query& query, const Witness& witness
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
     tangent[s] = tangents(query.patches[s], witness.uv[s], witness.t);
-    velocity[s] = evaluate<Rational>(patch.shape, patch.velocities, witness.uv[s]);
+    velocity[s] = evaluate<Rational>(patch.shape, patch.velocities, patch.weights, witness.uv[s]);
     if (s == 0) contact = evaluate<Rational>(patch, witness.uv[s], witness.t);
   }
   const Vector approach = velocity[0] - velocity[1];

@@ -77,8 +77,8 @@ std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rat
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
     const std::array<Vec3<Rational>, 2> at = {
-        evaluate<Rational>(patch.shape, patch.positions, uv[s]),
-        evaluate<Rational>(patch.shape, patch.velocities, uv[s])};
+        evaluate<Rational>(patch.shape, patch.positions, patch.weights, uv[s]),
+        evaluate<Rational>(patch.shape, patch.velocities, patch.weights, uv[s])};
     for (size_t d = 0; d < 2; ++d) {
       for (int k = 0; k < 3; ++k) {
         offset[d][k] = s == 0 ? at[d][k] : Rational(offset[d][k] - at[d][k]);

@@ -51,6 +51,11 @@ typedef struct ccdfuzz_patch {
    * always for a plug-in that does not claim CCDFUZZ_TAKES_ENDS: ends are asked of it as velocities
    * where these are doubles, and not at all where they are not. */
   const double (*ends)[3];
+  /* `count` weights > 0, fixed in time: the patch is rational, its point the sum of weight times
+   * Bernstein polynomial times control point, over the sum of weight times Bernstein polynomial.
+   * NULL otherwise, and always for a plug-in that does not claim CCDFUZZ_TAKES_WEIGHTS: it is not
+   * asked of patches whose weights differ. */
+  const double* weights;
   double radius; /* >= 0; of a hull, else 0 */
 } ccdfuzz_patch;
 
@@ -97,6 +102,7 @@ enum {
   CCDFUZZ_CONTACT_AT_ZERO = 4,   /* sees a contact at t = 0, too */
   CCDFUZZ_TAKES_ENDS = 8,        /* answers patches with `ends` */
   CCDFUZZ_TAKES_SEPARATION = 16, /* answers queries with a `separation` above 0 */
+  CCDFUZZ_TAKES_WEIGHTS = 32,    /* answers patches with `weights` */
   CCDFUZZ_TAKES_BODIES = 64      /* answers queries of two bodies (CCDFUZZ_HULL) */
 };
 

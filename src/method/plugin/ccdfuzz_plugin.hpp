@@ -35,6 +35,7 @@ struct Patch {
     if (raw.ends != nullptr) return p + t * (raw.ends[i][k] - p);
     return p + t * raw.velocities[raw.shape == CCDFUZZ_HULL ? 0 : i][k];
   }
+  double weight(std::size_t i) const { return raw.weights != nullptr ? raw.weights[i] : 1; }
 };
 
 struct Query {

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/json_write.hpp"
+#include "base/fields.hpp"
 #include "method/plugin/line_values.hpp"
 
 namespace ccdfuzz {
@@ -37,6 +37,7 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   append_points(out, "positions", patch.positions);
   patch.has_ends() ? append_points(out, "ends", patch.ends)
                    : append_points(out, "velocities", patch.velocities);
+  if (!patch.weights.empty()) out += ",\"weights\":" + to_json(patch.weights);
   if (shape.kind == ShapeKind::kHull) {
     out += fmt::format(",\"radius\":{}", json_number(patch.radius));
   }
@@ -88,6 +89,7 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
       .and_then([&] { return read_flag(object, "takes_ends", out.features.ends); })
       .and_then([&] { return read_flag(object, "takes_separation", out.features.separation); })
+      .and_then([&] { return read_flag(object, "takes_weights", out.features.weights); })
       .and_then([&] { return read_flag(object, "takes_bodies", out.features.bodies); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })

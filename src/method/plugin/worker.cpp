@@ -187,6 +187,7 @@ class Plugin {
             {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
             {"takes_ends", (d.claims & CCDFUZZ_TAKES_ENDS) != 0},
             {"takes_separation", (d.claims & CCDFUZZ_TAKES_SEPARATION) != 0},
+            {"takes_weights", (d.claims & CCDFUZZ_TAKES_WEIGHTS) != 0},
             {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
@@ -206,6 +207,7 @@ class Plugin {
     query.max_seconds = asked.at("max_seconds").get<double>();
     query.separation = asked.value("separation", 0.0);
     const auto points_before = points_;
+    const auto weights_before = weights_;
 
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     Fenced<ccdfuzz_answer> out;
@@ -224,6 +226,7 @@ class Plugin {
         fault("sizes", "wrote into the query");
       }
     }
+    if (weights_ != weights_before) fault("sizes", "wrote into the query");
     a.message[sizeof a.message - 1] = '\0';
     if (status != 0 || a.verdict == CCDFUZZ_ERROR) {
       return {{"verdict", "error"},
@@ -283,12 +286,15 @@ class Plugin {
     out.radius = patch.value("radius", 0.0);
     out.positions = reinterpret_cast<const double(*)[3]>(positions.data());
     (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
+    weights_[side] = patch.value("weights", std::vector<double>());
+    if (!weights_[side].empty()) out.weights = weights_[side].data();
   }
 
   const ccdfuzz_plugin* table_ = nullptr;
   void* state_ = nullptr;
   std::array<ccdfuzz_patch, 2> patches_{};
   std::array<Coordinates, 4> points_;
+  std::array<std::vector<double>, 2> weights_;
 };
 
 /// The questions come on a descriptor that the plug-in does not know; what it prints goes to

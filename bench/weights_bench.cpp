@@ -1,0 +1,62 @@
+// What weights cost tdibm-c: the same queries with weights and without. With equal weights they are
+// the same queries. With one weight that is the next float they are nearly the same patches, which
+// the rational arithmetic searches.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bench/ratio.hpp"
+#include "generators/generate.hpp"
+#include "method/method.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr std::uint64_t kWeightedCases = 8;
+
+void compare_weights(benchmark::State& state, ContactClass contact, double first_weight) {
+  std::vector<Query> plain, weighted;
+  for (std::uint64_t i = 0; i < kWeightedCases; ++i) {
+    for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
+      GeneratorOptions options;
+      options.contact = contact;
+      options.kind = kind;
+      options.construction = Construction::kOneSided;
+      options.seed = 1;
+      plain.push_back(generate(options, i).value.query);
+      weighted.push_back(plain.back());
+      for (MovingPatch<double>& patch : weighted.back().patches) {
+        patch.weights.assign(patch.positions.size(), 1);
+        patch.weights[0] = first_weight;
+      }
+    }
+  }
+  const auto a = make_method("tdibm-c"), b = make_method("tdibm-c");
+  Ratio ratio;
+  std::uint64_t pops_of_first = 0, pops_of_second = 0;
+  for ([[maybe_unused]] const auto _ : state) {
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      ratio.first([&] { pops_of_first += (*a)->answer(weighted[i], {}).pops; });
+      ratio.second([&] { pops_of_second += (*b)->answer(plain[i], {}).pops; });
+    }
+  }
+  ratio.report(state, "weights", "none");
+  state.counters["pops"] = static_cast<double>(pops_of_first) / static_cast<double>(pops_of_second);
+}
+
+const bool kWeightsRegistered = [] {
+  for (const ContactClass contact : kContactClasses) {
+    const std::string name = fmt::format("{}/tdibm-c/weights", name_of(contact));
+    benchmark::RegisterBenchmark((name + "/equal").c_str(), compare_weights, contact, 1.0)
+        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + "/rational").c_str(), compare_weights, contact,
+                                 std::nextafter(1.0, 2.0))
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace ccdfuzz

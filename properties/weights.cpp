@@ -1,0 +1,420 @@
+#include <cmath>
+
+#include "bezier/bernstein.hpp"
+#include "bezier/exact_patch.hpp"
+#include "bezier/restrict.hpp"
+#include "case/case_json.hpp"
+#include "ccd/certified/cell_tree.hpp"
+#include "ccd/certified/kernels.hpp"
+#include "ccd/certified/normalise.hpp"
+#include "ccd/certified/window_trim.hpp"
+#include "certify/checker/check_plane.hpp"
+#include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+#include "certify/oracle/build_tree.hpp"
+#include "certify/oracle/find_plane.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "fuzz/mutator/case_bytes.hpp"
+#include "generators/draw_patch.hpp"
+#include "method/method.hpp"
+#include "properties/draw_linear.hpp"
+#include "properties/draw_weighted.hpp"
+#include "properties/no_false_negative.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+Case draw_weighted_case(Draw& d) {
+  return case_of(draw_weighted_contact(d));
+}
+
+/// Σ w·B·(p + t·v) / Σ w·B, term by term.
+Vec3<Rational> rational_point(const MovingPatch<double>& given, const Uv<Rational>& uv,
+                              const Rational& t) {
+  const MovingPatch<Rational> patch = exact_patch<Rational>(given);
+  const std::vector<Rational> weights = bernstein_weights<Rational>(patch.shape, uv);
+  const Points<Rational> points = patch.at(t);
+  Rational sum = 0;
+  Vec3<Rational> numerator(0, 0, 0);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    const Rational w = patch.weights.empty() ? weights[i] : Rational(weights[i] * patch.weights[i]);
+    sum += w;
+    for (int k = 0; k < 3; ++k) numerator[k] += w * points[i][k];
+  }
+  for (int k = 0; k < 3; ++k) numerator[k] /= sum;
+  return numerator;
+}
+
+void check_meaning(Draw& d) {
+  const Contact q = draw_weighted_contact(d);
+  Case known = case_of(q);
+  show(d, "contact", known);
+  Witness& witness = *known.truth.witness;
+  const auto& patches = known.query.patches;
+  CLAIM(rational_point(patches[0], witness.uv[0], witness.t) ==
+        rational_point(patches[1], witness.uv[1], witness.t));
+  const bool is_accepted = check_truth(known).has_value();
+  CLAIM(is_accepted);
+  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
+  CLAIM(read && read->query == known.query);
+  const auto bytes = to_bytes(q);
+  CLAIM(!bytes || contact_of_bytes(*bytes, QueryRange::kAll)->query == q.query);
+  CLAIM(!bytes || !contact_of_bytes(*bytes));
+  for (const std::string method : {"tdibm-e", "tdibm-e-literal"}) {
+    const Verdict verdict = make_method(method).value()->answer(known.query, kQuickSearch).verdict;
+    CLAIM(verdict == Verdict::kRefused);
+  }
+  // A witness elsewhere is one iff both points are the same there.
+  const std::size_t side = d.choose(1), k = d.choose(1);
+  witness.uv[side][k] += Rational(static_cast<long>(d.integer(-4, 4))) / 64;
+  suppose(patches[side].shape.contains(witness.uv[side]));
+  const bool touches = rational_point(patches[0], witness.uv[0], witness.t) ==
+                       rational_point(patches[1], witness.uv[1], witness.t);
+  const bool is_moved_accepted = check_witness(known.query, witness).has_value();
+  CLAIM(is_moved_accepted == touches);
+}
+
+/// The same answer, to the bit.
+void claim_same(const Answer& a, const Answer& b) {
+  CLAIM(a.verdict == b.verdict && a.toi == b.toi && a.uv == b.uv && a.pops == b.pops);
+}
+
+/// Equal weights are none, to each method.
+void check_equal_weights(Draw& d) {
+  const Case plain = supposed(draw_contact(d, {-2, 2, 3}));
+  Query weighted = plain.query;
+  const double weight = std::abs(d.finite_double());
+  suppose(weight > 0);
+  for (MovingPatch<double>& patch : weighted.patches) {
+    patch.weights.assign(patch.positions.size(), weight);
+  }
+  show(d, "query", weighted);
+  for (const std::string method :
+       {"tdibm-c", "tdibm-rational", "oracle", "tdibm", "tdibm-e", "trad"}) {
+    const auto asked = make_method(method).value();
+    claim_same(asked->answer(weighted, kQuickSearch), asked->answer(plain.query, kQuickSearch));
+  }
+}
+
+/// Weights are valid iff they are finite, > 0 and of exponents that are near enough.
+void check_valid(Draw& d) {
+  Query query = draw_any_query(d);
+  std::vector<double>& weights = query.patches[d.choose(1)].weights;
+  for (std::size_t i = 0; i < query.patches[0].positions.size(); ++i) {
+    weights.push_back(d.coin() ? d.finite_double()
+                               : std::ldexp(1.5, static_cast<int>(d.integer(-31, 31))));
+  }
+  const bool has_count =
+      weights.size() ==
+      query.patches[&weights == &query.patches[0].weights ? 0 : 1].positions.size();
+  int lowest = 1 << 20, highest = -lowest;
+  bool is_good = has_count;
+  for (const double w : weights) {
+    is_good = is_good && w > 0;
+    if (!(w > 0)) continue;
+    lowest = std::min(lowest, std::ilogb(w));
+    highest = std::max(highest, std::ilogb(w));
+  }
+  is_good = is_good && highest - lowest <= kWeightBits;
+  show(d, "query", query);
+  CLAIM(is_valid(query) == is_good);
+  CLAIM(validate(query, "").has_value() == is_good);
+}
+
+/// All weights of a patch times a power of two are the same to each method, and the plain form of
+/// a method of the paper answers as it does.
+void check_scaled_weights(Draw& d) {
+  const Query query = draw_weighted_contact(d).query;
+  Query scaled = query;
+  const auto exponent = static_cast<int>(d.integer(-1000, 960));
+  for (double& w : scaled.patches[d.choose(1)].weights) w = std::ldexp(w, exponent);
+  show(d, "query", query);
+  for (const std::string method : {"tdibm-c", "tdibm-rational", "tdibm", "trad"}) {
+    const auto asked = make_method(method).value();
+    claim_same(asked->answer(scaled, kQuickSearch), asked->answer(query, kQuickSearch));
+  }
+  claim_same(make_method("tdibm").value()->answer(query, kQuickSearch),
+             make_method("tdibm@unoptimised").value()->answer(query, kQuickSearch));
+}
+
+/// Points, edges and triangles are the same sets with weights as without.
+void check_linear(Draw& d) {
+  const Query plain = supposed(draw_linear(d));
+  Query weighted = plain;
+  for (MovingPatch<double>& patch : weighted.patches) {
+    patch.weights = draw_patch_weights(d, patch.positions.size());
+  }
+  show(d, "query", weighted);
+  const auto method = make_method("tdibm-c").value();
+  const Answer with = method->answer(weighted, kQuickSearch);
+  const Answer without = method->answer(plain, kQuickSearch);
+  CLAIM(with.verdict == without.verdict && with.toi == without.toi);
+  for (std::size_t s = 0; s < 2; ++s) CLAIM(weighted.patches[s].shape.contains(with.uv[s]));
+  const Decision decision = decide(weighted);
+  CLAIM(decision.truth.collides == decide(plain).truth.collides);
+  if (!decision.truth.witness || with.verdict != Verdict::kHit) return;
+  // Both name about the same point, where there is but one.
+  const Witness& witness = *decision.truth.witness;
+  const bool is_accepted = check_contact(weighted, witness).has_value();
+  CLAIM(is_accepted);
+}
+
+/// A point of a patch is where tdibm-c says: that of its own uv, not of a patch without weights.
+void check_linear_place(Draw& d) {
+  Query query;
+  auto& [edge, other] = query.patches;
+  edge = {Shape::curve(1), {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  if (d.coin()) {
+    edge = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {}};
+    edge.velocities.assign(3, Vec3<double>(0, 0, 0));
+  }
+  edge.weights = draw_patch_weights(d, edge.positions.size());
+  const auto sixteenths = [&] { return static_cast<double>(d.integer(0, 8)) / 16; };
+  const double x = sixteenths();
+  const double y = edge.positions.size() == 3 ? sixteenths() : 0;
+  if (edge.positions.size() == 2) {
+    other = {Shape::curve(1), {{x, -1, 1}, {x, 1, 1}}, {{0, 0, -1}, {0, 0, -1}}};
+  } else {
+    other = {Shape::point(), {{x, y, 1}}, {{0, 0, -1}}};
+  }
+  show(d, "query", query);
+  for (const std::string method : {"tdibm-c", "oracle"}) {
+    const Answer answer = make_method(method).value()->answer(query, kQuickSearch);
+    CLAIM(answer.verdict == Verdict::kHit);
+    const auto& [u, v] = answer.uv[0];
+    const Vec3<Rational> at = rational_point(edge, {exact(u), exact(v)}, 0);
+    const double off = std::hypot(at[0].get_d() - x, at[1].get_d() - y);
+    show(d, "off", off);
+    CLAIM(off < 0x1p-10);
+  }
+}
+
+std::function<void(Draw&)> misses_no_weights(std::string method) {
+  return [=](Draw& d) { claim_no_false_negative(method, draw_weighted_case(d), kQuickSearch, d); };
+}
+
+std::function<void(Draw&)> keeps_weights(std::string method) {
+  return [=](Draw& d) { claim_kept(method, draw_weighted_case(d), d); };
+}
+
+void check_not_early(Draw& d) {
+  const FirstContact drawn = draw_weighted_first_contact(d);
+  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational"}), drawn, d);
+}
+
+/// The checker accepts what the oracle says, or this throws; before a first contact it says that
+/// there is none.
+void check_decision(Draw& d) {
+  const OracleOptions little{.max_pops = 300, .max_tree_nodes = 1000};
+  if (d.coin()) {
+    const Case known = draw_weighted_case(d);
+    show(d, "contact", known);
+    CLAIM(decide(known.query, little).truth.collides != false);
+    return;
+  }
+  const FirstContact drawn = draw_weighted_first_contact(d);
+  Query query = drawn.query;
+  query.t_max = 0.5 * drawn.t;
+  show(d, "query", query);
+  CLAIM(decide(query, little).truth.collides != true);
+}
+
+/// A tree that separates up to a time is refused after the first contact. A plane through the
+/// contact separates before it iff it does so without weights, as they keep tangents and heights'
+/// signs; and no later.
+void check_clearances(Draw& d) {
+  Query plain;
+  const FirstContact drawn = draw_weighted_first_contact(d, &plain);
+  show(d, "query", drawn.query);
+  const Rational& t = drawn.witness.t;
+  const auto plane = find_plane(drawn.query, drawn.witness);
+  CLAIM(plane.has_value() == find_plane(plain, drawn.witness).has_value());
+  if (plane) {
+    MovingPlane later = *plane;
+    later.until += power_of_two(-30);
+    const bool is_later_accepted = check_plane(drawn.query, later).has_value();
+    CLAIM(!is_later_accepted);
+  }
+  constexpr std::uint64_t kFewNodes = 1000;
+  const Rational before = t * 3 / 4;
+  const auto tree = supposed(build_miss_tree(drawn.query, before, kFewNodes));
+  const bool is_accepted = check_tree(drawn.query, before, tree).has_value();
+  CLAIM(is_accepted);
+  const bool is_late_accepted = check_tree(drawn.query, t, tree).has_value();
+  CLAIM(!is_late_accepted);
+}
+
+/// Spheres of exact weights have the first contact of a closed formula.
+void check_spheres(Draw& d) {
+  RoundContact drawn = draw_round_contact(d);
+  const bool before = d.coin();
+  if (before) drawn.query.t_max = 1 - std::ldexp(1.0, -static_cast<int>(d.integer(2, 6)));
+  show(d, "query", drawn.query);
+  const SearchOptions fine{.precision = 0x1p-14, .max_pops = 20'000};
+  for (const std::string method : {"tdibm-c", "tdibm-rational"}) {
+    if (method == "tdibm-rational" && d.choose(7) != 0) continue;  // slow
+    const Answer answer = make_method(method).value()->answer(drawn.query, fine);
+    show(d, method, std::string(name_of(answer.verdict)));
+    show(d, "toi", answer.toi);
+    if (answer.verdict == Verdict::kUndecided) continue;
+    // At a distance boxes are told apart no finer than their size: a hit may be early by that.
+    const bool apart = drawn.query.separation > 0;
+    CLAIM(!before || apart || answer.verdict == Verdict::kMiss);
+    if (before) continue;
+    CLAIM(answer.verdict == Verdict::kHit);
+    CLAIM(exact(*answer.toi) <= drawn.t);
+    CLAIM(apart || exact(*answer.toi) >= drawn.t - power_of_two(-10));
+  }
+  if (d.choose(3) != 0) return;
+  const Decision decision = decide(drawn.query, {.max_pops = 2000, .max_tree_nodes = 2000});
+  CLAIM(decision.truth.collides.value_or(!before) == !before);
+  const auto by = decision.truth.contact_by();
+  CLAIM(!by || *by >= drawn.t);
+  const auto& clear = decision.truth.clear_until;
+  CLAIM(before || !clear || *clear <= drawn.t);
+}
+
+/// Controls of a net, and weights whose exponents differ by up to kWeightBits.
+struct WeightedNet {
+  Shape shape;
+  std::vector<std::array<double, 6>> controls;
+  std::vector<double> weights;
+};
+
+WeightedNet draw_net(Draw& d) {
+  WeightedNet net;
+  net.shape = draw_shape(d, 3);
+  suppose(net.shape.kind != ShapeKind::kPoint);
+  const auto count = static_cast<std::size_t>(net.shape.control_count());
+  const bool is_subnormal = d.choose(7) == 7;
+  for (std::size_t i = 0; i < count; ++i) {
+    auto& control = net.controls.emplace_back();
+    for (double& x : control) {
+      x = *(is_subnormal ? d.dyadic(8, -1074) : d.dyadic(53, -53)).to_double_exactly();
+    }
+    const int exponent = d.coin() ? 0 : -static_cast<int>(d.integer(0, kWeightBits));
+    net.weights.push_back(
+        std::ldexp(1 + std::abs(d.dyadic(30, -31).to_double_exactly().value()), exponent));
+  }
+  net.weights[d.below(count)] = 1;
+  return net;
+}
+
+/// Control points of cells at a time, and their heights on an axis, are off by the roundings that
+/// tdibm-c counts at most.
+void check_cells(Draw& d) {
+  const WeightedNet net = draw_net(d);
+  certified::CellTree tree;
+  tree.reset(net.shape, net.controls, net.weights);
+  certified::CellTree::Node node = 0;
+  for (auto levels = d.choose(6); levels > 0; --levels) {
+    const auto which = d.choose(static_cast<std::uint64_t>(net.shape.child_count() - 1));
+    node = tree.children(node) + static_cast<certified::CellTree::Node>(which);
+  }
+  const double t = *abs(d.dyadic(53, -53)).to_double_exactly();
+  MovingPatch<Rational> whole{net.shape, {}, {}};
+  Rational largest_p = 0, largest_v = 0;
+  for (std::size_t i = 0; i < net.controls.size(); ++i) {
+    const auto& c = net.controls[i];
+    whole.positions.push_back({exact(c[0]), exact(c[1]), exact(c[2])});
+    whole.velocities.push_back({exact(c[3]), exact(c[4]), exact(c[5])});
+    whole.weights.push_back(exact(net.weights[i]));
+    for (std::size_t k = 0; k < 3; ++k) {
+      largest_p = std::max(largest_p, Rational(abs(exact(c[k]))));
+      largest_v = std::max(largest_v, Rational(abs(exact(c[k + 3]))));
+    }
+  }
+  const Cell cell = tree.cell(node);
+  const MovingPatch<Rational> part =
+      restrict_to<Rational>(whole, exact_corners<Rational>(cell.corners(net.shape)));
+  const Points<Rational> at = part.at(exact(t));
+  std::vector<double> snapshot(certified::kPerPoint * net.controls.size());
+  certified::take_snapshot(tree.net(node), tree.count(), 0, t, snapshot.data());
+  const int roundings = tree.roundings(tree.depth(node));
+  show(d, "shape", net.shape);
+  show(d, "cell", cell);
+  show(d, "t", t);
+  show(d, "controls", net.controls);
+  show(d, "weights", net.weights);
+  const int averages = (net.shape.n + net.shape.m) * tree.depth(node);
+  CLAIM(roundings == 2 * averages + 2);
+  // One more of the product with t, and one of the sum.
+  const Rational relative = exact(std::ldexp(roundings + 2, -53)) * (1 + power_of_two(-20));
+  const Rational allowed = relative * (largest_p + largest_v) + power_of_two(-1001);
+  certified::Axis axis;
+  for (double& x : axis) x = *d.dyadic(53, -53).to_double_exactly();
+  const certified::NetPair pair = {{tree.net(node), tree.net(node)}, {tree.count(), tree.count()}};
+  const certified::HeightLines lines(pair, axis);
+  Rational highest, lowest;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    Rational height = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto place = certified::kPerPoint * i + 4 + static_cast<std::size_t>(k);
+      CLAIM(abs(exact(snapshot[place]) - at[i][k]) <= allowed);
+      height += exact(axis[static_cast<std::size_t>(k)]) * at[i][k];
+    }
+    highest = i == 0 ? height : std::max(highest, height);
+    lowest = i == 0 ? height : std::min(lowest, height);
+    CLAIM(snapshot[certified::kPerPoint * i + 7] == 0);
+  }
+  const Rational norm =
+      exact(std::abs(axis[0])) + exact(std::abs(axis[1])) + exact(std::abs(axis[2]));
+  const Rational of_heights = 2 *
+                                  (exact(std::ldexp(roundings + 8, -53)) * (1 + power_of_two(-20)) *
+                                       (largest_p + largest_v) +
+                                   power_of_two(-1001)) *
+                                  norm +
+                              power_of_two(-1000);
+  CLAIM(abs(exact(lines.gap(0, t).height) - (highest - lowest)) <= of_heights);
+}
+
+}  // namespace
+
+std::vector<Property> weights_claims() {
+  constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 9";
+  constexpr auto kRational = "src/ccd/rational/gap.cpp";
+  constexpr auto kPatch = "src/bezier/patch.hpp";
+  constexpr auto kChecker = "src/case/certificate.hpp";
+  return {
+      {"weights.meaning", "Weights mean the same to generator, checker, files and fuzzers", kPatch,
+       check_meaning},
+      {"weights.valid", "Weights are valid iff they are > 0 and of exponents at most 60 apart",
+       "src/case/query.hpp", check_valid},
+      {"weights.equal_are_none", "Equal weights change no bit of an answer", kPatch,
+       check_equal_weights},
+      {"weights.scale_alike", "Weights times a power of two change no bit of an answer", kPatch,
+       check_scaled_weights},
+      {"weights.linear", "Weights change no verdict or time of linear patches",
+       "src/ccd/certified/DERIVATION.md, 6", check_linear},
+      {"weights.linear_place", "Parameters of contacts of linear patches are those with weights",
+       "src/ccd/certified/DERIVATION.md, 6", check_linear_place},
+      {"weights.decision_is_proven",
+       "What the oracle says of rational patches, the checker accepts",
+       "src/certify/oracle/oracle.hpp", check_decision},
+      {"weights.clearances", "Planes and trees of rational patches prove what is before a contact",
+       kChecker, check_clearances},
+      {"weights.spheres", "Spheres touch when the closed formula says",
+       "src/bezier/patch.hpp; |D + t·V|² = R²", check_spheres},
+      {"weights.not_early", "A hit on rational patches is no earlier than its boxes explain",
+       kCertified, check_not_early},
+      {"tdibm-c.cells_weighted",
+       "Control points of cells of rational patches are off by the roundings counted at most",
+       kCertified, check_cells},
+      {"tdibm-c.no_false_negative_weighted", "No contact of rational patches is missed or late",
+       kCertified, misses_no_weights("tdibm-c")},
+      {"tdibm-c.trace_weighted",
+       "No pair of boxes that holds a contact of rational patches is dropped", kCertified,
+       keeps_weights("tdibm-c")},
+      {"tdibm-rational.no_false_negative_weighted",
+       "No contact of rational patches is missed or late", kRational,
+       misses_no_weights("tdibm-rational")},
+      {"tdibm-rational.trace_weighted",
+       "No pair of boxes that holds a contact of rational patches is dropped", kRational,
+       keeps_weights("tdibm-rational")},
+  };
+}
+
+}  // namespace ccdfuzz
