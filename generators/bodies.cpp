@@ -7,6 +7,7 @@
 #include "base/verify.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "generators/prescribe.hpp"
 
 namespace ccdfuzz {
@@ -271,6 +272,40 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
   if (!touches) truth.proof = proof_word(*truth.clearance);
   CCDFUZZ_VERIFY(check_truth(out));
   CCDFUZZ_VERIFY(check_clearance(query, *truth.clearance, ""));
+  return out;
+}
+
+ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal) {
+  std::array<size_t, 2> features{};  // 0: face, 1: edge, 2: vertex
+  for (size_t s = 0; s < 2; ++s) {
+    std::vector<Rational> heights;
+    for (const Vec3<double>& p : query.patches[s].positions) {
+      Rational height = 0;
+      for (int k = 0; k < 3; ++k) height += normal[static_cast<size_t>(k)] * exact(p[k]);
+      heights.push_back(s == 0 ? height : Rational(-height));
+    }
+    const Rational& highest = *std::max_element(heights.begin(), heights.end());
+    const auto count = std::count(heights.begin(), heights.end(), highest);
+    features[s] = count == 1 ? 2 : count == 2 ? 1 : 0;
+  }
+  std::sort(features.begin(), features.end());
+  using enum ContactClass;
+  constexpr std::array<std::array<ContactClass, 3>, 3> kClasses = {
+      {{kFF, kEF, kVF}, {kEF, kEE, kVE}, {kVF, kVE, kVV}}};
+  return kClasses[features[0]][features[1]];
+}
+
+std::optional<Case> case_of_bodies(const Query& query) {
+  Case out;
+  out.query = query;
+  out.truth = decide(query).truth;
+  if (!out.truth.collides) return std::nullopt;
+  if (out.truth.clearance) {
+    const auto& normal = std::get<BodyClearance>(*out.truth.clearance).normal;
+    out.origin.contact = name_of(class_of_bodies(query, normal));
+  }
+  out.origin.kind = name_of(*out.truth.collides ? CaseKind::kRP : CaseKind::kRN);
+  out.origin.generator = "mutant";
   return out;
 }
 

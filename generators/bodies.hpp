@@ -25,4 +25,12 @@ bool is_made_of_bodies(CaseKind kind);
 tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                         Draw& draw);
 
+/// The class of a contact of bodies: what of each lies on its support plane of this normal, which
+/// is towards the second; 1 point, 2, or more.
+ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal);
+
+/// A query of bodies as a case whose truth is decided, with the class of its contact or, where they
+/// miss, of what is nearest; of a contact at t = 0 there is none. nullopt if it is not decided.
+std::optional<Case> case_of_bodies(const Query& query);
+
 }  // namespace ccdfuzz

@@ -273,12 +273,21 @@ bool fails(const HuntReport& report, FailOn fail_on) {
          std::ranges::any_of(report.finds, breaks_claim, &Find::failure);
 }
 
+std::vector<std::string> methods_by_default() {
+  std::vector<std::string> methods = default_methods();
+  methods.insert(methods.begin(), "trad");
+  return methods;
+}
+
 int run_hunt(const HuntArguments& arguments, Session& session) {
   HuntArguments options = arguments;
   options.hunt.threads = session.threads;
   options.hunt.search = options.search.options();
   if (options.within > 0) options.hunt.ground.scale = options.within;
   if (options.cases > 0) options.hunt.cases = options.cases;
+  if (options.hunt.ground.bodies && options.hunt.methods == methods_by_default()) {
+    options.hunt.methods = {"oracle"};
+  }
   Store store = need(Store::open(options.corpus));
 
   const std::atomic<bool>& interrupted = catch_interrupts();
@@ -339,18 +348,25 @@ void add_hunt(CommandLine& line) {
       .without_default();
   command.whole("--seed", hunt.seed, "Seed of the cases");
   command.group("What to test");
-  hunt.methods = default_methods();
-  hunt.methods.insert(hunt.methods.begin(), "trad");
+  hunt.methods = methods_by_default();
   add_methods(command, hunt.methods, "Methods to test, separated by commas");
   constexpr int kWidest = 1074;  // 2^-1074 is the least double
   const Option shape = command.parsed("--shape SHAPE", hunt.ground.shapes,
                                       "Only patches of this shape, or of two with a comma between: "
                                       "point, curve:N, triangle:N, tensor:NxM",
                                       parse_shapes);
+  Option linear = command.flag("--linear", hunt.ground.linear,
+                               "Linear queries: vertex-face, edge-edge and degenerate ones");
+  linear.excludes(shape);
   command
-      .flag("--linear", hunt.ground.linear,
-            "Linear queries: vertex-face, edge-edge and degenerate ones")
-      .excludes(shape);
+      .flag(
+          "--bodies", hunt.ground.bodies,
+          "Convex bodies under translation: boxes, balls, hulls; of the methods here oracle alone "
+          "takes them")
+      .excludes(shape)
+      .excludes(linear);
+  command.flag("--binary32", hunt.ground.binary32,
+               "Only queries all of whose numbers are floats; what is shrunk stays so");
   command
       .whole("--within", options->within,
              "Only queries whose numbers are 0 or between 2^-N and 2^N, so that neither under- nor "

@@ -183,6 +183,9 @@ int run_trace(const TraceArguments& options, Session& session) {
         need(shared.checked());
         const Case& known = shared.named().value;
         const TraceOptions how = trace_options(options, shared.named());
+        if (is_of_bodies(known.query)) {
+          throw BadInput{{shared.named().id, "is of bodies, which have no boxes to trace"}};
+        }
         need(check_taken(options.methods[m], known.query));
         return tracers.local()[options.methods[m]].trace(known.query, *known.truth.witness, how);
       },

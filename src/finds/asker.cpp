@@ -13,7 +13,7 @@ Asked asked_with(const SearchOptions& search) {
 
 std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers) {
   const std::optional<Witness>& witness = value.truth.witness;
-  if (!witness || witness->t > exact(value.query.t_max)) return "";
+  if (!witness || witness->t > exact(value.query.t_max) || is_of_bodies(value.query)) return "";
   Tracer* const tracer = tracers.find(method);
   return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *witness, {}));
 }

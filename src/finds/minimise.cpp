@@ -4,11 +4,12 @@
 #include <array>
 #include <vector>
 
-#include "case/query.hpp"
+#include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "finds/failure.hpp"
+#include "finds/minimise_bodies.hpp"
 #include "finds/simplify.hpp"
 #include "fuzz/mutator/repair.hpp"
 
@@ -73,7 +74,6 @@ class Minimiser {
   bool keeps_witness() const { return is_false_negative(failure_); }
 
   bool start() {
-    if (is_of_bodies(found_.query)) return false;
     if (keeps_witness()) {
       const auto witnessed = contact_of(found_);
       if (!witnessed) return false;
@@ -84,6 +84,7 @@ class Minimiser {
     }
     rank_ = simplicity_of(best_);
     place_ = place_of(best_);
+    are_floats_ = is_binary32(found_.query);
     return true;
   }
 
@@ -131,6 +132,7 @@ class Minimiser {
       const Case value = as_case(whole);
       if (keeps_witness() && !check_witness(value.query, *value.truth.witness)) continue;
       if (failure_ == Outcome::kFalsePositive && value.truth.collides != false) continue;
+      if (are_floats_ && !is_binary32(value.query)) continue;
       if (ended()) return false;
       ++trials_;
       if (!still_fails_(value)) continue;
@@ -149,6 +151,7 @@ class Minimiser {
   Contact best_;
   Simplicity rank_;
   ContactPlace place_;
+  bool are_floats_ = false;
   bool improved_ = false;
   std::uint64_t trials_ = 0;
 };
@@ -158,6 +161,7 @@ class Minimiser {
 Minimised minimise(const Case& found, Outcome failure,
                    const std::function<bool(const Case&)>& still_fails,
                    const MinimiseOptions& options) {
+  if (is_of_bodies(found.query)) return minimise_bodies(found, failure, still_fails, options);
   return Minimiser(found, failure, still_fails, options).run();
 }
 

@@ -27,6 +27,7 @@ struct Minimised {
 ///                   unless it was
 ///   false_positive  nothing touches in [0, t_max] by certificate L, so the patches are linear
 ///   error           nothing; the result has no truth
+/// A query whose numbers are all floats stays one; for bodies see minimise_bodies.
 /// A case of which that cannot be made to hold comes back as it is. Never less simple than `found`.
 /// Deterministic, except for stop.
 Minimised minimise(const Case& found, Outcome failure,

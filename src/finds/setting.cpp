@@ -51,19 +51,6 @@ bool is_at_rest(const Query& query) {
   return true;
 }
 
-bool is_degenerate(const Case& value) {
-  const std::optional<Rational> contact = value.truth.contact_by();
-  return is_at_rest(value.query) ||
-         std::ranges::any_of(value.query.patches, [&](const MovingPatch<double>& patch) {
-           return is_flat(patch, 0) || (contact && is_flat(patch, contact->get_d()));
-         });
-}
-
-bool touches_at_start(const Query& query) {
-  return query.separation == 0 && is_linear_query(query) &&
-         !check_linear_clearance(query, {Rational(0), true});
-}
-
 /// Directions of length 1 that are perpendicular to each other, as many as those added span.
 class Span {
  public:
@@ -81,6 +68,36 @@ class Span {
  private:
   std::vector<Vec3<double>> basis_;
 };
+
+/// Whether a body is flat, or has a point twice or one that its count promises too much for: three
+/// in a line, or more in a plane.
+bool is_flat_body(const MovingPatch<double>& hull) {
+  Span span;
+  const Vec3<double>& origin = hull.positions[0];
+  for (size_t i = 0; i < hull.positions.size(); ++i) {
+    if (i > 0) span.add(hull.positions[i] - origin);
+    for (size_t j = 0; j < i; ++j) {
+      if (hull.positions[i] == hull.positions[j]) return true;
+    }
+  }
+  return span.dimension() < std::min<size_t>(3, hull.positions.size() - 1);
+}
+
+bool is_degenerate(const Case& value) {
+  if (is_of_bodies(value.query)) {
+    return is_at_rest(value.query) || std::ranges::any_of(value.query.patches, is_flat_body);
+  }
+  const std::optional<Rational> contact = value.truth.contact_by();
+  return is_at_rest(value.query) ||
+         std::ranges::any_of(value.query.patches, [&](const MovingPatch<double>& patch) {
+           return is_flat(patch, 0) || (contact && is_flat(patch, contact->get_d()));
+         });
+}
+
+bool touches_at_start(const Query& query) {
+  return query.separation == 0 && is_linear_query(query) &&
+         !check_linear_clearance(query, {Rational(0), true});
+}
 
 /// Whether the control points of a vertex and a face, or of two edges, stay in one plane, seen from
 /// the first.
@@ -114,7 +131,20 @@ bool slides_at(const Witness& witness, const Query& query) {
   return tangents.across(velocity).norm() <= kThinnest * velocity.norm();
 }
 
+/// Whether bodies hardly approach along the direction that keeps them apart before their contact.
+bool slides_along(const BodyClearance& clearance, const Query& query) {
+  Vec3<double> normal;
+  for (int k = 0; k < 3; ++k) normal[k] = clearance.normal[static_cast<size_t>(k)].get_d();
+  const Vec3<double> velocity = query.patches[1].velocities[0] - query.patches[0].velocities[0];
+  return -normal.dot(velocity) <= kThinnest * normal.norm() * velocity.norm();
+}
+
 bool slides(const Case& value) {
+  if (is_of_bodies(value.query)) {
+    const auto& clearance = value.truth.clearance;
+    return clearance && value.truth.collides == true &&
+           slides_along(std::get<BodyClearance>(*clearance), value.query);
+  }
   const std::optional<Witness>& witness = value.truth.witness;
   return is_linear_query(value.query) &&
          (is_planar(value.query) || (witness && slides_at(*witness, value.query)));

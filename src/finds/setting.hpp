@@ -12,12 +12,15 @@ namespace ccdfuzz {
 /// the failure, so that shrinking cannot slide from an ordinary query into a trivial one.
 enum class Setting : std::uint8_t {
   kOrdinary,
-  kAtAnEnd,     ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
-  kSliding,     ///< linear patches whose touching points move along the surfaces: but for
-                ///< kThinnest of their way they stay in the plane or line of both
-  kTouching,    ///< linear patches that touch at t = 0 already
+  kAtAnEnd,   ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
+  kSliding,   ///< bodies that approach by less than kThinnest of their way; linear patches whose
+              ///< touching points move along the surfaces: but for kThinnest of their way they stay
+              ///< in the plane or line of both
+  kTouching,  ///< linear patches that touch at t = 0 already
   kDegenerate,  ///< a patch is as good as a point or, if it is a surface, as a line, at the start
-                ///< or at the contact (kThinnest); or nothing moves against the rest
+                ///< or at the contact (kThinnest); or a body of three points or more is flatter
+                ///< than its count promises, or has a point twice; or nothing moves against the
+                ///< rest
   kExtreme,     ///< a number that is not 0 lies outside 2^±40
 };
 inline constexpr std::array kAllSettings = {Setting::kOrdinary,   Setting::kAtAnEnd,

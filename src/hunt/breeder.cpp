@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
-#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
+#include "fuzz/mutator/mutate_bodies.hpp"
+#include "generators/bodies.hpp"
+#include "hunt/draw.hpp"
 
 namespace ccdfuzz {
 
@@ -13,6 +15,15 @@ namespace {
 
 /// Members of the population that drifts. A draw adds up to four: so that it replaces few.
 constexpr size_t kDrifting = 64;
+
+template <class Member>
+void drift(std::vector<Member>& members, Member next, Draw& random) {
+  if (members.size() < kDrifting) {
+    members.push_back(std::move(next));
+  } else {
+    members[random.below(kDrifting)] = std::move(next);
+  }
+}
 
 }  // namespace
 
@@ -39,21 +50,18 @@ bool Breeder::is_for_it(const Query& query) const {
   return ground_.has(query) && TakenQuery(query, features_).query() != nullptr;
 }
 
-void Breeder::drift(Contact q) {
-  if (drifting_.size() < kDrifting) {
-    drifting_.push_back(std::move(q));
-  } else {
-    drifting_[random_.below(kDrifting)] = std::move(q);
-  }
-}
-
 void Breeder::add(const Case& known, TracerSet& tracers) {
+  if (is_of_bodies(known.query)) {
+    if (!is_for_it(known.query)) return;
+    founders_.insert(content_address(known.query));
+    return drift(bodies_, known.query, random_);
+  }
   std::optional<Contact> q = contact_of(known);
   if (!q || !is_for_it(q->query)) return;
   founders_.insert(content_address(known.query));
   // Founders that are lost are as good as any: half of their mutants are not.
   if (traceable_) trace_and_note(*q, tracers);
-  drift(*std::move(q));
+  drift(drifting_, *std::move(q), random_);
 }
 
 const Contact& Breeder::mother() {
@@ -61,8 +69,26 @@ const Contact& Breeder::mother() {
   return by_margin ? nearest_.nearer_of_two(random_) : drifting_[random_.below(drifting_.size())];
 }
 
+/// A mutant that is apart at the start, with its truth; three in four that then miss do not drift.
+std::optional<Case> Breeder::mutant_of_bodies() {
+  const Query& first = bodies_[random_.below(bodies_.size())];
+  const Query& other = bodies_[random_.below(bodies_.size())];
+  const Query mutant = mutate_bodies(first, other, random_);
+  if (!is_for_it(mutant)) return std::nullopt;
+  std::optional<Case> made = case_of_bodies(mutant);
+  if (!made || (made->truth.witness && made->truth.witness->t == 0)) return std::nullopt;
+  if (*made->truth.collides || random_.below(4) == 0) drift(bodies_, mutant, random_);
+  return made;
+}
+
 void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
+  if (!bodies_.empty()) {
+    const std::optional<Case> made = mutant_of_bodies();
+    if (!made) return;
+    ++tally_.mutants;
+    return ask_about(*made, methods, search, found);
+  }
   if (drifting_.empty()) return;
   const Contact& first = mother();
   const bool takes_all = features_.ends && features_.separation && features_.weights;
@@ -71,28 +97,32 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   if (!is_for_it(mutant.query)) return;
   ++tally_.mutants;
   if (traceable_ && trace_and_note(mutant, tracers)) {
-    drift(std::move(mutant));
+    drift(drifting_, std::move(mutant), random_);
     return;
   }
   const Case made = case_of(mutant);
   if (traceable_) {
     ++tally_.lost;
   } else {
-    drift(std::move(mutant));
+    drift(drifting_, std::move(mutant), random_);
   }
+  ask_about(made, methods, search, found);
+}
+
+void Breeder::ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,
+                        const std::function<void(const Case&, const Judged&)>& found) {
   const CaseSize size = size_of(made.query);
   if (smallest_failure_ && !(size < *smallest_failure_)) return;
   const CheckedCase known = checked_or_unknown(made);
   bool answered = false;
-  for (const double factor : kHorizonFactors) {
-    const std::optional<CheckedCase> asked = at_horizon(known, factor);
-    if (!asked || !ground_.has(asked->value())) continue;
-    const Judged judged = ask(methods[method_], *asked, search);
+  for (const CheckedCase& asked : forms_of(known)) {
+    if (!ground_.has(asked.value())) continue;
+    const Judged judged = ask(methods[method_], asked, search);
     answered |= judged.outcome != Outcome::kNotAsked;
-    const bool founds = founders_.contains(content_address(asked->query()));
+    const bool founds = founders_.contains(content_address(asked.query()));
     if (!is_failure(judged.outcome) || founds) continue;
     smallest_failure_ = size;
-    found(asked->value(), judged);
+    found(asked.value(), judged);
     return;
   }
   if (!answered) --tally_.mutants;  // what the method refuses counts nowhere

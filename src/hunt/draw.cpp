@@ -41,6 +41,15 @@ Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t in
 
 }  // namespace
 
+std::vector<CheckedCase> forms_of(const CheckedCase& known) {
+  if (known.value().truth.collides == false || is_of_bodies(known.query())) return {known};
+  std::vector<CheckedCase> forms;
+  for (const double factor : kHorizonFactors) {
+    if (auto asked = at_horizon(known, factor)) forms.push_back(std::move(*asked));
+  }
+  return forms;
+}
+
 Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground_(ground) {
   if (ground_.linear) {
     classes_.assign(kLinearClasses.begin(), kLinearClasses.end());
@@ -69,6 +78,10 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     }
     if (!source.kinds.empty()) sources.push_back(std::move(source));
   };
+  if (ground_.bodies) {
+    add(Construction::kOneSided, Family::kBodies);
+    return sources;
+  }
   for (const Construction c : kConstructions) add(c, Family::kRegular);
   for (const Family f : kFamilies) {
     if (f != Family::kRegular) add(Construction::kOneSided, f);
@@ -89,13 +102,8 @@ HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {
   HuntDraw drawn;
   if (ground_.linear) {
     drawn.asked.push_back(checked(draw_linear_case(contact, seed_, index)));
-  } else if (CheckedCase known = checked(generated(contact, index));
-             known.value().truth.collides == false) {
-    drawn.asked.push_back(std::move(known));
   } else {
-    for (const double factor : kHorizonFactors) {
-      if (auto asked = at_horizon(known, factor)) drawn.asked.push_back(std::move(*asked));
-    }
+    drawn.asked = forms_of(checked(generated(contact, index)));
   }
   std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return drawn;

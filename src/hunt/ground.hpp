@@ -28,6 +28,10 @@ struct HuntGround {
   std::optional<std::array<Shape, 2>> shapes;
   /// Linear queries, of kLinearClasses alone, and not curved ones. Then shapes are not set.
   bool linear = false;
+  /// Queries of bodies, and not of patches. Then neither shapes nor linear is set.
+  bool bodies = false;
+  /// Only queries all of whose numbers are floats.
+  bool binary32 = false;
   /// Only cases of Setting::kOrdinary.
   bool ordinary = false;
 
@@ -35,7 +39,8 @@ struct HuntGround {
   bool has(const Query& query) const {
     const auto is_of_shape = [&](std::size_t s) { return query.patches[s].shape == (*shapes)[s]; };
     return (!scale || is_within_scale(query, *scale)) &&
-           (!shapes || (is_of_shape(0) && is_of_shape(1))) && (!linear || linear_class_of(query));
+           (!shapes || (is_of_shape(0) && is_of_shape(1))) && (!linear || linear_class_of(query)) &&
+           (!bodies || is_of_bodies(query)) && (!binary32 || is_binary32(query));
   }
 
   /// The same of a case, which is ordinary if only those count.

@@ -150,7 +150,8 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
       continue;  // it would do here what it did there
     }
     Tracer* const tracer = tracers.find(answer.method);
-    if (!tracer) continue;  // a plug-in, of which nothing is seen but its answer
+    if (!tracer || is_of_bodies(known.query))
+      continue;  // a plug-in, of which nothing is seen but its answer
     const Trace traced = tracer->trace(known.query, *witness, {reported.precision, false, true});
     traces.push_back(trace_json(known, answer.method, traced));
     const Json& trace = traces.back();

@@ -1,0 +1,144 @@
+#include "fuzz/mutator/mutate_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// What one change is made of: a body, what it may take parts of, and where.
+struct BodyChange {
+  Query& query;
+  MovingPatch<double>& hull;
+  const MovingPatch<double>& donor;
+  Draw& draw;
+  size_t point;  ///< a place in hull.positions
+  int k;         ///< a coordinate
+
+  double& number() const {
+    return draw.below(3) == 0 ? hull.velocities[0][k] : hull.positions[point][k];
+  }
+  const Vec3<double>& other_point() const {
+    return donor.positions[draw.below(donor.positions.size())];
+  }
+};
+
+/// A few floats away.
+void nudge(const BodyChange& c) {
+  double& x = c.number();
+  const std::uint64_t steps = c.draw.below(4) + 1;
+  const float to = c.draw.coin() ? HUGE_VALF : -HUGE_VALF;
+  for (std::uint64_t i = 0; i < steps; ++i) {
+    x = static_cast<double>(std::nextafter(static_cast<float>(x), to));
+  }
+}
+
+void shift_number(const BodyChange& c) {
+  c.number() += std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
+                           static_cast<int>(c.draw.integer(-8, 2)));
+}
+
+void align(const BodyChange& c) {
+  c.hull.positions[c.point][c.k] = c.other_point()[c.k];
+}
+
+void simplify_number(const BodyChange& c) {
+  double& x = c.number();
+  x = c.draw.coin() ? std::round(x) : 0;
+}
+
+void scale_velocity(const BodyChange& c) {
+  c.hull.velocities[0] *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-6, 6)));
+}
+
+void change_radius(const BodyChange& c) {
+  double& r = c.hull.radius;
+  const std::uint64_t way = c.draw.below(4);
+  const double factor = std::ldexp(1.0, static_cast<int>(c.draw.integer(-4, 4)));
+  r = way == 0 ? 0 : way == 1 ? c.donor.radius : way == 2 ? factor : factor * r;
+}
+
+void drop_point(const BodyChange& c) {
+  if (c.hull.positions.size() == 1) return;
+  c.hull.positions.erase(c.hull.positions.begin() + static_cast<long>(c.point));
+}
+
+void add_point(const BodyChange& c) {
+  if (c.hull.positions.size() == size_t{kMaxControls}) return;
+  Vec3<double> p = c.hull.positions[c.point];
+  p[c.k] += std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
+                       static_cast<int>(c.draw.integer(-4, 2)));
+  c.hull.positions.push_back(p);
+}
+
+void stretch(const BodyChange& c) {
+  const double factor = std::ldexp(1.0, static_cast<int>(c.draw.integer(-8, 4)));
+  const double centre = c.hull.positions[c.point][c.k];
+  for (Vec3<double>& p : c.hull.positions) p[c.k] = centre + factor * (p[c.k] - centre);
+}
+
+void shift_body(const BodyChange& c) {
+  const double by = std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
+                               static_cast<int>(c.draw.integer(-10, 2)));
+  for (Vec3<double>& p : c.hull.positions) p[c.k] += by;
+}
+
+void shift_all(const BodyChange& c) {
+  const double by = std::ldexp(1.0, static_cast<int>(c.draw.integer(4, 14)));
+  for (MovingPatch<double>& hull : c.query.patches) {
+    for (Vec3<double>& p : hull.positions) p[c.k] += by;
+  }
+}
+
+/// The points of another body, about a point of this one.
+void splice_body(const BodyChange& c) {
+  const Vec3<double> by = c.hull.positions[c.point] - c.other_point();
+  c.hull.positions = c.donor.positions;
+  for (Vec3<double>& p : c.hull.positions) p += by;
+}
+
+void swap_bodies(const BodyChange& c) {
+  std::swap(c.query.patches[0], c.query.patches[1]);
+}
+
+void change_end(const BodyChange& c) {
+  c.query.t_max *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-2, 2)));
+}
+
+constexpr std::array kBodyChanges = {nudge,          shift_number,  align,      simplify_number,
+                                     scale_velocity, change_radius, drop_point, add_point,
+                                     stretch,        shift_body,    shift_all,  splice_body,
+                                     swap_bodies,    change_end};
+
+/// The nearest float; the largest one of what is past it.
+double to_float(double x) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return static_cast<double>(static_cast<float>(std::clamp(x, -kMost, kMost)));
+}
+
+}  // namespace
+
+Query mutate_bodies(const Query& query, const Query& other, Draw& draw) {
+  constexpr std::uint64_t kMost = 4;
+  Query mutant = query;
+  for (std::uint64_t left = 1 + draw.below(kMost); left > 0; --left) {
+    MovingPatch<double>& hull = mutant.patches[draw.below(2)];
+    const MovingPatch<double>& donor = other.patches[draw.below(2)];
+    const size_t point = draw.below(hull.positions.size());
+    const auto change = draw.pick(kBodyChanges);
+    change({mutant, hull, donor, draw, point, static_cast<int>(draw.below(3))});
+  }
+  for (MovingPatch<double>& hull : mutant.patches) {
+    hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
+    for_each_coordinate(hull, [](double& x) { x = to_float(x); });
+  }
+  mutant.t_max = to_float(mutant.t_max);
+  CCDFUZZ_VERIFY(is_valid(mutant));
+  return mutant;
+}
+
+}  // namespace ccdfuzz

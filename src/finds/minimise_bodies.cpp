@@ -1,0 +1,156 @@
+#include "finds/minimise_bodies.hpp"
+
+#include <cmath>
+
+#include "case/scale.hpp"
+#include "finds/content_address.hpp"
+#include "finds/failure.hpp"
+#include "generators/bodies.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// x to so many significant bits; 0 with none.
+double shortened_to(double x, int bits) {
+  if (bits == 0 || x == 0) return 0;
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(std::round(std::ldexp(fraction, bits)), exponent - bits);
+}
+
+class BodyMinimiser {
+ public:
+  BodyMinimiser(const Case& found, Outcome failure,
+                const std::function<bool(const Case&)>& still_fails, const MinimiseOptions& options)
+      : failure_(failure), still_fails_(still_fails), options_(options) {
+    best_.value = found;
+    are_floats_ = is_binary32(found.query);
+    const std::optional<Case> decided =
+        failure == Outcome::kError ? std::nullopt : case_of_bodies(found.query);
+    if (decided) contact_ = decided->origin.contact;
+  }
+
+  Minimised run() {
+    if (!is_failure(failure_)) return best_;
+    for (bool goes_on = true; goes_on && !ended();) {
+      const std::uint64_t before = taken_;
+      drop_points();
+      offer_resting();
+      offer_numbers();
+      goes_on = taken_ > before;
+    }
+    return best_;
+  }
+
+ private:
+  bool ended() const { return best_.trials >= options_.max_trials || options_.stop(); }
+  const Query& query() const { return best_.value.query; }
+
+  /// Points count first: a body of fewer is simpler to a reader.
+  static auto rank_of_bodies(const Query& query) {
+    const size_t points = query.patches[0].positions.size() + query.patches[1].positions.size();
+    return std::pair(points, size_of(query));
+  }
+
+  template <class Change>
+  bool offer(const Change& change) {
+    Query next = query();
+    change(next);
+    if (ended() || !(rank_of_bodies(next) < rank_of_bodies(query())) || !is_valid(next)) {
+      return false;
+    }
+    if (are_floats_ && !is_binary32(next)) return false;
+    if (next.t_max == 0 && query().t_max > 0) return false;  // a cast that goes nowhere
+    Case made{next, {}, {}};
+    if (failure_ != Outcome::kError) {
+      std::optional<Case> decided = case_of_bodies(next);
+      if (!decided || *decided->truth.collides != is_false_negative(failure_)) return false;
+      made = *std::move(decided);
+    }
+    if (made.origin.contact != contact_) return false;
+    made.origin = best_.value.origin;
+    made.asked = best_.value.asked;
+    ++best_.trials;
+    if (!still_fails_(made)) return false;
+    best_.value = std::move(made);
+    ++taken_;
+    return true;
+  }
+
+  void drop_points() {
+    for (size_t s = 0; s < 2; ++s) {
+      for (size_t i = query().patches[s].positions.size(); i-- > 0;) {
+        if (query().patches[s].positions.size() == 1) break;
+        offer([&](Query& q) {
+          MovingPatch<double>& hull = q.patches[s];
+          hull.positions.erase(hull.positions.begin() + static_cast<long>(i));
+          hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
+        });
+      }
+    }
+  }
+
+  /// One of them at rest, or a point of one at the origin.
+  void offer_resting() {
+    for (const size_t s : {0, 1}) {
+      offer([&](Query& q) {
+        const Vec3<double> by = q.patches[s].velocities[0];
+        for (MovingPatch<double>& hull : q.patches) hull.velocities[0] -= by;
+      });
+      for (const Vec3<double>& by : Points<double>(query().patches[s].positions)) {
+        const bool taken = offer([&](Query& q) {
+          for (MovingPatch<double>& hull : q.patches) {
+            for (Vec3<double>& p : hull.positions) p -= by;
+          }
+        });
+        if (taken) break;
+      }
+    }
+  }
+
+  void offer_numbers() {
+    for (const int bits : {1, 2, 3, 5, 8, 12}) {
+      const bool taken = offer(
+          [&](Query& q) { for_each_number(q, [&](double& x) { x = shortened_to(x, bits); }); });
+      if (taken) break;
+    }
+    size_t count = 0;
+    Query all = query();
+    for_each_number(all, [&](double&) { ++count; });
+    for (size_t i = 0; i < count; ++i) {
+      for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18}) {
+        const bool taken = offer([&](Query& q) {
+          size_t at = 0;
+          for_each_number(q, [&](double& x) { x = at++ == i ? shortened_to(x, bits) : x; });
+        });
+        if (taken) break;
+      }
+    }
+  }
+
+  template <class Visit>
+  static void for_each_number(Query& query, const Visit& visit) {
+    for (MovingPatch<double>& hull : query.patches) for_each_coordinate(hull, visit);
+    visit(query.t_max);
+    visit(query.separation);
+  }
+
+  Outcome failure_;
+  const std::function<bool(const Case&)>& still_fails_;
+  const MinimiseOptions& options_;
+  Minimised best_;
+  bool are_floats_ = false;
+  std::string contact_;  ///< its class, as case_of_bodies tells it
+  std::uint64_t taken_ = 0;
+};
+
+}  // namespace
+
+Minimised minimise_bodies(const Case& found, Outcome failure,
+                          const std::function<bool(const Case&)>& still_fails,
+                          const MinimiseOptions& options) {
+  return BodyMinimiser(found, failure, still_fails, options).run();
+}
+
+}  // namespace ccdfuzz

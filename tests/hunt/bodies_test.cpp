@@ -1,0 +1,146 @@
+// Draws, mutants, settings and minimising of bodies.
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "case/scale.hpp"
+#include "certify/checker/check_case.hpp"
+#include "finds/minimise.hpp"
+#include "finds/setting.hpp"
+#include "fuzz/mutator/mutate_bodies.hpp"
+#include "generators/bodies.hpp"
+#include "hunt/draw.hpp"
+#include "hunt/hunt.hpp"
+#include "scratch_folder.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+HuntGround ground_of_bodies() {
+  HuntGround ground;
+  ground.bodies = true;
+  ground.binary32 = true;
+  return ground;
+}
+
+TEST(HuntBodies, DrawsAreOfBodiesInFloatsAndAskedAsTheyStand) {
+  const Draws draws(1, ground_of_bodies());
+  EXPECT_EQ(draws.classes().size(), kContactClasses.size());
+  int contacts = 0;
+  for (const ContactClass contact : draws.classes()) {
+    for (std::uint64_t index = 0; index < 12; ++index) {
+      const HuntDraw drawn = draws.at(contact, index);
+      ASSERT_EQ(drawn.asked.size(), 1U);
+      const Case& value = drawn.asked[0].value();
+      EXPECT_TRUE(is_of_bodies(value.query) && is_binary32(value.query));
+      EXPECT_TRUE(drawn.asked[0].collides());
+      contacts += *drawn.asked[0].collides() ? 1 : 0;
+      // The oracle finds the class that was planted, where the normal of a contact is unique.
+      const std::optional<Case> decided = case_of_bodies(value.query);
+      ASSERT_TRUE(decided);
+      const bool is_unique = contact <= ContactClass::kEF || contact == ContactClass::kVF;
+      if (value.truth.collides == true && is_unique) {
+        EXPECT_EQ(decided->origin.contact, name_of(contact));
+      }
+    }
+  }
+  EXPECT_EQ(contacts, 24) << "of three kinds one has a contact";
+}
+
+TEST(HuntBodies, MutantsAreValidFloatsAndSomeTouch) {
+  const Draws draws(1, ground_of_bodies());
+  Draw choices{Random(1)};
+  Query query = draws.at(ContactClass::kVF, 0).asked[0].query();
+  const Query other = draws.at(ContactClass::kEE, 1).asked[0].query();
+  std::array<int, 2> count{};
+  for (int i = 0; i < 300; ++i) {
+    const Query mutant = mutate_bodies(query, other, choices);
+    ASSERT_TRUE(is_valid(mutant) && is_of_bodies(mutant) && is_binary32(mutant));
+    const bool touches = *case_of_bodies(mutant)->truth.collides;
+    ++count[touches ? 1 : 0];
+    if (touches) query = mutant;
+  }
+  EXPECT_GT(count[0], 30);
+  EXPECT_GT(count[1], 30);
+}
+
+TEST(HuntBodies, TheOracleIsAskedAboutDrawsAndMutantsAndNeverFails) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  HuntOptions options;
+  options.methods = {"oracle", "tdibm-c"};
+  options.cases = 6;
+  options.ground = ground_of_bodies();
+  const std::atomic<bool> stop = false;
+  const HuntReport report = hunt(
+      options, store, [](const HuntProgress&) {}, stop);
+  EXPECT_TRUE(report.finds.empty());
+  for (const HuntCell& cell : report.cells) {
+    const bool takes = cell.method == "oracle";
+    EXPECT_EQ(cell.tally.not_asked(), takes ? 0U : 6U);
+    EXPECT_EQ(cell.bred.mutants > 0, takes);
+  }
+}
+
+/// Misses every body that has more than three points.
+Outcome misses_many_points(const Case& value) {
+  Answer answer;
+  answer.verdict = Verdict::kHit;
+  answer.toi = 0;
+  for (const MovingPatch<double>& hull : value.query.patches) {
+    if (hull.positions.size() > 3) answer.verdict = Verdict::kMiss;
+  }
+  return judge(checked_or_unknown(value), answer);
+}
+
+TEST(MinimiseBodies, FewPointsAndBitsAreLeftAndTheContactIsKept) {
+  for (const ContactClass contact : kContactClasses) {
+    GeneratorOptions options;
+    options.contact = contact;
+    options.family = Family::kBodies;
+    Case found;
+    for (std::uint64_t index = 0; misses_many_points(found) != Outcome::kMissed; ++index) {
+      found = generate(options, index).value;
+    }
+    const Minimised small = minimise(found, Outcome::kMissed, [](const Case& value) {
+      return misses_many_points(value) == Outcome::kMissed;
+    });
+    const auto& [a, b] = small.value.query.patches;
+    EXPECT_LE(a.positions.size() + b.positions.size(), 7U) << name_of(contact);
+    EXPECT_LE(size_of(small.value.query).significant_bits, 24U);
+    EXPECT_TRUE(is_binary32(small.value.query));
+    EXPECT_TRUE(check_case(small.value, ""));
+  }
+}
+
+TEST(SettingOfBodies, TellsFlatOnesRestAndAGlancingContact) {
+  Query query;
+  query.patches[0] = {Shape::hull(4), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 0, 0}}};
+  query.patches[1] = {Shape::hull(1), {{3, 0.25, 0.25}}, {{-1, 0, 0}}};
+  query.patches[1].radius = 0.5;
+  query.t_max = 8;
+  const auto setting = [&] { return setting_of(*case_of_bodies(query)); };
+  EXPECT_EQ(setting(), Setting::kOrdinary);
+  const Query good = query;
+  query.patches[0].positions[3] = {1, 1, 0};
+  EXPECT_EQ(setting(), Setting::kDegenerate) << "four points in a plane";
+  query = good;
+  query.patches[0].positions[3] = {0, 0, 0};
+  EXPECT_EQ(setting(), Setting::kDegenerate) << "a point twice";
+  query = good;
+  query.patches[1].velocities[0] = {0, 0, 0};
+  EXPECT_EQ(setting(), Setting::kDegenerate) << "nothing moves";
+  query = good;
+  query.t_max = 2;
+  query.patches[1].positions[0] = {2.5, 0.25, 0.25};
+  EXPECT_EQ(setting(), Setting::kOrdinary);
+  query.t_max = 1.147;
+  EXPECT_EQ(setting(), Setting::kAtAnEnd);
+  // The ball's lowest point is a hair below the top, (0, 0, 1), as it passes.
+  query = good;
+  query.patches[1].positions[0] = {3, 0, 1.5 - 0x1p-26};
+  EXPECT_EQ(setting(), Setting::kSliding);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
