@@ -116,7 +116,7 @@ constexpr std::array kBodyChanges = {nudge,          shift_number,  align,      
 
 /// The nearest float; the largest one of what is past it.
 double to_float(double x) {
-  constexpr double kMost = std::numeric_limits<float>::max();
+  constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
   return static_cast<double>(static_cast<float>(std::clamp(x, -kMost, kMost)));
 }
 

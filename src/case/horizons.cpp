@@ -32,4 +32,13 @@ std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor) {
   return end ? std::optional(known.with_t_max(*end)) : std::nullopt;
 }
 
+std::vector<CheckedCase> forms_of(const CheckedCase& known) {
+  if (known.value().truth.collides == false || is_of_bodies(known.query())) return {known};
+  std::vector<CheckedCase> forms;
+  for (const double factor : kHorizonFactors) {
+    if (auto asked = at_horizon(known, factor)) forms.push_back(std::move(*asked));
+  }
+  return forms;
+}
+
 }  // namespace ccdfuzz

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "case/checked_case.hpp"
 
@@ -16,5 +17,9 @@ inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 /// nullopt if it has no witness, or the product is no finite double.
 std::optional<Case> at_horizon(const Case& known, double factor);
 std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor);
+
+/// How a case is put to methods: a positive one of patches at t* and past it (kHorizonFactors), so
+/// that late answers show; a negative one, and one of bodies, as it stands.
+std::vector<CheckedCase> forms_of(const CheckedCase& known);
 
 }  // namespace ccdfuzz

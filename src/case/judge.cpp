@@ -1,5 +1,7 @@
 #include "case/judge.hpp"
 
+#include <algorithm>
+
 #include "base/double_parts.hpp"
 #include "base/verify.hpp"
 #include "bezier/blossom.hpp"
@@ -78,6 +80,28 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;
 }
 
+/// Whether the direction that keeps two bodies apart shows that at a time they are farther from
+/// each other, beyond their radii and the separation, than the tolerance.
+bool are_far(const Query& query, const BodyClearance& clearance, const Rational& t,
+             double tolerance) {
+  const auto height = [&](const Vec3<Rational>& p) {
+    Rational sum = 0;
+    for (int k = 0; k < 3; ++k) sum += clearance.normal[static_cast<size_t>(k)] * p[k];
+    return sum;
+  };
+  std::array<std::vector<Rational>, 2> heights;
+  Rational beyond = exact(query.separation) + exact(tolerance), squared = 0;
+  for (size_t s = 0; s < 2; ++s) {
+    const auto hull = exact_patch<Rational>(query.patches[s]);
+    for (const Vec3<Rational>& p : hull.at(t)) heights[s].push_back(height(p));
+    beyond += hull.radius;
+  }
+  for (const Rational& x : clearance.normal) squared += x * x;
+  const Rational gap =
+      *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]);
+  return gap > 0 && gap * gap > beyond * beyond * squared;
+}
+
 /// Whether the patches are proven to come nearer than so before a time, the points of the witness:
 /// their distance falls in proportion to the time that is left, and is 0 at its own.
 bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
@@ -114,7 +138,11 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
     return Outcome::kCorrect;
   }
   if (compare(terms.space_tolerance, 0) > 0) {
-    if (!answer.has_uv || is_of_bodies(query)) return Outcome::kUnknown;
+    if (const auto* apart = known.direction()) {
+      const bool is_far = are_far(query, *apart, exact(*answer.toi), terms.space_tolerance);
+      return is_far ? Outcome::kFalsePositive : Outcome::kUnknown;
+    }
+    if (!answer.has_uv) return Outcome::kUnknown;
     if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
   }
   return Outcome::kFalsePositive;
@@ -143,6 +171,10 @@ std::optional<Rational> CheckedCase::contact_by() const {
 
 bool CheckedCase::is_clear() const {
   return clearance_holds_ && covers(*value_.truth.clearance, exact(value_.query.t_max));
+}
+
+const BodyClearance* CheckedCase::direction() const {
+  return clearance_holds_ ? std::get_if<BodyClearance>(&*value_.truth.clearance) : nullptr;
 }
 
 std::optional<bool> CheckedCase::collides() const {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/mutate_bodies.hpp"
 #include "generators/bodies.hpp"
-#include "hunt/draw.hpp"
 
 namespace ccdfuzz {
 

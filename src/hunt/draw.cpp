@@ -41,15 +41,6 @@ Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t in
 
 }  // namespace
 
-std::vector<CheckedCase> forms_of(const CheckedCase& known) {
-  if (known.value().truth.collides == false || is_of_bodies(known.query())) return {known};
-  std::vector<CheckedCase> forms;
-  for (const double factor : kHorizonFactors) {
-    if (auto asked = at_horizon(known, factor)) forms.push_back(std::move(*asked));
-  }
-  return forms;
-}
-
 Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground_(ground) {
   if (ground_.linear) {
     classes_.assign(kLinearClasses.begin(), kLinearClasses.end());

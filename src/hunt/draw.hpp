@@ -18,10 +18,6 @@ struct HuntDraw {
   std::vector<CheckedCase> asked;  ///< forms_of
 };
 
-/// How a case is put to methods: a positive one of patches at t* and past it (kHorizonFactors), so
-/// that late answers show; a negative one, and one of bodies, as it stands.
-std::vector<CheckedCase> forms_of(const CheckedCase& known);
-
 /// The draws of a hunt: an endless sequence for each contact class, which depends on the seed and
 /// the ground alone. It alternates between both constructions and all stress families that have the
 /// class and the ground's shapes. Cases that are not on the ground are left out, so a draw may be

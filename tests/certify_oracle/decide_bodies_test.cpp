@@ -37,7 +37,7 @@ TEST(DecideBodies, AFirstContactOfRationalLengthsIsExact) {
 }
 
 TEST(DecideBodies, ABallAndACornerThatMeetAtAnIrrationalTimeAreEnclosed) {
-  const Query query = {{body(box(1, 1, 1), {0, 0, 0}), body({{4, 3.5, 3.25}}, {-1, -1, -1}, 0.5)},
+  const Query query = {{body(box(1, 1, 1), {0, 0, 0}), body({{4, 3.5, 3.25}}, {-1, -1, -1}, 0.7)},
                        8};
   const Truth truth = decide(query).truth;
   EXPECT_EQ(truth.collides, true);

@@ -85,6 +85,10 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   known.truth.proof = "K";
   EXPECT_EQ(outcome_of(kMiss + ":claims=70", known), "correct");
   EXPECT_EQ(outcome_of(":verdict=1:toi=1:claims=70", known), "false_positive");
+  // They are 1 apart then, as the direction shows, wherever it says that they are nearest.
+  const std::string early = ":verdict=1:toi=1:claims=70:kind=2:tolerance=";
+  EXPECT_EQ(outcome_of(early + "0.99", known), "false_positive");
+  EXPECT_EQ(outcome_of(early + "1", known), "unknown");
   for (const MethodInfo& info : registered_methods()) {
     EXPECT_EQ(check_taken(info.spec, known.query).has_value(), info.features.bodies) << info.spec;
   }

@@ -50,7 +50,7 @@ TEST(Suites, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
   const auto unknown = suite_named("quarry");
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().message().find(
-                "no target \"quarry\"; there are: any_bits, any_environment, arithmetic, case_"),
+                "no target \"quarry\"; there are: any_bits, any_environment, arithmetic, bodies, "),
             0U)
       << unknown.error().message();
 }

@@ -88,12 +88,12 @@ std::optional<HuntParts> hunt_parts(Driver driver) {
 }
 
 /// What a driver does, and how many times, if there is an end to it.
-struct Work {
+struct DriverWork {
   Step step;
   std::uint64_t size = std::numeric_limits<std::uint64_t>::max();
 };
 
-Work work_of(Driver driver, std::uint64_t seed) {
+DriverWork work_of(Driver driver, std::uint64_t seed) {
   if (const auto parts = hunt_parts(driver)) {
     return {[hunt = std::make_shared<HuntDriver>(seed, *parts)](std::uint64_t index) {
       return (*hunt)(index);
@@ -125,7 +125,7 @@ void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
     drive_fuzzer(driver, seed, limit, done);
   }
   const double end = cpu_seconds_used() + limit.cpu_seconds;
-  const Work work = work_of(driver, seed);
+  const DriverWork work = work_of(driver, seed);
   const std::uint64_t most = std::min(limit.executions, work.size);
   DriverRun run;
   Heartbeat heart;

@@ -90,7 +90,7 @@ Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& 
   Rational highest = height(normal, a.positions[0]), lowest = height(normal, b.positions[0]);
   for (const Vec3<double>& p : a.positions) highest = std::max(highest, height(normal, p));
   for (const Vec3<double>& p : b.positions) lowest = std::min(lowest, height(normal, p));
-  const Rational rate = height(normal, b.velocities[0]) - height(normal, a.velocities[0]);
+  const auto rate = Rational(height(normal, b.velocities[0]) - height(normal, a.velocities[0]));
   const Rational reach = reach_of(query);
   const Rational kept =
       reach * reach * (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);

@@ -1,6 +1,7 @@
 #include "certify/oracle/decide_bodies.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
@@ -19,12 +20,18 @@ size_t bits_of(const Integer& x) {
   return mpz_sizeinbase(x.get_mpz_t(), 2);
 }
 
+/// The root of x, if it is rational.
+std::optional<Rational> rational_root(const Rational& x) {
+  const Integer &p = x.get_num(), &q = x.get_den();
+  const bool is_square =
+      mpz_perfect_square_p(p.get_mpz_t()) != 0 && mpz_perfect_square_p(q.get_mpz_t()) != 0;
+  return is_square ? std::optional(Rational(sqrt(p), sqrt(q))) : std::nullopt;
+}
+
 /// The root of x ≥ 0, rounded up by at most 2^-kTimeBits of it; exact where it is rational.
 Rational root_above(const Rational& x) {
+  if (const auto root = rational_root(x)) return *root;
   const Integer &p = x.get_num(), &q = x.get_den();
-  if (mpz_perfect_square_p(p.get_mpz_t()) != 0 && mpz_perfect_square_p(q.get_mpz_t()) != 0) {
-    return Rational(sqrt(p), sqrt(q));
-  }
   // √(p/q) = √(pq)/q = √(pq·4^k) / (q·2^k)
   const Integer product = p * q;
   const size_t has = bits_of(product) / 2;
@@ -120,6 +127,7 @@ class DecidingBodies {
     Found at = nearest_at(t);
     if (is_contact(at)) return say_contact(t, at);
     for (;;) {
+      if (touches_at_rational_time(t, at)) return;
       const Rational speed = dot_of(at.way, velocity_);
       CCDFUZZ_VERIFY(speed < 0);  // as a contact comes
       const Rational ahead = (at.squared - reach_ * root_above(at.squared)) / -speed;
@@ -131,6 +139,23 @@ class DecidingBodies {
       t = shortened(next);
       at = t == next ? found : nearest_at(t);
     }
+  }
+
+  /// Whether the first contact is where the way at t, as it changes there, is as long as the reach,
+  /// and that is at a rational time.
+  bool touches_at_rational_time(const Rational& t, const Found& at) {
+    const Vec3<Rational> rate = nearest_.rate_of_way(velocity_);
+    const Rational square = dot_of(rate, rate), half = dot_of(rate, at.way);
+    const auto root = rational_root(half * half - square * (at.squared - reach_ * reach_));
+    if (reach_ == 0 || !root || square == 0) return false;
+    const Rational touch = t + (-half - *root) / square;
+    if (touch <= t) return false;
+    NearestPoints nearest = nearest_;
+    const Found found = nearest(points_[0], moved(touch));
+    if (found.squared != reach_ * reach_ || dot_of(found.way, velocity_) >= 0) return false;
+    say_clear(touch, found.way, false);
+    say_contact(touch, found);
+    return true;
   }
 
   /// The first contact comes soon after t.

@@ -10,10 +10,10 @@ namespace ccdfuzz {
 /// is swept along its relative velocity.
 /// Else Newton's method: at t the way w from patch 1 to the nearest point of patch 2, as a
 /// direction, keeps them apart until t' = t + (|w|² − reach·|w|) / −w·v. Their distance is convex
-/// in t, so t' nears the first contact from below, quadratically; where the nearest features stay
-/// the same and |w| is rational, t' is the first contact itself. So where touching is asked, or
-/// lengths are rational, the witness is at clear_until; else it comes at most 2^-40 of that time
-/// later.
+/// in t, so t' nears the first contact from below, quadratically, and is the first contact where
+/// only touching is asked. Else w changes linearly while the nearest features stay the same, and a
+/// rational time at which it is as long as the reach is tried. So the witness is at clear_until
+/// where that time is rational; where it is not, it comes at most 2^-40 of it later.
 Decision decide_bodies(const Query& query, const OracleOptions& options);
 
 }  // namespace ccdfuzz

@@ -27,16 +27,17 @@ size_t support(const Points<Rational>& points, const Vec3<Rational>& direction, 
 
 }  // namespace
 
-/// The weights of the least vector in the affine span of the parts' ways: with w = ways[0] + Σ c_k
-/// d_k, d_k = ways[k] − ways[0], it is at right angles to all d_k.
-std::vector<Rational> NearestPoints::least_of_span() const {
+/// With d_k = ways[k] − ways[0] of the parts, the least vector of the form base + Σ c_k d_k, which
+/// is at right angles to all d_k: 1 − Σ c_k, and c_k. With ways[0] as base they are the weights of
+/// the least vector in the ways' affine span.
+std::vector<Rational> NearestPoints::least_from(const Vec3<Rational>& base) const {
   const size_t n = parts_.size() - 1;
   std::vector<Vec3<Rational>> d;
   for (size_t k = 1; k <= n; ++k) d.push_back(minus(parts_[k].way, parts_[0].way));
   std::vector<std::vector<Rational>> rows(n);
   for (size_t i = 0; i < n; ++i) {
     for (size_t j = 0; j < n; ++j) rows[i].push_back(dot_of(d[i], d[j]));
-    rows[i].push_back(-dot_of(d[i], parts_[0].way));
+    rows[i].push_back(-dot_of(d[i], base));
   }
   // No pivot is 0: the matrix is positive definite, as the d_k are independent.
   for (size_t i = 0; i < n; ++i) {
@@ -55,10 +56,20 @@ std::vector<Rational> NearestPoints::least_of_span() const {
   return weights;
 }
 
+Vec3<Rational> NearestPoints::rate_of_way(const Vec3<Rational>& velocity) const {
+  const std::vector<Rational> shares = least_from(velocity);
+  Vec3<Rational> rate = velocity;
+  for (size_t k = 1; k < parts_.size(); ++k) {
+    const Vec3<Rational> d = minus(parts_[k].way, parts_[0].way);
+    for (int i = 0; i < 3; ++i) rate[i] += shares[k] * d[i];
+  }
+  return rate;
+}
+
 /// Moves the weights to the least vector of the parts' span; those that it leaves out first go.
 void NearestPoints::settle() {
   for (;;) {
-    const std::vector<Rational> goal = least_of_span();
+    const std::vector<Rational> goal = least_from(parts_[0].way);
     std::optional<Rational> step;  // how far the weights get before one is 0
     for (size_t k = 0; k < goal.size(); ++k) {
       if (goal[k] > 0) continue;

@@ -24,6 +24,11 @@ class NearestPoints {
   /// Requires a point of each. The next call begins where this one ended, if there are as many.
   const Found& operator()(const Points<Rational>& from, const Points<Rational>& to);
 
+  /// How fast the way last found changes where the second hull moves by a velocity, as long as its
+  /// ends stay on the same vertices, edges or faces: the part of the velocity at right angles to
+  /// these.
+  Vec3<Rational> rate_of_way(const Vec3<Rational>& velocity) const;
+
  private:
   /// A difference to[places[1]] − from[places[0]], and its weight.
   struct Part {
@@ -33,7 +38,7 @@ class NearestPoints {
   };
 
   void settle();
-  std::vector<Rational> least_of_span() const;
+  std::vector<Rational> least_from(const Vec3<Rational>& base) const;
 
   std::vector<Part> parts_;
   Found found_;

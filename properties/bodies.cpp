@@ -1,0 +1,198 @@
+#include "generators/bodies.hpp"
+#include "case/case_json.hpp"
+#include "case/scale.hpp"
+#include "certify/checker/check_bodies.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "fuzz/mutator/mutate_bodies.hpp"
+#include "generators/draw_patch.hpp"
+#include "method/method.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr std::array kBodyCaseKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
+
+Case draw_planted(Draw& d, CaseKind kind) {
+  GeneratorOptions options;
+  options.contact = d.pick(kContactClasses);
+  options.kind = kind;
+  options.family = Family::kBodies;
+  const Case made = generate(options, d).value;
+  show(d, "planted", made);
+  return made;
+}
+
+/// A mutant of planted bodies, which may overlap at the start, and may have a separation.
+Query draw_bodies(Draw& d) {
+  const Query first = draw_planted(d, d.pick(kBodyCaseKinds)).query;
+  const Query other = draw_planted(d, CaseKind::kRP).query;
+  Query query = mutate_bodies(first, other, d);
+  if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
+  show(d, "query", query);
+  return query;
+}
+
+Rational draw_fraction_of(Draw& d, const Rational& whole) {
+  constexpr long kSteps = 64;
+  return whole * static_cast<long>(d.integer(0, kSteps)) / kSteps;
+}
+
+/// Weights that sum to 1: most of it on one point.
+std::vector<Rational> draw_weights(Draw& d, size_t count) {
+  std::vector<Rational> weights(count, 0);
+  weights[d.below(count)] += Rational(1, 2);
+  weights[d.below(count)] += Rational(1, 4);
+  weights[d.below(count)] += Rational(1, 4);
+  return weights;
+}
+
+/// The truth of planted cases holds, survives a file, and binds what is a little more.
+void check_truth_of_bodies(Draw& d) {
+  const CaseKind kind = d.pick(kBodyCaseKinds);
+  Case known = draw_planted(d, kind);
+  const auto checked = check_case(known, "");
+  CLAIM(checked.has_value());
+  CLAIM(checked->collides() == (kind == CaseKind::kRP));
+  CLAIM(is_binary32(known.query));
+  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
+  CLAIM(read && *read == known);
+  for (const MethodInfo& info : registered_methods()) {
+    CLAIM(check_taken(info.spec, known.query).has_value() == info.features.bodies);
+  }
+}
+
+/// The oracle says the same of planted bodies, whose first contact it finds exactly.
+void check_oracle_agrees(Draw& d) {
+  const Case known = draw_planted(d, d.pick(kBodyCaseKinds));
+  const Truth found = decide(known.query).truth;
+  show(d, "found", Case{known.query, found, {}, {}});
+  CLAIM(found.collides == known.truth.collides);
+  if (!*found.collides) return;
+  CLAIM(found.witness->t == known.truth.witness->t);
+  CLAIM(found.clear_until == known.truth.clear_until);
+}
+
+/// Any bodies are decided, and closely; what is said is checked against points of the hulls.
+void check_any_bodies(Draw& d) {
+  const Query query = draw_bodies(d);
+  const Truth truth = decide(query).truth;
+  show(d, "found", Case{query, truth, {}, {}});
+  CLAIM(truth.collides.has_value());
+  CLAIM(check_case({query, truth, {}, {}}, "").has_value());
+  if (*truth.collides) {
+    const Rational& t = truth.witness->t;
+    const Rational width = t - truth.clear_until.value_or(0);
+    CLAIM(width <= t * power_of_two(-40));
+  }
+  if (!truth.clear_until || *truth.clear_until == 0) return;
+  Witness false_witness{draw_fraction_of(d, *truth.clear_until), {}};
+  suppose(false_witness.t < *truth.clear_until || !*truth.collides);
+  for (size_t s = 0; s < 2; ++s) {
+    false_witness.weights[s] = draw_weights(d, query.patches[s].positions.size());
+  }
+  show(d, "no contact", Case{query, {true, false_witness, {}, {}, {}, {}, {}}, {}, {}});
+  const bool is_accepted = check_body_contact(query, false_witness).has_value();
+  CLAIM(!is_accepted);
+}
+
+/// No direction is a proof past a contact, nor at one where the end counts.
+void check_late_directions(Draw& d) {
+  const Case known = draw_planted(d, CaseKind::kRP);
+  BodyClearance clear = std::get<BodyClearance>(*known.truth.clearance);
+  const bool is_later = d.coin();
+  if (is_later) clear.until += draw_fraction_of(d, clear.until) / 64 + power_of_two(-200);
+  clear.closed = !is_later || d.coin();
+  if (d.coin()) {
+    for (Rational& x : clear.normal) x = static_cast<long>(d.integer(-8, 8));
+  }
+  const Rational length = draw_fraction_of(d, 8);
+  for (Rational& x : clear.normal) x *= length;
+  const bool is_accepted = check_clearance(known.query, clear, "").has_value();
+  CLAIM(!is_accepted);
+}
+
+/// No weights that miss 1, are negative or too many make a witness, however near the points are.
+void check_forged_weights(Draw& d) {
+  Case known = draw_planted(d, CaseKind::kRP);
+  known.query.separation = 0x1p30;  // everything is near enough
+  Witness& witness = *known.truth.witness;
+  CLAIM(check_body_contact(known.query, witness).has_value());
+  std::vector<Rational>& weights = witness.weights[d.below(2)];
+  const size_t i = d.below(weights.size());
+  const Rational little = power_of_two(-static_cast<long>(d.integer(1, 60)));
+  switch (d.below(4)) {
+    case 0:
+      weights[i] += d.coin() ? little : Rational(-little);
+      break;
+    case 1:
+      weights.push_back(0);
+      break;
+    case 2:
+      weights.push_back(-little);
+      weights[i] += little;
+      break;
+    default: {
+      suppose(weights.size() > 1);
+      const Rational below = weights[i] + little;
+      weights[i] -= below;
+      weights[(i + 1) % weights.size()] += below;
+      break;
+    }
+  }
+  show(d, "forged", known);
+  const bool is_accepted = check_body_contact(known.query, witness).has_value();
+  CLAIM(!is_accepted);
+}
+
+/// Swapped, moved along, or scaled, bodies touch when they did.
+void check_same_bodies(Draw& d) {
+  const Query query = draw_bodies(d);
+  const Truth truth = decide(query).truth;
+  Query same = query;
+  const int shift = static_cast<int>(d.integer(-8, 8));
+  const bool is_swapped = d.coin();
+  if (is_swapped) std::swap(same.patches[0], same.patches[1]);
+  for (MovingPatch<double>& hull : same.patches) {
+    for_each_coordinate(hull, [&](double& x) { x = std::ldexp(x, shift); });
+    std::reverse(hull.positions.begin(), hull.positions.end());
+  }
+  same.separation = std::ldexp(same.separation, shift);
+  const Truth other = decide(same).truth;
+  show(d, "same", same);
+  CLAIM(truth.collides == other.collides);
+  if (!*truth.collides) return;
+  CLAIM(truth.witness->t >= other.clear_until.value_or(0));
+  CLAIM(other.witness->t >= truth.clear_until.value_or(0));
+}
+
+}  // namespace
+
+std::vector<Property> bodies_claims() {
+  constexpr auto kChecker = "src/certify/checker/check_bodies.hpp";
+  constexpr auto kDeciding = "src/certify/oracle/decide_bodies.hpp";
+  return {
+      {"bodies.truth_holds",
+       "The planted truth of two bodies is accepted and survives a file, and methods that do not "
+       "take bodies say so",
+       "generators/bodies.hpp", check_truth_of_bodies},
+      {"bodies.oracle_agrees", "The oracle finds the planted first contact of bodies, exactly",
+       kDeciding, check_oracle_agrees},
+      {"bodies.are_decided",
+       "Any two bodies are decided, a contact within 2^-40 of its time, and none comes before",
+       kDeciding, check_any_bodies},
+      {"bodies.same_contact", "Bodies that are swapped and scaled touch at the same time",
+       kDeciding, check_same_bodies},
+      {"checker.refuses_late_directions",
+       "A direction that keeps bodies apart is refused past their contact", kChecker,
+       check_late_directions},
+      {"checker.refuses_forged_weights", "Weights that make no point of a hull are no witness",
+       kChecker, check_forged_weights},
+  };
+}
+
+}  // namespace ccdfuzz
