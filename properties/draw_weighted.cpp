@@ -132,10 +132,13 @@ FirstContact draw_weighted_first_contact(Draw& choices, Query* plain) {
 }
 
 RoundContact draw_round_contact(Draw& choices) {
-  // Directions whose parameters are rational: 3² + 4² = 5², 5² + 12² = 13² = 12² + 5².
+  // Directions whose parameters are rational: 3² + 4² = 5², 5² + 12² = 13², 60² + 25² = 65². On a
+  // quarter circle the parameter p has the cosine (1 − p²)/(1 + p²).
   constexpr std::array<std::array<int, 4>, 4> kDirections = {
       {{3, 4, 12, 13}, {4, 3, 12, 13}, {36, 48, 25, 65}, {48, 36, 25, 65}}};
   const auto& [x, y, z, length] = choices.pick(kDirections);
+  const Uv<Rational> uv = {Rational(1, x < y ? 2 : 3),
+                           length == 13 ? Rational(2, 3) : Rational(1, 5)};
   const auto part = [&] { return choices.coin() ? 1.0 : -1.0; };
   const double sx = part(), sy = part();
   const Vec3<double> signs(sx, sy, part());
@@ -146,10 +149,15 @@ RoundContact draw_round_contact(Draw& choices) {
   const double reach = radius / length + static_cast<double>(gap);
   RoundContact out;
   out.t = 1;
+  out.uv = uv;
   out.query.separation = static_cast<double>(gap) * length;
   auto& [ball, other] = out.query.patches;
   ball = octant(signs, radius);
-  if (choices.coin()) {
+  const Vec3<double> foot = reach * direction;
+  const std::uint64_t kind = choices.choose(2);
+  if (kind == 0) {
+    other = {Shape::point(), {foot}, {}};
+  } else if (kind == 1) {
     const double other_radius = length * (1 + static_cast<double>(choices.choose(3)));
     other = octant(-signs, other_radius);
     const double apart = reach + other_radius / length;
@@ -159,7 +167,6 @@ RoundContact draw_round_contact(Draw& choices) {
     const Vec3<double> up(-direction[0] * z * signs[2], -direction[1] * z * signs[2],
                           static_cast<double>(x * x + y * y));
     other.shape = Shape::triangle(1);
-    const Vec3<double> foot = reach * direction;
     for (const auto& [a, b] : {std::array{-3, -1}, std::array{3, -1}, std::array{0, 2}}) {
       other.positions.push_back(foot + a * along + b * up);
     }
