@@ -71,16 +71,15 @@ class Minimiser {
   }
 
  private:
-  bool keeps_witness() const { return is_false_negative(failure_); }
-
   bool start() {
-    if (keeps_witness()) {
+    if (!is_failure(failure_)) return false;
+    best_ = {found_.query, Dyadic(), {}};
+    if (is_false_negative(failure_)) {
       const auto witnessed = contact_of(found_);
-      if (!witnessed) return false;
-      best_ = *witnessed;
-    } else {
-      if (!is_failure(failure_)) return false;
-      best_ = {found_.query, Dyadic(), {}};
+      keeps_witness_ = witnessed.has_value();
+      if (witnessed) best_ = *witnessed;
+      // Many contacts of linear patches come at a time that is no fraction.
+      if (!witnessed && !is_linear_query(found_.query)) return false;
     }
     rank_ = simplicity_of(best_);
     place_ = place_of(best_);
@@ -92,13 +91,12 @@ class Minimiser {
 
   Case as_case(const Contact& q) const {
     Case value;
-    if (keeps_witness()) {
+    if (keeps_witness_) {
       value = case_of(q);
     } else {
       value.query = q.query;
-      // Of linear patches alone a proof of absence is always had, and needs no file beside the
-      // case.
-      if (failure_ == Outcome::kFalsePositive && is_linear_query(q.query)) {
+      // Linear patches alone always have a proof, and it needs no file beside the case.
+      if (failure_ != Outcome::kError && is_linear_query(q.query)) {
         value.truth = decide_linear(q.query, {}).truth;
       }
     }
@@ -110,11 +108,11 @@ class Minimiser {
   /// The forms as which an edited query has its contact, simpler than the best, simplest first.
   std::vector<std::pair<Simplicity, Contact>> whole_forms(const Contact& form) const {
     std::vector<std::pair<Simplicity, Contact>> forms;
-    const std::uint64_t ways = keeps_witness() ? kRepairs : 1;
+    const std::uint64_t ways = keeps_witness_ ? kRepairs : 1;
     for (std::uint64_t way = 0; way < ways; ++way) {
       Contact whole = form;
       Draw random{Random(way)};
-      if (keeps_witness() && (place_of(whole) != place_ || !repair(whole, random))) continue;
+      if (keeps_witness_ && (place_of(whole) != place_ || !repair(whole, random))) continue;
       if (!(whole.query.t_max >= 0) || !validate(whole.query, "")) continue;
       const Simplicity rank = simplicity_of(whole);
       if (!(rank < rank_)) continue;
@@ -130,8 +128,11 @@ class Minimiser {
   bool take(const Contact& form) {
     for (auto& [rank, whole] : whole_forms(form)) {
       const Case value = as_case(whole);
-      if (keeps_witness() && !check_witness(value.query, *value.truth.witness)) continue;
-      if (failure_ == Outcome::kFalsePositive && value.truth.collides != false) continue;
+      if (keeps_witness_ && !check_witness(value.query, *value.truth.witness)) continue;
+      if (!keeps_witness_ && failure_ != Outcome::kError &&
+          value.truth.collides != is_false_negative(failure_)) {
+        continue;
+      }
       if (are_floats_ && !is_binary32(value.query)) continue;
       if (ended()) return false;
       ++trials_;
@@ -151,6 +152,7 @@ class Minimiser {
   Contact best_;
   Simplicity rank_;
   ContactPlace place_;
+  bool keeps_witness_ = false;
   bool are_floats_ = false;
   bool improved_ = false;
   std::uint64_t trials_ = 0;

@@ -45,6 +45,10 @@ Outcome outcome_of(const Case& value) {
   return judge(checked_or_unknown(value), misses_fast_ones(value.query));
 }
 
+int bits_of(const Case& value) {
+  return static_cast<int>(size_of(value.query).significant_bits);
+}
+
 TEST(Minimise, FindsTheOneNumberThatMattersAndKeepsTheContact) {
   for (const ContactClass contact : kContactClasses) {
     const Case found = drawn(contact, CaseKind::kRP, 0);
@@ -125,6 +129,25 @@ TEST(Minimise, CounterexamplesOfTdibmShrinkToSeventeenBitsACoordinate) {
     }
   }
   EXPECT_GE(found, 6);
+}
+
+TEST(Minimise, LinearPatchesWithoutAWitnessKeepAContactThatIsDecided) {
+  // The vertex passes the plane of the triangle at a root of 3t² − 1, which turns meanwhile.
+  Case found;
+  found.query.patches[0] = {Shape::point(), {{0.1, 0.3, -0.7}}, {{0.2, 0.1, 1.3}}};
+  found.query.patches[1] = {Shape::triangle(1),
+                            {{-3.1, -2.9, 0.1}, {3.3, -2.7, 0.2}, {0.1, 4.9, -0.1}},
+                            {{0.1, 0.2, -0.3}, {-0.1, 0.1, 0.7}, {0.3, -0.1, -0.2}}};
+  found.truth = decide_linear(found.query, {}).truth;
+  ASSERT_EQ(found.truth.collides, true);
+  ASSERT_FALSE(found.truth.witness.has_value());
+  const Minimised small = minimise(found, Outcome::kMissed, [](const Case& c) {
+    EXPECT_EQ(c.truth.collides, true);
+    EXPECT_TRUE(check_case(c, "")) << to_json(c);
+    return c.query.patches[0].velocities[0][2] > 1;
+  });
+  EXPECT_LT(bits_of(small.value), 40) << to_json(small.value);
+  EXPECT_GT(bits_of(found), 500);
 }
 
 TEST(Minimise, LeavesWhatDoesNotFailWhenSimpler) {
