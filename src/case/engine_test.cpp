@@ -137,7 +137,7 @@ new Jolt.JoltInterface(world);
 const vector = (x, y, z) => new Jolt.Vec3(x, y, z);
 const hull = (points) => {{
   const settings = new Jolt.ConvexHullShapeSettings();
-  settings.mMaxConvexRadius = 0;
+  settings.mMaxConvexRadius = settings.mHullTolerance = 0;
   for (const p of points) settings.mPoints.push_back(vector(...p));
   return settings.Create().Get();
 }};
@@ -176,12 +176,13 @@ const hull = (points) => {{
   description.flags = new physx.PxConvexFlags(physx._emscripten_enum_PxConvexFlagEnum_eCOMPUTE_CONVEX());
   Object.assign(description.points, {{ count: points.length, stride: 12, data: corners.begin() }});
   const cooking = new physx.PxCookingParams(new physx.PxTolerancesScale());
+  cooking.planeTolerance = 0;
   return new physx.PxConvexMeshGeometry(top.CreateConvexMesh(cooking, description));
 }};
 const pose = (...at) => new physx.PxTransform(vector(...at), new physx.PxQuat(0, 0, 0, 1));
 const a = {0};
 const b = {1};
-const way = [{4}], length = Math.hypot(...way), hit = new physx.PxSweepHit();
+const way = [{4}], length = Math.fround(Math.hypot(...way)), hit = new physx.PxSweepHit();
 const flags = new physx.PxHitFlags(physx._emscripten_enum_PxHitFlagEnum_eDEFAULT());
 const touches = physx.PxGeometryQuery.prototype.sweep(vector(...way.map((x) => x / length)), length,
                                                       a, pose({2}), b, pose({3}), hit, flags);

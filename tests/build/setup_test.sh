@@ -71,7 +71,7 @@ expect 'a word that is none: exit 2' [ "$status" = 2 ]
 expect 'a word that is none: names it' says '"hunt" is none of'
 expect 'a word that is none: no attempt' [ -z "$calls" ]
 brings() { case " $calls " in *" $1 "*) ;; *) return 1 ;; esac; }
-for more in 'fuzz clang-19' 'tests clang-format' 'all slurmctld' 'all chromium' 'coverage gcovr' 'engines afl++'; do
+for more in 'fuzz clang-19' 'tests clang-format' 'all slurmctld' 'all chromium' 'coverage gcovr' 'fuzz-engines afl++' 'engines libfcl-dev'; do
   word=${more% *}
   run MISSING=
   expect "$word: success" [ "$status" = 0 ]

@@ -22,7 +22,7 @@ BLOCK = re.compile(r'\s*(?:[-*+]|\d+\.)\s+|#+\s')
 
 def pages():
     return [ROOT / name for name in ('README.md', 'CONTRIBUTING.md', 'SECURITY.md', 'CHANGELOG.md', 'corpus/README.md',
-                                     'examples/plugins/README.md')] + sorted((ROOT / 'docs').glob('*.md'))
+                                     'examples/plugins/README.md')] + sorted((ROOT / 'docs').glob('**/*.md'))
 
 
 def plain(text):

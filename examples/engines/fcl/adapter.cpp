@@ -1,5 +1,5 @@
-// FCL 0.7 (Debian libfcl-dev): the vertex-face and edge-edge tests of its deforming meshes. They
-// look for the roots of a cubic in [0, 1], and promise no more than their tolerances hold.
+// FCL 0.7 (Debian libfcl-dev): the vertex-face and edge-edge tests of its deforming meshes, which
+// look for the roots of a cubic in [0, 1].
 #include <fcl/narrowphase/detail/traversal/collision/intersect.h>
 
 #include "../../plugins/adapter.hpp"
@@ -11,6 +11,9 @@ struct Fcl {
     adapter::ccd::Description description{"FCL", "0.7"};
     description.claims = 0;  // neither a contact at 0 nor one at the end
     description.pairs = adapter::ccd::linear_pairs();
+    // It gives the middle of an interval of this width (getCcdResolution).
+    description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;
+    description.tolerance = 1e-7;
     return description;
   }
 

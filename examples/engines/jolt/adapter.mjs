@@ -36,6 +36,7 @@ function shape({ points, radius, half }) {
   if (points.length < 4 || radius > 0) throw new Refusal('has no such rounded shape of free corners');
   const settings = keep(new Jolt.ConvexHullShapeSettings());
   settings.mMaxConvexRadius = 0;
+  settings.mHullTolerance = 0;  // by default a hull may leave out points within a thousandth
   for (const p of points) settings.mPoints.push_back(vector(p));
   const result = settings.Create();
   if (result.HasError()) throw new Refusal(result.GetError().c_str());

@@ -22,6 +22,7 @@ const top = physx.PxTopLevelFunctions.prototype;
 const foundation = top.CreateFoundation(physx.PHYSICS_VERSION, new physx.PxDefaultAllocator(),
                                         new physx.PxDefaultErrorCallback());
 const cooking = new physx.PxCookingParams(new physx.PxTolerancesScale());
+cooking.planeTolerance = 0;  // by default faces that are nearly in one plane become one
 if (!foundation) throw new Error('PhysX has no foundation');
 
 let made = [];
@@ -46,7 +47,7 @@ function shape({ points, radius, half }) {
 }
 
 function sweep(a, b, way) {
-  const length = Math.hypot(...way);
+  const length = Math.fround(Math.hypot(...way));
   if (!(length > 0 && length <= 128)) throw new Refusal('is asked about ways of at most 128');
   const [poseA, poseB] = [a, b].map((body) => keep(new physx.PxTransform(vector(body.centre), noTurn)));
   const hit = keep(new physx.PxSweepHit());
