@@ -18,10 +18,6 @@
 
 namespace ccdfuzz {
 
-namespace {
-
-/// The binary places from the lowest bit of a coordinate to above its highest, velocities times
-/// t_max: the most of all three coordinates.
 int most_places(const Query& query) {
   int most = 0;
   const DoubleParts step = parts_of(query.t_max);
@@ -44,6 +40,8 @@ int most_places(const Query& query) {
   }
   return most;
 }
+
+namespace {
 
 /// A degenerate query, made different by as little as 2^-60 of its size, or with a coordinate of
 /// another scale than the others.

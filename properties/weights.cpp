@@ -21,6 +21,7 @@
 #include "method/method.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/draw_weighted.hpp"
+#include "properties/linear_queries.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"
 
@@ -144,6 +145,7 @@ void check_scaled_weights(Draw& d) {
 /// Points, edges and triangles are the same sets with weights as without.
 void check_linear(Draw& d) {
   const Query plain = supposed(draw_linear(d));
+  suppose(most_places(plain) <= 254);  // what wider ones leave open, boxes decide
   Query weighted = plain;
   for (MovingPatch<double>& patch : weighted.patches) {
     patch.weights = draw_patch_weights(d, patch.positions.size());
