@@ -3,7 +3,7 @@ import { isFailure, methods } from './data.js';
 
 // The most convincing first.
 const kOutcomeOrder = 'mlfe';
-const kSettingOrder = ['ordinary', 'at an end', 'degenerate', 'extreme'];
+const kSettingOrder = ['ordinary', 'at an end', 'sliding', 'touching at 0', 'degenerate', 'extreme'];
 
 const rankOf = ({ row, letter }) => [kOutcomeOrder.indexOf(letter), kSettingOrder.indexOf(row.setting), row.bits, row.index];
 const compare = (a, b) => {

@@ -79,6 +79,9 @@ export class Viewer {
     if (this.row !== row) return;
     this.case = found.case;
     this.details = found;
+    const isDrawn = this.case.patches.every((p) => p.shape !== 'hull' && !p.weights);
+    this.root.classList.toggle('undrawn', !isDrawn);
+    if (!isDrawn) return this.tellNumbers();
     try {
       this.stage ??= new Stage(this.canvas);
     } catch {
@@ -101,6 +104,20 @@ export class Viewer {
     this.fillButtons();
   }
 
+  /** What is not drawn, bodies and patches with weights, is told as the file has it. */
+  tellNumbers() {
+    this.separation = real(this.case.separation ?? 0);
+    this.method = this.row.failed[0];
+    this.fillHead();
+    this.fillChips();
+    this.sentence.replaceChildren('No picture: the view draws patches without weights, and no bodies. These are the numbers.');
+    this.plots.replaceChildren();
+    this.buttons.replaceChildren();
+    const { patches, t_max, truth } = this.case;
+    const told = { 'patch 1': patches[0], 'patch 2': patches[1], t_max, truth };
+    this.numbers.replaceChildren(...Object.entries(told).map(([what, value]) => h('p', h('b', what), ` ${JSON.stringify(value)}`)));
+  }
+
   traceOf(method) {
     return this.details.traces.find((t) => t.method === method);
   }
@@ -110,7 +127,8 @@ export class Viewer {
     const { separation } = this;
     const shapes = this.case.patches.map((p) => {
       const s = shapeOf(p);
-      return s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point' : `${s.kind} of degree ${s.n}`;
+      return s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point'
+        : s.kind === 'hull' ? `body of ${p.positions.length} points` : `${s.kind} of degree ${s.n}`;
     });
     this.heading.replaceChildren(...[
       h('span.class-tag', contact || '–'), ` ${kind} · ${shapes.join(' against ')} `,
@@ -144,6 +162,7 @@ export class Viewer {
   }
 
   select(method, level) {
+    if (this.root.classList.contains('undrawn')) return;
     this.method = method;
     this.level = level;
     this.fillChips();

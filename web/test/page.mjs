@@ -38,6 +38,7 @@ run('report', data('one-entry'), '-o', data('one'));
 run('generate', '--contact', 'VV', '--kind', 'RP', '--count', '6300', '--construction', 'one-sided', '-o', data('many.jsonl'));
 run('evaluate', data('many.jsonl'), '--methods', 'tdibm', '--report', data('many'));
 run('report', basename(corpus), '-o', data('corpus'));
+run('report', join(basename(corpus), 'engines'), '-o', data('engines'));
 for (const contact of ['FF', 'EF', 'EE', 'VF', 'VE', 'VV']) {
   const count = contact === 'FF' || contact === 'EF' ? '6' : '40';
   for (const kind of ['RP', 'RN']) run('generate', '--contact', contact, '--kind', kind, '--count', count, '--construction', 'one-sided', '-o', data(`${contact}${kind}.jsonl`));
@@ -111,6 +112,14 @@ async function open(name, options = {}, hash = '') {
   await tab.goto(pathToFileURL(page(name)) + hash);
   await tab.waitForSelector('html[data-ready]');
   return { tab, errors, requests, close: () => context.close() };
+}
+{
+  const { tab, errors, close } = await open('engines', {}, '#case=0');
+  const sentence = await tab.waitForSelector('.sentence:not(:empty)');
+  claim('a case of bodies is told in numbers', /No picture/.test(await sentence.textContent())
+    && /hull/.test(await tab.$eval('.numbers', (e) => e.textContent)), await sentence.textContent());
+  claim('it throws nothing', errors.length === 0, errors);
+  await close();
 }
 const shot = async (tab, name, options = {}) => {
   const path = join(screenshots && kInReadme.includes(name) ? screenshots : work, `${name}.png`);
@@ -321,7 +330,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   for (const [, contact, kind, , outcomes, , , setting, bits, causes] of report.cases) {
     const failed = report.methods.map((m, at) => [m.spec, outcomes[at]]).filter(([, letter]) => 'mlfe'.includes(letter));
     const add = (key, rank) => expected.set(key, [...(expected.get(key) ?? []), rank]);
-    for (const [method, letter] of failed) add([method, contact, causes[method] ?? ''].join(), ['mlfe'.indexOf(letter), ['ordinary', 'at an end', 'degenerate', 'extreme'].indexOf(setting), bits]);
+    for (const [method, letter] of failed) add([method, contact, causes[method] ?? ''].join(), ['mlfe'.indexOf(letter), ['ordinary', 'at an end', 'sliding', 'touching at 0', 'degenerate', 'extreme'].indexOf(setting), bits]);
     if (failed.length === 0) add([contact, kind].join(), [9, 0, 0]);
   }
   const rows = () => tab.$eval('.rows', (r) => r.clientHeight / 46);
@@ -333,7 +342,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
   claim('a group says how many it has', hidden > 0 && hidden < largest, hidden, largest);
   await fold.click();
   claim('a click shows all of a failure', (await rows()) === expected.size + hidden, await rows(), hidden);
-  const members = await tab.$$eval('.item.more small', (all) => all.map((one) => ['missed', 'late'].findIndex((outcome) => one.innerText.startsWith(outcome))));
+  const members = await tab.$$eval('.item.more small', (all) => all.map((one) => ['missed', 'late', 'false', 'error'].findIndex((outcome) => one.innerText.startsWith(outcome))));
   claim('missed comes before late', members.length > 0 && members.every((x, k) => x >= 0 && (k === 0 || members[k - 1] <= x)), members);
   await tab.focus('.list');
   for (const key of ['Home', 'ArrowLeft']) await tab.keyboard.press(key);
@@ -344,7 +353,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'evaluation', 'hunt']) {
     const { cases } = JSON.parse(document.getElementById('report').textContent);
     const id = document.querySelector('.case-id').title;
     const one = cases.find((c) => c[0] === id);
-    return [one[7] === ['ordinary', 'at an end', 'degenerate', 'extreme'][want[1]], one[8] === want[2], one[4].includes('mlfe'[want[0]])];
+    return [one[7] === ['ordinary', 'at an end', 'sliding', 'touching at 0', 'degenerate', 'extreme'][want[1]], one[8] === want[2], one[4].includes('mlfe'[want[0]])];
   }, best);
   claim('the first one shown is the most convincing', shown.every(Boolean), shown, best);
   await close();
