@@ -17,7 +17,7 @@ set(ccdfuzz_public_headers
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
   method/features.hpp
   method/method.hpp
-  numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/rational.hpp numeric/vec3.hpp base/result.hpp base/verify.hpp
+  numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/result.hpp base/verify.hpp
   case/answer.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp
   case/checked_case.hpp case/judge.hpp case/query_csv.hpp case/taxonomy.hpp case/outcome.hpp base/output_file.hpp case/query.hpp case/tree_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
