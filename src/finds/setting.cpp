@@ -142,8 +142,8 @@ bool slides_along(const BodyClearance& clearance, const Query& query) {
 bool slides(const Case& value) {
   if (is_of_bodies(value.query)) {
     const auto& clearance = value.truth.clearance;
-    return clearance && value.truth.collides == true &&
-           slides_along(std::get<BodyClearance>(*clearance), value.query);
+    const auto* apart = clearance ? std::get_if<BodyClearance>(&*clearance) : nullptr;
+    return apart != nullptr && value.truth.collides == true && slides_along(*apart, value.query);
   }
   const std::optional<Witness>& witness = value.truth.witness;
   return is_linear_query(value.query) &&

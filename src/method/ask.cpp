@@ -15,24 +15,27 @@ Judged failed(const std::exception& error, std::string name) {
   return {std::move(answer), Outcome::kError, std::move(name)};
 }
 
-/// Whether bodies overlap no deeper, in the time that the answer overlooks, than it may be wrong.
-bool is_tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome) {
+/// What a miss or a late hit of bodies is under a tolerance in space: correct where they overlap no
+/// deeper in the time that it overlooks, and unknown where that is not measured.
+Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome) {
   const Query& query = known.query();
   const double tolerance = answer.terms.space_tolerance;
-  if (!(tolerance > 0) || !is_false_negative(outcome) || !is_of_bodies(query)) return false;
+  if (!(tolerance > 0) || !is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
   const double overlooked = outcome == Outcome::kLate ? delay_of(known, answer) : query.t_max;
   const Vec3<double> velocity = query.patches[0].velocities[0] - query.patches[1].velocities[0];
   // Moved back by so much, they would not touch: no overlap is deeper than the way. Rounding adds
   // less than a part in 2^50, and the tolerance is no exact number.
-  if (velocity.norm() * overlooked <= tolerance) return true;
-  return depth_of(known, answer, outcome) <= tolerance;
+  if (velocity.norm() * overlooked <= tolerance) return Outcome::kCorrect;
+  const std::optional<double> depth = depth_of(known, answer, outcome);
+  if (!depth) return Outcome::kUnknown;
+  return *depth <= tolerance ? Outcome::kCorrect : outcome;
 }
 
 }  // namespace
 
-double depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome) {
+std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome) {
   const Query& query = known.query();
-  if (!is_false_negative(outcome) || !is_of_bodies(query)) return 0;
+  if (!is_false_negative(outcome) || !is_of_bodies(query)) return std::nullopt;
   return depth_until(query, outcome == Outcome::kLate ? *answer.toi : query.t_max);
 }
 
@@ -46,8 +49,7 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     return failed(error, "exception");
   }
   // What throws here is no fault of the method.
-  Outcome outcome = judge(known, answer);
-  if (is_tolerated(known, answer, outcome)) outcome = Outcome::kCorrect;
+  const Outcome outcome = tolerated(known, answer, judge(known, answer));
   // A wrong answer to the query itself weighs more.
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
   if (answer.broken_claim && !wrong) {

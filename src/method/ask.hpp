@@ -13,7 +13,7 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
 Judged ask(Method& method, const Case& known, const SearchOptions& options);
 
 /// How deep two bodies pass through each other, at least, in the time that a missed or late answer
-/// overlooks (depth_until); 0 for other queries and outcomes.
-double depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome);
+/// overlooks. Nothing where that is not measured (depth_until), and for other queries and outcomes.
+std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome);
 
 }  // namespace ccdfuzz

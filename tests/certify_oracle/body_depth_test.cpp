@@ -23,7 +23,7 @@ MovingPatch<double> ball(const Vec3<double>& centre, double radius, const Vec3<d
 }
 
 void expect_depth(const Query& query, double until, double depth) {
-  const double found = depth_until(query, until);
+  const double found = depth_until(query, until).value();
   EXPECT_LE(found, depth);
   EXPECT_GE(found, depth * (1 - 0x1p-40)) << found << " until " << until;
 }
@@ -55,7 +55,7 @@ TEST(BodyDepth, GrowsWithTimeAndNeverExceedsTheWay) {
       2};
   double last = 0;
   for (double until = 0; until <= 2; until += 0.125) {
-    const double depth = depth_until(query, until);
+    const double depth = depth_until(query, until).value();
     EXPECT_GE(depth, last);
     EXPECT_LE(depth, last + 0.125 * std::sqrt(0.25 + 0.0625 + 9));
     last = depth;

@@ -45,9 +45,28 @@ Case falling_ball() {
   return value;
 }
 
-Outcome outcome_of(std::optional<double> toi, double tolerance) {
+Outcome outcome_of(std::optional<double> toi, double tolerance,
+                   const Case& known = falling_ball()) {
   Says method(toi, tolerance);
-  return ask(method, falling_ball(), {}).outcome;
+  return ask(method, known, {}).outcome;
+}
+
+/// The same with so many points in the place of the ball's centre, and twice as many in the box.
+Case falling_points(size_t count) {
+  Case value = falling_ball();
+  auto& [ball, box] = value.query.patches;
+  ball.positions.assign(count, ball.positions[0]);
+  ball.shape = Shape::hull(static_cast<int>(count));
+  ball.radius = 0;
+  box.positions.resize(2 * count, {0, -32, 0});
+  box.shape = Shape::hull(static_cast<int>(2 * count));
+  value.query.t_max = 4;
+  Witness& witness = *value.truth.witness;
+  witness.t = 2;
+  for (size_t s = 0; s < 2; ++s) {
+    witness.weights[s].resize(value.query.patches[s].positions.size(), Rational(0));
+  }
+  return value;
 }
 
 TEST(Ask, HoldsNoOverlapOfBodiesWithinTheToleranceAgainstAMethod) {
@@ -57,6 +76,13 @@ TEST(Ask, HoldsNoOverlapOfBodiesWithinTheToleranceAgainstAMethod) {
   EXPECT_EQ(outcome_of(1.125, 0.12), Outcome::kLate);
   EXPECT_EQ(outcome_of({}, 0.99), Outcome::kMissed) << "it passes by 1 into the box";
   EXPECT_EQ(outcome_of({}, 1), Outcome::kCorrect);
+}
+
+TEST(Ask, ExcusesNoOverlapThatIsNotMeasured) {
+  EXPECT_EQ(outcome_of({}, 1, falling_points(4)), Outcome::kMissed) << "2 deep";
+  EXPECT_EQ(outcome_of({}, 1, falling_points(13)), Outcome::kUnknown) << "338 pairs of points";
+  EXPECT_EQ(outcome_of({}, 0, falling_points(13)), Outcome::kMissed) << "without a tolerance";
+  EXPECT_EQ(outcome_of({}, 4, falling_points(13)), Outcome::kCorrect) << "it moves by 4 in all";
 }
 
 }  // namespace

@@ -40,6 +40,14 @@ Hull points_of(const MovingPatch<double>& body) {
   return points;
 }
 
+Points<Rational> rational(const Hull& hull) {
+  Points<Rational> points;
+  for (const Vec3<Dyadic>& p : hull) {
+    points.push_back({p[0].rational(), p[1].rational(), p[2].rational()});
+  }
+  return points;
+}
+
 /// The directions between the points of a hull.
 void add_directions(const Hull& hull, std::vector<Vec3<Dyadic>>& directions) {
   for (size_t i = 0; i < hull.size(); ++i) {
@@ -83,31 +91,28 @@ double overlap_of(const Hull& swept, const Hull& rest,
 
 }  // namespace
 
-double depth_until(const Query& query, double until) {
+std::optional<double> depth_until(const Query& query, double until) {
   const auto& [a, b] = query.patches;
-  if (a.positions.size() * b.positions.size() > kMostPairs) return 0;
-  Hull swept = points_of(a);
-  const Hull rest = points_of(b);
+  const Hull first = points_of(a), rest = points_of(b);
   const Vec3<Dyadic> way =
       (dyadic(a.velocities[0]) - dyadic(b.velocities[0])) * Dyadic::exact(until);
-  std::vector<Vec3<Dyadic>> directions = {way};
-  add_directions(swept, directions);
-  add_directions(rest, directions);
-  for (size_t i = 0, count = swept.size(); i < count; ++i) swept.push_back(swept[i] + way);
+  Hull swept = first;
+  for (const Vec3<Dyadic>& p : first) swept.push_back(p + way);
   Rational reach = exact(query.separation);
   for (const MovingPatch<double>& body : query.patches) reach += exact(body.radius);
-  const auto rational = [](const Hull& hull) {
-    Points<Rational> points;
-    for (const Vec3<Dyadic>& p : hull) {
-      points.push_back({p[0].rational(), p[1].rational(), p[2].rational()});
-    }
-    return points;
-  };
+  const double radii = round_down(reach);
   NearestPoints nearest;
   const Rational squared = nearest(rational(swept), rational(rest)).squared;
-  const double radii = round_down(reach);
-  const double depth = squared > 0 ? radii - std::sqrt(round_up(squared)) / kRoundings
-                                   : radii + overlap_of(swept, rest, directions);
+  double depth = 0;
+  if (squared > 0) {
+    depth = radii - std::sqrt(round_up(squared)) / kRoundings;
+  } else {
+    if (first.size() * rest.size() > kMostPairs) return std::nullopt;
+    std::vector<Vec3<Dyadic>> directions = {way};
+    add_directions(first, directions);
+    add_directions(rest, directions);
+    depth = radii + overlap_of(swept, rest, directions);
+  }
   return std::max(0.0, kRoundings * depth);
 }
 
