@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bench/generated_queries.hpp"
 #include "bench/ratio.hpp"
-#include "generators/generate.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -19,25 +19,10 @@ constexpr std::uint64_t kQueryCases = 4;
 /// trad takes minutes where patches are nearly parallel: its time is a lower bound.
 constexpr std::uint64_t kPopsOfTrad = 2'000;
 
-std::vector<Query> queries(ContactClass contact) {
-  std::vector<Query> all;
-  for (std::uint64_t i = 0; i < kQueryCases; ++i) {
-    for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-      GeneratorOptions options;
-      options.contact = contact;
-      options.kind = kind;
-      options.construction = Construction::kOneSided;
-      options.seed = 1;
-      all.push_back(generate(options, i).value.query);
-    }
-  }
-  return all;
-}
-
 void compare_queries(benchmark::State& state, ContactClass contact, const char* first,
                      const char* second) {
   const auto a = make_method(first), b = make_method(second);
-  const std::vector<Query> all = queries(contact);
+  const std::vector<Query> all = generated_queries(contact, kQueryCases);
   SearchOptions options_of_first;
   const SearchOptions options;
   if (std::string_view(first) == "trad") options_of_first.max_pops = kPopsOfTrad;

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "bench/generated_queries.hpp"
 #include "bench/ratio.hpp"
-#include "generators/generate.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -17,20 +17,12 @@ namespace {
 constexpr std::uint64_t kWeightedCases = 8;
 
 void compare_weights(benchmark::State& state, ContactClass contact, double first_weight) {
-  std::vector<Query> plain, weighted;
-  for (std::uint64_t i = 0; i < kWeightedCases; ++i) {
-    for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-      GeneratorOptions options;
-      options.contact = contact;
-      options.kind = kind;
-      options.construction = Construction::kOneSided;
-      options.seed = 1;
-      plain.push_back(generate(options, i).value.query);
-      weighted.push_back(plain.back());
-      for (MovingPatch<double>& patch : weighted.back().patches) {
-        patch.weights.assign(patch.positions.size(), 1);
-        patch.weights[0] = first_weight;
-      }
+  const std::vector<Query> plain = generated_queries(contact, kWeightedCases);
+  std::vector<Query> weighted = plain;
+  for (Query& query : weighted) {
+    for (MovingPatch<double>& patch : query.patches) {
+      patch.weights.assign(patch.positions.size(), 1);
+      patch.weights[0] = first_weight;
     }
   }
   const auto a = make_method("tdibm-c"), b = make_method("tdibm-c");
