@@ -49,14 +49,6 @@ void check_reach(Draw& d) {
   CLAIM(!is_nearer_accepted);
 }
 
-std::function<void(Draw&)> misses_none_apart(std::string method) {
-  return [=](Draw& d) { claim_no_false_negative(method, draw_case_apart(d), kQuickSearch, d); };
-}
-
-std::function<void(Draw&)> keeps_those_apart(std::string method) {
-  return [=](Draw& d) { claim_kept(method, draw_case_apart(d), d); };
-}
-
 void check_not_early_apart(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d, true));
   claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational"}), drawn, d);
@@ -153,16 +145,16 @@ std::vector<Property> distances_claims() {
       {"separation.decision_is_proven", "What the oracle says of distances, the checker accepts",
        "src/certify/oracle/oracle.hpp", check_decision_apart},
       {"tdibm-c.no_false_negative_apart", "No contact at a distance is missed or late", kCertified,
-       misses_none_apart("tdibm-c")},
+       misses_nothing("tdibm-c", draw_case_apart)},
       {"tdibm-c.trace_apart", "No pair of boxes that holds a contact at a distance is dropped",
-       kCertified, keeps_those_apart("tdibm-c")},
+       kCertified, keeps_contacts("tdibm-c", draw_case_apart)},
       {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
        kCertified, check_linear_apart},
       {"tdibm-rational.no_false_negative_apart", "No contact at a distance is missed or late",
-       kRational, misses_none_apart("tdibm-rational")},
+       kRational, misses_nothing("tdibm-rational", draw_case_apart)},
       {"tdibm-rational.trace_apart",
        "No pair of boxes that holds a contact at a distance is dropped", kRational,
-       keeps_those_apart("tdibm-rational")},
+       keeps_contacts("tdibm-rational", draw_case_apart)},
   };
 }
 

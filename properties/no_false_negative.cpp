@@ -44,8 +44,17 @@ std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry sym
   };
 }
 
+std::function<void(Draw&)> misses_nothing(std::string method, DrawCase draw) {
+  return [=](Draw& d) { claim_no_false_negative(method, draw(d), kQuickSearch, d); };
+}
+
+std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw) {
+  return [=](Draw& d) { claim_kept(method, draw(d), d); };
+}
+
 std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range) {
-  return [=](Draw& d) { claim_kept(method, supposed(draw_contact(d, range)), d); };
+  return keeps_contacts(std::move(method),
+                        [=](Draw& d) { return supposed(draw_contact(d, range)); });
 }
 
 void claim_kept(const std::string& method, const Case& value, Draw& draw) {

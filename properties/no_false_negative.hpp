@@ -35,11 +35,15 @@ void claim_no_false_negative(const std::string& method, const Case& value,
 std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range = kOrdinary,
                                           SearchOptions options = kQuickSearch);
 std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry);
+/// The same of cases that are drawn so.
+using DrawCase = std::function<Case(Draw&)>;
+std::function<void(Draw&)> misses_nothing(std::string method, DrawCase draw);
 
 /// A search drops no pair of boxes that holds the witness of a case, and its window never loses the
 /// time of contact. Requires a witness within t_max.
 void claim_kept(const std::string& method, const Case& value, Draw& draw);
 /// Checks of that claim on drawn contacts.
 std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range);
+std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw);
 
 }  // namespace ccdfuzz

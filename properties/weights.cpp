@@ -194,14 +194,6 @@ void check_linear_place(Draw& d) {
   }
 }
 
-std::function<void(Draw&)> misses_no_weights(std::string method) {
-  return [=](Draw& d) { claim_no_false_negative(method, draw_weighted_case(d), kQuickSearch, d); };
-}
-
-std::function<void(Draw&)> keeps_weights(std::string method) {
-  return [=](Draw& d) { claim_kept(method, draw_weighted_case(d), d); };
-}
-
 void check_not_early(Draw& d) {
   const FirstContact drawn = draw_weighted_first_contact(d);
   claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-rational"}), drawn, d);
@@ -374,16 +366,16 @@ std::vector<Property> weights_claims() {
        "Control points of cells of rational patches are off by the roundings counted at most",
        kCertified, check_cells},
       {"tdibm-c.no_false_negative_weighted", "No contact of rational patches is missed or late",
-       kCertified, misses_no_weights("tdibm-c")},
+       kCertified, misses_nothing("tdibm-c", draw_weighted_case)},
       {"tdibm-c.trace_weighted",
        "No pair of boxes that holds a contact of rational patches is dropped", kCertified,
-       keeps_weights("tdibm-c")},
+       keeps_contacts("tdibm-c", draw_weighted_case)},
       {"tdibm-rational.no_false_negative_weighted",
        "No contact of rational patches is missed or late", kRational,
-       misses_no_weights("tdibm-rational")},
+       misses_nothing("tdibm-rational", draw_weighted_case)},
       {"tdibm-rational.trace_weighted",
        "No pair of boxes that holds a contact of rational patches is dropped", kRational,
-       keeps_weights("tdibm-rational")},
+       keeps_contacts("tdibm-rational", draw_weighted_case)},
   };
 }
 
