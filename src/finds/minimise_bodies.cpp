@@ -5,19 +5,12 @@
 #include "case/scale.hpp"
 #include "finds/content_address.hpp"
 #include "finds/failure.hpp"
+#include "finds/significant_bits.hpp"
 #include "generators/bodies.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// x to so many significant bits; 0 with none.
-double shortened_to(double x, int bits) {
-  if (bits == 0 || x == 0) return 0;
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return std::ldexp(std::round(std::ldexp(fraction, bits)), exponent - bits);
-}
 
 class BodyMinimiser {
  public:
@@ -111,8 +104,9 @@ class BodyMinimiser {
 
   void offer_numbers() {
     for (const int bits : {1, 2, 3, 5, 8, 12}) {
-      const bool taken = offer(
-          [&](Query& q) { for_each_number(q, [&](double& x) { x = shortened_to(x, bits); }); });
+      const bool taken = offer([&](Query& q) {
+        for_each_number(q, [&](double& x) { x = with_bits(x, bits, std::round); });
+      });
       if (taken) break;
     }
     size_t count = 0;
@@ -122,7 +116,8 @@ class BodyMinimiser {
       for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18}) {
         const bool taken = offer([&](Query& q) {
           size_t at = 0;
-          for_each_number(q, [&](double& x) { x = at++ == i ? shortened_to(x, bits) : x; });
+          for_each_number(q,
+                          [&](double& x) { x = at++ == i ? with_bits(x, bits, std::round) : x; });
         });
         if (taken) break;
       }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bezier/bernstein.hpp"
+#include "finds/significant_bits.hpp"
 #include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {
@@ -28,14 +29,6 @@ int significant_bits(double x) {
 
 std::uint64_t bits_of(const Dyadic& x) {
   return x.sign() == 0 ? 0 : mpz_sizeinbase(x.mantissa().get_mpz_t(), 2);
-}
-
-/// x with at most `bits` significant bits, towards 0.
-double cut_to(double x, int bits) {
-  if (bits == 0 || x == 0) return 0;
-  int exponent = 0;
-  const double fraction = std::frexp(x, &exponent);
-  return std::ldexp(std::trunc(std::ldexp(fraction, bits)), exponent - bits);
 }
 
 /// The one number of the patch's control points at its contact, if doubles hold it: the patch as a
@@ -97,7 +90,7 @@ void offer_weights(const Contact& q, const Offer& offer) {
     if (with([](auto& weights) { std::ranges::fill(weights, 1); })) continue;
     for (const int bits : {1, 2, 3, 8}) {
       const auto cut = [bits](auto& weights) {
-        for (double& w : weights) w = cut_to(w, bits);
+        for (double& w : weights) w = with_bits(w, bits, std::trunc);
       };
       if (with(cut)) break;
     }
@@ -221,7 +214,7 @@ void offer_units(const Contact& q, const Offer& offer) {
 void offer_separations(const Contact& q, const Offer& offer) {
   for (const int bits : {0, 1, 3, 8}) {
     Contact next = q;
-    next.query.separation = cut_to(q.query.separation, bits);
+    next.query.separation = with_bits(q.query.separation, bits, std::trunc);
     if (next.query.separation == q.query.separation || offer(next)) return;
   }
 }
@@ -232,7 +225,7 @@ void offer_times(const Contact& q, const Offer& offer) {
     next.query.t_max = *t;
     offer(next);
   }
-  for (const double t_max : {1.0, cut_to(q.query.t_max, 1) * 2}) {
+  for (const double t_max : {1.0, with_bits(q.query.t_max, 1, std::trunc) * 2}) {
     next = q;
     next.query.t_max = t_max;
     offer(next);
@@ -263,7 +256,7 @@ void offer_times(const Contact& q, const Offer& offer) {
 void offer_wholesale(const Contact& q, const Offer& offer) {
   for (const int bits : {0, 1, 2, 3, 5, 8, 12, 18, 26}) {
     Contact next = q;
-    visit_coordinates(next, [bits](double& x) { x = cut_to(x, bits); });
+    visit_coordinates(next, [bits](double& x) { x = with_bits(x, bits, std::trunc); });
     if (offer(next)) break;
   }
   for (const PatchField array : {kPatchFields[1], kPatchFields[0]}) {
@@ -308,7 +301,7 @@ void offer_point_by_point(const Contact& q, const Offer& offer) {
           if (now == 0) continue;
           for (int bits = 0; bits < now; bits = bits < 2 ? bits + 1 : bits * 2) {
             next = q;
-            number(next) = cut_to(number(next), bits);
+            number(next) = with_bits(number(next), bits, std::trunc);
             if (offer(next)) break;
           }
         }
