@@ -114,10 +114,30 @@ constexpr std::array kBodyChanges = {nudge,          shift_number,  align,      
                                      stretch,        shift_body,    shift_all,  splice_body,
                                      swap_bodies,    change_end};
 
-/// The nearest float; the largest one of what is past it.
-double to_float(double x) {
+void change_once(Query& mutant, const Query& other, Draw& draw) {
+  MovingPatch<double>& hull = mutant.patches[draw.below(2)];
+  const MovingPatch<double>& donor = other.patches[draw.below(2)];
+  const size_t point = draw.below(hull.positions.size());
+  const auto change = draw.pick(kBodyChanges);
+  change({mutant, hull, donor, draw, point, static_cast<int>(draw.below(3))});
+}
+
+/// x, or the largest float of its sign if it is past it.
+double within_floats(double x) {
   constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
-  return static_cast<double>(static_cast<float>(std::clamp(x, -kMost, kMost)));
+  return std::clamp(x, -kMost, kMost);
+}
+
+double nearest_float(double x) {
+  return static_cast<double>(static_cast<float>(x));
+}
+
+template <class Change>
+void change_numbers(Query& query, const Change& change) {
+  for (MovingPatch<double>& hull : query.patches) {
+    for_each_coordinate(hull, [&](double& x) { x = change(x); });
+  }
+  query.t_max = change(query.t_max);
 }
 
 }  // namespace
@@ -126,17 +146,13 @@ Query mutate_bodies(const Query& query, const Query& other, Draw& draw) {
   constexpr std::uint64_t kMost = 4;
   Query mutant = query;
   for (std::uint64_t left = 1 + draw.below(kMost); left > 0; --left) {
-    MovingPatch<double>& hull = mutant.patches[draw.below(2)];
-    const MovingPatch<double>& donor = other.patches[draw.below(2)];
-    const size_t point = draw.below(hull.positions.size());
-    const auto change = draw.pick(kBodyChanges);
-    change({mutant, hull, donor, draw, point, static_cast<int>(draw.below(3))});
+    change_once(mutant, other, draw);
+    change_numbers(mutant, within_floats);  // lest the next subtracts infinities
   }
   for (MovingPatch<double>& hull : mutant.patches) {
     hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
-    for_each_coordinate(hull, [](double& x) { x = to_float(x); });
   }
-  mutant.t_max = to_float(mutant.t_max);
+  change_numbers(mutant, nearest_float);
   CCDFUZZ_VERIFY(is_valid(mutant));
   return mutant;
 }
