@@ -87,7 +87,8 @@ void check_pair_windows(Draw& d) {
   const Case drawn = supposed(draw_contact(d, ContactRange()));
   show(d, "contact", drawn);
   PairSplit split;
-  split.begin(drawn.query, kLevels);
+  split.take(drawn.query);
+  split.begin(kLevels);
   certified::CellPair pair{{0, split.query().t_max}, {1, 0, 0}, {}, {}};
   std::array<certified::CellPair, PairSplit::kMostPairs> kept;
   for (int depth = 0; depth < kLevels; ++depth) {

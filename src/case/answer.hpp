@@ -39,6 +39,7 @@ struct Answer {
   std::uint64_t bytes = 0;
   /// Operations on 64-bit words of exact arithmetic, where doubles did not decide.
   std::uint64_t work = 0;
+  /// Wall time, as the method itself has it or timed_answer; otherwise 0.
   double seconds = 0;
   /// refused: the field that is not taken, its value, and what is. undecided: why. Otherwise what
   /// went wrong; empty if nothing is to be said.

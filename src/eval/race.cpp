@@ -29,7 +29,7 @@ void Race::ask(const Query& query) {
     Answer answer;
     for (int i = 0; i < kRepeats && !(i > 0 && least > kLong); ++i) {
       const double start = thread_cpu_seconds();
-      answer = runner.method->answer(query, options_);
+      answer = timed_answer(*runner.method, query, options_);
       least = std::min(least, thread_cpu_seconds() - start);
       if (options_.max_seconds < SearchOptions::kNoTimeLimit) {
         const double over = answer.seconds - options_.max_seconds;

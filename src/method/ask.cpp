@@ -42,7 +42,7 @@ std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, O
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {
   Answered answer;
   try {
-    answer = method.answer(known.query(), options);
+    answer = timed_answer(method, known.query(), options);
   } catch (const MethodFault& fault) {
     return failed(fault, fault.name());
   } catch (const std::exception& error) {

@@ -56,6 +56,10 @@ class Method {
   virtual bool runs_elsewhere() const { return false; }
 };
 
+/// The answer of a method, with the time that it took. A method that tells its own time, as
+/// plug-ins do, is believed.
+Answered timed_answer(Method& method, const Query& query, const SearchOptions& options);
+
 /// Follows a witness through the inclusion tests of a method, the code that its queries run. One
 /// object serves one thread and keeps its buffers: once warm, a trace allocates nothing.
 class Tracer {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <functional>
 
 #include "base/text.hpp"
@@ -273,6 +274,14 @@ Result<Found> find_family(const std::string& text) {
 }
 
 }  // namespace
+
+Answered timed_answer(Method& method, const Query& query, const SearchOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Answered answer = method.answer(query, options);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  if (answer.seconds == 0) answer.seconds = passed.count();
+  return answer;
+}
 
 std::span<const MethodSwitch> method_switches() {
   return kSwitches;

@@ -71,7 +71,7 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
     return to_json(Description{spec, info && info->claims_no_false_negative});
   }
   const Query query = value_or_throw(parse_query(question, "the question"));
-  const Answer answer = method.answer(query, asked.options);
+  const Answer answer = timed_answer(method, query, asked.options);
   const bool is_finite =
       std::ranges::all_of(std::array{answer.toi.value_or(0), answer.uv[0][0], answer.uv[0][1],
                                      answer.uv[1][0], answer.uv[1][1], answer.seconds},

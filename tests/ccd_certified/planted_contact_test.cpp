@@ -64,7 +64,8 @@ RC_GTEST_PROP(PairSplit, KeepsAContactOfCellsOfUnequalDepth, ()) {
   constexpr int kFinest = 5;
   const Planted planted = any_planted();
   certified::PairSplit split;
-  split.begin(planted.query, kFinest);
+  split.take(planted.query);
+  split.begin(kFinest);
   const double t = std::ldexp(planted.t, -split.query().time);
   const certified::CellPair whole{{0, split.query().t_max}, {}, {}, {}};
   std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;

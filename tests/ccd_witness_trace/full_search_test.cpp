@@ -122,7 +122,8 @@ TEST(FullSearch, SplitsOfTheCertifiedMethodGiveEachPairTheSameWhoeverElseIsThere
     const Case known = generated_case(contact, Family::kRegular, 1);
     certified::PairSplit split;
     constexpr int kFinest = 9;
-    split.begin(known.query, kFinest);
+    split.take(known.query);
+    split.begin(kFinest);
     std::vector<certified::CellPair> level = {{{0, split.query().t_max}, {}, {}, {}}};
     for (int depth = 0; depth < kFinest; ++depth) {
       std::vector<certified::CellPair> next;

@@ -89,8 +89,9 @@ std::array<double, 2> with_weights(const std::array<double, 2>& x,
 
 class Advancing {
  public:
-  explicit Advancing(const NormalisedQuery& query)
+  Advancing(const NormalisedQuery& query, ExclusionObserver* observer)
       : query_(query),
+        observer_(observer),
         differences_(query),
         error_(query.magnitude, query.absolute, query.roundings, query.separation) {}
 
@@ -126,6 +127,7 @@ class Advancing {
   /// Follows an axis from time_ on, if it separates there, either side up. By Law A of the
   /// derivation nothing touches in between, as it separates at both ends.
   void follow(const Axis& l) {
+    ++tried_;
     const double e = error_.for_axis(l), likely = e + 0.5 * error_.of_rounding(l);
     std::array<double, 4> height, slope;
     int above = 0, below = 0;
@@ -146,7 +148,15 @@ class Advancing {
       }
       return true;
     };
+    const auto report = [&](double end) {
+      if (observer_ == nullptr) return;
+      // A difference is of this side's point less the other's.
+      const int of = differences_.face_side;
+      observer_->excluded(
+          {tried_, {l[0], l[1], l[2]}, side > 0 ? 1 - of : of, {time_, end, true, true}});
+    };
     if (separated_at(query_.t_max)) {
+      report(query_.t_max);
       clear_ = true;
       return;
     }
@@ -157,7 +167,10 @@ class Advancing {
       if (side * slope[n] >= 0) continue;
       end = std::min(end, (side * height[n] - likely) / (-side * slope[n]));
     }
-    if (end > furthest_ && separated_at(end)) furthest_ = end;
+    if (end > furthest_ && separated_at(end)) {
+      report(end);
+      furthest_ = end;
+    }
   }
 
   void try_axes() {
@@ -201,11 +214,13 @@ class Advancing {
   }
 
   const NormalisedQuery& query_;
+  ExclusionObserver* const observer_;
   const Differences differences_;
   const ErrorBound error_;
   double time_ = 0;      ///< separated until here
   double furthest_ = 0;  ///< and until here by an axis tried since
   bool clear_ = false;
+  int tried_ = -1;  ///< number of the axis at hand
 };
 
 }  // namespace
@@ -215,8 +230,8 @@ bool can_advance(const Shape& a, const Shape& b) {
   return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
 }
 
-Advanced advance(const NormalisedQuery& query) {
-  return Advancing(query).run();
+Advanced advance(const NormalisedQuery& query, ExclusionObserver* observer) {
+  return Advancing(query, observer).run();
 }
 
 std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, double t) {

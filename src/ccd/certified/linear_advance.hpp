@@ -5,6 +5,7 @@
 
 #include "bezier/patch.hpp"
 #include "ccd/certified/normalise.hpp"
+#include "ccd/exclusion.hpp"
 
 namespace ccdfuzz::certified {
 
@@ -26,8 +27,8 @@ bool can_advance(const Shape& a, const Shape& b);
 
 /// The fast path of linear queries (DERIVATION.md, 6). From t = 0 on, an axis that separates the
 /// patches at t is followed until it no longer does; there the next is chosen. Requires
-/// can_advance.
-Advanced advance(const NormalisedQuery& query);
+/// can_advance. observer: told of each axis that separates at the time reached, and until when.
+Advanced advance(const NormalisedQuery& query, ExclusionObserver* observer = nullptr);
 
 /// Parameters of points of both patches that are nearest to each other at the normalised time t, as
 /// far as doubles tell. Requires can_advance.

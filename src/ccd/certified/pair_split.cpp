@@ -49,9 +49,8 @@ void set_axis(AxisBatch& batch, size_t lane, const Axis& l) {
 
 }  // namespace
 
-void PairSplit::begin(const Query& query, int finest) {
+void PairSplit::begin(int finest) {
   finest_ = finest;
-  normalise(query, query_);
   for (int s = 0; s < 2; ++s)
     trees_[s].reset(query_.shapes[s], query_.controls[s], query_.weights[s]);
   coordinate_.first = 0;

@@ -41,9 +41,12 @@ class PairSplit {
   /// All children of both cells.
   static constexpr std::array<unsigned, 2> kAll = {15, 15};
 
+  /// Normalises a query: all that its fast path needs.
+  void take(const Query& query) { normalise(query, query_); }
+  /// Makes the whole patches of the query taken last, before the first split.
   /// finest: the depth to which pairs will be split. Pairs of coarser depth skip the remaining axes
   /// if the first batch shortened the window at neither end. This may add splits; it drops nothing.
-  void begin(const Query& query, int finest);
+  void begin(int finest);
 
   const NormalisedQuery& query() const { return query_; }
   const CellTree& tree(int side) const { return trees_[side]; }

@@ -1,6 +1,5 @@
 #include "ccd/certified/tdibm_c.hpp"
 
-#include <chrono>
 #include <cmath>
 
 #include "base/fp_guard.hpp"
@@ -32,14 +31,11 @@ bool TdibmC::Entry::later(const Entry& x, const Entry& y) {
 Answer TdibmC::answer(const Query& query, const SearchOptions& options) {
   if (!is_taken(query, options)) return refusal(query, options);
   const FpGuard guard;
-  const auto start = std::chrono::steady_clock::now();
   Answer answer = decide(query, options);
   queue_.clear();
   split_.clear();
   queue_.keep_at_most(kKeptBytes / 2);
   split_.keep_at_most(kKeptBytes / 2);
-  const auto end = std::chrono::steady_clock::now();
-  answer.seconds = std::chrono::duration<double>(end - start).count();
   return answer;
 }
 
@@ -123,7 +119,7 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
 Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   const int target = depth_for(options.precision);
   Deadline deadline(options);
-  split_.begin(query, target);
+  split_.take(query);
   const certified::NormalisedQuery& normalised = split_.query();
   queue_.clear();
   pushed_ = 0;
@@ -134,6 +130,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
       return *decided;
     }
   }
+  split_.begin(target);
   push({{from, normalised.t_max}, {}, {}, {}});
   std::array<certified::CellPair, certified::PairSplit::kMostPairs> kept;
   // A pop takes it at most 16 tests, of up to 1 ms all together.

@@ -2,6 +2,7 @@
 
 #include "base/fp_guard.hpp"
 #include "base/verify.hpp"
+#include "ccd/certified/linear_advance.hpp"
 
 namespace ccdfuzz {
 
@@ -45,13 +46,18 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   const FpGuard guard;
   CCDFUZZ_VERIFY(is_taken(query, {.precision = options.precision}) && sgn(witness.t) >= 0);
   const int target = depth_for(options.precision);
-  split_.begin(query, target);
+  split_.take(query);
   const int exponent = split_.query().time;
   path_.assign(split_.query().shapes, witness, exponent);
   CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
   watch_.begin(path_.time(), options.steps);
   now_.clear();
-  now_.push_back({{0, split_.query().t_max}, {}, {}, {}});
+  if (certified::can_advance(split_.query().shapes[0], split_.query().shapes[1])) {
+    follow_linear(query, options);
+  } else {
+    split_.begin(target);
+    now_.push_back({{0, split_.query().t_max}, {}, {}, {}});
+  }
   for (int level = 0; level < target && !now_.empty(); ++level) {
     next_.clear();
     for (const certified::CellPair& pair : now_) split(pair, options);
@@ -59,6 +65,19 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   }
   unscale(watch_.trace(), exponent);
   return watch_.trace();
+}
+
+void CertifiedTracer::follow_linear(const Query& query, const TraceOptions& options) {
+  const Window whole{0, split_.query().t_max};
+  watch_.look_at({0, {}, whole});
+  certified::advance(split_.query(), &watch_);
+  const Answer answer = linear_.answer(query, {.precision = options.precision});
+  std::optional<Window> left;
+  if (answer.verdict != Verdict::kMiss) {
+    const double toi = certified::original_time(answer.toi.value_or(0), -split_.query().time);
+    left = {toi, whole.hi};
+  }
+  watch_.judge(left);
 }
 
 void CertifiedTracer::split(const certified::CellPair& pair, const TraceOptions& options) {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "base/fp_guard.hpp"
@@ -201,7 +200,6 @@ Decision decide(const Query& query, const OracleOptions& options) {
 
 Answer Oracle::answer(const Query& query, const SearchOptions& options) {
   if (!is_question(query, options)) return refusal(query, options);
-  const auto start = std::chrono::steady_clock::now();
   OracleOptions limits;
   limits.max_pops = options.max_pops;
   limits.max_bytes = options.max_bytes;
@@ -219,8 +217,6 @@ Answer Oracle::answer(const Query& query, const SearchOptions& options) {
   } else {
     answer.verdict = Verdict::kMiss;
   }
-  const auto end = std::chrono::steady_clock::now();
-  answer.seconds = std::chrono::duration<double>(end - start).count();
   return answer;
 }
 
