@@ -37,6 +37,8 @@ export function toNumber([p, q]) {
   return Number(quotient) * 2 ** half * 2 ** (shift - half);
 }
 
+export const add = ([p, q], [r, s]) => [p * s + r * q, q * s];
+export const multiply = ([p, q], [r, s]) => [p * r, q * s];
 export const subtract = ([p, q], [r, s]) => [p * s - r * q, q * s];
 export const compare = ([p, q], [r, s]) => {
   const d = p * s - r * q;

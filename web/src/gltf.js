@@ -8,8 +8,8 @@ const kComfortable = 2 ** 14;  // lengths up to this and from its inverse on sta
 
 /** The power of two that brings all control points at the ends of the range into single precision. */
 function unitOf({ parts, range }) {
-  const lengths = parts.flatMap(({ controls }) => controls.flatMap(({ p, v }) =>
-    range.flatMap((dt) => p.map((x, k) => Math.abs(x + dt * v[k])))));
+  const lengths = parts.flatMap(({ patch, controls }) => controls.flatMap(({ p, v }) =>
+    range.flatMap((dt) => p.map((x, k) => Math.abs(x + dt * v[k]) + (patch.radius ?? 0)))));
   const most = Math.max(...lengths);
   if (!Number.isFinite(most)) throw new RangeError('the patches leave the range of doubles within the step');
   return most === 0 || (most <= kComfortable && most >= 1 / kComfortable) ? 1 : 2 ** Math.floor(Math.log2(most));
@@ -50,7 +50,7 @@ export async function gltfText(centre, origin, picture) {
       }
       one.updateMorphTargets();
       one.material = new MeshStandardMaterial({ color: one.material.color, roughness: 0.6, side: DoubleSide });
-      one.name = `patch ${s + 1}${one.parent === first.netGroup ? ', control net' : ''}`;
+      one.name = `${part.patch.mesh ? 'body' : 'patch'} ${s + 1}${one.parent !== first.netGroup ? '' : part.patch.mesh ? ', hull' : ', control net'}`;
       tracks.push(new NumberKeyframeTrack(`${one.uuid}.morphTargetInfluences`, [0, 1], [0, 1]));
     });
     scene.add(first.group);

@@ -67,7 +67,7 @@ export class CaseList {
     this.groups = failureGroups(this.shown, (letter, method) =>
       (!outcome || letter === outcome) && (at < 0 || method === methods[at]));
     const many = this.shown.length === cases.length ? '' : ` of ${cases.length}`;
-    this.count.textContent = `${this.shown.length}${many} cases, ${this.groups.length} ${this.groups.length === 1 ? 'group' : 'groups'}`;
+    this.count.textContent = `${this.shown.length}${many} ${this.shown.length === 1 && !many ? 'case' : 'cases'}, ${this.groups.length} ${this.groups.length === 1 ? 'group' : 'groups'}`;
     this.box.scrollTop = 0;
     this.layOut();
   }

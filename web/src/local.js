@@ -1,6 +1,6 @@
 // Two moving patches as polynomials about one point and one time, relative to it: the coefficients
 // are computed exactly and rounded once, so that any zoom is as sharp as doubles are.
-import { parseFraction, fractionOf, partsOf, subtract, toNumber } from './exact.js';
+import { fractionOf, multiply, parseFraction, partsOf, subtract, toNumber } from './exact.js';
 
 const factorials = [1];
 for (let n = 1; n <= 32; ++n) factorials.push(factorials[n - 1] * n);
@@ -106,38 +106,39 @@ function regularSteps({ kind, n, m }, a, b) {
 /** The key of a patch that says how it moves: its velocities, or its positions at t = 1. */
 export const motionOf = (patch) => (patch.ends ? 'ends' : 'velocities');
 
+/** Homogeneous: a point is p / w, and w is 1 for a patch without weights. At uv and t, w is 1. */
 function expand(patch, uv, t) {
   const shape = shapeOf(patch);
   const positions = patch.positions.map((row) => row.map(real));
   const motion = patch[motionOf(patch)].map((row) => row.map(real));
+  const weights = patch.positions.map((_, i) => [real(patch.weights?.[i] ?? 1)]);
   const exponent = leastExponent(positions, motion);
+  const w = integers(weights, leastExponent(weights));
   const p = integers(positions, exponent);
   const given = integers(motion, exponent);
   const v = patch.ends ? given.map((row, i) => row.map((x, k) => x - p[i][k])) : given;
-  const moved = p.map((row, i) => row.map((x, k) => x * t[1] + v[i][k] * t[0]));
+  const moved = p.map((row, i) => row.map((x, k) => (x * t[1] + v[i][k] * t[0]) * w[i][0]));
+  const heavy = v.map((row, i) => row.map((x) => x * w[i][0]));
   const one = uv[0][1] * uv[1][1];
   const at = [uv[0][0] * uv[1][1], uv[1][0] * uv[0][1]];
   const unit = 1n << BigInt(-exponent);
+  const [whole] = blossom(shape, w, 0, 0, at[0], at[1], one);
+  const steps = BigInt(regularSteps(shape, 0, 0));
   const terms = indices(shape).map(([a, b]) => {
-    const many = BigInt(Math.round(weight(shape, a, b)));
-    const denominator = unit * one ** BigInt(regularSteps(shape, a, b));
-    const fraction = (row, more) => row.map((x) => [x * many, denominator * more]);
-    return {
-      a,
-      b,
-      p: fraction(blossom(shape, moved, a, b, at[0], at[1], one), t[1]),
-      v: fraction(blossom(shape, v, a, b, at[0], at[1], one), 1n),
-    };
+    const many = BigInt(Math.round(weight(shape, a, b))) * one ** (steps - BigInt(regularSteps(shape, a, b)));
+    const fraction = (points, denominator) =>
+      blossom(shape, points, a, b, at[0], at[1], one).map((x) => [x * many, whole * denominator]);
+    return { a, b, p: fraction(moved, unit * t[1]), v: fraction(heavy, unit), w: fraction(w, 1n)[0] };
   });
   return { shape, terms };
 }
 
 /**
- * Both patches of a case about uv[0], uv[1] and t (fractions): point = Σ duᵃ dvᵇ (p + dt·v), relative
- * to patch 0's point there and moving along with the mean of both velocities. `apart` says that the
- * two points differ there, exactly.
+ * Both patches of a case about uv[0], uv[1] and t (fractions): point = Σ duᵃ dvᵇ (p + dt·v) / Σ duᵃ dvᵇ w,
+ * relative to patch 0's point there and moving along with the mean of both velocities. `apart` says that
+ * the two points differ there, exactly.
  */
-export function localPatches(patches, uv, t) {
+export function localPatches({ patches }, { uv, t }) {
   const [one, two] = patches.map((patch, s) => expand(patch, uv[s], t));
   const origin = one.terms[0].p;
   const gap = two.terms[0].p.map((x, k) => subtract(x, origin[k]));
@@ -145,17 +146,13 @@ export function localPatches(patches, uv, t) {
     const other = two.terms[0].v[k];
     return [x[0] * other[1] + other[0] * x[1], 2n * x[1] * other[1]];
   });
-  const rounded = ({ shape, terms }, first) => ({
+  const without = (row, moved, w) => row.map((x, k) => toNumber(w[0] === 0n ? x : subtract(x, multiply(moved[k], w))));
+  const rounded = ({ shape, terms }) => ({
     shape,
-    terms: terms.map((term, index) => ({
-      a: term.a,
-      b: term.b,
-      p: index === 0 ? first : term.p.map(toNumber),
-      v: (index === 0 ? term.v.map((x, k) => subtract(x, velocity[k])) : term.v).map(toNumber),
-    })),
+    terms: terms.map(({ a, b, p, v, w }) => ({ a, b, p: without(p, origin, w), v: without(v, velocity, w), w: toNumber(w) })),
   });
   return {
-    patches: [rounded(one, [0, 0, 0]), rounded(two, gap.map(toNumber))],
+    patches: [rounded(one), rounded(two)],
     origin: origin.map(toNumber),
     apart: gap.some(([p]) => p !== 0n),
     uv,
@@ -166,11 +163,13 @@ export function localPatches(patches, uv, t) {
 /** The point at (du, dv, dt) from the centre. */
 export function evaluate({ terms }, du, dv, dt) {
   const out = [0, 0, 0];
-  for (const { a, b, p, v } of terms) {
+  let weight = 0;
+  for (const { a, b, p, v, w } of terms) {
     const factor = du ** a * dv ** b;
     for (let k = 0; k < 3; ++k) out[k] += factor * (p[k] + dt * v[k]);
+    weight += factor * w;
   }
-  return out;
+  return out.map((x) => x / weight);
 }
 
 /** Corners (origin, end of u, end of v) of a cell of a level, as offsets from the centre; rounded
@@ -181,13 +180,13 @@ export function cellCorners({ kind }, [i, j, inverted], level, uv) {
     : [[i, j], [i + 1, j], [i, j + 1]];
   return ends.map((corner) =>
     corner.map((x, k) => {
-      if (kind === 'point' || (kind === 'curve' && k === 1)) return 0;
+      if (kind === 'point' || kind === 'hull' || (kind === 'curve' && k === 1)) return 0;
       return toNumber(subtract([BigInt(x), 1n << BigInt(level)], uv[k]));
     }),
   );
 }
 
-/** Control points {p, v} of the part of a local patch over a cell. */
+/** Control points {p, v, w} of the part of a local patch over a cell. */
 export function partOf({ shape, terms }, corners) {
   const [o, eu, ev] = corners;
   const { n, m } = shape;
@@ -215,11 +214,12 @@ export function partOf({ shape, terms }, corners) {
   const ofU = powers(0, n);
   const ofV = powers(1, shape.kind === 'triangle' ? n : m);
   const monomials = new Map();
-  for (const { a, b, p, v } of terms) {
+  for (const { a, b, p, v, w } of terms) {
     for (const { x, y, c } of times(ofU[a], ofV[b])) {
       const key = `${x},${y}`;
-      if (!monomials.has(key)) monomials.set(key, { x, y, p: [0, 0, 0], v: [0, 0, 0] });
+      if (!monomials.has(key)) monomials.set(key, { x, y, p: [0, 0, 0], v: [0, 0, 0], w: 0 });
       const sum = monomials.get(key);
+      sum.w += c * w;
       for (let k = 0; k < 3; ++k) {
         sum.p[k] += c * p[k];
         sum.v[k] += c * v[k];
@@ -227,18 +227,21 @@ export function partOf({ shape, terms }, corners) {
     }
   }
   return indices(shape).map(([i, j]) => {
-    const out = { p: [0, 0, 0], v: [0, 0, 0] };
-    for (const { x, y, p, v } of monomials.values()) {
+    const out = { p: [0, 0, 0], v: [0, 0, 0], w: 0 };
+    for (const { x, y, p, v, w } of monomials.values()) {
       if (x > i || y > j) continue;
       const share = (binomial(i, x) * binomial(j, y)) / weight(shape, x, y);
       for (let k = 0; k < 3; ++k) {
         out.p[k] += share * p[k];
         out.v[k] += share * v[k];
       }
+      out.w += share * w;
     }
-    return out;
+    return { p: out.p.map((x) => x / out.w), v: out.v.map((x) => x / out.w), w: out.w };
   });
 }
+
+const kNowhere = [['0', '0'], ['0', '0']];  // bodies have no parameters
 
 /** The centre to draw a case about: its witness or, without one, the middle of both patches at
  * the end of the step. */
@@ -246,7 +249,7 @@ export function centreOf(known) {
   const witness = known.truth?.witness;
   if (witness) {
     return {
-      uv: witness.uv.map((pair) => pair.map(parseFraction)),
+      uv: (witness.uv ?? kNowhere).map((pair) => pair.map(parseFraction)),
       t: parseFraction(witness.t),
       witness: true,
     };

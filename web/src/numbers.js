@@ -8,12 +8,15 @@ export function numbersTable({ known, centre, local, tMax, method, answer, loss 
   const rows = [];
   const add = (label, ...value) => rows.push(h('tr', h('th', { scope: 'row' }, label), h('td', ...value)));
   const witness = known.truth?.witness;
+  const noun = known.patches[0].shape === 'hull' ? 'body' : 'patch';
   if (witness) {
     add('t*', h('code', witness.t), ` ≈ ${toNumber(centre.t)}`);
-    witness.uv.forEach((pair, s) => add(`u, v of patch ${s + 1}`, h('code', pair.join(', '))));
+    witness.uv?.forEach((pair, s) => add(`u, v of patch ${s + 1}`, h('code', pair.join(', '))));
+    witness.weights?.forEach((share, s) => add(`weights of the points of body ${s + 1}`, h('code', share.join(', '))));
     add('contact point', h('code', local.origin.map((x) => String(x)).join(', ')));
-    if (local.apart) add('', known.separation ? 'patch 1; patch 2 keeps a distance' : 'the two patches differ there');
+    if (local.apart) add('', known.separation ? `${noun} 1; ${noun} 2 keeps a distance` : `the ${known.truth.witness.uv ? 'two patches differ' : 'hulls are nearer than their radii'} there`);
   }
+  known.patches.forEach(({ radius }, s) => radius && add(`radius of body ${s + 1}`, h('code', hexFloat(real(radius))), ` = ${real(radius)}`));
   if (known.separation) add('separation', h('code', hexFloat(real(known.separation))), ` = ${real(known.separation)}`);
   add('t_max', h('code', hexFloat(tMax)), ` = ${tMax}`);
   if (answer?.toi !== null && answer?.toi !== undefined) add(`toi of ${method}`, h('code', hexFloat(answer.toi)), ` = ${answer.toi}`);

@@ -4,11 +4,10 @@ import {
   BoxGeometry, BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial,
   LineSegments, Matrix4, Mesh, MeshBasicMaterial, MeshPhongMaterial, Points, PointsMaterial, Vector3,
 } from 'three';
-import { evaluate, indices } from './local.js';
+import { indices } from './local.js';
 
 export const kPatchColours = [0x3f7fbf, 0xe08a2e];
 
-const kSteps = 28;
 const kFar = 8;
 
 /** Lines of a control net: pairs of places in the order of the control points. */
@@ -25,56 +24,31 @@ export function netEdges({ kind, n, m }) {
   return edges;
 }
 
-/** Parameters (x, y) of a grid over the domain, and its triangles or lines. */
-export function grid({ kind }) {
-  const at = [];
-  const faces = [];
-  if (kind === 'point') return { at: [[0, 0]], faces };
-  if (kind === 'curve') {
-    for (let i = 0; i <= 2 * kSteps; ++i) at.push([i / (2 * kSteps), 0]);
-    return { at, faces };
-  }
-  const rows = [];
-  for (let i = 0; i <= kSteps; ++i) {
-    rows.push(at.length);
-    const last = kind === 'triangle' ? kSteps - i : kSteps;
-    for (let j = 0; j <= last; ++j) at.push([i / kSteps, j / kSteps]);
-  }
-  for (let i = 0; i < kSteps; ++i) {
-    const last = kind === 'triangle' ? kSteps - i : kSteps;
-    for (let j = 0; j < last; ++j) {
-      const a = rows[i] + j;
-      const b = rows[i + 1] + j;
-      faces.push(a, b, a + 1);
-      if (kind === 'tensor' || j + 1 < last) faces.push(b, b + 1, a + 1);
-    }
-  }
-  return { at, faces };
-}
-
 export const vector = (p, scale) => new Vector3(p[0] / scale, p[1] / scale, p[2] / scale);
 export const cross = (a, b) => new Vector3().crossVectors(a, b);
 
-/** A patch: its surface over a part of the domain, the net and points of that part, and its box. */
+/** A patch: its surface over a part of the domain, the net and points of that part, and its box; or a body. */
 export class PatchView {
-  constructor({ patch, corners, controls, boxes }, colour) {
+  constructor({ patch, corners, controls, boxes, surface }, colour) {
     this.patch = patch;
     this.corners = corners;
+    this.places = surface.places;
     this.controls = controls;
     this.group = new Group();
-    const { at, faces } = grid(patch.shape);
-    this.at = at;
+    const { count, faces, normals } = surface;
     this.surface = new BufferGeometry();
-    this.surface.setAttribute('position', new BufferAttribute(new Float32Array(3 * at.length), 3));
+    this.surface.setAttribute('position', new BufferAttribute(new Float32Array(3 * count), 3));
+    if (normals) this.surface.setAttribute('normal', new BufferAttribute(new Float32Array(normals.flat()), 3));
+    this.bends = faces.length > 0 && !patch.mesh;
     if (faces.length > 0) {
       this.surface.setIndex(faces);
       this.group.add(new Mesh(this.surface, new MeshPhongMaterial({
         color: colour, emissive: colour, emissiveIntensity: 0.28, side: DoubleSide, transparent: true,
-        opacity: 0.86, shininess: 30, specular: 0x222222, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+        opacity: patch.mesh ? 0.7 : 0.86, flatShading: Boolean(patch.mesh && !normals), shininess: 30, specular: 0x222222, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
       })));
-    } else if (at.length > 1) {
+    } else if (count > 1) {
       const line = [];
-      for (let i = 0; i + 1 < at.length; ++i) line.push(i, i + 1);
+      for (let i = 0; i + 1 < count; ++i) line.push(i, i + 1);
       this.surface.setIndex(line);
       this.group.add(new LineSegments(this.surface, new LineBasicMaterial({ color: colour })));
     } else {
@@ -85,7 +59,7 @@ export class PatchView {
     this.net.setAttribute('position', new BufferAttribute(new Float32Array(3 * controls.length), 3));
     this.lines = new BufferGeometry();
     this.lines.setAttribute('position', this.net.getAttribute('position'));
-    this.lines.setIndex(netEdges(patch.shape));
+    this.lines.setIndex(patch.mesh?.net.flat() ?? netEdges(patch.shape));
     const dark = new Color(colour).lerp(new Color(0x000000), 0.25);
     this.netGroup = new Group();
     if (this.lines.index.count > 0) {
@@ -117,16 +91,10 @@ export class PatchView {
   }
 
   move(dt, boxDt, scale) {
-    const [o, eu, ev] = this.corners;
     const places = this.surface.getAttribute('position');
-    this.at.forEach(([x, y], index) => {
-      const du = o[0] + x * (eu[0] - o[0]) + y * (ev[0] - o[0]);
-      const dv = o[1] + x * (eu[1] - o[1]) + y * (ev[1] - o[1]);
-      const p = evaluate(this.patch, du, dv, dt);
-      places.setXYZ(index, p[0] / scale, p[1] / scale, p[2] / scale);
-    });
+    this.places(dt).forEach((p, index) => places.setXYZ(index, p[0] / scale, p[1] / scale, p[2] / scale));
     places.needsUpdate = true;
-    if (this.surface.index && this.at.length > 2 * kSteps + 1) this.surface.computeVertexNormals();
+    if (this.bends) this.surface.computeVertexNormals();
     this.surface.computeBoundingSphere();
     const net = this.net.getAttribute('position');
     const points = this.controlPoints(this.controls, dt, scale);

@@ -1,6 +1,6 @@
 // The two patches in 3-D.
 import {
-  AmbientLight, ArrowHelper, DirectionalLight, DoubleSide, Group, Mesh, MeshBasicMaterial, PerspectiveCamera,
+  AmbientLight, ArrowHelper, BufferGeometry, DirectionalLight, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, PerspectiveCamera,
   PlaneGeometry, Quaternion, Scene, SphereGeometry, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -44,7 +44,7 @@ export class Stage {
   }
 
   /** parts: for each side {patch, corners, controls, boxes: [{controls, faint}]}; axis: unit direction or null. */
-  load(parts, { scale, axis, axisFailed, witness, boxDt }) {
+  load(parts, { scale, axis, axisFailed, witness, separation, boxDt }) {
     for (const view of this.views) {
       this.scene.remove(view.group);
       view.dispose();
@@ -58,6 +58,7 @@ export class Stage {
     this.axis = axis;
     this.axisFailed = axisFailed;
     this.witness = witness;
+    this.separation = separation / scale;
     this.applyShow();
   }
 
@@ -90,16 +91,23 @@ export class Stage {
       this.marks.add(ball);
     };
     if (this.witness) at.forEach((p, s) => dot(p, s === 0 ? this.colours.ink : this.colours.patches[1], s === 0 ? 0.022 : 0.015));
+    if (this.separation > 0 && this.witness) {
+      // What counts as a contact: all within the separation of the first one's point.
+      const ball = new Mesh(new SphereGeometry(this.separation, 40, 28),
+        new MeshBasicMaterial({ color: this.colours.ink, transparent: true, opacity: 0.12, depthWrite: false }));
+      ball.position.copy(at[0]);
+      this.marks.add(ball, new LineSegments(new BufferGeometry().setFromPoints(at), new LineBasicMaterial({ color: this.colours.ink, depthTest: false })));
+    }
     if (this.show.normals && this.witness) {
+      const arrow = (n, s) => this.marks.add(new ArrowHelper(n.normalize(), at[s], 0.5, this.colours.patches[s], 0.09, 0.05));
       this.views.forEach(({ patch, corners }, s) => {
-        if (patch.shape.kind === 'point' || patch.shape.kind === 'curve') return;
+        if (patch.normal) return arrow(new Vector3(...patch.normal), s);
+        if (patch.mesh || patch.shape.kind === 'point' || patch.shape.kind === 'curve') return;
         const h = Math.max(...corners.flat().map(Math.abs)) * 1e-3;
         const o = evaluate(patch, 0, 0, dt);
         const minus = (p) => vector(p.map((x, k) => x - o[k]), this.scale);
         const n = cross(minus(evaluate(patch, h, 0, dt)), minus(evaluate(patch, 0, h, dt)));
-        if (!(n.length() > 0)) return;
-        const arrow = new ArrowHelper(n.normalize(), at[s], 0.5, this.colours.patches[s], 0.09, 0.05);
-        this.marks.add(arrow);
+        if (n.length() > 0) arrow(n, s);
       });
     }
     if (this.axis) {

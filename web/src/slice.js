@@ -1,8 +1,6 @@
 // A plane through the contact, and where it cuts both patches: shows in 2-D that they meet there.
 import { compare } from './exact.js';
 import { unit } from './geometry.js';
-import { evaluate } from './local.js';
-import { grid } from './patch_view.js';
 
 const kSlant = 2 ** -10;  // sine of an angle that moves no line of a picture of 1,000 pixels by one
 const kTurns = 12;  // planes of a quarter turn: steps of 7.5 degrees
@@ -35,9 +33,12 @@ function edgesAt({ kind, n }, [u, v]) {
 
 /** A patch at the contact: what touches there, and its directions. */
 function touching({ shape, terms }, uv) {
-  const slope = (a, b) => terms.find((term) => term.a === a && term.b === b)?.p ?? [0, 0, 0];
+  const slope = (a, b) => {
+    const found = terms.find((term) => term.a === a && term.b === b);
+    return found ? along(found.p, -found.w, terms[0].p) : [0, 0, 0];
+  };
   const [du, dv] = [slope(1, 0), slope(0, 1)];
-  const edges = edgesAt(shape, uv).map(([a, b]) => du.map((x, k) => a * x + b * dv[k]));
+  const edges = (shape.kind === 'hull' ? [] : edgesAt(shape, uv)).map(([a, b]) => du.map((x, k) => a * x + b * dv[k]));
   const [u, v] = [direction(du), direction(dv)];
   return {
     dimension: 2 - Math.min(2, edges.length),
@@ -48,7 +49,8 @@ function touching({ shape, terms }, uv) {
 
 /** The contact's normal: the gap between both points where they keep a distance, or else the normal of a face,
  * of two edges, or of an edge against the velocity. */
-function contactNormal({ patches, uv }, velocity) {
+function contactNormal({ patches, uv, normal }, velocity) {
+  if (normal) return normal;
   const both = patches.map((patch, s) => touching(patch, uv[s]));
   const face = both.find(({ dimension, normal }) => dimension === 2 && normal);
   const edges = both.map(({ edge }) => edge).filter(Boolean);
@@ -59,14 +61,8 @@ function contactNormal({ patches, uv }, velocity) {
 }
 
 /** Points of a part at dt, as seen from a point that moves with `velocity`, and its triangles. */
-function placesOf({ patch, corners: [o, eu, ev] }, dt, velocity) {
-  const { at, faces } = grid(patch.shape);
-  const places = at.map(([x, y]) => {
-    const uv = o.map((begin, k) => begin + x * (eu[k] - begin) + y * (ev[k] - begin));
-    return along(evaluate(patch, ...uv, dt), -dt, velocity);
-  });
-  return { places, faces };
-}
+const placesOf = ({ surface: { faces, places } }, dt, velocity) =>
+  ({ places: places(dt).map((p) => along(p, -dt, velocity)), faces });
 
 /** Where a plane {across, up, out} cuts what placesOf gives: {segments: [[x1, y1, x2, y2]], points: [[x, y]],
  * shadow: segments}, divided by scale. The shadow is that of a curve, seen across the plane. */
@@ -108,6 +104,36 @@ function cutBy({ across, up, out }, part, scale) {
     });
   }
   return { segments, points, shadow };
+}
+
+/** Twice the area of a triangle, > 0 if it turns left. */
+const turnOf = ([x, y], [x1, y1], [x2, y2]) => (x1 - x) * (y2 - y) - (x2 - x) * (y1 - y);
+/** A convex polygon, or none if it has no area. */
+const withArea = (polygon) => {
+  const area = polygon.reduce((sum, p, i) => sum + turnOf(polygon[0], p, polygon[(i + 1) % polygon.length]), 0);
+  return area > kOnPlane ** 2 ? polygon : [];
+};
+
+/** The convex polygon around a section of a body, counterclockwise; empty if it has no area. */
+export function convexOf({ segments }) {
+  const all = segments.flatMap(([a, b, c, d]) => [[a, b], [c, d]]);
+  const middle = [0, 1].map((k) => all.reduce((sum, p) => sum + p[k], 0) / all.length);
+  const angle = (p) => Math.atan2(p[1] - middle[1], p[0] - middle[0]);
+  return withArea(all.map((p) => [angle(p), p]).sort(([a], [b]) => a - b).map(([, p]) => p));
+}
+
+/** What two convex polygons have in common: the first, cut along each side of the second. */
+export function overlapOf(one, two) {
+  if (two.length === 0) return [];
+  return withArea(two.reduce((left, from, i) => {
+    const to = two[(i + 1) % two.length];
+    return left.flatMap((p, k) => {
+      const q = left[(k + 1) % left.length];
+      const [a, b] = [p, q].map((x) => turnOf(from, to, x));
+      const crossing = a < 0 !== b < 0 ? [p.map((x, at) => x + (a / (a - b)) * (q[at] - x))] : [];
+      return [...(a >= 0 ? [p] : []), ...crossing];
+    });
+  }, one));
 }
 
 const lengthOf = (segments) => Math.max(0, ...segments.flat().map(Math.abs));

@@ -2,9 +2,10 @@
 import { details } from './data.js';
 import { copyButton, fileName, h, saveButton, scientific } from './dom.js';
 import { toNumber, ulpOf, fractionOf, subtract } from './exact.js';
-import { cellAt, cellOfPatch, largest, pictureOf, relativeSpeed, unit } from './geometry.js';
+import { kDeepestOfBodies } from './bodies.js';
+import { cellAt, cellOfPatch, largest, localOf, pictureOf, relativeSpeed, unit } from './geometry.js';
 import { gltfText } from './gltf.js';
-import { centreOf, localPatches, real, shapeOf } from './local.js';
+import { centreOf, real, shapeOf } from './local.js';
 import { numbersTable } from './numbers.js';
 import { SliceView } from './slice_view.js';
 import { bands, ladder } from './timeline.js';
@@ -15,12 +16,14 @@ import { colourOf } from './colours.js';
 
 const kDeepest = 50;
 
+const bodyName = ({ positions: { length }, radius }) =>
+  (length === 1 && radius ? 'ball' : length === 2 && radius ? 'capsule' : `${radius ? 'rounded ' : ''}body of ${length} ${length > 1 ? 'points' : 'point'}`);
 const worth = ({ outcome }) => ['missed', 'late', 'false_positive', 'error'].includes(outcome) ? 0 : 1;
 const failuresFirst = ([, a], [, b]) => worth(a) - worth(b);
 export class Viewer {
   constructor(root) {
     this.root = root;
-    this.canvas = h('canvas', { tabindex: 0, role: 'img', 'aria-label': 'The two patches; drag or use the arrow keys to turn, the wheel or + and − to zoom' });
+    this.canvas = h('canvas', { tabindex: 0, role: 'img', 'aria-label': 'Both patches or bodies; drag or use the arrow keys to turn, the wheel or + and − to zoom' });
     this.slider = h('input.time', { type: 'range', min: 0, max: 1000, step: 'any', 'aria-label': 'Time' });
     this.zoom = h('input.zoom', { type: 'range', min: 0, max: kDeepest, step: 1, 'aria-label': 'Magnification' });
     this.timeText = h('output.time-text');
@@ -41,7 +44,7 @@ export class Viewer {
       h('header.case-head', this.heading, this.chips, this.sentence),
       this.views,
       h('div.controls',
-        h('div.row', h('span.label', 'Level'), this.ladder),
+        h('div.row.of-patches', h('span.label', 'Level'), this.ladder),
         h('div.row', h('span.label', 'Time'), h('div.time-box', this.track, this.slider), this.timeText),
         h('div.row', h('span.label', 'Zoom'), this.zoom, this.zoomText)),
       this.plots, this.numbers, this.buttons);
@@ -65,11 +68,12 @@ export class Viewer {
       return button;
     };
     const view = (label, title, act) => h('button', { type: 'button', title, onclick: act }, label);
+    const ofPatches = (button) => button.classList.add('of-patches') ?? button;
     this.toggles.append(
-      toggle('nets', 'Nets'), toggle('boxes', 'Boxes'), toggle('normals', 'Normals'),
-      view('Whole', 'Both patches, from the start', () => this.setZoom(0)),
+      toggle('nets', 'Nets'), ofPatches(toggle('boxes', 'Boxes')), toggle('normals', 'Normals'),
+      view('Whole', 'Both, from the start', () => this.setZoom(0)),
       view('Side', 'Across the axis or the normals', () => this.lookAside()),
-      view('Gap', 'As near as the error is large', () => this.zoomToGap()));
+      ofPatches(view('Gap', 'As near as the error is large', () => this.zoomToGap())));
   }
 
   /** Shows a case; of its methods the one asked for, or else the one that lost most. */
@@ -79,9 +83,9 @@ export class Viewer {
     if (this.row !== row) return;
     this.case = found.case;
     this.details = found;
-    const isDrawn = this.case.patches.every((p) => p.shape !== 'hull' && !p.weights);
-    this.root.classList.toggle('undrawn', !isDrawn);
-    if (!isDrawn) return this.tellNumbers();
+    this.areBodies = this.case.patches[0].shape === 'hull';
+    this.root.classList.toggle('of-bodies', this.areBodies);
+    this.zoom.max = this.areBodies ? kDeepestOfBodies : kDeepest;
     try {
       this.stage ??= new Stage(this.canvas);
     } catch {
@@ -90,7 +94,7 @@ export class Viewer {
       this.scaleText.textContent = 'No 3-D here: this browser has no WebGL.';
     }
     this.centre = centreOf(this.case);
-    this.local = localPatches(this.case.patches, this.centre.uv, this.centre.t);
+    this.local = localOf(this.case, this.centre);
     this.tStar = toNumber(this.centre.t);
     this.tMax = real(this.case.t_max);
     this.separation = real(this.case.separation ?? 0);
@@ -99,23 +103,9 @@ export class Viewer {
     const other = this.traceOf(worst.method) ?? found.traces.find((t) => t.lost) ?? found.traces[0];
     const chosen = found.answers[method] ? method : other?.method ?? row.failed[0];
     this.select(chosen, this.traceOf(chosen)?.loss?.level ?? 0);
-    if (this.stage?.axis) this.stage.lookAcross(this.stage.axis, 0.75);
+    if (this.stage?.axis ?? this.local.normal) this.stage?.lookAcross(this.stage.axis ?? this.local.normal, 0.75);
     else this.stage?.reset();
     this.fillButtons();
-  }
-
-  /** What is not drawn, bodies and patches with weights, is told as the file has it. */
-  tellNumbers() {
-    this.separation = real(this.case.separation ?? 0);
-    this.method = this.row.failed[0];
-    this.fillHead();
-    this.fillChips();
-    this.sentence.replaceChildren('No picture: the view draws patches without weights, and no bodies. These are the numbers.');
-    this.plots.replaceChildren();
-    this.buttons.replaceChildren();
-    const { patches, t_max, truth } = this.case;
-    const told = { 'patch 1': patches[0], 'patch 2': patches[1], t_max, truth };
-    this.numbers.replaceChildren(...Object.entries(told).map(([what, value]) => h('p', h('b', what), ` ${JSON.stringify(value)}`)));
   }
 
   traceOf(method) {
@@ -127,8 +117,8 @@ export class Viewer {
     const { separation } = this;
     const shapes = this.case.patches.map((p) => {
       const s = shapeOf(p);
-      return s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point'
-        : s.kind === 'hull' ? `body of ${p.positions.length} points` : `${s.kind} of degree ${s.n}`;
+      return (p.weights ? 'rational ' : '') + (s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point'
+        : s.kind === 'hull' ? bodyName(p) : `${s.kind} of degree ${s.n}`);
     });
     this.heading.replaceChildren(...[
       h('span.class-tag', contact || '–'), ` ${kind} · ${shapes.join(' against ')} `,
@@ -162,7 +152,6 @@ export class Viewer {
   }
 
   select(method, level) {
-    if (this.root.classList.contains('undrawn')) return;
     this.method = method;
     this.level = level;
     this.fillChips();
@@ -189,7 +178,7 @@ export class Viewer {
     this.slice.load({ picture: this.picture, local: this.local, witness: this.centre.witness, separation: this.separation, late });
     const parts = this.picture.parts.map((part, s) => {
       const boxes = [];
-      for (let level = Math.min(this.level, Math.max(0, zoom - 1)); level <= this.level; ++level) {
+      for (let level = this.areBodies ? this.level + 1 : Math.min(this.level, Math.max(0, zoom - 1)); level <= this.level; ++level) {
         boxes.push({ ...cellOfPatch(patches[s], level, cellOf(s, level), uv[s]), faint: level !== this.level });
       }
       return { ...part, boxes };
@@ -204,9 +193,10 @@ export class Viewer {
       axis: drawable ? unit(this.axis) : null,
       axisFailed: failed,
       witness: this.centre.witness,
+      separation: this.separation,
       boxDt: Math.max(this.range[0], step ? step[1][0] : this.range[0]),
     });
-    this.zoomText.textContent = zoom === 0 ? 'whole patches' : `1 : 2^${zoom}`;
+    this.zoomText.textContent = zoom === 0 ? (this.areBodies ? 'whole bodies' : 'whole patches') : `1 : 2^${zoom}`;
     this.scaleText.textContent = `${scientific(scale, 2)} across`;
     this.track.replaceChildren(...bands({
       range: this.range, step, excluded: this.excluded(), toi: typeof toi === 'number' ? late : null, contact: this.centre.witness,
@@ -220,7 +210,8 @@ export class Viewer {
 
   lookAside() {
     if (!this.stage) return;
-    if (this.stage.axis) this.stage.lookAcross(this.stage.axis, 0.12);
+    const axis = this.stage.axis ?? this.local.normal;
+    if (axis) this.stage.lookAcross(axis, 0.12);
     else this.stage.reset();
   }
 

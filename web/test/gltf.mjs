@@ -5,7 +5,9 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { grid, netEdges } from '../src/patch_view.js';
+import { bodyMesh } from '../src/bodies.js';
+import { netEdges } from '../src/patch_view.js';
+import { grid } from '../src/surface.js';
 
 const [corpus, work] = process.argv.slice(2);
 const script = join(dirname(fileURLToPath(import.meta.url)), '..', 'gltf.mjs');
@@ -27,16 +29,25 @@ function written(known, name) {
   return JSON.parse(readFileSync(join(work, `${name}.gltf`), 'utf8'));
 }
 
-// Two counterexamples, and without a contact every pair of shapes, one of them without an extent.
+// Two counterexamples, some of engines, and without a contact every pair of shapes, one of them without an extent, with
+// weights and without; of bodies each with the next.
 const cases = readdirSync(corpus).filter((f) => f.endsWith('.json')).sort().slice(0, 2)
   .map((file) => JSON.parse(readFileSync(join(corpus, file), 'utf8')));
+for (const engine of readdirSync(join(corpus, '..', 'engines'))) {
+  const folder = join(corpus, '..', 'engines', engine);
+  cases.push(...readdirSync(folder).filter((f) => f.endsWith('.json')).sort().slice(-2).map((file) => JSON.parse(readFileSync(join(folder, file), 'utf8'))));
+}
 const wave = (count, seed) => Array.from({ length: count }, (_, i) => [0, 1, 2].map((k) => Math.sin(seed + 5 * i + k)));
 const shapes = [[{ shape: 'point' }, 1], [{ shape: 'curve', degree: 3 }, 4], [{ shape: 'triangle', degree: 2 }, 6],
   [{ shape: 'tensor', degree: [2, 1] }, 6]].map(([shape, count], s) => ({ ...shape, positions: wave(count, s), velocities: wave(count, s + 9) }));
 const still = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
 shapes.push({ shape: 'triangle', degree: 1, positions: still, velocities: still });
-for (const one of shapes) {
-  for (const two of shapes) cases.push({ format: 'ccdfuzz-case', version: 1, t_max: '0x1p-1', patches: [one, two], truth: { collides: null } });
+shapes.push({ shape: 'curve', degree: 3, positions: wave(4, 1), ends: wave(4, 5), weights: [1, 2, '0x1p-1', 3] });
+const bodies = [[1, 0], [1, 1], [2, 0], [2, 0.5], [3, 0], [3, 0.25], [8, 0], [81, 0.125]]
+  .map(([count, radius], s) => ({ shape: 'hull', positions: wave(count, s), velocities: wave(1, s + 5), radius }));
+const pairs = [...shapes.flatMap((one) => shapes.map((two) => [one, two])), ...bodies.map((one, i) => [one, bodies[(i + 1) % bodies.length]])];
+for (const [one, two] of pairs) {
+  cases.push({ format: 'ccdfuzz-case', version: 1, t_max: '0x1p-1', patches: [one, two], truth: { collides: null } });
 }
 const complaints = [];
 let number = 0;
@@ -97,6 +108,10 @@ for (const [change, said] of [
   [{ patches: [{ ...bad.patches[0], shape: 'sphere' }, bad.patches[1]] }, 'patches[0].shape is none of'],
   [{ patches: [{ ...bad.patches[0], degree: 1e9 }, bad.patches[1]] }, 'patches[0].degree is not from 0 to 8'],
   [{ patches: [{ ...bad.patches[0], degree: 2 }, bad.patches[1]] }, 'patches[0].positions does not have as many rows'],
+  [{ patches: [{ ...bad.patches[0], weights: [1, 0, 1] }, bad.patches[1]] }, 'patches[0].weights is not a positive number'],
+  [{ patches: [bodies[0], bad.patches[1]] }, 'one is a body and one is not'],
+  [{ patches: [bodies[0], { ...bodies[1], radius: -1 }] }, 'patches[1].radius is not'],
+  [{ patches: [bodies[0], { ...bodies[1], positions: [] }] }, 'patches[1].positions does not have 1 to 81 rows'],
   [{ patches: [bad.patches[0], { ...bad.patches[1], velocities: [[0, 'x', 0]] }] }, 'patches[1].velocities has a row'],
   [{ truth: { witness: { t: 'x', uv: [['0', '0'], ['0', '0']] } } }, 'BigInt'],
 ]) {
@@ -126,6 +141,44 @@ for (const [shape, lines] of [
   [{ kind: 'curve', n: 3, m: 0 }, 3], [{ kind: 'point', n: 0, m: 0 }, 0],
 ]) {
   claim(`a net has its lines: ${shape.kind} ${shape.n}, ${shape.m}`, netEdges(shape).length === 2 * lines, netEdges(shape));
+}
+
+// Bodies: closed surfaces, of the volume that they have, within a hundredth.
+function volumeOf({ at, faces }) {
+  let sum = 0;
+  for (let i = 0; i < faces.length; i += 3) {
+    const [p, q, r] = faces.slice(i, i + 3).map((v) => at[v]);
+    sum += (p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0])) / 6;
+  }
+  return sum;
+}
+function isClosed({ faces }) {
+  const sides = new Set();
+  for (let i = 0; i < faces.length; i += 3) for (let k = 0; k < 3; ++k) sides.add(`${faces[i + k]},${faces[i + ((k + 1) % 3)]}`);
+  return sides.size === faces.length && [...sides].every((side) => sides.has(side.split(',').reverse().join()));
+}
+const box = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => [i & 1, i & 2, 0.75 * (i & 4)]);  // 1 by 2 by 3
+const ball = (4 / 3) * Math.PI;
+for (const [what, points, radius, volume] of [
+  ['ball', [[1, 2, 3]], 2, 8 * ball],
+  ['capsule', [[0, 0, 0], [0, 5, 0]], 1, ball + 5 * Math.PI],
+  ['rounded triangle', [[0, 0, 0], [4, 0, 0], [0, 3, 0]], 0.5, 6 + (12 * Math.PI) / 8 + ball / 8],
+  ['box', box, 0, 6],
+  ['box far away', box.map((p) => p.map((x) => x + 2 ** 30)), 0, 6],
+  ['rounded box', box, 0.25, 6 + 22 / 4 + (24 * Math.PI) / 64 + ball / 64],
+  ['rounded square of 81 points', Array.from({ length: 81 }, (_, i) => [i % 9, Math.floor(i / 9), 0]), 0.5, 64 + (32 * Math.PI) / 8 + ball / 8],
+]) {
+  const mesh = bodyMesh(points, radius, [0, 0, 1]);
+  const moved = { ...mesh, at: mesh.at.map((p) => p.map((x, k) => x - mesh.at[0][k])) };
+  claim(`a ${what} is a closed surface`, isClosed(mesh), mesh.faces.length);
+  claim(`a ${what} has its volume`, Math.abs(volumeOf(moved) / volume - 1) < 0.01, volumeOf(moved), volume);
+}
+for (const [what, points, radius, count, triangles] of [
+  ['point', [[1, 1, 1], [1, 1, 1]], 0, 1, 0], ['segment', [[0, 0, 0], [1, 1, 1], [2, 2, 2]], 0, 2, 0],
+  ['triangle', [[0, 0, 0], [4, 0, 0], [0, 3, 0]], 0, 3, 1], ['segment with a radius of nothing', [[0, 0, 0], [1, 0, 0]], 2 ** -40, 2, 0],
+]) {
+  const { at, faces } = bodyMesh(points, radius, null);
+  claim(`a ${what} is drawn as one`, at.length === count && faces.length === 3 * triangles, at, faces);
 }
 
 console.log(failures === 0 ? 'all as claimed' : `${failures} claims do not hold`);
