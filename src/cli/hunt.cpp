@@ -154,11 +154,6 @@ std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
   return sums;
 }
 
-/// Plug-ins are not: none of their mutants is known to be lost.
-bool any_is_traced(const std::vector<HuntCell>& cells) {
-  return !std::ranges::all_of(cells, names_plugin, &HuntCell::method);
-}
-
 Table method_table(const std::vector<HuntCell>& cells) {
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
@@ -180,14 +175,7 @@ Table method_table(const std::vector<HuntCell>& cells) {
   add_if_met("FP", Outcome::kFalsePositive, &Tally::negatives);
   add_refused_column(columns, cells);
   columns.push_back(mean_column());
-  columns.push_back({"mutants", [](const HuntCell& cell) {
-                       return TableCell{fmt::format("{}", cell.bred.mutants)};
-                     }});
-  if (any_is_traced(cells)) {
-    columns.push_back({"lost", [](const HuntCell& cell) {
-                         return TableCell{fmt::format("{}", cell.bred.lost)};
-                       }});
-  }
+  add_mutant_columns(columns, cells);
   return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
 }
 

@@ -103,24 +103,36 @@ Column<HuntCell> mean_column() {
   return column;
 }
 
+bool any_is_traced(const std::vector<HuntCell>& cells) {
+  return !std::ranges::all_of(cells, names_plugin, &HuntCell::method);
+}
+
+void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
+                        const std::vector<HuntCell>& cells) {
+  columns.push_back({"mutants", [](const HuntCell& cell) {
+                       return TableCell{fmt::format("{}", cell.bred.mutants)};
+                     }});
+  if (!any_is_traced(cells)) return;
+  columns.push_back({"lost", [](const HuntCell& cell) {
+                       return names_plugin(cell.method)
+                                  ? TableCell{"-", Emphasis::kFaint}
+                                  : count_cell(cell.bred.lost, cell.bred.mutants, true);
+                     }});
+}
+
 Table hunt_table(const std::vector<HuntCell>& cells) {
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }),
       text_column<HuntCell>("method", [](const HuntCell& cell) { return cell.method; }),
       asked_column<HuntCell>(),
       mean_column(),
-      outcome_column<HuntCell>("FN missed", Outcome::kMissed, &Tally::positives),
-      outcome_column<HuntCell>("FN late", Outcome::kLate, &Tally::positives),
+      outcome_column<HuntCell>("missed", Outcome::kMissed, &Tally::positives),
+      outcome_column<HuntCell>("late", Outcome::kLate, &Tally::positives),
       outcome_column<HuntCell>("FP", Outcome::kFalsePositive, &Tally::negatives),
       outcome_column<HuntCell>("undecided", Outcome::kUndecided, &Tally::n),
       outcome_column<HuntCell>("error", Outcome::kError, &Tally::n)};
   add_refused_column(columns, cells);
-  columns.push_back({"mutants", [](const HuntCell& cell) {
-                       return TableCell{fmt::format("{}", cell.bred.mutants)};
-                     }});
-  columns.push_back({"lost", [](const HuntCell& cell) {
-                       return count_cell(cell.bred.lost, cell.bred.mutants, true);
-                     }});
+  add_mutant_columns(columns, cells);
   return table_of(cells, columns,
                   [](const HuntCell& a, const HuntCell& b) { return a.contact == b.contact; });
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "method/method.hpp"
 
@@ -42,37 +44,41 @@ std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   return infos;
 }
 
-/// The switches, and the specs that take each.
-std::string switches_of(const std::vector<MethodInfo>& infos) {
-  Table table({{"behind a spec", Align::kLeft}, {"of", Align::kLeft}, {"reads", Align::kLeft}});
+/// A name with what it is of, and below it what it does.
+void print_entry(const std::string& head, const std::string& text) {
+  print_out(fmt::format("{}\n    {}\n", wrapped(head, 4, 0), wrapped(text, 4, 4)));
+}
+
+/// The switches that any of them takes.
+void print_switches(const std::vector<MethodInfo>& infos) {
+  bool is_first = true;
   for (const MethodSwitch& s : method_switches()) {
     std::vector<std::string> of;
     for (const MethodInfo& info : infos) {
       if (std::ranges::find(info.switches, s.name) != info.switches.end()) of.push_back(info.spec);
     }
     if (of.empty()) continue;
-    table.add_row(
-        {{fmt::format("@{}", s.name)}, {fmt::format("{}", fmt::join(of, " "))}, {s.meaning}});
+    if (is_first) print_out("\nBehind the name, as in tdibm@slip:\n");
+    is_first = false;
+    print_entry(fmt::format("@{} ({})", s.name, fmt::join(of, ", ")), s.meaning);
   }
-  return table.row_count() == 0 ? "" : "\n" + table.to_text(wants_colour(stdout));
 }
 
 int run_methods(const MethodsOptions& options, Session& session) {
   const std::vector<MethodInfo> infos = method_infos_of(options.specs);
-  session.begin_table({{"method", Align::kLeft},
-                       {"claims no FN", Align::kLeft},
-                       {"source", Align::kLeft},
-                       {"description", Align::kLeft}});
-  for (const MethodInfo& info : infos) {
-    session.show(MethodRow{info}, std::nullopt, [](const MethodRow& row) -> std::vector<TableCell> {
-      return {{row.info.spec},
-              {row.info.claims_no_false_negative ? "yes" : "no"},
-              {row.info.source},
-              {row.info.description}};
-    });
+  if (session.json) {
+    for (const MethodInfo& info : infos) print_row(MethodRow{info});
+    return kDone;
   }
-  session.end_table();
-  if (!session.json) print_out(switches_of(infos));
+  std::vector<std::string> marked;
+  for (const MethodInfo& info : infos) {
+    const bool claims = info.claims_no_false_negative;
+    print_entry(fmt::format("{}{} ({})", info.spec, claims ? " *" : "", info.source),
+                info.description);
+    if (claims) marked.push_back(info.spec);
+  }
+  print_switches(infos);
+  print_out(fmt::format("\n{}{}\n", mark_note(marked), counted(infos.size(), "method", "methods")));
   return kDone;
 }
 

@@ -105,6 +105,26 @@ TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
             fmt::format("{0} entries, {0} expectations: all as expected\n", finds.size()));
 }
 
+TEST(Plugins, AreNotTracedAndHaveNoLostMutants) {
+  const ScratchFolder folder;
+  const auto table_of = [&](const std::string& methods) {
+    return ccdfuzz({"hunt", "--cases", "1", "--corpus", folder / methods, "--max-pops", "50",
+                    "--by-class", "--plugin", "naive=" + kNaive, "--methods", methods})
+        .out;
+  };
+  const std::string alone = table_of("plugin:naive");
+  EXPECT_NE(alone.find("mutants"), std::string::npos) << alone;
+  EXPECT_EQ(alone.find("lost"), std::string::npos) << alone;
+  std::istringstream lines(table_of("tdibm,plugin:naive"));
+  bool is_counted = false;
+  for (std::string line; std::getline(lines, line) && !line.starts_with("lost:");) {
+    if (line.starts_with("class")) is_counted = line.find("lost") != std::string::npos;
+    if (!is_counted || line.find("  plugin:naive") == std::string::npos) continue;
+    EXPECT_TRUE(line.ends_with(" -")) << line;
+  }
+  EXPECT_TRUE(is_counted);
+}
+
 TEST(Plugins, AreStartedByThePrintedReplayCommand) {
   const ScratchFolder folder;
   for (const bool is_named : {false, true}) {

@@ -9,6 +9,7 @@
 
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -85,6 +86,19 @@ class Process {
 
 inline Finished ccdfuzz(std::vector<std::string> arguments, const std::string& out_path = "") {
   return Process(std::move(arguments), out_path).wait();
+}
+
+/// The names behind "Commands:" in the general help.
+inline std::vector<std::string> commands() {
+  const std::string help = ccdfuzz({"--help"}).out;
+  const size_t begin = help.find("Commands:\n"), end = help.find("Options:\n");
+  const std::string listed = help.substr(begin, end - begin);
+  static const std::regex kName("\n  ([a-z]+) ");
+  std::vector<std::string> names;
+  for (std::sregex_iterator at(listed.begin(), listed.end(), kName), none; at != none; ++at) {
+    names.push_back((*at)[1]);
+  }
+  return names;
 }
 
 /// Runs a line of shell, in which $ccdfuzz is the program.

@@ -5,24 +5,13 @@
 namespace ccdfuzz {
 namespace {
 
-const std::vector<std::string> kCommands = {"hunt",     "query",      "trace",  "generate",
-                                            "evaluate", "verify",     "replay", "methods",
-                                            "check",    "properties", "prove",  "merge"};
-
 TEST(Usage, EveryCommandHasItsHelp) {
-  for (const std::string& command : kCommands) {
+  EXPECT_GE(commands().size(), 18U);
+  for (const std::string& command : commands()) {
     const Finished help = ccdfuzz({command, "--help"});
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.out.find("Usage: ccdfuzz " + command), std::string::npos) << help.out;
     EXPECT_EQ(help.err, "") << command;
-  }
-}
-
-TEST(Usage, TheGeneralHelpNamesEveryCommand) {
-  const Finished help = ccdfuzz({"--help"});
-  EXPECT_EQ(help.code, 0);
-  for (const std::string& command : kCommands) {
-    EXPECT_NE(help.out.find("\n  " + command), std::string::npos) << command << "\n" << help.out;
   }
 }
 

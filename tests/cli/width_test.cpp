@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "ccdfuzz evaluate vv.jsonl ee.jsonl", "ccdfuzz check --count 3",
                     "ccdfuzz check tdibm.separation tdibm.trace --count 50",
                     "ccdfuzz trace corpus/cases/tdibm-late-past-the-contact.json",
-                    "ccdfuzz bench --count 1 --max-pops 50"),
+                    "ccdfuzz bench --count 1 --max-pops 50", "ccdfuzz methods"),
     [](const auto& command) { return fmt::format("{}", command.index); });
 
 TEST(OutputByClass, FitsATerminalToo) {
@@ -64,19 +64,6 @@ TEST(OutputByClass, FitsATerminalToo) {
                             "ccdfuzz hunt --cases 1 --max-pops 50 --by-class && ccdfuzz evaluate "
                             "vv.jsonl ee.jsonl --by-class"),
                 "--by-class");
-}
-
-/// The names behind "Commands:".
-std::vector<std::string> commands() {
-  const std::string help = ccdfuzz({"--help"}).out;
-  const size_t begin = help.find("Commands:\n"), end = help.find("Options:\n");
-  const std::string listed = help.substr(begin, end - begin);
-  static const std::regex kName("\n  ([a-z]+) ");
-  std::vector<std::string> names;
-  for (std::sregex_iterator at(listed.begin(), listed.end(), kName), none; at != none; ++at) {
-    names.push_back((*at)[1]);
-  }
-  return names;
 }
 
 TEST(Help, FitsATerminalAndHasAnExample) {
