@@ -9,62 +9,11 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/prescribe.hpp"
+#include "generators/whole_frame.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// Whole numbers: points and directions before they are scaled.
-using Whole = std::array<std::int64_t, 3>;
-
-Whole operator+(const Whole& a, const Whole& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Whole operator*(std::int64_t k, const Whole& a) {
-  return {k * a[0], k * a[1], k * a[2]};
-}
-Whole cross_of(const Whole& a, const Whole& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-std::int64_t dot_of(const Whole& a, const Whole& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Whole any_whole(Draw& draw, std::int64_t most) {
-  Whole out{};
-  for (std::int64_t& x : out) x = draw.integer(-most, most);
-  return out;
-}
-
-/// Three directions of the frame's coordinates. `length`: that of each, where they are at right
-/// angles and of one length; else 0.
-struct WholeFrame {
-  std::array<Whole, 3> axes;
-  std::int64_t length = 0;
-
-  Whole operator()(const Whole& p) const {
-    return p[0] * axes[0] + p[1] * axes[1] + p[2] * axes[2];
-  }
-  /// At right angles to the first two, towards the third.
-  Whole normal() const {
-    const Whole n = length != 0 ? axes[2] : cross_of(axes[0], axes[1]);
-    return dot_of(n, axes[2]) < 0 ? -1 * n : n;
-  }
-};
-
-/// Whole orthogonal matrices times the length of their rows.
-constexpr std::array<WholeFrame, 5> kRightAngles = {
-    WholeFrame{{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, 1},
-    WholeFrame{{{{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}}, 5},
-    WholeFrame{{{{2, -1, 2}, {2, 2, -1}, {-1, 2, 2}}}, 3},
-    WholeFrame{{{{2, 3, 6}, {3, -6, 2}, {6, 2, -3}}}, 7},
-    WholeFrame{{{{1, 4, 8}, {8, -4, 1}, {4, 7, -4}}}, 9}};
-
-void shuffle_axes(WholeFrame& frame, Draw& draw) {
-  std::rotate(frame.axes.begin(), frame.axes.begin() + static_cast<long>(draw.below(3)),
-              frame.axes.end());
-  if (draw.coin()) std::swap(frame.axes[0], frame.axes[1]);
-  for (Whole& axis : frame.axes) axis = draw.coin() ? -1 * axis : axis;
-}
 
 WholeFrame draw_frame(bool is_round, Draw& draw) {
   if (!is_round && draw.below(4) == 3) {
@@ -76,9 +25,7 @@ WholeFrame draw_frame(bool is_round, Draw& draw) {
         },
         [](const WholeFrame& f) { return dot_of(cross_of(f.axes[0], f.axes[1]), f.axes[2]) != 0; });
   }
-  WholeFrame frame = draw.coin() ? kRightAngles[0] : draw.pick(kRightAngles);
-  shuffle_axes(frame, draw);
-  return frame;
+  return draw_right_angles(draw);
 }
 
 /// A body at z ≤ 0, whose part at z = 0 is the feature; and the weights that make its point

@@ -13,9 +13,11 @@
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
+#include "generators/round.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/stress.hpp"
+#include "generators/weighted.hpp"
 
 namespace ccdfuzz {
 
@@ -59,10 +61,15 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--eps-t", fmt::format("2^{} is not in [2^-40, 2^-1]", e));
   }
   if (options.proof_pops == 0) return input_error("proof_pops", "0 is not at least 1");
-  if (options.family == Family::kBodies && options.shapes) {
-    return input_error("--shape", "is of patches, and the family bodies has none");
+  if (has_own_shapes(options.family) && options.shapes) {
+    return input_error("--shape",
+                       fmt::format("the family {} has shapes of its own", name_of(options.family)));
   }
   if (is_shaped(options)) return validate_shaped(options);
+  if (!is_made(options.family, options.contact, CaseKind::kRP)) {
+    return input_error("--contact", fmt::format("the family {} has no {}", name_of(options.family),
+                                                name_of(options.contact)));
+  }
   if (!is_made(options.family, options.contact, options.kind)) {
     return input_error("--kind", fmt::format("{} is not generated in the family {}",
                                              name_of(options.kind), name_of(options.family)));
@@ -158,15 +165,28 @@ tl::expected<Case, Discard> case_anywhere(const GeneratorOptions& options, const
   return attempt(base, eps_t, draw).map([&](const Case& made) { return elsewhere(made, draw); });
 }
 
+auto attempt_of(const GeneratorOptions& options) {
+  switch (options.family) {
+    case Family::kAnywhere:
+      return case_anywhere;
+    case Family::kBodies:
+      return bodies_case;
+    case Family::kWeighted:
+      return weighted_case;
+    case Family::kRound:
+    case Family::kApart:
+      return round_case;
+    default:
+      return is_shaped(options) ? shaped_case : quadratic_case;
+  }
+}
+
 }  // namespace
 
 Generated generate(const GeneratorOptions& options, Draw& draw) {
   CCDFUZZ_VERIFY(validate(options));
   const Dyadic eps_t(1, eps_t_exponent(options));
-  const auto attempt = options.family == Family::kBodies     ? bodies_case
-                       : options.family == Family::kAnywhere ? case_anywhere
-                       : is_shaped(options)                  ? shaped_case
-                                                             : quadratic_case;
+  const auto attempt = attempt_of(options);
   Generated out;
   const auto made = draw.until(
       [&] {

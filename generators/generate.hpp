@@ -30,8 +30,9 @@ std::string_view name_of(Construction construction);
 /// asked for, and is made to bring out one weakness or is a contact of another kind. The first five
 /// make positives of quadratic triangles and claim nothing of the time before the contact, unless
 /// shapes are asked for. The others have random shapes, unless some are asked for. They prove by a
-/// moving plane that nothing touches before t*, except where the row says otherwise. The last is of
-/// bodies (bodies.hpp).
+/// moving plane that nothing touches before t*, except where the row says otherwise. The last ones
+/// are not of plain patches: of bodies (bodies.hpp), of weights (weighted.hpp), of surfaces of
+/// revolution and of separations (round.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -54,15 +55,18 @@ enum class Family : std::uint8_t {
   kConcurrentLines,
   kAnywhere,
   kBodies,
+  kWeighted,
+  kRound,
+  kApart,
 };
-/// Those of patches.
+/// Those of plain patches.
 inline constexpr auto kFamilies = [] {
   std::array<Family, static_cast<size_t>(Family::kAnywhere) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, kFamilies.size() + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kApart) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();

@@ -16,13 +16,4 @@ Contact draw_weighted_contact(Draw& choices);
 /// plane that proves it stays. plain, if given, gets the query before that.
 FirstContact draw_weighted_first_contact(Draw& choices, Query* plain = nullptr);
 
-/// An eighth of a sphere, exactly, and one of another sphere, a triangle or a point. They come
-/// together from outside until they touch or are a separation apart.
-struct RoundContact {
-  Query query;
-  Rational t;       ///< when they first touch, by a closed formula: the root of |D + t·V|² = R²
-  Uv<Rational> uv;  ///< where on the first sphere
-};
-RoundContact draw_round_contact(Draw& choices);
-
 }  // namespace ccdfuzz

@@ -134,27 +134,6 @@ bool give_separation(Contact& q, Draw& draw) {
   return std::isfinite(q.query.separation);
 }
 
-bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents) {
-  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
-  const auto contact = divided(q.point(side), q.weight(side));
-  if (!contact) return false;
-  if (patch.weights.empty()) patch.weights.assign(patch.positions.size(), 1);
-  for (size_t i = 0; i < patch.weights.size(); ++i) {
-    patch.weights[i] = std::ldexp(patch.weights[i], exponents[i]);
-    Vec3<Dyadic> by;
-    for (int k = 0; k < 3; ++k) {
-      const Dyadic start = Dyadic::exact(patch.positions[i][k]);
-      const Dyadic move = Dyadic::exact(patch.moves()[i][k]);
-      const Dyadic place = start + q.t * (patch.has_ends() ? move - start : move);
-      const Dyadic way = place - (*contact)[k];
-      by[k] = way.scaled(-exponents[i]) - way;
-    }
-    if (!add_exactly(patch.positions[i], by)) return false;
-    if (patch.has_ends() && !add_exactly(patch.ends[i], by)) return false;
-  }
-  return are_weights(patch.weights);
-}
-
 bool give_weights(Contact& q, Draw& draw) {
   const int side = random_side(draw);
   MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];

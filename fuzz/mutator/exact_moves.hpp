@@ -40,11 +40,6 @@ bool give_separation(Contact& q, Draw& draw);
 /// the contact or go away from it.
 bool give_weights(Contact& q, Draw& draw);
 
-/// Control point i's weight times 2^exponents[i]; the way from the contact to the control point at
-/// that time is over the same, so that the contact stays, and a plane through it that the patch is
-/// on one side of.
-bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents);
-
 /// Ends in place of the velocities of one patch or both; a t_max beyond 1 is scaled down first.
 bool give_ends(Contact& q, Draw& draw);
 

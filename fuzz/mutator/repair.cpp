@@ -1,7 +1,5 @@
 #include "fuzz/mutator/repair.hpp"
 
-#include "generators/exact_sum.hpp"
-
 namespace ccdfuzz {
 
 namespace {
@@ -57,37 +55,6 @@ bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
 }
 
 }  // namespace
-
-bool add_exactly(double& x, const Dyadic& by) {
-  if (const std::optional<double> step = by.to_double_exactly()) {
-    double moved = x;
-    if (!add_exactly(moved, *step)) return false;
-    x = moved;
-    return true;
-  }
-  const std::optional<double> sum = (Dyadic::exact(x) + by).to_double_exactly();
-  if (sum) x = *sum;
-  return sum.has_value();
-}
-
-bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
-  Vec3<double> sum = x;
-  for (int k = 0; k < 3; ++k) {
-    if (!add_exactly(sum[k], by[k])) return false;
-  }
-  x = sum;
-  return true;
-}
-
-std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
-  if (by == Dyadic(1)) return v;
-  Vec3<Dyadic> out;
-  for (int k = 0; k < 3; ++k) {
-    if (v[k].mantissa() % by.mantissa() != 0) return std::nullopt;
-    out[k] = Dyadic(Integer(v[k].mantissa() / by.mantissa()), v[k].exponent() - by.exponent());
-  }
-  return out;
-}
 
 bool repair(Contact& q, Draw& draw) {
   const Vec3<Dyadic> apart = q.offset();

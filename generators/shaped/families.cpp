@@ -10,6 +10,7 @@ using Classes = std::span<const ContactClass>;
 constexpr Classes kAll = kContactClasses;
 constexpr Classes kNone;
 constexpr std::array kOfBoundaries = {kEE, kVE, kVV};
+constexpr std::array kOfARound = {kFF, kVF};
 constexpr std::array kOfAFace = {kFF, kEF, kVF};
 constexpr std::array kButFF = {kEF, kEE, kVF, kVE, kVV};
 
@@ -72,6 +73,11 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
      kNone},
     {Family::kBodies, "bodies", "convex bodies, as engines cast them; all numbers are floats", kAll,
      kAll},
+    {Family::kWeighted, "weighted", "rational patches, with weights of any kind; half witness only",
+     kAll, kAll, nullptr, families::have_weights},
+    {Family::kRound, "round", "exact spheres, cylinders, cones and tori; FF VF", kOfARound,
+     kOfARound},
+    {Family::kApart, "apart", "the same with a separation; witness only; FF VF", kOfARound, kNone},
 }};
 
 constexpr bool are_in_order() {
@@ -83,6 +89,14 @@ constexpr bool are_in_order() {
 static_assert(are_in_order());
 
 }  // namespace
+
+bool families::have_weights(ContactClass, const ShapePair& shapes) {
+  return shapes[0].kind != ShapeKind::kPoint || shapes[1].kind != ShapeKind::kPoint;
+}
+
+bool has_own_shapes(Family family) {
+  return family == Family::kBodies || family == Family::kRound || family == Family::kApart;
+}
 
 const FamilyRow& row_of(Family family) {
   return kRows.at(static_cast<size_t>(family));

@@ -26,13 +26,15 @@ struct FamilyRow {
   std::span<const ContactClass> positives;
   /// Those that a moving plane separates before t*, where RN cases end.
   std::span<const ContactClass> negatives;
-  /// A scene of any shapes that have the features of the class and fit. Null for twins,
-  /// anywhere and bodies, which generate() makes.
+  /// A scene of any shapes that have the features of the class and fit. Null for those that
+  /// generate() makes in another way.
   Make* make = nullptr;
   Fits* fits = nullptr;  ///< null: all shapes do
 };
 
 const FamilyRow& row_of(Family family);
+/// True iff no shapes may be asked for.
+bool has_own_shapes(Family family);
 
 /// A random frame; shift and drift of many bits, as large as the patches.
 Placement random_placement(Draw& draw);
@@ -66,6 +68,9 @@ FamilyRow::Make degenerate, sliver, high_curvature, mixed_scales, far_away, conc
 /// heights the checker does not see to be ≥ 0.
 FamilyRow::Make shared_edge, ruled, several, area;
 FamilyRow::Fits have_edges_alike, have_a_line, have_two_points, are_equal_surfaces;
+
+/// True iff a patch has more than one control point.
+FamilyRow::Fits have_weights;
 
 }  // namespace families
 }  // namespace ccdfuzz

@@ -59,6 +59,15 @@ Result<void> check_shapes(const GeneratorOptions& options, const ShapePair& shap
   return {};
 }
 
+PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Draw& draw) {
+  if (is_sliding_kind(options.kind)) {
+    return grazing_variant(options.kind == CaseKind::kNMN, options.contact, shapes, draw);
+  }
+  return row_of(options.family).make(options.contact, shapes, draw);
+}
+
+}  // namespace
+
 ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
   if (options.shapes) return *options.shapes;
   const std::array<Feature, 2> features = features_of(options.contact);
@@ -72,14 +81,6 @@ ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
       [&](const ShapePair& shapes) { return check_shapes(options, shapes).has_value(); });
 }
 
-PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, Draw& draw) {
-  if (is_sliding_kind(options.kind)) {
-    return grazing_variant(options.kind == CaseKind::kNMN, options.contact, shapes, draw);
-  }
-  return row_of(options.family).make(options.contact, shapes, draw);
-}
-
-/// Turns the positive case of a separated scene into the negative one that ends before the contact.
 bool end_before_contact(Case& value, const Dyadic& until) {
   Truth& truth = value.truth;
   const std::optional<double> t_max = until.to_double_exactly();
@@ -92,11 +93,9 @@ bool end_before_contact(Case& value, const Dyadic& until) {
   return true;
 }
 
-}  // namespace
-
 bool is_shaped(const GeneratorOptions& options) {
   const bool quadratic = options.family == Family::kRegular || is_quadratic_family(options.family);
-  if (options.family == Family::kBodies) return false;
+  if (has_own_shapes(options.family)) return false;
   return !quadratic || options.shapes.value_or(kTwoQuadratics) != kTwoQuadratics;
 }
 

@@ -1,0 +1,199 @@
+#include "generators/round.hpp"
+
+#include <cmath>
+
+#include "base/verify.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "generators/shaped/shaped_case.hpp"
+#include "generators/whole_frame.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// A patch that touches the plane z = 0 at the origin, from z ≤ 0 or from z ≥ 0.
+struct RoundSide {
+  Shape shape;
+  std::vector<Whole> points;
+  std::vector<double> weights;
+  Uv<Rational> at;  ///< the origin's parameters
+};
+
+/// The radius of a circle of radius 1 in a scene, 125 times kRadius.
+constexpr std::int64_t kLength = 625;
+
+/// A quarter of a circle of radius kRadius about the origin, from its first control point to its
+/// third: at p it is the first times (1 − p²)/(1 + p²) and the third times 2p/(1 + p²).
+struct QuarterCircle {
+  static constexpr std::int64_t kRadius = 5;
+  static constexpr std::array<double, 3> kWeights = {1, 1, 2};
+
+  std::array<std::array<std::int64_t, 2>, 3> points;
+  int at;  ///< 1/at is where it is (kRadius, 0)
+};
+constexpr std::array<QuarterCircle, 2> kQuarterCircles = {
+    {{{{{3, -4}, {7, -1}, {4, 3}}}, 2}, {{{{4, -3}, {7, 1}, {3, 4}}}, 3}}};
+
+/// What is revolved: points and weights of a curve in the half-plane of distance from the axis and
+/// height along it. At height 0 it has this distance, at the parameter `at`.
+struct Profile {
+  std::vector<std::array<std::int64_t, 2>> points;
+  std::vector<double> weights;
+  std::int64_t distance;
+  Rational at;
+  bool slants = false;  ///< at height 0 the way out is (4, −3), not (1, 0)
+};
+
+/// A circle at this distance from the axis: of a sphere at 0.
+Profile circle(std::int64_t distance, std::int64_t radius, Draw& draw) {
+  const QuarterCircle& quarter = draw.pick(kQuarterCircles);
+  Profile out{{}, {}, distance + QuarterCircle::kRadius * radius, Rational(1, quarter.at)};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto& [x, y] = quarter.points[j];
+    out.points.push_back({distance + radius * x, radius * y});
+    out.weights.push_back(QuarterCircle::kWeights[j]);
+  }
+  return out;
+}
+
+/// A line from below height 0 to above: of a cylinder, or of a cone if it slants.
+Profile line(bool slants, Draw& draw) {
+  const std::int64_t distance = 15 * draw.integer(1, 3);
+  // A cone may end in its tip.
+  const std::int64_t below = draw.integer(1, 5), above = draw.integer(1, 5);
+  const std::int64_t way = slants ? 3 : 0;
+  Profile out{{{distance - way * below, -4 * below}, {distance + way * above, 4 * above}},
+              {1, 1},
+              distance,
+              Rational(static_cast<long>(below)) / static_cast<long>(below + above)};
+  out.slants = slants;
+  return out;
+}
+
+Profile draw_profile(bool is_straight, Draw& draw) {
+  switch (is_straight ? 2 + draw.below(2) : draw.below(4)) {
+    case 0:
+      return circle(0, draw.integer(1, 6), draw);
+    case 1:
+      return circle(QuarterCircle::kRadius * draw.integer(1, 4), draw.integer(1, 4), draw);
+    case 2:
+      return line(false, draw);
+    default:
+      return line(true, draw);
+  }
+}
+
+/// The surface, at z ≤ 0. Its lengths are 25 times those of the profile.
+RoundSide revolve(const Profile& profile, const QuarterCircle& quarter) {
+  RoundSide out;
+  out.shape = Shape::tensor(2, static_cast<int>(profile.points.size()) - 1);
+  out.at = {Rational(1, quarter.at), profile.at};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& [c, s] = quarter.points[i];
+    for (std::size_t j = 0; j < profile.points.size(); ++j) {
+      const auto& [distance, height] = profile.points[j];
+      const std::int64_t r = QuarterCircle::kRadius;
+      const std::int64_t x = distance * s, y = r * height, z = distance * c - r * profile.distance;
+      out.points.push_back(profile.slants ? Whole{5 * x, 4 * y + 3 * z, 4 * z - 3 * y}
+                                          : 5 * Whole{x, y, z});
+      out.weights.push_back(QuarterCircle::kWeights[i] * profile.weights[j]);
+    }
+  }
+  return out;
+}
+
+/// What touches the plane z = 0 from above. Its lengths are 125 times those of profiles.
+RoundSide draw_other(ContactClass contact, bool is_straight, Draw& draw) {
+  if (contact == ContactClass::kVF) return {Shape::point(), {Whole{}}, {}, {0, 0}};
+  if (draw.coin()) {
+    const std::int64_t size = kLength * draw.integer(1, 8);
+    return {Shape::triangle(1),
+            {size * Whole{-3, -1, 0}, size * Whole{3, -1, 0}, size * Whole{0, 2, 0}},
+            {},
+            {Rational(1, 3), Rational(1, 3)}};
+  }
+  RoundSide out = revolve(draw_profile(is_straight, draw), draw.pick(kQuarterCircles));
+  constexpr std::array<std::array<std::int64_t, 2>, 3> kTurns = {{{5, 0}, {0, 5}, {3, 4}}};
+  const auto& [c, s] = draw.pick(kTurns);
+  // Five times as large, with its axis in another direction.
+  for (Whole& p : out.points) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], -5 * p[2]};
+  return out;
+}
+
+Vec3<double> times_power(const Whole& p, int exponent) {
+  Vec3<double> x;
+  for (int k = 0; k < 3; ++k) {
+    x[k] = std::ldexp(static_cast<double>(p[static_cast<std::size_t>(k)]), exponent);
+  }
+  return x;
+}
+
+}  // namespace
+
+Case draw_round_case(ContactClass contact, RoundKind kind, Draw& draw) {
+  const bool apart = kind == RoundKind::kApart, is_straight = kind == RoundKind::kStraight;
+  std::array<RoundSide, 2> sides = {
+      revolve(draw_profile(is_straight, draw), draw.pick(kQuarterCircles)),
+      draw_other(contact, is_straight, draw)};
+  for (Whole& p : sides[0].points) p = 5 * p;
+  const WholeFrame frame = draw_right_angles(draw);
+  const std::int64_t gap = apart ? kLength * draw.integer(1, 8) : 0;
+  const std::int64_t eighths = draw.integer(1, 8);
+  // A length of up to 10 in a unit of time, and mostly towards each other.
+  Whole approach = kLength * any_whole(draw, 4);
+  approach[2] = kLength * draw.integer(2, 10);
+  const Whole common = draw.coin() ? Whole{} : kLength * any_whole(draw, 4);
+  const Whole place = draw.coin() ? Whole{} : kLength * any_whole(draw, 16);
+  const std::uint64_t mover = draw.below(2);
+  const int unit = static_cast<int>(draw.integer(-16, 0));
+
+  Case out;
+  Witness witness;
+  witness.t = Rational(static_cast<long>(eighths)) / 8;
+  out.query.t_max = static_cast<double>(eighths * draw.integer(4, 8)) / 32;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Whole velocity = frame(s != mover ? common
+                                 : s == 0   ? common + approach
+                                            : common + -1 * approach);
+    MovingPatch<double>& patch = out.query.patches[s];
+    patch.shape = sides[s].shape;
+    patch.weights = sides[s].weights;
+    for (Whole p : sides[s].points) {
+      if (s == 1) p[2] += gap;
+      patch.positions.push_back(times_power(8 * frame(p + place) + -eighths * velocity, unit - 3));
+      patch.velocities.push_back(times_power(velocity, unit));
+    }
+    witness.uv[s] = sides[s].at;
+  }
+  out.query.separation = std::ldexp(static_cast<double>(gap * frame.length), unit);
+  Truth& truth = out.truth;
+  truth.collides = true;
+  truth.witness = witness;
+  if (!apart) {
+    MovingPlane plane{witness.t, {}, 0};
+    const Whole normal = -1 * frame.axes[2];
+    for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = static_cast<long>(normal[k]);
+    plane.offset = static_cast<long>(dot_of(normal, frame(place))) * power_of_two(unit);
+    // The checker sees that cylinders and cones, whose circles are on one side each, are there.
+    if (check_clearance(out.query, plane, "")) {
+      truth.clearance = plane;
+      truth.clear_until = plane.until;
+    }
+  }
+  CCDFUZZ_VERIFY(check_truth(out));
+  return out;
+}
+
+tl::expected<Case, Discard> round_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                       Draw& draw) {
+  const bool is_negative = options.kind == CaseKind::kRN;
+  const RoundKind kind = options.family == Family::kApart ? RoundKind::kApart
+                         : is_negative                    ? RoundKind::kStraight
+                                                          : RoundKind::kAny;
+  Case out = draw_round_case(options.contact, kind, draw);
+  const Dyadic before = *Dyadic::from(out.truth.witness->t) - eps_t;
+  if (is_negative && !end_before_contact(out, before)) return tl::unexpected(Discard::kRoundTrip);
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,174 @@
+#include "generators/weighted.hpp"
+
+#include <cmath>
+
+#include "base/verify.hpp"
+#include "bezier/exact_patch.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "generators/draw_patch.hpp"
+#include "generators/exact_sum.hpp"
+#include "generators/shaped/features.hpp"
+#include "generators/shaped/shaped_case.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+int top_of(const Dyadic& x) {
+  return static_cast<int>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2) + x.exponent());
+}
+
+/// Places whose weighted sum is 0: pairs of control points go opposite ways, each by the weight of
+/// the other.
+Points<Dyadic> draw_balanced(Draw& draw, const std::vector<Dyadic>& weights) {
+  Points<Dyadic> places(weights.size());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i].sign() == 0) places[i] = draw.vector(4, -2);
+  }
+  for (std::size_t left = weights.size(); left > 1; --left) {
+    const std::size_t i = draw.below(weights.size()), j = draw.below(weights.size());
+    if (i == j || weights[i].sign() == 0 || weights[j].sign() == 0) continue;
+    const int unit = std::max(top_of(weights[i]), top_of(weights[j]));
+    const Vec3<Dyadic> way = draw.vector(3, -1);
+    for (int k = 0; k < 3; ++k) {
+      places[i][k] += way[k] * weights[j].scaled(-unit);
+      places[j][k] -= way[k] * weights[i].scaled(-unit);
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+bool add_exactly(double& x, const Dyadic& by) {
+  if (const std::optional<double> step = by.to_double_exactly()) {
+    double moved = x;
+    if (!add_exactly(moved, *step)) return false;
+    x = moved;
+    return true;
+  }
+  const std::optional<double> sum = (Dyadic::exact(x) + by).to_double_exactly();
+  if (sum) x = *sum;
+  return sum.has_value();
+}
+
+bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by) {
+  Vec3<double> sum = x;
+  for (int k = 0; k < 3; ++k) {
+    if (!add_exactly(sum[k], by[k])) return false;
+  }
+  x = sum;
+  return true;
+}
+
+std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by) {
+  if (by == Dyadic(1)) return v;
+  Vec3<Dyadic> out;
+  for (int k = 0; k < 3; ++k) {
+    if (v[k].mantissa() % by.mantissa() != 0) return std::nullopt;
+    out[k] = Dyadic(Integer(v[k].mantissa() / by.mantissa()), v[k].exponent() - by.exponent());
+  }
+  return out;
+}
+
+bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents) {
+  MovingPatch<double>& patch = q.query.patches[static_cast<size_t>(side)];
+  const auto contact = divided(q.point(side), q.weight(side));
+  if (!contact) return false;
+  if (patch.weights.empty()) patch.weights.assign(patch.positions.size(), 1);
+  for (size_t i = 0; i < patch.weights.size(); ++i) {
+    patch.weights[i] = std::ldexp(patch.weights[i], exponents[i]);
+    Vec3<Dyadic> by;
+    for (int k = 0; k < 3; ++k) {
+      const Dyadic start = Dyadic::exact(patch.positions[i][k]);
+      const Dyadic move = Dyadic::exact(patch.moves()[i][k]);
+      const Dyadic place = start + q.t * (patch.has_ends() ? move - start : move);
+      const Dyadic way = place - (*contact)[k];
+      by[k] = way.scaled(-exponents[i]) - way;
+    }
+    if (!add_exactly(patch.positions[i], by)) return false;
+    if (patch.has_ends() && !add_exactly(patch.ends[i], by)) return false;
+  }
+  return are_weights(patch.weights);
+}
+
+void draw_free_weights(Draw& draw, Contact& q, std::size_t side) {
+  MovingPatch<double>& patch = q.query.patches[side];
+  const std::vector<Dyadic> at_contact = q.weights(static_cast<int>(side));
+  const std::vector<double> weights = draw_patch_weights(draw, patch.weights.size());
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (at_contact[i].sign() == 0) patch.weights[i] = weights[i];
+  }
+}
+
+std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape, 2>& shapes,
+                                             const std::array<Uv<Dyadic>, 2>& uv) {
+  Contact q;
+  q.t = draw.pick(std::array{Dyadic(0), Dyadic(1), Dyadic(Integer(1), -1), Dyadic(Integer(3), -2)});
+  q.query.t_max = draw.coin() ? 1 : *q.t.to_double_exactly();
+  q.uv = uv;
+  for (std::size_t s = 0; s < 2; ++s) {
+    MovingPatch<double>& patch = q.query.patches[s];
+    patch.shape = shapes[s];
+    const auto count = static_cast<std::size_t>(patch.shape.control_count());
+    if (draw.choose(3) != 3) patch.weights = draw_patch_weights(draw, count);
+    const Points<Dyadic> places = draw_balanced(draw, q.weights(static_cast<int>(s)));
+    Points<Dyadic> positions(count), velocities(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      velocities[i] = draw.vector(4, -2);
+      for (int k = 0; k < 3; ++k) positions[i][k] = places[i][k] - q.t * velocities[i][k];
+    }
+    const auto exact_positions = to_doubles(positions);
+    const auto exact_velocities = to_doubles(velocities);
+    if (!exact_positions || !exact_velocities) return std::nullopt;
+    patch.positions = *exact_positions;
+    patch.velocities = *exact_velocities;
+  }
+  return q;
+}
+
+tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                          Draw& draw) {
+  std::optional<Contact> q;
+  Case out;
+  if (options.kind == CaseKind::kRP && draw.coin()) {
+    std::array<Shape, 2> shapes;
+    std::array<Uv<Dyadic>, 2> uv;
+    for (std::size_t s = 0; s < 2; ++s) {
+      const Feature feature = features_of(options.contact)[s];
+      shapes[s] = options.shapes ? (*options.shapes)[s] : random_shape(feature, draw);
+      uv[s] = point_on(feature, shapes[s], 2, draw);
+    }
+    q = draw_balanced_contact(draw, shapes, uv);
+    if (q) out = case_of(*q);
+  } else {
+    GeneratorOptions plain = options;
+    plain.family = Family::kRegular;
+    plain.kind = CaseKind::kRP;
+    if (!plain.shapes) plain.shapes = shapes_of(options, draw);
+    const tl::expected<Case, Discard> regular = shaped_case(plain, eps_t, draw);
+    if (!regular) return regular;
+    q = contact_of(*regular);
+    for (std::size_t s = 0; s < 2 && q; ++s) {
+      std::vector<int> exponents(q->query.patches[s].positions.size());
+      for (int& e : exponents) e = static_cast<int>(draw.integer(-3, 3));
+      if (exponents.size() == 1) continue;
+      if (!pull_by_weights(*q, static_cast<int>(s), exponents))
+        return tl::unexpected(Discard::kRoundTrip);
+      draw_free_weights(draw, *q, s);
+    }
+    out = *regular;
+    if (q) out.query = q->query;
+  }
+  if (!q || !is_rational(q->query) || !is_valid(q->query)) {
+    return tl::unexpected(Discard::kRoundTrip);
+  }
+  CCDFUZZ_VERIFY(check_truth(out));
+  if (out.truth.clearance) CCDFUZZ_VERIFY(check_clearance(out.query, *out.truth.clearance, ""));
+  if (options.kind == CaseKind::kRN && !end_before_contact(out, q->t - eps_t)) {
+    return tl::unexpected(Discard::kRoundTrip);
+  }
+  return out;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "generators/contact.hpp"
+#include "generators/draw/draw.hpp"
+#include "generators/generate.hpp"
+
+namespace ccdfuzz {
+
+/// x += by. Returns false, and leaves x, if the sum is not a double.
+bool add_exactly(double& x, const Dyadic& by);
+bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
+
+/// v / by, if that is dyadic.
+std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by);
+
+/// Control point i's weight times 2^exponents[i]; the way from the contact to the control point at
+/// that time is over the same, so that the contact stays, and a plane through it that the patch is
+/// on one side of. Returns false if a number is not a double; q is then void.
+bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents);
+
+/// Weights of any kind (draw_patch_weights) for the control points of a rational patch that have no
+/// share in the contact.
+void draw_free_weights(Draw& draw, Contact& q, std::size_t side);
+
+/// A contact at these parameters. Most patches have weights of any kind, and control points in
+/// pairs, of which each makes up for the other. nullopt if a number is not a double.
+std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape, 2>& shapes,
+                                             const std::array<Uv<Dyadic>, 2>& uv);
+
+/// One attempt at a case of the family weighted, or why it was thrown away. Half of the positives
+/// and all negatives are regular one-sided cases whose control points are pulled by powers of two;
+/// the plane that separates them before t* stays. Control points that have no share in the contact
+/// then get a weight of any kind. The other positives are as draw_balanced_contact makes them, and
+/// claim the contact alone.
+tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                          Draw& draw);
+
+}  // namespace ccdfuzz
