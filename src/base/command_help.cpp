@@ -84,7 +84,10 @@ std::string no_such_option(const CLI::App& command, const std::string& name) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional()) names.push_back(option->get_name());
   }
-  return "no such option" + did_you_mean(name, names);
+  const std::string meant = did_you_mean(name, names);
+  const std::string of = command.get_parent() == nullptr ? "" : command.get_name() + " ";
+  return "no such option" +
+         (meant.empty() ? fmt::format("; {} {}--help lists them", kProgram, of) : meant);
 }
 
 class HelpFormatter : public CLI::Formatter {
@@ -120,15 +123,21 @@ std::string chosen_name(const CLI::App& app) {
 std::string no_such_command(const CLI::App& app, const std::string& name) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  return fmt::format("no such command{}", did_you_mean(name, names));
+  const std::string meant = did_you_mean(name, names);
+  return "no such command" +
+         (meant.empty() ? fmt::format("; {} --help lists them", kProgram) : meant);
 }
 
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   const CLI::App& command = chosen.empty() ? app : *chosen.front();
-  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    const std::string extra = app.remaining(true).front(), name = extra.substr(0, extra.find('='));
+  // An option that there is not may be why another seems to be missing.
+  for (const std::string& extra : app.remaining(true)) {
+    const std::string name = extra.substr(0, extra.find('='));
     if (extra.starts_with('-')) return name + ": " + no_such_option(command, name);
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::string extra = app.remaining(true).front();
     if (chosen.empty()) return extra + ": " + no_such_command(app, extra);
     return fmt::format("{}: is one argument too many; usage: ccdfuzz {} {}", extra,
                        command.get_name(), described(command).usage);

@@ -79,8 +79,10 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     if (text_.find('\n') != std::string_view::npos) {
       at = fmt::format("line {}, {}", 1 + std::count(head.begin(), head.end(), '\n'), at);
     }
-    error = {file_, fmt::format("{}: {}", at,
-                                colon == std::string_view::npos ? full : full.substr(colon + 2))};
+    const bool is_json = head.find_first_not_of(" \t\r\n") != std::string_view::npos;
+    error = {file_, fmt::format("{}: {}{}", at,
+                                colon == std::string_view::npos ? full : full.substr(colon + 2),
+                                is_json ? "" : "; JSON is accepted")};
     return false;
   }
 
@@ -143,7 +145,7 @@ const JsonValue* JsonValue::find(std::string_view key) const {
 
 Result<JsonValue> parse_json(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    return input_error(file, "is empty");
+    return input_error(file, "is empty; JSON is accepted");
   }
   TreeBuilder builder(text, file);
   if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) {

@@ -42,7 +42,8 @@ class JsonCases : public CaseFile {
       if (blank && (whole || !*text)) {
         if (any_) return std::nullopt;
         const bool is_empty = lines_.line() == 0 || whole;
-        return input_error(lines_.path(), is_empty ? "is empty" : "holds no case");
+        return input_error(lines_.path(), fmt::format("{}; JSON with cases is accepted",
+                                                      is_empty ? "is empty" : "holds no case"));
       }
       if (blank) {
         if (++blank_lines_ <= kMostBlankLines) continue;
@@ -104,7 +105,10 @@ Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
     if (path.ends_with(".csv") && it->is_regular_file(vanished)) files.push_back(path);
   }
   if (error) return system_error(folder, "read", error.value());
-  if (files.empty()) return input_error(folder, "is a folder without a .csv in it");
+  if (files.empty())
+    return input_error(folder,
+                       "is a folder without a .csv in it; accepted are such folders, and files of "
+                       "cases: .json, .jsonl, .jsonl.zst, .csv");
   std::ranges::sort(files);
   return files;
 }

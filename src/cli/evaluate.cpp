@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/output_file.hpp"
 #include "base/run_file.hpp"
+#include "base/text.hpp"
 #include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -107,10 +108,24 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
                       const EvaluateArguments& arguments, std::uint64_t cases) {
   const std::vector<Row> methods = by_methods(rows);
   if (!arguments.by_class) {
-    std::vector<Row> shown = methods;
-    for (Row& row : shown) row.key.method = marked(row.key.method);
-    print_table(methods_table(shown));
-    print_out("\n");
+    std::vector<Row> shown;
+    std::vector<std::string> unasked;
+    for (const Row& row : methods) {
+      if (row.tally.n == 0 && row.tally.not_asked() > 0) {
+        unasked.push_back(row.key.method);
+        continue;
+      }
+      shown.push_back(row);
+      shown.back().key.method = marked(row.key.method);
+    }
+    if (!shown.empty()) {
+      print_table(methods_table(shown));
+      print_out("\n");
+    }
+    if (!unasked.empty()) {
+      const std::string list = fmt::format("Refused every query: {}", fmt::join(unasked, ", "));
+      print_out(wrapped(list, 2) + "\n");
+    }
   } else {
     for (const auto& [title, table] : evaluation_tables(rows, costs)) {
       print_out(fmt::format("{}:\n", title));
@@ -177,6 +192,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
     header.shard = options.shard;
     if (!arguments.folder.empty()) kept.emplace(open_kept(arguments.folder, header));
   }
+  if (!arguments.page.empty()) need(make_folder(arguments.page));
   const std::vector<GenerationCost> costs = need(read_costs(files));
   Rows rows;
   ReportRows page;

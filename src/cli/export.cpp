@@ -8,6 +8,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/session.hpp"
 
 namespace ccdfuzz {
@@ -55,7 +56,7 @@ int export_tests(const ExportOptions& options, OutputFile& out) {
     return out.write(test_snippet(named, ++count, framework));
   }));
   need(out.commit());
-  print_out(fmt::format("{} tests\n", count));
+  print_out(counted(count, "test", "tests") + "\n");
   return kDone;
 }
 

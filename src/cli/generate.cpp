@@ -124,9 +124,10 @@ Plan plain_plan(const GenerateOptions& options) {
 
 /// The same for people who see the cases on stdout, or just a few numbers of one kind.
 std::string summary(const GenerationCost& cost) {
-  std::string text = fmt::format(
-      "{} {} {} cases, {} of CPU time each; {} begun", cost.cases, cost.contact, cost.kind,
-      duration_text(cost.cpu_seconds / static_cast<double>(cost.cases)), cost.begun);
+  std::string text =
+      fmt::format("{} {} {} {}, {} of CPU time each; {} begun", cost.cases, cost.contact, cost.kind,
+                  cost.cases == 1 ? "case" : "cases",
+                  duration_text(cost.cpu_seconds / static_cast<double>(cost.cases)), cost.begun);
   const char* separator = ", discarded: ";
   for (const auto& [step, count] : cost.discarded.steps) {
     text += fmt::format("{}{} {}", separator, step, count_text(count, cost.begun));

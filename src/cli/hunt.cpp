@@ -150,6 +150,8 @@ std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
     sum->cpu_seconds += cell.cpu_seconds;
     sum->bred.mutants += cell.bred.mutants;
     sum->bred.lost += cell.bred.lost;
+    const auto& margin = cell.bred.margin;
+    if (margin) sum->bred.margin = std::min(*margin, sum->bred.margin.value_or(*margin));
   }
   return sums;
 }
@@ -277,6 +279,8 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
     options.hunt.methods = {"oracle"};
   }
   Store store = need(Store::open(options.corpus));
+  // Whether the page can be written is to be known before the work is done.
+  if (!options.page.empty()) need(make_folder(options.page));
 
   const std::atomic<bool>& interrupted = catch_interrupts();
   CourseNotes notes(options.hunt.methods);

@@ -104,7 +104,9 @@ Column<HuntCell> mean_column() {
 }
 
 bool any_is_traced(const std::vector<HuntCell>& cells) {
-  return !std::ranges::all_of(cells, names_plugin, &HuntCell::method);
+  return std::ranges::any_of(cells, [](const HuntCell& cell) {
+    return !names_plugin(cell.method) && (cell.bred.lost > 0 || cell.bred.margin);
+  });
 }
 
 void add_mutant_columns(std::vector<Column<HuntCell>>& columns,

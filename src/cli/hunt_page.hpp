@@ -69,7 +69,7 @@ Result<HuntRecord> read_hunt_record(const std::string& folder);
 /// The mean time of an answer.
 Column<HuntCell> mean_column();
 
-/// False if all are plug-ins, which are not traced: none of their mutants is known to be lost.
+/// False for plug-ins and bodies, which are not traced: none of their mutants is known to be lost.
 bool any_is_traced(const std::vector<HuntCell>& cells);
 
 /// How many mutants each method was asked, and how many of them its tests lost, if any is traced.

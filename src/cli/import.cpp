@@ -4,6 +4,7 @@
 #include "case/case_files.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "eval/decide_rows.hpp"
 
@@ -73,7 +74,8 @@ struct ImportCounts {
   }
 
   std::string summary() const {
-    std::string text = fmt::format("{} queries: {} hits, {} misses", queries, hits, misses);
+    std::string text = fmt::format("{}: {}, {}", counted(queries, "query", "queries"),
+                                   counted(hits, "hit", "hits"), counted(misses, "miss", "misses"));
     if (undecided > 0) text += fmt::format(", {} left to prove", undecided);
     if (labels > 0) text += fmt::format("; {} of {} labels are wrong", wrong_labels, labels);
     if (rounded_values > 0) {

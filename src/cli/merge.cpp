@@ -5,6 +5,7 @@
 
 #include "base/run_file.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/made_cases.hpp"
 #include "cli/merge_claims.hpp"
 #include "cli/session.hpp"
@@ -121,8 +122,9 @@ int merge_corpora(const MergeOptions& options, Session& session) {
   merged.settled = intake.settled();
   merged.claims = merge_claims(inputs, output, known);
   if (session.json) print_row(merged);
-  session.summary(fmt::format("{} entries of {} corpora, {} taken over, {} now in {}",
-                              merged.entries, inputs.size(), merged.taken, merged.now, output));
+  session.summary(fmt::format(
+      "{} of {}, {} taken over, {} now in {}", counted(merged.entries, "entry", "entries"),
+      counted(inputs.size(), "corpus", "corpora"), merged.taken, merged.now, output));
   if (const MergedClaims& claims = merged.claims; claims.entries > 0) {
     session.summary(fmt::format(
         "{} inputs of properties, {} taken over, {} now in {}/{}{}", claims.entries, claims.taken,

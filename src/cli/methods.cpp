@@ -33,8 +33,9 @@ struct MethodRow {
 std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   std::vector<MethodInfo> infos;
   for (const std::string& spec : specs) {
-    need(admit_plugin(spec));
-    infos.push_back(need(method_info(spec)));
+    const auto info = admit_plugin(spec).and_then([&] { return method_info(spec); });
+    if (!info) throw BadInput{{"method", info.error().what}};
+    infos.push_back(*info);
   }
   if (!specs.empty()) return infos;
   infos = registered_methods();

@@ -53,7 +53,7 @@ Asker asker_for(const NamedCase& found, const MinimizeOptions& options) {
   const bool may_crash =
       expected != found.value.expect.end() && expected->second.outcome == Outcome::kError;
   MethodSet methods(may_crash ? make_served_method : make_method);
-  const auto admitted = admit_plugin(spec).and_then([&] { return method_info(spec); });
+  const auto admitted = admit_plugin(spec).and_then([&] { return make_method(spec); });
   if (!admitted) throw BadInput{{"--method", admitted.error().what}};
   return Asker(options.search.options_for(found.value), std::move(methods));
 }

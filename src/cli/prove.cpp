@@ -6,6 +6,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/complete_truth.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/data_set.hpp"
 #include "cli/session.hpp"
 
@@ -90,8 +91,9 @@ int run_prove(const ProveOptions& options, Session& session) {
   session.end_table(true);
   if (session.interrupted()) return interrupted_exit_code();
   need(destination.finish());
-  std::string summary = fmt::format("{} cases: {} hits, {} misses, {} undecided", cases,
-                                    counts["hit"], counts["miss"], counts["undecided"]);
+  std::string summary = fmt::format("{}: {}, {}, {} undecided", counted(cases, "case", "cases"),
+                                    counted(counts["hit"], "hit", "hits"),
+                                    counted(counts["miss"], "miss", "misses"), counts["undecided"]);
   if (refuted > 0) summary += fmt::format("; {} had claimed otherwise", refuted);
   session.summary(summary);
   return refuted == 0 ? kDone : kCheckFailed;

@@ -14,6 +14,8 @@ namespace ccdfuzz {
 
 namespace {
 
+constexpr const char* kOracle = "oracle";
+
 struct QueryOptions {
   std::vector<std::string> files;
   std::vector<std::string> methods = default_methods();
@@ -53,18 +55,18 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
     at = fmt::format(" at {}", *answer.toi);
     if (at.size() > kMost + 4) at = fmt::format(" at {:.10g}", *answer.toi);
   }
-  std::string outcome = judged.outcome == Outcome::kNotAsked
-                            ? "not asked"
-                            : to_text({judged.outcome, ""}, judged.late_by);
+  const bool is_asked = judged.outcome != Outcome::kNotAsked;
+  std::string outcome =
+      is_asked ? to_text({judged.outcome, ""}, judged.late_by) : std::string("not asked");
   if (judged.depth > 0) outcome += fmt::format(", {:.3g} deep", judged.depth);
   return {{marked(row.method)},
           {std::string(name_of(answer.verdict)) + at},
           {outcome, bad ? Emphasis::kBad : Emphasis::kPlain},
-          {fmt::format("{}", answer.pops)},
-          {duration_text(answer.seconds)}};
+          {is_asked ? fmt::format("{}", answer.pops) : "-"},
+          {is_asked ? duration_text(answer.seconds) : "-"}};
 }
 
-/// Notes about some answers.
+/// Notes about some answers, each with all methods of the case that it is of.
 class Notes {
  public:
   void add(const AnswerRow& row) {
@@ -73,21 +75,37 @@ class Notes {
       text += (text.empty() ? "" : ": ") + row.judged.answer.note;
     }
     if (text.empty()) return;
-    ++count_;
-    if (texts_.size() == kMost) return;
-    const std::string line = fmt::format("{}, {}: {}", row.id, row.method, text);
-    if (std::ranges::find(texts_, line) == texts_.end()) texts_.push_back(line);
+    for (Note& note : notes_) {
+      if (note.id != row.id || note.text != text) continue;
+      note.methods += ", " + row.method;
+      return;
+    }
+    if (notes_.size() < kMost) {
+      notes_.push_back({row.id, row.method, text});
+    } else {
+      has_more_ = true;
+    }
   }
   void print() const {
-    for (const std::string& text : texts_) print_out(wrapped(text, 2) + "\n");
-    if (count_ > texts_.size()) print_out("More of the kind are in the rows of --json\n");
+    for (const Note& note : notes_) {
+      print_out(wrapped(fmt::format("{}, {}: {}", note.id, note.methods, note.text), 2) + "\n");
+    }
+    if (has_more_) print_out("More of the kind are in the rows of --json\n");
   }
 
  private:
+  struct Note {
+    std::string id, methods, text;
+  };
   static constexpr size_t kMost = 5;
-  std::vector<std::string> texts_;
-  size_t count_ = 0;
+  std::vector<Note> notes_;
+  bool has_more_ = false;
 };
+
+/// Whether a method runs on a case. Those by default do not take bodies, where the oracle does.
+bool runs_on(const Case& value, const std::string& method, bool is_default) {
+  return !is_default || is_of_bodies(value.query) == (method == kOracle);
+}
 
 /// "12 correct, 1 missed".
 std::string outcomes_text(const Tally& tally) {
@@ -100,7 +118,10 @@ std::string outcomes_text(const Tally& tally) {
   return text;
 }
 
-int run_query(const QueryOptions& options, Session& session) {
+int run_query(const QueryOptions& arguments, Session& session) {
+  QueryOptions options = arguments;
+  const bool is_default = options.methods == default_methods();
+  if (is_default) options.methods.push_back(kOracle);
   const bool by_default = options.search.max_pops == 0;
   session.begin_table(
       {method_column(), {"answer", Align::kLeft}, {"outcome", Align::kLeft}, {"pops"}, {"time"}});
@@ -114,7 +135,9 @@ int run_query(const QueryOptions& options, Session& session) {
   session.each_case<SharedCase, Judged>(
       CaseStream(options.files), options.methods.size(), "answers",
       [&](SharedCase& shared, size_t m) {
-        if (spent) return Judged();  // is not shown
+        if (spent || !runs_on(shared.named().value, options.methods[m], is_default)) {
+          return Judged();  // is not shown
+        }
         const CheckedCase& asked = need(shared.checked());
         SearchOptions search = options.search.options_for(shared.named().value);
         if (by_default) DefaultBudget::limit(search, asked.query());
@@ -131,10 +154,12 @@ int run_query(const QueryOptions& options, Session& session) {
         if (spent) return;
         budget.add(named, judged.answer);
         if (m == 0) counts.add(named.value);
+        if (!runs_on(named.value, options.methods[m], is_default)) return;
         const AnswerRow row{named.id, options.methods[m], judged};
         tally.add(judged.answer, judged.outcome, std::nullopt);
         notes.add(row);
-        session.show(row, m == 0 ? std::optional(title_of(named)) : std::nullopt, query_cells);
+        const bool is_first = m == 0 || (is_default && options.methods[m] == kOracle);
+        session.show(row, is_first ? std::optional(title_of(named)) : std::nullopt, query_cells);
       },
       &spent);
   counts.note("query");
@@ -163,7 +188,8 @@ void add_query(CommandLine& line) {
   command.example("what two methods say of a find",
                   "query finds/FIND.json --methods tdibm,tdibm-c");
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
-  add_methods(command, options->methods, "Methods to run, separated by commas");
+  add_methods(command, options->methods,
+              "Methods to run, separated by commas; where it is left out, bodies are for oracle");
   options->search.max_pops = 0;  // DefaultBudget
   options->search.add_precision_to(command);
   options->search.add_budget_to(command).front().without_default();

@@ -153,7 +153,8 @@ int run_report(const ReportArguments& options, Session& session) {
   need(write_report(report, options.folder, session.threads));
   if (interrupted)
     print_err("ccdfuzz: report: interrupted; the page shows only what was read until then\n");
-  print_out(fmt::format("{}/index.html: {} cases\n", options.folder, report.cases.size()));
+  print_out(fmt::format("{}/index.html: {}\n", options.folder,
+                        counted(report.cases.size(), "case", "cases")));
   return session.exit_code(kDone);
 }
 

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "ccd/witness_trace/trace.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -175,32 +178,44 @@ int run_trace(const TraceArguments& options, Session& session) {
   for (const std::string& method : options.methods)
     need(make_tracer(method));  // no plug-in has one
   session.begin_table(trace_columns());
-  std::uint64_t cases = 0, traces = 0, lost = 0;
+  const bool is_default = options.methods == default_methods();
+  std::uint64_t cases = 0, traces = 0, lost = 0, refused = 0;
   tbb::enumerable_thread_specific<TracerSet> tracers;
-  session.each_case<SharedCase, Trace>(
+  std::optional<std::string> title;  // of a case of which nothing is shown yet
+  session.each_case<SharedCase, std::optional<Trace>>(
       CaseStream(options.files), options.methods.size(), "traces",
-      [&](SharedCase& shared, size_t m) {
+      [&](SharedCase& shared, size_t m) -> std::optional<Trace> {
         need(shared.checked());
         const Case& known = shared.named().value;
         const TraceOptions how = trace_options(options, shared.named());
         if (is_of_bodies(known.query)) {
-          throw BadInput{{shared.named().id, "is of bodies, which have no boxes to trace"}};
+          throw BadInput{{shared.named().id,
+                          "is of bodies, which have no boxes to trace; patches are accepted"}};
         }
-        need(check_taken(options.methods[m], known.query));
+        const Result<void> taken = check_taken(options.methods[m], known.query);
+        if (!taken && is_default) return std::nullopt;
+        need(taken);
         return tracers.local()[options.methods[m]].trace(known.query, *known.truth.witness, how);
       },
-      [&](const SharedCase& shared, size_t m, const Trace& trace) {
+      [&](const SharedCase& shared, size_t m, const std::optional<Trace>& trace) {
         const std::string& id = shared.named().id;
         cases += m == 0 ? 1 : 0;
+        if (m == 0) title = id;
+        if (!trace) {
+          ++refused;
+          return;
+        }
         ++traces;
-        lost += trace.lost ? 1 : 0;
-        session.show(TraceRow{id, options.methods[m], trace},
-                     m == 0 ? std::optional(id) : std::nullopt, trace_cells);
+        lost += trace->lost ? 1 : 0;
+        session.show(TraceRow{id, options.methods[m], *trace}, std::exchange(title, std::nullopt),
+                     trace_cells);
       });
   session.end_table(true);
-  session.summary(mark_note(options.methods) +
-                  fmt::format("{}, {}: {} lost", counted(cases, "case", "cases"),
-                              counted(traces, "witness followed", "witnesses followed"), lost));
+  session.summary(
+      mark_note(options.methods) +
+      fmt::format("{}, {}: {} lost", counted(cases, "case", "cases"),
+                  counted(traces, "witness followed", "witnesses followed"), lost) +
+      (refused == 0 ? "" : fmt::format("; {} not asked: a method refuses the query", refused)));
   return session.exit_code(kDone);
 }
 

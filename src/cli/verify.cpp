@@ -6,6 +6,7 @@
 #include "certify/checker/shown.hpp"
 #include "certify/checker/work.hpp"
 #include "cli/command.hpp"
+#include "cli/common_options.hpp"
 #include "cli/session.hpp"
 
 namespace ccdfuzz {
@@ -107,8 +108,8 @@ int run_verify(const VerifyOptions& options, Session& session) {
       });
   session.end_table(true);
   const auto [hold, by_method, refuted, unproven, no_claim] = counts;
-  std::string summary =
-      fmt::format("{} cases: {} hold, ", hold + by_method + refuted + unproven + no_claim, hold);
+  const std::uint64_t cases = hold + by_method + refuted + unproven + no_claim;
+  std::string summary = fmt::format("{}: {} hold, ", counted(cases, "case", "cases"), hold);
   if (by_method > 0) summary += fmt::format("{} hold by method, ", by_method);
   summary += fmt::format("{} refuted, {} unproven", refuted, unproven);
   if (no_claim > 0) summary += fmt::format(", {} without a truth", no_claim);

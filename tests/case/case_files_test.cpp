@@ -137,13 +137,15 @@ TEST(CaseFiles, NameWhatTheyCannotRead) {
   const std::vector<std::pair<std::string, std::string>> table = {
       {"none.json", "cannot read: No such file or directory"},
       {"none.txt", "cannot read: No such file or directory"},
-      {"d.json", "is a folder without a .csv in it"},
+      {"d.json",
+       "is a folder without a .csv in it; accepted are such folders, and files of cases: .json, "
+       ".jsonl, .jsonl.zst, .csv"},
       {"c.txt", "ends in none of .json, .jsonl, .jsonl.zst, .csv"},
-      {"empty.json", "is empty"},
-      {"empty.jsonl", "is empty"},
-      {"blank.json", "is empty"},
-      {"blank.jsonl", "holds no case"},
-      {"empty.jsonl.zst", "is empty"},
+      {"empty.json", "is empty; JSON with cases is accepted"},
+      {"empty.jsonl", "is empty; JSON with cases is accepted"},
+      {"blank.json", "is empty; JSON with cases is accepted"},
+      {"blank.jsonl", "holds no case; JSON with cases is accepted"},
+      {"empty.jsonl.zst", "is empty; JSON with cases is accepted"},
       {"text.jsonl.zst", "is not sound zstd data: Unknown frame descriptor"},
       {"long.json", "is longer than 1048576 bytes"},
   };

@@ -48,8 +48,8 @@ void PrintTo(const Row& row, std::ostream* out) {
 
 const std::vector<Row> kTable = {
     // Not JSON.
-    {"Empty", "", "", "is empty"},
-    {"Blank", "", " \r\n\t ", "is empty"},
+    {"Empty", "", "", "is empty; JSON is accepted"},
+    {"Blank", "", " \r\n\t ", "is empty; JSON is accepted"},
     {"Scalar", "", "7", "7 is not an object"},
     {"Array", "", "[]", "an array is not an object"},
     {"Null", "", "null", "null is not an object"},

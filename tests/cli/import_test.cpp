@@ -17,7 +17,7 @@ TEST(Import, DecidesExactlyAndListsWrongLabels) {
   const Finished done = ccdfuzz({"import", csv, "-o", out});
   EXPECT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.out, HasSubstr(csv + ":9"));
-  EXPECT_THAT(done.out, HasSubstr("3 queries: 2 hits, 1 misses; 1 of 3 labels are wrong\n"));
+  EXPECT_THAT(done.out, HasSubstr("3 queries: 2 hits, 1 miss; 1 of 3 labels are wrong\n"));
   const Finished verified = ccdfuzz({"verify", out});
   EXPECT_EQ(verified.out, "3 cases: 3 hold, 0 refuted, 0 unproven\n");
   const auto cases = read_cases(out);
@@ -44,7 +44,7 @@ TEST(Import, TellsWhereRoundingChangesTheTruth) {
   EXPECT_FALSE(std::filesystem::exists(out));
   const Finished done = ccdfuzz({"import", csv, "-o", out, "--round"});
   EXPECT_EQ(done.code, 0) << done.err;
-  EXPECT_THAT(done.out, HasSubstr("1 queries: 1 hits, 0 misses; 0 of 1 labels are wrong; 1 values "
+  EXPECT_THAT(done.out, HasSubstr("1 query: 1 hit, 0 misses; 0 of 1 labels are wrong; 1 values "
                                   "of 1 queries rounded, which changed the truth of 1\n"));
 }
 

@@ -85,7 +85,7 @@ TEST_F(KeptTree, StaysWithACaseThatMinimizeCannotChange) {
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_THAT(done.err, HasSubstr("false_positive by tdibm"));
   const Finished verified = ccdfuzz({"verify", small});
-  EXPECT_EQ(verified.out, "1 cases: 1 hold, 0 refuted, 0 unproven\n");
+  EXPECT_EQ(verified.out, "1 case: 1 hold, 0 refuted, 0 unproven\n");
   const Finished shown = ccdfuzz({"minimize", case_in("plain"), "--method", "tdibm"});
   EXPECT_EQ(shown.code, 0);
   EXPECT_THAT(shown.err, HasSubstr("which stdout cannot hold"));

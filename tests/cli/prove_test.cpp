@@ -100,7 +100,7 @@ TEST(Prove, WritesWhatIsUndecidedAsSuch) {
   const std::string set = bare(folder, generated(folder, "FF", "RN", 1)), out = folder / "out.json";
   const Finished proven = ccdfuzz({"prove", set, "-o", out, "--max-pops", "2", "--max-nodes", "2"});
   EXPECT_EQ(proven.code, 0) << proven.err;
-  EXPECT_NE(proven.out.find("1 cases: 0 hits, 0 misses, 1 undecided\n"), std::string::npos);
+  EXPECT_NE(proven.out.find("1 case: 0 hits, 0 misses, 1 undecided\n"), std::string::npos);
   EXPECT_EQ(cases_of(out).at(0).value.truth.collides, std::nullopt);
 }
 

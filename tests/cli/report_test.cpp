@@ -34,7 +34,7 @@ TEST(ReportCommand, ShowsACorpus) {
   const ScratchFolder folder;
   const Finished made = ccdfuzz({"report", small_corpus(folder), "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;
-  EXPECT_THAT(made.out, HasSubstr("index.html: 1 cases"));
+  EXPECT_THAT(made.out, HasSubstr("index.html: 1 case"));
   EXPECT_THAT(page_data(folder / "page")["cases"][0][0], HasSubstr("entry.json"));
 }
 

@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "process.hpp"
@@ -93,6 +94,10 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"evaluate", "x.jsonl", "--t-max-factors", "1+2^-2000"}, "--t-max-factors: \"1+2^-2000\""},
       {{"minimize", CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json", "--method", "nope"},
        "--method: unknown method \"nope\""},
+      {{"minimize", CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json", "--method",
+        "tdibm-h:x"},
+       "--method: "},
+      {{"methods", "nope"}, "methods: method: unknown method \"nope\""},
   };
   for (const BadUsage& bad : table) {
     const Finished finished = ccdfuzz(bad.arguments);
@@ -101,6 +106,68 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
     EXPECT_NE(finished.err.find(bad.named), std::string::npos) << shown << "\n" << finished.err;
     EXPECT_EQ(finished.out, "") << shown;
   }
+}
+
+/// "ccdfuzz: COMMAND: object: problem", on one line.
+void expect_one_error(const std::vector<std::string>& arguments, const std::string& accepted) {
+  const Finished finished = ccdfuzz(arguments);
+  const std::string shown = testing::PrintToString(arguments) + "\n" + finished.err;
+  EXPECT_EQ(finished.code, 2) << shown;
+  EXPECT_THAT(finished.err, testing::StartsWith("ccdfuzz: " + arguments.front() + ": ")) << shown;
+  EXPECT_THAT(finished.err, testing::HasSubstr(accepted)) << shown;
+  EXPECT_EQ(std::ranges::count(finished.err, '\n'), 1) << shown;
+}
+
+TEST(Usage, WhatIsNoCaseIsNamedWithWhatIsAccepted) {
+  const ScratchFolder folder;
+  const std::string good = read_text(CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json");
+  const std::vector<std::pair<std::string, std::string>> bad = {
+      {folder / "missing.json", "No such file"},
+      {folder / "empty.json", "is empty; JSON"},
+      {folder / "cut.json", "expected"},
+      {folder / "junk.json", "JSON is accepted"}};
+  write_text(bad[1].first, "");
+  write_text(bad[2].first, good.substr(0, good.size() / 2));
+  write_text(bad[3].first,
+             "\x7f"
+             "ELF\x01\x02");
+  const std::string out = folder / "out";
+  const std::vector<std::vector<std::string>> commands = {
+      {"query"},
+      {"trace"},
+      {"evaluate"},
+      {"verify"},
+      {"prove", "-o", out + ".jsonl"},
+      {"replay"},
+      {"export", "--as", "gtest", "-o", out + ".cpp"},
+      {"minimize", "--method", "tdibm"}};
+  for (const auto& command : commands) {
+    for (const auto& [file, accepted] : bad) {
+      std::vector<std::string> line = command;
+      line.push_back(file);
+      expect_one_error(line, accepted);
+    }
+    if (command.front() == "replay") continue;
+    std::vector<std::string> line = command;
+    line.push_back(folder.path());
+    expect_one_error(line, "accepted are such folders, and files of cases: .json");
+  }
+}
+
+TEST(Usage, UnknownOptionsAreNamedByEveryCommand) {
+  for (const std::string& command : commands()) {
+    expect_one_error({command, "--frobnicate"},
+                     "--frobnicate: no such option; ccdfuzz " + command + " --help lists them");
+  }
+}
+
+TEST(Usage, APageThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  const ScratchFolder folder;
+  const std::string set = generated(folder, "VV", "RP", 1);
+  expect_one_error({"hunt", "--cases", "1", "--corpus", folder / "finds", "--report", "/proc/page"},
+                   "/proc/page: cannot make the folder");
+  expect_one_error({"evaluate", set, "--report", "/proc/page"},
+                   "/proc/page: cannot make the folder");
 }
 
 TEST(Usage, AFullDiskUnderStdoutIsAnErrorForEveryCommandThatPrints) {

@@ -50,7 +50,7 @@ TEST(Verify, ACaseWithoutATruthDoesNotCountAsOneThatHolds) {
   const std::string bare = changed_case(folder, "RP", [](Case& c) { c.truth = Truth(); });
   const Finished finished = ccdfuzz({"verify", bare});
   EXPECT_EQ(finished.code, 0) << finished.err;
-  EXPECT_NE(finished.out.find("1 cases: 0 hold, 0 refuted, 0 unproven, 1 without a truth\n"),
+  EXPECT_NE(finished.out.find("1 case: 0 hold, 0 refuted, 0 unproven, 1 without a truth\n"),
             std::string::npos)
       << finished.out;
 }
@@ -67,7 +67,7 @@ TEST(Verify, AnAbsenceThatDoesNotHoldIsUnproven) {
   const Finished finished = ccdfuzz({"verify", wrong});
   EXPECT_EQ(finished.code, 1) << finished.out;
   EXPECT_NE(finished.out.find("unproven"), std::string::npos) << finished.out;
-  EXPECT_NE(finished.out.find("1 cases: 0 hold, 0 refuted, 1 unproven"), std::string::npos);
+  EXPECT_NE(finished.out.find("1 case: 0 hold, 0 refuted, 1 unproven"), std::string::npos);
 }
 
 TEST(Verify, AClearUntilPastTheContactIsNotBelieved) {

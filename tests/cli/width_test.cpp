@@ -91,7 +91,8 @@ TEST(Help, NamesTheCommandThatAMisspeltOneMeans) {
   EXPECT_TRUE(method.starts_with(
       "ccdfuzz: query: --methods: unknown method \"tdbim\"; did you mean tdibm?"))
       << method;
-  EXPECT_EQ(ccdfuzz({"nonsense"}).err, "ccdfuzz: nonsense: no such command\n");
+  EXPECT_EQ(ccdfuzz({"nonsense"}).err,
+            "ccdfuzz: nonsense: no such command; ccdfuzz --help lists them\n");
 }
 
 TEST(Help, TheManualPageHasEveryCommandAndOption) {
