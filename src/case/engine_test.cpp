@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <vector>
 
+#include "base/verify.hpp"
 #include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
@@ -14,6 +16,8 @@ namespace ccdfuzz {
 namespace {
 
 constexpr std::array kAxes = {0, 1, 2};
+/// Names of templates of engines that are asked about features.
+constexpr const char *kVertexFace = "vertex-face", *kEdgeEdge = "edge-edge";
 
 /// A body as the adapters give it to engines (examples/engines/bodies.mjs): its points about a
 /// centre, which is the middle of its box where that and the differences are floats, and else 0.
@@ -61,196 +65,70 @@ EngineBody engine_body(const MovingPatch<double>& patch) {
 std::string list(const Vec3<double>& v) {
   return fmt::format("{}, {}, {}", v[0], v[1], v[2]);
 }
-std::string list(const Points<double>& points, std::string_view open, std::string_view close) {
-  std::vector<std::string> texts;
-  for (const Vec3<double>& p : points) texts.push_back(fmt::format("{}{}{}", open, list(p), close));
-  return fmt::format("{}", fmt::join(texts, ", "));
-}
 
-/// What an engine has for a body; empty where it has nothing.
-std::string shape_text(Engine engine, const EngineBody& body) {
-  const auto& [points, centre, radius, half] = body;
-  const bool is_round = radius > 0;
-  const bool is_ball = points.size() == 1 && is_round;
-  const bool is_hull = points.size() >= 4 && !is_round;
-  switch (engine) {
-    case Engine::kRapier: {
-      const std::string border = is_round ? fmt::format(", {}", radius) : "";
-      const char* const round = is_round ? "Round" : "";
-      if (is_ball) return fmt::format("new RAPIER.Ball({})", radius);
-      if (points.size() == 2 && !is_round) {
-        return fmt::format("new RAPIER.Segment({})", list(points, "vector(", ")"));
-      }
-      if (points.size() == 3) {
-        return fmt::format("new RAPIER.{}Triangle({}{})", round, list(points, "vector(", ")"),
-                           border);
-      }
-      if (half) return fmt::format("new RAPIER.{}Cuboid({}{})", round, list(*half), border);
-      if (points.size() < 4) return "";
-      return fmt::format("new RAPIER.{}ConvexPolyhedron(new Float32Array([{}]), null{})", round,
-                         list(points, "", ""), border);
+/// A text with each of these words in place of its name.
+std::string filled(std::string text, const std::map<std::string_view, std::string>& words) {
+  for (const auto& [name, word] : words) {
+    for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + word.size())) {
+      text.replace(at, name.size(), word);
     }
-    case Engine::kJolt:
-      if (is_ball) return fmt::format("new Jolt.SphereShape({})", radius);
-      if (half && !is_round) return fmt::format("new Jolt.BoxShape(vector({}), 0)", list(*half));
-      return is_hull ? fmt::format("hull([{}])", list(points, "[", "]")) : "";
-    case Engine::kPhysx:
-      if (is_ball) return fmt::format("new physx.PxSphereGeometry({})", radius);
-      if (half && !is_round) return fmt::format("new physx.PxBoxGeometry({})", list(*half));
-      return is_hull ? fmt::format("hull([{}])", list(points, "[", "]")) : "";
-    case Engine::kHavok:
-      if (is_ball) return fmt::format("hk.HP_Shape_CreateSphere([0, 0, 0], {})[1]", radius);
-      if (points.size() == 2 && is_round) {
-        return fmt::format("hk.HP_Shape_CreateCapsule({}, {})[1]", list(points, "[", "]"), radius);
-      }
-      if (half && !is_round) {
-        return fmt::format("hk.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], [{}])[1]",
-                           list(Vec3<double>(2 * *half)));
-      }
-      return is_hull ? fmt::format("hull([{}])", list(points, "[", "]")) : "";
-    case Engine::kBullet:
-      return fmt::format("hull({{{}}}, {})", list(points, "btVector3(", ")"), radius);
-    case Engine::kFcl:
-      return "";
   }
-  return "";
+  return text;
 }
 
-/// {0} and {1}: the bodies; {2} and {3}: their centres; {4}: the motion of a against b.
-constexpr const char* kRapier = R"(import RAPIER from '@dimforge/rapier3d-compat';
-await RAPIER.init();
-const vector = (x, y, z) => ({{ x, y, z }}), noTurn = {{ x: 0, y: 0, z: 0, w: 1 }};
-const a = {0};
-const b = {1};
-const share = a.castShape(vector({2}), noTurn, vector({4}), b, vector({3}), noTurn,
-                          vector(0, 0, 0), 0, 1, true)?.time_of_impact;
-)";
+/// The test of an engine (EngineTemplate): what it calls things, and the text.
+struct Template {
+  std::string_view engine;
+  std::map<std::string, std::string, std::less<>> names;
+  std::string text;
 
-constexpr const char* kJolt = R"(import initJolt from 'jolt-physics/wasm-compat';
-const Jolt = await initJolt();
-const world = new Jolt.JoltSettings();
-world.mObjectLayerPairFilter = new Jolt.ObjectLayerPairFilterTable(1);
-world.mBroadPhaseLayerInterface = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
-world.mObjectVsBroadPhaseLayerFilter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(
-  world.mBroadPhaseLayerInterface, 1, world.mObjectLayerPairFilter, 1);
-new Jolt.JoltInterface(world);
-const vector = (x, y, z) => new Jolt.Vec3(x, y, z);
-const hull = (points) => {{
-  const settings = new Jolt.ConvexHullShapeSettings();
-  settings.mMaxConvexRadius = settings.mHullTolerance = 0;
-  for (const p of points) settings.mPoints.push_back(vector(...p));
-  return settings.Create().Get();
-}};
-const a = {0};
-const b = {1};
-const middle = (shape, x, y, z) => {{
-  const c = shape.GetCenterOfMass();
-  return new Jolt.RVec3(x + c.GetX(), y + c.GetY(), z + c.GetZ());
-}};
-const target = new Jolt.TransformedShape();
-target.mShape = b;
-target.mShapePositionCOM = middle(b, {3});
-target.mShapeRotation = Jolt.Quat.prototype.sIdentity();
-const settings = new Jolt.ShapeCastSettings();
-settings.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
-const closest = new Jolt.CastShapeClosestHitCollisionCollector();
-const start = Jolt.RMat44.prototype.sTranslation(middle(a, {2}));
-target.CastShape(new Jolt.RShapeCast(a, vector(1, 1, 1), start, vector({4})), settings,
-                 new Jolt.RVec3(0, 0, 0), closest, new Jolt.ShapeFilter());
-const share = closest.HadHit() ? closest.mHit.mFraction : undefined;
-)";
+  explicit Template(const EngineTemplate& of) : engine(of.engine) {
+    std::string_view file = of.text;
+    constexpr std::string_view kMark = "//= ";
+    while (file.starts_with(kMark)) {
+      const std::string_view line = file.substr(kMark.size(), file.find('\n') - kMark.size());
+      const size_t colon = line.find(": ");
+      names.emplace(line.substr(0, colon), line.substr(colon + 2));
+      file.remove_prefix(kMark.size() + line.size() + 1);
+    }
+    text = file;
+  }
 
-constexpr const char* kPhysx = R"(import {{ readFileSync }} from 'node:fs';
-const wasm = new URL('physx-js-webidl.wasm', import.meta.resolve('physx-js-webidl'));
-const node = globalThis.process;
-delete globalThis.process;  // the package is for browsers and refuses to run where it sees Node
-globalThis.window = {{}};
-const physx = await (await import('physx-js-webidl')).default({{ wasmBinary: readFileSync(wasm) }});
-globalThis.process = node;
-const top = physx.PxTopLevelFunctions.prototype;
-top.CreateFoundation(physx.PHYSICS_VERSION, new physx.PxDefaultAllocator(), new physx.PxDefaultErrorCallback());
-const vector = (x, y, z) => new physx.PxVec3(x, y, z);
-const hull = (points) => {{
-  const corners = new physx.PxArray_PxVec3(0), description = new physx.PxConvexMeshDesc();
-  for (const p of points) corners.pushBack(vector(...p));
-  description.flags = new physx.PxConvexFlags(physx._emscripten_enum_PxConvexFlagEnum_eCOMPUTE_CONVEX());
-  Object.assign(description.points, {{ count: points.length, stride: 12, data: corners.begin() }});
-  const cooking = new physx.PxCookingParams(new physx.PxTolerancesScale());
-  cooking.planeTolerance = 0;
-  return new physx.PxConvexMeshGeometry(top.CreateConvexMesh(cooking, description));
-}};
-const pose = (...at) => new physx.PxTransform(vector(...at), new physx.PxQuat(0, 0, 0, 1));
-const a = {0};
-const b = {1};
-const way = [{4}], length = Math.fround(Math.hypot(...way)), hit = new physx.PxSweepHit();
-const flags = new physx.PxHitFlags(physx._emscripten_enum_PxHitFlagEnum_eDEFAULT());
-const touches = physx.PxGeometryQuery.prototype.sweep(vector(...way.map((x) => x / length)), length,
-                                                      a, pose({2}), b, pose({3}), hit, flags);
-const share = touches ? hit.distance / length : undefined;
-)";
+  /// Points as the engine's words for one have them.
+  std::string list(const Points<double>& points) const {
+    std::vector<std::string> texts;
+    for (const Vec3<double>& p : points) {
+      texts.push_back(filled(names.at("point"), {{"*", ccdfuzz::list(p)}}));
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
 
-constexpr const char* kHavok = R"(import {{ readFileSync }} from 'node:fs';
-import HavokPhysics from '@babylonjs/havok';
-const wasm = new URL(import.meta.resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm'));
-const hk = await HavokPhysics({{ wasmBinary: readFileSync(wasm) }});
-const hull = (points) => {{
-  const address = hk._malloc(points.length * 12);
-  new Float32Array(hk.HEAPU8.buffer, address, points.length * 3).set(points.flat());
-  return hk.HP_Shape_CreateConvexHull(address, points.length)[1];
-}};
-const a = {0};
-const b = {1};
-for (const shape of [a, b]) hk.HP_Shape_SetFilterInfo(shape, [~0, ~0]);
-const world = hk.HP_World_Create()[1], body = hk.HP_Body_Create()[1];
-hk.HP_Body_SetShape(body, b);
-hk.HP_Body_SetMotionType(body, hk.MotionType.STATIC);
-hk.HP_Body_SetPosition(body, [{3}]);
-hk.HP_World_AddBody(world, body, false);
-const collector = hk.HP_QueryCollector_Create(1)[1];
-const start = [{2}], way = [{4}];
-hk.HP_World_ShapeCastWithCollector(world, collector,
-  [a, [0, 0, 0, 1], start, start.map((x, k) => x + way[k]), false, [0n]]);
-const share = hk.HP_QueryCollector_GetNumHits(collector)[1] > 0
-  ? hk.HP_QueryCollector_GetShapeCastResult(collector, 0)[1][0] : undefined;
-)";
+  /// The engine's words for a body of this kind; nothing where it has none.
+  std::optional<std::string> shape(const std::string& kind, const EngineBody& body) const {
+    const auto name = names.find(kind);
+    if (name == names.end()) return std::nullopt;
+    std::vector<std::string> numbers;
+    for (const Vec3<double>& p : body.points) numbers.push_back(ccdfuzz::list(p));
+    const Vec3<double> half = body.half.value_or(Vec3<double>(0, 0, 0));
+    return filled(name->second, {{"__POINTS__", list(body.points)},
+                                 {"__NUMBERS__", fmt::format("{}", fmt::join(numbers, ", "))},
+                                 {"__RADIUS__", fmt::format("{}", body.radius)},
+                                 {"__HALF__", ccdfuzz::list(half)},
+                                 {"__SIZE__", ccdfuzz::list(Vec3<double>(2 * half))}});
+  }
+};
 
-constexpr const char* kBullet = R"(#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
-#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
-#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
-
-btConvexHullShape hull(std::initializer_list<btVector3> points, btScalar margin) {{
-  btConvexHullShape shape;
-  for (const btVector3& p : points) shape.addPoint(p, false);
-  shape.recalcLocalAabb();
-  shape.setMargin(margin);
-  return shape;
-}}
-
-TEST(ContinuousConvexCollision, FoundByCcdfuzz) {{
-  const btConvexHullShape a = {0};
-  const btConvexHullShape b = {1};
-  const auto at = [](btScalar x, btScalar y, btScalar z) {{
-    return btTransform(btQuaternion::getIdentity(), btVector3(x, y, z));
-  }};
-  btVoronoiSimplexSolver simplex;
-  btGjkEpaPenetrationDepthSolver depth;
-  btConvexCast::CastResult result;
-  const bool touches = btContinuousConvexCollision(&a, &b, &simplex, &depth)
-                           .calcTimeOfImpact(at(0, 0, 0), at({4}), at(0, 0, 0), at(0, 0, 0), result);
-  const double share = touches ? result.m_fraction : -1;
-)";
-
-constexpr const char* kFcl = R"(#include <fcl/narrowphase/detail/traversal/collision/intersect.h>
-
-TEST(Intersect, FoundByCcdfuzz) {{
-  using V = fcl::Vector3d;
-  double share = -1;
-  V where;
-  const bool touches = fcl::detail::Intersect<double>::{0}(
-      {1},
-      {2}, &share, &where);
-)";
+/// A box is a hull, too, for an engine that has no box.
+std::optional<std::string> shape_text(const Template& engine, const EngineBody& body) {
+  constexpr std::array kKinds = {"point", "segment", "triangle", "hull"};
+  const std::string round = body.radius > 0 ? "round " : "";
+  const std::string kind = kKinds[std::min(body.points.size(), kKinds.size()) - 1];
+  // "point" alone is how a point of a body is written.
+  if (round.empty() && body.points.size() == 1) return std::nullopt;
+  std::optional<std::string> text;
+  if (body.half) text = engine.shape(round + "box", body);
+  return text ? text : engine.shape(round + kind, body);
+}
 
 constexpr const char* kGoogleTest = "#include <gtest/gtest.h>\n\n";
 
@@ -300,7 +178,7 @@ std::string proof_text(const Case& value) {
       at, points[0], points[1]);
 }
 
-Result<std::string> fcl_text(const NamedCase& named) {
+Result<std::string> features_text(const NamedCase& named, const Template& engine) {
   const Query query = with_velocities(named.value.query).value_or(named.value.query);
   const auto& [first, second] = query.patches;
   const bool is_face =
@@ -311,57 +189,58 @@ Result<std::string> fcl_text(const NamedCase& named) {
           ? count == 4 && (first.shape == Shape::triangle(1) || second.shape == Shape::triangle(1))
           : first.shape == Shape::curve(1) && second.shape == Shape::curve(1);
   if (!is_linear || has_ends(query) || query.separation > 0) {
-    return input_error(named.id,
-                       "fcl has tests of a vertex and a face, or of two edges, that touch");
+    return input_error(
+        named.id, fmt::format("{} has tests of a vertex and a face, or of two edges, that touch",
+                              engine.engine));
   }
-  std::array<std::vector<std::string>, 2> points;  // at 0 and at t_max
+  std::array<Points<double>, 2> points;  // at 0 and at t_max
   const auto add = [&](const MovingPatch<double>& patch) {
     for (size_t i = 0; i < patch.positions.size(); ++i) {
-      points[0].push_back(fmt::format("V({})", list(patch.positions[i])));
-      points[1].push_back(fmt::format(
-          "V({})", list(Vec3<double>(patch.positions[i] + query.t_max * patch.velocities[i]))));
+      points[0].push_back(patch.positions[i]);
+      points[1].emplace_back(patch.positions[i] + query.t_max * patch.velocities[i]);
     }
   };
   // A vertex comes after the face.
   const bool is_swapped = is_face && first.shape.kind == ShapeKind::kPoint;
   add(is_swapped ? second : first);
   add(is_swapped ? first : second);
-  return fmt::format(kFcl, is_face ? "intersect_VF" : "intersect_EE", fmt::join(points[0], ", "),
-                     fmt::join(points[1], ", "));
+  return filled(engine.text, {{"__CALL__", engine.names.at(is_face ? kVertexFace : kEdgeEdge)},
+                              {"__START__", engine.list(points[0])},
+                              {"__END__", engine.list(points[1])}});
 }
 
-Result<std::string> bodies_text(const NamedCase& named, Engine engine) {
+Result<std::string> bodies_text(const NamedCase& named, const Template& engine) {
   const Query& query = named.value.query;
   if (!is_of_bodies(query)) {
-    return input_error(named.id, fmt::format("{} is asked about bodies", name_of(engine)));
+    return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
   }
-  const std::array bodies = {engine_body(query.patches[0]), engine_body(query.patches[1])};
+  std::array<EngineBody, 2> bodies = {engine_body(query.patches[0]), engine_body(query.patches[1])};
   std::array<std::string, 2> shapes;
   for (size_t side = 0; side < 2; ++side) {
-    EngineBody body = bodies[side];
-    if (engine == Engine::kBullet) body.points = query.patches[side].positions;
-    shapes[side] = shape_text(engine, body);
-    if (shapes[side].empty() || query.separation > 0) {
+    const MovingPatch<double>& patch = query.patches[side];
+    std::optional<std::string> shape = shape_text(engine, bodies[side]);
+    if (!shape) shape = engine.shape("any", {patch.positions, {0, 0, 0}, patch.radius, {}});
+    if (!shape || query.separation > 0) {
       return input_error(fmt::format("{}: patches[{}]", named.id, side),
-                         fmt::format("{} has no such shape", name_of(engine)));
+                         fmt::format("{} has no such shape", engine.engine));
     }
+    shapes[side] = *shape;
   }
   const Vec3<double> way =
       (query.patches[0].velocities[0] - query.patches[1].velocities[0]) * query.t_max;
-  constexpr std::array kTexts = {kRapier, kJolt, kPhysx, kHavok, kFcl, kBullet};
-  return fmt::format(fmt::runtime(kTexts[static_cast<size_t>(engine)]), shapes[0], shapes[1],
-                     list(bodies[0].centre), list(bodies[1].centre), list(way));
+  return filled(engine.text, {{"__A__", shapes[0]},
+                              {"__B__", shapes[1]},
+                              {"__CENTRE_A__", list(bodies[0].centre)},
+                              {"__CENTRE_B__", list(bodies[1].centre)},
+                              {"__WAY__", list(way)}});
 }
 
 }  // namespace
 
-std::string_view name_of(Engine engine) {
-  constexpr std::array<std::string_view, 6> kNames = {"rapier", "jolt", "physx",
-                                                      "havok",  "fcl",  "bullet"};
-  return kNames[static_cast<size_t>(engine)];
-}
-
-Result<std::string> engine_test(const NamedCase& named, Engine engine) {
+Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
+  const auto of_engine =
+      std::ranges::find(engine_templates(), name, [](const EngineTemplate& e) { return e.engine; });
+  CCDFUZZ_VERIFY(of_engine != engine_templates().end());
   const Case& value = named.value;
   const auto contact = value.truth.contact_by();
   const Rational t_max = exact(value.query.t_max);
@@ -372,13 +251,14 @@ Result<std::string> engine_test(const NamedCase& named, Engine engine) {
   }
   std::optional<double> latest;
   if (touches) latest = round_up(Rational(*contact / t_max));
-  const bool is_cpp = engine == Engine::kFcl || engine == Engine::kBullet;
-  const Result<std::string> asked =
-      engine == Engine::kFcl ? fcl_text(named) : bodies_text(named, engine);
+  const Template engine(*of_engine);
+  const Result<std::string> asked = engine.names.contains(kVertexFace)
+                                        ? features_text(named, engine)
+                                        : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
     const std::string head = fmt::format("// {}\n", proof_text(value));
-    return is_cpp ? head + kGoogleTest + text + google_checks(latest)
-                  : head + text + node_checks(latest);
+    return of_engine->is_cpp ? head + kGoogleTest + text + google_checks(latest)
+                             : head + text + node_checks(latest);
   });
 }
 

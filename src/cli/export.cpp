@@ -24,18 +24,18 @@ std::string_view name_of(ExportForm form) {
 
 struct Form {
   ExportForm form = ExportForm::kCsv;
-  Engine engine = {};  ///< for kEngine
+  std::string_view engine;  ///< for kEngine
 };
 
 Result<Form> parse_form(const std::string& where, const std::string& text) {
   std::vector<std::string_view> names;
   for (const ExportForm form : kExportForms) {
-    if (name_of(form) == text) return Form{form};
+    if (name_of(form) == text) return Form{form, {}};
     names.push_back(name_of(form));
   }
-  for (const Engine engine : kEngines) {
-    if (name_of(engine) == text) return Form{ExportForm::kEngine, engine};
-    names.push_back(name_of(engine));
+  for (const EngineTemplate& one : engine_templates()) {
+    if (one.engine == text) return Form{ExportForm::kEngine, one.engine};
+    names.push_back(one.engine);
   }
   return input_error(where, fmt::format("\"{}\" is none of {}", text, fmt::join(names, ", ")));
 }
@@ -152,11 +152,14 @@ void add_export(CommandLine& line) {
                   "export finds/*.json --as gtest -o found_test.cpp");
   command.texts("case", options->files, "Case files: .json, .jsonl or .jsonl.zst").required();
   command.text("-o,--output FILE", options->output, "File to write").in("Results").required();
+  std::vector<std::string_view> engines;
+  for (const EngineTemplate& one : engine_templates()) engines.push_back(one.engine);
   command.parsed(
       "--as FORM", options->as,
-      "csv: 8 rows per linear query, 24 per curved one. gtest, catch2: a C++ file with a "
-      "test per case, which needs ccdfuzz_plugin.h and the plug-in to link with. rapier, jolt, "
-      "physx, havok, fcl, bullet: a test of one case that needs this engine alone",
+      fmt::format("csv: 8 rows per linear query, 24 per curved one. gtest, catch2: a C++ file with "
+                  "a test per case, which needs ccdfuzz_plugin.h and the plug-in to link with. {}: "
+                  "a test of one case that needs this engine alone",
+                  fmt::join(engines, ", ")),
       parse_form, "csv");
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");
