@@ -15,10 +15,10 @@ set(ccdfuzz_public_headers
   certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp
   certify/checker/check_witness.hpp certify/checker/run_work.hpp certify/checker/work.hpp
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
-  method/features.hpp
+  method/domain.hpp method/features.hpp
   method/method.hpp
   numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/result.hpp base/verify.hpp
-  case/answer.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp
+  case/answer.hpp case/body_kind.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp
   case/checked_case.hpp case/judge.hpp case/query_csv.hpp case/taxonomy.hpp case/outcome.hpp base/output_file.hpp case/query.hpp case/tree_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)

@@ -133,6 +133,31 @@ bool is_proper(const FramedBody& body) {
 /// The numbers of a scene, in units of the frame, of which kParts make a whole one.
 constexpr std::int64_t kParts = 8;
 
+/// Two bodies that touch in the plane of a frame.
+struct FramedPair {
+  std::array<FramedBody, 2> bodies;
+  WholeFrame frame;
+  std::int64_t lift = 0;  ///< both radii together, in parts of the length of the frame's axes
+  std::array<std::int64_t, 2> radius{};
+};
+
+FramedPair draw_framed_pair(const std::array<Feature, 2>& features, Draw& draw) {
+  FramedPair pair;
+  for (size_t s = 0; s < 2; ++s) {
+    pair.bodies[s] = draw.until([&] { return draw_body(features[s], draw); }, is_proper);
+  }
+  const bool are_points = pair.bodies[0].points.size() + pair.bodies[1].points.size() == 2;
+  const bool is_round = are_points || draw.coin();
+  pair.frame = draw_frame(is_round, draw);
+  pair.lift = is_round ? draw.integer(1, 4) * kParts / 2 : 0;
+  const std::int64_t radii = pair.lift * pair.frame.length;
+  if (is_round) {
+    pair.radius[0] = draw.pick(std::array<std::int64_t, 4>{0, radii, radii / 2, radii / 4});
+  }
+  pair.radius[1] = radii - pair.radius[0];
+  return pair;
+}
+
 }  // namespace
 
 bool is_made_of_bodies(CaseKind kind) {
@@ -142,19 +167,12 @@ bool is_made_of_bodies(CaseKind kind) {
 tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                         Draw& draw) {
   const std::array<Feature, 2> features = features_of(options.contact);
-  std::array<FramedBody, 2> bodies;
-  for (size_t s = 0; s < 2; ++s) {
-    bodies[s] = draw.until([&] { return draw_body(features[s], draw); }, is_proper);
-  }
-  const bool are_points = bodies[0].points.size() + bodies[1].points.size() == 2;
-  const bool is_round = are_points || draw.coin();
-  const WholeFrame frame = draw_frame(is_round, draw);
-  // In parts: both radii together are `lift` times the length of the frame's axes.
-  const std::int64_t lift = is_round ? draw.integer(1, 4) * kParts / 2 : 0;
-  const std::int64_t radii = lift * frame.length;
-  std::array<std::int64_t, 2> radius{};
-  if (is_round) radius[0] = draw.pick(std::array<std::int64_t, 4>{0, radii, radii / 2, radii / 4});
-  radius[1] = radii - radius[0];
+  const auto [bodies, frame, lift, radius] = draw.until(
+      [&] { return draw_framed_pair(features, draw); },
+      [&](const FramedPair& pair) {
+        return is_one_of(options.bodies, pair.bodies[0].points.size(), pair.radius[0] > 0) &&
+               is_one_of(options.bodies, pair.bodies[1].points.size(), pair.radius[1] > 0);
+      });
 
   const bool is_miss = options.kind == CaseKind::kNMN;
   const std::int64_t gap = is_miss ? draw.integer(1, kParts) : 0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "case/body_kind.hpp"
 #include "case/case.hpp"
 #include "case/taxonomy.hpp"
 #include "generators/draw/draw.hpp"
@@ -88,6 +89,8 @@ struct GeneratorOptions {
   /// The shapes of patches 1 and 2; by default both are quadratic triangles in kRegular and the
   /// first five stress families, and random in the others. Other shapes are made one-sided only.
   std::optional<std::array<Shape, 2>> shapes;
+  /// The kinds of bodies of the family bodies; empty: all.
+  BodyKinds bodies = {};
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for NHP: grazing patches are only about eps_T² apart then.

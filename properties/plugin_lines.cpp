@@ -62,7 +62,7 @@ void check_line(Draw& d) {
     for (const double claimed : {described->tolerance, described->minimum_separation}) {
       CLAIM(claimed >= 0 && std::isfinite(claimed));
     }
-    for (const PluginDescription::Pair& pair : described->accepts) {
+    for (const Domain::Pair& pair : described->domain.pairs) {
       for (const int degree : pair.max_degrees) CLAIM(0 <= degree && degree <= kMaxDegree);
     }
   }

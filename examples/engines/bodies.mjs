@@ -10,6 +10,11 @@ export function float32(x, what) {
   return x;
 }
 
+const hull = { shape: 'hull' };
+/// Kinds of bodies. Overlaps are measured for hulls of up to 12 points each.
+export const ball = { least_points: 1, most_points: 1, radius: 'positive' };
+export const solid = { least_points: 4, most_points: 12, radius: 'zero' };
+
 const axes = [0, 1, 2];
 const low = (points, k) => Math.min(...points.map((p) => p[k]));
 const high = (points, k) => Math.max(...points.map((p) => p[k]));
@@ -41,16 +46,19 @@ function halfExtents(centred, points) {
 }
 
 /// Answers queries until the input ends. cast(a, b, way) gives the share of `way`, the motion of a
-/// against b in the whole step, after which the two bodies touch; undefined: they do not. The
-/// engine promises nothing of contacts at an end of the step, nor of overlaps less deep than
-/// `tolerance`.
-export async function serve(name, version, tolerance, cast) {
+/// against b in the whole step, after which the two bodies touch; undefined: they do not. `promise`
+/// is the sentence that the engine is held to, with a link. It promises nothing of contacts at an
+/// end of the step, of bodies that touch at the start or have no volume, of numbers that are no
+/// floats or outside of 1/128 to 128, nor of overlaps less deep than `tolerance`. `bodies` are
+/// those that it has shapes for.
+export async function serve({ name, version, promise, tolerance, bodies }, cast) {
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
     const reply = asked.ask === 'describe'
-      ? { protocol: 1, name, version, accepts: [[{ shape: 'hull' }, { shape: 'hull' }]],
-          takes_bodies: true, closed_t_max: false, contact_at_zero: false,
-          tolerance_kind: 'space', tolerance }
+      ? { protocol: 1, name, version, promise, accepts: [[hull, hull]], takes_bodies: true,
+          bodies,
+          numbers: 'binary32', within: 7, ordinary: true, closed_t_max: false,
+          contact_at_zero: false, tolerance_kind: 'space', tolerance }
       : { id: asked.id, ...answer(asked, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }

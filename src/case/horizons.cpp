@@ -33,7 +33,8 @@ std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor) {
 }
 
 std::vector<CheckedCase> forms_of(const CheckedCase& known) {
-  if (known.value().truth.collides == false || is_of_bodies(known.query())) return {known};
+  const Truth& truth = known.value().truth;
+  if (truth.collides == false || !truth.witness || is_of_bodies(known.query())) return {known};
   std::vector<CheckedCase> forms;
   for (const double factor : kHorizonFactors) {
     if (auto asked = at_horizon(known, factor)) forms.push_back(std::move(*asked));

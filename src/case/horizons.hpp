@@ -19,7 +19,7 @@ std::optional<Case> at_horizon(const Case& known, double factor);
 std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor);
 
 /// How a case is put to methods: a positive one of patches at t* and past it (kHorizonFactors), so
-/// that late answers show; a negative one, and one of bodies, as it stands.
+/// that late answers show; a negative one, one without a witness, and one of bodies as it stands.
 std::vector<CheckedCase> forms_of(const CheckedCase& known);
 
 }  // namespace ccdfuzz

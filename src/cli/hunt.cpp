@@ -278,6 +278,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   if (options.hunt.ground.bodies && options.hunt.methods == methods_by_default()) {
     options.hunt.methods = {"oracle"};
   }
+  options.hunt.ground = need(narrowed(options.hunt.ground, options.hunt.methods));
   Store store = need(Store::open(options.corpus));
   // Whether the page can be written is to be known before the work is done.
   if (!options.page.empty()) need(make_folder(options.page));

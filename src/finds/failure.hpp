@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "case/case.hpp"
-#include "finds/setting.hpp"
+#include "method/setting.hpp"
 
 namespace ccdfuzz {
 

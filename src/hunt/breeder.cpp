@@ -73,7 +73,9 @@ const Contact& Breeder::mother() {
 std::optional<Case> Breeder::mutant_of_bodies() {
   const Query& first = bodies_[random_.below(bodies_.size())];
   const Query& other = bodies_[random_.below(bodies_.size())];
-  const Query mutant = mutate_bodies(first, other, random_);
+  Case changed;
+  changed.query = mutate_bodies(first, other, random_);
+  const Query mutant = ground_.fitted(std::move(changed)).query;
   if (!is_for_it(mutant)) return std::nullopt;
   std::optional<Case> made = case_of_bodies(mutant);
   if (!made || (made->truth.witness && made->truth.witness->t == 0)) return std::nullopt;

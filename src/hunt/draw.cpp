@@ -39,11 +39,17 @@ Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t in
   }
 }
 
+/// Families whose cases are rarely ordinary or never.
+constexpr std::array kNotOrdinary = {Family::kAtStart,     Family::kResting,    Family::kSliding,
+                                     Family::kFlatGrazing, Family::kDegenerate, Family::kAnywhere};
+
 }  // namespace
 
 Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground_(ground) {
-  if (ground_.linear) {
-    classes_.assign(kLinearClasses.begin(), kLinearClasses.end());
+  if (draws_degenerate()) {
+    for (size_t i = 0; i < kLinearPairs.size(); ++i) {
+      if (ground_.has_shapes(kLinearPairs[i])) classes_.push_back(kLinearClasses[i]);
+    }
     return;
   }
   for (const ContactClass contact : kContactClasses) {
@@ -55,13 +61,16 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground
 
 std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   std::vector<Source> sources;
+  std::optional<ShapePair> shapes;
   const auto add = [&](Construction construction, Family family) {
+    if (ground_.ordinary && std::ranges::find(kNotOrdinary, family) != kNotOrdinary.end()) return;
     Source source;
     GeneratorOptions& options = source.options;
     options.contact = contact;
     options.construction = construction;
     options.family = family;
-    options.shapes = ground_.shapes;
+    options.shapes = shapes;
+    options.bodies = ground_.body_kinds;
     options.seed = seed_;
     for (const CaseKind kind : kCaseKinds) {
       options.kind = kind;
@@ -73,9 +82,17 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     add(Construction::kOneSided, Family::kBodies);
     return sources;
   }
-  for (const Construction c : kConstructions) add(c, Family::kRegular);
-  for (const Family f : kFamilies) {
-    if (f != Family::kRegular) add(Construction::kOneSided, f);
+  const auto add_all = [&] {
+    for (const Construction c : kConstructions) add(c, Family::kRegular);
+    for (const Family f : kFamilies) {
+      if (f != Family::kRegular) add(Construction::kOneSided, f);
+    }
+  };
+  const std::vector<ShapePair> drawn = ground_.drawn_shapes();
+  if (drawn.empty()) add_all();
+  for (const ShapePair& pair : drawn) {
+    shapes = pair;
+    add_all();
   }
   return sources;
 }
@@ -91,10 +108,10 @@ Case Draws::generated(ContactClass contact, std::uint64_t index) const {
 
 HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {
   HuntDraw drawn;
-  if (ground_.linear) {
-    drawn.asked.push_back(checked(draw_linear_case(contact, seed_, index)));
+  if (draws_degenerate()) {
+    drawn.asked.push_back(checked(ground_.fitted(draw_linear_case(contact, seed_, index))));
   } else {
-    drawn.asked = forms_of(checked(generated(contact, index)));
+    drawn.asked = forms_of(checked(ground_.fitted(generated(contact, index))));
   }
   std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return drawn;

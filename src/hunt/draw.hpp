@@ -20,8 +20,8 @@ struct HuntDraw {
 
 /// The draws of a hunt: an endless sequence for each contact class, which depends on the seed and
 /// the ground alone. It alternates between both constructions and all stress families that have the
-/// class and the ground's shapes. Cases that are not on the ground are left out, so a draw may be
-/// empty.
+/// class and the ground's shapes. A case is brought onto the ground where that is possible
+/// (HuntGround::fitted). Else it is left out, so a draw may be empty.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed, const HuntGround& ground = {});
@@ -38,6 +38,8 @@ class Draws {
     std::vector<CaseKind> kinds;
   };
 
+  /// Whether linear queries are drawn that are degenerate in some way, none of them ordinary.
+  bool draws_degenerate() const { return ground_.linear && !ground_.ordinary; }
   std::vector<Source> sources_of(ContactClass contact) const;
   Case generated(ContactClass contact, std::uint64_t index) const;
 

@@ -1,17 +1,188 @@
 #include "hunt/ground.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "certify/checker/check_linear.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "generators/bodies.hpp"
+#include "method/method.hpp"
+
 namespace ccdfuzz {
 
-std::optional<ContactClass> linear_class_of(const Query& query) {
-  const auto count = [&](const Shape& shape) {
-    return (query.patches[0].shape == shape) + (query.patches[1].shape == shape);
+namespace {
+
+/// Shapes of degrees up to this are drawn where a method says how high they may be.
+constexpr int kMostDrawn = 3;
+
+/// A shape of a kind, of this degree where it has one.
+Shape shape_of(ShapeKind kind, int degree) {
+  if (kind == ShapeKind::kPoint) return Shape::point();
+  return {kind, degree, kind == ShapeKind::kTensor ? degree : 0};
+}
+
+bool is_pair_of_hulls(const Domain::Pair& pair) {
+  return pair.shapes[0] == ShapeKind::kHull && pair.shapes[1] == ShapeKind::kHull;
+}
+
+double largest_of(const Points<double>& points) {
+  double largest = 0;
+  for (const Vec3<double>& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// The power of two that brings a magnitude well into [2^-scale, 2^scale], if it is not there: to
+/// any size there, so that what is drawn at all scales stays so.
+int shift_into(double magnitude, int scale) {
+  const int exponent = magnitude == 0 ? 0 : std::ilogb(magnitude);
+  if (-scale / 2 <= exponent && exponent < scale) return 0;
+  return (exponent % scale + scale) % scale - scale / 2 - exponent;
+}
+
+/// The patches near the origin if they are far from it, and of other sizes and speeds.
+void bring_to_scale(Query& query, int scale) {
+  const auto largest = [&](auto points_of) {
+    return std::max(largest_of(points_of(query.patches[0])),
+                    largest_of(points_of(query.patches[1])));
   };
-  const int points = count(Shape::point()), edges = count(Shape::curve(1));
-  if (points == 2) return ContactClass::kVV;
-  if (edges == 2) return ContactClass::kEE;
-  if (points == 1 && edges == 1) return ContactClass::kVE;
-  if (points == 1 && count(Shape::triangle(1)) == 1) return ContactClass::kVF;
+  const auto positions = [](const MovingPatch<double>& p) -> const auto& {
+    return p.positions;
+  };
+  const auto moves = [](const MovingPatch<double>& p) -> const auto& {
+    return p.velocities;
+  };
+  if (largest(positions) > std::ldexp(1.0, scale)) {
+    const Vec3<double> origin = query.patches[0].positions[0];
+    for (MovingPatch<double>& patch : query.patches) {
+      for (Vec3<double>& p : patch.positions) p -= origin;
+    }
+  }
+  const int in_space = shift_into(largest(positions), scale);
+  for (MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, in_space); });
+  }
+  const int in_time = shift_into(largest(moves), scale);
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1.0, in_time);
+  }
+  query.t_max = std::ldexp(query.t_max, -in_time);
+}
+
+}  // namespace
+
+std::optional<ContactClass> linear_class_of(const Query& query) {
+  for (size_t i = 0; i < kLinearPairs.size(); ++i) {
+    const auto& [first, second] = kLinearPairs[i];
+    const Shape &a = query.patches[0].shape, &b = query.patches[1].shape;
+    if ((a == first && b == second) || (a == second && b == first)) return kLinearClasses[i];
+  }
   return std::nullopt;
+}
+
+bool HuntGround::has(const Query& query) const {
+  return has_numbers_of(query) && has_bodies_of(query) && order_of(query) &&
+         (!shapes ||
+          (query.patches[0].shape == (*shapes)[0] && query.patches[1].shape == (*shapes)[1])) &&
+         (!linear || linear_class_of(query)) && (!bodies || is_of_bodies(query));
+}
+
+bool HuntGround::has(const Case& value) const {
+  return has(value.query) && broken_by(value).empty();
+}
+
+bool HuntGround::has_shapes(const ShapePair& pair) const {
+  Query query;
+  for (size_t s = 0; s < 2; ++s) query.patches[s].shape = pair[s];
+  return order_of(query).has_value();
+}
+
+std::vector<ShapePair> HuntGround::drawn_shapes() const {
+  if (shapes) return {*shapes};
+  std::vector<ShapePair> drawn;
+  const auto add = [&](const ShapePair& pair) {
+    if (has_shapes(pair) && std::ranges::find(drawn, pair) == drawn.end()) drawn.push_back(pair);
+  };
+  if (linear) {
+    for (const ShapePair& pair : kLinearPairs) add(pair);
+    return drawn;
+  }
+  for (const Pair& pair : pairs) {
+    for (int degree = 1; degree <= kMostDrawn; ++degree) {
+      const auto side = [&](size_t s) {
+        return shape_of(pair.shapes[s], std::min(degree, pair.max_degrees[s]));
+      };
+      add({side(0), side(1)});
+      add({side(1), side(0)});
+    }
+  }
+  return drawn;
+}
+
+Case HuntGround::fitted(Case value) const {
+  Query& query = value.query;
+  const bool are_bodies = is_of_bodies(query);
+  const bool can_be_decided = are_bodies || (is_linear_query(query) && !has_ends(query));
+  if (!can_be_decided || has_numbers_of(query)) return value;
+  const Query before = query;
+  const double least = scale ? std::ldexp(1.0, -*scale) : 0;
+  if (scale) bring_to_scale(query, *scale);
+  const auto fit = [&](double& x) {
+    if (std::abs(x) < least) x = 0;
+    constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+    if (binary32) x = static_cast<double>(static_cast<float>(std::clamp(x, -kMost, kMost)));
+  };
+  for (MovingPatch<double>& patch : query.patches) {
+    for_each_coordinate(patch, fit);
+  }
+  fit(query.t_max);
+  fit(query.separation);
+  if (query == before) return value;
+  if (are_bodies) {
+    const std::optional<Case> decided = case_of_bodies(query);
+    value.truth = decided ? decided->truth : Truth();
+    value.origin.contact = decided ? decided->origin.contact : "";
+  } else {
+    // A planted contact comes at t_max; it may come a little later now.
+    query.t_max *= 2;
+    if (scale) query.t_max = std::min(query.t_max, std::ldexp(1.0, *scale));
+    value.truth = decide(query).truth;
+    if (const auto contact = linear_class_of(query)) value.origin.contact = name_of(*contact);
+  }
+  return value;
+}
+
+Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods) {
+  const auto nothing = [&] {
+    return input_error("--methods", fmt::format("no query is taken by all of {}: hunt them apart",
+                                                fmt::join(methods, ", ")));
+  };
+  bool take_bodies = true, take_patches = true;
+  for (const std::string& method : methods) {
+    const Result<MethodInfo> info = method_info(method);
+    if (!info) return tl::unexpected(info.error());
+    const Domain& domain = info->domain;
+    std::optional<Domain> both = ground.with(domain);
+    if (!both) return nothing();
+    static_cast<Domain&>(ground) = *std::move(both);
+    const auto& pairs = domain.pairs;
+    take_bodies = take_bodies && info->features.bodies &&
+                  (pairs.empty() || std::ranges::any_of(pairs, is_pair_of_hulls));
+    take_patches = take_patches && (pairs.empty() || !std::ranges::all_of(pairs, is_pair_of_hulls));
+  }
+  const bool is_of_patches = ground.linear || ground.shapes;
+  if (!take_patches && !is_of_patches) ground.bodies = true;
+  if (ground.bodies ? !take_bodies : !take_patches) return nothing();
+  const bool had_pairs = !ground.pairs.empty();
+  std::erase_if(ground.pairs,
+                [&](const Domain::Pair& pair) { return is_pair_of_hulls(pair) != ground.bodies; });
+  if (had_pairs && ground.pairs.empty()) return nothing();
+  if (is_of_patches && ground.drawn_shapes().empty()) return nothing();
+  if (ground.shapes && !ground.has_shapes(*ground.shapes)) return nothing();
+  return ground;
 }
 
 }  // namespace ccdfuzz

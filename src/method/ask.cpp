@@ -41,6 +41,11 @@ std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, O
 
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {
   Answered answer;
+  if (const Domain* domain = method.domain()) {
+    answer.note = domain->broken_by(known.value());
+    answer.verdict = Verdict::kRefused;
+    if (!answer.note.empty()) return {std::move(answer), Outcome::kNotAsked, ""};
+  }
   try {
     answer = timed_answer(method, known.query(), options);
   } catch (const MethodFault& fault) {

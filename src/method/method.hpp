@@ -12,6 +12,7 @@
 #include "case/case.hpp"
 #include "case/judge.hpp"
 #include "ccd/search_options.hpp"
+#include "method/domain.hpp"
 #include "method/features.hpp"
 
 namespace ccdfuzz {
@@ -54,6 +55,8 @@ class Method {
   virtual Answered answer(const Query& query, const SearchOptions& options) = 0;
   /// True iff it answers in another process, so that this one's CPU time does not measure it.
   virtual bool runs_elsewhere() const { return false; }
+  /// The queries that it promises to answer; null: all that it takes.
+  virtual const Domain* domain() const { return nullptr; }
 };
 
 /// The answer of a method, with the time that it took. A method that tells its own time, as
@@ -82,6 +85,7 @@ struct MethodInfo {
   /// The switches that may follow a spec after '@', each once: "tdibm-e@unit-axes".
   std::vector<std::string> switches = {};
   Features features = {};
+  Domain domain = {};
 
   /// The fields for a plug-in, as records of hunts have them.
   static void fields(auto& archive, auto& info) {

@@ -6,11 +6,11 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/minimise.hpp"
-#include "finds/setting.hpp"
 #include "fuzz/mutator/mutate_bodies.hpp"
 #include "generators/bodies.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/hunt.hpp"
+#include "method/setting.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

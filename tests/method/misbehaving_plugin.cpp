@@ -74,6 +74,7 @@ std::int32_t describe(void* state, ccdfuzz_description* out) {
   out->name = "misbehaving";
   out->claims = CCDFUZZ_CLOSED_T_MAX | CCDFUZZ_CONTACT_AT_ZERO | CCDFUZZ_CONSERVATIVE;
   if (does == "describe-size") out->size = 8;
+  if (does == "old") out->size = offsetof(ccdfuzz_description, promise);
   if (does == "pairs") out->pair_count = std::uint64_t{1} << 40;
   return 0;
 }

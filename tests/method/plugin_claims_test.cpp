@@ -67,6 +67,22 @@ TEST(PluginClaims, EndsAreAskedOfWhomTakesThem) {
   EXPECT_EQ(outcome_of(kMiss + ":claims=14", known), "unknown");
 }
 
+TEST(PluginClaims, OnlyWhatItPromisesToAnswerIsAsked) {
+  // A y coordinate is 100.
+  EXPECT_EQ(outcome_of(kMiss + ":within=6", meeting_at(0.5, 1)), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":within=7", meeting_at(0.5, 1)), "missed");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=262", meeting_at(0.1, 1)), "not_asked")
+      << "0.1 is no float";
+  EXPECT_EQ(outcome_of(kMiss + ":claims=262", meeting_at(0.5, 1)), "missed");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=518", meeting_at(1, 1)), "not_asked") << "not ordinary";
+  EXPECT_EQ(outcome_of(kMiss + ":claims=518", meeting_at(0.5, 1)), "missed");
+  const std::string promising = kClaiming + kMiss + ":claims=774:within=7:promise=1";
+  ASSERT_TRUE(admitted(promising));
+  EXPECT_EQ(method_info(promising)->description,
+            "claiming 1; floats, within 2^±7, ordinary queries alone, promises: all contacts: "
+            "https://example.org/promise");
+}
+
 TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   Case known;
   known.query.patches[0] = {Shape::hull(2), {{0, 0, 0}, {0, 2, 0}}, {{1, 0, 0}}};
@@ -92,6 +108,12 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   for (const MethodInfo& info : registered_methods()) {
     EXPECT_EQ(check_taken(info.spec, known.query).has_value(), info.features.bodies) << info.spec;
   }
+  // Only of kinds that it has shapes for: the second body is round.
+  EXPECT_EQ(outcome_of(kMiss + ":claims=70:points=2", known), "not_asked");
+  known.query.patches[1].radius = 0;
+  known.truth = {};
+  EXPECT_EQ(outcome_of(kMiss + ":claims=70:points=2", known), "unknown");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=70:points=1", known), "not_asked");
 }
 
 TEST(PluginClaims, WeightsAreAskedOfWhomTakesThem) {

@@ -183,6 +183,12 @@ TEST(Plugin, IsNotAskedWhatIsNotValid) {
   EXPECT_EQ(answer.note, "patches[1].positions[0][0]: nan is not finite");
 }
 
+TEST(Plugin, MayBeBuiltWithADescriptionThatHadFewerFields) {
+  const std::string old = kMisbehaving + ":old";
+  ASSERT_TRUE(admit_plugin(old));
+  EXPECT_EQ(method_info(old)->description, "misbehaving");
+}
+
 TEST(Plugin, SaysWhatItIsAndClaims) {
   ASSERT_TRUE(admit_plugin(kNaive));
   ASSERT_TRUE(admit_plugin(kMisbehaving + ":nan"));

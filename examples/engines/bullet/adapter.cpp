@@ -15,8 +15,14 @@ struct Bullet {
 
   static ccd::Description describe() {
     ccd::Description description{"Bullet", std::to_string(btGetVersion())};
-    description.claims = CCDFUZZ_TAKES_BODIES;  // neither a contact at 0 nor one at the end
+    // Neither a contact at 0 nor one at the end.
+    description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;
+    description.within = 7;
     description.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+    description.bodies = {{1, 12, CCDFUZZ_ANY_RADIUS}};  // overlaps of these are measured
+    description.promise =
+        "calculates the time of impact of two convex shapes: https://github.com/bulletphysics/"
+        "bullet3/blob/3.24/src/BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h";
     description.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
     description.tolerance = 1e-3;  // as near it stops (calcTimeOfImpact)
     return description;

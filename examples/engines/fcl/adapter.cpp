@@ -9,7 +9,12 @@ struct Fcl {
 
   static adapter::ccd::Description describe() {
     adapter::ccd::Description description{"FCL", "0.7"};
-    description.claims = 0;  // neither a contact at 0 nor one at the end
+    description.claims = CCDFUZZ_ORDINARY;  // neither a contact at 0 nor one at the end
+    description.within = 10;
+    description.promise =
+        "CCD intersection of a vertex and a face, and of two edges: https://github.com/"
+        "flexible-collision-library/fcl/blob/0.7.0/include/fcl/narrowphase/detail/traversal/"
+        "collision/intersect.h";
     description.pairs = adapter::ccd::linear_pairs();
     // It gives the middle of an interval of this width (getCcdResolution).
     description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import HavokPhysics from '@babylonjs/havok';
 
-import { Refusal, serve } from '../bodies.mjs';
+import { Refusal, ball, serve, solid } from '../bodies.mjs';
 
 const wasm = fileURLToPath(import.meta.resolve('@babylonjs/havok/lib/esm/HavokPhysics.wasm'));
 const manifest = new URL('../../package.json', `file://${wasm}`);
@@ -38,6 +38,11 @@ const world = need(hk.HP_World_Create());
 const collector = need(hk.HP_QueryCollector_Create(1));
 
 function cast(a, b, way) {
+  const end = a.centre.map((x, k) => {
+    const y = x + way[k];
+    if (Math.fround(y) !== y) throw new Refusal('takes an end position, and here it is no float');
+    return y;
+  });
   const [first, second] = [a, b].map(shape);
   const body = need(hk.HP_Body_Create());
   for (const [id] of [[first], [second]]) hk.HP_Shape_SetFilterInfo(id, everything);
@@ -45,11 +50,6 @@ function cast(a, b, way) {
   hk.HP_Body_SetMotionType(body, hk.MotionType.STATIC);
   hk.HP_Body_SetPosition(body, b.centre);
   hk.HP_World_AddBody(world, body, false);
-  const end = a.centre.map((x, k) => {
-    const y = x + way[k];
-    if (Math.fround(y) !== y) throw new Refusal('takes an end position, and here it is no float');
-    return y;
-  });
   try {
     hk.HP_World_ShapeCastWithCollector(world, collector, [first, noTurn, a.centre, end, false, [0n]]);
     if (need(hk.HP_QueryCollector_GetNumHits(collector)) === 0) return undefined;
@@ -62,4 +62,7 @@ function cast(a, b, way) {
 }
 
 // It states no tolerance: an overlap less deep than this is not held against it.
-await serve('Havok', version, 1e-4, cast);
+const promise = 'a shape cast gives the fraction of the way at which a moving shape touches a body: ' +
+  'https://doc.babylonjs.com/features/featuresDeepDive/physics/shapeCast';
+const capsule = { least_points: 2, most_points: 2, radius: 'positive' };
+await serve({ name: 'Havok', version, promise, tolerance: 1e-4, bodies: [ball, capsule, solid] }, cast);

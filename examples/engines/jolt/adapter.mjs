@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import initJolt from 'jolt-physics/wasm-compat';
 
-import { Refusal, serve } from '../bodies.mjs';
+import { Refusal, ball, serve, solid } from '../bodies.mjs';
 
 const manifest = createRequire(import.meta.url).resolve('jolt-physics/package.json');
 const { version } = JSON.parse(readFileSync(manifest));
@@ -65,12 +65,14 @@ function cast(a, b, way) {
   return collector.HadHit() ? collector.mHit.mFraction : undefined;
 }
 
-await serve('Jolt Physics', version, keep(new Jolt.ShapeCastSettings()).mCollisionTolerance,
-            (...query) => {
-              try {
-                return cast(...query);
-              } finally {
-                for (const object of made.reverse()) Jolt.destroy(object);
-                made = [];
-              }
-            });
+const promise = 'CastShape finds the first hit of a shape that moves along a way: ' +
+  'https://jrouwe.github.io/JoltPhysics/class_narrow_phase_query.html';
+const tolerance = keep(new Jolt.ShapeCastSettings()).mCollisionTolerance;
+await serve({ name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, solid] }, (...query) => {
+  try {
+    return cast(...query);
+  } finally {
+    for (const object of made.reverse()) Jolt.destroy(object);
+    made = [];
+  }
+});

@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-import { Refusal, serve } from '../bodies.mjs';
+import { Refusal, ball, serve, solid } from '../bodies.mjs';
 
 const require = createRequire(import.meta.url);
 const folder = require.resolve('physx-js-webidl/package.json');
@@ -58,7 +58,11 @@ function sweep(a, b, way) {
 }
 
 // It states no tolerance: an overlap less deep than this is not held against it.
-await serve('PhysX', `5 (physx-js-webidl ${version})`, 1e-4, (...query) => {
+const promise = 'a sweep gives the distance at which a moving shape touches another: ' +
+  'https://nvidia-omniverse.github.io/PhysX/physx/5.6.1/docs/GeometryQueries.html';
+const hello = { name: 'PhysX', version: `5 (physx-js-webidl ${version})`, promise, tolerance: 1e-4,
+                bodies: [ball, solid] };
+await serve(hello, (...query) => {
   try {
     return sweep(...query);
   } finally {

@@ -1,7 +1,7 @@
 // Rapier (npm @dimforge/rapier3d-compat): the time of impact of two shapes, by castShape.
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { Refusal, serve } from '../bodies.mjs';
+import { Refusal, ball, serve } from '../bodies.mjs';
 
 const quiet = console.warn;
 console.warn = () => {};
@@ -29,7 +29,13 @@ function shape({ points, radius, half }) {
 
 const still = vector([0, 0, 0]);
 // It states no tolerance. Versions before 0.20 stay within this one.
-await serve('Rapier', RAPIER.version(), 1e-4, (a, b, way) => {
+const promise = 'casting a shape gives the first time of impact: ' +
+  'https://rapier.rs/docs/user_guides/javascript/scene_queries#shape-casting';
+// Of two points there is a segment; its capsule is along y alone.
+const bodies = [ball, { least_points: 2, most_points: 2, radius: 'zero' },
+                { least_points: 3, most_points: 12 }];
+const hello = { name: 'Rapier', version: RAPIER.version(), promise, tolerance: 1e-4, bodies };
+await serve(hello, (a, b, way) => {
   const hit = shape(a).castShape(vector(a.centre), noTurn, vector(way), shape(b), vector(b.centre),
                                  noTurn, still, 0, 1, true);
   return hit?.time_of_impact;

@@ -103,7 +103,11 @@ enum {
   CCDFUZZ_TAKES_ENDS = 8,        /* answers patches with `ends` */
   CCDFUZZ_TAKES_SEPARATION = 16, /* answers queries with a `separation` above 0 */
   CCDFUZZ_TAKES_WEIGHTS = 32,    /* answers patches with `weights` */
-  CCDFUZZ_TAKES_BODIES = 64      /* answers queries of two bodies (CCDFUZZ_HULL) */
+  CCDFUZZ_TAKES_BODIES = 64,     /* answers queries of two bodies (CCDFUZZ_HULL) */
+  /* 128 is reserved. What it promises to answer is narrower; it is asked of nothing else: */
+  CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats */
+  CCDFUZZ_ORDINARY = 512  /* queries that start apart, in motion, of patches or bodies with extent,
+                           * and whose contact is well inside of [0, t_max] */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:
@@ -135,6 +139,16 @@ typedef struct ccdfuzz_pair {
   uint32_t max_degrees[2];
 } ccdfuzz_pair;
 
+/* ccdfuzz_body_kind.radius */
+enum { CCDFUZZ_ANY_RADIUS = 0, CCDFUZZ_NO_RADIUS = 1, CCDFUZZ_POSITIVE_RADIUS = 2 };
+
+/* Bodies that it has a shape for: hulls of so many points, with such a radius. */
+typedef struct ccdfuzz_body_kind {
+  uint32_t least_points;
+  uint32_t most_points;
+  uint32_t radius;
+} ccdfuzz_body_kind;
+
 /* What a plug-in is and claims: how its answers are judged. */
 typedef struct ccdfuzz_description {
   uint32_t size; /* set by the host, as in ccdfuzz_answer; all else is 0 before the call */
@@ -149,6 +163,13 @@ typedef struct ccdfuzz_description {
   /* In [0, 2^40]; a hit where the patches are this near is no false positive. If it is
    * conservative, that they come nearer needs a hit, and toi_lower is never after that. */
   double minimum_separation;
+  /* NULL, or the sentence that it is held to, with a link: reports show it. */
+  const char* promise;
+  /* 0, or N: it is asked only about numbers that are 0 or of a magnitude in [2^-N, 2^N]. */
+  uint64_t within;
+  /* body_count of them: each body of a query that it is asked is of one. None: all bodies are. */
+  const ccdfuzz_body_kind* bodies;
+  uint64_t body_count;
 } ccdfuzz_description;
 
 /* A plug-in. Every function may be called from one thread at a time. None may let an exception

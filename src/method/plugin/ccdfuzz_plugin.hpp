@@ -78,6 +78,9 @@ struct Description {
   double tolerance = 0;
   double minimum_separation = 0;
   std::uint32_t nan_policy = CCDFUZZ_NAN_UNDEFINED;
+  std::string promise{};
+  std::uint64_t within = 0;
+  std::vector<ccdfuzz_body_kind> bodies{};
 };
 
 /// Point and triangle, and two segments: the pairs of a linear mesh.
@@ -117,6 +120,10 @@ struct Wrapped {
     out->nan_policy = d.nan_policy;
     out->tolerance = d.tolerance;
     out->minimum_separation = d.minimum_separation;
+    out->promise = d.promise.c_str();
+    out->within = d.within;
+    out->bodies = d.bodies.data();
+    out->body_count = d.bodies.size();
     return 0;
   }
 

@@ -80,10 +80,14 @@ tl::expected<void, Fault> read_length(const JsonValue& object, std::string_view 
 }
 
 constexpr std::array kToleranceKinds = {"time", "time_relative", "space", "space_relative"};
+constexpr std::array kRadiusRules = {"any", "zero", "positive"};
+constexpr std::array kNumbers = {"binary64", "binary32"};
 constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
 
 /// What decides how its answers are judged.
 tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription& out) {
+  constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
+  std::uint64_t scale = 0;
   return read_flag(object, "conservative", out.conservative)
       .and_then([&] { return read_flag(object, "closed_t_max", out.closed_t_max); })
       .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
@@ -95,7 +99,13 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
       .and_then([&] { return read_length(object, "minimum_separation", out.minimum_separation); })
-      .and_then([&] { return read_word(object, "nan_policy", kNanPolicies, out.nan_policy); });
+      .and_then([&] { return read_word(object, "nan_policy", kNanPolicies, out.nan_policy); })
+      .and_then([&] { return read_flag(object, "ordinary", out.domain.ordinary); })
+      .and_then([&] { return read_word(object, "numbers", kNumbers, out.domain.binary32); })
+      .and_then([&] { return read_count(object, "within", scale); })
+      .map([&] {
+        if (scale > 0) out.domain.scale = static_cast<int>(std::min(scale, kWidestScale));
+      });
 }
 
 /// A claim so loose that it would excuse any answer.
@@ -113,8 +123,8 @@ std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
   return std::nullopt;
 }
 
-tl::expected<PluginDescription::Pair, Fault> read_pair(const JsonValue& value) {
-  PluginDescription::Pair pair{};
+tl::expected<Domain::Pair, Fault> read_pair(const JsonValue& value) {
+  Domain::Pair pair{};
   if (value.kind != JsonKind::kArray || value.items.size() != 2) {
     return garbage_answer("accepts something that is no pair of shapes");
   }
@@ -133,6 +143,37 @@ tl::expected<PluginDescription::Pair, Fault> read_pair(const JsonValue& value) {
     pair.max_degrees[side] = static_cast<int>(std::min(degree, most));
   }
   return pair;
+}
+
+tl::expected<BodyKind, Fault> read_body_kind(const JsonValue& value) {
+  if (value.kind != JsonKind::kObject) return garbage_answer("takes bodies that are no kind");
+  BodyKind kind;
+  std::uint64_t least = kind.least_points, most = kind.most_points;
+  const auto read =
+      read_count(value, "least_points", least)
+          .and_then([&] { return read_count(value, "most_points", most); })
+          .and_then([&] { return read_word(value, "radius", kRadiusRules, kind.radius); });
+  if (!read) return tl::unexpected(read.error());
+  if (least < 1 || least > most || least > kMaxControls) {
+    return garbage_answer(fmt::format("takes bodies of {} to {} points", least, most));
+  }
+  kind.least_points = static_cast<std::uint32_t>(least);
+  kind.most_points = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMaxControls));
+  return kind;
+}
+
+/// Calls read on each item of an array that may be left out, and adds what it gives.
+template <class Item, class Read>
+tl::expected<void, Fault> read_items(const JsonValue& object, std::string_view key,
+                                     const Read& read, std::vector<Item>& out) {
+  const JsonValue* items = object.find(key);
+  if (items == nullptr || items->kind != JsonKind::kArray) return {};
+  for (const JsonValue& value : items->items) {
+    const auto item = read(value);
+    if (!item) return tl::unexpected(item.error());
+    out.push_back(*item);
+  }
+  return {};
 }
 
 /// [lower, upper], or one number.
@@ -246,15 +287,13 @@ Described read_description(const std::string& line) {
   PluginDescription out;
   out.name = text_of(*object, "name");
   out.version = text_of(*object, "version");
-  if (const JsonValue* accepts = object->find("accepts");
-      accepts != nullptr && accepts->kind == JsonKind::kArray) {
-    for (const JsonValue& item : accepts->items) {
-      const auto pair = read_pair(item);
-      if (!pair) return tl::unexpected(pair.error());
-      out.accepts.push_back(*pair);
-    }
-  }
-  if (const auto read = read_claims(*object, out); !read) return tl::unexpected(read.error());
+  out.promise = text_of(*object, "promise");
+  const auto read =
+      read_items(*object, "accepts", read_pair, out.domain.pairs)
+          .and_then(
+              [&] { return read_items(*object, "bodies", read_body_kind, out.domain.body_kinds); })
+          .and_then([&] { return read_claims(*object, out); });
+  if (!read) return tl::unexpected(read.error());
   if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
   return out;
 }

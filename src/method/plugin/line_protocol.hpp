@@ -8,6 +8,7 @@
 #include "base/child.hpp"
 #include "case/judge.hpp"
 #include "ccd/search.hpp"
+#include "method/domain.hpp"
 #include "method/features.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
@@ -30,15 +31,10 @@ inline constexpr double kMostRelativeTolerance = 1;
 
 /// What a plug-in says of itself.
 struct PluginDescription {
-  /// Shapes that may be asked together, up to these degrees; hulls up to so many points.
-  struct Pair {
-    std::array<ShapeKind, 2> shapes;
-    std::array<int, 2> max_degrees;
-  };
-
   std::string name;
   std::string version;
-  std::vector<Pair> accepts;  ///< empty: everything
+  Domain domain;
+  std::string promise;  ///< the sentence that it is held to, and where it stands
   bool conservative = false;
   bool closed_t_max = true;
   bool contact_at_zero = true;

@@ -36,6 +36,8 @@ std::string claims_text(const PluginDescription& d) {
   if (d.nan_policy != NanPolicy::kUndefined) {
     claims.push_back(fmt::format("NaN: {}", name_of(d.nan_policy)));
   }
+  if (const std::string domain = d.domain.text(); !domain.empty()) claims.push_back(domain);
+  if (!d.promise.empty()) claims.push_back(fmt::format("promises: {}", d.promise));
   return claims.empty() ? "" : fmt::format("; {}", fmt::join(claims, ", "));
 }
 
@@ -51,10 +53,6 @@ std::string text_of(const Answer& answer) {
       return "refused";
   }
   return "";
-}
-
-bool fits(const Shape& shape, ShapeKind kind, int max_degree) {
-  return shape.kind == kind && std::max(shape.n, shape.m) <= max_degree;
 }
 
 class PluginMethod : public Method {
@@ -83,11 +81,14 @@ class PluginMethod : public Method {
   }
 
   bool runs_elsewhere() const override { return true; }
+  const Domain* domain() const override {
+    return plugin_->description ? &plugin_->description->domain : nullptr;
+  }
 
  private:
   Answered answer_or_throw(const Query& query, const SearchOptions& options) {
     if (!plugin_->description) throw_fault(plugin_->description.error());
-    const std::optional<bool> swapped = order_of(query);
+    const std::optional<bool> swapped = plugin_->description->domain.order_of(query);
     if (!swapped) {
       Answered none;
       none.verdict = Verdict::kRefused;
@@ -112,24 +113,6 @@ class PluginMethod : public Method {
       broken_claim_ = std::move(broken);
     }
     return {std::move(given.answer), terms, std::exchange(broken_claim_, {})};
-  }
-
-  /// Whether the patches must be swapped to be as the plug-in takes them; absent if it takes
-  /// neither.
-  std::optional<bool> order_of(const Query& query) const {
-    const auto& accepts = plugin_->description->accepts;
-    if (accepts.empty()) return false;
-    for (const bool swapped : {false, true}) {
-      for (const PluginDescription::Pair& pair : accepts) {
-        const Shape& first = query.patches[swapped ? 1 : 0].shape;
-        const Shape& second = query.patches[swapped ? 0 : 1].shape;
-        if (fits(first, pair.shapes[0], pair.max_degrees[0]) &&
-            fits(second, pair.shapes[1], pair.max_degrees[1])) {
-          return swapped;
-        }
-      }
-    }
-    return std::nullopt;
   }
 
   [[noreturn]] void throw_fault(const Fault& fault) {
@@ -326,6 +309,7 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.description += claims_text(d);
   info.claims_no_false_negative = d.conservative;
   info.features = d.features;
+  info.domain = d.domain;
   return info;
 }
 

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -77,12 +78,12 @@ struct Fenced {
 
   Fenced() : value() { fence.fill(0xA5); }
 
-  void check(const char* what) const {
+  /// least: the bytes of its shortest form, which an older plug-in knows.
+  void check(const char* what, std::size_t least = sizeof(T)) const {
     for (const unsigned char byte : fence) {
       if (byte != 0xA5) fault("sizes", std::string("wrote past the end of its ") + what);
     }
-    // Of version 1 there is no shorter form.
-    if (value.size != sizeof(T)) {
+    if (value.size < least || value.size > sizeof(T)) {
       fault("sizes", std::string("says that its ") + what + " has " + std::to_string(value.size) +
                          " bytes, not " + std::to_string(sizeof(T)));
     }
@@ -160,7 +161,7 @@ class Plugin {
     if (guarded([&] { return table_->describe(state_, &d); }) != 0) {
       fault("error", "could not describe itself");
     }
-    out.check("description");
+    out.check("description", offsetof(ccdfuzz_description, promise));
     constexpr std::uint64_t kMostPairs = 1024;
     if (d.pair_count > kMostPairs || (d.pair_count > 0 && d.pairs == nullptr)) {
       fault("sizes", "describes " + std::to_string(d.pair_count) + " pairs of shapes");
@@ -173,6 +174,18 @@ class Plugin {
                         {"max_degree", d.pairs[i].max_degrees[side]}});
       }
       accepts.push_back(pair);
+    }
+    if (d.body_count > kMostPairs || (d.body_count > 0 && d.bodies == nullptr)) {
+      fault("sizes", "describes " + std::to_string(d.body_count) + " kinds of bodies");
+    }
+    constexpr std::array kRadii = {"any", "zero", "positive"};
+    Json bodies = Json::array();
+    for (std::uint64_t i = 0; i < d.body_count; ++i) {
+      const ccdfuzz_body_kind& kind = d.bodies[i];
+      if (kind.radius >= kRadii.size()) fault("sizes", "describes an unknown radius");
+      bodies.push_back({{"least_points", kind.least_points},
+                        {"most_points", kind.most_points},
+                        {"radius", kRadii[kind.radius]}});
     }
     constexpr std::array kKinds = {"time", "time_relative", "space", "space_relative"};
     if (d.tolerance_kind >= kKinds.size()) fault("sizes", "describes an unknown tolerance");
@@ -192,7 +205,12 @@ class Plugin {
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
             {"minimum_separation", real(d.minimum_separation)},
-            {"nan_policy", kPolicies[d.nan_policy]}};
+            {"nan_policy", kPolicies[d.nan_policy]},
+            {"promise", d.promise == nullptr ? "" : d.promise},
+            {"numbers", (d.claims & CCDFUZZ_BINARY32) != 0 ? "binary32" : "binary64"},
+            {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
+            {"within", d.within},
+            {"bodies", bodies}};
   }
 
   Json answer(const Json& asked) {

@@ -1,4 +1,4 @@
-#include "finds/setting.hpp"
+#include "method/setting.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,0 +1,139 @@
+// The ground of a hunt: what lies in all domains, what is drawn on it, and what is brought there.
+#include "hunt/ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include "case/scale.hpp"
+#include "certify/checker/check_case.hpp"
+#include "hunt/draw.hpp"
+#include "share.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr Domain::Pair kVertexFace = {{ShapeKind::kPoint, ShapeKind::kTriangle}, {0, 1}};
+constexpr Domain::Pair kEdgeEdge = {{ShapeKind::kCurve, ShapeKind::kCurve}, {1, 1}};
+
+/// As an adapter of vertices, faces and edges promises.
+HuntGround ground_of_features() {
+  HuntGround ground;
+  ground.pairs = {kVertexFace, kEdgeEdge};
+  ground.scale = 10;
+  ground.ordinary = true;
+  return ground;
+}
+
+/// As an adapter of a physics engine promises that has balls, and solids without a radius.
+HuntGround ground_of_an_engine() {
+  HuntGround ground;
+  ground.bodies = ground.binary32 = ground.ordinary = true;
+  ground.scale = 7;
+  ground.body_kinds = {{1, 1, RadiusRule::kPositive}, {4, 12, RadiusRule::kZero}};
+  return ground;
+}
+
+/// The share of draws of which something is asked. All that is asked lies on the ground, with a
+/// truth that the checker accepts.
+double share_used(const HuntGround& ground) {
+  const Draws draws(1, ground);
+  double used = 0, all = 0;
+  for (const ContactClass contact : draws.classes()) {
+    for (std::uint64_t index = 0; index < 240 / kOneIn; ++index) {
+      const HuntDraw drawn = draws.at(contact, index);
+      ++all;
+      used += drawn.asked.empty() ? 0 : 1;
+      for (const CheckedCase& asked : drawn.asked) {
+        EXPECT_TRUE(ground.has(asked.value()));
+        EXPECT_TRUE(check_case(asked.value(), ""));
+        EXPECT_TRUE(asked.value().truth.collides.has_value());
+      }
+    }
+  }
+  return used / all;
+}
+
+TEST(Ground, DrawsAreMadeOnItRatherThanDiscarded) {
+  EXPECT_GE(share_used(ground_of_an_engine()), 0.95);
+  EXPECT_GE(share_used(ground_of_features()), 0.85);
+  HuntGround floats = ground_of_features();
+  floats.binary32 = true;
+  EXPECT_GE(share_used(floats), 0.75);
+  HuntGround linear;
+  linear.linear = linear.ordinary = true;
+  EXPECT_GE(share_used(linear), 0.75);
+}
+
+TEST(Ground, ClassesAreThoseOfTheShapesThatAreTaken) {
+  using enum ContactClass;
+  HuntGround ground = ground_of_features();
+  EXPECT_EQ(Draws(1, ground).classes(), (std::vector{kEE, kVF, kVE, kVV}));
+  ground.pairs = {kEdgeEdge};
+  EXPECT_EQ(Draws(1, ground).classes(), (std::vector{kEE, kVE, kVV}));
+  ground.linear = true;
+  ground.ordinary = false;
+  EXPECT_EQ(Draws(1, ground).classes(), std::vector{kEE}) << "degenerate ones, by shapes";
+}
+
+TEST(Ground, DegreesAreThoseThatAreTaken) {
+  HuntGround ground;
+  ground.pairs = {{{ShapeKind::kTensor, ShapeKind::kTriangle}, {8, 2}}};
+  const std::vector<ShapePair> drawn = ground.drawn_shapes();
+  EXPECT_EQ(drawn.size(), 6U) << "three degrees, in either order";
+  EXPECT_EQ(drawn[4], (ShapePair{Shape::tensor(3, 3), Shape::triangle(2)}));
+}
+
+TEST(Ground, FloatsHaveATruthOfTheirOwn) {
+  Case known;
+  known.query.patches[0] = {Shape::point(), {{0.25, 0.25, 0.1}}, {{0, 0, -1}}};
+  known.query.patches[1] = {Shape::triangle(1),
+                            {{0, 0, 0}, {0, 1, 0}, {1, 0, 0x1p-40}},
+                            {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  HuntGround ground;
+  ground.binary32 = true;
+  ground.scale = 10;
+  const Case fitted = ground.fitted(known);
+  EXPECT_TRUE(ground.has(fitted));
+  EXPECT_EQ(fitted.query.patches[1].positions[2][2], 0);
+  EXPECT_EQ(fitted.truth.witness->t, exact(static_cast<double>(0.1F)));
+  known.query.t_max = 0;
+  known.query.patches[0].shape = Shape::curve(2);
+  EXPECT_EQ(ground.fitted(known), known) << "of curves the truth may be unknown";
+}
+
+TEST(Ground, WhatNoMethodTakesIsAnError) {
+  EXPECT_TRUE(narrowed({}, {"tdibm-c", "oracle"}));
+  HuntGround bodies;
+  bodies.bodies = true;
+  EXPECT_TRUE(narrowed(bodies, {"oracle"}));
+  const auto none = narrowed(bodies, {"oracle", "tdibm-c"});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message(),
+            "--methods: no query is taken by all of oracle, tdibm-c: hunt them apart");
+}
+
+TEST(Domain, CommonPartsAreNoWiderThanEither) {
+  Domain some, others;
+  some.pairs = {kVertexFace, {{ShapeKind::kTensor, ShapeKind::kTensor}, {2, 8}}};
+  some.scale = 7;
+  some.body_kinds = {{1, 8, RadiusRule::kAny}};
+  others.pairs = {{{ShapeKind::kTriangle, ShapeKind::kPoint}, {3, 0}}};
+  others.scale = 10;
+  others.binary32 = true;
+  others.body_kinds = {{4, 12, RadiusRule::kZero}};
+  for (const auto& both : {some.with(others), others.with(some)}) {
+    ASSERT_TRUE(both);
+    ASSERT_EQ(both->pairs.size(), 1U);
+    EXPECT_EQ(std::max(both->pairs[0].max_degrees[0], both->pairs[0].max_degrees[1]), 1);
+    EXPECT_EQ(both->scale, 7);
+    EXPECT_TRUE(both->binary32);
+    ASSERT_EQ(both->body_kinds.size(), 1U);
+    EXPECT_TRUE(both->body_kinds[0].has(4, false) && both->body_kinds[0].has(8, false));
+    EXPECT_FALSE(both->body_kinds[0].has(3, false) || both->body_kinds[0].has(9, false));
+    EXPECT_FALSE(both->body_kinds[0].has(8, true));
+  }
+  others.pairs = {kEdgeEdge};
+  EXPECT_FALSE(some.with(others));
+}
+
+}  // namespace
+}  // namespace ccdfuzz
