@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <filesystem>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "base/number_text.hpp"
@@ -17,6 +15,7 @@
 #include "case/expected_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
+#include "cli/hunt_finds.hpp"
 #include "cli/hunt_page.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
@@ -55,24 +54,19 @@ struct HuntArguments {
   SearchFlags search;
 };
 
-/// The command that shows the failure again.
-std::string command_of(const Find& find) {
-  const std::string& method = find.failure.who;
-  return reproduction(find.path, {{method, find.value.expect.at(method)}});
-}
-
 /// A find, as a row of the JSON output.
 struct HuntFindRow {
   const Find& find;
 
   static void fields(auto& archive, auto& row) {
-    const auto& [failure, path, value, is_new] = row.find;
+    const auto& [failure, path, value, is_new, depth] = row.find;
     const bool is_stored = !path.empty();
     archive.constant("row", "find");
     archive("path", is_stored ? std::optional(path) : std::nullopt);
     archive("new", is_new);
     Failure::fields(archive, failure);
     archive("breaks_claim", breaks_claim(failure));
+    archive.optional("depth", depth);
     archive("kind", value.origin.kind);
     archive("generator", value.origin.generator);
     archive("expect", value.expect);
@@ -103,38 +97,6 @@ std::uint64_t query_count(const HuntReport& report) {
 
 std::uint64_t count_of(const HuntReport& report, bool is_new) {
   return static_cast<std::uint64_t>(std::ranges::count(report.finds, is_new, &Find::is_new));
-}
-
-/// The most convincing first: those that break a claim, then false negatives, then by setting.
-std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
-  std::vector<const Find*> finds;
-  for (const Find& find : report.finds) {
-    if (find.is_new && find.path.empty() != stored) finds.push_back(&find);
-  }
-  // Those alike in the report's order, in which they lie.
-  std::ranges::sort(finds, {}, [](const Find* find) {
-    const Failure& failure = find->failure;
-    return std::tuple(!breaks_claim(failure), failure.outcome == Outcome::kFalsePositive,
-                      failure.setting, find);
-  });
-  return finds;
-}
-
-/// File names say method, outcome, class, cause and setting.
-void print_finds(const std::vector<const Find*>& finds, const std::string& folder) {
-  constexpr size_t kMost = 10;
-  std::optional<bool> group;
-  for (size_t i = 0; i < std::min(finds.size(), kMost); ++i) {
-    const bool breaks = breaks_claim(finds[i]->failure);
-    if (group != breaks) {
-      print_out(fmt::format("New in {}, by methods {} guarantee:\n", folder,
-                            breaks ? "that break their" : "without a"));
-    }
-    group = breaks;
-    print_out(fmt::format("  {}\n", std::filesystem::path(finds[i]->path).filename().string()));
-  }
-  if (finds.size() > kMost) print_out(fmt::format("  and {} more\n", finds.size() - kMost));
-  if (!finds.empty()) print_out("\n");
 }
 
 /// A cell for each method, over all classes.
@@ -339,6 +301,11 @@ void add_hunt(CommandLine& line) {
              1, kMostCases)
       .excludes(seconds)
       .without_default();
+  command
+      .choice("--until OUTCOME", hunt.until,
+              "End with the first counterexample of this outcome: missed, late, false_positive, "
+              "error")
+      .without_default();
   command.whole("--seed", hunt.seed, "Seed of the cases");
   command.group("What to test");
   hunt.methods = methods_by_default();
@@ -369,6 +336,8 @@ void add_hunt(CommandLine& line) {
   command.flag("--ordinary", hunt.ground.ordinary,
                "Only queries that any code should answer: patches with extent that are apart at 0, "
                "and in contact well inside of [0, t_max] or never; no number beyond 2^40");
+  command.flag("--uniform", hunt.ground.uniform,
+               "Only queries of uniform numbers, to compare with: bodies or linear patches");
   command.group("Results");
   command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
   command.choice("--shrink WHICH", hunt.shrink,

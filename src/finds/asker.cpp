@@ -55,6 +55,11 @@ Expected Asker::shown_as_asked(const std::string& method, const CheckedCase& kno
   return expected(method, known.value(), ask(method, known, search_as_asked(known)));
 }
 
+double Asker::depth(const std::string& method, const CheckedCase& known) {
+  const Judged judged = ask(method, known);
+  return depth_of(known, judged.answer, judged.outcome).value_or(0);
+}
+
 void Asker::ask_others(Case& find, const std::vector<std::string>& methods) {
   SearchOptions few = search_;
   few.max_pops = std::min(few.max_pops, kEnoughPops);

@@ -53,6 +53,10 @@ class Asker {
   /// The outcome of the method then.
   Expected shown_as_asked(const std::string& method, const CheckedCase& known);
 
+  /// How deep patches pass through each other in a false negative of the method (depth_of); 0 where
+  /// that is not measured.
+  double depth(const std::string& method, const CheckedCase& known);
+
   /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes
   /// the find expect what they do. What is undecided so is left out: a larger budget may decide it.
   void ask_others(Case& find, const std::vector<std::string>& methods);

@@ -206,6 +206,7 @@ Result<void> Intake::finish(const Finish& how) {
   struct Task {
     Failure failure;
     Case find;
+    double depth = 0;
   };
   std::vector<Task> tasks;
   {
@@ -219,18 +220,21 @@ Result<void> Intake::finish(const Finish& how) {
   run_in_order<Case>(
       tasks.size(), how.threads,
       [&](size_t i) {
-        auto& [failure, find] = tasks[i];
+        auto& [failure, find, depth] = tasks[i];
         Asker& asker = askers.local();
         if (how.shrinks(failure))
           find = shrink(find, failure, asker, {how.max_trials, how.is_late}).value;
+        if (is_false_negative(failure.outcome)) {
+          depth = asker.depth(failure.who, checked_or_unknown(find));
+        }
         asker.ask_others(find, how.methods);
         return std::move(find);
       },
       [&](Case find) {
-        const Failure& failure = tasks[done++].failure;
+        const auto& [failure, was, depth] = tasks[done++];
         const std::lock_guard lock(mutex_);
         Kept& kept = kept_.at(failure);
-        kept = {rank_of(find.query), std::move(find), false, kept.is_new};
+        kept = {rank_of(find.query), std::move(find), false, kept.is_new, depth};
         std::ignore = store_kept();
       },
       &how.stop);
@@ -242,7 +246,7 @@ std::vector<Find> Intake::finds() const {
   std::vector<Find> finds;
   for (const auto& [failure, kept] : kept_) {
     Find find{failure, kept.stored ? store_.path_of(failure) : "", kept.find,
-              kept.is_new || !kept.stored};
+              kept.is_new || !kept.stored, kept.depth};
     if (!find.is_new) {
       if (const auto entry = store_.standing(failure); entry && *entry) {
         find.path = (*entry)->id;

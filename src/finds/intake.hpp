@@ -20,6 +20,7 @@ struct Find {
   std::string path;     ///< where it is; empty if it could not be stored
   Case value;           ///< with its expectations
   bool is_new = false;  ///< stored by this run; else it was there before, or a smaller one was
+  double depth = 0;     ///< that of a new one (Asker::depth)
 };
 
 /// The finds of one run on their way into a store: the smallest of each failure is kept in memory,
@@ -97,6 +98,7 @@ class Intake {
     Rank rank;
     Case find;
     bool stored = false, is_new = false;
+    double depth = 0;
   };
 
   Result<void> store_kept();

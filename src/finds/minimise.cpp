@@ -47,6 +47,17 @@ ContactPlace place_of(const Contact& q) {
   return place;
 }
 
+/// Whether a contact is at an edge or a corner of neither patch, but where that is all of it.
+bool is_inside(const Witness& witness, const Query& query) {
+  for (size_t side = 0; side < 2; ++side) {
+    const auto& [u, v] = witness.uv[side];
+    const ShapeKind kind = query.patches[side].shape.kind;
+    if (kind == ShapeKind::kCurve && (u == 0 || u == 1)) return false;
+    if (kind == ShapeKind::kTriangle && (u == 0 || v == 0 || u + v == 1)) return false;
+  }
+  return true;
+}
+
 class Minimiser {
  public:
   Minimiser(const Case& found, Outcome failure, const std::function<bool(const Case&)>& still_fails,
@@ -133,6 +144,9 @@ class Minimiser {
           value.truth.collides != is_false_negative(failure_)) {
         continue;
       }
+      // What is missed at a time that is no fraction is missed inside.
+      const std::optional<Witness>& simple = value.truth.witness;
+      if (!keeps_witness_ && simple && !is_inside(*simple, value.query)) continue;
       if (are_floats_ && !is_binary32(value.query)) continue;
       if (ended()) return false;
       ++trials_;

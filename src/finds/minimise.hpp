@@ -24,7 +24,7 @@ struct Minimised {
 /// asked only about cases, and the result is one, of which this holds:
 ///   missed, late    a dyadic witness, at which the patches touch exactly (check_witness). It is
 ///                   inside of a patch, on its edge or at its corner as before, and not at t = 0
-///                   unless it was. Without one, linear patches that are decided to touch
+///                   unless it was. Without one, linear patches that are decided to touch, inside
 ///   false_positive  nothing touches in [0, t_max] by certificate L, so the patches are linear
 ///   error           nothing; the result has no truth
 /// A query whose numbers are all floats stays one; for bodies see minimise_bodies.

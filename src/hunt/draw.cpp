@@ -4,6 +4,7 @@
 #include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "hunt/uniform_case.hpp"
 #include "properties/draw_linear.hpp"
 
 namespace ccdfuzz {
@@ -40,19 +41,23 @@ Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t in
 }
 
 /// Families whose cases are rarely ordinary or never.
-constexpr std::array kNotOrdinary = {Family::kAtStart,     Family::kResting,    Family::kSliding,
-                                     Family::kFlatGrazing, Family::kDegenerate, Family::kAnywhere};
+constexpr std::array kNotOrdinary = {
+    Family::kAtStart,     Family::kResting,    Family::kSliding, Family::kFlatGrazing,
+    Family::kMixedScales, Family::kDegenerate, Family::kSliver,  Family::kAnywhere};
 
 }  // namespace
 
 Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground_(ground) {
-  if (draws_degenerate()) {
+  if (are_by_shapes()) {
     for (size_t i = 0; i < kLinearPairs.size(); ++i) {
       if (ground_.has_shapes(kLinearPairs[i])) classes_.push_back(kLinearClasses[i]);
     }
     return;
   }
+  const bool are_deep = ground_.ordinary && ground_.are_linear();
   for (const ContactClass contact : kContactClasses) {
+    // Contacts at an edge or a corner of linear patches are shallow.
+    if (are_deep && contact != ContactClass::kEE && contact != ContactClass::kVF) continue;
     auto& sources = sources_[static_cast<size_t>(contact)];
     sources = sources_of(contact);
     if (!sources.empty()) classes_.push_back(contact);
@@ -106,13 +111,18 @@ Case Draws::generated(ContactClass contact, std::uint64_t index) const {
   return generate(options, round).value;
 }
 
+Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
+  if (ground_.uniform) {
+    Draw choices{Random::keyed({seed_, index, static_cast<std::uint64_t>(contact), 0x756e69})};
+    return uniform_case(ground_, contact, choices);
+  }
+  return are_by_shapes() ? draw_linear_case(contact, seed_, index) : generated(contact, index);
+}
+
 HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {
   HuntDraw drawn;
-  if (draws_degenerate()) {
-    drawn.asked.push_back(checked(ground_.fitted(draw_linear_case(contact, seed_, index))));
-  } else {
-    drawn.asked = forms_of(checked(ground_.fitted(generated(contact, index))));
-  }
+  const CheckedCase made = checked(ground_.fitted(drawn_case(contact, index)));
+  drawn.asked = are_by_shapes() ? std::vector{made} : forms_of(made);
   std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
   return drawn;
 }

@@ -38,8 +38,12 @@ class Draws {
     std::vector<CaseKind> kinds;
   };
 
-  /// Whether linear queries are drawn that are degenerate in some way, none of them ordinary.
-  bool draws_degenerate() const { return ground_.linear && !ground_.ordinary; }
+  /// Whether patches are drawn of kLinearPairs: uniform ones; or those that are degenerate in some
+  /// way, none of them ordinary.
+  bool are_by_shapes() const {
+    return !ground_.bodies && (ground_.uniform || (ground_.linear && !ground_.ordinary));
+  }
+  Case drawn_case(ContactClass contact, std::uint64_t index) const;
   std::vector<Source> sources_of(ContactClass contact) const;
   Case generated(ContactClass contact, std::uint64_t index) const;
 

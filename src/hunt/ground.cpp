@@ -10,6 +10,7 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/bodies.hpp"
+#include "generators/contact.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -74,10 +75,18 @@ void bring_to_scale(Query& query, int scale) {
 
 }  // namespace
 
+const ShapePair& shapes_of_class(ContactClass contact) {
+  const auto* const at = std::ranges::find(kLinearClasses, contact);
+  return kLinearPairs.at(static_cast<size_t>(at - kLinearClasses.begin()));
+}
+
 std::optional<ContactClass> linear_class_of(const Query& query) {
+  return linear_class_of(query.patches[0].shape, query.patches[1].shape);
+}
+
+std::optional<ContactClass> linear_class_of(const Shape& a, const Shape& b) {
   for (size_t i = 0; i < kLinearPairs.size(); ++i) {
     const auto& [first, second] = kLinearPairs[i];
-    const Shape &a = query.patches[0].shape, &b = query.patches[1].shape;
     if ((a == first && b == second) || (a == second && b == first)) return kLinearClasses[i];
   }
   return std::nullopt;
@@ -98,6 +107,13 @@ bool HuntGround::has_shapes(const ShapePair& pair) const {
   Query query;
   for (size_t s = 0; s < 2; ++s) query.patches[s].shape = pair[s];
   return order_of(query).has_value();
+}
+
+bool HuntGround::are_linear() const {
+  const std::vector<ShapePair> drawn = drawn_shapes();
+  return !drawn.empty() && std::ranges::all_of(drawn, [](const ShapePair& pair) {
+    return linear_class_of(pair[0], pair[1]).has_value();
+  });
 }
 
 std::vector<ShapePair> HuntGround::drawn_shapes() const {
@@ -150,7 +166,9 @@ Case HuntGround::fitted(Case value) const {
     query.t_max *= 2;
     if (scale) query.t_max = std::min(query.t_max, std::ldexp(1.0, *scale));
     value.truth = decide(query).truth;
-    if (const auto contact = linear_class_of(query)) value.origin.contact = name_of(*contact);
+    const std::optional<Contact> simple = contact_of(value);
+    const auto contact = simple ? contact_class_of(*simple) : linear_class_of(query);
+    if (contact) value.origin.contact = name_of(*contact);
   }
   return value;
 }
@@ -181,6 +199,11 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
                 [&](const Domain::Pair& pair) { return is_pair_of_hulls(pair) != ground.bodies; });
   if (had_pairs && ground.pairs.empty()) return nothing();
   if (is_of_patches && ground.drawn_shapes().empty()) return nothing();
+  if (ground.uniform && !ground.bodies &&
+      std::ranges::none_of(kLinearPairs,
+                           [&](const ShapePair& p) { return ground.has_shapes(p); })) {
+    return nothing();
+  }
   if (ground.shapes && !ground.has_shapes(*ground.shapes)) return nothing();
   return ground;
 }

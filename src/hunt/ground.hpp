@@ -24,9 +24,12 @@ inline constexpr std::array<ShapePair, 4> kLinearPairs = {{{Shape::point(), Shap
                                                            {Shape::point(), Shape::curve(1)},
                                                            {Shape::point(), Shape::point()}}};
 
+/// Requires one of kLinearClasses.
+const ShapePair& shapes_of_class(ContactClass contact);
 /// The class of a query by its shapes, in either order: points, and curves and triangles of degree
 /// 1. None of others, which are not linear.
 std::optional<ContactClass> linear_class_of(const Query& query);
+std::optional<ContactClass> linear_class_of(const Shape& a, const Shape& b);
 
 /// Which queries a hunt is about; by default all of patches.
 struct HuntGround : Domain {
@@ -36,6 +39,8 @@ struct HuntGround : Domain {
   bool linear = false;
   /// Queries of bodies, and not of patches. Then neither shapes nor linear is set.
   bool bodies = false;
+  /// Nothing but uniform_case, and no mutants: of bodies or linear patches.
+  bool uniform = false;
 
   bool has(const Query& query) const;
   /// The same of a case, which is ordinary if only those count.
@@ -43,6 +48,8 @@ struct HuntGround : Domain {
   /// Whether patches of these shapes are on it, in either order.
   bool has_shapes(const ShapePair& pair) const;
 
+  /// Whether all patches that are drawn are of kLinearPairs, in either order.
+  bool are_linear() const;
   /// The shapes to draw patches of; empty: any.
   std::vector<ShapePair> drawn_shapes() const;
   /// The case with its numbers on the ground, where that takes a change and the truth of the

@@ -151,7 +151,7 @@ class Hunt {
   }
 
   bool is_over() const {
-    return stop_ || failed_ || (!options_.cases && elapsed() >= options_.seconds);
+    return stop_ || failed_ || met_ || (!options_.cases && elapsed() >= options_.seconds);
   }
 
   /// Asks the method of the cell about one draw.
@@ -194,7 +194,9 @@ class Hunt {
     auto& [breeder, founded] = nurseries_[turn.cell];
     const Method& method = tools.methods[cell.method];
     const double start = clock_of(method);
-    const std::uint64_t founders = options_.cases ? std::min(turn.draw, kFounders) : turn.draw;
+    const std::uint64_t founders = options_.ground.uniform ? 0
+                                   : options_.cases        ? std::min(turn.draw, kFounders)
+                                                           : turn.draw;
     for (; founded < founders && !stop_; ++founded) {
       const std::shared_ptr<const HuntDraw> drawn = latest_.get(cell.contact, founded);
       for (const CheckedCase& asked : drawn->asked) breeder.add(asked.value(), tools.tracers);
@@ -241,6 +243,7 @@ class Hunt {
     cell.tally.merge(done.tally);
     cell.cpu_seconds += done.answer_seconds;
     queries_ += done.tally.n;
+    for (const Failure& failure : done.met) met_ = met_ || failure.outcome == options_.until;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
     show(options_.cases ? schedule_.share_done() : elapsed() / options_.seconds, done.met);
   }
@@ -300,6 +303,7 @@ class Hunt {
   std::uint64_t queries_ = 0;
   std::exception_ptr failure_;
   std::atomic<bool> failed_ = false;
+  std::atomic<bool> met_ = false;  ///< HuntOptions::until
 };
 
 }  // namespace

@@ -37,6 +37,8 @@ struct HuntOptions {
   /// things in every run.
   std::optional<std::uint64_t> cases;
   HuntGround ground;
+  /// Ends once a counterexample with this outcome is met, and is shrunk then.
+  std::optional<Outcome> until;
   Shrink shrink = Shrink::kPlugins;
   /// Budgets of a query; the precision is the default one, since replay asks at that.
   SearchOptions search;

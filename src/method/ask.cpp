@@ -4,6 +4,7 @@
 
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
+#include "certify/oracle/feature_depth.hpp"
 
 namespace ccdfuzz {
 
@@ -35,8 +36,11 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
 
 std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome) {
   const Query& query = known.query();
-  if (!is_false_negative(outcome) || !is_of_bodies(query)) return std::nullopt;
-  return depth_until(query, outcome == Outcome::kLate ? *answer.toi : query.t_max);
+  if (!is_false_negative(outcome)) return std::nullopt;
+  const double until = outcome == Outcome::kLate ? *answer.toi : query.t_max;
+  if (is_of_bodies(query)) return depth_until(query, until);
+  const double depth = feature_depth(known.value(), until);
+  return depth > 0 ? std::optional(depth) : std::nullopt;
 }
 
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {

@@ -12,8 +12,9 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
 /// The same, checking the case first (checked_or_unknown), each time that it is asked.
 Judged ask(Method& method, const Case& known, const SearchOptions& options);
 
-/// How deep two bodies pass through each other, at least, in the time that a missed or late answer
-/// overlooks. Nothing where that is not measured (depth_until), and for other queries and outcomes.
+/// How deep two bodies, or linear patches, pass through each other, at least, in the time that a
+/// missed or late answer overlooks. Nothing where that is not measured (depth_until,
+/// feature_depth), and for other queries and outcomes.
 std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome);
 
 }  // namespace ccdfuzz

@@ -73,6 +73,9 @@ std::string Domain::broken_by(const Case& value) const {
     return fmt::format("takes numbers that are 0 or within 2^±{}", *scale);
   }
   const Setting setting = ordinary ? setting_of(value) : Setting::kOrdinary;
+  if (ordinary && setting == Setting::kOrdinary && is_shallow(value)) {
+    return "takes contacts of some depth, and this is shallow";
+  }
   if (setting == Setting::kOrdinary) return "";
   return fmt::format("takes ordinary queries, and this is {}", name_of(setting));
 }

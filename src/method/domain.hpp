@@ -25,7 +25,8 @@ struct Domain {
   std::optional<int> scale;
   /// Each number is a float.
   bool binary32 = false;
-  /// Only cases of Setting::kOrdinary: apart at the start, with extent, in motion.
+  /// Only cases of Setting::kOrdinary that are not shallow: apart at the start, with extent, in
+  /// motion, and with a contact that a little motion does not avoid.
   bool ordinary = false;
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.

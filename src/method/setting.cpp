@@ -8,6 +8,7 @@
 #include "bezier/bernstein.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
+#include "certify/oracle/feature_depth.hpp"
 
 namespace ccdfuzz {
 
@@ -171,6 +172,17 @@ Setting setting_of(const Case& value) {
   if (touches_at_start(value.query)) return Setting::kTouching;
   if (slides(value)) return Setting::kSliding;
   return is_at_an_end(value) ? Setting::kAtAnEnd : Setting::kOrdinary;
+}
+
+bool is_shallow(const Case& value) {
+  if (value.truth.collides != true || !is_linear_query(value.query)) return false;
+  double size = 0;
+  for (const MovingPatch<double>& patch : value.query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      size = std::max(size, (p - patch.positions[0]).norm());
+    }
+  }
+  return feature_depth(value, value.query.t_max) < kThinnest * size;
 }
 
 }  // namespace ccdfuzz

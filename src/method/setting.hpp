@@ -40,4 +40,8 @@ constexpr const auto& all_of(Setting) {
 
 Setting setting_of(const Case& value);
 
+/// Whether linear patches touch, but pass less than kThinnest of their size through each other by
+/// t_max (feature_depth): at the edge of a face, for one. A little motion avoids the contact.
+bool is_shallow(const Case& value);
+
 }  // namespace ccdfuzz

@@ -86,5 +86,18 @@ TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
   }
 }
 
+TEST(Hunt, EndsWithTheFirstCounterexampleOfAnOutcome) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  HuntOptions options;
+  options.methods = {"tdibm"};
+  options.ground.linear = true;
+  options.until = Outcome::kMissed;
+  const HuntReport report = hunt_into(store, options);
+  EXPECT_LT(report.seconds, options.seconds / 2);
+  EXPECT_TRUE(std::ranges::any_of(
+      report.finds, [](const Find& find) { return find.failure.outcome == Outcome::kMissed; }));
+}
+
 }  // namespace
 }  // namespace ccdfuzz

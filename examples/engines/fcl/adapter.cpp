@@ -10,7 +10,7 @@ struct Fcl {
   static adapter::ccd::Description describe() {
     adapter::ccd::Description description{"FCL", "0.7"};
     description.claims = CCDFUZZ_ORDINARY;  // neither a contact at 0 nor one at the end
-    description.within = 10;
+    description.within = 14;
     description.promise =
         "CCD intersection of a vertex and a face, and of two edges: https://github.com/"
         "flexible-collision-library/fcl/blob/0.7.0/include/fcl/narrowphase/detail/traversal/"
