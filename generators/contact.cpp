@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bezier/bernstein.hpp"
+#include "bezier/trim_region.hpp"
 #include "generators/shaped/features.hpp"
 #include "numeric/small_dyadic.hpp"
 
@@ -93,6 +94,17 @@ Vec3<Dyadic> Contact::point(int side) const {
   }
   const auto sum = weighted_sum(patch, weights_at(patch, uv[s]), t);
   return {sum[0], sum[1], sum[2]};
+}
+
+bool is_in_trims(const Contact& q) {
+  for (size_t s = 0; s < 2; ++s) {
+    TrimRegion region;
+    region.assign(q.query.patches[s]);
+    if (region.is_whole()) continue;
+    const auto u = q.uv[s][0].to_double_exactly(), v = q.uv[s][1].to_double_exactly();
+    if (!u || !v || !region.contains({*u, *v})) return false;
+  }
+  return true;
 }
 
 std::optional<Contact> contact_of(const Case& known) {

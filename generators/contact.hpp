@@ -14,7 +14,7 @@ namespace ccdfuzz {
 /// A query and a contact of it: doubles for the patches, dyadic numbers for where and when they
 /// touch.
 /// Invariant of a whole one: patch 1 at uv[0] and patch 2 at uv[1] are at one point at t, exactly,
-/// and 0 ≤ t ≤ query.t_max.
+/// and 0 ≤ t ≤ query.t_max; and is_in_trims.
 struct Contact {
   Query query;
   Dyadic t;
@@ -32,6 +32,9 @@ struct Contact {
   /// The contact, as truths hold it.
   Witness witness() const;
 };
+
+/// Both places of the contact are doubles in the trims of their patches, or where there is none.
+bool is_in_trims(const Contact& q);
 
 /// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one that
 /// is not dyadic, or whose points are apart; or if it is one of bodies.

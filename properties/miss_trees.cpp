@@ -134,7 +134,7 @@ void check_tree_bits(Draw& d) {
   std::vector<TreeNode> nodes;
   for (std::int64_t n = d.integer(1, 12); n > 0; --n) {
     TreeNode node;
-    node.kind = static_cast<TreeNodeKind>(d.choose(2));
+    node.kind = static_cast<TreeNodeKind>(d.choose(3));
     switch (node.kind) {
       case TreeNodeKind::kLeaf: {
         constexpr std::int64_t kMost = (std::int64_t{1} << 31) - 1;
@@ -152,6 +152,11 @@ void check_tree_bits(Draw& d) {
         node.time = 1 + d.choose(kTimeSteps - 2);
         bits.time(node.time);
         show(d, "time", node.time);
+        break;
+      case TreeNodeKind::kOutside:
+        node.side = static_cast<int>(d.choose(1));
+        bits.outside(node.side);
+        show(d, "outside", node.side);
     }
     nodes.push_back(node);
   }

@@ -8,6 +8,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/case_file.hpp"
+#include "properties/draw_trimmed.hpp"
 #include "properties/draw_weighted.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -22,10 +23,17 @@ struct ProvenContact {
   std::string tree;
 };
 
-ProvenContact draw_proven_contact(Draw& choices, bool weighted) {
-  ProvenContact out{weighted ? case_of(draw_weighted_contact(choices))
-                             : supposed(draw_contact(choices, {-2, 2, 2})),
-                    {}};
+using DrawKnown = Case (*)(Draw&);
+
+Case draw_plain(Draw& choices) {
+  return supposed(draw_contact(choices, {-2, 2, 2}));
+}
+Case draw_weighted(Draw& choices) {
+  return case_of(draw_weighted_contact(choices));
+}
+
+ProvenContact draw_proven_contact(Draw& choices, DrawKnown draw) {
+  ProvenContact out{draw(choices), {}};
   const OracleOptions little{
       .max_pops = 60, .max_tree_nodes = 800, .known = out.known.truth.witness};
   Decision decision = decide(out.known.query, little);
@@ -66,9 +74,9 @@ std::string draw_tree(Draw& choices, const std::string& model) {
   return choices.coin() ? tree : tree + choices.text(8);
 }
 
-template <bool kWeighted>
+template <DrawKnown kDraw>
 void check_wrong_tree(Draw& d) {
-  const auto [known, model] = draw_proven_contact(d, kWeighted);
+  const auto [known, model] = draw_proven_contact(d, kDraw);
   const Rational until = draw_late(d, *known.truth.contact_by());
   const std::string tree = draw_tree(d, model);
   show(d, "until", until);
@@ -77,9 +85,9 @@ void check_wrong_tree(Draw& d) {
   CLAIM(!check_tree(known.query, until, tree));
 }
 
-template <bool kWeighted>
+template <DrawKnown kDraw>
 void check_wrong_plane(Draw& d) {
-  const Case known = draw_proven_contact(d, kWeighted).known;
+  const Case known = draw_proven_contact(d, kDraw).known;
   const Truth& truth = known.truth;
   MovingPlane plane{0, {1, 0, 0}, 0};
   if (truth.clearance) {
@@ -110,9 +118,9 @@ double draw_double_like(Draw& choices, double model) {
   }
 }
 
-template <bool kWeighted>
+template <DrawKnown kDraw>
 void check_wrong_box(Draw& d) {
-  Case known = draw_proven_contact(d, kWeighted).known;
+  Case known = draw_proven_contact(d, kDraw).known;
   const Truth& truth = known.truth;
   suppose(truth.clearance && truth.witness);
   ContactBox box = truth.contact_box.value_or(ContactBox{});
@@ -141,7 +149,7 @@ void check_wrong_box(Draw& d) {
 
 /// At one with each other are a contact and a clearance that does not cover it.
 void check_wrong_texts(Draw& d) {
-  const auto [known, tree] = draw_proven_contact(d, false);
+  const auto [known, tree] = draw_proven_contact(d, draw_plain);
   const std::string text = draw_spoilt_text(d, to_json(known));
   const Result<Case> read = parse_case(text, "input");
   if (!read || !check_truth(*read)) return;
@@ -158,20 +166,26 @@ std::vector<Property> spoilt_certificates_claims() {
   constexpr auto kSource = "src/case/certificate.hpp";
   return {
       {"checker.refuses_wrong_trees", "No tree of separating axes covers the time of a contact",
-       kSource, check_wrong_tree<false>},
+       kSource, check_wrong_tree<draw_plain>},
       {"checker.refuses_wrong_planes", "No moving plane separates up to after a contact", kSource,
-       check_wrong_plane<false>},
+       check_wrong_plane<draw_plain>},
       {"checker.refuses_wrong_boxes", "No box holds a contact at a time that is proven to be clear",
-       kSource, check_wrong_box<false>},
+       kSource, check_wrong_box<draw_plain>},
       {"checker.refuses_wrong_trees_weighted",
        "No tree of separating axes covers the time of a contact of rational patches", kSource,
-       check_wrong_tree<true>},
+       check_wrong_tree<draw_weighted>},
       {"checker.refuses_wrong_planes_weighted",
        "No moving plane separates rational patches up to after a contact", kSource,
-       check_wrong_plane<true>},
+       check_wrong_plane<draw_weighted>},
       {"checker.refuses_wrong_boxes_weighted",
        "No box of rational patches holds a contact at a time that is proven to be clear", kSource,
-       check_wrong_box<true>},
+       check_wrong_box<draw_weighted>},
+      {"checker.refuses_wrong_trees_trimmed",
+       "No tree of separating axes covers the time of a contact of trimmed patches", kSource,
+       check_wrong_tree<draw_trimmed_contact>},
+      {"checker.refuses_wrong_boxes_trimmed",
+       "No box of trimmed patches holds a contact at a time that is proven to be clear", kSource,
+       check_wrong_box<draw_trimmed_contact>},
       {"checker.refuses_wrong_texts",
        "Certificates in texts that are almost case files are refused, or agree with each other",
        kSource, check_wrong_texts},

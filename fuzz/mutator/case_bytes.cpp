@@ -55,8 +55,9 @@ class ByteReader {
 };
 
 /// Behind the kinds of shapes, flags: the patch has ends; of the first, the query has a separation;
-/// the patch has weights.
-constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds, kHasWeights = 4 * kKinds;
+/// the patch has weights; the patch has a trim.
+constexpr int kKinds = 4, kHasEnds = kKinds, kHasSeparation = 2 * kKinds, kHasWeights = 4 * kKinds,
+              kHasTrim = 8 * kKinds;
 
 /// The contents of the bytes: a valid query, and numbers that may be those of a contact.
 struct CaseParts {
@@ -69,13 +70,14 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
   ByteReader in(bytes);
   in.byte();  // the method
   CaseParts parts;
-  std::array<bool, 2> has_ends{};
+  std::array<bool, 2> has_ends{}, has_trim{};
   bool has_separation = false;
   for (MovingPatch<double>& patch : parts.query.patches) {
     const int kind = in.byte();
     patch.shape.kind = static_cast<ShapeKind>(kind % kKinds);
     const bool is_first = &patch == &parts.query.patches[0];
     has_ends[is_first ? 0 : 1] = (kind & kHasEnds) != 0;
+    has_trim[is_first ? 0 : 1] = (kind & kHasTrim) != 0;
     has_separation = is_first ? (kind & kHasSeparation) != 0 : has_separation;
     patch.shape.n = in.byte();
     patch.shape.m = in.byte();
@@ -97,6 +99,13 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
     (has_ends[s] ? patch.ends : patch.velocities).resize(count);
     for_each_coordinate(patch, [&](double& x) { x = in.real(); });
     for (double& w : patch.weights) w = in.real();
+    if (has_trim[s]) patch.trim.resize(static_cast<size_t>(in.byte()));
+    for (auto& loop : patch.trim) {
+      loop.resize(static_cast<size_t>(in.byte()));
+      for (Uv<double>& vertex : loop) {
+        for (double& x : vertex) x = in.real();
+      }
+    }
   }
   if (in.ended() || !validate(parts.query, "query")) return std::nullopt;
   return parts;
@@ -110,7 +119,8 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t
   for (const MovingPatch<double>& patch : q.query.patches) {
     const bool separates = &patch == &q.query.patches[0] && q.query.separation > 0;
     out.byte(static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
-             (separates ? kHasSeparation : 0) | (patch.weights.empty() ? 0 : kHasWeights));
+             (separates ? kHasSeparation : 0) | (patch.weights.empty() ? 0 : kHasWeights) |
+             (patch.trim.empty() ? 0 : kHasTrim));
     out.byte(patch.shape.n);
     out.byte(patch.shape.m);
   }
@@ -124,7 +134,17 @@ std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t
   for (const MovingPatch<double>& patch : q.query.patches) {
     for_each_coordinate(patch, [&](double x) { out.real(x); });
     for (const double w : patch.weights) out.real(w);
+    if (patch.trim.empty()) continue;
+    constexpr size_t kMost = 255;
+    exact = exact && patch.trim.size() <= kMost;
+    out.byte(static_cast<int>(patch.trim.size()));
+    for (const auto& loop : patch.trim) {
+      exact = exact && loop.size() <= kMost;
+      out.byte(static_cast<int>(loop.size()));
+      for (const auto& [u, v] : loop) out.real(u), out.real(v);
+    }
   }
+  if (!exact) return std::nullopt;
   return out.take();
 }
 
@@ -135,7 +155,7 @@ std::uint8_t method_number(std::span<const std::uint8_t> bytes) {
 std::optional<Contact> contact_of_bytes(std::span<const std::uint8_t> bytes, QueryRange range) {
   std::optional<CaseParts> parts = parts_of(bytes);
   const bool is_plain = parts && !has_ends(parts->query) && parts->query.separation == 0 &&
-                        parts->query.patches[0].weights.empty() &&
+                        !is_trimmed(parts->query) && parts->query.patches[0].weights.empty() &&
                         parts->query.patches[1].weights.empty();
   if (range == QueryRange::kPlain && !is_plain) return std::nullopt;
   if (!parts || !(parts->t >= 0 && parts->t <= parts->query.t_max)) return std::nullopt;

@@ -15,10 +15,12 @@ enum class QueryRange : std::uint8_t { kPlain, kAll };
 
 /// A contact and its query as bytes, for fuzzers. First a byte for the method that is to be asked
 /// (its place in the target's list), then three for the shape of each patch: kind and degrees. To
-/// the kind 4 is added where the patch has ends, 16 where it has weights, and to the first 8 where
-/// there is a separation. Then as doubles, lowest byte first: t_max, the separation if any, t, uv
-/// of both contacts, and of each patch the positions, the velocities or ends, and the weights if
-/// any. nullopt if t or a parameter is no double.
+/// the kind 4 is added where the patch has ends, 16 where it has weights, 32 where it has a trim,
+/// and to the first 8 where there is a separation. Then as doubles, lowest byte first: t_max, the
+/// separation if any, t, uv of both contacts, and of each patch the positions, the velocities or
+/// ends, and the weights if any; and the trim, the number of its loops, and of each the number of
+/// its vertices, as bytes, before them. nullopt if it has more than 255 of these, or if t or a
+/// parameter is no double.
 std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method = 0);
 
 /// The method that the bytes are for; 0 if there are none.

@@ -87,6 +87,7 @@ bool reparametrise(Contact& q, Draw& draw) {
     return true;
   }
   const int side = random_side(draw);
+  if (!q.query.patches[static_cast<size_t>(side)].trim.empty()) return false;
   reparametrise_patch(q, side, draw.choose(~std::uint64_t{0}));
   return true;
 }

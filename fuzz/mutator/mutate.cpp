@@ -3,6 +3,7 @@
 #include "fuzz/mutator/aimed_moves.hpp"
 #include "fuzz/mutator/exact_moves.hpp"
 #include "fuzz/mutator/moves.hpp"
+#include "fuzz/mutator/trim_moves.hpp"
 
 namespace ccdfuzz {
 
@@ -34,10 +35,11 @@ constexpr std::array kMoves = {
     Move{"give-ends", alone<give_ends>},
     Move{"give-separation", alone<give_separation>},
     Move{"give-weights", alone<give_weights>},
+    Move{"change-trim", alone<change_trim>},
 };
 
 /// The last moves make queries that are not plain.
-constexpr std::size_t kNotPlain = 3;
+constexpr std::size_t kNotPlain = 4;
 
 }  // namespace
 

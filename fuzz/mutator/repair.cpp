@@ -57,6 +57,7 @@ bool shift_control(Contact& q, int side, const Vec3<Dyadic>& by, Draw& draw) {
 }  // namespace
 
 bool repair(Contact& q, Draw& draw) {
+  if (!is_in_trims(q)) return false;
   const Vec3<Dyadic> apart = q.offset();
   if (is_zero(apart)) return true;
   constexpr std::uint64_t kWays = 6;

@@ -173,7 +173,7 @@ bool restrict_patch(Contact& q, int side) {
   const size_t s = static_cast<size_t>(side);
   MovingPatch<double>& patch = q.query.patches[s];
   const Shape shape = patch.shape;
-  if (!patch.weights.empty()) return false;  // quotients would be rounded
+  if (!patch.weights.empty() || !patch.trim.empty()) return false;  // numbers would be rounded
   const Uv<Rational> at = {q.uv[s][0].rational(), q.uv[s][1].rational()};
   for (int c = 0; c < shape.child_count() && shape.kind != ShapeKind::kPoint; ++c) {
     const Cell cell = Cell{}.child(shape, c);

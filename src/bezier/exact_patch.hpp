@@ -9,8 +9,8 @@
 
 namespace ccdfuzz {
 
-/// The same patch in another number type, exactly, with velocities and its weights. S is Rational
-/// or Dyadic.
+/// The same patch in another number type, exactly, with velocities and its weights, without
+/// its trim. S is Rational or Dyadic.
 template <class S>
 MovingPatch<S> exact_patch(const MovingPatch<double>& patch) {
   const auto convert = [](const Points<double>& from) {

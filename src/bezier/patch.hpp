@@ -18,14 +18,19 @@ using Uv = std::array<S, 2>;
 template <class S>
 using Points = std::vector<Vec3<S>>;
 
+/// Closed polygons in a patch's domain, the last vertex joined to the first.
+using Trim = std::vector<std::vector<Uv<double>>>;
+
 /// A Bézier patch whose control points move linearly (Eq. 2). At time t control point i stands at
 /// positions[i] + t·velocities[i]; or, where `ends` are given, at
 /// positions[i] + t·(ends[i] − positions[i]), with a difference that need be no double.
 /// Each array has shape.control_count() entries, in Shape's order; of velocities and ends one has,
 /// and the other is empty. With `weights` w the patch is rational: its point is the sum of
 /// w·B·control point over the sum of w·B, B the Bernstein weights. They do not move.
-/// A hull has one velocity for all of its points, no ends and no weights; it is a body, all that is
-/// within `radius` of the hull of its points. Other patches have the radius 0.
+/// With loops in `trim` the patch is that over their even-odd region, closed: the parameters on a
+/// loop, or with an odd number of loops around them (trim_region.hpp). Only triangles and tensors
+/// are trimmed. A hull has one velocity for all of its points, no ends and no weights; it is a
+/// body, all that is within `radius` of the hull of its points. Other patches have the radius 0.
 template <class S>
 struct MovingPatch {
   Shape shape;
@@ -34,6 +39,7 @@ struct MovingPatch {
   Points<S> ends = {};          ///< positions at t = 1
   std::vector<S> weights = {};  ///< > 0; empty: polynomial
   S radius = S(0);
+  Trim trim = {};  ///< empty: all of the shape's domain
 
   bool has_ends() const { return !ends.empty(); }
   /// The ends or, without them, the velocities.

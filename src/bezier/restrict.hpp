@@ -52,11 +52,12 @@ void restrict_to(const Shape& shape, std::span<const Vec3<S>> points,
   }
 }
 
-/// The whole moving patch restricted to corners, with velocities: a rational one as w·p, w·v and w,
-/// which the new w then divides.
+/// The whole moving patch restricted to corners, with velocities and without trim: a rational one
+/// as w·p, w·v and w, which the new w then divides.
 template <class S>
 MovingPatch<S> restrict_to(const MovingPatch<S>& patch, const std::array<Uv<S>, 3>& corners) {
   MovingPatch<S> part = patch;
+  part.trim.clear();
   if (!patch.is_rational()) part.weights.clear();
   const auto restrict_in_place = [&](Points<S>& points) {
     restrict_to<S>(patch.shape, Points<S>(points), corners, points);

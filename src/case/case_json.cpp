@@ -8,6 +8,7 @@
 
 #include "base/fields.hpp"
 #include "base/verify.hpp"
+#include "bezier/trim.hpp"
 #include "case/expected_json.hpp"
 #include "case/query_json.hpp"
 
@@ -58,7 +59,6 @@ struct JsonForm<Vec3<double>> {
 template <>
 struct JsonForm<MovingPatch<double>> {
   static void fields(auto& archive, auto& patch) {
-    archive.reserved({"trim"});
     auto& shape = patch.shape;
     archive("shape", shape.kind);
     const auto degree = within(1, kMaxDegree);
@@ -96,6 +96,16 @@ struct JsonForm<MovingPatch<double>> {
       }
       return are_weights(weights) ? std::string() : spread_of_weights();
     });
+    archive.optional("trim", patch.trim, {}, [](const Trim& trim) {
+      return trim.empty() ? "has no loop; a patch that is whole has no such key" : "";
+    });
+    if constexpr (kReads<decltype(archive)>) {
+      if (const auto fault = fault_of(patch.trim, shape)) {
+        JsonCursor at = archive.object().at("trim");
+        if (fault->loop) at = at.item(*fault->loop);
+        fault->vertex ? at.item(*fault->vertex).refuse(fault->what) : at.refuse(fault->what);
+      }
+    }
   }
 
  private:

@@ -188,10 +188,11 @@ Result<std::string> features_text(const NamedCase& named, const Template& engine
       is_face
           ? count == 4 && (first.shape == Shape::triangle(1) || second.shape == Shape::triangle(1))
           : first.shape == Shape::curve(1) && second.shape == Shape::curve(1);
-  if (!is_linear || has_ends(query) || query.separation > 0) {
+  if (!is_linear || has_ends(query) || is_trimmed(query) || query.separation > 0) {
     return input_error(
-        named.id, fmt::format("{} has tests of a vertex and a face, or of two edges, that touch",
-                              engine.engine));
+        named.id,
+        fmt::format("{} has tests of a vertex and a whole face, or of two edges, that touch",
+                    engine.engine));
   }
   std::array<Points<double>, 2> points;  // at 0 and at t_max
   const auto add = [&](const MovingPatch<double>& patch) {

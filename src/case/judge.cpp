@@ -6,6 +6,7 @@
 #include "base/verify.hpp"
 #include "bezier/blossom.hpp"
 #include "bezier/exact_patch.hpp"
+#include "bezier/trim_region.hpp"
 
 namespace ccdfuzz {
 
@@ -74,6 +75,9 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   for (size_t side = 0; side < 2; ++side) {
     const Uv<double>& uv = hit.uv[side];
     if (!in_domain(query.patches[side].shape, uv)) return false;
+    TrimRegion region;
+    region.assign(query.patches[side]);
+    if (!region.contains(uv)) return false;
     where[side] = {exact(uv[0]), exact(uv[1])};
   }
   const Rational most = exact(query.separation) + exact(tolerance);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/double_parts.hpp"
+#include "bezier/trim.hpp"
 #include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
@@ -55,7 +56,8 @@ bool is_zero(double x) {
 /// Requires the shape of a hull.
 bool is_hull(const MovingPatch<double>& patch) {
   if (std::cmp_not_equal(patch.positions.size(), patch.shape.n) || patch.velocities.size() != 1 ||
-      patch.has_ends() || !patch.weights.empty() || !is_not_negative(patch.radius)) {
+      patch.has_ends() || !patch.weights.empty() || !patch.trim.empty() ||
+      !is_not_negative(patch.radius)) {
     return false;
   }
   FiniteScan scan;
@@ -164,7 +166,7 @@ bool is_valid(const Query& query) {
       scan.add(patch.positions[i]);
       scan.add(moves[i]);
     }
-    return scan.all_finite() && is_zero(patch.radius);
+    return scan.all_finite() && is_zero(patch.radius) && !fault_of(patch.trim, patch.shape);
   };
   return is_patch(query.patches[0]) && is_patch(query.patches[1]) && are_alike(query) &&
          is_not_negative(query.t_max) && is_not_negative(query.separation) &&
@@ -177,6 +179,10 @@ bool has_ends(const Query& query) {
 
 bool is_rational(const Query& query) {
   return query.patches[0].is_rational() || query.patches[1].is_rational();
+}
+
+bool is_trimmed(const Query& query) {
+  return !query.patches[0].trim.empty() || !query.patches[1].trim.empty();
 }
 
 std::vector<double> scaled_weights(const MovingPatch<double>& patch, int* shift) {
@@ -250,6 +256,12 @@ Result<void> validate(const Query& query, const std::string& where) {
     const bool has_count = patch.weights.size() == patch.positions.size();
     if (!are_weights(patch.weights) || (!patch.weights.empty() && !has_count)) {
       return validate_weights(patch, path + ".weights");
+    }
+    if (const auto fault = fault_of(patch.trim, patch.shape)) {
+      std::string place = path + ".trim";
+      if (fault->loop) place += fmt::format("[{}]", *fault->loop);
+      if (fault->vertex) place += fmt::format("[{}]", *fault->vertex);
+      return input_error(std::move(place), fault->what);
     }
   }
   if (!are_alike(query)) {

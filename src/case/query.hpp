@@ -13,8 +13,8 @@ namespace ccdfuzz {
 /// A CCD query: are two moving patches in contact at some t in the closed [0, t_max], and when
 /// first? (Eq. 1). They are where a point of one is no farther than `separation` from a point of
 /// the other; with 0, where they touch. All numbers finite, t_max ≥ 0, and ≤ 1 where a patch has
-/// ends; separation ≥ 0, radius ≥ 0; weights as kWeightBits says. Both patches are hulls, or
-/// neither is.
+/// ends; separation ≥ 0, radius ≥ 0; weights as kWeightBits says; loops as fault_of (trim.hpp)
+/// says. Both patches are hulls, or neither is.
 struct Query {
   std::array<MovingPatch<double>, 2> patches;
   double t_max = 1;
@@ -35,6 +35,14 @@ void for_each_coordinate(Patch& patch, const Visit& visit) {
   if (patch.shape.kind == ShapeKind::kHull) visit(patch.radius);
 }
 
+/// Calls visit on both parameters of each vertex of a patch's loops.
+template <class Patch, class Visit>
+void for_each_vertex(Patch& patch, const Visit& visit) {
+  for (auto& loop : patch.trim) {
+    for (auto& vertex : loop) visit(vertex[0]), visit(vertex[1]);
+  }
+}
+
 /// True iff both patches are hulls, as of a valid query one is only if both are.
 inline bool is_of_bodies(const Query& query) {
   return query.patches[0].shape.kind == ShapeKind::kHull &&
@@ -44,6 +52,8 @@ inline bool is_of_bodies(const Query& query) {
 bool has_ends(const Query& query);
 /// A patch has weights that are not all equal.
 bool is_rational(const Query& query);
+
+bool is_trimmed(const Query& query);
 
 /// Binary exponents of a patch's weights differ by at most this. Then what products with weights
 /// lose to underflow stays below the least absolute error of tdibm-c: with lengths of 1 and weights
@@ -77,7 +87,7 @@ void give_rounded_ends(MovingPatch<double>& patch);
 /// Errors: the field that is wrong, its value, and what it may be.
 Result<void> validate(const Query& query, const std::string& where);
 
-/// True iff validate accepts the query, whatever its bits. Allocates nothing.
+/// True iff validate accepts the query, whatever its bits. Allocates nothing, but for trims.
 bool is_valid(const Query& query);
 
 }  // namespace ccdfuzz

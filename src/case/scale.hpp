@@ -18,6 +18,7 @@ inline bool is_within_scale(const Query& query, int bits) {
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double x) { all_fit = all_fit && fits(x); });
     for (const double w : patch.weights) all_fit = all_fit && fits(w);
+    for_each_vertex(patch, [&](double x) { all_fit = all_fit && fits(x); });
   }
   return all_fit;
 }
@@ -30,6 +31,7 @@ inline bool is_binary32(const Query& query) {
   bool all_are = is_float(query.t_max) && is_float(query.separation);
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double x) { all_are = all_are && is_float(x); });
+    for_each_vertex(patch, [&](double x) { all_are = all_are && is_float(x); });
   }
   return all_are;
 }

@@ -15,8 +15,8 @@ std::string test_preamble(TestFramework framework);
 
 /// A test in it of a case, the number-th from 1 on. It asks the plug-in the very query (every
 /// number a hex float) and checks what the truth proves: a hit no later than the contact; no hit
-/// where nothing touches in [0, t_max]; and in any case an answer that is one. Requires a valid,
-/// checked case.
+/// where nothing touches in [0, t_max]; and in any case an answer that is one. A case with a
+/// trim gets a comment instead: these tests have no place for it. Requires a valid, checked case.
 std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework);
 
 }  // namespace ccdfuzz

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "base/fp_guard.hpp"
-#include "bezier/cell.hpp"
+#include "bezier/trim_region.hpp"
 #include "case/answer.hpp"
 #include "case/query.hpp"
 #include "case/refusal.hpp"
@@ -81,10 +81,40 @@ inline int depth_for(double precision) {
   return std::clamp(1 - exponent, 0, Cell::kMaxDepth);
 }
 
+/// The parts of two patches' domains that count.
+struct PairRegions {
+  std::array<TrimRegion, 2> sides;
+
+  void assign(const Query& query) {
+    for (size_t s = 0; s < 2; ++s) sides[s].assign(query.patches[s]);
+  }
+  /// Bit s where a loop meets patch s.
+  unsigned crossed() const {
+    return (sides[0].is_whole() ? 0U : 1U) | (sides[1].is_whole() ? 0U : 2U);
+  }
+};
+
 /// The parts that one split of a pair of cells makes; at first, both patches whole.
 struct PairParts {
   std::array<std::array<Cell, 4>, 2> cells{};
   std::array<int, 2> count = {1, 1};
+  /// Parts of crossed cells; of others none is outside, and none crossed.
+  std::array<TrimRegion::Children, 2> in_domain{};
+
+  /// After split, of cells of which those of the sides in `crossed` are crossed.
+  void trim(const PairRegions& regions, const std::array<Cell, 2>& parents, unsigned crossed) {
+    for (size_t side = 0; side < 2; ++side) {
+      in_domain[side] = (crossed >> side & 1) != 0 ? regions.sides[side].children(parents[side])
+                                                   : TrimRegion::Children{};
+    }
+  }
+  /// False if one of two parts is outside of its patch's domain.
+  bool counts(int a, int b) const {
+    return ((in_domain[0].outside >> a | in_domain[1].outside >> b) & 1) == 0;
+  }
+  unsigned crossed(int a, int b) const {
+    return (in_domain[0].crossed >> a & 1) | (in_domain[1].crossed >> b & 1) << 1;
+  }
 
   /// The children of each cell, in the order of their places.
   void split(const std::array<Shape, 2>& shapes, const std::array<Cell, 2>& parents) {
@@ -126,7 +156,8 @@ std::uint64_t exact_work(const Inclusion& inclusion) {
 /// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline): a
 /// queue of cell pairs by ascending start of their window, then the deeper first, then the older. A
 /// pair whose cells are narrow enough is a hit at the start of its window. Any other is split at
-/// the midpoints of all its parameters, and the inclusion test is run on every pair of parts.
+/// the midpoints of all its parameters, and the inclusion test is run on every pair of parts that
+/// are not outside of a patch's trim.
 ///
 /// Inclusion is the method. It provides
 ///   void begin(const Query&)                     once, before anything else
@@ -158,7 +189,10 @@ class Search {
   struct Entry {
     Window window;
     std::array<Cell, 2> cells;
-    std::uint64_t order = 0;
+    std::uint64_t order = 0;  ///< 4 times when it came, and crossed()
+
+    /// Bit s: a loop of patch s meets its cell.
+    unsigned crossed() const { return order & 3; }
 
     /// True iff x is to be taken after y.
     static bool later(const Entry& x, const Entry& y) {
@@ -178,9 +212,12 @@ class Search {
     pushed_ = 0;
 
     inclusion.begin(query);
+    regions_.assign(query);
     PairParts parts;
     parts.prepare(inclusion);
-    if (const auto w = inclusion.test(0, 0, Window{0, query.t_max})) push(*w, {});
+    if (const auto w = inclusion.test(0, 0, Window{0, query.t_max})) {
+      push(*w, {}, regions_.crossed());
+    }
 
     while (!queue_.empty()) {
       const double earliest = queue_[0].window.lo;
@@ -197,16 +234,18 @@ class Search {
         return answer;
       }
       parts.split(shapes, entry.cells);
+      parts.trim(regions_, entry.cells, entry.crossed());
       parts.prepare(inclusion);
       for (const Window& window : time_parts<Inclusion>(entry.window)) {
         for (int a = 0; a < parts.count[0]; ++a) {
           for (int b = 0; b < parts.count[1]; ++b) {
+            if (!parts.counts(a, b)) continue;
             if (deadline.passed(work_of_test)) return give_up(answer, entry.window.lo, "time");
             if (exact_work(inclusion) > options.max_work) {
               return give_up(answer, entry.window.lo, "work");
             }
             if (const auto w = inclusion.test(a, b, window)) {
-              push(*w, {parts.cells[0][a], parts.cells[1][b]});
+              push(*w, {parts.cells[0][a], parts.cells[1][b]}, parts.crossed(a, b));
             }
           }
         }
@@ -216,8 +255,8 @@ class Search {
     return answer;
   }
 
-  void push(const Window& window, const std::array<Cell, 2>& cells) {
-    queue_.push({window, cells, pushed_++});
+  void push(const Window& window, const std::array<Cell, 2>& cells, unsigned crossed) {
+    queue_.push({window, cells, 4 * pushed_++ + crossed});
   }
 
   /// Undecided, with the earliest time at which a contact may still be.
@@ -228,6 +267,7 @@ class Search {
     return answer;
   }
 
+  PairRegions regions_;
   SearchQueue<Entry> queue_;
   std::uint64_t pushed_ = 0;
 };

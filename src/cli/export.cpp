@@ -52,7 +52,10 @@ int export_tests(const ExportOptions& options, OutputFile& out) {
                                                                     : TestFramework::kCatch2;
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
-  need(for_each_checked_case(options.files, [&](const NamedCase& named) {
+  need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
+    if (is_trimmed(named.value.query)) {
+      return input_error(named.id, "has a trim, for which these tests have no place");
+    }
     return out.write(test_snippet(named, ++count, framework));
   }));
   need(out.commit());
@@ -92,6 +95,9 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
     }
     if (is_rational(named.value.query)) {
       return input_error(named.id, "has weights, for which a query CSV has no place");
+    }
+    if (is_trimmed(named.value.query)) {
+      return input_error(named.id, "has a trim, for which a query CSV has no place");
     }
     const auto own = csv_layout_of(named.value.query);
     if (!own) {

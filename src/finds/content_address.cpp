@@ -23,13 +23,21 @@ std::string content_address(const Query& query) {
   std::string bytes;
   for (const MovingPatch<double>& patch : query.patches) {
     // Kind and degrees fix the number of coordinates, so that no two queries have equal bytes.
-    constexpr int kHasWeights = 128;
+    constexpr int kHasWeights = 128, kHasTrim = 64;
     bytes += static_cast<char>(static_cast<int>(patch.shape.kind) |
-                               (patch.weights.empty() ? 0 : kHasWeights));
+                               (patch.weights.empty() ? 0 : kHasWeights) |
+                               (patch.trim.empty() ? 0 : kHasTrim));
     bytes += static_cast<char>(patch.shape.n);
     bytes += static_cast<char>(patch.shape.m);
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
     for (const double w : patch.weights) append_bits(bytes, w);
+    if (patch.trim.empty()) continue;
+    // The number of loops, and of vertices of each, as numbers fix how many bytes follow.
+    append_bits(bytes, static_cast<double>(patch.trim.size()));
+    for (const auto& loop : patch.trim) {
+      append_bits(bytes, static_cast<double>(loop.size()));
+      for (const auto& [u, v] : loop) append_bits(bytes, u), append_bits(bytes, v);
+    }
   }
   append_bits(bytes, compare(query.t_max, 0) == 0 ? 0.0 : query.t_max);  // −0 is the same horizon
   if (compare(query.separation, 0) != 0) append_bits(bytes, query.separation);
@@ -53,6 +61,7 @@ CaseSize size_of(const Query& query) {
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, count);
     for (const double w : patch.weights) count(w);
+    for_each_vertex(patch, count);
   }
   count_bits(parts_of(query.t_max));
   count_bits(parts_of(query.separation));

@@ -58,6 +58,11 @@ bool is_inside(const Witness& witness, const Query& query) {
   return true;
 }
 
+/// The linear decision is about whole patches.
+bool is_decided_linearly(const Query& query) {
+  return is_linear_query(query) && !is_trimmed(query);
+}
+
 class Minimiser {
  public:
   Minimiser(const Case& found, Outcome failure, const std::function<bool(const Case&)>& still_fails,
@@ -90,7 +95,7 @@ class Minimiser {
       keeps_witness_ = witnessed.has_value();
       if (witnessed) best_ = *witnessed;
       // Many contacts of linear patches come at a time that is no fraction.
-      if (!witnessed && !is_linear_query(found_.query)) return false;
+      if (!witnessed && !is_decided_linearly(found_.query)) return false;
     }
     rank_ = simplicity_of(best_);
     place_ = place_of(best_);
@@ -107,7 +112,7 @@ class Minimiser {
     } else {
       value.query = q.query;
       // Linear patches alone always have a proof, and it needs no file beside the case.
-      if (failure_ != Outcome::kError && is_linear_query(q.query)) {
+      if (failure_ != Outcome::kError && is_decided_linearly(q.query)) {
         value.truth = decide_linear(q.query, {}).truth;
       }
     }

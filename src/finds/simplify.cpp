@@ -102,6 +102,36 @@ void offer_weights(const Contact& q, const Offer& offer) {
   }
 }
 
+/// No trim; a loop less; a vertex less; vertices of few bits.
+void offer_trims(const Contact& q, const Offer& offer) {
+  for (const std::size_t side : kSides) {
+    const Trim& now = q.query.patches[side].trim;
+    const auto with = [&](const auto& changed) {
+      Contact next = q;
+      changed(next.query.patches[side].trim);
+      return next.query.patches[side].trim == now || offer(next);
+    };
+    if (now.empty() || with([](Trim& trim) { trim.clear(); })) continue;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (with([i](Trim& trim) { trim.erase(trim.begin() + static_cast<std::ptrdiff_t>(i)); })) {
+        break;
+      }
+      for (std::size_t j = 0; j < now[i].size(); ++j) {
+        const auto drop = [&](Trim& trim) {
+          trim[i].erase(trim[i].begin() + static_cast<std::ptrdiff_t>(j));
+        };
+        if (with(drop)) return;  // places are others now
+        for (const int bits : {1, 2, 3, 8}) {
+          const auto cut = [&](Trim& trim) {
+            for (double& x : trim[i][j]) x = with_bits(x, bits, std::trunc);
+          };
+          if (with(cut)) break;
+        }
+      }
+    }
+  }
+}
+
 /// Velocities in place of ends, where the motion stays the same.
 void offer_velocities(const Contact& q, const Offer& offer) {
   if (!has_ends(q.query)) return;
@@ -325,9 +355,10 @@ Simplicity simplicity_of(const Contact& q) {
     }
     // The number of control points counts, too: fewer are simpler even where they coincide.
     s.different_points += 64 * patch.positions.size() + different.size();
-    // Ends and weights are more than velocities, which every method takes.
+    // Ends, weights and loops are more than velocities, which every method takes.
     s.different_points += patch.has_ends() ? 32 : 0;
     s.different_points += patch.weights.empty() ? 0 : 32;
+    for (const auto& loop : patch.trim) s.different_points += 32 + loop.size();
   }
   Contact copy = q;
   visit_coordinates(copy, [&](double x) {
@@ -338,6 +369,7 @@ Simplicity simplicity_of(const Contact& q) {
 
 void offer_simpler(const Contact& current, const Offer& offer) {
   offer_velocities(current, offer);
+  offer_trims(current, offer);
   offer_weights(current, offer);
   offer_shapes(current, offer);
   offer_wholesale(current, offer);

@@ -93,7 +93,8 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   }
   if (drifting_.empty()) return;
   const Contact& first = mother();
-  const bool takes_all = features_.ends && features_.separation && features_.weights;
+  const bool takes_all =
+      features_.ends && features_.separation && features_.weights && features_.trims;
   Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_,
                           takes_all ? QueryRange::kAll : QueryRange::kPlain);
   if (!is_for_it(mutant.query)) return;

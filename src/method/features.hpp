@@ -16,10 +16,12 @@ struct Features {
   bool weights = false;
   /// Bodies (ShapeKind::kHull).
   bool bodies = false;
+  /// Patches with a trim.
+  bool trims = false;
 };
 
 inline constexpr Features kAllFeatures = {
-    .ends = true, .separation = true, .weights = true, .bodies = true};
+    .ends = true, .separation = true, .weights = true, .bodies = true, .trims = true};
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends, and
 /// without weights, where it does not take those. Where the query is taken as it is, or is not

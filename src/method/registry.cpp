@@ -163,8 +163,10 @@ const std::vector<Family>& families() {
   const std::vector<std::string> bounded = {"unoptimised", "unit-axes", "count-pairs"};
   // Sub-patches with their weights divided out are as good as others, but the error bounds of the
   // paper are those of polynomials.
-  constexpr Features kDivided = {.weights = true};
-  constexpr Features kOfPatches = {.ends = true, .separation = true, .weights = true};
+  constexpr Features kDivided = {.weights = true, .trims = true};
+  constexpr Features kBounded = {.trims = true};
+  constexpr Features kOfPatches = {
+      .ends = true, .separation = true, .weights = true, .trims = true};
   static const std::vector<Family> all = {
       traditional_family(
           {"trad",
@@ -192,11 +194,11 @@ const std::vector<Family>& families() {
           }),
       tdibm_family<ErrorBoundIntended>(
           {"tdibm-e", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
-           true, bounded},
+           true, bounded, kBounded},
           error_bound_of<ErrorBoundIntended>),
       tdibm_family<ErrorBoundPrinted>(
           {"tdibm-e-literal", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as printed",
-           true, bounded},
+           true, bounded, kBounded},
           error_bound_of<ErrorBoundPrinted>),
       family<TdibmRational, InclusionTracer<exact_ccd::PairTest>>(
           {"tdibm-rational",

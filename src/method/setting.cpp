@@ -96,7 +96,7 @@ bool is_degenerate(const Case& value) {
 }
 
 bool touches_at_start(const Query& query) {
-  return query.separation == 0 && is_linear_query(query) &&
+  return query.separation == 0 && is_linear_query(query) && !is_trimmed(query) &&
          !check_linear_clearance(query, {Rational(0), true});
 }
 

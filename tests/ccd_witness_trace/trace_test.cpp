@@ -115,6 +115,15 @@ TEST(Trace, BothHalvesOfAWindowContainItsMiddle) {
   EXPECT_EQ(all.pairs, 1U + 2 + 2);
 }
 
+TEST(Trace, FollowsOneHalfOfAWindowOfOneTime) {
+  const auto tracer = tracer_of("trad");
+  Query query = meeting_points(1);
+  query.patches[1].positions[0] = {0, 0, 0};
+  query.t_max = 0;
+  const Trace all = tracer->trace(query, at_time(0), {.precision = 0x1p-20, .all = true});
+  EXPECT_EQ(all.pairs, 21U);
+}
+
 /// The exact inclusion test with a fault: from a depth on it takes one double too much.
 class OneUlpTooMuch {
  public:

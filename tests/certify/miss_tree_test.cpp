@@ -134,7 +134,8 @@ RC_GTEST_PROP(MissTree, ReadsBackWhatWasWritten, ()) {
   const int count = *rc::gen::inRange(1, 50);
   for (int i = 0; i < count; ++i) {
     TreeNode node;
-    node.kind = *rc::gen::element(TreeNodeKind::kLeaf, TreeNodeKind::kSplit, TreeNodeKind::kTime);
+    node.kind = *rc::gen::element(TreeNodeKind::kLeaf, TreeNodeKind::kSplit, TreeNodeKind::kTime,
+                                  TreeNodeKind::kOutside);
     const auto mark = bits.mark();
     const int tries = *rc::gen::inRange(1, 3);  // the last one counts
     for (int n = 0; n < tries; ++n) {
@@ -157,6 +158,10 @@ RC_GTEST_PROP(MissTree, ReadsBackWhatWasWritten, ()) {
           node.time = *rc::gen::inRange<std::uint64_t>(1, kTimeSteps);
           node.time = std::max<std::uint64_t>(1, node.time >> *rc::gen::inRange(0, 32));
           bits.time(node.time);
+          break;
+        case TreeNodeKind::kOutside:
+          node.side = *rc::gen::inRange(0, 2);
+          bits.outside(node.side);
           break;
       }
     }

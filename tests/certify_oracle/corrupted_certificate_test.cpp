@@ -33,6 +33,7 @@ std::string bytes_of(const std::vector<TreeNode>& nodes) {
     if (node.kind == TreeNodeKind::kLeaf) bits.leaf(node.axis);
     if (node.kind == TreeNodeKind::kSplit) bits.split(node.side);
     if (node.kind == TreeNodeKind::kTime) bits.time(node.time);
+    if (node.kind == TreeNodeKind::kOutside) bits.outside(node.side);
   }
   return bits.bytes();
 }

@@ -36,6 +36,7 @@ void CellTree::reset(const Shape& shape, std::span<const std::array<double, 6>> 
   nodes_.resize(family);
   made_ = 1;
   *nodes_[0] = {};
+  nodes_[0]->crossed = !region_.is_whole();
   double* net = values_[0];
   for (size_t i = 0; i < controls.size(); ++i, net += kPerPoint) {
     const double weight = is_rational_ ? weights[i] : 1;
@@ -61,9 +62,16 @@ CellTree::Node CellTree::children(Node parent) {
   values_.resize(first + count);
   nodes_.resize(first + count);
   made_ += count;
-  const auto depth = static_cast<std::uint16_t>(nodes_[parent]->depth + 1);
+  const auto depth = static_cast<std::uint8_t>(nodes_[parent]->depth + 1);
   for (size_t c = 0; c < count; ++c) {
-    *nodes_[first + c] = {parent, kNone, depth, static_cast<std::uint16_t>(c)};
+    *nodes_[first + c] = {parent, kNone, depth, static_cast<std::uint8_t>(c)};
+  }
+  if (nodes_[parent]->crossed) {
+    const TrimRegion::Children in_domain = region_.children(cell(parent));
+    nodes_[parent]->outside = static_cast<std::uint8_t>(in_domain.outside);
+    for (size_t c = 0; c < count; ++c) {
+      nodes_[first + c]->crossed = (in_domain.crossed >> c & 1) != 0;
+    }
   }
   nodes_[parent]->first_child = first;
   split_net(*program_, net(parent), this->count(), slots_.data(), values_[first]);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "bezier/cell.hpp"
+#include "bezier/trim_region.hpp"
 #include "ccd/certified/kernels.hpp"
 #include "ccd/certified/midpoint_program.hpp"
 #include "numeric/block_array.hpp"
@@ -22,6 +22,11 @@ class CellTree {
   /// or none.
   void reset(const Shape& shape, std::span<const std::array<double, 6>> controls,
              std::span<const double> weights = {});
+
+  /// Before reset, whose patch it will be: of a trimmed one children that are outside are known.
+  void trim(const MovingPatch<double>& patch) { region_.assign(patch); }
+  /// Bit c for child c that is outside of the trim. Requires that children(parent) was called.
+  unsigned outside(Node parent) const { return nodes_[parent]->outside; }
 
   /// First of shape.child_count() consecutive children. A point is its own child.
   Node children(Node parent);
@@ -59,11 +64,14 @@ class CellTree {
   struct Entry {
     Node parent = kNone;
     Node first_child = kNone;
-    std::uint16_t depth = 0;
-    std::uint16_t place = 0;  ///< which child of its parent
+    std::uint8_t depth = 0;
+    std::uint8_t place = 0;    ///< which child of its parent
+    std::uint8_t outside = 0;  ///< bit c for child c that is outside of the trim
+    bool crossed = false;      ///< a loop of the trim meets it
   };
 
   Shape shape_;
+  TrimRegion region_;
   bool is_rational_ = false;
   const MidpointProgram* program_ = nullptr;
   size_t stride_ = 1;

@@ -78,6 +78,7 @@ void PairSplit::prepare(const CellPair& pair, const std::array<unsigned, 2>& wan
     children.first = splits ? trees_[s].children(pair.cells[s]) : pair.cells[s];
     const int count = splits ? query_.shapes[s].child_count() : 1;
     children.wanted = wanted[s] & ((1U << count) - 1);
+    if (splits) children.wanted &= ~trees_[s].outside(pair.cells[s]);
     for (unsigned left = children.wanted; left != 0; left &= left - 1) {
       const int c = std::countr_zero(left);
       const Node child = node(static_cast<int>(s), c);

@@ -42,7 +42,10 @@ class PairSplit {
   static constexpr std::array<unsigned, 2> kAll = {15, 15};
 
   /// Normalises a query: all that its fast path needs.
-  void take(const Query& query) { normalise(query, query_); }
+  void take(const Query& query) {
+    normalise(query, query_);
+    for (size_t s = 0; s < 2; ++s) trees_[s].trim(query.patches[s]);
+  }
   /// Makes the whole patches of the query taken last, before the first split.
   /// finest: the depth to which pairs will be split. Pairs of coarser depth skip the remaining axes
   /// if the first batch shortened the window at neither end. This may add splits; it drops nothing.
@@ -63,7 +66,8 @@ class PairSplit {
 
   /// Splits both cells of a pair, or the coarser one if their depths differ. Writes the pairs of
   /// children that may touch to `kept`, in the order of their places, and returns how many.
-  /// wanted: of each cell, bit c for child c; a cell that is not split is its own child 0.
+  /// wanted: of each cell, bit c for child c; a cell that is not split is its own child 0. Children
+  /// outside of their patch's trim are not kept.
   int split(const CellPair& pair, const std::array<unsigned, 2>& wanted,
             std::span<CellPair, kMostPairs> kept, ExclusionObserver* observer = nullptr);
 

@@ -125,7 +125,8 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   pushed_ = 0;
   Answer answer;
   double from = 0;
-  if (certified::can_advance(normalised.shapes[0], normalised.shapes[1])) {
+  const bool is_linear = certified::can_advance(normalised.shapes[0], normalised.shapes[1]);
+  if (is_linear && !is_trimmed(query)) {
     if (const std::optional<Answer> decided = decide_linear(query, options, target, from)) {
       return *decided;
     }

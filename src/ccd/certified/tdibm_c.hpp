@@ -21,9 +21,12 @@ namespace ccdfuzz {
 ///              asked about.
 /// How early toi can be: no later time is certified clear for that pair. So it is early by at most
 /// the time in which the pair's hulls, of diameter O(precision), approach each other.
-/// Linear patches (can_advance) are decided exactly: a hit is a contact, at toi + precision·t_max
-/// at most. Where numbers differ by too many binary places (first_linear_contact), what is said
-/// above holds for the patches as they are, and the answer's note says so.
+/// Of a trimmed patch a pair is dropped, too, where a cell has no point in the closed region of its
+/// loops, which is decided exactly; a hit's cells are not proven to be outside.
+/// Linear patches (can_advance) that are not trimmed are decided exactly: a hit is a contact, at
+/// toi + precision·t_max at most. Where numbers differ by too many binary places
+/// (first_linear_contact), what is said above holds for the patches as they are, and the answer's
+/// note says so.
 /// With a separation d all of this is said of distances: a miss is a distance above d throughout;
 /// at toi a hit's cells are no farther than d and their own size. A hit on linear patches is
 /// decided only as far as doubles tell the distance from d.

@@ -52,7 +52,8 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   CCDFUZZ_VERIFY(path_.time().hi <= split_.query().t_max);
   watch_.begin(path_.time(), options.steps);
   now_.clear();
-  if (certified::can_advance(split_.query().shapes[0], split_.query().shapes[1])) {
+  const auto& shapes = split_.query().shapes;
+  if (certified::can_advance(shapes[0], shapes[1]) && !is_trimmed(query)) {
     follow_linear(query, options);
   } else {
     split_.begin(target);

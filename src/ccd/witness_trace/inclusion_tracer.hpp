@@ -27,20 +27,24 @@ class InclusionTracer {
     const int target = depth_for(options.precision);
 
     inclusion_.begin(query);
+    regions_.assign(query);
     PairParts parts;
     parts.prepare(inclusion_);
     now_.clear();
+    parts.in_domain = {{{0, regions_.crossed() & 1}, {0, regions_.crossed() >> 1}}};
     test(parts, {0, 0}, Window{0, query.t_max}, now_);
     for (int level = 0; level < target && !now_.empty(); ++level) {
       next_.clear();
       for (const Pair& pair : now_) {
         parts.split(shapes, pair.cells);
+        parts.trim(regions_, pair.cells, pair.crossed);
         parts.prepare(inclusion_);
         const ChildChoices choices(path_, parts, options.all);
         for (const Window& window : time_parts<Inclusion>(pair.window)) {
           if (!path_.time().within(window)) continue;
           for (const std::array<int, 2>& children : choices) test(parts, children, window, next_);
-          if (!options.all) break;
+          // Halves of a window of one time are the same.
+          if (!options.all || pair.window.lo == pair.window.hi) break;
         }
       }
       std::swap(now_, next_);
@@ -52,6 +56,7 @@ class InclusionTracer {
   struct Pair {
     Window window;
     std::array<Cell, 2> cells;
+    unsigned crossed;  ///< as Search has it
   };
 
   void test(const PairParts& parts, const std::array<int, 2>& children, const Window& window,
@@ -59,11 +64,14 @@ class InclusionTracer {
     const std::array<Cell, 2> cells = {parts.cells[0][static_cast<size_t>(children[0])],
                                        parts.cells[1][static_cast<size_t>(children[1])]};
     watch_.look_at({cells[0].depth, cells, window});
-    const auto left = inclusion_.test(children[0], children[1], window, &watch_);
-    if (watch_.judge(left)) kept.push_back({*left, cells});
+    const auto& [a, b] = children;
+    std::optional<Window> left;
+    if (parts.counts(a, b)) left = inclusion_.test(a, b, window, &watch_);
+    if (watch_.judge(left)) kept.push_back({*left, cells, parts.crossed(a, b)});
   }
 
   Inclusion inclusion_;
+  PairRegions regions_;
   WitnessPath path_;
   WitnessWatch watch_;
   Frontier<Pair> now_, next_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/check_trim.hpp"
 #include "certify/checker/taylor.hpp"
 
 namespace ccdfuzz {
@@ -25,6 +26,28 @@ bool in_domain(const Shape& shape, const std::array<Dyadic, 2>& x,
     }
   }
   return shape.kind != ShapeKind::kTriangle || x[0] + radius[0] + x[1] + radius[1] <= one;
+}
+
+/// True iff no edge of a loop meets the box, which is inside; or an edge holds all of it, or it is
+/// a point of the region. The region holds such a box: it is closed.
+bool in_region(const MovingPatch<double>& patch, const std::array<Dyadic, 2>& x,
+               const std::array<Dyadic, 2>& radius, int dependent, Work& work) {
+  if (patch.trim.empty()) return true;
+  std::vector<Uv<Rational>> corners;
+  for (const auto& [i, j] : {std::array{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
+    const Rational a = (x[0] + Dyadic(i) * radius[0]).rational();
+    const Rational b = (x[1] + Dyadic(j) * radius[1]).rational();
+    const auto z = static_cast<size_t>(dependent);
+    std::array<Rational, 3> barycentrics;  // w, u, v; of a tensor the last two alone mean something
+    barycentrics[z] = 1 - a - b;
+    barycentrics[(z + 1) % 3] = a;
+    barycentrics[(z + 2) % 3] = b;
+    corners.push_back({barycentrics[1], barycentrics[2]});
+  }
+  const Region region = region_of(patch.trim, corners, work);
+  if (region != Region::kTouching) return region == Region::kInside;
+  if (corners[0] == corners[2]) return true;
+  return is_on_one_edge(patch.trim, corners, work);
 }
 
 using Matrix = std::array<std::array<Dyadic, 3>, 3>;
@@ -56,6 +79,10 @@ Result<void> check_within(const Query& query, const ContactBox& box, Work& work)
                    {radius[2 * s], radius[2 * s + 1]}, box.dependent[s])) {
       return refuse_box(fmt::format("the box reaches out of the domain of patches[{}], {}", s,
                                     to_text(query.patches[s].shape)));
+    }
+    if (!in_region(query.patches[s], {centre[2 * s], centre[2 * s + 1]},
+                   {radius[2 * s], radius[2 * s + 1]}, box.dependent[s], work)) {
+      return refuse_box(fmt::format("the box is not known to lie in the trim of patches[{}]", s));
     }
   }
   if (centre[4] - radius[4] < Dyadic(0)) return refuse_box("the box reaches before t = 0");

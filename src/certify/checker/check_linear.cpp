@@ -320,6 +320,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
 
 Result<void> check_root_within(const Query& query, const ContactRoot& root, Work& work) {
   if (auto linear = refuse_unless_linear(query, kRoot); !linear) return linear;
+  if (is_trimmed(query)) return input_error(kRoot, "does not show that the contact is in a trim");
   const Form& p = root.polynomial;
   if (root.from < 0 || root.by <= root.from) {
     return input_error(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/double_parts.hpp"
+#include "certify/checker/check_trim.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "certify/checker/polar.hpp"
 #include "certify/checker/shown.hpp"
@@ -15,11 +16,15 @@ struct Refusal {
   std::string what;
 };
 
+/// Parameters: of a triangle's part the ends of w, u and v, of a tensor's the lowest and highest.
+using Corners = std::vector<Uv<Rational>>;
+
 /// A part of a patch: its control points times 2^(depth·steps), a step for each blossom argument.
 struct Part {
   const MovingNet<Integer>* net;
   int depth = 0;
-  std::uint64_t id = 0;  ///< no two parts of a side have the same
+  std::uint64_t id = 0;              ///< no two parts of a side have the same
+  const Corners* corners = nullptr;  ///< of trimmed patches alone
 };
 
 /// Makes the parts of one patch. Holds one family of siblings a depth, which is what a walk in
@@ -28,27 +33,40 @@ class Parts {
  public:
   Parts(Work& work, bool rational) : polar_(&work, rational) {}
 
-  void load(const Shape& shape, MovingNet<Integer> net) {
-    shape_ = shape;
+  void load(const MovingPatch<double>& patch, MovingNet<Integer> net) {
+    shape_ = patch.shape;
     root_ = std::move(net);
+    if (patch.trim.empty()) return;
+    root_corners_ = shape_.kind == ShapeKind::kTriangle ? Corners{{0, 0}, {1, 0}, {0, 1}}
+                                                        : Corners{{0, 0}, {1, 1}};
   }
-  Part root() const { return {&root_, 0, 0}; }
+  Part root() const { return {&root_, 0, 0, is_trimmed() ? &root_corners_ : nullptr}; }
+  bool is_trimmed() const { return !root_corners_.empty(); }
   int steps() const { return shape_.n + shape_.m; }
   int count() const { return shape_.child_count(); }
+
+  /// The part of the domain as a convex polygon. Requires a trimmed patch.
+  Corners polygon(const Part& part) const {
+    const Corners& c = *part.corners;
+    if (shape_.kind == ShapeKind::kTriangle) return c;
+    return {c[0], {c[1][0], c[0][1]}, c[1], {c[0][0], c[1][1]}};
+  }
 
   Part child(const Part& parent, int c) {
     const auto level = static_cast<size_t>(parent.depth);
     if (families_.size() <= level) families_.resize(level + 1);
     Family& family = families_[level];
-    if (family.parent != parent.id || family.nets.empty()) fill(*parent.net, parent.id, family);
-    return {&family.nets[static_cast<size_t>(c)], parent.depth + 1,
-            family.first_id + static_cast<std::uint64_t>(c)};
+    if (family.parent != parent.id || family.nets.empty()) fill(parent, family);
+    const auto place = static_cast<size_t>(c);
+    return {&family.nets[place], parent.depth + 1, family.first_id + place,
+            is_trimmed() ? &family.corners[place] : nullptr};
   }
 
  private:
   struct Family {
     std::uint64_t parent = 0, first_id = 0;
     std::vector<MovingNet<Integer>> nets;
+    std::vector<Corners> corners;
   };
 
   /// Doubled corners (origin, u end, v end) of a triangle's children as weights of w, u, v.
@@ -65,11 +83,31 @@ class Parts {
     return at[static_cast<size_t>(upper_half) + static_cast<size_t>(upper_end)];
   }
 
-  void fill(const MovingNet<Integer>& net, std::uint64_t parent, Family& family) {
-    family.parent = parent;
+  Corners child_corners(const Corners& parent, int c) const {
+    Corners out = parent;
+    for (size_t i = 0; i < out.size(); ++i) {
+      for (size_t k = 0; k < 2; ++k) {
+        const Weights<Integer>& weights = shape_.kind == ShapeKind::kTriangle
+                                              ? corner(c, static_cast<int>(i))
+                                              : end((c >> k & 1) != 0, i == 1);
+        Rational sum = 0;
+        for (size_t j = 0; j < parent.size(); ++j) sum += weights[j] * parent[j][k];
+        out[i][k] = sum / 2;
+      }
+    }
+    return out;
+  }
+
+  void fill(const Part& parent, Family& family) {
+    const MovingNet<Integer>& net = *parent.net;
+    family.parent = parent.id;
     family.first_id = next_id_;
     next_id_ += static_cast<std::uint64_t>(count());
     family.nets.resize(static_cast<size_t>(count()));
+    family.corners.clear();
+    for (int c = 0; c < count() && is_trimmed(); ++c) {
+      family.corners.push_back(child_corners(*parent.corners, c));
+    }
     const bool triangle = shape_.kind == ShapeKind::kTriangle;
     std::vector<Weights<Integer>> first(static_cast<size_t>(shape_.n)),
         second(static_cast<size_t>(shape_.m));
@@ -95,6 +133,7 @@ class Parts {
 
   Shape shape_;
   MovingNet<Integer> root_;
+  Corners root_corners_;  ///< none: the patch is whole
   std::vector<Family> families_;
   std::uint64_t next_id_ = 1;
   Polar<Integer> polar_;
@@ -108,6 +147,7 @@ class Walk {
   /// and V are times the weight, itself a multiple that is an integer, and it divides at the end.
   Walk(const Query& query, const Rational& until, std::string_view tree, Work& work)
       : work_(work),
+        query_(query),
         reader_(tree),
         is_rational_(is_rational(query)),
         sides_{Parts(work, is_rational_), Parts(work, is_rational_)} {
@@ -126,8 +166,7 @@ class Walk {
                         : Integer(value * until.get_den() * Integer(kTimeSteps));
       };
       const auto weight = [&](double w) { return integer_of(w, unit_of_weights); };
-      sides_[s].load(query.patches[s].shape,
-                     moving_net<Integer>(query.patches[s], integer, weight));
+      sides_[s].load(query.patches[s], moving_net<Integer>(query.patches[s], integer, weight));
     }
   }
 
@@ -158,6 +197,10 @@ class Walk {
         node(a, b, lo, here->time, depth + 1);
         node(a, b, here->time, hi, depth + 1);
         return;
+      case TreeNodeKind::kOutside:
+        if (is_outside(here->side, here->side == 0 ? a : b)) return;
+        throw Refusal{fmt::format("node {}: the part of patches[{}] is not outside of its trim",
+                                  number, here->side)};
       case TreeNodeKind::kSplit:
         break;
     }
@@ -171,6 +214,13 @@ class Walk {
       if (here->side == 0) node(side.child(a, c), b, lo, hi, depth + 1);
       if (here->side == 1) node(a, side.child(b, c), lo, hi, depth + 1);
     }
+  }
+
+  bool is_outside(int side, const Part& part) {
+    const Parts& parts = sides_[static_cast<size_t>(side)];
+    if (!parts.is_trimmed()) return false;
+    const Trim& trim = query_.patches[static_cast<size_t>(side)].trim;
+    return region_of(trim, parts.polygon(part), work_) == Region::kOutside;
   }
 
   /// True iff max l·p < min l·q over the control points of a and b, at both times, by more than the
@@ -258,6 +308,7 @@ class Walk {
   }
 
   Work& work_;
+  const Query& query_;
   TreeReader reader_;
   bool is_rational_;
   std::array<Parts, 2> sides_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "certify/checker/check_bodies.hpp"
+#include "certify/checker/check_trim.hpp"
 #include "certify/checker/polar.hpp"
 #include "certify/checker/shown.hpp"
 
@@ -52,6 +53,10 @@ Result<void> check_contact(const Query& query, const Witness& witness, std::uint
         return refuse("uv", fmt::format("({}, {}) lies outside the domain of patches[{}], {}",
                                         shown(witness.uv[s][0]), shown(witness.uv[s][1]), s,
                                         to_text(patch.shape)));
+      }
+      if (!is_in_region(patch.trim, witness.uv[s], work)) {
+        return refuse("uv", fmt::format("({}, {}) lies outside of the trim of patches[{}]",
+                                        shown(witness.uv[s][0]), shown(witness.uv[s][1]), s));
       }
       at[s] = point_at(patch, witness.uv[s], witness.t, work);
     }

@@ -12,6 +12,7 @@ namespace {
 constexpr int kCountBits = 5;  // of an axis's number of bits
 constexpr int kShiftBits = 6;
 constexpr int kTimeBits = 52;
+constexpr int kFirstSide = (1 << kShiftBits) - 2;
 
 }  // namespace
 
@@ -49,9 +50,14 @@ std::optional<TreeNode> TreeReader::next() {
     node.kind = TreeNodeKind::kSplit;
     node.side = static_cast<int>(take(1));
   } else {
-    node.kind = TreeNodeKind::kTime;
     const int shift = static_cast<int>(take(kShiftBits));
-    node.time = take(kTimeBits - shift) << shift;
+    if (shift >= kFirstSide) {
+      node.kind = TreeNodeKind::kOutside;
+      node.side = shift - kFirstSide;
+    } else {
+      node.kind = TreeNodeKind::kTime;
+      node.time = take(kTimeBits - shift) << shift;
+    }
   }
   if (ran_out_) return std::nullopt;
   return node;
@@ -88,6 +94,11 @@ void TreeBits::leaf(const TreeAxis& axis) {
 void TreeBits::split(int side) {
   put(1, 2);
   put(static_cast<std::uint64_t>(side), 1);
+}
+
+void TreeBits::outside(int side) {
+  put(3, 2);
+  put(static_cast<std::uint64_t>(kFirstSide + side), kShiftBits);
 }
 
 void TreeBits::time(std::uint64_t time) {

@@ -18,8 +18,10 @@ namespace ccdfuzz {
 ///   1 0 side       the part of patch 1 (side 0) or 2 (side 1) is split at the midpoints of its
 ///                  parameters; a child for each of its parts, in the order of Cell::child
 ///   1 1 time       two children, for [lo, time] and [time, hi]; lo < time < hi
+///   1 1 side       leaf: the part of patch 1 (62) or 2 (63) is outside of the patch's trim
 /// axis: 1 for that of the leaf before, or 0, then 5 bits b, then three integers of b+1 bits each,
 /// two's complement. time: 6 bits s, then 52−s bits, the time being those times 2^s.
+/// side: 6 bits, which are more than any s.
 inline constexpr std::uint64_t kTimeSteps = std::uint64_t{1} << 52;
 
 /// Nodes deeper than this are refused; it bounds the checker's stack.
@@ -31,11 +33,11 @@ inline constexpr int kMaxPartDepth = 60;
 
 using TreeAxis = std::array<std::int64_t, 3>;
 
-enum class TreeNodeKind : std::uint8_t { kLeaf, kSplit, kTime };
+enum class TreeNodeKind : std::uint8_t { kLeaf, kSplit, kTime, kOutside };
 
 struct TreeNode {
   TreeNodeKind kind = TreeNodeKind::kLeaf;
-  int side = 0;            ///< split
+  int side = 0;            ///< split, outside
   std::uint64_t time = 0;  ///< time
   TreeAxis axis{};         ///< leaf
 
@@ -67,6 +69,7 @@ class TreeBits {
  public:
   void leaf(const TreeAxis& axis);  ///< components below 2^31 in magnitude
   void split(int side);
+  void outside(int side);
   void time(std::uint64_t time);  ///< 0 < time < kTimeSteps
   const std::string& bytes() const { return bytes_; }
 

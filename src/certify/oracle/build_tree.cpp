@@ -72,8 +72,10 @@ class Builder {
     horizon.t_max = round_up(until);
     normalise(horizon, query_);
     until_ = query_.t_max;
-    for (int s = 0; s < 2; ++s)
+    for (int s = 0; s < 2; ++s) {
+      trees_[s].trim(query.patches[s]);
       trees_[s].reset(query_.shapes[s], query_.controls[s], query_.weights[s]);
+    }
   }
 
   std::optional<std::string> run() {
@@ -235,7 +237,12 @@ class Builder {
     if (side < 0) return false;
     bits_.split(side);
     const Node first = trees_[side].children(pair.cells[side]);
+    const unsigned outside = trees_[side].outside(pair.cells[side]);
     for (int c = 0; c < trees_[side].shape().child_count(); ++c) {
+      if ((outside >> c & 1) != 0) {
+        bits_.outside(side);
+        continue;
+      }
       Pair child = pair;
       ++child.level;
       child.cells[side] = first + static_cast<Node>(c);

@@ -52,6 +52,18 @@ Uv<Rational> snapped(const Shape& shape, const Uv<double>& uv, double width, boo
   return out;
 }
 
+/// The parameters of a trimmed patch's vertices, where they are near: of a vertex, or of an edge
+/// along u or v.
+void snap_to_trim(const Trim& trim, const Uv<double>& near, double width, Uv<Rational>& uv) {
+  for (const auto& loop : trim) {
+    for (const Uv<double>& vertex : loop) {
+      for (const size_t k : {size_t{0}, size_t{1}}) {
+        if (std::abs(vertex[k] - near[k]) <= width) uv[k] = exact(vertex[k]);
+      }
+    }
+  }
+}
+
 /// About the earlier root of |p + t·v|² = d², not before it and hardly after; 0 if they are that
 /// near at 0. nullopt if they come no nearer.
 std::optional<Rational> time_of_distance(const std::array<Vec3<Rational>, 2>& offset, double d) {
@@ -99,12 +111,14 @@ std::optional<Witness> find_witness(const Query& query, const Suspicion& near) {
   for (const double factor : {1.0, 4.0, 32.0, 0x1p10, 0x1p16}) {
     const double width = near.width * factor;
     if (width > 0x1p-5) break;
-    for (const bool dyadic : {true, false}) {
+    enum class Way { kDyadic, kRational, kTrim };
+    for (const Way way : {Way::kDyadic, Way::kRational, Way::kTrim}) {
       std::array<Uv<Rational>, 2> uv;
       bool inside = true;
       for (size_t s = 0; s < 2; ++s) {
         const Shape& shape = query.patches[s].shape;
-        uv[s] = snapped(shape, near.uv[s], width, dyadic);
+        uv[s] = snapped(shape, near.uv[s], width, way != Way::kRational);
+        if (way == Way::kTrim) snap_to_trim(query.patches[s].trim, near.uv[s], width, uv[s]);
         inside = inside && shape.contains(uv[s]);
       }
       if (!inside || std::find(tried.begin(), tried.end(), uv) != tried.end()) continue;

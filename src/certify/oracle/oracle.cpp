@@ -185,7 +185,7 @@ Decision decide(const Query& query, const OracleOptions& options) {
   const UncountedWork own;
   if (const Result<void> valid = validate(query, ""); !valid) return undecided(valid.error(), 0);
   const Decision found = is_of_bodies(query) ? decide_bodies(query, options)
-                         : linear::is_linear(query) && query.separation == 0
+                         : linear::is_linear(query) && query.separation == 0 && !is_trimmed(query)
                              ? decide_linear(query, options)
                              : Deciding(query, options).run();
   // Nothing leaves the oracle that the checker does not accept, or that takes it too long.

@@ -57,6 +57,12 @@ typedef struct ccdfuzz_patch {
    * asked of patches whose weights differ. */
   const double* weights;
   double radius; /* >= 0; of a hull, else 0 */
+  /* `loop_count` closed polygons, one after the other, of loop_sizes[i] vertices (u, v) each: the
+   * patch is over their even-odd region, which its boundary belongs to. 0 and NULL: over all of the
+   * domain, as always for a plug-in that does not claim CCDFUZZ_TAKES_TRIMS. */
+  uint64_t loop_count;
+  const uint64_t* loop_sizes;
+  const double (*loop_vertices)[2];
 } ccdfuzz_patch;
 
 /* Do the two patches touch at some t of the closed [0, t_max], and when first? */
@@ -104,7 +110,8 @@ enum {
   CCDFUZZ_TAKES_SEPARATION = 16, /* answers queries with a `separation` above 0 */
   CCDFUZZ_TAKES_WEIGHTS = 32,    /* answers patches with `weights` */
   CCDFUZZ_TAKES_BODIES = 64,     /* answers queries of two bodies (CCDFUZZ_HULL) */
-  /* 128 is reserved. What it promises to answer is narrower; it is asked of nothing else: */
+  CCDFUZZ_TAKES_TRIMS = 128,     /* answers patches with loops */
+  /* What it promises to answer is narrower; it is asked of nothing else: */
   CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats */
   CCDFUZZ_ORDINARY = 512  /* queries that start apart, in motion, of patches or bodies with extent,
                            * and whose contact is well inside of [0, t_max] */

@@ -38,6 +38,7 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   patch.has_ends() ? append_points(out, "ends", patch.ends)
                    : append_points(out, "velocities", patch.velocities);
   if (!patch.weights.empty()) out += ",\"weights\":" + to_json(patch.weights);
+  if (!patch.trim.empty()) out += ",\"trim\":" + to_json(patch.trim);
   if (shape.kind == ShapeKind::kHull) {
     out += fmt::format(",\"radius\":{}", json_number(patch.radius));
   }
@@ -95,6 +96,7 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_flag(object, "takes_separation", out.features.separation); })
       .and_then([&] { return read_flag(object, "takes_weights", out.features.weights); })
       .and_then([&] { return read_flag(object, "takes_bodies", out.features.bodies); })
+      .and_then([&] { return read_flag(object, "takes_trims", out.features.trims); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })

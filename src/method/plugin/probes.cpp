@@ -21,6 +21,7 @@ std::uint64_t mixed_bits(const Query& query) {
     };
     for_each_coordinate(patch, mix_in);
     for (const double w : patch.weights) mix_in(w);
+    for_each_vertex(patch, mix_in);
   }
   return mix;
 }

@@ -201,6 +201,7 @@ class Plugin {
             {"takes_ends", (d.claims & CCDFUZZ_TAKES_ENDS) != 0},
             {"takes_separation", (d.claims & CCDFUZZ_TAKES_SEPARATION) != 0},
             {"takes_weights", (d.claims & CCDFUZZ_TAKES_WEIGHTS) != 0},
+            {"takes_trims", (d.claims & CCDFUZZ_TAKES_TRIMS) != 0},
             {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
@@ -306,6 +307,16 @@ class Plugin {
     (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
     weights_[side] = patch.value("weights", std::vector<double>());
     if (!weights_[side].empty()) out.weights = weights_[side].data();
+    sizes_[side].clear();
+    vertices_[side].clear();
+    for (const auto& loop : patch.value("trim", std::vector<std::vector<Vertex>>())) {
+      sizes_[side].push_back(loop.size());
+      vertices_[side].insert(vertices_[side].end(), loop.begin(), loop.end());
+    }
+    if (sizes_[side].empty()) return;
+    out.loop_count = sizes_[side].size();
+    out.loop_sizes = sizes_[side].data();
+    out.loop_vertices = reinterpret_cast<const double(*)[2]>(vertices_[side].data());
   }
 
   const ccdfuzz_plugin* table_ = nullptr;
@@ -313,6 +324,9 @@ class Plugin {
   std::array<ccdfuzz_patch, 2> patches_{};
   std::array<Coordinates, 4> points_;
   std::array<std::vector<double>, 2> weights_;
+  using Vertex = std::array<double, 2>;
+  std::array<std::vector<Vertex>, 2> vertices_;  ///< of all loops
+  std::array<std::vector<std::uint64_t>, 2> sizes_;
 };
 
 /// The questions come on a descriptor that the plug-in does not know; what it prints goes to
