@@ -49,6 +49,30 @@ int bits_of(const Case& value) {
   return static_cast<int>(size_of(value.query).significant_bits);
 }
 
+Case trimmed_contact() {
+  Case found = drawn(ContactClass::kFF, CaseKind::kRP, 0);
+  found.query.patches[0].trim = {{{0, 0}, {1, 0}, {0.5, 0.5}, {0, 1}},
+                                 {{0.9375, 0}, {1, 0}, {0.9375, 0.0625}}};
+  EXPECT_TRUE(check_truth(found));
+  return found;
+}
+
+TEST(Minimise, TakesATrimAwayThatDoesNotMatter) {
+  const Minimised small = minimise(trimmed_contact(), Outcome::kMissed,
+                                   [](const Case& c) { return outcome_of(c) == Outcome::kMissed; });
+  EXPECT_FALSE(is_trimmed(small.value.query));
+}
+
+TEST(Minimise, LeavesATriangleOfATrimThatMatters) {
+  const Minimised small = minimise(trimmed_contact(), Outcome::kMissed, [](const Case& c) {
+    return check_truth(c) && is_trimmed(c.query);
+  });
+  ASSERT_TRUE(check_truth(small.value));
+  const Trim& trim = small.value.query.patches[0].trim;
+  ASSERT_EQ(trim.size(), 1U);
+  EXPECT_EQ(trim[0].size(), 3U);
+}
+
 TEST(Minimise, FindsTheOneNumberThatMattersAndKeepsTheContact) {
   for (const ContactClass contact : kContactClasses) {
     const Case found = drawn(contact, CaseKind::kRP, 0);

@@ -62,6 +62,14 @@ struct Claiming {
     const bool has_weights = query.patch(0).raw.weights != nullptr;
     if (has_weights && query.patch(0).weight(0) != 1) throw std::logic_error("another weight");
     if (has_weights) answer.verdict = CCDFUZZ_HIT;
+    const ccdfuzz_patch& first = query.patch(0).raw;
+    if (first.loop_count != 0) {
+      const bool is_known = first.loop_count == 2 && first.loop_sizes[0] == 3 &&
+                            first.loop_sizes[1] == 4 && first.loop_vertices[6][0] == 0.125 &&
+                            first.loop_vertices[6][1] == 0.25;
+      if (!is_known) throw std::logic_error("other loops");
+      answer.verdict = CCDFUZZ_HIT;
+    }
     answer.toi_lower = number("toi", 0);
     if (answer.toi_lower > query.t_max()) answer.toi_lower = query.t_max();
     answer.tolerance = number("achieved", ccd::kUnknown);

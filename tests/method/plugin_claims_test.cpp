@@ -130,6 +130,20 @@ TEST(PluginClaims, WeightsAreAskedOfWhomTakesThem) {
   EXPECT_EQ(outcome_of(kMiss + ":claims=38", known), "correct");
 }
 
+TEST(PluginClaims, TrimsAreAskedOfWhomTakesThem) {
+  Case known = meeting_at(0.5, 1);
+  MovingPatch<double>& face = known.query.patches[0];
+  face.shape = Shape::triangle(1);
+  face.positions.resize(3, face.positions[0]);
+  face.velocities.resize(3, face.velocities[0]);
+  EXPECT_EQ(outcome_of(kMiss, known), "missed");
+  // Its answer to these loops is a hit at 0.
+  face.trim = {{{0, 0}, {1, 0}, {0, 1}},
+               {{0.125, 0.125}, {0.25, 0.125}, {0.25, 0.25}, {0.125, 0.25}}};
+  EXPECT_EQ(outcome_of(kMiss, known), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=134", known), "correct");
+}
+
 TEST(PluginClaims, AnOpenEndBindsNot) {
   EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");
