@@ -1,8 +1,8 @@
-// What guides a hunt, from nothing, in CPU seconds of one thread: how soon a method's first false
-// negative is found, or how many contacts (--losses) or kinds of contacts (--kinds) it loses on the
-// way, by draws alone, by breeding them without a look at the margins of the witness trace, and by
-// breeding every other one from those with small margins. Medians over seeds; a run that found
-// nothing counts as longer than any.
+// What guides a hunt, from nothing, in CPU seconds of one thread. It measures how soon a method's
+// first false negative is found, or how many contacts (--losses) or kinds of contacts (--kinds) it
+// loses on the way. Three ways are compared: draws alone; breeding them without a look at the
+// margins of the witness trace; breeding half from those with small margins. Medians over seeds; a
+// run that found nothing counts as longer than any.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -104,8 +104,8 @@ class Run {
     return all;
   }
 
-  /// How many kinds of contacts the method's trace loses in so much time: of as many classes,
-  /// levels, axes and wrong quantities, as fuzz_witnessed tells them apart.
+  /// How many kinds of contacts the method's trace loses in so much time. Kinds differ in class,
+  /// level, axis or wrong quantity, as fuzz_witnessed tells them apart.
   double kinds_in(double seconds) {
     seconds_used(seconds);
     return static_cast<double>(kinds_.size());

@@ -1,5 +1,5 @@
-// tdibm-c against the methods of the paper, its forms as written, and the exact one, on generated
-// cases of each contact class: positives up to t* and negatives up to t* − 2^-20.
+// tdibm-c against the methods of the paper, its forms as written, and the exact one. They run on
+// generated cases of each contact class: positives up to t* and negatives up to t* − 2^-20.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ void compare_queries(benchmark::State& state, ContactClass contact, const char* 
   ratio.report(state, first, second);
 }
 
-/// By how much a time limit is exceeded, at most, on two patches of degree 8 that nearly coincide:
-/// a single pair of cells takes tdibm-rational up to 30 ms there.
+/// By how much a time limit is exceeded, at most, on two patches of degree 8 that nearly coincide.
+/// A single pair of cells takes tdibm-rational up to 30 ms there.
 void overrun(benchmark::State& state, const char* spec) {
   constexpr double kLimit = 0.1;
   Query query;

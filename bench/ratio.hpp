@@ -6,9 +6,9 @@
 
 namespace ccdfuzz {
 
-/// Times two ways to do the same thing turn by turn on the same inputs, in CPU time of the thread,
-/// so that their ratio depends little on the machine and on what else it does. Counters: the mean
-/// time of one input each, in seconds, and first/second.
+/// Times two ways to do the same thing turn by turn on the same inputs, in CPU time of the thread.
+/// So their ratio depends little on the machine and on what else it does. Counters: the mean time
+/// of one input each, in seconds, and first/second.
 class Ratio {
  public:
   template <class Work>

@@ -1,6 +1,6 @@
 // Ten faults, each found by RapidCheck from nothing and its case of the inverse construction
-// shrunk: how long that takes, and what is left of the significant bits of the numbers. Prints a
-// table.
+// shrunk. Measures how long that takes, and what is left of the significant bits of the numbers.
+// Prints a table.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>

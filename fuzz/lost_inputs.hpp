@@ -8,8 +8,9 @@
 
 namespace ccdfuzz {
 
-/// Keeps inputs on which a method fails that does not claim otherwise, so that fuzzing continues:
-/// in the folder that the environment variable CCDFUZZ_LOST names, if any, for `ccdfuzz triage`.
+/// Keeps inputs on which a method fails that does not claim otherwise, so that fuzzing continues.
+/// They go to the folder that the environment variable CCDFUZZ_LOST names, if any, for `ccdfuzz
+/// triage`.
 class LostInputs {
  public:
   LostInputs();

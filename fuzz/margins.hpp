@@ -6,10 +6,11 @@
 
 namespace ccdfuzz {
 
-/// Tells libFuzzer how nearly a method lost a contact, as coverage of a kind of its own: a counter
-/// for each method, level, end of the window that is at stake, and four doublings of the distance.
-/// So an input that comes nearer than all before it is kept. method: its place among those traced,
-/// below kMethods. Does nothing where the environment has CCDFUZZ_WITHOUT_MARGINS, for comparison.
+/// Tells libFuzzer how nearly a method lost a contact, as coverage of a kind of its own. There is a
+/// counter for each method, level, end of the window that is at stake, and four doublings of the
+/// distance. So an input that comes nearer than all before it is kept. method: its place among
+/// those traced, below kMethods. Does nothing where the environment has CCDFUZZ_WITHOUT_MARGINS,
+/// for comparison.
 class Margins {
  public:
   static constexpr std::size_t kMethods = 10;

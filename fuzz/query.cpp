@@ -1,7 +1,7 @@
 // Any queries: contacts, near-misses, and numbers without sense. The oracle decides each, the
-// checker checks what it says, and the methods are judged by it: those that are proven to miss
-// nothing must not, and of the others the one that the input names. The bytes are a method and a
-// case (fuzz/mutator/case_bytes.hpp), whose contact may be broken.
+// checker checks what it says, and the methods are judged by it. Those that are proven to miss
+// nothing must not miss; of the others the one is judged that the input names. The bytes are a
+// method and a case (fuzz/mutator/case_bytes.hpp), whose contact may be broken.
 #include <fmt/format.h>
 
 #include <array>

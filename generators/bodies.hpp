@@ -11,17 +11,18 @@ namespace ccdfuzz {
 bool is_made_of_bodies(CaseKind kind);
 
 /// One attempt at a case of two bodies (ShapeKind::kHull) with its truth, without its origin; or
-/// why it was thrown away. Points, segments, triangles, tetrahedra, boxes and hulls of up to 15
-/// points, with a radius or without; the class says what of each is in contact at t*: a vertex, a
-/// point inside of an edge or of a face. All numbers are floats (binary32) of few bits, of sizes
-/// and speeds from 0.01 to 1000; one scene in eight is up to 2^16 away from the origin.
+/// why it was thrown away. They are points, segments, triangles, tetrahedra, boxes and hulls of up
+/// to 15 points, with a radius or without. The class says what of each is in contact at t*: a
+/// vertex, or a point inside of an edge or of a face. All numbers are floats (binary32) of few
+/// bits, of sizes and speeds from 0.01 to 1000. One scene in eight is up to 2^16 away from the
+/// origin.
 ///
-/// A frame has two directions in the contact plane and one out of it. One body is on or below the
-/// plane z = 0 of the frame, the other on or above z = (both radii), where the frame's third
-/// direction has a rational length and is at right angles to the others if there is a radius. So
-/// the plane's normal is certificate K up to t*, and the point on either plane is the witness.
-/// RP: t* < t_max. RN: the same patches with t_max = t* − eps_t. NMN: moved away from each other,
-/// and moving along the plane: they pass by at a distance that is proven.
+/// A frame has two directions in the contact plane and one out of it. If there is a radius, the
+/// third direction has a rational length and is at right angles to the others. One body is on or
+/// below the plane z = 0 of the frame, the other on or above z = (both radii). So the plane's
+/// normal is certificate K up to t*, and the point on either plane is the witness. RP: t* < t_max.
+/// RN: the same patches with t_max = t* − eps_t. NMN: moved away from each other, and moving along
+/// the plane: they pass by at a distance that is proven.
 tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                         Draw& draw);
 
@@ -29,8 +30,9 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
 /// is towards the second; 1 point, 2, or more.
 ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal);
 
-/// A query of bodies as a case whose truth is decided, with the class of its contact or, where they
-/// miss, of what is nearest; of a contact at t = 0 there is none. nullopt if it is not decided.
+/// A query of bodies as a case whose truth is decided, with the class of its contact. Where they
+/// miss, it is the class of what is nearest; a contact at t = 0 has none. nullopt if it is not
+/// decided.
 std::optional<Case> case_of_bodies(const Query& query);
 
 }  // namespace ccdfuzz

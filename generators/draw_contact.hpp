@@ -19,11 +19,12 @@ struct ContactRange {
   bool elsewhere = false;
 };
 
-/// Two moving patches of any of the four shapes that touch in an exact witness: at any feature, at
-/// t* in [0, 1], asked up to t*, a little past it, or up to 2. Most often each stays on its own
-/// side of a plane through the contact and moves towards it, so that the contact is the first one.
-/// Control points without weight at the contact are sometimes twins of others up to a few floats.
-/// `truth` holds the witness alone. Errors: the choices ask for numbers that no double holds.
+/// Two moving patches of any of the four shapes that touch in an exact witness, at any feature, at
+/// t* in [0, 1]. They are asked up to t*, a little past it, or up to 2. Most often each stays on
+/// its own side of a plane through the contact and moves towards it. So the contact is the first
+/// one. Control points without weight at the contact are sometimes twins of others up to a few
+/// floats. `truth` holds the witness alone. Errors: the choices ask for numbers that no double
+/// holds.
 Result<Case> draw_contact(Draw& choices, const ContactRange& range);
 
 /// A time that a query may end at: the double below `near` ≥ 0, one of a few next to it, or one

@@ -87,8 +87,8 @@ long draw_unit(Draw& choices) {
   return static_cast<long>(choices.integer(kLowest, low ? kLowest + 8 : kHighest));
 }
 
-/// Coordinates as they are hardest to bring to one magnitude: along each axis all alike, all alike
-/// but for a few floats, on a lattice of any unit, or any at all.
+/// Coordinates as they are hardest to bring to one magnitude. Along each axis they are all alike,
+/// all alike but for a few floats, on a lattice of any unit, or any at all.
 void draw_coordinates(Draw& choices, bool all_alike, std::array<Points<double>*, 2> points) {
   enum Style : std::uint64_t { kAlike, kLattice, kNudged, kAny };
   for (int k = 0; k < 3; ++k) {

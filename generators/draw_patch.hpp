@@ -23,8 +23,9 @@ Cell draw_cell(Draw& choices, const Shape& shape, int max_depth);
 /// Any finite numbers at all, in any two shapes of degree at most 2.
 Query draw_any_query(Draw& choices);
 
-/// Finite numbers that are hard to bring to one magnitude, in any two shapes of degree at most 2:
-/// along each axis all alike, all alike but for a few floats, on a lattice of any unit, or any.
+/// Finite numbers that are hard to bring to one magnitude, in any two shapes of degree at most 2.
+/// Along each axis they are all alike, all alike but for a few floats, on a lattice of any unit, or
+/// any.
 Query draw_extreme_query(Draw& choices);
 
 /// The query with the ends that a sum of doubles gives in place of velocities, of one patch or
@@ -32,7 +33,7 @@ Query draw_extreme_query(Draw& choices);
 std::optional<Query> with_drawn_ends(Query query, Draw& choices);
 
 /// Weights of any of these kinds: powers of two, small integers, of many bits, one of 2^±40 among
-/// ones, those of an exact quarter circle, those of one by a rounded √½.
+/// ones. Also those of an exact quarter circle, and those of one by a rounded √½.
 std::vector<double> draw_patch_weights(Draw& choices, std::size_t count);
 
 /// For failure texts; a query as a case file.

@@ -9,9 +9,9 @@
 namespace ccdfuzz {
 
 /// Step V: a proof that the patches do not touch at any t in [0, until], until < t*, if there is
-/// one. By a moving plane through the contact, if one does it, which takes no search; else by
-/// tdibm-rational, once the certified double method has found nothing either: that is faster and
-/// throws out most of what touches before.
+/// one. A moving plane through the contact is tried first, which takes no search. Then the
+/// certified double method looks for contacts: it is fast and throws out most of what touches
+/// before. If it has found nothing, tdibm-rational proves.
 /// query: the scene's, as doubles. grazing: at the contact the patches move along each other.
 /// max_pops: of the search, ≥ 1.
 std::optional<Absence> prove_first_contact(const Scene& scene, const Query& query,

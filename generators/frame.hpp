@@ -18,9 +18,9 @@ PlaneFrame random_frame(Draw& draw);
 /// Coordinates on the frame's plane.
 using Planar = std::array<Dyadic, 2>;
 
-/// The tangential coordinates τ of six control points, multiples of 2^unit up to 2^(unit + 12): a
-/// triangle that is not degenerate, mid controls off its edge midpoints by up to an eighth, shifted
-/// so that the mean under the weights, Σ β τ, is zero.
+/// The tangential coordinates τ of six control points, multiples of 2^unit up to 2^(unit + 12).
+/// They are a triangle that is not degenerate, with mid controls off its edge midpoints by up to an
+/// eighth. They are shifted so that the mean under the weights, Σ β τ, is zero.
 std::array<Planar, 6> tangential_part(const std::array<Dyadic, 6>& weights, long unit, Draw& draw);
 inline constexpr int kTangentBits = 11;
 

@@ -93,9 +93,9 @@ std::string generator_name(const GeneratorOptions& options) {
   return name;
 }
 
-/// Even where but one construction in 20 is accepted (none is that rare with the default budget),
-/// so many refusals have a probability below 2^-140: the construction is broken. Where one in 50
-/// is, below 2^-58.
+/// So many refusals mean that the construction is broken. Even where but one construction in 20 is
+/// accepted, their probability is below 2^-140; none is that rare with the default budget. Where
+/// one in 50 is, it is below 2^-58.
 constexpr std::uint64_t kMaxAttempts = 2000;
 
 /// The stream of random numbers of a case. Neither kind nor eps_T is part of its key, but that

@@ -27,8 +27,8 @@ constexpr const auto& all_of(Construction) {
 std::string_view name_of(Construction construction);
 
 /// The family of the cases, beyond contact class and kind; shaped/families.cpp has a row for each.
-/// All but the first are stress families: each has an exact witness, whatever the construction
-/// asked for, and is made to bring out one weakness or is a contact of another kind. The first five
+/// All but the first are stress families. Each has an exact witness, whatever the construction
+/// asked for. It is made to bring out one weakness, or is a contact of another kind. The first five
 /// make positives of quadratic triangles and claim nothing of the time before the contact, unless
 /// shapes are asked for. The others have random shapes, unless some are asked for. They prove by a
 /// moving plane that nothing touches before t*, except where the row says otherwise. The last ones
@@ -137,16 +137,15 @@ struct Generated {
 /// Errors: options outside what is generated, naming the option and its value.
 Result<void> validate(const GeneratorOptions& options);
 
-/// Case number `index` of the endless data set that `options` describe (Section 5, Steps I–VI):
-/// two patches that touch at t* in a point of the given class, triangular quadratic ones by
-/// default.
-/// RP: t_max = t*, truth: collides, with the exact witness. RN: the same patches with
-/// t_max = t* − eps_T, truth: no contact. Both carry clear_until = t* − eps_T, proven.
-/// NHP (near-hit): as RP, but at t* the patches move along each other within the contact plane.
-/// NMN (near-miss): patches as of a near-hit, one of them moved away by 2^-20 to 2^-8 along one
-/// coordinate; truth: no contact up to t_max = t*, proven for all of it.
-/// The result depends on (options, index) alone: not on the compiler, on threads or on other calls.
-/// Requires valid options. Begins anew until a construction is accepted.
+/// Case number `index` of the endless data set that `options` describe (Section 5, Steps I–VI). It
+/// is two patches that touch at t* in a point of the given class, triangular quadratic ones by
+/// default. RP: t_max = t*, truth: collides, with the exact witness. RN: the same patches with
+/// t_max = t* − eps_T, truth: no contact. Both carry clear_until = t* − eps_T, proven. NHP
+/// (near-hit): as RP, but at t* the patches move along each other within the contact plane. NMN
+/// (near-miss): patches as of a near-hit, one of them moved away by 2^-20 to 2^-8 along one
+/// coordinate. Truth: no contact up to t_max = t*, proven for all of it. The result depends on
+/// (options, index) alone: not on the compiler, on threads or on other calls. Requires valid
+/// options. Begins anew until a construction is accepted.
 Generated generate(const GeneratorOptions& options, std::uint64_t index);
 
 /// A case of those options, whose seed is not used, of any choices: its origin has neither seed nor

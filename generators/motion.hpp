@@ -14,9 +14,9 @@ inline constexpr long kSpeedUnit = -15;
 /// control points back to t = 0.
 ///
 /// The velocity of each contact point is drawn first, on its side of the contact plane: patch 1
-/// moves against the normal and patch 2 along it (FF, EF, EE, VF; no restriction for VE and VV, as
-/// in Section 5.3). Control velocities are that plus a deformation of random strength whose
-/// weighted mean at the contact is zero, so Σ β v is the velocity drawn.
+/// moves against the normal and patch 2 along it. That is for FF, EF, EE and VF; VE and VV have no
+/// restriction, as in Section 5.3. Control velocities are that plus a deformation of random
+/// strength whose weighted mean at the contact is zero. So Σ β v is the velocity drawn.
 std::array<MovingPatch<Dyadic>, 2> set_in_motion(const std::array<Points<Dyadic>, 2>& points,
                                                  const PrescribedContact& contact,
                                                  const Vec3<Dyadic>& normal, ContactClass kind,

@@ -5,9 +5,9 @@
 
 namespace ccdfuzz {
 
-/// Certificate P: true iff the plane with this normal through the contact point at t*, moving along
-/// with the patches, proves that they do not touch at any t < t*. Exact. false means "not by this
-/// plane". Patch 1 is the one that the normal points to.
+/// Certificate P: true iff a plane proves that the patches do not touch at any t < t*. It is that
+/// with this normal through the contact point at t*, moving along with the patches. Exact. false
+/// means "not by this plane". Patch 1 is the one that the normal points to.
 ///
 /// Proof. Let the heights n·(S1 − c) ≥ 0 ≥ n·(S2 − c) hold at t* all over both patches, and let
 /// n·w1 < n·w2 for all control velocities w1, w2 of the patches. With k between the two,

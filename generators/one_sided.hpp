@@ -31,14 +31,14 @@ struct OneSidedStyle {
 
 /// The one-sided family: Steps I, II and IV in one go, without solving or discarding anything.
 ///
-/// At t* the control points are c + Σ τ·T + h·m: c is the contact point, T1 and T2 span the contact
-/// plane, m points out of it. The tangential coordinates τ are arbitrary but for Σ β τ = 0, β the
-/// Bernstein weights at the contact, which puts the contact at c. The heights h are the polar form
-/// of a quadratic that is 0 at the contact and positive elsewhere on the patch; the contact edges
-/// of EE and VE may be flat. Patch 1 takes them upwards, patch 2 downwards. So the patches touch
-/// nowhere but in the plane. All velocities of patch 1 have a smaller normal part than all of patch
-/// 2: moving_plane_separates holds by construction. Sizes: patches and velocities are up to about
-/// 2^3.
+/// At t* the control points are c + Σ τ·T + h·m. c is the contact point, T1 and T2 span the contact
+/// plane, m points out of it. The tangential coordinates τ are arbitrary but for Σ β τ = 0, which
+/// puts the contact at c. β are the Bernstein weights at the contact. The heights h are the polar
+/// form of a quadratic that is 0 at the contact and positive elsewhere on the patch. The contact
+/// edges of EE and VE may be flat. Patch 1 takes them upwards, patch 2 downwards. So the patches
+/// touch nowhere but in the plane. All velocities of patch 1 have a smaller normal part than all of
+/// patch 2: moving_plane_separates holds by construction. Sizes: patches and velocities are up to
+/// about 2^3.
 Scene one_sided_scene(ContactClass contact, const OneSidedStyle& style, Draw& draw);
 
 }  // namespace ccdfuzz

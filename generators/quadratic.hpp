@@ -8,9 +8,9 @@
 namespace ccdfuzz {
 
 /// The triangular quadratic patch in barycentric terms, as the generators need it. The corners are
-/// 0, 1, 2 where u, v, w = 1; a control point belongs to a pair of corners {a, b}, and the patch is
-/// Σ x_a x_b c_ab over all ordered pairs: a quadratic form in x = (u, v, w) with the control points
-/// as its symmetric 3×3 matrix.
+/// 0, 1, 2 where u, v, w = 1, and a control point belongs to a pair of corners {a, b}. The patch is
+/// Σ x_a x_b c_ab over all ordered pairs. This is a quadratic form in x = (u, v, w) with the
+/// control points as its symmetric 3×3 matrix.
 
 inline constexpr Shape kQuadratic = Shape::triangle(2);
 

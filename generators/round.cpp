@@ -23,7 +23,7 @@ struct RoundSide {
 constexpr std::int64_t kLength = 625;
 
 /// A quarter of a circle of radius kRadius about the origin, from its first control point to its
-/// third: at p it is the first times (1 − p²)/(1 + p²) and the third times 2p/(1 + p²).
+/// third. At p it is the first times (1 − p²)/(1 + p²) and the third times 2p/(1 + p²).
 struct QuarterCircle {
   static constexpr std::int64_t kRadius = 5;
   static constexpr std::array<double, 3> kWeights = {1, 1, 2};

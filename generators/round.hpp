@@ -19,7 +19,7 @@ enum class RoundKind : std::uint8_t {
 /// is no search's word: one is below a plane and the other above, and each moves with its side of
 /// it. Positions and velocities are whole numbers times a power of two, t* is a multiple of 1/8,
 /// and t_max is t* to twice as much. The truth is the witness, whose parameters are fractions, and
-/// the plane where check_plane sees that they keep their sides: of cylinders and cones it always
+/// the plane where check_plane sees that they keep their sides. For cylinders and cones it always
 /// does.
 Case draw_round_case(ContactClass contact, RoundKind kind, Draw& draw);
 

@@ -6,9 +6,9 @@
 
 namespace ccdfuzz {
 
-/// The quick static penetration check (Appendix D), exactly rather than on sampled directions:
-/// do the patches, given by their control points at t*, lie apart near the contact but for the
-/// contact itself? Returns a normal of the contact plane, from patch 2 to patch 1; nullopt if they
+/// The quick static penetration check (Appendix D), exactly rather than on sampled directions. Do
+/// the patches, given by their control points at t*, lie apart near the contact but for the contact
+/// itself? Returns a normal of the contact plane, from patch 2 to patch 1. nullopt if they
 /// penetrate, or if the leading terms do not tell.
 ///   FF         the second fundamental form of one relative to the other is definite
 ///   EF         the edge curves away from the face, and the patch leaves its edge to that side

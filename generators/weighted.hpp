@@ -15,9 +15,9 @@ bool add_exactly(Vec3<double>& x, const Vec3<Dyadic>& by);
 /// v / by, if that is dyadic.
 std::optional<Vec3<Dyadic>> divided(const Vec3<Dyadic>& v, const Dyadic& by);
 
-/// Control point i's weight times 2^exponents[i]; the way from the contact to the control point at
-/// that time is over the same, so that the contact stays, and a plane through it that the patch is
-/// on one side of. Returns false if a number is not a double; q is then void.
+/// Multiplies control point i's weight by 2^exponents[i], and divides the way from the contact to
+/// the control point at that time by the same. So the contact stays, and so does a plane through it
+/// that the patch is on one side of. Returns false if a number is not a double; q is then void.
 bool pull_by_weights(Contact& q, int side, const std::vector<int>& exponents);
 
 /// Weights of any kind (draw_patch_weights) for the control points of a rational patch that have no
@@ -30,8 +30,8 @@ std::optional<Contact> draw_balanced_contact(Draw& draw, const std::array<Shape,
                                              const std::array<Uv<Dyadic>, 2>& uv);
 
 /// One attempt at a case of the family weighted, or why it was thrown away. Half of the positives
-/// and all negatives are regular one-sided cases whose control points are pulled by powers of two;
-/// the plane that separates them before t* stays. Control points that have no share in the contact
+/// and all negatives are regular one-sided cases whose control points are pulled by powers of two.
+/// The plane that separates them before t* stays. Control points that have no share in the contact
 /// then get a weight of any kind. The other positives are as draw_balanced_contact makes them, and
 /// claim the contact alone.
 tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const Dyadic& eps_t,

@@ -35,7 +35,8 @@ inline constexpr std::uint64_t kRefutationPops = 24;
 inline constexpr SearchOptions kBriefSearch = {0x1p-4, 16, SearchOptions().max_bytes};
 
 /// The claims of all that miss nothing, on one query: the oracle's, the checker's, tdibm-c's and
-/// tdibm-rational's; where no contact is proven, of the former two. Throws Refuted, with the case.
+/// tdibm-rational's. Where no contact is proven, those of the former two alone. Throws Refuted,
+/// with the case.
 void claim_all_agree(const Query& query, std::uint64_t max_pops,
                      const SearchOptions& search = kBriefSearch);
 

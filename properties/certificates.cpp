@@ -40,7 +40,7 @@ Scene draw_one_sided_scene(Draw& choices) {
   return one_sided_scene(contact, {}, choices);
 }
 
-/// A plane with one thing changed: it is turned round, or later, or on the wrong side of a patch by
+/// A plane with one thing changed. It is turned round, or later, or on the wrong side of a patch by
 /// less than any move, or the patches do not come nearer.
 void check_changed_plane(Draw& d) {
   Scene scene = draw_one_sided_scene(d);
@@ -105,10 +105,10 @@ void check_plane_of_scene(Draw& d) {
   CLAIM(!moving_plane_separates(scene, scene.normal));
 }
 
-/// A contact box about a point that falls through a flat triangle: unknowns u, v and t, in each of
-/// which the contact is off the centre by a number of its own. It proves the contact iff no number
-/// is larger than the radius, the box stays inside of the triangle and in t ≥ 0, and its matrix is
-/// regular.
+/// A contact box about a point that falls through a flat triangle. In each of the unknowns u, v and
+/// t the contact is off the centre by a number of its own. The box proves the contact iff no number
+/// is larger than the radius, and its matrix is regular. It must also stay inside of the triangle
+/// and in t ≥ 0.
 void check_contact_box(Draw& d) {
   constexpr int kSteps = 16;
   const auto steps = [](std::int64_t n) { return std::ldexp(static_cast<double>(n), -4); };

@@ -21,8 +21,8 @@ struct Pair {
   Dyadic given, stored;
 };
 
-/// Whether some c has |stored − 2^scale·(given − c)| ≤ u·|2^scale·(given − c)| + absolute for all:
-/// some has if two at a time agree on one, since what agrees with each is an interval.
+/// Whether some c has |stored − 2^scale·(given − c)| ≤ u·|2^scale·(given − c)| + absolute for all.
+/// Some has if two at a time agree on one, since what agrees with each is an interval.
 bool is_moved_by_one(const std::vector<Pair>& pairs, long scale, const Dyadic& absolute) {
   std::vector<Dyadic> errors;
   for (const Pair& p : pairs) {
@@ -40,7 +40,7 @@ bool is_moved_by_one(const std::vector<Pair>& pairs, long scale, const Dyadic& a
   return true;
 }
 
-/// What underflow takes at most, in scaled lengths: numbers are made four times smaller where one
+/// What underflow takes at most, in scaled lengths. Numbers are made four times smaller where one
 /// is 2^1022 or more, which costs each of them an eta on that scale. Where that is no double,
 /// `absolute` is infinite, and nothing is certified.
 Dyadic most_underflow(const Query& query, const certified::NormalisedQuery& normalised) {

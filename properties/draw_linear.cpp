@@ -71,8 +71,8 @@ void make_parallel(Draw& choices, LinearScene& scene) {
   if (for_good) follow(scene[0].velocities, scene[1].velocities);
 }
 
-/// Moves the first side so that a point of each side coincides at t; half of the time with a
-/// relative velocity that is a combination of the first edges of both.
+/// Moves the first side so that a point of each side coincides at t. Half of the time the relative
+/// velocity is a combination of the first edges of both.
 void plant_contact(Draw& choices, const Dyadic& t, LinearScene& scene) {
   auto& [a, b] = scene;
   if (choices.coin()) {

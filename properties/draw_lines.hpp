@@ -22,7 +22,7 @@ struct LinePairs {
 /// of them underflows; 0 ≤ window.lo ≤ window.hi ≤ 4.
 LinePairs draw_line_pairs(Draw& choices);
 
-/// The same, or half of the time g is f itself up to a few floats: then max f + max g is about 0
+/// The same, or half of the time g is f itself up to a few floats. Then max f + max g is about 0
 /// wherever all lines of f meet, and rises and falls by next to nothing there.
 LinePairs draw_touching_pairs(Draw& choices);
 

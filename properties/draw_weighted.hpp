@@ -8,8 +8,8 @@ namespace ccdfuzz {
 
 /// A contact of patches of which one at least is rational, with weights of any kind
 /// (draw_patch_weights). Half of them are contacts of draw_contact whose control points were pulled
-/// by powers of two, half have control points that weighted sums put at the origin. A few are put
-/// elsewhere.
+/// by powers of two. The others have control points that weighted sums put at the origin. A few are
+/// put elsewhere.
 Contact draw_weighted_contact(Draw& choices);
 
 /// draw_first_contact with control points pulled by powers of two: it stays the first one, and the

@@ -70,8 +70,8 @@ Lines<Rational> exact_sorted(const std::vector<Line<double>>& lines) {
   return out;
 }
 
-/// Steps II and III in exact arithmetic against all pairs of lines: f + g < 0 from the last root of
-/// a falling pair to the first root of a rising one.
+/// Steps II and III in exact arithmetic against all pairs of lines. There f + g < 0 holds from the
+/// last root of a falling pair to the first root of a rising one.
 void check_steps_are_exact(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
   const TimeWindow<Rational> w{exact(pairs.window.lo), exact(pairs.window.hi)};
@@ -154,8 +154,8 @@ void claim_safe_root(Draw& d, const Crossing& crossing) {
   CLAIM(is_clamped || height_at(end).sign() <= 0);
 }
 
-/// The same where every step of Eq. 10 rounds by as much as it may: to a slope just above a power
-/// of two, and an intercept just below one, is added a part of their last bit.
+/// The same where every step of Eq. 10 rounds by as much as it may. A slope just above a power of
+/// two, and an intercept just below one, get a part of their last bit more.
 void check_safe_roots_of_sums(Draw& d) {
   const auto part_of = [&](double bit) {
     return bit * std::ldexp(static_cast<double>(d.integer(1, 255)), -8);
@@ -169,7 +169,7 @@ void check_safe_roots_of_sums(Draw& d) {
                   {{-sign * slope, sign * intercept}, {-sign * more_slope, sign * more_intercept}});
 }
 
-/// C.3 as a lemma on envelopes that count as exact: the left end that the sweep finds on envelopes
+/// C.3 as a lemma on envelopes that count as exact. The left end that the sweep finds on envelopes
 /// pulled apart by I·delta is not before the exact one. Three lines against two that are almost
 /// parallel to the last of them.
 void check_pull_apart_path(Draw& d) {

@@ -56,9 +56,9 @@ void check_judge(Draw& d) {
   CLAIM(outcome(Verdict::kRefused, {}) == Outcome::kNotAsked);
 }
 
-/// What is to be said of an answer that makes sense, from the times of a case: when it touches, and
-/// before when a plane proves that it does not. What it says besides, without a certificate, counts
-/// for nothing.
+/// What is to be said of an answer that makes sense, from the times of a case. These say when it
+/// touches, and before when a plane proves that it does not. What the case says besides, without a
+/// certificate, counts for nothing.
 Outcome outcome_by_times(const Case& known, double t_max, const Answer& answer) {
   const Rational end = exact(t_max);
   const Truth& truth = known.truth;

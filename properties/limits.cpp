@@ -221,7 +221,7 @@ std::string draw_any_tree(Draw& choices) {
 }
 
 /// What a file may say, up to the limits of the reader. Nothing is claimed but that it is read, and
-/// that the checker answers: how long it takes and how much memory is the driver's to see.
+/// that the checker answers. How long it takes, and how much memory, is the driver's to see.
 void check_any_case(Draw& d) {
   const bool linear = d.coin();
   std::array<double, 6> numbers{};

@@ -44,7 +44,7 @@ void check_no_state(Draw& d) {
   CLAIM(same(answer_of(*fresh, first->query), expected));
 }
 
-/// Any finite numbers in any two shapes: the answer is none that the judge calls an error, and
+/// Any finite numbers in any two shapes. The answer is none that the judge calls an error, and
 /// parameters of a hit lie in the patches' domains.
 void check_answers_make_sense(Draw& d) {
   const char* name = d.pick(kEveryMethod);

@@ -7,8 +7,8 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Checks that one of the methods answers a drawn contact and the same after a change alike, bit
-/// for bit: verdict, and toi except for the unit of time.
+/// Checks that one of the methods answers a drawn contact, and the same after a change, alike.
+/// Equal bit for bit are the verdict, and toi except for the unit of time.
 template <std::size_t N>
 std::function<void(Draw&)> answers_alike(const std::array<const char*, N>& methods,
                                          Symmetry symmetry) {

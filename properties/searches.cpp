@@ -20,8 +20,8 @@ void show_answer(Draw& d, std::string_view name, const Answer& answer) {
   show(d, "toi", answer.toi);
 }
 
-/// A run that may take no more pops than n of the P of another: the same answer for n = P; for
-/// fewer, undecided after n pops, with a time that is no later than that of the hit.
+/// A run that may take no more pops than n, against one that took P. For n = P the answer is the
+/// same. For fewer it is undecided after n pops, with a time that is no later than that of the hit.
 void check_budget(Draw& d) {
   constexpr std::array kSearching = {"tdibm-c", "tdibm-rational", "tdibm-e", "tdibm", "trad"};
   constexpr SearchOptions kWhole = {0x1p-4, 60, SearchOptions().max_bytes};

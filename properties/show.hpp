@@ -23,8 +23,9 @@ inline std::string to_hex_text(const AsHex& text) {
   return to_hex_bytes(text.bytes);
 }
 
-/// The text of a value in a failure: doubles are hex floats, cases and queries JSON, what the
-/// project writes as text that text, sequences the texts of their elements, and errors messages.
+/// The text of a value in a failure. Doubles are hex floats, cases and queries JSON. What the
+/// project writes as text is that text. Sequences are the texts of their elements, and errors their
+/// messages.
 template <class T>
 std::string shown(const T& value) {
   if constexpr (std::same_as<T, double>) {

@@ -15,8 +15,8 @@ struct Envelopes {
   TimeWindow<double> window;
 };
 
-/// Half of the windows begin where the first two lines cross or end where the last two do, up to a
-/// few floats: there Eqs. 7, 8b and 9b are hard to judge.
+/// Half of the windows begin where the first two lines cross, or end where the last two do, up to a
+/// few floats. There Eqs. 7, 8b and 9b are hard to judge.
 Envelopes draw_envelopes(Draw& d) {
   const LinePairs pairs = draw_line_pairs(d);
   const ErrorBoundIntended policy;

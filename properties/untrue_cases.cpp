@@ -17,8 +17,8 @@ Rational draw_step(Draw& choices, int most_bits) {
   return steps * power_of_two(-static_cast<long>(choices.integer(0, most_bits)));
 }
 
-/// A linear query with the checker's own decision: clear up to its first contact, and the witness,
-/// or the root if the contact is at an irrational time.
+/// A linear query with the checker's own decision: clear up to its first contact, and the witness.
+/// If the contact is at an irrational time, it has the root instead.
 Case draw_linear_proofs(Draw& choices) {
   Case proven;
   proven.query = supposed(draw_linear(choices));

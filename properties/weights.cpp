@@ -125,8 +125,8 @@ void check_valid(Draw& d) {
   CLAIM(validate(query, "").has_value() == is_good);
 }
 
-/// All weights of a patch times a power of two are the same to each method, and the plain form of
-/// a method of the paper answers as it does.
+/// All weights of a patch times a power of two are the same to each method. The plain form of a
+/// method of the paper answers as it does.
 void check_scaled_weights(Draw& d) {
   const Query query = draw_weighted_contact(d).query;
   Query scaled = query;

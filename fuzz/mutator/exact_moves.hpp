@@ -8,7 +8,7 @@ namespace ccdfuzz {
 /// Moves that keep the contact exactly, by construction. Each returns false if a number of the
 /// result would not be a double, or if there is nothing to do. The caller must then discard q.
 
-/// Two control points of a patch move against each other, or one without weight alone: positions or
+/// Two control points of a patch move against each other, or one without weight alone. Positions,
 /// velocities or ends change in the null space of the Bernstein row.
 bool shift_in_null_space(Contact& q, Draw& draw);
 
@@ -36,8 +36,8 @@ bool change_horizon(Contact& q, Draw& draw);
 /// A separation of a part of the patches' size, or none: a touch is a contact at any.
 bool give_separation(Contact& q, Draw& draw);
 
-/// Weights for one patch, of any size, or powers of two by which its control points come nearer to
-/// the contact or go away from it.
+/// Gives one patch weights of any size, or of powers of two. By those its control points come
+/// nearer to the contact or go away from it.
 bool give_weights(Contact& q, Draw& draw);
 
 /// Ends in place of the velocities of one patch or both; a t_max beyond 1 is scaled down first.

@@ -6,9 +6,9 @@
 namespace ccdfuzz {
 
 /// A mutant of a query of bodies: one to four changes of points, of a velocity, of a radius or of
-/// t_max, with parts of `other`, which is one of bodies, too. It is a valid query, and its numbers
-/// are floats (binary32). Whether its bodies touch is to be decided. Depends on the arguments
-/// alone.
+/// t_max. Parts come from `other`, which is one of bodies, too. The mutant is a valid query, and
+/// its numbers are floats (binary32). Whether its bodies touch is to be decided. Depends on the
+/// arguments alone.
 Query mutate_bodies(const Query& query, const Query& other, Draw& draw);
 
 }  // namespace ccdfuzz

@@ -12,7 +12,7 @@ inline constexpr std::array<PatchField, 2> kPatchFields = {
     [](MovingPatch<double>& patch) -> Points<double>& { return patch.positions; },
     [](MovingPatch<double>& patch) -> Points<double>& { return patch.moves(); }};
 
-/// Makes the patches of an edited query meet again: moves a patch, a control point or its velocity,
+/// Makes the patches of an edited query meet again. Moves a patch, a control point or its velocity,
 /// by what is between the two patches at the contact. Returns false if no way is exact.
 bool repair(Contact& q, Draw& draw);
 

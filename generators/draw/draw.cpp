@@ -18,8 +18,8 @@ std::uint64_t reduced(std::uint64_t x, std::uint64_t max) {
   return max == std::numeric_limits<std::uint64_t>::max() ? x : x % (max + 1);
 }
 
-/// The order in which a choice takes the numbers from lo to hi: to and fro about the one nearest 0
-/// as long as both sides last (0, +1, −1, +2, …), then on along the longer one.
+/// The order in which a choice takes the numbers from lo to hi. It is to and fro about the one
+/// nearest 0 as long as both sides last (0, +1, −1, +2, …), then on along the longer one.
 struct ToAndFro {
   std::int64_t nearest;
   std::uint64_t below, above;

@@ -14,9 +14,10 @@ namespace ccdfuzz {
 /// are not zero, fewer bits and smaller exponents.
 bool simpler(const ChoiceNumbers& x, const ChoiceNumbers& y);
 
-/// The way from a sequence to simpler ones, in the order in which they are worth trying: parts left
-/// out or made 0, the longest first; then each number made 0, halved, stripped of low bits and
-/// lessened by little. Begins anew after each pass in which one was taken. Deterministic.
+/// The way from a sequence to simpler ones, in the order in which they are worth trying. First,
+/// parts are left out or made 0, the longest first. Then each number is made 0, halved, stripped of
+/// low bits and lessened by little. Begins anew after each pass in which one was taken.
+/// Deterministic.
 class ChoiceShrinker {
  public:
   explicit ChoiceShrinker(ChoiceNumbers numbers);

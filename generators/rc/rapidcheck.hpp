@@ -14,9 +14,9 @@
 
 namespace ccdfuzz {
 
-/// How RapidCheck shows counterexamples: the contact, each control point as position + t velocity,
-/// and all of it as one line in the format of cases, for `ccdfuzz query` and `ccdfuzz trace`.
-/// Numbers are the shortest that are read as the same doubles.
+/// How RapidCheck shows counterexamples: the contact, and each control point as position + t
+/// velocity. Then comes all of it as one line in the format of cases, for `ccdfuzz query` and
+/// `ccdfuzz trace`. Numbers are the shortest that are read as the same doubles.
 void showValue(const Shape& shape, std::ostream& out);
 void showValue(const Query& query, std::ostream& out);
 void showValue(const Contact& contact, std::ostream& out);

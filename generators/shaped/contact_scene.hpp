@@ -21,7 +21,7 @@ struct ContactScene {
   Dyadic t = 1;      ///< t*
   Dyadic t_max = 1;  ///< end of a query that is to find the contact; t* ≤ t_max
   std::array<ContactSide, 2> sides;
-  /// The plane z = 0, moving along, separates the patches before t*: all over both patches z has
+  /// The plane z = 0, moving along, separates the patches before t*. All over both patches z has
   /// the sign said above at t*, and all of patch 1 falls faster than anything of patch 2.
   bool separated = false;
   bool touches = true;  ///< false: patch 2 was moved away, and nothing is known
@@ -35,7 +35,7 @@ struct Placement {
   Vec3<Dyadic> drift = {Dyadic(), Dyadic(), Dyadic()};
   std::array<long, 3> exponent{};
   /// Moves each control velocity by up to so many ulps, and its path so that it is where it was at
-  /// t*: patches that owe something to equal numbers then have numbers that are almost equal.
+  /// t*. Patches that owe something to equal numbers then have numbers that are almost equal.
   int noise_ulps = 0;
 };
 
@@ -59,9 +59,9 @@ void turn_over(ContactSide& side);
 /// separates them before t*.
 void let_approach(ContactScene& scene, Draw& draw);
 
-/// The query of the scene to t_max, and its truth: the contact, if they touch, by its exact witness
-/// and, if the patches are separated before t*, clear_until = t* by the moving plane, which the
-/// checker has accepted. nullopt if a number is not a double.
+/// The query of the scene to t_max, and its truth. If they touch, that is the contact, by its exact
+/// witness. If the patches are separated before t*, it is also clear_until = t* by the moving
+/// plane, which the checker has accepted. nullopt if a number is not a double.
 std::optional<Case> to_case(const ContactScene& scene, const Placement& placement, Draw& draw);
 
 }  // namespace ccdfuzz

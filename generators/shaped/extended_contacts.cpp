@@ -152,7 +152,7 @@ TwoPoints two_points(Feature feature, const Shape& shape, Draw& draw) {
 }
 
 /// A straight patch below the plane, in it at all of the feature, with its points y[0] and y[1] at
-/// p[0] and p[1]; y differ in u alone, by a power of two, and p by a multiple of odd_denominator.
+/// p[0] and p[1]. y differ in u alone, by a power of two, and p by a multiple of odd_denominator.
 ContactSide plate_under(Feature feature, const Shape& shape, const std::array<Uv<Dyadic>, 2>& y,
                         const std::array<Vec3<Dyadic>, 2>& p, Draw& draw) {
   const Dyadic odd = odd_denominator(shape), one(1);
@@ -211,9 +211,9 @@ ContactScene in_several_points(ContactClass contact, const ShapePair& shapes, Dr
   return scene;
 }
 
-/// A random part of a surface, its corners on the grid of quarters, as restrict_to takes it: the
-/// corners where the part's (u, v) are (0, 0), (1, 0) and (0, 1) of a triangle, and where they are
-/// (0, 0) and (1, 1) of a square.
+/// A random part of a surface, its corners on the grid of quarters, as restrict_to takes it. A
+/// triangle has the corners where the part's (u, v) are (0, 0), (1, 0) and (0, 1); a square those
+/// where they are (0, 0) and (1, 1).
 std::array<Uv<Dyadic>, 3> random_part(const Shape& shape, Draw& draw) {
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   using Corner = std::array<std::int64_t, 2>;

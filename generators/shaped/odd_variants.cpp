@@ -60,7 +60,7 @@ Vec3<Dyadic> small_shift(Draw& draw) {
 }
 
 /// Ways in which the control points of a patch can fall together. Its heights are 0, or 0 where it
-/// has a share in the contact and equal elsewhere, and only points of equal height fall together:
+/// has a share in the contact and equal elsewhere. Only points of equal height fall together, so
 /// the patch stays on its side of the contact plane.
 void make_degenerate(ContactSide& side, Draw& draw) {
   const Shape& shape = side.shape;

@@ -97,8 +97,8 @@ std::string last_words(std::string printed) {
 }
 
 /// The failure of a process that ended without an answer, by its status (waitpid) and the memory it
-/// used: "crash SIGSEGV", "exit 3", or "memory", since running out of it shows as many things. What
-/// it printed ends the note.
+/// used. It is "crash SIGSEGV", "exit 3", or "memory", since running out of it shows as many
+/// things. What it printed ends the note.
 Fault fault_of_end(int status, std::uint64_t kibibytes_used, const ChildLimits& limits,
                    const std::string& printed) {
   const std::string words = last_words(printed);

@@ -37,9 +37,9 @@
 
 namespace ccdfuzz {
 
-/// Specialise for a type that does not know its form in files: `fields` as above, or for what is no
-/// record static void write(std::string& json, const T&) and static void read(const JsonCursor&,
-/// T&).
+/// Specialise for a type that does not know its form in files. It has `fields` as above. What is no
+/// record has static void write(std::string& json, const T&) and static void read(const
+/// JsonCursor&, T&) instead.
 template <class T>
 struct JsonForm;
 

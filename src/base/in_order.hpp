@@ -16,9 +16,9 @@ namespace ccdfuzz {
 /// Runs work(item) on `threads` threads for each item that next() returns, until it returns
 /// nothing. Sink gets the results one at a time, in the order of the items, on any number of
 /// threads. next returns a std::optional and is called by one thread at a time. All three run in a
-/// sound floating-point environment, whatever the threads were started in (FpGuard), and may throw:
-/// the first exception ends the run and is thrown here. At most 64 items per thread are held.
-/// Requires threads ≥ 1. Returns how many results reached sink.
+/// sound floating-point environment, whatever the threads were started in (FpGuard). They may
+/// throw: the first exception ends the run and is thrown here. At most 64 items per thread are
+/// held. Requires threads ≥ 1. Returns how many results reached sink.
 template <class Result, class Next, class Work, class Sink>
 size_t stream_in_order(int threads, const Next& next, const Work& work, const Sink& sink) {
   using Item = decltype(next());

@@ -12,8 +12,8 @@ std::string json_string(std::string_view text);
 /// The shortest JSON number that reads back as the finite x, bit by bit; −0 is -0.0.
 std::string json_number(double x);
 
-/// One line of JSON as people read it: what fits into a line of 100 columns stays on one, and
-/// other objects and arrays have a line for each member.
+/// One line of JSON as people read it. What fits into a line of 100 columns stays on one. Other
+/// objects and arrays have a line for each member.
 std::string readable_json(std::string_view json);
 
 }  // namespace ccdfuzz

@@ -75,8 +75,8 @@ class RunFile {
   static std::string path_for(const std::string& output) { return output + ".partial"; }
 
   /// Resumes the file at `path`, or begins it where there is none. Errors: it belongs to a run with
-  /// other options, naming them; another process has it (where the file system has locks); it is no
-  /// run file; what the system says. After an error the file is unchanged.
+  /// other options, naming them. Another process has it (where the file system has locks). It is no
+  /// run file. What the system says. After an error the file is unchanged.
   static Result<RunFile> open(const std::string& path, const RunHeader& header);
   RunFile(RunFile&& other) noexcept;
   RunFile& operator=(RunFile&&) = delete;
@@ -109,8 +109,8 @@ class RunFile {
 /// Holds one line at a time.
 class MergedRun {
  public:
-  /// Errors, each naming the file: it is no run file, its run had other options, its share is there
-  /// twice or incomplete, or a share is missing.
+  /// Errors, each naming the file: it is no run file; its run had other options; its share is there
+  /// twice or incomplete; a share is missing.
   static Result<MergedRun> open(const std::vector<std::string>& paths);
 
   /// The header of the complete run.

@@ -5,8 +5,8 @@ namespace ccdfuzz {
 /// Splits the process into three: an upper watcher, a lower watcher, and its child. This function
 /// returns in the child, which shares a process group with the lower watcher.
 /// A watcher waits until the process below it ends. Then it ends all that this one has started, in
-/// any session or process group, and ends in the same way: by the same signal or with the same
-/// code. On SIGTERM, or when the process above it is gone, each ends at once.
+/// any session or process group. It ends in the same way itself: by the same signal or with the
+/// same code. On SIGTERM, or when the process above it is gone, each ends at once.
 /// So nothing survives where the child kills its parent or its process group. It must kill both
 /// watchers, and the upper one is neither its parent nor in its group.
 void continue_in_supervised_child();

@@ -31,8 +31,8 @@ class Table {
 
   /// Requires as many cells as columns.
   void add_row(std::vector<TableCell> cells);
-  /// The next row starts a new group: in aligned text a blank line, unless it is the first row and
-  /// has no title, and below it the title. Nothing elsewhere.
+  /// The next row starts a new group. In aligned text that is a blank line, unless it is the first
+  /// row and has no title, and below it the title. Nothing elsewhere.
   void start_group(const std::string& title = "");
 
   /// How many rows were added.

@@ -20,7 +20,7 @@ std::size_t width(std::string_view text);
 /// begin with `indent` blanks; `column` is where the first one begins. No newline ends it.
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t column = 0);
 
-/// "; did you mean X?", where X is the nearest of the known words: at most a letter and a quarter
+/// "; did you mean X?", where X is the nearest of the known words. At most a letter and a quarter
 /// of its letters are put in, left out or changed. Empty if none is so near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
 

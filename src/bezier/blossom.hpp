@@ -9,7 +9,7 @@
 
 namespace ccdfuzz {
 
-/// The polar form (blossom) by de Casteljau steps in place, one argument a step: net holds
+/// The polar form (blossom) by de Casteljau steps in place, one argument a step. net holds
 /// shape.control_count() control points of any type, and net[0] is the result.
 /// on_line(p, q, step, in_v): between two neighbours, in direction v or u, at that step's argument.
 /// on_triangle(w, u, v, step): of the three corners of a triangle.
@@ -55,7 +55,7 @@ void blossom_in_place(const Shape& shape, std::span<Control> net, const OnLine& 
   }
 }
 
-/// Which of a sub-domain's corners (Cell::corners) is argument `step` of its control point (i, j):
+/// Which of a sub-domain's corners (Cell::corners) is argument `step` of its control point (i, j).
 /// i arguments are the end of the local u axis, j that of v, the rest the origin.
 constexpr int corner_of_triangle(int i, int j, int step) {
   return step < i ? 1 : step < i + j ? 2 : 0;

@@ -23,9 +23,9 @@ struct Cell {
   /// Child c of a midpoint split, 0 ≤ c < shape.child_count().
   Cell child(const Shape& shape, int c) const;
 
-  /// The sub-domain's corners as (u, v): curve 2, triangle 3 in the order (w, u, v) = origin, end
-  /// of the local u axis, end of the local v axis; tensor 2, the lowest and the highest. The rest
-  /// is 0.
+  /// The sub-domain's corners as (u, v); the rest is 0. A curve has 2. A triangle has 3 in the
+  /// order (w, u, v) = origin, end of the local u axis, end of the local v axis. A tensor has 2,
+  /// the lowest and the highest.
   std::array<Uv<double>, 3> corners(const Shape& shape) const;
 
   /// The midpoint (centroid of a triangle, rounded).

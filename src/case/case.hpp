@@ -26,9 +26,9 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
-/// The proofs of absence of contact: a moving plane (P), a tree of separating axes (T), a run of
-/// the rational method that `ccdfuzz verify` repeats, the checker's own decision of linear patches
-/// (L), a direction that keeps bodies apart (K).
+/// The proofs of absence of contact: a moving plane (P), a tree of separating axes (T), or a run of
+/// the rational method that `ccdfuzz verify` repeats. Also the checker's own decision of linear
+/// patches (L), and a direction that keeps bodies apart (K).
 inline constexpr std::array<std::string_view, 5> kProofWords = {"P", "T", "rational-tdibm", "L",
                                                                 "K"};
 constexpr bool is_proof_word(std::string_view word) {

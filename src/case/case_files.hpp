@@ -82,8 +82,9 @@ class CaseStream {
 /// The only case of a file. Errors: as CaseStream; there are more.
 Result<NamedCase> read_case(const std::string& path);
 
-/// A command that needs all cases at once holds at most this many bytes of them, each counted as
-/// its text and sizeof(NamedCase): some 10,000 cases of two tensor(8,8) and 200,000 of two points.
+/// A command that needs all cases at once holds at most this many bytes of them. Each counts as its
+/// text and sizeof(NamedCase). These are some 10,000 cases of two tensor(8,8) and 200,000 of two
+/// points.
 inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
 
 /// All cases of the files at once, without `rows`. Errors: as CaseStream; more than kMostBytesHeld.

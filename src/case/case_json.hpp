@@ -21,11 +21,11 @@ struct JsonForm<Case> {
 
 /// Reads one case from its JSON text, the format of docs/formats.md. Reals are JSON numbers or
 /// hex-float strings (parse_exact_real: 0.1 is the double nearest to it, longer decimals must be
-/// doubles); exact values are strings "p" or "p/q". The truth is read, not believed: see
-/// certify/checker/check_truth.hpp. Errors name `file`, the JSON path and the value: not JSON; a
-/// duplicate, unknown or missing key; a wrong type, format, version, count or degree; a real out of
-/// range; t_max < 0; collides without its witness or proof; an unknown outcome. Only `origin` may
-/// hold keys of its own, with strings or numbers, which are kept.
+/// doubles). Exact values are strings "p" or "p/q". The truth is read, not believed: see
+/// certify/checker/check_truth.hpp. Errors name `file`, the JSON path and the value. They are: not
+/// JSON; a duplicate, unknown or missing key; a wrong type, format, version, count or degree; a
+/// real out of range. Also t_max < 0, collides without its witness or proof, and an unknown
+/// outcome. Only `origin` may hold keys of its own, with strings or numbers, which are kept.
 Result<Case> parse_case(std::string_view json, const std::string& file);
 
 enum class JsonLayout : std::uint8_t {

@@ -13,11 +13,11 @@ namespace ccdfuzz {
 
 /// Certificate M: a box in parameters and time that holds a contact, by Poincaré–Miranda.
 ///
-/// The unknowns are (x1, y1, x2, y2, t). Those of a patch are its parameters u, v; or for a
-/// triangle with the barycentrics (w, u, v) numbered 0, 1, 2, the two that follow `dependent` in
-/// the cycle, the remaining one being 1 minus their sum: an edge of any kind is then a fixed
+/// The unknowns are (x1, y1, x2, y2, t). Those of a patch are its parameters u, v. A triangle has
+/// the barycentrics (w, u, v) numbered 0, 1, 2. Its unknowns are the two that follow `dependent` in
+/// the cycle, and the remaining one is 1 minus their sum. So an edge of any kind is a fixed
 /// unknown. Three unknowns vary by ±radius about the centre, the others stay there. `inverse` is
-/// any regular matrix, usually near the inverse of the Jacobian of S1 − S2 in the three; row i
+/// any regular matrix, usually near the inverse of the Jacobian of S1 − S2 in the three. Row i
 /// makes component i of inverse·(S1 − S2) change its sign from one face of unknown i to the
 /// opposite one.
 struct ContactBox {

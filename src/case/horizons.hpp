@@ -18,8 +18,9 @@ inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 std::optional<Case> at_horizon(const Case& known, double factor);
 std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor);
 
-/// How a case is put to methods: a positive one of patches at t* and past it (kHorizonFactors), so
-/// that late answers show; a negative one, one without a witness, and one of bodies as it stands.
+/// How a case is put to methods. A positive one of patches is asked at t* and past it
+/// (kHorizonFactors), so that late answers show. A negative one, one without a witness, and one of
+/// bodies are asked as they stand.
 std::vector<CheckedCase> forms_of(const CheckedCase& known);
 
 }  // namespace ccdfuzz

@@ -50,17 +50,17 @@ struct Judged {
   std::string error;
   /// For a late hit: how long after the proven contact it comes, rounded up.
   double late_by = 0;
-  /// For a miss or late hit of bodies, where it was asked for: how deep they pass through each
-  /// other in the time that is overlooked, at least.
+  /// For a miss or late hit of bodies, where it was asked for. It is how deep they pass through
+  /// each other in the time that is overlooked, at least.
   double depth = 0;
 };
 
 /// How long after the proven contact a hit comes, rounded up. Requires that both are there.
 double delay_of(const CheckedCase& known, const Answer& answer);
 
-/// The same two patches asked up to another t_max ≥ 0, with what its truth then still says: absence
-/// of contact holds for a shorter time but says nothing of a longer one, and a contact is
-/// proven only from its time on. Expectations are dropped: they were of another query.
+/// The same two patches asked up to another t_max ≥ 0, with what its truth then still says. Absence
+/// of contact holds for a shorter time but says nothing of a longer one. A contact is proven only
+/// from its time on. Expectations are dropped: they were of another query.
 Case with_t_max(const Case& value, double t_max);
 
 }  // namespace ccdfuzz

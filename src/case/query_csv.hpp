@@ -32,8 +32,8 @@ const char* name_of(CsvLayout layout);
 /// The shapes of both patches.
 std::array<Shape, 2> csv_shapes(CsvLayout layout);
 
-/// The layout that a path tells: a folder or file with the layout's name in it, or, as in other
-/// public sets, a file name that ends in "ee.csv" or "vf.csv".
+/// The layout that a path tells: a folder or file with the layout's name in it. As in other public
+/// sets, a file name that ends in "ee.csv" or "vf.csv" tells it, too.
 std::optional<CsvLayout> csv_layout_of_path(const std::string& path);
 
 /// The layout in which a query may be written: edge-edge two curves of degree 1, vertex-face a
@@ -75,9 +75,9 @@ class CsvReader {
   CsvReader& operator=(CsvReader&&) noexcept;
   ~CsvReader();
 
-  /// The next query; nothing at the end. Errors, naming file, row, column and value: no number, a
-  /// denominator ≤ 0, a wrong number of columns; a file without a query, or that ends within one;
-  /// truths that differ within a query, or another number of truths than of queries.
+  /// The next query; nothing at the end. Errors name file, row, column and value: no number; a
+  /// denominator ≤ 0; a wrong number of columns; a file without a query, or that ends within one.
+  /// Or truths differ within a query, or are more or fewer than queries.
   Result<std::optional<CsvQuery>> next();
 
   /// Bytes of the file read so far.

@@ -7,7 +7,7 @@
 namespace ccdfuzz {
 
 /// True iff every coordinate, velocity and weight of a query, t_max and the separation is 0 or of a
-/// magnitude in [2^-bits, 2^bits]: where bits are few, neither under- nor overflow explains a
+/// magnitude in [2^-bits, 2^bits]. Where bits are few, neither under- nor overflow explains a
 /// failure.
 inline bool is_within_scale(const Query& query, int bits) {
   const double least = std::ldexp(1.0, -bits), most = std::ldexp(1.0, bits);

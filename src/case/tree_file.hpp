@@ -21,9 +21,9 @@ std::string path_beside(const std::string& case_path, std::string_view ending);
 /// No tree comes near this; it bounds what a wrong file takes.
 inline constexpr size_t kMaxTreeBytes = 4 << 20;
 
-/// The bytes of a tree. Errors, naming the path: no such file; it ends before the frame does; the
-/// frame is no zstd frame, is shorter than its length or larger than kMaxTreeBytes; its bytes have
-/// another hash.
+/// The bytes of a tree. Errors name the path: no such file; it ends before the frame does; the
+/// frame is no zstd frame. The frame may also be shorter than its length or larger than
+/// kMaxTreeBytes, or its bytes have another hash.
 Result<std::string> read_tree(const std::string& path, const TreeRef& tree);
 
 /// For a truth whose tree does not come along: what it says of absence by that tree then rests on a

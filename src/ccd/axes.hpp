@@ -15,9 +15,9 @@ struct ControlNet {
   std::span<const Vec3<double>> velocities;
 };
 
-/// A separating axis of any length. A zero axis separates nothing and is skipped.
-/// stage is how many cross products deep it is: by Appendix A (c) the errors of its components are
-/// bounded by B = 2^stage·A^(stage+1) with k = 2·stage, and A ≤ 1 where the spans have unit length.
+/// A separating axis of any length. A zero axis separates nothing and is skipped. stage is how many
+/// cross products deep it is. By Appendix A (c) the errors of its components are bounded by B =
+/// 2^stage·A^(stage+1) with k = 2·stage. A ≤ 1 where the spans have unit length.
 struct Axis {
   Vec3<double> direction;
   int stage = 0;

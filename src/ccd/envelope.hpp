@@ -7,9 +7,9 @@ namespace ccdfuzz {
 /// Upper envelope on w (Step II, Eqs. 5–6): the lines that are the maximum somewhere, in the order
 /// of time. Requires sorted lines, at least one, finite, and 0 ≤ w.lo ≤ w.hi.
 /// A lower envelope is the negated upper envelope of the negated lines, so there is no other code.
-/// Safe, for exact S: equal to the maximum everywhere on w. For double it is what Policy makes it:
-/// its lines are among those given, and ErrorBound claims that raising them by envelope_error
-/// leaves it nowhere below the exact maximum.
+/// Safe, for exact S: equal to the maximum everywhere on w. For double it is what Policy makes it;
+/// its lines are among those given. ErrorBound claims that raising them by envelope_error leaves it
+/// nowhere below the exact maximum.
 template <class Policy, class S>
 void upper_envelope(const Policy& policy, const Lines<S>& sorted, const TimeWindow<S>& w,
                     Lines<S>& envelope) {

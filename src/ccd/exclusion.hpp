@@ -14,9 +14,9 @@ struct Exclusion {
   Separation<double> times;
 };
 
-/// How far an axis is from excluding a window, at both its ends: the upper end of the lower part
-/// less the lower end of the upper part, plus what the method allows for rounding, in `unit`s. The
-/// axis excludes an end at which this is negative.
+/// How far an axis is from excluding a window, at both its ends, in `unit`s. It is the upper end of
+/// the lower part less the lower end of the upper part, plus what the method allows for rounding.
+/// The axis excludes an end at which this is negative.
 struct AxisGap {
   int axis = -1;
   Vec3<double> direction = Vec3<double>(0, 0, 0);

@@ -55,9 +55,9 @@ struct CoefficientError {
 ///   starts_below(f, g, t)   Eq. 7: is f[0] + g[0] < 0 at the start t of the window?
 ///   left_root, right_root   where f[i] + g[j] = 0 (Eq. 10), as the left or the right end of a
 ///                           separated interval
-/// kBoundsErrors says whether it reads the errors of Step I at all, kAdvancesBoth whether the sweep
-/// of Step III goes on along both envelopes where both tests of a pair of lines fail, and kReading
-/// how the rest of the method is read.
+/// kBoundsErrors says whether it reads the errors of Step I at all. kAdvancesBoth says whether the
+/// sweep of Step III goes on along both envelopes where both tests of a pair of lines fail.
+/// kReading says how the rest of the method is read.
 
 /// Section 3, as if arithmetic were exact; with S = Rational it is.
 struct Plain {
@@ -120,8 +120,8 @@ struct PullApart : Plain {
   }
 };
 
-/// Which sign eps_Phi takes where Step II pops a line: what Fig. 2 and the derivation of Delta_Phi
-/// mean (Phi ≤ +eps), or what Sections 4.4 and 4.6 print (Phi < −eps).
+/// Which sign eps_Phi takes where Step II pops a line. Fig. 2 and the derivation of Delta_Phi mean
+/// Phi ≤ +eps; Sections 4.4 and 4.6 print Phi < −eps.
 enum class PopRule { kAsIntended, kAsPrinted };
 
 /// What I of Iδ counts on the way to the pair of lines that cross.
@@ -180,8 +180,8 @@ struct ErrorBound {
 
   PullCount count = PullCount::kSteps;
 
-  /// Eq. 10 on envelopes pulled apart by I·delta each, I the steps taken from the first pair (or
-  /// one more), moved inward by eps_tau (C.2) and clamped to the window.
+  /// Eq. 10 on envelopes pulled apart by I·delta each, where I is the steps taken from the first
+  /// pair, or one more. The root is moved inward by eps_tau (C.2) and clamped to the window.
   double left_root(const Lines<double>& f, const Lines<double>& g, int i, int j,
                    const TimeWindow<double>& w) const {
     const Root root = root_of(f, g, i, j, i + j);

@@ -31,9 +31,9 @@ bool crosses_within(const Policy& policy, const Lines<S>& f, int i, const Line<S
 
 }  // namespace detail
 
-/// Where f + g < 0 on w (Step III, Eqs. 7–10, and its mirror image for the right end): f the upper
-/// envelope of patch 1's lines, g that of patch 2's negated ones, so f + g < 0 where patch 1 lies
-/// wholly below patch 2. f + g is convex, so the set is an interval.
+/// Where f + g < 0 on w (Step III, Eqs. 7–10, and its mirror image for the right end). f is the
+/// upper envelope of patch 1's lines, g that of patch 2's negated ones. So f + g < 0 where patch 1
+/// lies wholly below patch 2. f + g is convex, so the set is an interval.
 /// Requires envelopes as upper_envelope leaves them, at least one line each.
 /// Safe, for exact S: equal to that set. For double it is Policy's claim that it is a subset.
 /// Nothing is returned where an end is not found.

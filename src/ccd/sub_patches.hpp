@@ -11,7 +11,7 @@
 namespace ccdfuzz {
 
 /// The control nets of the cells that the pairs of one split are made of. The nets of the last few
-/// hundred splits of each patch are kept: a cell belongs to many pairs, and its net depends on
+/// hundred splits of each patch are kept. For a cell belongs to many pairs, and its net depends on
 /// nothing but the patch and the cell. Allocates nothing once its tables have their size.
 class SubPatches {
  public:
@@ -23,9 +23,9 @@ class SubPatches {
   /// Points at the query's patches; the query must outlive the calls of prepare.
   void begin(const Query& query);
 
-  /// Makes the nets of the parts of patch `side`, each from the original control points
-  /// (Appendix A (b)), so that rounding errors do not add up over the levels. Those of a rational
-  /// patch are made of w·p, w·v and w, as polynomials are, and divided by the new w.
+  /// Makes the nets of the parts of patch `side`, each from the original control points (Appendix A
+  /// (b)). So rounding errors do not add up over the levels. Those of a rational patch are made of
+  /// w·p, w·v and w, as polynomials are, and divided by the new w.
   void prepare(int side, std::span<const Cell> parts);
 
   ControlNet net(int side, int part) const {

@@ -8,8 +8,8 @@
 
 namespace ccdfuzz {
 
-/// A straightforward transcription of the paper: each pair makes its sub-patches and axes anew, and
-/// each axis and direction projects, sorts and builds its envelopes for itself. Reference for tests
+/// A straightforward transcription of the paper. Each pair makes its sub-patches and axes anew.
+/// Each axis and direction projects, sorts and builds its envelopes for itself. Reference for tests
 /// and benchmarks: its answers are those of TdibmInclusion, bit for bit.
 template <class Policy>
 class UnoptimisedInclusion {

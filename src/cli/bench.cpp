@@ -56,7 +56,7 @@ void for_each_query(const BenchOptions& options, ContactClass contact, const OnQ
   }
 }
 
-/// How many times the time of the first method, as seconds_of gives it; nothing where one of the
+/// How many times the time of the first method, as seconds_of gives it. Nothing where one of the
 /// two refused a query: those that both answered are then not the same.
 template <class SecondsOf>
 std::optional<double> ratio(const Race::Runner& runner, const Race::Runner& base,

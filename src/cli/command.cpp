@@ -47,7 +47,7 @@ int complain(const std::string& message, int code, const std::string& command = 
   return code;
 }
 
-/// Names the option of the command whose path the error is about, if there is one: the
+/// Names the option of the command whose path the error is about, if there is one. The path is the
 /// option's value, or what is in it or beside it.
 void name_option(const CLI::App& command, InputError& error) {
   for (const CLI::Option* option : command.get_options()) {

@@ -55,8 +55,8 @@ class DefaultBudget {
  private:
   static constexpr std::uint64_t kWorkOfAnAnswer = 40'000'000;  // times 15 ns: 0.6 s
   static constexpr std::uint64_t kExactWork = 12;  // takes as long: measured, 9 to 24 ns
-  /// A run may take this and kCreditOfAnAnswer for each answer given, so that a file of many of the
-  /// costliest cases ends, too: about 20 s and 0.05 s an answer. Ordinary data sets stay below:
+  /// A run may take this and kCreditOfAnAnswer for each answer given: about 20 s, and 0.05 s an
+  /// answer. So a file of many of the costliest cases ends, too. Ordinary data sets stay below:
   /// measured, an answer takes 17,000 in the mean for VV RP and 2,200,000 for FF RN of triangle(2).
   /// It takes 6,500,000 for FF RN of tensor(8,8), of which 50 cases are within.
   static constexpr std::uint64_t kDefaultMethodCount = 7;

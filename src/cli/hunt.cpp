@@ -316,17 +316,16 @@ void add_hunt(CommandLine& line) {
                                       "point, curve:N, triangle:N, tensor:NxM",
                                       parse_shapes);
   Option linear = command.flag("--linear", hunt.ground.linear,
-                               "Linear queries: vertex-face, edge-edge and degenerate ones");
+                               "Only linear queries: vertex-face, edge-edge and degenerate ones");
   linear.excludes(shape);
   command
-      .flag(
-          "--bodies", hunt.ground.bodies,
-          "Convex bodies under translation: boxes, balls, hulls; of the methods here oracle alone "
-          "takes them")
+      .flag("--bodies", hunt.ground.bodies,
+            "Only convex bodies under translation: boxes, balls, hulls. Of the built-in methods, "
+            "oracle alone takes them")
       .excludes(shape)
       .excludes(linear);
   command.flag("--binary32", hunt.ground.binary32,
-               "Only queries all of whose numbers are floats; what is shrunk stays so");
+               "Only queries whose numbers are all floats, minimised ones too");
   command
       .whole("--within", options->within,
              "Only queries whose numbers are 0 or between 2^-N and 2^N, so that neither under- nor "
@@ -340,12 +339,14 @@ void add_hunt(CommandLine& line) {
                "Only queries of uniform numbers, to compare with: bodies or linear patches");
   command.group("Results");
   command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
-  command.choice("--shrink WHICH", hunt.shrink,
-                 "Minimise the counterexamples of these methods, for at most as long again or 20 "
-                 "seconds: none, plugins or all");
-  command.choice("--fail-on WHICH", options->fail_on,
-                 "Exit with 1 after such counterexamples, known ones too: none, claims (a method "
-                 "breaks its guarantee) or any");
+  command.choice(
+      "--shrink WHICH", hunt.shrink,
+      "Minimise the counterexamples of no methods (none), of plug-ins (plugins) or of all. "
+      "Takes at most as long as the hunt, or 20 seconds if that is more");
+  command.choice(
+      "--fail-on WHICH", options->fail_on,
+      "Exit with 1 if a method broke its guarantee (claims), after any counterexample (any), "
+      "or never (none). Known ones count");
   command.text("--report FOLDER", options->page,
                "Also make a page (index.html) of the counterexamples and of how the hunt went");
   command.flag("--by-class", options->by_class, "A row for each contact class and method");

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 /// A record has 200 samples and some thousand paths.
 constexpr std::size_t kMostRecordBytes = 256 << 20;
 
-/// The store and its finds as paths from here: as the command line gave them, unless
-/// the record has been moved and the store with it.
+/// The store and its finds as paths from here. They are as the command line gave them, unless the
+/// record has been moved and the store with it.
 void follow_store(const std::string& folder, HuntRecord& record) {
   std::error_code error;
   const fs::path beside = fs::canonical(fs::path(folder) / record.store_from, error);

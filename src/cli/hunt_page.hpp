@@ -82,8 +82,8 @@ Table hunt_table(const std::vector<HuntCell>& cells);
 /// that may be started (is_admitted) is asked for it again.
 Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods);
 
-/// The data of a hunt's page: its cells, its course, its finds, and the earlier ones of its store;
-/// if the store is not there, only that, which stderr says, too. Errors: the store cannot be read.
+/// The data of a hunt's page: its cells, its course, its finds, and the earlier ones of its store.
+/// If the store is not there, only that, which stderr says, too. Errors: the store cannot be read.
 Result<ReportPage> hunt_page(const HuntRecord& record);
 
 }  // namespace ccdfuzz

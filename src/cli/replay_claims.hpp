@@ -17,10 +17,10 @@ struct ReplayedClaims {
   std::array<std::uint64_t, kAllChanges.size()> changes{};
 };
 
-/// Runs the property of each file of CORPUS/claims on its choices, in a child, and shows the
-/// results that differ from the expected ones; with --json all. update: writes the results into the
-/// files. Does nothing where there is no such folder. Errors: throws BadInput for a file that is no
-/// claim, or is of a property that is not known.
+/// Runs the property of each file of CORPUS/claims on its choices, in a child. Shows the results
+/// that differ from the expected ones; with --json all. update: writes the results into the files.
+/// Does nothing where there is no such folder. Errors: throws BadInput for a file that is no claim,
+/// or is of a property that is not known.
 ReplayedClaims replay_claims(const std::string& corpus, const std::vector<Property>& known,
                              bool update, Session& session);
 

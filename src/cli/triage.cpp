@@ -135,10 +135,10 @@ struct ClaimFindRow {
   }
 };
 
-/// Confirms the inputs of one target, each in a process apart, shrinks and stores what is new: of
-/// each claim one counterexample, and one of each error that putting an input to it ends in. One
-/// that could not be shrunk to the end is stored until there is a better. Prints each. Throws
-/// BadInput: of the folder or a file.
+/// Confirms the inputs of one target, each in a process apart, and shrinks and stores what is new.
+/// That is one counterexample of each claim, and one of each error that putting an input to it ends
+/// in. One that could not be shrunk to the end is stored until there is a better. Prints each.
+/// Throws BadInput: of the folder or a file.
 class ClaimTriage {
  public:
   /// suite: the target's. folder: of finds of claims. known: one more such folder; may be empty, or

@@ -48,8 +48,8 @@ struct Verified {
   }
 };
 
-/// proves_clear within the work of a certificate, as which it counts, half of it for doubles:
-/// measured, a pair of cells of two patches with n control points together takes there as long as
+/// proves_clear within the work of a certificate, as which it counts, half of it for doubles.
+/// Measured: there a pair of cells of two patches with n control points together takes as long as
 /// 8·n·(n + 100) operations. Returns whether it is proven and whether a limit was met.
 std::pair<bool, bool> method_proves(const Query& query, const Rational& until) {
   const std::uint64_t points =
@@ -62,8 +62,8 @@ std::pair<bool, bool> method_proves(const Query& query, const Rational& until) {
   return {proven, spent.pops >= most.pops || spent.work >= most.work};
 }
 
-/// Everything the case claims: all that has a certificate by the checker, whatever else it says of
-/// absence by the exact method, a run of which is no certificate.
+/// Everything the case claims. The checker proves all that has a certificate. Whatever else the
+/// case says of absence the exact method decides, a run of which is no certificate.
 Verified verify(const NamedCase& named) {
   const Case& value = named.value;
   const Truth& truth = value.truth;

@@ -9,9 +9,9 @@
 
 namespace ccdfuzz {
 
-/// The address of a query in a corpus: 32 hex digits, the 128-bit XXH3 hash of its shapes, the
-/// bits of its control points and its t_max, and of nothing else. Equal on every machine. −0 and 0
-/// differ: a method may take them apart.
+/// The address of a query in a corpus: 32 hex digits. They are the 128-bit XXH3 hash of its shapes,
+/// the bits of its control points and its t_max, and of nothing else. Equal on every machine. −0
+/// and 0 differ: a method may take them apart.
 std::string content_address(const Query& query);
 
 /// How large a query is to a reader, first field first.

@@ -23,11 +23,11 @@ struct Find {
   double depth = 0;     ///< that of a new one (Asker::depth)
 };
 
-/// The finds of one run on their way into a store: the smallest of each failure is kept in memory,
+/// The finds of one run on their way into a store. The smallest of each failure is kept in memory,
 /// so that none is lost while the store cannot be written, or with its folder. Whenever one is to
-/// be stored, all that are not in the store are. What a stored entry says of itself hides no find:
-/// where it would, its method is asked again, and it is disowned if it does not fail so.
-/// Safe from several threads.
+/// be stored, all that are not in the store are. What a stored entry says of itself hides no find.
+/// Where it would, its method is asked again, and it is disowned if it does not fail so. Safe from
+/// several threads.
 class Intake {
  public:
   /// What asks a method about a stored entry; and what shrinks and asks others, one a thread.

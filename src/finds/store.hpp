@@ -15,7 +15,7 @@
 namespace ccdfuzz {
 
 /// A folder of finds, one readable .json file for each failure, called by it (file_stem). Entries
-/// of any other name, those of sub-folders among them, are kept for themselves: a store neither
+/// of any other name, those of sub-folders among them, are kept for themselves. A store neither
 /// changes nor removes them, but need not hold another find for what they show.
 ///
 /// Laws, with any number of threads and processes writing to one folder, and after SIGKILL at any
@@ -51,8 +51,8 @@ class Store {
   Result<Put> put(const Failure& failure, const Case& find, const std::string& trees = "",
                   const AskAgain& again = nullptr);
 
-  /// Puts an entry under a name of its own (without ".json"), or under its address if another case
-  /// has the name or it is too long for a file. Errors: as put; no file name.
+  /// Puts an entry under a name of its own (without ".json"). It goes under its address if another
+  /// case has the name or it is too long for a file. Errors: as put; no file name.
   Result<Put> put_named(const std::string& name, const Case& entry, const std::string& trees = "",
                         const AskAgain& again = nullptr);
 
@@ -73,8 +73,8 @@ class Store {
   /// As Store::open was given it, in its normal spelling.
   const std::string& folder() const;
 
-  /// How often the folder has turned out to be another one than before, as where it was removed
-  /// and made again: what was stored in the old one is not in it.
+  /// How often the folder has turned out to be another one than before, as where it was removed and
+  /// made again. What was stored in the old one is not in it.
   std::uint64_t times_replaced() const;
 
  private:

@@ -19,8 +19,8 @@ namespace ccdfuzz {
 struct BreedTally {
   std::uint64_t mutants = 0;  ///< made and traced
   std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
-  /// By how many ulps the contacts that were not lost survived (Trace::Margin), the least of it;
-  /// founders count, too.
+  /// By how many ulps the contacts that were not lost survived (Trace::Margin), the least of it.
+  /// Founders count, too.
   std::optional<std::uint64_t> margin;
 };
 

@@ -18,9 +18,9 @@ CheckedCase checked(Case made) {
   return *std::move(known);
 }
 
-/// Linear case number `index` of such a class: degenerate in any of the ways that linear codes fail
-/// on (draw_linear), with a truth that exact arithmetic decides and the checker accepts. Depends on
-/// the arguments alone.
+/// Linear case number `index` of such a class. It is degenerate in any of the ways that linear
+/// codes fail on (draw_linear). Exact arithmetic decides its truth, and the checker accepts it.
+/// Depends on the arguments alone.
 Case draw_linear_case(ContactClass contact, std::uint64_t seed, std::uint64_t index) {
   for (std::uint64_t attempt = 0;; ++attempt) {
     Draw choices = Draw::mostly_small(Random::keyed(

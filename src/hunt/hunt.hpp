@@ -32,9 +32,9 @@ struct HuntOptions {
   std::uint64_t seed = 1;
   int threads = 1;
   double seconds = 60;
-  /// This many draws of each class, every one put to every method, and mutants in proportion,
-  /// instead of a time: then the hunt depends on nothing but these options, and finds the same
-  /// things in every run.
+  /// Instead of a time: this many draws of each class, every one put to every method, and mutants
+  /// in proportion. Then the hunt depends on nothing but these options, and finds the same things
+  /// in every run.
   std::optional<std::uint64_t> cases;
   HuntGround ground;
   /// Ends once a counterexample with this outcome is met, and is shrunk then.

@@ -22,7 +22,7 @@ double about(const Dyadic& x) {
   return std::ldexp(mantissa, static_cast<int>(exponent + x.exponent()));
 }
 
-/// What an axis makes of both patches at a time: how fast they close in the contact, and the
+/// What an axis makes of both patches at a time. It is how fast they close in the contact, and the
 /// largest number that their heights are computed from.
 struct OnAxis {
   double closing = 0, magnitude = 0;

@@ -38,7 +38,7 @@ struct Standing {
 
 /// How nearly the contact of q was lost in its trace, and in which niche. For methods that compare
 /// at the ends of windows: the slack. For the others: how far apart the patches are where the
-/// nearest exclusion ends. That is the time to the contact times the closing speed, in units of
+/// nearest exclusion ends. That is the time to the contact times the closing speed. The unit is
 /// what rounding may do to a height (2^-53 of the largest on the way). Time alone would favour fast
 /// patches over badly rounded ones. Computed in double precision: a guide, no proof.
 Standing standing_of(const Contact& q, const Trace& trace);

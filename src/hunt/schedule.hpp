@@ -24,7 +24,7 @@ struct Turn {
 /// By time it shares CPU time equally among cells, whatever one turn of each costs. The next turn
 /// goes to the cell that has used least; among equals to the one with the fewest turns, and then to
 /// the last. So a slow cell gets few turns and starves nobody. A cell breeds while that has taken
-/// less time than its draws. Turns may overlap: a cell whose turn still runs is charged with what
+/// less time than its draws. Turns may overlap. A cell whose turn still runs is charged with what
 /// its last turn cost, so that several threads do not all pick the same one. By draws it gives
 /// every draw of each cell, and then one breeding turn of each.
 class Schedule {

@@ -16,8 +16,8 @@ namespace ccdfuzz {
 Case decided_with_little_effort(const Case& candidate);
 
 /// How the methods that miss nothing, or the oracle, are refuted by a case where a full run of
-/// theirs need not be: the witness trace of one loses the contact, which another box may save; a
-/// coarse search misses it; the checker refuses the oracle's certificate. Empty: they are not.
+/// theirs need not be. The witness trace of one loses the contact, which another box may save; a
+/// coarse search misses it; or the checker refuses the oracle's certificate. Empty: they are not.
 std::string refutation_by_sound_methods(const Case& known);
 
 /// The steps of a triage that run in a child, since they may crash or hang.
@@ -62,7 +62,7 @@ struct TriageTally {
   }
 };
 
-/// Takes what fuzzers found into a store: confirms it by full runs up to the contact and past
+/// Takes what fuzzers found into a store. It is confirmed by full runs up to the contact and past
 /// it, shrunk exactly, and kept if its failure was not known. Methods and oracle work in children,
 /// so that this process survives whatever they do.
 class Triage {

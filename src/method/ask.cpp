@@ -16,8 +16,8 @@ Judged failed(const std::exception& error, std::string name) {
   return {std::move(answer), Outcome::kError, std::move(name)};
 }
 
-/// What a miss or a late hit of bodies is under a tolerance in space: correct where they overlap no
-/// deeper in the time that it overlooks, and unknown where that is not measured.
+/// What a miss or a late hit of bodies is under a tolerance in space. It is correct where they
+/// overlap no deeper in the time that it overlooks, and unknown where that is not measured.
 Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome) {
   const Query& query = known.query();
   const double tolerance = answer.terms.space_tolerance;

@@ -13,14 +13,13 @@ namespace ccdfuzz {
 enum class Setting : std::uint8_t {
   kOrdinary,
   kAtAnEnd,   ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
-  kSliding,   ///< bodies that approach by less than kThinnest of their way; linear patches whose
+  kSliding,   ///< bodies that approach by less than kThinnest of their way. Or linear patches whose
               ///< touching points move along the surfaces: but for kThinnest of their way they stay
               ///< in the plane or line of both
   kTouching,  ///< linear patches that touch at t = 0 already
-  kDegenerate,  ///< a patch is as good as a point or, if it is a surface, as a line, at the start
-                ///< or at the contact (kThinnest); or a body of three points or more is flatter
-                ///< than its count promises, or has a point twice; or nothing moves against the
-                ///< rest
+  kDegenerate,  ///< at the start or at the contact a patch is as good as a point, or a surface as a
+                ///< line (kThinnest). Or a body of three points or more is flatter than its count
+                ///< promises, or has a point twice. Or nothing moves against the rest
   kExtreme,     ///< a number that is not 0 lies outside 2^±40
 };
 inline constexpr std::array kAllSettings = {Setting::kOrdinary,   Setting::kAtAnEnd,

@@ -14,8 +14,8 @@ namespace ccdfuzz {
 inline constexpr std::size_t kKeptBytes = 16 << 20;
 
 /// An array that grows at its end, in blocks that stay where they are: growing copies nothing.
-/// Items are `width` numbers of type T in a row, not initialised. What is held is what is in use
-/// and less than a block more, and the ends of blocks: below a sixth for the nets of any degrees.
+/// Items are `width` numbers of type T in a row, not initialised. It holds what is in use, less
+/// than a block more, and the ends of blocks. These are below a sixth for the nets of any degrees.
 template <class T>
 class BlockArray {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));

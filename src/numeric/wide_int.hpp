@@ -9,10 +9,10 @@
 
 namespace ccdfuzz {
 
-/// A two's complement integer of Bits bits, on the stack. Arithmetic is modulo 2^Bits and
-/// therefore exact whenever the true result x satisfies −2^(Bits−1) ≤ x < 2^(Bits−1): whoever
-/// chooses Bits proves that (intermediate sums may leave the range as long as the result does
-/// not). Only what exact predicates need; for anything else use Integer.
+/// A two's complement integer of Bits bits, on the stack. Arithmetic is modulo 2^Bits. It is
+/// therefore exact whenever the true result x satisfies −2^(Bits−1) ≤ x < 2^(Bits−1). Whoever
+/// chooses Bits proves that; intermediate sums may leave the range as long as the result does not.
+/// Only what exact predicates need; for anything else use Integer.
 template <int Bits>
 class WideInt {
   static_assert(Bits >= 128 && Bits % 64 == 0);

@@ -99,8 +99,8 @@ inline constexpr std::size_t kMostPageBytes = 19'000'000;
 /// True iff any method's outcome is a failure: a false negative or positive, or an error.
 bool has_failure(const ReportedCase& reported);
 
-/// Keeps at most `most` of the cases: the same number of each class, kind and set of failing
-/// methods where there are enough, the first ones. Counts the rest in cases_left_out.
+/// Keeps at most `most` of the cases, the first ones. Each class, kind and set of failing methods
+/// has the same number where there are enough. Counts the rest in cases_left_out.
 void keep_most_telling(ReportPage& report, std::size_t most = kMostReportedCases);
 
 /// The page as one HTML text that needs no network: the viewer, and the report as data in it.

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""prose.py [-v]: measures the English of the pages and of the doc comments; exits with 1 past a limit.
+"""prose.py [-v]: measures the English of the pages and of the comments; exits with 1 past a limit.
 
 Pages are README.md, CONTRIBUTING.md, SECURITY.md, CHANGELOG.md, corpus/README.md, those of docs, and the
-plug-ins'. Per page: words per sentence (MEAN_WORDS on average, MAX_WORDS at most, cells of tables too), lines
-of at most MAX_COLUMNS outside of tables and JSON, and no sentence that opens with a bare "Of". A code span is
-one word. Doc comments of the sources may open with a bare "of" OF_COMMENTS times. -v prints all numbers.
+plug-ins'. Per page: words per sentence (MEAN_WORDS on average, MAX_WORDS at most, a few more in OTHERS; cells of
+tables too), lines of at most MAX_COLUMNS outside of tables and JSON, and no sentence that opens with a bare "Of".
+A code span is one word. Comments of the sources have as many words a sentence at most, where what has no two
+letters in a row is no word, but part of a formula. LONG_COMMENTS are longer, and no more may be. None opens with
+a bare "of". -v prints all numbers, and those comments.
 """
 import re
 import sys
@@ -12,9 +14,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 MEAN_WORDS = 18
-MAX_WORDS = 30
+MAX_WORDS = 25
+MAX_WORDS_OF_OTHERS = 30
+OTHERS = ('CHANGELOG.md', 'docs/engines/', 'docs/formats.md', 'docs/guarantees.md', 'docs/plug-ins.md')
 MAX_COLUMNS = 100
-OF_COMMENTS = 0
+LONG_COMMENTS = 60
+ROOMS = ('src', 'generators', 'properties', 'fuzz', 'bench', 'examples')
 # A full stop, unless it is that of an abbreviation.
 END = re.compile(r'(?<!\bEq)(?<!\bEqs)(?<!\bFig)(?<!\bFigs)(?<!\be\.g)(?<!\bi\.e)(?<!\bal)[.!?]["\')*]*\s+')
 BLOCK = re.compile(r'\s*(?:[-*+]|\d+\.)\s+|#+\s')
@@ -61,6 +66,7 @@ def check_page(path, verbose):
     """The violations of a page."""
     name, lines = path.relative_to(ROOT), path.read_text().splitlines()
     found, lengths, longest_cell = [], [], 0
+    most = MAX_WORDS_OF_OTHERS if str(name).startswith(OTHERS) else MAX_WORDS
     for number, block, in_table in blocks(lines):
         for sentence in END.split(plain(block)):
             count = len(words(sentence))
@@ -68,7 +74,7 @@ def check_page(path, verbose):
                 longest_cell = max(longest_cell, count)
             elif count:
                 lengths.append(count)
-            if count > MAX_WORDS:
+            if count > most:
                 found.append(f'{name}:{number}: {count} words: {sentence[:70]}')
             if re.match(r'Of\b', sentence.strip()):
                 found.append(f'{name}:{number}: opens with a bare "Of": {sentence[:70]}')
@@ -87,32 +93,66 @@ def check_page(path, verbose):
     return found
 
 
+def sources():
+    return (path for room in ROOMS for path in sorted((ROOT / room).rglob('*')) if path.suffix in ('.hpp', '.cpp', '.h'))
+
+
 def of_comments():
     """The doc comments that open with a bare "of", and sentences in them that open with "Of"."""
     found = []
-    for room in ('src', 'generators', 'properties', 'fuzz'):
-        for path in sorted((ROOT / room).rglob('*.?pp')):
-            before = ''
-            for number, line in enumerate(path.read_text().splitlines(), 1):
-                match = re.search(r'///<? *(.*)', line)
-                comment = match[1] if match else ''
-                opens = not before and re.match(r'[oO]f\b', comment) and not line.lstrip().startswith('///<')
-                follows = re.search(r'(^|[.:;!?] )Of\b', comment)
-                if opens or follows:
-                    found.append(f'{path.relative_to(ROOT)}:{number}: {comment}')
-                before = comment if match and line.lstrip().startswith('///') else ''
+    for path in sources():
+        before = ''
+        for number, line in enumerate(path.read_text().splitlines(), 1):
+            match = re.search(r'///<? *(.*)', line)
+            comment = match[1] if match else ''
+            opens = not before and re.match(r'[oO]f\b', comment) and not line.lstrip().startswith('///<')
+            follows = re.search(r'(^|[.:;!?] )Of\b', comment)
+            if opens or follows:
+                found.append(f'{path.relative_to(ROOT)}:{number}: {comment}')
+            before = comment if match and line.lstrip().startswith('///') else ''
+    return found
+
+
+def comment_blocks(lines):
+    """(line number, text) for each paragraph and item of comments; tables and what is indented are left out."""
+    number, text, kind = 0, [], ''
+    for i, line in enumerate([*lines, ''], 1):
+        match = re.match(r'(.*?)(?<![:"\w])(///?<?)(?: (.*))?$', line)
+        comment = (match[3] or '').rstrip() if match else ''
+        is_table = comment.startswith('    ') or re.match(r'  .*\S {2,}\S', comment)
+        item = BLOCK.match(comment)
+        starts = not comment or match[1].strip() or match[2] != kind or is_table or item
+        kind = match[2] if match else ''
+        if starts and text:
+            yield number, ' '.join(text)
+            text = []
+        if comment and not is_table:
+            number = number if text else i
+            text.append(comment[item.end() if item else 0:].strip())
+
+
+def long_comments():
+    """The sentences of comments with more than MAX_WORDS words."""
+    found = []
+    for path in sources():
+        for number, block in comment_blocks(path.read_text().splitlines()):
+            for sentence in END.split(plain(block)):
+                count = sum(1 for word in sentence.split() if re.search(r'[^\W\d_]{2}', word))
+                if count > MAX_WORDS:
+                    found.append(f'{path.relative_to(ROOT)}:{number}: {count} words: {sentence}')
     return found
 
 
 def main():
     verbose = sys.argv[1:] == ['-v']
     found = [violation for path in pages() for violation in check_page(path, verbose)]
-    comments = of_comments()
-    if verbose or len(comments) > OF_COMMENTS:
-        print(f'{len(comments)} doc comments open with a bare "of"; {OF_COMMENTS} may')
-        print(*comments, sep='\n')
+    found += [f'{comment}: opens with a bare "of"' for comment in of_comments()]
+    long = long_comments()
+    if verbose or len(long) > LONG_COMMENTS:
+        print(f'{len(long)} sentences of comments have more than {MAX_WORDS} words; {LONG_COMMENTS} may', *long, sep='\n')
+        found += [f'{len(long)} long sentences of comments'] if len(long) > LONG_COMMENTS else []
     print(*found, f'{len(found)} violations', sep='\n')
-    return 1 if found or len(comments) > OF_COMMENTS else 0
+    return 1 if found else 0
 
 
 if __name__ == '__main__':

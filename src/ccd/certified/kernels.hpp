@@ -9,7 +9,7 @@
 namespace ccdfuzz::certified {
 
 /// The hot arithmetic of tdibm-c, compiled for SSE2 and AVX2 and selected at load time. All builds
-/// round alike: the order of operations is that of the source and nothing is fused, so the results
+/// round alike: the order of operations is that of the source, and nothing is fused. So the results
 /// do not depend on the machine.
 
 /// Axes are handled four at once, one a lane.

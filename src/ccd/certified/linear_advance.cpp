@@ -17,9 +17,9 @@ constexpr int kMostSteps = 3;
 /// The same of a point and an edge, or of two points, which are always in a plane with the origin.
 /// Roots tell nothing there, and integers take as long as twenty steps.
 constexpr int kMostStepsInPlane = 8;
-/// The same where a separation is asked for, of which nothing else decides. Towards a time at which
-/// the patches are nearest, and about as near as that, the way left halves in a step: 2^-44 of it
-/// is reached in less.
+/// The same where a separation is asked for, of which nothing else decides. Let the patches be
+/// nearest at some time, and about the separation apart there. A step towards that time halves the
+/// way left, so a step of 2^-44 is reached in fewer.
 constexpr int kMostStepsApart = 200;
 /// Stop after a step shorter than this part of t_max: the patches are then within about a hundred
 /// times the error bound of each other.

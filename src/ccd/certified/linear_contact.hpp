@@ -19,10 +19,10 @@ struct LinearContact {
 };
 
 /// Decides a linear query in integers, without rounding and without allocating (DERIVATION.md, 7).
-/// It covers a query if, in each coordinate by itself, positions and velocities times t_max are
-/// multiples of one power of two and less than 2^254 times it. A proven contact is at toi +
-/// 2^-level·t_max at most, but for the rounding of toi; level ≤ 50. Requires finite numbers, t_max
-/// ≥ 0 and can_advance.
+/// It covers a query if the numbers of each coordinate by itself are multiples of one power of two,
+/// and less than 2^254 times it. These numbers are positions, and velocities times t_max. A proven
+/// contact is at toi + 2^-level·t_max at most, but for the rounding of toi; level ≤ 50. Requires
+/// finite numbers, t_max ≥ 0 and can_advance.
 LinearContact first_linear_contact(const Query& query, int level);
 
 }  // namespace ccdfuzz::certified

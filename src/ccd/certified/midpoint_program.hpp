@@ -7,9 +7,9 @@
 namespace ccdfuzz::certified {
 
 /// The midpoint split of a shape as a list of averages. Slots 0..control_count−1 hold the parent's
-/// control points; step s fills slot control_count + s with the mean of two earlier slots; then
-/// control point i of child c (numbered as Cell::child) is slot children[c][i]. Every value is made
-/// once, also where children share it.
+/// control points. Step s fills slot control_count + s with the mean of two earlier slots. At the
+/// end control point i of child c (numbered as Cell::child) is slot children[c][i]. Every value is
+/// made once, also where children share it.
 struct MidpointProgram {
   struct Step {
     int left, right;

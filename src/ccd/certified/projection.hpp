@@ -39,9 +39,10 @@ struct RangePair {
 };
 
 /// E of DERIVATION.md, 3.
-/// Law C: with M ≥ Σ max|p'| + max|v'|, fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0
-/// in exact arithmetic, for two sub-patches with at most `roundings` roundings behind each control
-/// point. With a separation d it implies max₁ − min₂ < −d·|l|₂: no points of them are as near as d.
+/// Law C: let two sub-patches have at most `roundings` roundings behind each control point, and M ≥
+/// Σ max|p'| + max|v'|. Then fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0 in exact
+/// arithmetic. With a separation d it implies max₁ − min₂ < −d·|l|₂: no points of them are as near
+/// as d.
 class ErrorBound {
  public:
   /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1

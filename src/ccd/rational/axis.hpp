@@ -9,8 +9,8 @@
 
 namespace ccdfuzz::exact_ccd {
 
-/// A separating axis with few-bit integer components: not unit, and exact by definition, since any
-/// vector serves as an axis (if h < 0 on it, the hulls are disjoint).
+/// A separating axis with few-bit integer components. It is not unit, and exact by definition,
+/// since any vector serves as an axis: if h < 0 on it, the hulls are disjoint.
 struct Axis {
   std::array<std::int32_t, 3> l{};
 

@@ -28,8 +28,8 @@ inline Integer integer_in<Integer>(const DoubleParts& parts, int unit) {
   return out;
 }
 
-/// One query in integers of type Int (a WideInt, or Integer for any size), and the exact sign of
-/// the gap of two cells along an axis at a time.
+/// One query in integers of type Int, a WideInt, or Integer for any size. It decides the exact sign
+/// of the gap of two cells along an axis at a time.
 /// Int must hold Units::bits_needed bits for every predicate asked; of rational patches it is
 /// Integer.
 template <class Int>
@@ -71,11 +71,11 @@ class ExactScene {
     }
   }
 
-  /// The sign of h(t) + d·|l|_2, d the separation, h(t) = max over control points p of cell `below`
-  /// of p·l − min over control points q of the other cell of q·l, at time t; −1 means separated
-  /// (Eqs. 3–4). below: the side whose maximum is taken. cells: one per side, of one depth. t: a
-  /// window end. candidates: per side, the control points of the cell that may attain the extreme;
-  /// a superset of those that do.
+  /// The sign of h(t) + d·|l|_2, where d is the separation; −1 means separated (Eqs. 3–4). h(t) is
+  /// max p·l over control points p of cell `below`, minus min q·l over control points q of the
+  /// other cell, at time t. below: the side whose maximum is taken. cells: one per side, of one
+  /// depth. t: a window end. candidates: per side, the control points of the cell that may attain
+  /// the extreme; a superset of those that do.
   int gap_sign(int below, const std::array<Cell, 2>& cells, const Axis& axis, double t,
                const std::array<std::span<const std::uint8_t>, 2>& candidates) {
     const auto lower = static_cast<size_t>(below), upper = 1 - lower;
@@ -127,7 +127,7 @@ class ExactScene {
   struct Side {
     Shape shape;
     std::vector<Vector> position, velocity, weight;  ///< weights have a first coordinate
-    /// Those asked of last: as many as a split has children, each of which meets all of the other
+    /// Those asked of last, as many as a split has children. Each of them meets all of the other
     /// side's, on many axes.
     std::array<Part, 4> parts;
     size_t oldest = 0;
@@ -267,9 +267,9 @@ class ExactScene {
     return best;
   }
 
-  /// 2^(depth·blossom_steps) times a coordinate of control point (i, j) of the cell: the blossom of
-  /// the patch's at i corners of the u end, j of the v end and the origin for the rest, with
-  /// homogeneous parameters (weights of sum 2^depth).
+  /// 2^(depth·blossom_steps) times a coordinate of control point (i, j) of the cell. It is the
+  /// patch's blossom at i corners of the u end, j of the v end and the origin for the rest. The
+  /// parameters are homogeneous: weights of sum 2^depth.
   Int control(const Shape& shape, const std::vector<Vector>& controls, size_t coordinate,
               const Part& part, int i, int j) {
     const std::array<IntegerUv, 3>& corners = part.corners;

@@ -37,9 +37,9 @@ struct Extremes {
 /// piecewise linear in t, negative iff the axis separates. Its sign is exact: double arithmetic
 /// where the error bound allows, the narrowest sufficient integers where it does not.
 ///
-/// The doubles are those of a normalised scene: positions and velocities relative to control point
-/// 0 of patch 1, lengths scaled by a power of two to magnitude ≤ 2, times to [0, 1]. Neither
-/// changes the sign of a gap. All times in this interface are scaled: t·2^-horizon.
+/// The doubles are those of a normalised scene. Positions and velocities are relative to control
+/// point 0 of patch 1, lengths are scaled by a power of two to magnitude ≤ 2, times to [0, 1].
+/// Neither changes the sign of a gap. All times in this interface are scaled: t·2^-horizon.
 class Gap {
  public:
   void begin(const Query& query);

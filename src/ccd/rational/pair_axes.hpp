@@ -6,10 +6,10 @@
 
 namespace ccdfuzz::exact_ccd {
 
-/// The three mutually orthogonal directions of a cell's oriented box at one time (Appendix A (c)):
-/// along the first parameter, normal to both parameters, and normal to these two. Directions only:
-/// scaled to a largest component of 1. A cell that spans less than two directions gets arbitrary
-/// ones for the rest. Double precision: a direction needs no error bound, see Axis.
+/// The three mutually orthogonal directions of a cell's oriented box at one time (Appendix A (c)).
+/// They are along the first parameter, normal to both parameters, and normal to these two.
+/// Directions only: scaled to a largest component of 1. A cell that spans less than two directions
+/// gets arbitrary ones for the rest. Double precision: a direction needs no error bound, see Axis.
 using Frame = std::array<Vec3<double>, 3>;
 Frame frame_of(const Shape& shape, const CellPoints& points, double t);
 
@@ -19,8 +19,8 @@ inline constexpr int kPairAxes = 15;
 /// have no better one.
 Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t);
 
-/// Candidate axis r of a pair of frames, 0 ≤ r < kPairAxes, in the order in which they are worth
-/// testing: both normals, the other box axes, the nine products of the two boxes' axes.
+/// Candidate axis r of a pair of frames, 0 ≤ r < kPairAxes. The order is that in which they are
+/// worth testing: both normals, the other box axes, the nine products of the two boxes' axes.
 Vec3<double> pair_axis(const Frame& a, const Frame& b, int r);
 
 }  // namespace ccdfuzz::exact_ccd

@@ -24,7 +24,7 @@ const Frame& PairTest::frame(int side, int part, double t) {
 void PairTest::tell(ExclusionObserver& observer, int axis, const Axis& direction,
                     const ScaledWindow& before, Cut cut, const ScaledWindow& after) const {
   const auto exclude = [&](double lo, double hi, bool has_lo, bool has_hi) {
-    // The lower side is the one with the lesser gap at the excluded end: the gaps of the two sides
+    // The lower side is the one with the lesser gap at the excluded end. The gaps of the two sides
     // add up to the widths of both cells on the axis, so they are not both negative.
     const Extremes at_end = gap_.extremes(has_lo ? lo : hi);
     observer.excluded({axis,

@@ -13,10 +13,10 @@ struct ClearEffort {
 };
 
 /// Proves in exact arithmetic that the patches do not touch at any time of the closed [0, until].
-/// until: dyadic or not, ≥ 0; query.t_max plays no part. Returns true iff proven: false means that
-/// there is a contact, that the search reached its finest cells (2^-30) or `most` first, or that
-/// the query is not valid. Safe: never true if there is a contact. spent, if given, gets what it
-/// took, of work up to one pair of cells more. Keeps at most kKeptBytes for each thread that asked.
+/// until: dyadic or not, ≥ 0; query.t_max plays no part. Returns true iff proven. False means one
+/// of these: there is a contact; the search reached its finest cells (2^-30) or `most` first; the
+/// query is not valid. Safe: never true if there is a contact. spent, if given, gets what it took,
+/// of work up to one pair of cells more. Keeps at most kKeptBytes for each thread that asked.
 bool proves_clear(const Query& query, const Rational& until, const ClearEffort& most = {},
                   ClearEffort* spent = nullptr);
 

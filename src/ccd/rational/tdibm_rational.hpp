@@ -15,8 +15,8 @@ struct TierCounts;
 
 /// TDIBM (Section 3) decided in exact arithmetic: the subdivision and convergence width of the
 /// double methods, with every inequality decided by its exact sign. Axes are rounded to few-bit
-/// integers (any vector is a valid axis) and ends of windows to a dyadic grid, outward, so that
-/// numbers stay short and the search ends. Surfaces have the paper's fifteen; curves,
+/// integers, as any vector is a valid axis. Ends of windows are rounded outward to a dyadic grid.
+/// So numbers stay short and the search ends. Surfaces have the paper's fifteen axes; curves,
 /// points and degenerate cells have more, which separate more (DERIVATION.md, 1).
 ///
 /// Guarantee: a miss has no contact in the closed [0, t_max]; a hit's toi is no later than the

@@ -4,9 +4,9 @@
 
 namespace ccdfuzz::exact_ccd {
 
-/// Ends of windows are t = 0, t = t_max and the multiples of 2^grid in between: few enough bits to
-/// keep exact predicates short, and fine enough that rounding a window outward costs nothing that
-/// shows (2^-kGridBits of the horizon).
+/// Ends of windows are t = 0, t = t_max and the multiples of 2^grid in between. They have few
+/// enough bits to keep exact predicates short. The grid is so fine that rounding a window outward
+/// costs nothing that shows (2^-kGridBits of the horizon).
 inline constexpr int kGridBits = 30;
 
 /// How a query is written in integers. With P, V, t the input doubles,
@@ -24,12 +24,12 @@ struct Units {
   static Units of(const Query& query);
 
   /// Bits of a two's complement integer that holds every intermediate result of the exact gap
-  /// predicate (exact_scene.hpp) on cells of the given depth, for axes with components of
+  /// predicate (exact_scene.hpp). The cells are of the given depth, and the components of axes of
   /// magnitude ≤ 2^axis_bits.
   int bits_needed(int axis_bits, int depth) const {
     // Sum of three products with the axis: 2^(axis_bits)·3 < 2^(axis_bits+2). Each of the
     // degree_sum blossom steps forms a combination with non-negative weights of sum 2^depth, so it
-    // multiplies the bound by 2^depth; aligning the patch that takes fewer steps brings it to the
+    // multiplies the bound by 2^depth. Aligning the patch that takes fewer steps brings it to the
     // same scale. One bit for the sign.
     return magnitude_bits + (axis_bits + 2) + degree_sum * depth + 1;
   }

@@ -28,8 +28,8 @@ class RootRounding {
   }
 
  private:
-  /// Roots this close to a grid point, in steps, are tried as that point: a root that is exactly
-  /// on the grid must not lose a step to the rounding of Newton's iteration. Speed only.
+  /// Roots this close to a grid point, in steps, are tried as that point. A root that is exactly on
+  /// the grid must not lose a step to the rounding of Newton's iteration. Speed only.
   static constexpr double kNearGrid = 0x1p-10;
 
   /// Newton's iteration on the convex gap from its non-negative side: approaches the root

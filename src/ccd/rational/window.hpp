@@ -18,7 +18,7 @@ enum class Cut : std::uint8_t {
   kAll,      ///< separated throughout the window
 };
 
-/// Steps II and III for one axis, both signs, in exact arithmetic: takes from the ends of `window`
+/// Steps II and III for one axis, both signs, in exact arithmetic. Takes from the ends of `window`
 /// the times at which the selected cells are separated on the axis that `gap` is projected on.
 ///
 /// Law 1: a time at which the exact gap is ≥ 0 is never taken; so an exact touch (gap = 0) stays,

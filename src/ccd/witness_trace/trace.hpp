@@ -14,8 +14,8 @@ namespace ccdfuzz {
 struct TraceOptions {
   /// Cells are followed down to this width, at which a full query reports a hit.
   double precision = SearchOptions().precision;
-  /// Where several children of a pair contain the witness, because it lies on their edges: follow
-  /// all of them, or only the lowest child of each patch (and the earlier half of the window).
+  /// Several children of a pair contain the witness where it lies on their edges. Then follow all
+  /// of them, or only the lowest child of each patch (and the earlier half of the window).
   bool all = false;
   /// Write down every pair on the way, too (Trace::steps).
   bool steps = false;
@@ -67,11 +67,11 @@ struct Trace {
   };
   std::optional<Margin> margin;
 
-  /// For methods that compare at the ends of windows: how near an axis was to excluding t*: the
-  /// AxisGap at t*, linear between both ends, in its unit; least over all pairs and axes. tdibm-c:
-  /// in multiples of its error bound E, 1 where the computed gap is 0, and at a loss of t* at an
-  /// end of the window < 0. In exact arithmetic it is never < 1. trad: overlap in ulps of the
-  /// heights, < 0 at a loss. Computed in double precision: a guide, no proof.
+  /// For methods that compare at the ends of windows: how near an axis was to excluding t*. It is
+  /// the AxisGap at t*, linear between both ends, in its unit; least over all pairs and axes.
+  /// tdibm-c: in multiples of its error bound E, 1 where the computed gap is 0. At a loss of t* at
+  /// an end of the window it is < 0. In exact arithmetic it is never < 1. trad: overlap in ulps of
+  /// the heights, < 0 at a loss. Computed in double precision: a guide, no proof.
   struct Slack {
     double value = 0;
     TracePlace place;

@@ -9,19 +9,19 @@ namespace ccdfuzz {
 //   reach = separation + radius 1 + radius 2
 // from a point of the other. All is checked in exact rationals, lengths by their squares.
 
-/// Certificate W of bodies: checks that the weights are ≥ 0 and sum to 1, and that at t ≥ 0 the
-/// points of the hulls that they make are no farther apart than the reach. t may lie past t_max.
-/// Requires a valid query. Errors: what is wrong, naming the field; more than most_work.
+/// Certificate W of bodies. Checks that the weights are ≥ 0 and sum to 1, and that t ≥ 0, which may
+/// lie past t_max. They make a point of each hull; these may be no farther apart at t than the
+/// reach. Requires a valid query. Errors: what is wrong, naming the field; more than most_work.
 Result<void> check_body_contact(const Query& query, const Witness& witness,
                                 std::uint64_t most_work = kMostWork);
 
-/// Certificate K: checks that the two bodies are farther apart than the reach at every t in
-/// [0, until), or in the closed [0, until]. Requires a valid query. Errors: what is wrong, naming
-/// the field; more than most_work.
+/// Certificate K: checks that the two bodies are farther apart than the reach at every t in [0,
+/// until), or in the closed [0, until]. Requires a valid query. Errors: what is wrong, naming the
+/// field; more than most_work.
 ///
 /// Proof. Let g(t) = min normal·(points of patch 1) − max normal·(points of patch 2). The hulls are
-/// no nearer than g/|normal|. Each body moves by one velocity, so g is linear in t: what it keeps
-/// strictly at 0, and at `until` strictly or (half-open) not strictly, it keeps between them.
+/// no nearer than g/|normal|. Each body moves by one velocity, so g is linear in t. What holds
+/// strictly at 0, and at `until` strictly or (half-open) not strictly, holds between them.
 Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
                                   std::uint64_t most_work = kMostWork);
 

@@ -5,8 +5,8 @@
 
 namespace ccdfuzz {
 
-/// Certificate M: checks in exact arithmetic that the box lies in both domains and in t ≥ 0, and
-/// that the patches touch in it; at some t ≤ box.until(), which may lie past t_max.
+/// Certificate M: checks in exact arithmetic that the box lies in both domains and in t ≥ 0. Checks
+/// also that the patches touch in it, at some t ≤ box.until(), which may lie past t_max.
 /// Requires a valid query. Errors: what is wrong, naming the field; more than most_work.
 ///
 /// Proof. Let G = inverse·(S1 − S2) in the offsets δ of the varied unknowns, |δ_i| ≤ radius_i, and

@@ -9,10 +9,10 @@
 
 namespace ccdfuzz {
 
-/// Checks that the case's clearance holds and proves all that the case says of absence: no contact
-/// in the closed [0, t_max] if collides is false, none in the half-open [0, clear_until). trees:
-/// the file of trees beside the case, read if the clearance is a tree. Errors: what is missing or
-/// refuted, naming JSON path, or the file.
+/// Checks that the case's clearance holds and proves all that the case says of absence. That is no
+/// contact in the closed [0, t_max] if collides is false, and none in the half-open [0,
+/// clear_until). trees: the file of trees beside the case, read if the clearance is a tree. Errors:
+/// what is missing or refuted, naming JSON path, or the file.
 Result<void> check_absence(const Case& value, const std::string& trees);
 
 /// Checks all that a case proves: check_truth and, if it has a certificate of absence,

@@ -25,7 +25,7 @@ std::vector<Rational> along(const std::array<Rational, 3>& normal, const Points<
 }
 
 /// Charges for all of the check. Its numbers are sums of products of a number of the plane and a
-/// control point's, or up to three of those; at most 64 operations take a control point in.
+/// control point's, or up to three of those. At most 64 operations take a control point in.
 void charge_for(const Query& query, const MovingPlane& plane, Work& work) {
   constexpr std::uint64_t kOperations = 64;
   constexpr std::uint64_t kDouble = 18;      // words of a double as a fraction

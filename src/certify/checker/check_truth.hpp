@@ -12,11 +12,11 @@ namespace ccdfuzz {
 
 /// Checks in exact arithmetic all of a case's truth except absence of contact, which check_absence
 /// does:
-///   the query is valid;
-///   a witness is a contact (check_contact), and a contact box or root holds one (check_box,
+/// - the query is valid;
+/// - a witness is a contact (check_contact), and a contact box or root holds one (check_box,
 ///   check_contact_root);
-///   collides = true has one of them with a time ≤ t_max, collides = false none;
-///   clear_until ≥ 0, and no contact is proven before it.
+/// - collides = true has one of them with a time ≤ t_max, collides = false none;
+/// - clear_until ≥ 0, and no contact is proven before it.
 /// Errors: what is refuted, naming JSON path and value.
 Result<void> check_truth(const Case& value);
 

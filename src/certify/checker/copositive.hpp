@@ -6,11 +6,11 @@
 namespace ccdfuzz {
 
 /// True iff the quadratic polynomial with these six Bernstein coefficients, in the order of
-/// Shape::triangle(2), is ≥ 0 on the whole triangle; that is, iff the symmetric 3×3 matrix they
+/// Shape::triangle(2), is ≥ 0 on the whole triangle. That is, iff the symmetric 3×3 matrix they
 /// form is copositive. Exact for exact S, complete, and without a square root.
 ///
-/// Let A be the matrix. Necessary: its restrictions to the three edges are copositive, that is,
-/// both diagonal entries are ≥ 0 and the other is ≥ 0 or its square is at most their product.
+/// Let A be the matrix. Necessary: its restrictions to the three edges are copositive. That is,
+/// both diagonal entries are ≥ 0, and the other is ≥ 0 or its square is at most their product.
 ///
 /// Given that, A is not copositive iff det A < 0 and adj A ≥ 0 in every entry:
 ///

@@ -12,10 +12,10 @@ struct NamedCase;
 /// costly cases cannot occupy a command for long. Work bounds each certificate alone.
 class RunWork {
  public:
-  /// The limit is kStart, which is one of the costliest certificates, and the lesser of kEachCase
-  /// per case so far and kEachByte per byte of its files. The unit is operations on 64-bit words.
-  /// Measured means per case: 6·10^6 in the paper's set, 23·10^6 after `prove`, 67·10^6 in the
-  /// first 1,000 of FF (some 600 bytes each, compressed). Two tensor(8,8) take 88·10^6.
+  /// The limit is kStart and the lesser of two: kEachCase per case so far, and kEachByte per byte
+  /// of its files. kStart is one of the costliest certificates. The unit is operations on 64-bit
+  /// words. Measured means per case: 6·10^6 in the paper's set, 23·10^6 after `prove`, 67·10^6 in
+  /// the first 1,000 of FF (some 600 bytes each, compressed). Two tensor(8,8) take 88·10^6.
   static constexpr std::uint64_t kStart = std::uint64_t{1} << 32;
   static constexpr std::uint64_t kEachCase = std::uint64_t{1} << 27;
   static constexpr std::uint64_t kEachByte = std::uint64_t{1} << 18;

@@ -72,10 +72,10 @@ S product_of(const S& a, const S& b, Work* work) {
 /// time.
 inline constexpr int kMostTaylorDegree = 4 * kMaxDegree + 1;
 
-/// The expansion about the centre of a contact box in its varied unknowns, the others fixed, of
-/// S1 − S2; or where a patch is rational, S = N/w, of w2·N1 − w1·N2, which has the same zeros as
-/// w1·w2 > 0. All terms up to max_degree. The blossom is multilinear, so the coefficient of x^i y^j
-/// is the blossom at i directions along x, j along y and the centre for the rest, times a
+/// The expansion of S1 − S2 about the centre of a contact box, in its varied unknowns, the others
+/// fixed. Where a patch is rational, S = N/w, it is that of w2·N1 − w1·N2, which has the same zeros
+/// as w1·w2 > 0. All terms up to max_degree. The blossom is multilinear. So the coefficient of x^i
+/// y^j is the blossom at i directions along x, j along y and the centre for the rest, times a
 /// multinomial.
 template <class S>
 std::vector<TaylorTerm<S>> taylor_terms(const Query& query, const ContactBox& box,

@@ -43,7 +43,7 @@ class OriginInTriangle {
 };
 
 /// Weights ≥ 0 with sum 1 that give the origin as a mean of three points, if it is in their
-/// triangle; else any weights, near those if it is near it.
+/// triangle. Else any weights, near those if it is near it.
 std::array<Rational, 3> weights_of_origin(const std::array<Vec3<Rational>, 3>& corners);
 
 }  // namespace ccdfuzz::linear

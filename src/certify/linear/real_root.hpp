@@ -24,8 +24,8 @@ class RealRoot {
 
   /// Halves the enclosure.
   void refine();
-  /// Refines until hi − lo ≤ width, then looks for the simplest rational number in the enclosure:
-  /// if that is the root, it is found to be rational.
+  /// Refines until hi − lo ≤ width, then looks for the simplest rational number in the enclosure.
+  /// If that is the root, it is found to be rational.
   void narrow(const Rational& width);
 
   /// The sign of q at the number; refines where it must. Where it is 0, polynomial() divides q

@@ -6,11 +6,11 @@
 
 namespace ccdfuzz {
 
-/// How deep two bodies pass through each other in [0, until]: the least distance by which one of
-/// them would have to be moved, whatever way, for them to touch nowhere in that time. A lower
-/// bound of it, within a few ulps; 0 where they do not overlap. A miss overlooks that much until
-/// t_max, a late hit until its time. Nothing where the hulls themselves overlap and have more pairs
-/// of points than kMostPairs. Requires a valid query of bodies and a finite until ≥ 0.
+/// How deep two bodies pass through each other in [0, until]: a lower bound, within a few ulps; 0
+/// where they do not overlap. The depth is the least distance by which one of them, moved whatever
+/// way, would touch the other nowhere in that time. A miss overlooks that much until t_max, a late
+/// hit until its time. Nothing where the hulls themselves overlap and have more pairs of points
+/// than kMostPairs. Requires a valid query of bodies and a finite until ≥ 0.
 std::optional<double> depth_until(const Query& query, double until);
 
 /// Hulls with more pairs of points than this would take seconds.

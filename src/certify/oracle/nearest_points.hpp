@@ -8,9 +8,9 @@
 
 namespace ccdfuzz {
 
-/// The nearest points of two convex hulls, exactly, by Wolfe's algorithm for the least vector of a
-/// polytope, which is the hull of the differences of their points. It ends, as each of its
-/// candidates, the nearest points of affinely independent differences, is nearer than the last.
+/// The nearest points of two convex hulls, exactly. Wolfe's algorithm finds the least vector of a
+/// polytope, here of the hull of the differences of their points. Its candidates are the nearest
+/// points of affinely independent differences. Each is nearer than the last, so it ends.
 class NearestPoints {
  public:
   /// The way from a point of one hull to the nearest one of the other, and the weights that make
@@ -24,8 +24,8 @@ class NearestPoints {
   /// Requires a point of each. The next call begins where this one ended, if there are as many.
   const Found& operator()(const Points<Rational>& from, const Points<Rational>& to);
 
-  /// How fast the way last found changes where the second hull moves by a velocity, as long as its
-  /// ends stay on the same vertices, edges or faces: the part of the velocity at right angles to
+  /// How fast the way last found changes where the second hull moves by a velocity. Its ends must
+  /// stay on the same vertices, edges or faces. It is the part of the velocity at right angles to
   /// these.
   Vec3<Rational> rate_of_way(const Vec3<Rational>& velocity) const;
 

@@ -25,9 +25,9 @@ struct OracleOptions {
 };
 
 /// What the oracle found out. Every statement in truth has its certificate there, which the checker
-/// accepted: collides = true a witness or contact box, collides = false a clearance that covers
-/// [0, t_max], clear_until a clearance. Where collides is absent it is undecided at this
-/// resolution.
+/// accepted. For collides = true it is a witness or contact box; for collides = false a clearance
+/// that covers [0, t_max]; for clear_until a clearance. Where collides is absent it is undecided at
+/// this resolution.
 struct Decision {
   Truth truth;
   /// The tree of truth.clearance, if that is a tree; its place in a file is for the writer to fill
@@ -38,8 +38,8 @@ struct Decision {
   std::string note;  ///< why it is undecided
 };
 
-/// Decides a query and proves the decision: tdibm-c finds what is to be proven, tdibm-rational
-/// where that stays undecided; a contact is proven by W or M, absence by P or T. Linear queries are
+/// Decides a query and proves the decision. tdibm-c finds what is to be proven, and tdibm-rational
+/// where that stays undecided. A contact is proven by W or M, absence by P or T. Linear queries are
 /// decided exactly (decide_linear), by W or R and L; bodies by W and K (decide_bodies). Both are
 /// always sought: the earliest contact, and the latest time before it that is clear. A query that
 /// is not valid stays undecided, with what is wrong with it as the note. Keeps two solvers for each

@@ -22,8 +22,8 @@ enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit, k
 std::string_view name_of(NanPolicy policy);
 std::string_view name_of(ToleranceKind kind);
 
-/// The largest tolerance, in time or space, and minimum separation that may be claimed: hunts at
-/// ordinary scales draw lengths up to 2^40, so that with more any hit would be right there.
+/// The largest tolerance, in time or space, and minimum separation that may be claimed. Hunts at
+/// ordinary scales draw lengths up to 2^40, so with more any hit would be right there.
 inline constexpr double kMostTolerance = 0x1p40;
 /// The same of a tolerance relative to t_max or to the largest coordinate. With a whole t_max every
 /// time is near enough, and with 2·√3 coordinates every two points are.
@@ -73,9 +73,9 @@ struct PluginAnswer {
   bool agrees_with(const PluginAnswer& other) const;
 };
 
-/// Reads the answer to a query about [0, t_max]. Errors: whatever is no answer, each by its name:
-/// "garbage", "stale" (of another question), "toi NaN", "toi infinite", "toi outside",
-/// "toi missing", "uv NaN", "error" (it says so), and the names of worker.cpp.
+/// Reads the answer to a query about [0, t_max]. Errors: whatever is no answer, each by its name.
+/// They are "garbage", "stale" (of another question), "toi NaN", "toi infinite", "toi outside",
+/// "toi missing", "uv NaN" and "error" (it says so). The names of worker.cpp are, too.
 tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,
                                               double t_max);
 

@@ -13,8 +13,8 @@ struct KnownPlugin {
   PluginSpec spec;
   tl::expected<PluginDescription, Fault> description;
   ChildProgram program;
-  /// A built-in method in a child (served_method): it is asked on however often it hangs, and what
-  /// only a child does that has answered before is not its fault.
+  /// A built-in method in a child (served_method). It is asked on however often it hangs. What only
+  /// a child does that has answered before is not its fault.
   bool is_ours = false;
   std::string behind = {};  ///< the spec that its name stands for; empty where it has no name
 };
@@ -38,9 +38,9 @@ MethodInfo plugin_info(const KnownPlugin& plugin);
 /// The plug-in as a Method, in a worker process that starts with the first query, and anew after
 /// each fault. A query of shapes that it does not accept is undecided. Every query is asked again
 /// after another one, unless the spec says repeat=no: an answer that changes is the fault "stale".
-/// Between the two, where the plug-in claims a NaN policy, the query is asked with a coordinate
-/// that is not finite: an answer that does not fit is the broken claim "nan policy". answer()
-/// throws MethodFault for whatever the plug-in does that it may not.
+/// Where the plug-in claims a NaN policy, the query is asked between the two with a coordinate that
+/// is not finite. An answer that does not fit is the broken claim "nan policy". answer() throws
+/// MethodFault for whatever the plug-in does that it may not.
 std::unique_ptr<Method> make_plugin_method(std::shared_ptr<const KnownPlugin> plugin);
 
 }  // namespace ccdfuzz
