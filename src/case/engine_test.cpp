@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/read_double.hpp"
 #include "base/verify.hpp"
 #include "numeric/exact_scalars.hpp"
 
@@ -146,6 +147,33 @@ std::string google_checks(const std::optional<double>& latest) {
   return fmt::format("  ASSERT_TRUE(touches);\n  EXPECT_LE(share, {});\n}}\n", *latest);
 }
 
+/// How much later than the contact the engine may be, as a part of the way: its own tolerance in
+/// time, or the time in which the bodies come as deep as its tolerance in space allows. The
+/// direction that keeps them apart until the contact tells how fast that is.
+double allowed_delay(const Case& value, const Template& engine) {
+  const auto number = [&](std::string_view name) {
+    double x = 0;
+    if (const auto found = engine.names.find(name); found != engine.names.end()) {
+      read_double(found->second.data(), found->second.data() + found->second.size(), x);
+    }
+    return x;
+  };
+  const double depth = number("depth");
+  if (!(depth > 0)) return number("late");
+  const auto& patches = value.query.patches;
+  const Vec3<double> way =
+      (patches[0].velocities[0] - patches[1].velocities[0]) * value.query.t_max;
+  double speed = way.norm();
+  if (const auto& clear = value.truth.clearance) {
+    if (const auto* apart = std::get_if<BodyClearance>(&*clear)) {
+      const Vec3<double> normal(apart->normal[0].get_d(), apart->normal[1].get_d(),
+                                apart->normal[2].get_d());
+      speed = std::abs(normal.dot(way)) / normal.norm();
+    }
+  }
+  return speed > depth ? depth / speed : 1;
+}
+
 /// What is proven, in a line that a person can check.
 std::string proof_text(const Case& value) {
   const auto& witness = value.truth.witness;
@@ -250,9 +278,9 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   if (!touches && !is_clear) {
     return input_error(named.id, "neither a contact within t_max nor its absence is proven");
   }
-  std::optional<double> latest;
-  if (touches) latest = round_up(Rational(*contact / t_max));
   const Template engine(*of_engine);
+  std::optional<double> latest;
+  if (touches) latest = round_up(Rational(*contact / t_max)) + allowed_delay(value, engine);
   const Result<std::string> asked = engine.names.contains(kVertexFace)
                                         ? features_text(named, engine)
                                         : bodies_text(named, engine);

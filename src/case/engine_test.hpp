@@ -13,6 +13,7 @@ namespace ccdfuzz {
 /// TEXT", say how the engine writes a point, whose coordinates stand for *, and each kind of body:
 /// box, segment, triangle or hull, and with a radius round point, round segment and so on. Others
 /// are "any" where it takes them; vertex-face and edge-edge are what it is asked of features by.
+/// "depth", or "late" as a part of the way, is its own tolerance, which the test allows.
 struct EngineTemplate {
   std::string_view engine;
   bool is_cpp;

@@ -28,15 +28,28 @@ ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint3
           positions, velocities, ends, weights, radius}};
 }}
 
-/// Asks the plug-in that this is linked with, with the patches in the order that it takes.
-ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
-  const ccdfuzz_plugin* const plugin = ccdfuzz_plugin_get();
-  ccdfuzz_answer answer{{}};
+/// The plug-in that this is linked with.
+struct Plugin {{
+  const ccdfuzz_plugin* const table = ccdfuzz_plugin_get();
   void* state = nullptr;
-  if (plugin->create("", &state) != 0) return answer;
+  const bool is_made = table->create("", &state) == 0;
   ccdfuzz_description description{{}};
-  description.size = sizeof description;
-  plugin->describe(state, &description);
+
+  Plugin() {{
+    description.size = sizeof description;
+    if (is_made) table->describe(state, &description);
+  }}
+  ~Plugin() {{
+    if (is_made) table->destroy(state);
+  }}
+}};
+
+/// Asks it, with the patches in the order that it takes.
+ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
+  const Plugin plugin;
+  ccdfuzz_answer answer{{}};
+  if (!plugin.is_made) return answer;
+  const ccdfuzz_description& description = plugin.description;
   const auto takes = [&](const ccdfuzz_patch& first, const ccdfuzz_patch& second) {{
     return std::any_of(description.pairs, description.pairs + description.pair_count,
                        [&](const ccdfuzz_pair& pair) {{
@@ -56,9 +69,19 @@ ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separa
   answer.size = sizeof answer;
   answer.toi_lower = answer.toi_upper = answer.tolerance = std::nan("");
   for (auto& uv : answer.uv) uv[0] = uv[1] = std::nan("");
-  if (plugin->answer(state, &query, &answer) != 0) answer.verdict = CCDFUZZ_ERROR;
-  plugin->destroy(state);
+  if (plugin.table->answer(plugin.state, &query, &answer) != 0) answer.verdict = CCDFUZZ_ERROR;
   return answer;
+}}
+
+/// Whether a hit is no later than the tolerance in time that the plug-in claims allows.
+[[maybe_unused]] bool is_in_time(const ccdfuzz_answer& answer, double contact, double t_max) {{
+  const ccdfuzz_description claimed = Plugin().description;
+  const bool is_relative = claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME_RELATIVE;
+  double delay = is_relative || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME ? claimed.tolerance : 0;
+  if ((claimed.claims & CCDFUZZ_CONSERVATIVE) != 0) delay = 0;
+  if (answer.tolerance < delay) delay = answer.tolerance;
+  if (is_relative) delay *= t_max;
+  return answer.toi_lower - contact <= delay;
 }}
 
 /// Whether it is an answer to a query about [0, t_max] at all.
@@ -200,9 +223,9 @@ std::string test_snippet(const NamedCase& named, size_t number, TestFramework fr
   if (contact && *contact <= exact(query.t_max)) {
     // toi > contact exactly if toi > the largest double that is not after it.
     out += check_text(framework, "answer.verdict != CCDFUZZ_MISS");
-    out += fmt::format(
-        "  if (answer.verdict == CCDFUZZ_HIT) {{\n  {}  }}\n",
-        check_text(framework, fmt::format("answer.toi_lower <= {}", to_hex(round_down(*contact)))));
+    out += fmt::format("  if (answer.verdict == CCDFUZZ_HIT) {{\n  {}  }}\n",
+                       check_text(framework, fmt::format("is_in_time(answer, {}, t_max)",
+                                                         to_hex(round_down(*contact)))));
   } else if (is_proven_clear(value)) {
     out += check_text(framework, "answer.verdict != CCDFUZZ_HIT");
   }

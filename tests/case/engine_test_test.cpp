@@ -62,6 +62,13 @@ TEST(EngineTest, AsksEachEngineForTheShapesThatItHas) {
                                        "V(0.25, 0.25, 0.5),\n"));
 }
 
+TEST(EngineTest, AllowsTheEnginesOwnTolerance) {
+  const Result<std::string> in_space = engine_test(falling_ball(), "rapier");
+  EXPECT_THAT(*in_space, testing::HasSubstr("assert(share <= 0.50005,")) << "1e-4 of a way of 2";
+  const Result<std::string> in_time = engine_test(vertex_through_face(), "fcl");
+  EXPECT_THAT(*in_time, testing::HasSubstr("EXPECT_LE(share, 0.5000001)"));
+}
+
 TEST(EngineTest, TakesACornerThatIsNoMiddleOfABoxForAHull) {
   NamedCase named = falling_ball();
   named.value.query.patches[1].positions[0][0] = -6;

@@ -366,6 +366,43 @@ TEST(Export, AsGoogleTestFailsWithAPluginThatFailsAndPassesWithOneThatDoesNot) {
   EXPECT_NE(wrong.out.find("2 FAILED TESTS"), std::string::npos) << wrong.out;
 }
 
+/// LATE of t_max late, and claims that it may be by a millionth.
+constexpr const char* kLateByItsTolerance = R"(#include "ccdfuzz_plugin.hpp"
+namespace ccd = ccdfuzz_plugin_cpp;
+struct Late {
+  explicit Late(const std::string&) {}
+  static ccd::Description describe() {
+    ccd::Description description{"late", ""};
+    description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;
+    description.tolerance = 1e-6;
+    return description;
+  }
+  static ccd::Answer answer(const ccd::Query& query) {
+    const bool comes = query.raw.patches[1]->velocities[0][2] == -2;
+    return comes ? ccd::Answer::hit(0.5 + LATE) : ccd::Answer::miss();
+  }
+};
+CCDFUZZ_PLUGIN(Late)
+)";
+
+TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {
+  const ScratchFolder folder;
+  write_text(folder / "cases.jsonl", kTwoLinearCases);
+  write_text(folder / "late.cpp", kLateByItsTolerance);
+  ASSERT_EQ(
+      ccdfuzz({"export", folder / "cases.jsonl", "--as", "gtest", "-o", folder / "found_test.cpp"})
+          .code,
+      0);
+  const Finished compiled = shell(fmt::format(
+      "cd {0} && cxx='{1} -std=c++17 -I{2}/src/method/plugin' && $cxx -c found_test.cpp -o t.o && "
+      "$cxx t.o late.cpp -DLATE=0x1p-20 -o within -lgtest_main -lgtest -pthread && "
+      "$cxx t.o late.cpp -DLATE=0x1p-19 -o beyond -lgtest_main -lgtest -pthread",
+      folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR));
+  ASSERT_EQ(compiled.code, 0) << compiled.err;
+  EXPECT_EQ(Process({}, "", folder / "within").wait().code, 0);
+  EXPECT_EQ(Process({}, "", folder / "beyond").wait().code, 1);
+}
+
 TEST(Export, AsCatch2Compiles) {
   const ScratchFolder folder;
   write_text(folder / "cases.jsonl", kTwoLinearCases);
