@@ -277,7 +277,7 @@ struct DrawnBox {
   Query query;
   ContactBox box;
   std::size_t side = 0;
-  std::array<double, 2> radius{};  ///< of that side's parameters
+  std::array<double, 2> radius{};  ///< the one of that side's parameters
 };
 
 DrawnBox draw_box(Draw& d) {

@@ -13,7 +13,7 @@ class TrimRegion {
  public:
   enum class Cover : std::uint8_t { kInside, kCrossed, kOutside };
 
-  /// Of a trimmed patch; of any other it is whole. Keeps the memory.
+  /// The region of a trimmed patch; that of any other is whole. Keeps the memory.
   void assign(const MovingPatch<double>& patch) {
     edges_.clear();
     if (!patch.trim.empty()) take_loops(patch);

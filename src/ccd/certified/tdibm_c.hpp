@@ -21,7 +21,7 @@ namespace ccdfuzz {
 ///              asked about.
 /// How early toi can be: no later time is certified clear for that pair. So it is early by at most
 /// the time in which the pair's hulls, of diameter O(precision), approach each other.
-/// Of a trimmed patch a pair is dropped, too, where a cell has no point in the closed region of its
+/// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly; a hit's cells are not proven to be outside.
 /// Linear patches (can_advance) that are not trimmed are decided exactly: a hit is a contact, at
 /// toi + precision·t_max at most. Where numbers differ by too many binary places

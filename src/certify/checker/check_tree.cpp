@@ -24,7 +24,7 @@ struct Part {
   const MovingNet<Integer>* net;
   int depth = 0;
   std::uint64_t id = 0;              ///< no two parts of a side have the same
-  const Corners* corners = nullptr;  ///< of trimmed patches alone
+  const Corners* corners = nullptr;  ///< those of trimmed patches alone
 };
 
 /// Makes the parts of one patch. Holds one family of siblings a depth, which is what a walk in

@@ -325,7 +325,7 @@ class Plugin {
   std::array<Coordinates, 4> points_;
   std::array<std::vector<double>, 2> weights_;
   using Vertex = std::array<double, 2>;
-  std::array<std::vector<Vertex>, 2> vertices_;  ///< of all loops
+  std::array<std::vector<Vertex>, 2> vertices_;  ///< those of all loops
   std::array<std::vector<std::uint64_t>, 2> sizes_;
 };
 
