@@ -39,6 +39,9 @@ function checkCase(known) {
     expect(!isBody || (real(patch.radius ?? 0) >= 0 && Number.isFinite(real(patch.radius ?? 0))), `patches[${s}].radius is not a number of at least 0`);
     expect(!patch.weights || (patch.weights.length === points && patch.weights.every((w) => real(w) > 0 && Number.isFinite(real(w)))),
       `patches[${s}].weights is not a positive number for each control point`);
+    const loops = patch.trim ?? [];
+    expect(loops.every((loop) => loop.length >= 3 && loop.every((at) => at.length === 2 && at.every((x) => Number.isFinite(real(x))))),
+      `patches[${s}].trim has a loop that is not three pairs of numbers or more`);
     for (const name of ['positions', motionOf(patch)]) {
       const rows = patch[name];
       const count = isBody && name === 'velocities' ? 1 : points;

@@ -106,6 +106,12 @@ function regularSteps({ kind, n, m }, a, b) {
 /** The key of a patch that says how it moves: its velocities, or its positions at t = 1. */
 export const motionOf = (patch) => (patch.ends ? 'ends' : 'velocities');
 
+/** The edges of all loops of a trim, as offsets from uv; rounded after the subtraction. */
+const segmentsOf = (trim, uv) => trim.flatMap((loop) => {
+  const at = loop.map((vertex) => vertex.map((x, k) => toNumber(subtract(fractionOf(real(x)), uv[k]))));
+  return at.map((p, i) => [p, at[(i + 1) % at.length]]);
+});
+
 /** Homogeneous: a point is p / w, and w is 1 for a patch without weights. At uv and t, w is 1. */
 function expand(patch, uv, t) {
   const shape = shapeOf(patch);
@@ -130,7 +136,7 @@ function expand(patch, uv, t) {
       blossom(shape, points, a, b, at[0], at[1], one).map((x) => [x * many, whole * denominator]);
     return { a, b, p: fraction(moved, unit * t[1]), v: fraction(heavy, unit), w: fraction(w, 1n)[0] };
   });
-  return { shape, terms };
+  return { shape, terms, trim: patch.trim ? segmentsOf(patch.trim, uv) : null };
 }
 
 /**
@@ -147,8 +153,9 @@ export function localPatches({ patches }, { uv, t }) {
     return [x[0] * other[1] + other[0] * x[1], 2n * x[1] * other[1]];
   });
   const without = (row, moved, w) => row.map((x, k) => toNumber(w[0] === 0n ? x : subtract(x, multiply(moved[k], w))));
-  const rounded = ({ shape, terms }) => ({
+  const rounded = ({ shape, terms, trim }) => ({
     shape,
+    trim,
     terms: terms.map(({ a, b, p, v, w }) => ({ a, b, p: without(p, origin, w), v: without(v, velocity, w), w: toNumber(w) })),
   });
   return {

@@ -117,7 +117,7 @@ export class Viewer {
     const { separation } = this;
     const shapes = this.case.patches.map((p) => {
       const s = shapeOf(p);
-      return (p.weights ? 'rational ' : '') + (s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point'
+      return (p.trim ? 'trimmed ' : '') + (p.weights ? 'rational ' : '') + (s.kind === 'tensor' ? `tensor ${s.n}×${s.m}` : s.kind === 'point' ? 'point'
         : s.kind === 'hull' ? bodyName(p) : `${s.kind} of degree ${s.n}`);
     });
     this.heading.replaceChildren(...[

@@ -7,7 +7,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { bodyMesh } from '../src/bodies.js';
 import { netEdges } from '../src/patch_view.js';
-import { grid } from '../src/surface.js';
+import { grid, trimmed } from '../src/surface.js';
 
 const [corpus, work] = process.argv.slice(2);
 const script = join(dirname(fileURLToPath(import.meta.url)), '..', 'gltf.mjs');
@@ -43,6 +43,7 @@ const shapes = [[{ shape: 'point' }, 1], [{ shape: 'curve', degree: 3 }, 4], [{ 
 const still = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
 shapes.push({ shape: 'triangle', degree: 1, positions: still, velocities: still });
 shapes.push({ shape: 'curve', degree: 3, positions: wave(4, 1), ends: wave(4, 5), weights: [1, 2, '0x1p-1', 3] });
+shapes.push({ ...shapes[3], trim: [[[0, 0], [1, 0], ['0x1p-1', 1]], [[0.4, 0.25], [0.6, 0.25], [0.5, 0.5]]] });
 const bodies = [[1, 0], [1, 1], [2, 0], [2, 0.5], [3, 0], [3, 0.25], [8, 0], [81, 0.125]]
   .map(([count, radius], s) => ({ shape: 'hull', positions: wave(count, s), velocities: wave(1, s + 5), radius }));
 const pairs = [...shapes.flatMap((one) => shapes.map((two) => [one, two])), ...bodies.map((one, i) => [one, bodies[(i + 1) % bodies.length]])];
@@ -109,6 +110,7 @@ for (const [change, said] of [
   [{ patches: [{ ...bad.patches[0], degree: 1e9 }, bad.patches[1]] }, 'patches[0].degree is not from 0 to 8'],
   [{ patches: [{ ...bad.patches[0], degree: 2 }, bad.patches[1]] }, 'patches[0].positions does not have as many rows'],
   [{ patches: [{ ...bad.patches[0], weights: [1, 0, 1] }, bad.patches[1]] }, 'patches[0].weights is not a positive number'],
+  [{ patches: [{ ...bad.patches[0], trim: [[[0, 0], [1, 0]]] }, bad.patches[1]] }, 'patches[0].trim has a loop'],
   [{ patches: [bodies[0], bad.patches[1]] }, 'one is a body and one is not'],
   [{ patches: [bodies[0], { ...bodies[1], radius: -1 }] }, 'patches[1].radius is not'],
   [{ patches: [bodies[0], { ...bodies[1], positions: [] }] }, 'patches[1].positions does not have 1 to 81 rows'],
@@ -135,6 +137,23 @@ for (const [kind, area] of [['triangle', 0.5], ['tensor', 1]]) {
     sum += twice / 2;
   }
   claim(`the triangles of a ${kind} cover its domain once`, least > 0 && Math.abs(sum - area) < 1e-12, least, sum);
+}
+// A trim leaves the even-odd region of its loops, up to the step on its border.
+const loop = (...points) => points.map((p, i) => [p, points[(i + 1) % points.length]]);
+const square = (low, high) => loop([low, low], [high, low], [high, high], [low, high]);
+for (const [what, segments, area] of [
+  ['square', square(0.25, 0.75), 0.25], ['square with a hole', [...square(0.125, 0.875), ...square(0.25, 0.75)], 0.3125],
+  ['island in a hole', [...square(0, 1), ...square(0.25, 0.75), ...square(0.375, 0.625)], 0.8125],
+  ['triangle', loop([0.1, 0.1], [0.9, 0.2], [0.3, 0.8]), 0.27], ['two squares that touch along an edge', [...square(0, 0.5), ...loop([0.5, 0], [1, 0], [1, 0.5], [0.5, 0.5])], 0.5],
+  ['all', square(0, 1), 1],
+]) {
+  const { at, faces } = trimmed(grid({ kind: 'tensor' }), segments);
+  let sum = 0;
+  for (let i = 0; i < faces.length; i += 3) {
+    const [p, q, r] = faces.slice(i, i + 3).map((v) => at[v]);
+    sum += ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+  }
+  claim(`what a trim leaves has its area: ${what}`, Math.abs(sum - area) < 0.005, sum, area);
 }
 for (const [shape, lines] of [
   [{ kind: 'triangle', n: 1, m: 0 }, 3], [{ kind: 'triangle', n: 2, m: 0 }, 9], [{ kind: 'tensor', n: 2, m: 1 }, 7],

@@ -121,6 +121,12 @@ const cylinder = (motion) => ({
     { shape: 'point', positions: [[6, 8, 2]], ...motion[1] }],
   truth: { collides: true, witness: { t: '1/2', uv: [['1/2', '1/2'], ['0', '0']] } }, origin: {},
 });
+/** The same without a hole beside the contact, and without its borders. */
+const trimmed = (known) => {
+  const [patch, point] = known.patches;
+  const trim = [[[0.125, 0.125], [0.875, 0.125], [0.875, 0.875], [0.125, 0.875]], [[0.25, 0.25], [0.5, 0.25], [0.5, 0.75], [0.25, 0.75]]];
+  return { ...known, patches: [{ ...patch, trim }, point] };
+};
 const kVelocities = [{ velocities: [[0, 0, 0], [0, 0, 0], [0, 0, 0]] }, { velocities: [[2, 0, -2]] }];
 const kEnds = [{ ends: [[0, 0, 0], [0, 4, 0], [4, 0, 0]] }, { ends: [[2, 1, -1]] }];
 craft('by-velocities', falling(kVelocities), { outcome: 'late', toi: 0.75 });
@@ -129,6 +135,7 @@ craft('no-contact', { ...falling(kVelocities), truth: { collides: false } }, { o
 craft('cubes', cubes, { outcome: 'late', toi: 0.75 });
 craft('balls', balls, { outcome: 'missed', toi: null });
 craft('rational', cylinder([{ velocities: kArc.map(() => [0, 0, 0]) }, { velocities: [[-6, -8, 0]] }]), { outcome: 'missed', toi: null });
+craft('trimmed', trimmed(cylinder([{ velocities: kArc.map(() => [0, 0, 0]) }, { velocities: [[-6, -8, 0]] }])), { outcome: 'missed', toi: null });
 craft('rational-by-ends', cylinder([{ ends: kArc }, { ends: [[0, 0, 2]] }]), { outcome: 'missed', toi: null });
 craft('separated', falling(kVelocities, { separation: 0.25 }), { outcome: 'missed', toi: null });
 
@@ -344,7 +351,7 @@ for (const name of ['none', 'one', 'many', 'corpus', 'engines', 'evaluation', 'h
   const placesOf = (rows, patch, when) => rows.filter(([p, w]) => p === patch && w === when).flatMap((row) => [row.slice(3, 5), row.slice(5)].map((p) => p.map(Number)));
   const heights = (places) => [Math.min(...places.map(([, y]) => y)), Math.max(...places.map(([, y]) => y))];
   const near = (a, b, by = 1e-9) => Math.abs(a - b) <= by;
-  for (const name of ['cubes', 'balls', 'rational', 'rational-by-ends']) {
+  for (const name of ['cubes', 'balls', 'rational', 'rational-by-ends', 'trimmed']) {
     const { tab, errors, close } = await open(name, {}, '#cases');
     await waitForCase(tab);
     claim(`${name}: it opens at t*`, (await tab.innerText('.time-text')).startsWith('t = t* = '), await tab.innerText('.time-text'));
@@ -383,7 +390,13 @@ for (const name of ['none', 'one', 'many', 'corpus', 'engines', 'evaluation', 'h
       claim(`${name}: a patch with weights is cut in its circle`, off.length > 40 && off.every((x) => x <= 1e-9 && x > -0.005), Math.min(...off), Math.max(...off));
       claim(`${name}: its title says that it is rational`, (await tab.innerText('.case-title')).includes('rational tensor 2×1'));
     }
-    claim(`${name}: levels are those of patches`, levels === name.startsWith('rational'), levels);
+    if (name === 'trimmed') {
+      const cut = placesOf(rows, '1', 'shown').map(([x]) => x).sort((a, b) => a - b);
+      const widest = Math.max(...cut.slice(1).map((x, i) => x - cut[i]));
+      claim('a trimmed patch is not drawn in its hole', widest > 1 && cut.some((x) => Math.abs(x) < 0.05), widest, cut);
+      claim('a trimmed patch ends at its trim', cut.at(-1) - cut[0] < 6.5 && cut.at(-1) - cut[0] > 5, cut[0], cut.at(-1));
+    }
+    claim(`${name}: levels are those of patches`, levels === !['cubes', 'balls'].includes(name), levels);
     await close();
   }
 }
@@ -571,7 +584,7 @@ for (const [look, options] of Object.entries({
   narrow: { colorScheme: 'light', viewport: { width: 400, height: 860 } },
   'narrow and dark': { colorScheme: 'dark', viewport: { width: 400, height: 860 } },
 })) {
-  for (const name of ['corpus', 'evaluation', 'hunt', 'by-velocities', 'late-hunt', 'bodies', 'cubes', 'balls', 'rational']) {
+  for (const name of ['corpus', 'evaluation', 'hunt', 'by-velocities', 'late-hunt', 'bodies', 'cubes', 'balls', 'rational', 'trimmed']) {
     const { tab, close } = await open(name, options);
     for (const one of await tabsOf(tab)) {
       await openTab(tab, one);
