@@ -147,9 +147,9 @@ std::string google_checks(const std::optional<double>& latest) {
   return fmt::format("  ASSERT_TRUE(touches);\n  EXPECT_LE(share, {});\n}}\n", *latest);
 }
 
-/// How much later than the contact the engine may be, as a part of the way: its own tolerance in
-/// time, or the time in which the bodies come as deep as its tolerance in space allows. The
-/// direction that keeps them apart until the contact tells how fast that is.
+/// How much later than the contact the engine may be, as a part of the way. That is its own
+/// tolerance in time, or the time in which bodies come as deep as its tolerance in space allows.
+/// The direction that keeps them apart until the contact tells how fast that is.
 double allowed_delay(const Case& value, const Template& engine) {
   const auto number = [&](std::string_view name) {
     double x = 0;

@@ -10,10 +10,11 @@ namespace ccdfuzz {
 
 /// The file find.mjs.in or find.cpp.in of an engine's folder in examples/engines: a test of the
 /// engine alone, with words that stand for the numbers of a case. Its first lines, "//= NAME:
-/// TEXT", say how the engine writes a point, whose coordinates stand for *, and each kind of body:
-/// box, segment, triangle or hull, and with a radius round point, round segment and so on. Others
-/// are "any" where it takes them; vertex-face and edge-edge are what it is asked of features by.
-/// "depth", or "late" as a part of the way, is its own tolerance, which the test allows.
+/// TEXT", say how the engine writes things. "point" is a point, whose coordinates stand for *.
+/// "box", "segment", "triangle" and "hull" are bodies, and "round point", "round box" and so on
+/// those with a radius. Others are "any" where it takes them. It is asked of features by
+/// "vertex-face" and "edge-edge". The test allows its own tolerance: "depth", or "late" as a part
+/// of the way.
 struct EngineTemplate {
   std::string_view engine;
   bool is_cpp;
@@ -22,12 +23,12 @@ struct EngineTemplate {
 /// As they were when this program was built.
 std::span<const EngineTemplate> engine_templates();
 
-/// A complete test file that asks the engine itself the query of a case, as its adapter does, and
-/// fails where the engine misses the proven contact, or is late for it, or reports one where none
-/// is proven. It needs nothing of ccdfuzz: for engines of npm it is a module for Node, for others
-/// a GoogleTest. Requires a checked case, and an engine of engine_templates(). Errors: the case is
-/// of other shapes than the engine has, or neither a contact within t_max nor its absence is
-/// proven; naming the case.
+/// A complete test file that asks the engine itself the query of a case, as its adapter does. It
+/// fails where the engine misses the proven contact, is late for it, or reports one where none is
+/// proven. It needs nothing of ccdfuzz. For engines of npm it is a module for Node, for others a
+/// GoogleTest. Requires a checked case, and an engine of engine_templates(). Errors, naming the
+/// case: it is of other shapes than the engine has; neither a contact within t_max nor its absence
+/// is proven.
 Result<std::string> engine_test(const NamedCase& named, std::string_view engine);
 
 }  // namespace ccdfuzz

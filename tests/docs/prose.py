@@ -18,7 +18,7 @@ MAX_WORDS = 25
 MAX_WORDS_OF_OTHERS = 30
 OTHERS = ('CHANGELOG.md', 'docs/engines/', 'docs/formats.md', 'docs/guarantees.md', 'docs/plug-ins.md')
 MAX_COLUMNS = 100
-LONG_COMMENTS = 60
+LONG_COMMENTS = 40
 ROOMS = ('src', 'generators', 'properties', 'fuzz', 'bench', 'examples')
 # A full stop, unless it is that of an abbreviation.
 END = re.compile(r'(?<!\bEq)(?<!\bEqs)(?<!\bFig)(?<!\bFigs)(?<!\be\.g)(?<!\bi\.e)(?<!\bal)[.!?]["\')*]*\s+')
