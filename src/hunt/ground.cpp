@@ -141,7 +141,8 @@ std::vector<ShapePair> HuntGround::drawn_shapes() const {
 Case HuntGround::fitted(Case value) const {
   Query& query = value.query;
   const bool are_bodies = is_of_bodies(query);
-  const bool can_be_decided = are_bodies || (is_linear_query(query) && !has_ends(query));
+  const bool can_be_decided =
+      are_bodies || (is_linear_query(query) && !has_ends(query) && !is_trimmed(query));
   if (!can_be_decided || has_numbers_of(query)) return value;
   const Query before = query;
   const double least = scale ? std::ldexp(1.0, -*scale) : 0;

@@ -49,6 +49,9 @@ TEST(FeatureDepth, IsNoneOfAContactAtTheEdgeOfAFaceNorOfOtherQueries) {
   known.truth = decide(known.query).truth;
   EXPECT_EQ(feature_depth(known, 1), 0) << "two points";
   known = falling_through();
+  known.query.patches[1].trim = {{{0, 0}, {0.5, 0}, {0, 0.5}}};
+  EXPECT_EQ(feature_depth(known, 1), 0) << "a part of a face";
+  known = falling_through();
   known.truth = {};
   EXPECT_EQ(feature_depth(known, 1), 0) << "nothing is known of a contact";
 }

@@ -96,7 +96,7 @@ Rational squared_of_edges(const Corners& from, const Corners& to) {
 double feature_depth(const Case& known, double until) {
   const Query& query = known.query;
   const auto& [witness, root] = std::pair(known.truth.witness, known.truth.contact_root);
-  const bool is_plain = query.separation == 0 && linear::is_linear(query);
+  const bool is_plain = query.separation == 0 && linear::is_linear(query) && !is_trimmed(query);
   if (!is_plain || is_of_bodies(query) || (!witness && !root)) return 0;
   const Differences differences(query);
   const Rational first = witness ? witness->t : root->from, last = witness ? witness->t : root->by;
