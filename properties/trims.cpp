@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include "bezier/exact_patch.hpp"
+#include "bezier/orientation.hpp"
 #include "bezier/trim.hpp"
 #include "bezier/trim_region.hpp"
 #include "case/case_json.hpp"
@@ -39,6 +41,30 @@ Uv<double> draw_place(Draw& d, const Shape& shape) {
 
 Uv<Rational> exact_place(const Uv<double>& uv) {
   return {exact(uv[0]), exact(uv[1])};
+}
+
+/// Points that are nearly on a line, or anywhere, down to subnormal coordinates.
+void check_trim_orientation(Draw& d) {
+  std::array<Uv<double>, 3> p;
+  const bool is_small = d.choose(3) == 3;
+  for (Uv<double>& at : p) {
+    for (double& x : at) {
+      x = std::abs(*d.dyadic(53, -53).to_double_exactly());
+      if (is_small) x = std::ldexp(x, -static_cast<int>(d.choose(1100)));
+    }
+  }
+  if (d.coin()) {
+    const double share = std::ldexp(static_cast<double>(d.choose(8)), -3);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      p[2][k] = d.nudged(p[0][k] + share * (p[1][k] - p[0][k]), 1);
+    }
+  }
+  const auto way = [&](std::size_t to, std::size_t k) {
+    return Rational(exact(p[to][k]) - exact(p[0][k]));
+  };
+  const Rational area = way(1, 0) * way(2, 1) - way(1, 1) * way(2, 0);
+  show(d, "points", p);
+  CLAIM(orientation(p[0], p[1], p[2]) == sgn(area));
 }
 
 Cell draw_cell(Draw& d, const Shape& shape) {
@@ -376,6 +402,8 @@ std::vector<Property> trims_claims() {
        check_trim_meaning},
       {"trims.valid", "Loops that no patch may have are refused, naming the field",
        "src/bezier/trim.hpp", check_trim_valid},
+      {"trims.orientation", "On which side of a line a point is, is exact for all doubles",
+       "src/bezier/orientation.hpp", check_trim_orientation},
       {"trims.cells", "A cell is outside, or inside, iff all of it is, to methods and checker",
        kDomain, check_trim_cells},
       {"trims.whole_is_none", "A trim of all of the domain changes no bit of an answer", kDomain,
