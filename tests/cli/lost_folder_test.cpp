@@ -66,8 +66,9 @@ TEST_F(LostFolder, IsMadeAgainWithAllFinds) {
   EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
   EXPECT_EQ(count_of(finished.err, "the hunt continues"), 1U) << finished.err;
   EXPECT_THAT(finished.err, HasSubstr(finds_)) << finished.err;
-  EXPECT_EQ(count_of(finished.out, "\n  tdibm-"), entries_in(finds_).size()) << finished.out;
-  EXPECT_FALSE(entries_in(finds_).empty());
+  // Finds that fail alike, but for their class, are in one line.
+  EXPECT_GT(count_of(finished.out, "\n  tdibm-"), 0U) << finished.out;
+  EXPECT_LE(count_of(finished.out, "\n  tdibm-"), entries_in(finds_).size()) << finished.out;
   // An entry may have been replaced by a smaller one since.
   const Finished merged = ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"});
   EXPECT_EQ(merged.code, 0) << merged.err;

@@ -139,6 +139,7 @@ class Advancing {
       above += now > e;
       below += now < -e;
     }
+    if (observer_ != nullptr) report_gaps(l, e, height, slope);
     if (above != differences_.count && below != differences_.count) return;
     const double side = above == differences_.count ? 1 : -1;
     const auto separated_at = [&](double t) {
@@ -170,6 +171,29 @@ class Advancing {
     if (end > furthest_ && separated_at(end)) {
       report(end);
       furthest_ = end;
+    }
+  }
+
+  /// Tells the observer the gaps on an axis, at the time reached and at t_max.
+  void report_gaps(const Axis& l, double e, const std::array<double, 4>& height,
+                   const std::array<double, 4>& slope) const {
+    for (const int below : {0, 1}) {
+      // A difference is of this side's point less the other's.
+      const double sign = below == differences_.face_side ? 1 : -1;
+      const auto gap_at = [&](double t) {
+        double most = sign * (slope[0] * t + height[0]);
+        for (size_t n = 1; n < static_cast<size_t>(differences_.count); ++n) {
+          most = std::max(most, sign * (slope[n] * t + height[n]));
+        }
+        return most + e;
+      };
+      observer_->compared({tried_,
+                           {l[0], l[1], l[2]},
+                           below,
+                           {time_, query_.t_max},
+                           gap_at(time_),
+                           gap_at(query_.t_max),
+                           e});
     }
   }
 

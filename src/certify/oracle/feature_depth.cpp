@@ -51,12 +51,10 @@ class Differences {
     // The polar form of the determinant, in those of the corners at both times.
     const auto mixed = [&](int late) {
       Rational sum = 0;
-      int count = 0;
       for (int which = 0; which < 8; ++which) {
         if ((which & 1) + (which >> 1 & 1) + (which >> 2) != late) continue;
         const auto corner = [&](size_t i) { return ((which >> i & 1) != 0 ? q : p)[i]; };
         sum += dot_of(corner(0), corner(1).cross(corner(2)));
-        ++count;
       }
       return sgn(sum);
     };
