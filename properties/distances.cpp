@@ -2,10 +2,8 @@
 
 #include "case/case_json.hpp"
 #include "certify/checker/check_plane.hpp"
-#include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
 #include "method/method.hpp"
@@ -58,16 +56,8 @@ void check_not_early_apart(Draw& d) {
 void check_trees(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d, true));
   show(d, "query", drawn.query);
-  Query asked = drawn.query;
-  asked.separation *= d.pick(std::array{0.0, 0.5, 1 - 0x1p-6, 1 - 0x1p-20});
-  const Rational t = drawn.witness.t;
-  constexpr std::uint64_t kFewNodes = 1000;
-  const auto tree = supposed(build_miss_tree(asked, t, kFewNodes));
-  show(d, "separation", asked.separation);
-  const bool is_accepted = check_tree(asked, t, tree).has_value();
-  CLAIM(is_accepted);
-  const bool is_false_accepted = check_tree(drawn.query, t, tree).has_value();
-  CLAIM(!is_false_accepted);
+  const double share = d.pick(std::array{0.0, 0.5, 1 - 0x1p-6, 1 - 0x1p-20});
+  claim_no_larger_separation(drawn.query, drawn.witness.t, share, 1000, d);
 }
 
 /// Proofs that patches do not touch prove nothing of distances.
@@ -130,7 +120,7 @@ std::vector<Property> distances_claims() {
   constexpr auto kMeaning = "src/case/query.hpp";
   constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 8";
   constexpr auto kRational = "src/ccd/rational/exact_scene.hpp";
-  return {
+  std::vector<Property> claims = {
       {"separation.reach", "Points are in contact up to the separation, and no further", kMeaning,
        check_reach},
       {"separation.not_early",
@@ -144,18 +134,14 @@ std::vector<Property> distances_claims() {
        "src/certify/checker/check_plane.hpp", check_proofs_of_touching},
       {"separation.decision_is_proven", "What the oracle says of distances, the checker accepts",
        "src/certify/oracle/oracle.hpp", check_decision_apart},
-      {"tdibm-c.no_false_negative_apart", "No contact at a distance is missed or late", kCertified,
-       misses_nothing("tdibm-c", draw_case_apart)},
-      {"tdibm-c.trace_apart", "No pair of boxes that holds a contact at a distance is dropped",
-       kCertified, keeps_contacts("tdibm-c", draw_case_apart)},
-      {"tdibm-c.linear_apart", "A hit on a linear query is at that distance, and a miss is none",
-       kCertified, check_linear_apart},
-      {"tdibm-rational.no_false_negative_apart", "No contact at a distance is missed or late",
-       kRational, misses_nothing("tdibm-rational", draw_case_apart)},
-      {"tdibm-rational.trace_apart",
-       "No pair of boxes that holds a contact at a distance is dropped", kRational,
-       keeps_contacts("tdibm-rational", draw_case_apart)},
   };
+  add_contact_claims(claims, "tdibm-c", "apart", "at a distance", kCertified, draw_case_apart);
+  claims.push_back({"tdibm-c.linear_apart",
+                    "A hit on a linear query is at that distance, and a miss is none", kCertified,
+                    check_linear_apart});
+  add_contact_claims(claims, "tdibm-rational", "apart", "at a distance", kRational,
+                     draw_case_apart);
+  return claims;
 }
 
 }  // namespace ccdfuzz

@@ -134,7 +134,7 @@ void check_refusal(Draw& d) {
 std::vector<Property> ends_claims() {
   constexpr auto kCertified = "src/ccd/certified/DERIVATION.md, 1";
   constexpr auto kRational = "src/ccd/rational/gap.cpp";
-  return {
+  std::vector<Property> claims = {
       {"ends.meaning", "Ends mean (1 − t)·position + t·end to generator, checker and files",
        "src/bezier/patch.hpp", check_meaning},
       {"ends.same_motion", "Ends whose ways are doubles are answered as these velocities are",
@@ -143,17 +143,11 @@ std::vector<Property> ends_claims() {
        "src/method/features.hpp", check_refusal},
       {"ends.decision_is_proven", "What the oracle says of ends, the checker accepts",
        "src/certify/oracle/oracle.hpp", check_decision_on_ends},
-      {"tdibm-c.no_false_negative_ends", "No contact of patches with ends is missed or late",
-       kCertified, misses_nothing("tdibm-c", draw_elsewhere)},
-      {"tdibm-c.trace_ends",
-       "No pair of boxes that holds a contact of patches with ends is dropped", kCertified,
-       keeps_contacts("tdibm-c", draw_elsewhere)},
-      {"tdibm-rational.no_false_negative_ends", "No contact of patches with ends is missed or late",
-       kRational, misses_nothing("tdibm-rational", draw_elsewhere)},
-      {"tdibm-rational.trace_ends",
-       "No pair of boxes that holds a contact of patches with ends is dropped", kRational,
-       keeps_contacts("tdibm-rational", draw_elsewhere)},
   };
+  add_contact_claims(claims, "tdibm-c", "ends", "of patches with ends", kCertified, draw_elsewhere);
+  add_contact_claims(claims, "tdibm-rational", "ends", "of patches with ends", kRational,
+                     draw_elsewhere);
+  return claims;
 }
 
 }  // namespace ccdfuzz

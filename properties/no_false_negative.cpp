@@ -1,5 +1,7 @@
 #include "properties/no_false_negative.hpp"
 
+#include <fmt/format.h>
+
 #include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "ccd/witness_trace/trace.hpp"
@@ -67,6 +69,17 @@ void claim_kept(const std::string& method, const Case& value, Draw& draw) {
   }
   show(draw, "contact", value);
   CLAIM(!trace.lost);
+}
+
+void add_contact_claims(std::vector<Property>& claims, const std::string& method,
+                        const std::string& kind, const std::string& of, const std::string& source,
+                        const DrawCase& draw) {
+  claims.push_back({method + ".no_false_negative_" + kind,
+                    fmt::format("No contact {} is missed or late", of), source,
+                    misses_nothing(method, draw)});
+  claims.push_back({method + ".trace_" + kind,
+                    fmt::format("No pair of boxes that holds a contact {} is dropped", of), source,
+                    keeps_contacts(method, draw)});
 }
 
 }  // namespace ccdfuzz

@@ -46,4 +46,11 @@ void claim_kept(const std::string& method, const Case& value, Draw& draw);
 std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range);
 std::function<void(Draw&)> keeps_contacts(std::string method, DrawCase draw);
 
+/// Appends both claims of a method about contacts that are drawn so:
+/// "METHOD.no_false_negative_KIND" and "METHOD.trace_KIND". of: what their sentences say after
+/// "contact", such as "of rational patches".
+void add_contact_claims(std::vector<Property>& claims, const std::string& method,
+                        const std::string& kind, const std::string& of, const std::string& source,
+                        const DrawCase& draw);
+
 }  // namespace ccdfuzz

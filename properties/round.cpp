@@ -2,12 +2,10 @@
 
 #include <cmath>
 
-#include "certify/checker/check_tree.hpp"
-#include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
-#include "properties/property.hpp"
+#include "properties/against_oracle.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {
@@ -38,16 +36,8 @@ void check_separations(Draw& d) {
   const Case drawn =
       draw_round_case(d.coin() ? ContactClass::kVF : ContactClass::kFF, RoundKind::kApart, d);
   show(d, "query", drawn.query);
-  const Rational& t = drawn.truth.witness->t;
-  Query asked = drawn.query;
-  asked.separation *= d.pick(std::array{0.0, 0.5, 1 - 0x1p-6});
-  constexpr std::uint64_t kFewNodes = 3000;
-  const auto tree = supposed(build_miss_tree(asked, t, kFewNodes));
-  show(d, "separation", asked.separation);
-  const bool is_accepted = check_tree(asked, t, tree).has_value();
-  CLAIM(is_accepted);
-  const bool is_false_accepted = check_tree(drawn.query, t, tree).has_value();
-  CLAIM(!is_false_accepted);
+  const double share = d.pick(std::array{0.0, 0.5, 1 - 0x1p-6});
+  claim_no_larger_separation(drawn.query, drawn.truth.witness->t, share, 3000, d);
 }
 
 void check_first_contact(Draw& d) {

@@ -397,7 +397,7 @@ std::vector<Property> trims_claims() {
   constexpr auto kChecker = "src/case/certificate.hpp";
   constexpr auto kCertified = "src/ccd/certified/tdibm_c.hpp";
   constexpr auto kRational = "src/ccd/rational/tdibm_rational.hpp";
-  return {
+  std::vector<Property> claims = {
       {"trims.meaning", "A trim means the same to generator, checker, files and fuzzers", kPatch,
        check_trim_meaning},
       {"trims.valid", "Loops that no patch may have are refused, naming the field",
@@ -422,18 +422,12 @@ std::vector<Property> trims_claims() {
        check_trim_boxes},
       {"mutator.keeps_trims", "Changed loops are valid, and the contact is in their region",
        "fuzz/mutator/trim_moves.hpp", check_trim_moves},
-      {"tdibm-c.no_false_negative_trimmed", "No contact of trimmed patches is missed or late",
-       kCertified, misses_nothing("tdibm-c", draw_trimmed_contact)},
-      {"tdibm-c.trace_trimmed",
-       "No pair of boxes that holds a contact of trimmed patches is dropped", kCertified,
-       keeps_contacts("tdibm-c", draw_trimmed_contact)},
-      {"tdibm-rational.no_false_negative_trimmed",
-       "No contact of trimmed patches is missed or late", kRational,
-       misses_nothing("tdibm-rational", draw_trimmed_contact)},
-      {"tdibm-rational.trace_trimmed",
-       "No pair of boxes that holds a contact of trimmed patches is dropped", kRational,
-       keeps_contacts("tdibm-rational", draw_trimmed_contact)},
   };
+  add_contact_claims(claims, "tdibm-c", "trimmed", "of trimmed patches", kCertified,
+                     draw_trimmed_contact);
+  add_contact_claims(claims, "tdibm-rational", "trimmed", "of trimmed patches", kRational,
+                     draw_trimmed_contact);
+  return claims;
 }
 
 }  // namespace ccdfuzz

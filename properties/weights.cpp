@@ -342,7 +342,7 @@ std::vector<Property> weights_claims() {
   constexpr auto kRational = "src/ccd/rational/gap.cpp";
   constexpr auto kPatch = "src/bezier/patch.hpp";
   constexpr auto kChecker = "src/case/certificate.hpp";
-  return {
+  std::vector<Property> claims = {
       {"weights.meaning", "Weights mean the same to generator, checker, files and fuzzers", kPatch,
        check_meaning},
       {"weights.valid", "Weights are valid iff they are > 0 and of exponents at most 60 apart",
@@ -365,18 +365,12 @@ std::vector<Property> weights_claims() {
       {"tdibm-c.cells_weighted",
        "Control points of cells of rational patches are off by the roundings counted at most",
        kCertified, check_cells},
-      {"tdibm-c.no_false_negative_weighted", "No contact of rational patches is missed or late",
-       kCertified, misses_nothing("tdibm-c", draw_weighted_case)},
-      {"tdibm-c.trace_weighted",
-       "No pair of boxes that holds a contact of rational patches is dropped", kCertified,
-       keeps_contacts("tdibm-c", draw_weighted_case)},
-      {"tdibm-rational.no_false_negative_weighted",
-       "No contact of rational patches is missed or late", kRational,
-       misses_nothing("tdibm-rational", draw_weighted_case)},
-      {"tdibm-rational.trace_weighted",
-       "No pair of boxes that holds a contact of rational patches is dropped", kRational,
-       keeps_contacts("tdibm-rational", draw_weighted_case)},
   };
+  add_contact_claims(claims, "tdibm-c", "weighted", "of rational patches", kCertified,
+                     draw_weighted_case);
+  add_contact_claims(claims, "tdibm-rational", "weighted", "of rational patches", kRational,
+                     draw_weighted_case);
+  return claims;
 }
 
 }  // namespace ccdfuzz
