@@ -36,8 +36,8 @@ struct Contact {
 /// Both places of the contact are doubles in the trims of their patches, or where there is none.
 bool is_in_trims(const Contact& q);
 
-/// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one that
-/// is not dyadic, or whose points are apart; or if it is one of bodies.
+/// The witnessed contact of a case. nullopt if its truth has no witness within t_max, or one of
+/// bodies. Likewise if the witness is not dyadic, or its points are apart.
 std::optional<Contact> contact_of(const Case& known);
 
 /// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.

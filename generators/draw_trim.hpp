@@ -9,9 +9,9 @@ namespace ccdfuzz {
 /// are rounded where they must be.
 std::vector<Uv<double>> loop_about(const Shape& shape, const Uv<double>& p, int halvings);
 
-/// Loops around, through and beside a point of the domain: rings about it, so that it is in a hole
-/// or on an island; edges and vertices through it, and one float off; slivers. Discarded where they
-/// are none that a patch may have.
+/// Loops around, through and beside a point of the domain. Rings about it put it into a hole or on
+/// an island. Edges, vertices and slivers pass through it, or one float beside it. The draw is
+/// discarded where a patch may not have the loops.
 Trim draw_trim(Draw& choices, const Shape& shape, const Uv<double>& p);
 
 }  // namespace ccdfuzz

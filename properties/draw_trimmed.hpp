@@ -5,8 +5,8 @@
 
 namespace ccdfuzz {
 
-/// draw_contact with a trim for one patch or both (draw_trim), planted about the contact: it is
-/// inside, on an edge or a vertex, a float off, in a hole or on an island. is_in_region says which.
+/// draw_contact with a trim for one patch or both, planted about the contact (draw_trim). The
+/// contact may be in the region or not: is_in_region says it.
 Case draw_trimmed(Draw& choices);
 /// Those whose contact counts.
 Case draw_trimmed_contact(Draw& choices);

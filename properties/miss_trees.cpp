@@ -91,8 +91,8 @@ struct TreeDraw {
 };
 
 /// Patches far apart: every complete tree of leaves that separate them is accepted. A tree is
-/// refused if it is cut off, goes on after its end, or has a time outside of its window or a leaf
-/// that does not separate.
+/// refused if it is cut off or goes on after its end. So it is if a time is outside of its window,
+/// or if a leaf does not separate.
 void check_tree_form(Draw& d) {
   Query query = draw_small_query(d);
   move_along(query, 0, 64);

@@ -135,8 +135,8 @@ void check_trim_valid(Draw& d) {
   CLAIM(!refused && refused.error().message().find(".trim") != std::string::npos);
 }
 
-/// Two codes that share nothing place each cell alike; and a cell outside has no point of the
-/// region, a cell inside none that is not of it.
+/// Two codes that share nothing place each cell alike. A cell outside has no point of the region. A
+/// cell inside has no other.
 void check_trim_cells(Draw& d) {
   MovingPatch<double> patch{draw_surface(d), {}, {}};
   const Uv<double> p = draw_place(d, patch.shape);
@@ -257,8 +257,8 @@ void check_trim_decision(Draw& d) {
   CLAIM(!is_in_regions(known) || decision.truth.collides != false);
 }
 
-/// A first contact in a hole, at t_max, and nowhere else: the whole patches touch, the trimmed ones
-/// are proven not to, and that proof is refused of the whole ones.
+/// A first contact is in a hole, at t_max, and nowhere else. The whole patches touch, and the
+/// trimmed ones are proven not to. That proof is refused for the whole ones.
 void check_trim_hole(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d));
   Query whole = drawn.query;

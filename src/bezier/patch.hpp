@@ -27,10 +27,11 @@ using Trim = std::vector<std::vector<Uv<double>>>;
 /// Each array has shape.control_count() entries, in Shape's order; of velocities and ends one has,
 /// and the other is empty. With `weights` w the patch is rational: its point is the sum of
 /// w·B·control point over the sum of w·B, B the Bernstein weights. They do not move.
-/// With loops in `trim` the patch is that over their even-odd region, closed: the parameters on a
-/// loop, or with an odd number of loops around them (trim_region.hpp). Only triangles and tensors
-/// are trimmed. A hull has one velocity for all of its points, no ends and no weights; it is a
-/// body, all that is within `radius` of the hull of its points. Other patches have the radius 0.
+/// Loops in `trim` restrict the patch to their closed even-odd region (trim_region.hpp). A
+/// parameter is in it if it lies on a loop, or if an odd number of loops go around it. Only
+/// triangles and tensors are trimmed. A hull is a body: all that is within `radius` of the convex
+/// hull of its points. It has one velocity for all of its points, no ends and no weights. Other
+/// patches have the radius 0.
 template <class S>
 struct MovingPatch {
   Shape shape;

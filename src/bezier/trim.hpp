@@ -17,13 +17,12 @@ struct TrimFault {
   std::string what;
 };
 
-/// What is wrong with the loops of a patch of this shape.
-/// nullopt if nothing is:
-///   the shape is a triangle or a tensor, and has kMaxTrimVertices vertices at most;
-///   each loop has three vertices or more, all finite and in the domain, and an area;
-///   a loop shares no point with itself, apart from those where an edge ends and the next begins;
-///   no edge crosses an edge of another loop, and no loop has vertices strictly inside of another
-///   and strictly outside. So loops may touch in points and along edges, and be inside of another.
+/// What is wrong with the loops of a patch of this shape; nullopt if nothing is. These are the
+/// laws: The shape is a triangle or a tensor. All loops together have kMaxTrimVertices vertices at
+/// most. Each loop has an area, and three vertices or more, which are finite and in the domain. Two
+/// edges of a loop share no point, apart from the vertex where one ends and the next begins. No
+/// edge crosses an edge of another loop. No loop has vertices both strictly inside and strictly
+/// outside of another. So loops may touch in points and along edges, and lie inside of another.
 std::optional<TrimFault> fault_of(const Trim& trim, const Shape& shape);
 
 }  // namespace ccdfuzz

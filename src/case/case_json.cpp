@@ -292,8 +292,8 @@ std::optional<JsonValue> take(Origin& origin, const std::string& key) {
   return *value;
 }
 
-/// Version 1 has the precision and the causes among the further keys of the origin, and before what
-/// lost a contact it says the level and the axes: "level 3, axes 1-3, left root".
+/// Version 1 has the precision and the causes among the further keys of the origin. Its cause
+/// begins with the level and the axes: "level 3, axes 1-3, left root".
 void carry_over_version_1(const JsonCursor& from, Case& value) {
   if (const auto precision = take(value.origin, "precision")) {
     const JsonCursor at = from.at("origin").at("precision");

@@ -21,7 +21,7 @@ constexpr std::array kAxes = {0, 1, 2};
 constexpr const char *kVertexFace = "vertex-face", *kEdgeEdge = "edge-edge";
 
 /// A body as the adapters give it to engines (examples/engines/bodies.mjs): its points about a
-/// centre, which is the middle of its box where that and the differences are floats, and else 0.
+/// centre. The centre is the middle of its box, or 0 where that or a difference is no float.
 struct EngineBody {
   Points<double> points;
   Vec3<double> centre{0, 0, 0};

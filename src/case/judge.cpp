@@ -84,8 +84,8 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;
 }
 
-/// Whether the direction that keeps two bodies apart shows that at a time they are farther from
-/// each other, beyond their radii and the separation, than the tolerance.
+/// Whether two bodies are farther from each other at a time than the tolerance, beyond their radii
+/// and the separation. The direction that keeps them apart has to show it.
 bool are_far(const Query& query, const BodyClearance& clearance, const Rational& t,
              double tolerance) {
   const auto height = [&](const Vec3<Rational>& p) {
@@ -106,8 +106,8 @@ bool are_far(const Query& query, const BodyClearance& clearance, const Rational&
   return gap > 0 && gap * gap > beyond * beyond * squared;
 }
 
-/// Whether the patches are proven to come nearer than so before a time, the points of the witness:
-/// their distance falls in proportion to the time that is left, and is 0 at its own.
+/// Whether the patches are proven to come nearer than the separation that is kept, before a time.
+/// The points of the witness prove it: their distance falls linearly, to 0 at the witness's time.
 bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
   if (compare(terms.kept_separation, 0) == 0 || !known.witness() || before == 0) return false;
   const Query& query = known.query();

@@ -56,9 +56,9 @@ bool is_rational(const Query& query);
 bool is_trimmed(const Query& query);
 
 /// Binary exponents of a patch's weights differ by at most this. Then what products with weights
-/// lose to underflow stays below the least absolute error of tdibm-c: with lengths of 1 and weights
-/// of [2^-60, 2) each loses 2^-1075, which over a weight is 2^-1015; a few thousand of these are
-/// below 2^-1000.
+/// lose to underflow stays below the least absolute error of tdibm-c. For let lengths be 1 and
+/// weights in [2^-60, 2): each product loses 2^-1075, which over a weight is 2^-1015. A few
+/// thousand of these are below 2^-1000.
 inline constexpr int kWeightBits = 60;
 /// All finite, > 0 and of such exponents.
 bool are_weights(const std::vector<double>& weights);

@@ -13,10 +13,10 @@ enum class TestFramework : std::uint8_t { kGoogleTest, kCatch2 };
 /// plug-in to link with.
 std::string test_preamble(TestFramework framework);
 
-/// A test in it of a case, the number-th from 1 on. It asks the plug-in the very query (every
-/// number a hex float) and checks what the truth proves: a hit no later than the contact; no hit
-/// where nothing touches in [0, t_max]; and in any case an answer that is one. A case with a
-/// trim gets a comment instead: these tests have no place for it. Requires a valid, checked case.
+/// A test in it of a case, the number-th from 1 on. It asks the plug-in the very query, with every
+/// number as a hex float. It checks that the answer is one. A hit must be no later than the proven
+/// contact. No hit may come where nothing touches in [0, t_max]. A case with a trim gets a comment
+/// instead: these tests have no place for it. Requires a valid, checked case.
 std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework);
 
 }  // namespace ccdfuzz

@@ -31,9 +31,9 @@ inline Answer refusal(const Query& query, const SearchOptions& options) {
   return refusal(query, options.precision, options.max_seconds);
 }
 
-/// The wall-time budget of one query. The clock is read after so much work, counted in control
-/// points of tested cells, that reading costs below 1 % and no 20 ms pass between two readings: a
-/// test of one pair takes tdibm-rational about 10 µs a control point where it must be exact.
+/// The wall-time budget of one query. The clock is read after some work, counted in control points
+/// of tested cells. Then reading costs below 1 %, and no 20 ms pass between two readings: where
+/// tdibm-rational must be exact, it takes about 10 µs a control point.
 class Deadline {
  public:
   static constexpr int kWorkBetweenLooks = 128;
@@ -153,11 +153,11 @@ std::uint64_t exact_work(const Inclusion& inclusion) {
   return 0;
 }
 
-/// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline): a
-/// queue of cell pairs by ascending start of their window, then the deeper first, then the older. A
-/// pair whose cells are narrow enough is a hit at the start of its window. Any other is split at
-/// the midpoints of all its parameters, and the inclusion test is run on every pair of parts that
-/// are not outside of a patch's trim.
+/// The branch-and-bound that all inclusion-based methods share (Section 3, Overall Pipeline). Its
+/// queue has cell pairs by ascending start of their window, then the deeper first, then the older.
+/// A pair whose cells are narrow enough is a hit at the start of its window. Any other is split at
+/// the midpoints of all its parameters. Parts outside of a patch's trim are left out, and the
+/// inclusion test is run on every pair of the others.
 ///
 /// Inclusion is the method. It provides
 ///   void begin(const Query&)                     once, before anything else
@@ -167,10 +167,10 @@ std::uint64_t exact_work(const Inclusion& inclusion) {
 ///   std::optional<Window> test(int part_a, int part_b, Window w)
 ///       the part of w in which the two parts may touch; nothing if they are separated throughout
 /// Its exact_work(), if it has one, is what it did since begin, for max_work.
-/// An Inclusion with kSplitsTime has each window halved too, before the test: then a hit is as
+/// An Inclusion with kSplitsTime has each window halved too, before the test. Then a hit is as
 /// narrow in time, relative to the time step, as in the parameters.
-/// Guarantee: if test never drops a contact time of a pair that touches in w, then neither the
-/// verdict nor toi can miss or be late: toi is a lower bound of the first contact.
+/// Guarantee: if test never drops a contact time of a pair that touches in w, the search misses no
+/// contact. Its toi is then a lower bound of the first one, so no hit is late.
 template <class Inclusion>
 class Search {
  public:

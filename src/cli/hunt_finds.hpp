@@ -14,8 +14,8 @@ std::string command_of(const Find& find);
 /// deepest first.
 std::vector<const Find*> new_finds(const HuntReport& report, bool stored);
 
-/// Finds of one method that fail alike, but for the class of their contact, have one line: it names
-/// the file of the first, and the classes of the others.
+/// Prints one line for the finds of one method that differ in the class of their contact alone. It
+/// names the file of the first, and the classes of the others.
 void print_finds(const std::vector<const Find*>& finds, const std::string& folder);
 
 }  // namespace ccdfuzz

@@ -20,8 +20,8 @@ namespace {
 /// How many ways to repair a broken contact are looked at; there are about as many.
 constexpr std::uint64_t kRepairs = 6;
 
-/// What of a contact stays: of each patch, the dimension of what it lies on (0: a corner, 1: an
-/// edge, 2: the inside), and whether it comes after the start.
+/// What of a contact stays: the dimension of what it lies on in each patch, and whether it comes
+/// after the start. A corner has the dimension 0, an edge 1, the inside 2.
 struct ContactPlace {
   std::array<int, 2> dimensions{};
   bool after_start = false;

@@ -36,8 +36,8 @@ double largest_of(const Points<double>& points) {
   return largest;
 }
 
-/// The power of two that brings a magnitude well into [2^-scale, 2^scale], if it is not there: to
-/// any size there, so that what is drawn at all scales stays so.
+/// The power of two that brings a magnitude well into [2^-scale, 2^scale], if it is not there. It
+/// depends on the magnitude, so that what is drawn at all scales reaches all sizes of the range.
 int shift_into(double magnitude, int scale) {
   const int exponent = magnitude == 0 ? 0 : std::ilogb(magnitude);
   if (-scale / 2 <= exponent && exponent < scale) return 0;

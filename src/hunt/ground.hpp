@@ -52,9 +52,9 @@ struct HuntGround : Domain {
   bool are_linear() const;
   /// The shapes to draw patches of; empty: any.
   std::vector<ShapePair> drawn_shapes() const;
-  /// The case with its numbers on the ground, where that takes a change and the truth of the
-  /// changed query can be decided exactly, so of bodies and linear patches: brought near the origin
-  /// and to scale, small numbers to 0, each to the nearest float.
+  /// The case with its numbers on the ground: brought near the origin and to scale, small numbers
+  /// to 0, each to the nearest float. Only bodies and linear patches are changed, for of these the
+  /// truth of the changed query is decided exactly.
   Case fitted(Case value) const;
 };
 

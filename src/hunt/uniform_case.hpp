@@ -6,9 +6,10 @@
 namespace ccdfuzz {
 
 /// A case that anybody would write first, to compare with: all numbers are uniform, and nothing is
-/// planted. Bodies are of points in a cube of edges 2, its middle in one of edges 4, at speeds of
-/// up to 4 along each axis, in the kinds of the ground. Linear patches of that class have control
-/// points in a cube of edges 2, and speeds of up to 2. t_max is 1. The truth is decided exactly.
+/// planted. Bodies are of the ground's kinds. Their points are in a cube of edges 2 whose middle is
+/// in one of edges 4, and their speeds are up to 4 along each axis. Linear patches of the class
+/// have control points in a cube of edges 2, and speeds of up to 2. t_max is 1. The truth is
+/// decided exactly.
 Case uniform_case(const HuntGround& ground, ContactClass contact, Draw& draw);
 
 }  // namespace ccdfuzz

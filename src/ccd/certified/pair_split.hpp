@@ -25,10 +25,10 @@ struct CellPair {
   int least_depth() const { return std::min(depths[0], depths[1]); }
 };
 
-/// The inclusion test of tdibm-c (DERIVATION.md, 0): splits a pair of cells and
-/// finds for each pair of their children the part of the window in which no axis certifies them
-/// apart. Guarantee: a time at which two children touch is never taken from their window, nor the
-/// pair dropped. One object serves one thread and keeps its buffers between queries.
+/// The inclusion test of tdibm-c (DERIVATION.md, 0). It splits a pair of cells. For each pair of
+/// their children it finds the part of the window in which no axis certifies them apart.
+/// Guarantee: a time at which two children touch is never taken from their window, nor the pair
+/// dropped. One object serves one thread and keeps its buffers between queries.
 class PairSplit {
  public:
   using Node = CellTree::Node;

@@ -10,9 +10,9 @@ namespace ccdfuzz {
 
 /// tdibm-c: the certified method (DERIVATION.md).
 ///
-/// Never misses: it drops a pair of cells, or a part of a window, only where an axis separates the
-/// two control nets at both ends of the dropped time. The margin there exceeds the error bound. By
-/// convexity the axis then separates them throughout. So
+/// Never misses: it drops a pair of cells, or a part of a window, only with an axis that separates
+/// the two control nets. It does so at both ends of the dropped time, by more than the error bound.
+/// By convexity the axis then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every valid query;
 ///   hit        a pair of cells no wider than `precision` could not be separated at toi; every
 ///              contact is at toi or later;
@@ -22,13 +22,12 @@ namespace ccdfuzz {
 /// How early toi can be: no later time is certified clear for that pair. So it is early by at most
 /// the time in which the pair's hulls, of diameter O(precision), approach each other.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
-/// loops, which is decided exactly; a hit's cells are not proven to be outside.
+/// loops, which is decided exactly. A hit's cells are not proven to be outside.
 /// Linear patches (can_advance) that are not trimmed are decided exactly: a hit is a contact, at
 /// toi + precision·t_max at most. Where numbers differ by too many binary places
-/// (first_linear_contact), what is said above holds for the patches as they are, and the answer's
-/// note says so.
-/// With a separation d all of this is said of distances: a miss is a distance above d throughout;
-/// at toi a hit's cells are no farther than d and their own size. A hit on linear patches is
+/// (first_linear_contact), only what is said above holds, and the answer's note says so.
+/// With a separation d all of this is said of distances. A miss is a distance above d throughout.
+/// At toi a hit's cells are no farther than d and their own size. A hit on linear patches is
 /// decided only as far as doubles tell the distance from d.
 /// Keeps at most kKeptBytes between queries.
 class TdibmC {

@@ -28,8 +28,8 @@ bool in_domain(const Shape& shape, const std::array<Dyadic, 2>& x,
   return shape.kind != ShapeKind::kTriangle || x[0] + radius[0] + x[1] + radius[1] <= one;
 }
 
-/// True iff no edge of a loop meets the box, which is inside; or an edge holds all of it, or it is
-/// a point of the region. The region holds such a box: it is closed.
+/// Whether the box is proven to be in the closed region of the loops. It is a point of the region,
+/// or an edge holds all of it, or it is inside and no edge meets it.
 bool in_region(const MovingPatch<double>& patch, const std::array<Dyadic, 2>& x,
                const std::array<Dyadic, 2>& radius, int dependent, Work& work) {
   if (patch.trim.empty()) return true;

@@ -27,8 +27,8 @@ struct Part {
   const Corners* corners = nullptr;  ///< those of trimmed patches alone
 };
 
-/// Makes the parts of one patch. Holds one family of siblings a depth, which is what a walk in
-/// pre-order needs; the family stays as long as no other part of its parent's depth is split.
+/// Makes the parts of one patch. Holds one family of siblings for each depth, which is what a walk
+/// in pre-order needs. It stays until another part of its parent's depth is split.
 class Parts {
  public:
   Parts(Work& work, bool rational) : polar_(&work, rational) {}

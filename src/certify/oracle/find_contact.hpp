@@ -20,9 +20,9 @@ struct Suspicion {
 std::optional<Witness> find_witness(const Query& query, const Suspicion& near);
 
 /// A contact box (certificate M) near the suspicion that ends at a time ≤ t_max, the earliest of
-/// those found, or nothing. Three of the unknowns are found by Newton's method from the suspicion,
-/// for each choice of the three; the box grows until the checker accepts it. What is returned
-/// passed check_box.
+/// those found, or nothing. Each choice of three unknowns is tried: Newton's method finds them from
+/// the suspicion, and the box grows until the checker accepts it. What is returned passed
+/// check_box.
 std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& near);
 
 }  // namespace ccdfuzz
