@@ -6,9 +6,9 @@
 
 namespace ccdfuzz {
 
-namespace {
-
 using Loop = std::vector<Uv<double>>;
+
+namespace {
 
 Uv<double> draw_vertex(Draw& choices, const Shape& shape) {
   const int bits = 2 + static_cast<int>(choices.choose(4));
@@ -18,19 +18,6 @@ Uv<double> draw_vertex(Draw& choices, const Shape& shape) {
   return {std::ldexp(static_cast<double>(u), -bits), std::ldexp(static_cast<double>(v), -bits)};
 }
 
-/// A triangle with p on a side, between two vertices, or with p as a vertex.
-Loop draw_loop_through(Draw& choices, const Shape& shape, const Uv<double>& p) {
-  const bool is_vertex = choices.coin();
-  const double du = static_cast<double>(choices.integer(-4, 4)),
-               dv = static_cast<double>(choices.integer(-4, 4));
-  const int unit = -3 - static_cast<int>(choices.choose(8));
-  const double to = std::ldexp(1 + static_cast<double>(choices.choose(3)), unit);
-  const double from = is_vertex ? 0 : std::ldexp(1 + static_cast<double>(choices.choose(3)), unit);
-  return {{p[0] - from * du, p[1] - from * dv},
-          {p[0] + to * du, p[1] + to * dv},
-          draw_vertex(choices, shape)};
-}
-
 Loop draw_loop(Draw& choices, const Shape& shape, const Uv<double>& p) {
   switch (choices.choose(3)) {
     case 0:
@@ -38,7 +25,7 @@ Loop draw_loop(Draw& choices, const Shape& shape, const Uv<double>& p) {
     case 1:
       return loop_about(shape, draw_vertex(choices, shape), static_cast<int>(choices.choose(4)));
     case 2:
-      return draw_loop_through(choices, shape, p);
+      return draw_loop_through(choices, shape, p, choices.coin());
     default: {
       Loop loop(3 + choices.choose(2));
       for (Uv<double>& vertex : loop) vertex = draw_vertex(choices, shape);
@@ -48,6 +35,17 @@ Loop draw_loop(Draw& choices, const Shape& shape, const Uv<double>& p) {
 }
 
 }  // namespace
+
+Loop draw_loop_through(Draw& choices, const Shape& shape, const Uv<double>& p, bool is_vertex) {
+  const double du = static_cast<double>(choices.integer(-4, 4)),
+               dv = static_cast<double>(choices.integer(-4, 4));
+  const int unit = -3 - static_cast<int>(choices.choose(8));
+  const double to = std::ldexp(1 + static_cast<double>(choices.choose(3)), unit);
+  const double from = is_vertex ? 0 : std::ldexp(1 + static_cast<double>(choices.choose(3)), unit);
+  return {{p[0] - from * du, p[1] - from * dv},
+          {p[0] + to * du, p[1] + to * dv},
+          draw_vertex(choices, shape)};
+}
 
 Loop loop_about(const Shape& shape, const Uv<double>& p, int halvings) {
   Loop loop = shape.kind == ShapeKind::kTriangle ? Loop{{0, 0}, {1, 0}, {0, 1}}

@@ -9,6 +9,11 @@ namespace ccdfuzz {
 /// are rounded where they must be.
 std::vector<Uv<double>> loop_about(const Shape& shape, const Uv<double>& p, int halvings);
 
+/// A triangle of which p is the first vertex, or is on the side between the first two. The third
+/// has few bits.
+std::vector<Uv<double>> draw_loop_through(Draw& choices, const Shape& shape, const Uv<double>& p,
+                                          bool is_vertex);
+
 /// Loops around, through and beside a point of the domain. Rings about it put it into a hole or on
 /// an island. Edges, vertices and slivers pass through it, or one float beside it. The draw is
 /// discarded where a patch may not have the loops.

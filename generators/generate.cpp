@@ -7,6 +7,7 @@
 #include "base/verify.hpp"
 #include "generators/bodies.hpp"
 #include "generators/elsewhere.hpp"
+#include "generators/ends.hpp"
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/grazing.hpp"
@@ -17,6 +18,7 @@
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/stress.hpp"
+#include "generators/trimmed.hpp"
 #include "generators/weighted.hpp"
 
 namespace ccdfuzz {
@@ -176,6 +178,10 @@ auto attempt_of(const GeneratorOptions& options) {
     case Family::kRound:
     case Family::kApart:
       return round_case;
+    case Family::kTrimmed:
+      return trimmed_case;
+    case Family::kEnds:
+      return ends_case;
     default:
       return is_shaped(options) ? shaped_case : quadratic_case;
   }

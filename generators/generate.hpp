@@ -32,8 +32,8 @@ std::string_view name_of(Construction construction);
 /// make positives of quadratic triangles and claim nothing of the time before the contact, unless
 /// shapes are asked for. The others have random shapes, unless some are asked for. They prove by a
 /// moving plane that nothing touches before t*, except where the row says otherwise. The last ones
-/// are not of plain patches: of bodies (bodies.hpp), of weights (weighted.hpp), of surfaces of
-/// revolution and of separations (round.hpp).
+/// are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp), surfaces of
+/// revolution and separations (round.hpp), loops (trimmed.hpp) and ends (ends.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -59,6 +59,8 @@ enum class Family : std::uint8_t {
   kWeighted,
   kRound,
   kApart,
+  kTrimmed,
+  kEnds,
 };
 /// Those of plain patches.
 inline constexpr auto kFamilies = [] {
@@ -67,7 +69,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kApart) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kEnds) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();

@@ -1,9 +1,9 @@
+#include "generators/ends.hpp"
 #include "bezier/blossom.hpp"
 #include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "fuzz/mutator/exact_moves.hpp"
-#include "generators/similar.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
 #include "properties/no_false_negative.hpp"
@@ -13,29 +13,6 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Moves all positions by a little and all ends by much, the same for both patches, if their
-/// numbers have room for it.
-void move_apart(Contact& q, Draw& d) {
-  int size = 0;
-  std::frexp(q.query.patches[0].positions[0].cwiseAbs().maxCoeff(), &size);
-  const auto vector = [&](int exponent) {
-    const auto number = [&] {
-      return std::ldexp(static_cast<double>(d.integer(-3, 3)), size + exponent);
-    };
-    const double x = number(), y = number();
-    return Vec3<double>(x, y, number());
-  };
-  const Vec3<double> little = vector(-static_cast<int>(d.integer(30, 45)));
-  const Vec3<double> much = vector(static_cast<int>(d.integer(5, 30)));
-  Similarity first, second;
-  first.shift = little;
-  first.drift = -little;
-  second.drift = much;
-  const std::optional<Query> moved = similar(q.query, first);
-  if (!moved) return;
-  if (const std::optional<Query> query = similar(*moved, second)) q.query = *query;
-}
-
 /// A contact of a range with ends in place of velocities, of one patch or both, where at least one
 /// difference to a position is no double.
 Case draw_contact_with_ends(Draw& d, const ContactRange& range) {
@@ -44,7 +21,7 @@ Case draw_contact_with_ends(Draw& d, const ContactRange& range) {
   constexpr int kMostTries = 16;
   for (int n = 0; n < kMostTries && with_velocities(q.query); ++n) {
     if (n % 2 == 0) {
-      move_apart(q, d);
+      if (const std::optional<Query> moved = parted(q.query, d)) q.query = *moved;
     } else if (Contact next = q; shift_in_null_space(next, d)) {
       q = std::move(next);
     }

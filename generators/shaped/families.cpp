@@ -78,6 +78,10 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kRound, "round", "exact spheres, cylinders, cones and tori; FF VF", kOfARound,
      kOfARound},
     {Family::kApart, "apart", "the same with a separation; witness only; FF VF", kOfARound, kNone},
+    {Family::kTrimmed, "trimmed",
+     "with loops at the contact; RN: the whole patches alone touch, in a hole", kAll, kAll, nullptr,
+     families::have_a_surface},
+    {Family::kEnds, "ends", "two positions, whose differences are no doubles", kAll, kAll},
 }};
 
 constexpr bool are_in_order() {
@@ -92,6 +96,10 @@ static_assert(are_in_order());
 
 bool families::have_weights(ContactClass, const ShapePair& shapes) {
   return shapes[0].kind != ShapeKind::kPoint || shapes[1].kind != ShapeKind::kPoint;
+}
+
+bool families::have_a_surface(ContactClass, const ShapePair& shapes) {
+  return shapes[0].parameter_count() == 2 || shapes[1].parameter_count() == 2;
 }
 
 bool has_own_shapes(Family family) {

@@ -71,6 +71,8 @@ FamilyRow::Fits have_edges_alike, have_a_line, have_two_points, are_equal_surfac
 
 /// True iff a patch has more than one control point.
 FamilyRow::Fits have_weights;
+/// True iff a patch may be trimmed.
+FamilyRow::Fits have_a_surface;
 
 }  // namespace families
 }  // namespace ccdfuzz

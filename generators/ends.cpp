@@ -1,0 +1,85 @@
+#include "generators/ends.hpp"
+
+#include <cmath>
+
+#include "base/verify.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "generators/exact_sum.hpp"
+#include "generators/shaped/shaped_case.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+bool give_exact_ends(MovingPatch<double>& patch) {
+  patch.ends = patch.positions;
+  for (std::size_t i = 0; i < patch.ends.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      if (!add_exactly(patch.ends[i][k], patch.velocity(i)[k])) return false;
+    }
+  }
+  patch.velocities.clear();
+  return true;
+}
+
+}  // namespace
+
+std::optional<Query> parted(const Query& query, Draw& draw, std::array<Similarity, 2>* changes) {
+  int size = 0;
+  std::frexp(query.patches[0].positions[0].cwiseAbs().maxCoeff(), &size);
+  const auto vector = [&] {
+    const auto x = static_cast<double>(draw.integer(-3, 3)),
+               y = static_cast<double>(draw.integer(-3, 3));
+    return Vec3<double>(x, y, static_cast<double>(draw.integer(-3, 3)));
+  };
+  std::optional<Query> out = query;
+  const auto change_by = [&](const Similarity& change, std::size_t i) {
+    const std::optional<Query> moved = similar(*out, change);
+    if (!moved) return false;
+    out = moved;
+    if (changes != nullptr) (*changes)[i] = change;
+    return true;
+  };
+  constexpr int kStep = 4, kLeast = 2;
+  const Vec3<double> little = vector();
+  int exponent = -static_cast<int>(draw.integer(30, 45));
+  const auto by_little = [&] {
+    const Vec3<double> shift = std::ldexp(1, size + exponent) * little;
+    return change_by({shift, -shift}, 0);
+  };
+  while (!by_little()) {
+    if ((exponent += kStep) > -kLeast) return std::nullopt;
+  }
+  const Vec3<double> much = vector();
+  exponent = static_cast<int>(draw.integer(5, 30));
+  while (!change_by({{0, 0, 0}, std::ldexp(1, size + exponent) * much}, 1)) {
+    if ((exponent -= kStep) < kLeast) return std::nullopt;
+  }
+  return out;
+}
+
+tl::expected<Case, Discard> ends_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                      Draw& draw) {
+  GeneratorOptions plain = options;
+  plain.family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
+  plain.kind = CaseKind::kRP;
+  if (!plain.shapes) plain.shapes = shapes_of(options, draw);
+  tl::expected<Case, Discard> made = shaped_case(plain, eps_t, draw);
+  if (!made) return made;
+  for (MovingPatch<double>& patch : made->query.patches) {
+    if (!give_exact_ends(patch)) return tl::unexpected(Discard::kRoundTrip);
+  }
+  std::array<Similarity, 2> changes;
+  const std::optional<Query> query = parted(made->query, draw, &changes);
+  if (!query || with_velocities(*query)) return tl::unexpected(Discard::kRoundTrip);
+  for (const Similarity& change : changes) made = *similar(*made, change);
+  CCDFUZZ_VERIFY(check_truth(*made));
+  CCDFUZZ_VERIFY(check_clearance(made->query, *made->truth.clearance, ""));
+  const Dyadic before = *Dyadic::from(made->truth.witness->t) - eps_t;
+  if (options.kind == CaseKind::kRN && !end_before_contact(*made, before)) {
+    return tl::unexpected(Discard::kRoundTrip);
+  }
+  return made;
+}
+
+}  // namespace ccdfuzz
