@@ -9,7 +9,8 @@ namespace ccdfuzz {
 
 namespace {
 
-/// The end of the horizon. Nothing if it is no finite double, or there is no witness.
+/// The end of the horizon. Nothing if it is no finite double or beyond ends, or there is no
+/// witness.
 std::optional<double> end_at(const Case& known, double factor) {
   CCDFUZZ_VERIFY(factor >= 1);
   if (!known.truth.witness) return std::nullopt;
@@ -17,7 +18,8 @@ std::optional<double> end_at(const Case& known, double factor) {
   const Rational end = contact == 0 ? Rational(exact(known.query.t_max) * (exact(factor) - 1))
                                     : Rational(contact * exact(factor));
   const double t_max = round_up(end);
-  return std::isfinite(t_max) ? std::optional(t_max) : std::nullopt;
+  const bool is_asked = std::isfinite(t_max) && (t_max <= 1 || !has_ends(known.query));
+  return is_asked ? std::optional(t_max) : std::nullopt;
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "hunt/draw.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "base/verify.hpp"
 #include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
@@ -45,9 +48,26 @@ constexpr std::array kNotOrdinary = {
     Family::kAtStart,     Family::kResting,    Family::kSliding, Family::kFlatGrazing,
     Family::kMixedScales, Family::kDegenerate, Family::kSliver,  Family::kAnywhere};
 
+struct NotPlain {
+  Family family;
+  Features needs;
+};
+constexpr std::array<NotPlain, 5> kNotPlain = {
+    {{Family::kWeighted, {.weights = true}},
+     {Family::kRound, {.weights = true}},
+     {Family::kApart, {.separation = true, .weights = true}},
+     {Family::kTrimmed, {.trims = true}},
+     {Family::kEnds, {.ends = true}}}};
+
+bool has_all(const Features& taken, const Features& needs) {
+  return (taken.ends || !needs.ends) && (taken.separation || !needs.separation) &&
+         (taken.weights || !needs.weights) && (taken.trims || !needs.trims);
+}
+
 }  // namespace
 
-Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground_(ground) {
+Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& features)
+    : seed_(seed), ground_(ground), features_(features) {
   if (are_by_shapes()) {
     for (size_t i = 0; i < kLinearPairs.size(); ++i) {
       if (ground_.has_shapes(kLinearPairs[i])) classes_.push_back(kLinearClasses[i]);
@@ -67,7 +87,7 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground) : seed_(seed), ground
 std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   std::vector<Source> sources;
   std::optional<ShapePair> shapes;
-  const auto add = [&](Construction construction, Family family) {
+  const auto add = [&](Construction construction, Family family, const Features& needs = {}) {
     if (ground_.ordinary && std::ranges::find(kNotOrdinary, family) != kNotOrdinary.end()) return;
     Source source;
     GeneratorOptions& options = source.options;
@@ -77,6 +97,7 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     options.shapes = shapes;
     options.bodies = ground_.body_kinds;
     options.seed = seed_;
+    source.needs = needs;
     for (const CaseKind kind : kCaseKinds) {
       options.kind = kind;
       if (validate(options)) source.kinds.push_back(kind);
@@ -91,6 +112,9 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     for (const Construction c : kConstructions) add(c, Family::kRegular);
     for (const Family f : kFamilies) {
       if (f != Family::kRegular) add(Construction::kOneSided, f);
+    }
+    for (const auto& [family, needs] : kNotPlain) {
+      if (has_all(features_, needs)) add(Construction::kOneSided, family, needs);
     }
   };
   const std::vector<ShapePair> drawn = ground_.drawn_shapes();
@@ -117,6 +141,37 @@ Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
     return uniform_case(ground_, contact, choices);
   }
   return are_by_shapes() ? draw_linear_case(contact, seed_, index) : generated(contact, index);
+}
+
+std::vector<size_t> Draws::places_of(ContactClass contact, const Features& taken) const {
+  const std::vector<Source>& around = sources_[static_cast<size_t>(contact)];
+  std::vector<size_t> places;
+  for (size_t i = 0; i < around.size(); ++i) {
+    if (has_all(taken, around[i].needs)) places.push_back(i);
+  }
+  return places;
+}
+
+std::uint64_t Draws::index_of(ContactClass contact, const Features& taken, std::uint64_t n) const {
+  const std::vector<size_t> places = places_of(contact, taken);
+  if (places.empty()) return n;
+  const std::uint64_t round = n / places.size();
+  return round * sources_[static_cast<size_t>(contact)].size() + places[n % places.size()];
+}
+
+std::uint64_t Draws::count_different(ContactClass contact, const std::vector<Begun>& begun) const {
+  // Of each source, or of all draws, what some method has most of.
+  std::vector<std::uint64_t> most(
+      std::max(sources_[static_cast<size_t>(contact)].size(), size_t{1}));
+  for (const auto& [taken, count] : begun) {
+    const std::vector<size_t> places = places_of(contact, taken);
+    if (places.empty()) most[0] = std::max(most[0], count);
+    for (size_t i = 0; i < places.size(); ++i) {
+      const std::uint64_t rounds = (count + places.size() - 1 - i) / places.size();
+      most[places[i]] = std::max(most[places[i]], rounds);
+    }
+  }
+  return std::accumulate(most.begin(), most.end(), std::uint64_t{0});
 }
 
 HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {

@@ -10,6 +10,7 @@
 #include "case/checked_case.hpp"
 #include "generators/generate.hpp"
 #include "hunt/ground.hpp"
+#include "method/features.hpp"
 
 namespace ccdfuzz {
 
@@ -18,25 +19,41 @@ struct HuntDraw {
   std::vector<CheckedCase> asked;  ///< forms_of
 };
 
-/// The draws of a hunt: an endless sequence for each contact class, which depends on the seed and
-/// the ground alone. It alternates between both constructions and all stress families that have the
-/// class and the ground's shapes. A case is brought onto the ground where that is possible
-/// (HuntGround::fitted). Else it is left out, so a draw may be empty.
+/// The draws of a hunt: an endless sequence for each contact class, which depends on the seed, the
+/// ground and the features alone. It alternates between both constructions and all stress families
+/// that have the class and the ground's shapes. Families of weights, loops, ends and separations
+/// are among them where the features have these. A case is brought onto the ground where that is
+/// possible (HuntGround::fitted). Else it is left out, so a draw may be empty.
 class Draws {
  public:
-  explicit Draws(std::uint64_t seed, const HuntGround& ground = {});
+  /// features: what any of the methods takes.
+  explicit Draws(std::uint64_t seed, const HuntGround& ground = {}, const Features& features = {});
 
   /// Those that have draws: of shapes, those whose features they have, so VV at least.
   const std::vector<ContactClass>& classes() const { return classes_; }
   /// Requires one of these classes.
   HuntDraw at(ContactClass contact, std::uint64_t index) const;
+  /// The index of draw n of those that a method of these features takes. It does not depend on what
+  /// other methods take which draw that is.
+  std::uint64_t index_of(ContactClass contact, const Features& taken, std::uint64_t n) const;
+
+  /// The first draws of a class that a method of these features takes.
+  struct Begun {
+    Features taken;
+    std::uint64_t count;
+  };
+  /// How many different draws are among them.
+  std::uint64_t count_different(ContactClass contact, const std::vector<Begun>& begun) const;
 
  private:
   /// What the draws of a class go round, with the kinds of cases that are made of it.
   struct Source {
     GeneratorOptions options;
     std::vector<CaseKind> kinds;
+    Features needs;
   };
+  /// Places of the sources of such draws; empty where draws are not of sources.
+  std::vector<size_t> places_of(ContactClass contact, const Features& taken) const;
 
   /// Whether patches are drawn of kLinearPairs: uniform ones; or those that are degenerate in some
   /// way, none of them ordinary.
@@ -49,6 +66,7 @@ class Draws {
 
   std::uint64_t seed_;
   HuntGround ground_;
+  Features features_;
   std::vector<ContactClass> classes_;
   std::array<std::vector<Source>, kContactClasses.size()> sources_;
 };

@@ -54,6 +54,7 @@ struct Done {
 /// The contacts of one cell that are bred, and how many of its draws have joined them.
 struct Nursery {
   Breeder breeder;
+  Features taken;  ///< by the method
   std::uint64_t founded = 0;
 };
 
@@ -67,6 +68,23 @@ HuntOptions within_its_time(HuntOptions options) {
   return options;
 }
 
+Features features_of(const std::string& method) {
+  return value_or_throw(method_info(method)).features;
+}
+
+/// What any of the methods takes.
+Features features_of_any(const std::vector<std::string>& methods) {
+  Features any;
+  for (const std::string& method : methods) {
+    const Features one = features_of(method);
+    any.ends |= one.ends;
+    any.separation |= one.separation;
+    any.weights |= one.weights;
+    any.trims |= one.trims;
+  }
+  return any;
+}
+
 class Hunt {
  public:
   Hunt(const HuntOptions& options, Store& store,
@@ -77,12 +95,12 @@ class Hunt {
         intake_(
             store, [this] { return Asker(options_.search); },
             [this] { return Asker(confirming(), MethodSet(make_served_method)); }),
-        draws_(options.seed, options.ground),
+        draws_(options.seed, options.ground, features_of_any(options.methods)),
         schedule_(draws_.classes().size() * options.methods.size(), options.cases) {
     for (const ContactClass contact : draws_.classes()) {
       for (const std::string& method : options.methods) {
         const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
-        nurseries_.push_back({Breeder(method, seed, options.ground)});
+        nurseries_.push_back({Breeder(method, seed, options.ground), features_of(method)});
         report_.cells.push_back({method, contact, {}, 0, {}});
       }
     }
@@ -154,12 +172,18 @@ class Hunt {
     return stop_ || failed_ || met_ || (!options_.cases && elapsed() >= options_.seconds);
   }
 
+  /// Draw n of those that the method of the cell takes.
+  std::shared_ptr<const HuntDraw> drawn_for(size_t cell, std::uint64_t n) {
+    const ContactClass contact = report_.cells[cell].contact;
+    return latest_.get(contact, draws_.index_of(contact, nurseries_[cell].taken, n));
+  }
+
   /// Asks the method of the cell about one draw.
   Done draw(const Turn& turn, Tools& tools) {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
     const double start = thread_cpu_seconds();
-    const std::shared_ptr<const HuntDraw> drawn = latest_.get(cell.contact, turn.draw);
+    const std::shared_ptr<const HuntDraw> drawn = drawn_for(turn.cell, turn.draw);
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
     Method& method = tools.methods[cell.method];
     for (const CheckedCase& asked : drawn->asked) {
@@ -191,14 +215,14 @@ class Hunt {
   Done breed(const Turn& turn, Tools& tools) {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
-    auto& [breeder, founded] = nurseries_[turn.cell];
+    auto& [breeder, taken, founded] = nurseries_[turn.cell];
     const Method& method = tools.methods[cell.method];
     const double start = clock_of(method);
     const std::uint64_t founders = options_.ground.uniform ? 0
                                    : options_.cases        ? std::min(turn.draw, kFounders)
                                                            : turn.draw;
     for (; founded < founders && !stop_; ++founded) {
-      const std::shared_ptr<const HuntDraw> drawn = latest_.get(cell.contact, founded);
+      const std::shared_ptr<const HuntDraw> drawn = drawn_for(turn.cell, founded);
       for (const CheckedCase& asked : drawn->asked) breeder.add(asked.value(), tools.tracers);
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
@@ -261,14 +285,14 @@ class Hunt {
     on_progress_(now);
   }
 
-  /// The draws of a class that were put to any method: as far as the fastest got.
+  /// The draws of each class that were put to any method.
   void count_cases() {
     for (size_t c = 0; c < report_.cells.size(); c += method_count()) {
-      std::uint64_t most = 0;
+      std::vector<Draws::Begun> begun;
       for (size_t m = 0; m < method_count(); ++m) {
-        most = std::max(most, schedule_.draws_begun(c + m));
+        begun.push_back({nurseries_[c + m].taken, schedule_.draws_begun(c + m)});
       }
-      report_.cases += most;
+      report_.cases += draws_.count_different(report_.cells[c].contact, begun);
     }
   }
 

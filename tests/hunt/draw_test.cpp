@@ -61,6 +61,56 @@ TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   EXPECT_FALSE(seen.contains("ruled RP")) << "there is none of VV";
 }
 
+/// The families of weights, loops, ends and separations among the draws that such a method takes.
+std::set<std::string> not_plain_draws(const Draws& draws, const Features& taken) {
+  const std::set<std::string> not_plain = {"weighted", "round", "apart", "trimmed", "ends"};
+  std::set<std::string> seen;
+  for (std::uint64_t n = 0; n < 30; ++n) {
+    const std::uint64_t index = draws.index_of(ContactClass::kFF, taken, n);
+    const HuntDraw drawn = draws.at(ContactClass::kFF, index);
+    EXPECT_FALSE(drawn.asked.empty()) << index;
+    for (const CheckedCase& asked : drawn.asked) {
+      EXPECT_NE(TakenQuery(asked.query(), taken).query(), nullptr) << index;
+      const std::string& family = asked.value().origin.generator;
+      if (not_plain.contains(family)) seen.insert(family);
+    }
+  }
+  return seen;
+}
+
+TEST(Draw, OffersAMethodTheKindsThatItTakesAndNoOthers) {
+  const Draws draws(1, {}, kAllFeatures);
+  const auto seen = [&](const Features& taken) { return not_plain_draws(draws, taken); };
+  using Families = std::set<std::string>;
+  EXPECT_EQ(seen({}), Families());
+  EXPECT_EQ(seen({.ends = true}), Families{"ends"});
+  EXPECT_EQ(seen({.separation = true}), Families()) << "round patches have weights";
+  EXPECT_EQ(seen({.weights = true}), (Families{"weighted", "round"}));
+  EXPECT_EQ(seen({.trims = true}), Families{"trimmed"});
+  EXPECT_EQ(seen(kAllFeatures), (Families{"weighted", "round", "apart", "trimmed", "ends"}));
+}
+
+TEST(Draw, WhatAMethodIsAskedDoesNotDependOnWhatOthersTake) {
+  const Draws alone(1), together(1, {}, kAllFeatures);
+  for (std::uint64_t n = 0; n < 60; n += kOneIn) {
+    const std::uint64_t index = together.index_of(ContactClass::kVV, {}, n);
+    EXPECT_EQ(together.at(ContactClass::kVV, index).asked, alone.at(ContactClass::kVV, n).asked);
+  }
+}
+
+TEST(Draw, CountsADrawOfSeveralMethodsOnce) {
+  const Draws draws(1, {}, kAllFeatures);
+  constexpr auto kClass = ContactClass::kFF;
+  std::set<std::uint64_t> indices;
+  std::vector<Draws::Begun> begun;
+  const Features weights{.weights = true}, trims{.trims = true};
+  for (const auto& [taken, count] : {Draws::Begun{weights, 50}, {trims, 31}, {trims, 30}}) {
+    begun.push_back({taken, count});
+    for (std::uint64_t n = 0; n < count; ++n) indices.insert(draws.index_of(kClass, taken, n));
+    EXPECT_EQ(draws.count_different(kClass, begun), indices.size());
+  }
+}
+
 TEST(Draw, CyclesThroughTheClassesAndFamiliesOfItsShapes) {
   struct Expected {
     std::array<Shape, 2> shapes;
@@ -115,6 +165,14 @@ TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {
     EXPECT_EQ(cache.get(ContactClass::kVE, index)->asked, draws.at(ContactClass::kVE, index).asked)
         << index;
   }
+}
+
+TEST(Horizon, QueriesOfEndsGoOnToTheirEndsAtMost) {
+  Case known = Draws(1).at(ContactClass::kVV, 1).asked[0].value();
+  ASSERT_EQ(known.truth.witness->t, 1);
+  for (MovingPatch<double>& patch : known.query.patches) give_rounded_ends(patch);
+  EXPECT_TRUE(at_horizon(known, 1));
+  EXPECT_FALSE(at_horizon(known, 1.5));
 }
 
 TEST(Horizon, ATimePastTheContactKeepsTheTruth) {
