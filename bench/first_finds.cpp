@@ -13,12 +13,12 @@
 #include <set>
 #include <vector>
 
-#include "base/cpu_time.hpp"
 #include "bench/median.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "hunt/breeder.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/schedule.hpp"
+#include "io/cpu_time.hpp"
 
 namespace ccdfuzz {
 namespace {

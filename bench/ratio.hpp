@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "base/cpu_time.hpp"
+#include "io/cpu_time.hpp"
 
 namespace ccdfuzz {
 

@@ -13,13 +13,14 @@ set(ccdfuzz_public_headers
   ccd/search_options.hpp
   certify/checker/check_box.hpp certify/checker/check_case.hpp certify/checker/check_linear.hpp
   certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp
-  certify/checker/check_witness.hpp certify/checker/run_work.hpp certify/checker/work.hpp
+  certify/checker/check_witness.hpp certify/checker/work_done.hpp certify/checker/work.hpp
   certify/oracle/complete_truth.hpp certify/oracle/oracle.hpp
   method/domain.hpp method/features.hpp
   method/method.hpp
   numeric/dyadic.hpp numeric/exact_scalars.hpp numeric/rational.hpp numeric/vec3.hpp base/double_parts.hpp base/result.hpp base/verify.hpp
-  case/answer.hpp case/body_kind.hpp case/case.hpp case/case_files.hpp case/case_json.hpp case/certificate.hpp
-  case/checked_case.hpp case/judge.hpp case/query_csv.hpp case/taxonomy.hpp case/outcome.hpp base/output_file.hpp case/query.hpp case/tree_file.hpp)
+  case/answer.hpp case/body_kind.hpp case/case.hpp case/certificate.hpp
+  case/checked_case.hpp case/judge.hpp case/outcome.hpp case/query.hpp case/taxonomy.hpp
+  files/case_files.hpp files/case_json.hpp files/check_file.hpp files/query_csv.hpp files/tree_file.hpp io/output_file.hpp)
 foreach(header IN LISTS ccdfuzz_public_headers)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/src/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ccdfuzz/${folder})

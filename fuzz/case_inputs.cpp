@@ -10,8 +10,8 @@
 #include <iostream>
 #include <iterator>
 
-#include "case/case_files.hpp"
-#include "case/case_json.hpp"
+#include "files/case_files.hpp"
+#include "files/case_json.hpp"
 #include "finds/content_address.hpp"
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <tuple>
 
-#include "base/hash_name.hpp"
-#include "base/output_file.hpp"
+#include "io/hash_name.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

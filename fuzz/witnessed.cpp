@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "case/case_json.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
+#include "files/case_json.hpp"
 #include "fuzz/lost_inputs.hpp"
 #include "fuzz/margins.hpp"
 #include "fuzz/mutator/mutate.hpp"

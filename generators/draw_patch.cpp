@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 
 namespace ccdfuzz {
 

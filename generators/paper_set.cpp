@@ -1,9 +1,9 @@
 #include "generators/paper_set.hpp"
 
 #include "base/verify.hpp"
-#include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
+#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
+#include "files/case_json.hpp"
 #include "properties/show.hpp"
 
 namespace ccdfuzz {

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/double_parts.hpp"
-#include "base/json_real.hpp"
-#include "base/json_write.hpp"
 #include "ccd/next_double.hpp"
 #include "generators/exact_sum.hpp"
+#include "io/json_real.hpp"
+#include "io/json_write.hpp"
 #include "numeric/bounded_int.hpp"
 #include "numeric/wide_int.hpp"
 #include "properties/property.hpp"

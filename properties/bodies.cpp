@@ -1,10 +1,10 @@
 #include "generators/bodies.hpp"
-#include "case/case_json.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "fuzz/mutator/mutate_bodies.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
@@ -55,7 +55,7 @@ std::vector<Rational> draw_weights(Draw& d, size_t count) {
 void check_truth_of_bodies(Draw& d) {
   const CaseKind kind = d.pick(kBodyCaseKinds);
   Case known = draw_planted(d, kind);
-  const auto checked = check_case(known, "");
+  const auto checked = check_case(known);
   CLAIM(checked.has_value());
   CLAIM(checked->collides() == (kind == CaseKind::kRP));
   CLAIM(is_binary32(known.query));
@@ -83,7 +83,7 @@ void check_any_bodies(Draw& d) {
   const Truth truth = decide(query).truth;
   show(d, "found", Case{query, truth, {}, {}});
   CLAIM(truth.collides.has_value());
-  CLAIM(check_case({query, truth, {}, {}}, "").has_value());
+  CLAIM(check_case({query, truth, {}, {}}).has_value());
   if (*truth.collides) {
     const Rational& t = truth.witness->t;
     const Rational width = t - truth.clear_until.value_or(0);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/show.hpp"

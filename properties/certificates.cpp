@@ -3,11 +3,11 @@
 
 #include "bezier/blossom.hpp"
 #include "bezier/exact_patch.hpp"
-#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/finalize.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "base/hash_name.hpp"
 #include "generators/draw/choice_bytes.hpp"
+#include "io/hash_name.hpp"
 
 namespace ccdfuzz {
 

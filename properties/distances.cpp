@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/oracle/decide_linear.hpp"
 #include "certify/oracle/find_plane.hpp"
+#include "files/case_json.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"
 #include "properties/draw_first_contact.hpp"

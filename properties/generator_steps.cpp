@@ -1,7 +1,7 @@
 #include "bezier/blossom.hpp"
-#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "generators/differential.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "method/plugin/plugin_terms.hpp"
 #include "properties/property.hpp"

@@ -2,14 +2,14 @@
 
 #include <cmath>
 
-#include "base/json_real.hpp"
-#include "case/case_json.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "files/case_json.hpp"
+#include "io/json_real.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 

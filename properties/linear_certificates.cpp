@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/linear/first_contact.hpp"
+#include "files/case_json.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "base/double_parts.hpp"
-#include "case/case_json.hpp"
 #include "ccd/certified/rough_contact.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/draw_grazing.hpp"

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/against_oracle.hpp"

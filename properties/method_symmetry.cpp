@@ -1,4 +1,4 @@
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "method/method.hpp"
 #include "properties/no_false_negative.hpp"
 #include "properties/show.hpp"

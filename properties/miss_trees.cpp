@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "files/case_json.hpp"
 #include "method/method.hpp"
 #include "properties/show.hpp"
 

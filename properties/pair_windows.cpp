@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "ccd/certified/pair_split.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/draw_lines.hpp"
 #include "properties/error_bound.hpp"

@@ -1,4 +1,4 @@
-#include "case/query_csv.hpp"
+#include "files/query_csv.hpp"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -91,7 +91,7 @@ void check_csv(Draw& d) {
 std::vector<Property> query_csv_claims() {
   return {
       {"csv.any_bytes", "Any text is refused with a reason, or read as queries that it then writes",
-       "src/case/query_csv.hpp", check_csv},
+       "src/files/query_csv.hpp", check_csv},
   };
 }
 

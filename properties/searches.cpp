@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/draw_first_contact.hpp"

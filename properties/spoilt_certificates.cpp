@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/case_file.hpp"
 #include "properties/draw_trimmed.hpp"

@@ -1,7 +1,7 @@
-#include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "properties/draw_linear.hpp"
 #include "properties/property.hpp"
@@ -95,7 +95,7 @@ bool clearance_bears(const Case& claim) {
 }
 
 bool absence_is_accepted(const Case& claim) {
-  const auto checked = check_absence(claim, "no file");
+  const auto checked = check_absence(claim);
   return checked || checked.error().where == "truth.certificate.clear.tree";
 }
 

@@ -1,6 +1,6 @@
 // A CCD code fuzzed by libFuzzer on contacts that are there. It has a fault.
 #include <Eigen/Geometry>
-#include <ccdfuzz/case/case_json.hpp>
+#include <ccdfuzz/files/case_json.hpp>
 #include <ccdfuzz/mutate.hpp>
 #include <iostream>
 

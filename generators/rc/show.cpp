@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "generators/rc/rapidcheck.hpp"
 
 namespace ccdfuzz {

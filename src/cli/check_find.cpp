@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <utility>
 
-#include "base/folder_lock.hpp"
-#include "base/input_bytes.hpp"
-#include "base/json_write.hpp"
-#include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "generators/draw/choice_bytes.hpp"
+#include "io/folder_lock.hpp"
+#include "io/input_bytes.hpp"
+#include "io/json_write.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/fields.hpp"
+#include "io/fields.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/in_order.hpp"
+#include "io/in_order.hpp"
 
 namespace ccdfuzz {
 

@@ -13,14 +13,14 @@
 #include <sstream>
 #include <thread>
 
-#include "base/command_help.hpp"
 #include "base/number_text.hpp"
-#include "base/output_file.hpp"
 #include "base/text.hpp"
-#include "certify/checker/run_work.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/session.hpp"
+#include "files/run_work.hpp"
+#include "io/command_help.hpp"
+#include "io/output_file.hpp"
 #include "method/method.hpp"
 #include "method/plugin/plugin_spec.hpp"
 

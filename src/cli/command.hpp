@@ -14,7 +14,7 @@
 #include "base/result.hpp"
 
 // CLI11's headers cost seconds in each file that includes them: command.cpp does, and
-// base/command_help.cpp.
+// io/command_help.cpp.
 namespace CLI {
 class App;
 class Option;

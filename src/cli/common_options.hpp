@@ -11,11 +11,11 @@
 
 #include "base/result.hpp"
 #include "base/shard.hpp"
-#include "base/table.hpp"
 #include "bezier/shape.hpp"
-#include "case/case_files.hpp"
 #include "ccd/search.hpp"
 #include "cli/command.hpp"
+#include "files/case_files.hpp"
+#include "io/table.hpp"
 
 namespace ccdfuzz {
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "case/case_files.hpp"
-#include "case/tree_file.hpp"
+#include "files/case_files.hpp"
+#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 

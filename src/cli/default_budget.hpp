@@ -5,8 +5,8 @@
 #include <string>
 
 #include "case/answer.hpp"
-#include "case/case_files.hpp"
 #include "ccd/search_options.hpp"
+#include "files/case_files.hpp"
 
 namespace ccdfuzz {
 

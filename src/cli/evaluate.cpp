@@ -4,19 +4,19 @@
 
 #include <algorithm>
 
-#include "base/hash_name.hpp"
-#include "base/input_bytes.hpp"
 #include "base/number_text.hpp"
-#include "base/output_file.hpp"
-#include "base/run_file.hpp"
 #include "base/text.hpp"
-#include "case/case_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "eval/paper_tables.hpp"
 #include "eval/row_columns.hpp"
+#include "files/case_json.hpp"
+#include "io/hash_name.hpp"
+#include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
+#include "io/run_file.hpp"
 #include "report/rows.hpp"
 
 namespace ccdfuzz {

@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/output_file.hpp"
-#include "case/engine_test.hpp"
-#include "case/query_csv.hpp"
-#include "case/test_snippet.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "files/check_file.hpp"
+#include "files/engine_test.hpp"
+#include "files/query_csv.hpp"
+#include "files/test_snippet.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -4,15 +4,15 @@
 
 #include <functional>
 
-#include "base/cpu_time.hpp"
-#include "base/input_bytes.hpp"
 #include "base/number_text.hpp"
-#include "base/run_file.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/made_cases.hpp"
 #include "cli/session.hpp"
 #include "generators/paper_set.hpp"
+#include "io/cpu_time.hpp"
+#include "io/input_bytes.hpp"
+#include "io/run_file.hpp"
 
 namespace ccdfuzz {
 

@@ -11,8 +11,6 @@
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
-#include "case/case_json.hpp"
-#include "case/expected_json.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_finds.hpp"
@@ -20,6 +18,8 @@
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
 #include "eval/row_columns.hpp"
+#include "files/case_json.hpp"
+#include "files/expected_json.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {

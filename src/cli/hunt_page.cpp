@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <map>
 
-#include "base/input_bytes.hpp"
-#include "base/output_file.hpp"
-#include "certify/checker/check_case.hpp"
 #include "cli/common_options.hpp"
 #include "cli/output.hpp"
 #include "cli/reproduction.hpp"
 #include "eval/row_columns.hpp"
+#include "files/check_file.hpp"
 #include "finds/entries.hpp"
+#include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
 #include "method/ask.hpp"
 
 namespace ccdfuzz {

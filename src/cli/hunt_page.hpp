@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "case/case_files.hpp"
 #include "eval/columns.hpp"
+#include "files/case_files.hpp"
 #include "hunt/hunt.hpp"
 #include "method/by_spec.hpp"
 #include "report/report.hpp"

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include "base/number_text.hpp"
-#include "case/case_files.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "eval/decide_rows.hpp"
+#include "files/case_files.hpp"
 
 namespace ccdfuzz {
 

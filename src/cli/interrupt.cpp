@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "base/output_file.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

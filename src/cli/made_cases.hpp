@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "base/fields.hpp"
-#include "case/case_json.hpp"
 #include "cli/data_set.hpp"
 #include "eval/generation_cost.hpp"
+#include "files/case_json.hpp"
+#include "io/fields.hpp"
 
 namespace ccdfuzz {
 

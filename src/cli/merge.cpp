@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/run_file.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/made_cases.hpp"
@@ -11,6 +10,7 @@
 #include "cli/session.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/intake.hpp"
+#include "io/run_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 

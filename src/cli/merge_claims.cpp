@@ -6,13 +6,13 @@
 #include <optional>
 #include <set>
 
-#include "base/hash_name.hpp"
-#include "base/json_write.hpp"
-#include "base/output_file.hpp"
 #include "cli/check_find.hpp"
 #include "cli/session.hpp"
 #include "finds/entries.hpp"
 #include "generators/draw/choice_bytes.hpp"
+#include "io/hash_name.hpp"
+#include "io/json_write.hpp"
+#include "io/output_file.hpp"
 #include "properties/suites.hpp"
 
 namespace ccdfuzz {

@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include "base/output_file.hpp"
-#include "case/case_json.hpp"
-#include "case/tree_file.hpp"
-#include "certify/checker/check_case.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "files/case_json.hpp"
+#include "files/check_file.hpp"
+#include "files/tree_file.hpp"
 #include "finds/content_address.hpp"
 #include "finds/shrink.hpp"
+#include "io/output_file.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "base/fields.hpp"
-#include "base/table.hpp"
+#include "io/fields.hpp"
+#include "io/table.hpp"
 
 namespace ccdfuzz {
 

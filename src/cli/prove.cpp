@@ -2,13 +2,13 @@
 
 #include <map>
 
-#include "case/tree_file.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/complete_truth.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/data_set.hpp"
 #include "cli/session.hpp"
+#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -63,7 +63,7 @@ Completed prove(const NamedCase& named, const OracleOptions& oracle) {
   if (auto checked = check_truth(named.value); !checked) {
     throw BadInput{{named.id + ": " + checked.error().where, checked.error().what}};
   }
-  return complete_truth(named.value, trees_path(named.file), oracle);
+  return complete_truth(named.value, tree_of(named.value.truth, trees_path(named.file)), oracle);
 }
 
 int run_prove(const ProveOptions& options, Session& session) {

@@ -9,10 +9,6 @@
 #include <set>
 #include <utility>
 
-#include "base/folder_lock.hpp"
-#include "base/output_file.hpp"
-#include "case/case_json.hpp"
-#include "case/expected_json.hpp"
 #include "cli/answer_row.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -20,7 +16,11 @@
 #include "cli/replay_claims.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
+#include "files/case_json.hpp"
+#include "files/expected_json.hpp"
 #include "finds/entries.hpp"
+#include "io/folder_lock.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

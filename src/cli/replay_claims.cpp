@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "base/json_write.hpp"
-#include "base/output_file.hpp"
 #include "cli/check_find.hpp"
 #include "cli/interrupt.hpp"
 #include "finds/entries.hpp"
 #include "hunt/served_claim.hpp"
+#include "io/json_write.hpp"
+#include "io/output_file.hpp"
 #include "properties/suites.hpp"
 
 namespace ccdfuzz {

@@ -7,12 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "base/fields.hpp"
-#include "base/in_order.hpp"
-#include "base/input_bytes.hpp"
-#include "base/line_reader.hpp"
 #include "base/number_text.hpp"
-#include "base/run_file.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
@@ -20,6 +15,11 @@
 #include "eval/evaluate.hpp"
 #include "eval/evaluation_folder.hpp"
 #include "finds/entries.hpp"
+#include "io/fields.hpp"
+#include "io/in_order.hpp"
+#include "io/input_bytes.hpp"
+#include "io/line_reader.hpp"
+#include "io/run_file.hpp"
 #include "method/method.hpp"
 #include "report/rows.hpp"
 

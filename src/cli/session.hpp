@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/fields.hpp"
-#include "base/table.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/terminal.hpp"
 #include "eval/stream_cases.hpp"
+#include "io/fields.hpp"
+#include "io/table.hpp"
 
 namespace ccdfuzz {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "certify/checker/check_case.hpp"
 #include "eval/decide_rows.hpp"
+#include "files/check_file.hpp"
 
 namespace ccdfuzz {
 

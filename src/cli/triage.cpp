@@ -5,17 +5,17 @@
 #include <chrono>
 #include <filesystem>
 
-#include "base/input_bytes.hpp"
 #include "base/number_text.hpp"
-#include "certify/checker/check_case.hpp"
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "cli/triage_files.hpp"
+#include "files/check_file.hpp"
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "hunt/served_claim.hpp"
+#include "io/input_bytes.hpp"
 #include "properties/claim_input.hpp"
 
 namespace ccdfuzz {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <iterator>
 
-#include "base/input_bytes.hpp"
-#include "base/output_file.hpp"
 #include "cli/session.hpp"
+#include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include "case/tree_file.hpp"
 #include "ccd/rational/proves_clear.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/checker/shown.hpp"
 #include "certify/checker/work.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
+#include "files/check_file.hpp"
+#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -67,7 +67,7 @@ std::pair<bool, bool> method_proves(const Query& query, const Rational& until) {
 Verified verify(const NamedCase& named) {
   const Case& value = named.value;
   const Truth& truth = value.truth;
-  if (const auto checked = check_case(value, trees_path(named.file)); !checked) {
+  if (const auto checked = check_with_trees(value, trees_path(named.file)); !checked) {
     const InputError& error = checked.error();
     return {named.id, error.is_limit ? Standing::kUnproven : Standing::kRefuted, error.message()};
   }

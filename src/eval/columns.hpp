@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/table.hpp"
+#include "io/table.hpp"
 
 namespace ccdfuzz {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 
 namespace ccdfuzz {
 

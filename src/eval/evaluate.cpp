@@ -2,11 +2,11 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include "base/fields.hpp"
 #include "case/horizons.hpp"
-#include "certify/checker/check_case.hpp"
 #include "eval/decide_rows.hpp"
 #include "eval/stream_cases.hpp"
+#include "files/check_file.hpp"
+#include "io/fields.hpp"
 #include "method/ask.hpp"
 #include "method/by_spec.hpp"
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "base/run_file.hpp"
 #include "base/shard.hpp"
-#include "case/case_files.hpp"
 #include "ccd/search.hpp"
 #include "eval/evaluated_case.hpp"
+#include "files/case_files.hpp"
+#include "io/run_file.hpp"
 
 namespace ccdfuzz {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "base/fields.hpp"
-#include "base/output_file.hpp"
 #include "eval/paper_tables.hpp"
+#include "io/fields.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/line_reader.hpp"
-#include "base/output_file.hpp"
-#include "case/tree_file.hpp"
 #include "eval/paper_rates.hpp"
+#include "files/tree_file.hpp"
+#include "io/line_reader.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/fields.hpp"
 #include "base/result.hpp"
-#include "base/table.hpp"
+#include "io/fields.hpp"
+#include "io/table.hpp"
 
 namespace ccdfuzz {
 

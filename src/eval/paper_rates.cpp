@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "case/query_csv.hpp"
+#include "files/query_csv.hpp"
 
 namespace ccdfuzz {
 

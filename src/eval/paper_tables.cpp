@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "case/query_csv.hpp"
 #include "eval/columns.hpp"
 #include "eval/paper_rates.hpp"
 #include "eval/row_columns.hpp"
+#include "files/query_csv.hpp"
 
 namespace ccdfuzz {
 

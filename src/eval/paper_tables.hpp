@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "base/table.hpp"
 #include "eval/rows.hpp"
+#include "io/table.hpp"
 
 namespace ccdfuzz {
 

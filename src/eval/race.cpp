@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/cpu_time.hpp"
 #include "base/verify.hpp"
+#include "io/cpu_time.hpp"
 
 namespace ccdfuzz {
 

@@ -5,9 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "base/in_order.hpp"
-#include "case/case_files.hpp"
-#include "certify/checker/run_work.hpp"
+#include "certify/checker/work_done.hpp"
+#include "files/case_files.hpp"
+#include "files/run_work.hpp"
+#include "io/in_order.hpp"
 
 namespace ccdfuzz {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/double_parts.hpp"
-#include "base/hash_name.hpp"
+#include "io/hash_name.hpp"
 
 namespace ccdfuzz {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/input_bytes.hpp"
-#include "base/output_file.hpp"
-#include "certify/checker/check_case.hpp"
+#include "files/check_file.hpp"
+#include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

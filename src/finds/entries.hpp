@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 
 namespace ccdfuzz {
 

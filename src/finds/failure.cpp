@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/hash_name.hpp"
+#include "io/hash_name.hpp"
 
 namespace ccdfuzz {
 

@@ -6,10 +6,11 @@
 #include <tuple>
 #include <utility>
 
-#include "base/in_order.hpp"
-#include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
+#include "files/check_file.hpp"
+#include "files/tree_file.hpp"
 #include "finds/shrink.hpp"
+#include "io/in_order.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 #include "finds/asker.hpp"
 
 namespace ccdfuzz {

@@ -6,14 +6,14 @@
 #include <filesystem>
 #include <mutex>
 
-#include "base/folder_lock.hpp"
-#include "base/input_bytes.hpp"
-#include "base/output_file.hpp"
 #include "base/verify.hpp"
-#include "case/case_json.hpp"
-#include "case/tree_file.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "files/case_json.hpp"
+#include "files/check_file.hpp"
+#include "files/tree_file.hpp"
+#include "io/folder_lock.hpp"
+#include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

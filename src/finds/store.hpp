@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 #include "finds/content_address.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"

@@ -3,8 +3,9 @@
 #include <tuple>
 #include <utility>
 
-#include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
+#include "files/check_file.hpp"
+#include "files/tree_file.hpp"
 
 namespace ccdfuzz {
 
@@ -65,7 +66,7 @@ United unite(const NamedCase& old, const Case& find, const std::string& trees,
       united_truth(value.truth, other.truth, exact(value.query.t_max), is_absence_of_find);
   if (is_absence_of_find) united.trees = trees;
   const bool is_of_both = value.truth != old.value.truth && value.truth != other.truth;
-  if (is_of_both && !check_case(value, united.trees)) {
+  if (is_of_both && !check_with_trees(value, united.trees)) {
     united = {old.value, trees_path(old.id)};
   }
 
@@ -86,7 +87,9 @@ United unite(const NamedCase& old, const Case& find, const std::string& trees,
     const bool is_sure =
         (is_old_sure && is_said_by(old.value)) || (is_find_sure && is_said_by(other));
     if (is_sure && !is_disputed) continue;
-    if (!known) known = checked_or_unknown(value, united.trees);
+    if (!known) {
+      known = checked_or_unknown(value, tree_of(value.truth, united.trees).value_or(""));
+    }
     if (const auto shown = again(method, *known)) expected = *shown;
   }
   return united;

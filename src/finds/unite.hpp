@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "case/case_files.hpp"
 #include "case/checked_case.hpp"
+#include "files/case_files.hpp"
 
 namespace ccdfuzz {
 

@@ -16,7 +16,7 @@ namespace {
 
 /// Generators prove what they say.
 CheckedCase checked(Case made) {
-  Result<CheckedCase> known = check_case(std::move(made), "");
+  Result<CheckedCase> known = check_case(std::move(made));
   CCDFUZZ_VERIFY(known.has_value());
   return *std::move(known);
 }

@@ -9,11 +9,11 @@
 #include <thread>
 #include <utility>
 
-#include "base/cpu_time.hpp"
 #include "base/fp_guard.hpp"
 #include "base/verify.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/schedule.hpp"
+#include "io/cpu_time.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "method/served_method.hpp"
 

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "base/fields.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/tally.hpp"
 #include "finds/intake.hpp"
 #include "hunt/breeder.hpp"
+#include "io/fields.hpp"
 
 namespace ccdfuzz {
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "base/serve.hpp"
 #include "hunt/served_claim.hpp"
+#include "io/serve.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "base/serve.hpp"
 #include "generators/draw/choice_bytes.hpp"
+#include "io/serve.hpp"
 #include "method/served_method.hpp"
 
 namespace ccdfuzz {

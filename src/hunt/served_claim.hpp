@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/child.hpp"
+#include "io/child.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 
-#include "base/serve.hpp"
-#include "case/case_json.hpp"
 #include "case/horizons.hpp"
-#include "case/tree_file.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
+#include "files/tree_file.hpp"
 #include "finds/shrink.hpp"
 #include "generators/contact.hpp"
+#include "io/serve.hpp"
 #include "properties/against_oracle.hpp"
 
 namespace ccdfuzz {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/child.hpp"
 #include "finds/intake.hpp"
+#include "io/child.hpp"
 #include "method/ask.hpp"
 #include "method/served_method.hpp"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "base/fields.hpp"
-#include "base/serve.hpp"
-#include "case/query_json.hpp"
+#include "files/query_json.hpp"
+#include "io/fields.hpp"
+#include "io/serve.hpp"
 #include "method/plugin/plugin_method.hpp"
 
 namespace ccdfuzz {

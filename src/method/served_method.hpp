@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "base/child.hpp"
+#include "io/child.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {

@@ -4,12 +4,12 @@
 
 #include <cstdlib>
 
-#include "base/json_text.hpp"
-#include "case/case_json.hpp"
-#include "case/test_snippet.hpp"
 #include "ccd/witness_trace/loss_signature.hpp"
+#include "files/case_json.hpp"
+#include "files/test_snippet.hpp"
 #include "finds/content_address.hpp"
 #include "finds/failure.hpp"
+#include "io/json_text.hpp"
 #include "report/loss.hpp"
 
 namespace ccdfuzz {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/fields.hpp"
-#include "base/in_order.hpp"
-#include "base/json_text.hpp"
 #include "base/verify.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/paper_rates.hpp"
+#include "io/fields.hpp"
+#include "io/in_order.hpp"
+#include "io/json_text.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "report/case_details.hpp"
 #include "report/histogram.hpp"

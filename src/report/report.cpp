@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/output_file.hpp"
+#include "io/output_file.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
 namespace ccdfuzz {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/fields.hpp"
-#include "base/table.hpp"
 #include "case/case.hpp"
 #include "eval/rows.hpp"
+#include "io/fields.hpp"
+#include "io/table.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {

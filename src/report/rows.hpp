@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "case/case_files.hpp"
 #include "eval/evaluated_case.hpp"
 #include "eval/generation_cost.hpp"
+#include "files/case_files.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {

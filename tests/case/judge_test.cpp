@@ -64,7 +64,7 @@ Case case_of(const Scene& scene, double t_max) {
 }
 
 CheckedCase known(const Scene& scene, double t_max) {
-  auto checked = check_case(case_of(scene, t_max), "");
+  auto checked = check_case(case_of(scene, t_max));
   if (!checked) throw std::runtime_error(checked.error().message());
   return *checked;
 }
@@ -134,7 +134,7 @@ TEST(Judge, KnowsNothingWithoutProof) {
   claimed.truth.clearance.reset();
   claimed.truth.proof = "rational-tdibm";
   claimed.truth.clear_until = 2;
-  const auto by_word = check_case(claimed, "");
+  const auto by_word = check_case(claimed);
   ASSERT_TRUE(by_word);
   EXPECT_EQ(by_word->collides(), std::nullopt);
   EXPECT_EQ(judge(*by_word, hit(0.5)), Outcome::kUnknown);
@@ -144,7 +144,7 @@ TEST(Judge, KnowsNothingWithoutProof) {
 /// What the checker refuses is no case to judge by, and where it is judged all the same, unknown.
 TEST(Judge, NothingIsJudgedByAFalseProof) {
   const auto expect_nothing = [](Case lie, const char* what) {
-    EXPECT_FALSE(check_case(lie, "")) << what;
+    EXPECT_FALSE(check_case(lie)) << what;
     for (const Answer& answer : {hit(0.25), says(Verdict::kMiss)}) {
       EXPECT_EQ(judge(checked_or_unknown(lie), answer), Outcome::kUnknown) << what;
     }

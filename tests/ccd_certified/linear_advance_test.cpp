@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/linear/first_contact.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw/draw.hpp"
 #include "share.hpp"
 

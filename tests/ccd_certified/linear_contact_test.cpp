@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "case/case_json.hpp"
 #include "ccd/certified/short_contact.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw/draw.hpp"
 #include "share.hpp"
 

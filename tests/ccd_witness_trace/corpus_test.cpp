@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 #include "traced.hpp"
 
 namespace ccdfuzz {

@@ -127,12 +127,12 @@ TEST(CheckBodies, ATruthOfBothIsACheckedCase) {
   known.truth.witness = ball_witness();
   known.truth.clear_until = 1;
   known.truth.clearance = BodyClearance{1, {0, 1, 0}, false};
-  const auto checked = check_case(known, "");
+  const auto checked = check_case(known);
   ASSERT_TRUE(checked) << checked.error().message();
   EXPECT_EQ(checked->contact_by(), Rational(1));
   EXPECT_EQ(checked->with_t_max(0.5).collides(), false);
   known.truth.clear_until = Rational(1) + kLittle;
-  EXPECT_FALSE(check_case(known, ""));
+  EXPECT_FALSE(check_case(known));
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ TEST(CheckPlane, RefusesPatchesThatKeepTheirDistance) {
 
 std::string truth_of(const Case& c) {
   if (auto checked = check_truth(c); !checked) return checked.error().message();
-  const auto absent = check_absence(c, "none.trees.zst");
+  const auto absent = check_absence(c);
   return absent ? "holds" : absent.error().message();
 }
 

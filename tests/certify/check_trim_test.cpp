@@ -5,12 +5,12 @@
 
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "files/case_json.hpp"
 #include "rising_triangle.hpp"
 
 namespace ccdfuzz {

@@ -6,9 +6,9 @@
 
 #include "bezier/blossom.hpp"
 #include "bezier/random_patch.hpp"
-#include "case/case_json.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "files/case_json.hpp"
+#include "files/check_file.hpp"
 #include "rising_triangle.hpp"
 #include "scratch_folder.hpp"
 

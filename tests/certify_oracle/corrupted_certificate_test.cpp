@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
@@ -13,6 +12,7 @@
 #include "certify/checker/miss_tree.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "mixed_cases.hpp"
 
 namespace ccdfuzz {

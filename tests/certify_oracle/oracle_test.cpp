@@ -4,11 +4,11 @@
 
 #include <map>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/find_plane.hpp"
+#include "files/case_json.hpp"
 #include "mixed_cases.hpp"
 #include "share.hpp"
 

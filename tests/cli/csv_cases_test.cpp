@@ -3,9 +3,9 @@
 
 #include <set>
 
-#include "base/run_file.hpp"
-#include "case/case_files.hpp"
 #include "falling_vertex.hpp"
+#include "files/case_files.hpp"
+#include "io/run_file.hpp"
 #include "killed_run.hpp"
 
 namespace ccdfuzz {

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "base/run_file.hpp"
+#include "io/run_file.hpp"
 #include "killed_run.hpp"
 
 namespace ccdfuzz {

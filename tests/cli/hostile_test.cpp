@@ -4,9 +4,9 @@
 #include <sys/stat.h>
 
 #include <set>
-#include "case/case_json.hpp"
-#include "case/tree_file.hpp"
 #include "certify/checker/miss_tree.hpp"
+#include "files/case_json.hpp"
+#include "files/tree_file.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {

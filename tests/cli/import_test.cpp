@@ -1,8 +1,8 @@
 // import and export: query CSVs in and out of the real program.
 #include <gmock/gmock.h>
 
-#include "case/case_files.hpp"
 #include "falling_vertex.hpp"
+#include "files/case_files.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {

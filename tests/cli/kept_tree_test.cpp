@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "case/case_files.hpp"
-#include "case/case_json.hpp"
-#include "case/tree_file.hpp"
+#include "files/case_files.hpp"
+#include "files/case_json.hpp"
+#include "files/tree_file.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {

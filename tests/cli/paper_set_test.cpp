@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "base/run_file.hpp"
+#include "io/run_file.hpp"
 #include "killed_run.hpp"
 
 namespace ccdfuzz {

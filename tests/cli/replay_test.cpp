@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <set>
 
-#include "case/case_files.hpp"
-#include "case/case_json.hpp"
+#include "files/case_files.hpp"
+#include "files/case_json.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {

@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "case/case_files.hpp"
 #include "falling_vertex.hpp"
+#include "files/case_files.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "process.hpp"
 

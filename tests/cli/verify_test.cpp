@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "case/case_files.hpp"
-#include "case/case_json.hpp"
+#include "files/case_files.hpp"
+#include "files/case_json.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "base/fields.hpp"
 #include "eval/paper_rates.hpp"
 #include "eval/paper_tables.hpp"
 #include "eval/rows.hpp"
+#include "io/fields.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "finds/store.hpp"
 
 namespace ccdfuzz {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include "case/case_json.hpp"
 #include "case/judge.hpp"
 #include "ccd/tdibm.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
+#include "files/case_json.hpp"
 #include "finds/content_address.hpp"
 #include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
@@ -167,7 +167,7 @@ TEST(Minimise, LinearPatchesWithoutAWitnessKeepAContactThatIsDecided) {
   ASSERT_FALSE(found.truth.witness.has_value());
   const Minimised small = minimise(found, Outcome::kMissed, [](const Case& c) {
     EXPECT_EQ(c.truth.collides, true);
-    EXPECT_TRUE(check_case(c, "")) << to_json(c);
+    EXPECT_TRUE(check_case(c)) << to_json(c);
     return c.query.patches[0].velocities[0][2] > 1;
   });
   EXPECT_LT(bits_of(small.value), 40) << to_json(small.value);
@@ -212,7 +212,7 @@ TEST(Minimise, AFalsePositiveStaysOneWithProof) {
   EXPECT_TRUE(hits(small.value));
   EXPECT_TRUE(check_truth(small.value));
   EXPECT_EQ(small.value.truth.proof, "L");
-  EXPECT_TRUE(check_case(small.value, "")->is_clear());
+  EXPECT_TRUE(check_case(small.value)->is_clear());
   EXPECT_LE(size_of(small.value.query).significant_bits, 8U) << to_json(small.value);
   Tdibm<Plain> method{Plain()};
   EXPECT_EQ(method.answer(small.value.query, {}).verdict, Verdict::kMiss);

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <random>
 
-#include "base/output_file.hpp"
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "finds/finds.hpp"
+#include "io/output_file.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

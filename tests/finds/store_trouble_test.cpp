@@ -11,8 +11,8 @@
 #include <set>
 #include <thread>
 
-#include "base/output_file.hpp"
 #include "finds/finds.hpp"
+#include "io/output_file.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "files/case_json.hpp"
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
 

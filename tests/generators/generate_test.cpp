@@ -97,7 +97,7 @@ TEST(Generate, TheMovingPlaneThatProvesACaseIsPartOfItAndTheCheckerAcceptsIt) {
     with_plane += c.truth.clearance.has_value();
     if (options.construction == Construction::kPaper && !c.truth.clearance) return;
     ASSERT_TRUE(c.truth.clearance);
-    const Result<void> checked = check_absence(c, "");
+    const Result<void> checked = check_absence(c);
     EXPECT_TRUE(checked) << checked.error().message();
   });
   EXPECT_GT(with_plane, all / 2);

@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "files/case_json.hpp"
 #include "generators/generate.hpp"
 #include "generators/shaped/features.hpp"
 #include "generators/shaped/shaped_case.hpp"
@@ -48,7 +48,7 @@ TEST(Shaped, EveryCaseIsWhatItSaysAndTheCheckerAcceptsItsProof) {
     const Result<void> truth = check_truth(c);
     ASSERT_TRUE(truth) << truth.error().message() << '\n' << to_json(c);
     if (c.truth.clearance || options.kind == CaseKind::kRN) {
-      const Result<void> absent = check_absence(c, "");
+      const Result<void> absent = check_absence(c);
       ASSERT_TRUE(absent) << absent.error().message() << '\n' << to_json(c);
     }
     EXPECT_EQ(c.truth.collides, options.kind == CaseKind::kRP);
@@ -109,7 +109,7 @@ TEST(Shaped, RegularCasesAndTheFirstFamiliesComeInAnyShape) {
           const Result<void> truth = check_truth(c);
           EXPECT_TRUE(truth) << truth.error().message() << '\n' << to_json(c);
           if (family != Family::kFlatGrazing) {
-            const Result<void> absent = check_absence(c, "");
+            const Result<void> absent = check_absence(c);
             EXPECT_TRUE(absent) << absent.error().message() << '\n' << to_json(c);
           }
         }

@@ -88,7 +88,7 @@ TEST(Similar, TakesItsCertificatesAlong) {
     ASSERT_TRUE(changed);
     const auto holds = check_truth(*changed);
     EXPECT_TRUE(holds) << holds.error().message();
-    const auto absent = check_absence(*changed, "");
+    const auto absent = check_absence(*changed);
     EXPECT_TRUE(absent) << absent.error().message();
     EXPECT_EQ(changed->truth.contact_by(),
               Rational(*base.truth.contact_by() * power_of_two(change.time)));

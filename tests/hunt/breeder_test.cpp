@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "case/case_json.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "files/case_json.hpp"
 #include "hunt/draw.hpp"
 #include "method/method.hpp"
 #include "share.hpp"

@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "case/case_json.hpp"
 #include "case/horizons.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "generators/generate.hpp"
 #include "method/ask.hpp"
 #include "share.hpp"

@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cfenv>
 
-#include "base/cpu_time.hpp"
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
+#include "io/cpu_time.hpp"
 #include "scratch_folder.hpp"
 
 namespace ccdfuzz {

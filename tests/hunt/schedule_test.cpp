@@ -1,5 +1,5 @@
 #include "hunt/schedule.hpp"
-#include "base/cpu_time.hpp"
+#include "io/cpu_time.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "files/case_json.hpp"
 #include "finds/content_address.hpp"
 #include "finds/failure.hpp"
 #include "generators/contact.hpp"

@@ -1,6 +1,6 @@
 // Work in a child may do whatever it likes: the error has its name, and nothing of it is
 // left.
-#include "base/serve.hpp"
+#include "io/serve.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "base/process_limits.hpp"
+#include "io/process_limits.hpp"
 #include "method/ask.hpp"
 #include "method/served_method.hpp"
 #include "served_by_test.hpp"

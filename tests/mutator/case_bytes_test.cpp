@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "bases.hpp"
-#include "case/case_json.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "files/case_json.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "bases.hpp"
-#include "case/case_json.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "files/case_json.hpp"
 #include "fuzz/mutator/moves.hpp"
 #include "share.hpp"
 

@@ -6,7 +6,7 @@
 #include "bases.hpp"
 #include "bezier/bernstein.hpp"
 #include "bezier/blossom.hpp"
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -1,5 +1,5 @@
 // What RapidCheck prints of a counterexample.
-#include "case/case_json.hpp"
+#include "files/case_json.hpp"
 #include "generators/rc/rapidcheck.hpp"
 #include "rapidcheck.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "certify/checker/check_case.hpp"
+#include "files/check_file.hpp"
 #include "finds/entries.hpp"
 #include "method/ask.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 #include "sound.hpp"
 
 namespace ccdfuzz {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/fields.hpp"
 #include "drivers.hpp"
+#include "io/fields.hpp"
 
 namespace ccdfuzz {
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <limits>
 
-#include "base/json_tree.hpp"
-#include "base/line_reader.hpp"
-#include "base/output_file.hpp"
 #include "fault_hash.hpp"
+#include "io/json_tree.hpp"
+#include "io/line_reader.hpp"
+#include "io/output_file.hpp"
 #include "record_line.hpp"
 
 namespace ccdfuzz {

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
-#include "base/fields.hpp"
-#include "base/run_file.hpp"
 #include "fault_list.hpp"
+#include "io/fields.hpp"
+#include "io/run_file.hpp"
 
 namespace ccdfuzz {
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/output_file.hpp"
 #include "drivers.hpp"
+#include "io/output_file.hpp"
 
 namespace ccdfuzz {
 

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "base/process_limits.hpp"
+#include "io/process_limits.hpp"
 #include "property_turns.hpp"
 #include "scoreboard/planted.hpp"
 

@@ -7,9 +7,9 @@
 #include <iostream>
 
 #include "base/number_text.hpp"
-#include "base/table.hpp"
 #include "campaign.hpp"
 #include "fault_list.hpp"
+#include "io/table.hpp"
 #include "records.hpp"
 #include "rows.hpp"
 #include "verdict.hpp"

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/result.hpp"
-#include "certify/checker/run_work.hpp"
+#include "certify/checker/work_done.hpp"
 #include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/verify.hpp"
-#include "case/tree_file.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 
@@ -25,14 +24,14 @@ bool reaches_further(const Clearance& x, const Clearance& y) {
 }
 
 /// Takes over the case's own clearance, which holds, if it reaches further than the one found.
-void keep_better_clearance(const Case& value, const std::string& trees, Decision& found) {
+void keep_better_clearance(const Case& value, const Result<std::string>& tree, Decision& found) {
   const auto& own = value.truth.clearance;
   if (!own) return;
   if (found.truth.clearance && !reaches_further(*own, *found.truth.clearance)) return;
   found.truth.clearance = own;
   found.truth.clear_until = until_of(*own);
   found.tree.clear();
-  if (const auto* tree = std::get_if<MissTree>(&*own)) found.tree = *read_tree(trees, tree->tree);
+  if (std::holds_alternative<MissTree>(*own)) found.tree = *tree;
   if (covers(*own, exact(value.query.t_max))) {
     found.truth.collides = false;
     found.truth.proof = proof_word(*own);
@@ -41,7 +40,8 @@ void keep_better_clearance(const Case& value, const std::string& trees, Decision
 
 }  // namespace
 
-Completed complete_truth(const Case& value, const std::string& trees, OracleOptions options) {
+Completed complete_truth(const Case& value, const Result<std::string>& tree,
+                         OracleOptions options) {
   const std::optional<Rational> claimed = claimed_clear(value);
   options.known = value.truth.witness;
   options.wanted_clear = claimed;
@@ -50,7 +50,8 @@ Completed complete_truth(const Case& value, const std::string& trees, OracleOpti
   Truth& truth = out.value.truth;
 
   const std::optional<Rational> contact = found.truth.contact_by();
-  if (const auto holds = truth.clearance ? check_absence(value, trees) : Result<void>(); !holds) {
+  const auto check = [&value](const std::string& bytes) { return check_absence(value, bytes); };
+  if (const auto holds = truth.clearance ? tree.and_then(check) : Result<void>(); !holds) {
     out.refuted = true;
     out.note = holds.error().message();
   } else if (contact && claimed && *contact < *claimed) {
@@ -58,7 +59,7 @@ Completed complete_truth(const Case& value, const std::string& trees, OracleOpti
     out.note = fmt::format("claimed clear until t = {}, but there is a contact by t = {}",
                            to_text(*claimed), to_text(*contact));
   } else {
-    keep_better_clearance(value, trees, found);
+    keep_better_clearance(value, tree, found);
     const auto& until = found.truth.clear_until;
     if (claimed && found.truth.collides != false && (!until || *until < *claimed)) {
       // The claim stands as it is, and is still to be proven by other means.

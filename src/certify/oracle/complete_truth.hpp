@@ -19,8 +19,9 @@ struct Completed {
 
 /// Decides the query of a case and completes its truth: contact or absence, and both certificates.
 /// A witness or clearance of the case's own stays if it proves more. So does a claim of absence
-/// that goes beyond what could be proven here. trees: the file of trees beside the case. Requires
-/// that check_truth accepts the case.
-Completed complete_truth(const Case& value, const std::string& trees, OracleOptions options = {});
+/// that goes beyond what could be proven here. tree: the bytes of its own tree, if its clearance is
+/// one; an error in their place refutes it. Requires that check_truth accepts the case.
+Completed complete_truth(const Case& value, const Result<std::string>& tree,
+                         OracleOptions options = {});
 
 }  // namespace ccdfuzz

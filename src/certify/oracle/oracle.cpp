@@ -10,7 +10,7 @@
 #include "ccd/search.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "certify/checker/run_work.hpp"
+#include "certify/checker/work_done.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/decide_bodies.hpp"

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "base/fields.hpp"
+#include "io/fields.hpp"
 #include "method/plugin/line_values.hpp"
 
 namespace ccdfuzz {

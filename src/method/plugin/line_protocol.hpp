@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "base/child.hpp"
 #include "case/judge.hpp"
 #include "ccd/search.hpp"
+#include "io/child.hpp"
 #include "method/domain.hpp"
 #include "method/features.hpp"
 #include "method/plugin/plugin_spec.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/json_real.hpp"
+#include "io/json_real.hpp"
 
 namespace ccdfuzz {
 

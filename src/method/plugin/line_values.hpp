@@ -6,8 +6,8 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "base/child.hpp"
-#include "base/json_tree.hpp"
+#include "io/child.hpp"
+#include "io/json_tree.hpp"
 
 namespace ccdfuzz {
 

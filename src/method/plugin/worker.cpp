@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "base/process_limits.hpp"
-#include "base/supervise.hpp"
+#include "io/process_limits.hpp"
+#include "io/supervise.hpp"
 #include "method/plugin/ccdfuzz_plugin.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // What every method and the checker say of the cases of a folder, to the bit.
 #include <ccdfuzz/case/judge.hpp>
-#include <ccdfuzz/certify/checker/check_case.hpp>
+#include <ccdfuzz/files/check_file.hpp>
 #include <ccdfuzz/method/method.hpp>
 #include <cstdint>
 #include <cstring>

@@ -1,0 +1,296 @@
+#include "files/case_files.hpp"
+
+#include <fmt/format.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "base/verify.hpp"
+#include "files/case_json.hpp"
+#include "io/line_reader.hpp"
+#include "io/output_file.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kPiece = 1 << 16;
+
+/// The size of a file; 0 for a pipe and for what is not there.
+std::uint64_t size_of(const std::string& path) {
+  std::error_code none;
+  const std::uintmax_t size = fs::file_size(path, none);
+  return none ? 0 : size;
+}
+
+/// .json, .jsonl and .jsonl.zst.
+class JsonCases : public CaseFile {
+ public:
+  JsonCases(LineReader lines, CaseFileKind kind) : lines_(std::move(lines)), kind_(kind) {}
+
+  Result<std::optional<NamedCase>> next() override {
+    const bool whole = kind_ == CaseFileKind::kJson;
+    if (whole && any_) return std::nullopt;
+    for (;;) {
+      const auto text = lines_.next(whole);
+      if (!text) return tl::unexpected(text.error());
+      const bool blank = !*text || trimmed(**text).empty();
+      if (blank && (whole || !*text)) {
+        if (any_) return std::nullopt;
+        const bool is_empty = lines_.line() == 0 || whole;
+        return input_error(lines_.path(), fmt::format("{}; JSON with cases is accepted",
+                                                      is_empty ? "is empty" : "holds no case"));
+      }
+      if (blank) {
+        if (++blank_lines_ <= kMostBlankLines) continue;
+        return input_error(fmt::format("{}:{}", lines_.path(), lines_.line()),
+                           fmt::format("is one of more than {} blank lines", kMostBlankLines));
+      }
+      const std::string id =
+          whole ? lines_.path() : fmt::format("{}:{}", lines_.path(), lines_.line());
+      auto value = parse_case(**text, id);
+      if (!value) return tl::unexpected(value.error());
+      any_ = true;
+      return NamedCase{id, *std::move(value), lines_.path(), nullptr, (*text)->size()};
+    }
+  }
+  std::uint64_t position() const override { return lines_.position(); }
+
+ private:
+  /// Compressed, gigabytes of them are a small file.
+  static constexpr std::uint64_t kMostBlankLines = 1000;
+
+  LineReader lines_;
+  CaseFileKind kind_;
+  bool any_ = false;  ///< gave a case
+  std::uint64_t blank_lines_ = 0;
+};
+
+/// A query CSV.
+class CsvCases : public CaseFile {
+ public:
+  CsvCases(CsvReader reader, bool round) : reader_(std::move(reader)), round_(round) {}
+
+  Result<std::optional<NamedCase>> next() override {
+    const std::uint64_t before = reader_.position();
+    auto rows = reader_.next();
+    if (!rows) return tl::unexpected(rows.error());
+    if (!*rows) return std::nullopt;
+    auto value = to_case(**rows, round_, index_++);
+    if (!value) return tl::unexpected(value.error());
+    const CsvQuery& query = **rows;
+    return NamedCase{query.id(), *std::move(value), query.path,
+                     std::make_shared<const CsvQuery>(**std::move(rows)),
+                     reader_.position() - before};
+  }
+  std::uint64_t position() const override { return reader_.position(); }
+
+ private:
+  CsvReader reader_;
+  bool round_;
+  std::uint64_t index_ = 0;
+};
+
+Result<std::vector<std::string>> csv_files_in(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (auto it = fs::recursive_directory_iterator(folder, error);
+       !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+    std::error_code vanished;
+    const std::string path = it->path().string();
+    if (path.ends_with(".csv") && it->is_regular_file(vanished)) files.push_back(path);
+  }
+  if (error) return system_error(folder, "read", error.value());
+  if (files.empty())
+    return input_error(folder,
+                       "is a folder without a .csv in it; accepted are such folders, and files of "
+                       "cases: .json, .jsonl, .jsonl.zst, .csv");
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+void SourceBytes::add(const NamedCase& named) {
+  if (bytes_ > 0 && named.file == file_) return;
+  file_ = named.file;
+  const std::uint64_t size = size_of(file_);
+  is_known_ = is_known_ && size > 0;
+  bytes_ += size;
+}
+
+std::uint64_t SourceBytes::times(std::uint64_t each) const {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return is_known_ && bytes_ < kMost / each ? bytes_ * each : kMost;
+}
+
+Result<std::unique_ptr<CaseFile>> CaseFile::open(const std::string& path, const CsvOptions& csv) {
+  if (csv.any_name || path.ends_with(".csv")) {
+    auto reader = CsvReader::open(path, csv);
+    if (!reader) return tl::unexpected(reader.error());
+    return std::make_unique<CsvCases>(*std::move(reader), csv.round);
+  }
+  // A wrong name is told as such before a wrong ending.
+  auto lines = LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes);
+  if (!lines) return tl::unexpected(lines.error());
+  const auto kind = case_file_kind(path);
+  if (!kind) return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst, .csv");
+  return std::make_unique<JsonCases>(*std::move(lines), *kind);
+}
+
+Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (!fs::is_directory(path, ignored)) {
+      files.push_back(path);
+      continue;
+    }
+    const auto in_folder = csv_files_in(path);
+    if (!in_folder) return in_folder;
+    files.insert(files.end(), in_folder->begin(), in_folder->end());
+  }
+  return files;
+}
+
+CaseStream::CaseStream(const std::vector<std::string>& paths, CsvOptions csv)
+    : paths_(case_files(paths)), csv_(std::move(csv)) {
+  if (!paths_) return;
+  for (const std::string& path : *paths_) size_ += size_of(path);
+}
+
+Result<std::optional<NamedCase>> CaseStream::next() {
+  if (!paths_) return tl::unexpected(paths_.error());
+  for (; index_ < paths_->size(); ++index_) {
+    const std::string& path = (*paths_)[index_];
+    if (!file_) {
+      auto opened = CaseFile::open(path, csv_);
+      if (!opened) return tl::unexpected(opened.error());
+      file_ = *std::move(opened);
+    }
+    auto given = file_->next();
+    if (!given || *given) return given;
+    size_before_ += size_of(path);
+    file_.reset();
+  }
+  return std::nullopt;
+}
+
+double CaseStream::share() const {
+  const std::uint64_t read = size_before_ + (file_ ? file_->position() : 0);
+  return size_ == 0 ? 0 : std::min(1.0, static_cast<double>(read) / static_cast<double>(size_));
+}
+
+Result<NamedCase> read_case(const std::string& path) {
+  CaseStream stream({path});
+  auto first = stream.next();
+  if (!first) return tl::unexpected(first.error());
+  const auto second = stream.next();
+  if (!second) return tl::unexpected(second.error());
+  if (*second) return input_error(path, "holds more than one case");
+  return **std::move(first);
+}
+
+Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths) {
+  std::vector<NamedCase> cases;
+  CaseStream stream(paths);
+  std::uint64_t bytes = 0;
+  for (;;) {
+    auto next = stream.next();
+    if (!next) return tl::unexpected(next.error());
+    if (!*next) return cases;
+    bytes += (*next)->bytes;
+    if (bytes + cases.size() * sizeof(NamedCase) > kMostBytesHeld) {
+      return input_error((*next)->id,
+                         fmt::format("the cases so far take more than {} bytes, the most that this "
+                                     "command holds in memory",
+                                     kMostBytesHeld));
+    }
+    cases.push_back(**std::move(next));
+    cases.back().rows.reset();
+  }
+}
+
+Result<std::vector<NamedCase>> read_cases(const std::string& path) {
+  return read_cases(std::vector{path});
+}
+
+struct CaseWriter::State {
+  struct FreeContext {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+  };
+
+  std::string path;
+  CaseFileKind kind;
+  OutputFile file;
+  std::string pending;
+  size_t written = 0;
+  std::unique_ptr<ZSTD_CCtx, FreeContext> zstd;
+
+  /// Hands the pending text on, compressed where that is asked for.
+  Result<void> flush(bool last) {
+    if (!zstd) {
+      auto done = file.write(pending);
+      pending.clear();
+      return done;
+    }
+    std::string out(ZSTD_CStreamOutSize(), '\0');
+    ZSTD_inBuffer in = {pending.data(), pending.size(), 0};
+    for (bool done = false; !done;) {
+      ZSTD_outBuffer packed = {out.data(), out.size(), 0};
+      const size_t left =
+          ZSTD_compressStream2(zstd.get(), &packed, &in, last ? ZSTD_e_end : ZSTD_e_continue);
+      CCDFUZZ_VERIFY(ZSTD_isError(left) == 0);
+      if (auto r = file.write(std::string_view(out).substr(0, packed.pos)); !r) return r;
+      done = last ? left == 0 : in.pos == in.size;
+    }
+    pending.clear();
+    return {};
+  }
+};
+
+CaseWriter::CaseWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CaseWriter::CaseWriter(CaseWriter&&) noexcept = default;
+CaseWriter& CaseWriter::operator=(CaseWriter&&) noexcept = default;
+CaseWriter::~CaseWriter() = default;
+
+Result<CaseWriter> CaseWriter::open(const std::string& path) {
+  const auto kind = case_file_kind(path);
+  if (!kind) return tl::unexpected(kind.error());
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  auto state = std::make_unique<State>(State{path, *kind, *std::move(file), {}, 0, {}});
+  if (*kind == CaseFileKind::kJsonLinesZstd) {
+    state->zstd.reset(ZSTD_createCCtx());
+    CCDFUZZ_VERIFY(state->zstd != nullptr);
+    ZSTD_CCtx_setParameter(state->zstd.get(), ZSTD_c_checksumFlag, 1);
+  }
+  return CaseWriter(std::move(state));
+}
+
+Result<void> CaseWriter::write(const Case& value) {
+  State& s = *state_;
+  if (s.kind == CaseFileKind::kJson && s.written == 1) {
+    return input_error(s.path, "a .json file holds one case; .jsonl holds many");
+  }
+  ++s.written;
+  s.pending +=
+      to_json(value, s.kind == CaseFileKind::kJson ? JsonLayout::kReadable : JsonLayout::kOneLine);
+  s.pending += '\n';
+  return s.pending.size() < kPiece ? Result<void>() : s.flush(false);
+}
+
+Result<void> CaseWriter::finish() {
+  State& s = *state_;
+  if (s.kind == CaseFileKind::kJson && s.written == 0) {
+    return input_error(s.path, "no case to write");
+  }
+  if (auto flushed = s.flush(true); !flushed) return flushed;
+  return s.file.commit();
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "files/query_csv.hpp"
+
+namespace ccdfuzz {
+
+/// A case and where it was read: "path" of a .json, "path:line" of any other file.
+struct NamedCase {
+  std::string id;
+  Case value;
+  std::string file = {};  ///< beside which its trees are (trees_path); empty: it has none
+  std::shared_ptr<const CsvQuery> rows = {};  ///< what a query CSV says, which has no proof of it
+  std::uint64_t bytes = 0;                    ///< the length of its text in the file
+};
+
+/// How large the files are that the cases of a run came from: compressed, a case may take a byte.
+class SourceBytes {
+ public:
+  /// The next case of the run.
+  void add(const NamedCase& named);
+  /// each · bytes, at least 1; no limit where a case came from a pipe or was never in a file.
+  std::uint64_t times(std::uint64_t each) const;
+
+ private:
+  std::string file_;  ///< where the last case came from
+  std::uint64_t bytes_ = 0;
+  bool is_known_ = true;
+};
+
+/// No case comes near this; it bounds the memory that a wrong file takes.
+inline constexpr size_t kMaxCaseBytes = 1 << 20;
+
+/// The cases of a file one after the other, holding one at a time. The ending says how they are
+/// stored. .json: one case. .jsonl: one per line; CR LF and up to 1,000 blank lines are accepted.
+/// .jsonl.zst: the same, compressed by zstd. .csv: a query CSV, whose cases have no truth. A device
+/// or a pipe is read as .jsonl whatever its name.
+class CaseFile {
+ public:
+  /// Errors: another ending, no such file, a folder, unreadable; naming the path. As
+  /// CsvReader::open.
+  static Result<std::unique_ptr<CaseFile>> open(const std::string& path, const CsvOptions& csv);
+  virtual ~CaseFile() = default;
+
+  /// The next case; nothing at the end. Errors: as parse_case, CsvReader::next and to_query, and a
+  /// truncated or corrupt file, or one that holds no case at all; naming path and line. No reading
+  /// on after an error.
+  virtual Result<std::optional<NamedCase>> next() = 0;
+  /// Bytes of the file, which may be compressed, read so far.
+  virtual std::uint64_t position() const = 0;
+};
+
+/// The files that the paths name: of a folder all .csv files in it and in its folders, by name.
+/// Errors: a folder that cannot be read or has none, naming it.
+Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths);
+
+/// The cases of several files (case_files) one after the other, holding one at a time.
+class CaseStream {
+ public:
+  explicit CaseStream(const std::vector<std::string>& paths, CsvOptions csv = {});
+
+  /// The next case; nothing at the end. Errors: as case_files and CaseFile. No reading on after an
+  /// error.
+  Result<std::optional<NamedCase>> next();
+  /// How much of the files has been read, in [0, 1].
+  double share() const;
+
+ private:
+  Result<std::vector<std::string>> paths_;
+  CsvOptions csv_;
+  size_t index_ = 0;  ///< the file being read
+  std::unique_ptr<CaseFile> file_;
+  std::uint64_t size_ = 0, size_before_ = 0;  ///< all files; those before it
+};
+
+/// The only case of a file. Errors: as CaseStream; there are more.
+Result<NamedCase> read_case(const std::string& path);
+
+/// A command that needs all cases at once holds at most this many bytes of them. Each counts as its
+/// text and sizeof(NamedCase). These are some 10,000 cases of two tensor(8,8) and 200,000 of two
+/// points.
+inline constexpr std::uint64_t kMostBytesHeld = 256 << 20;
+
+/// All cases of the files at once, without `rows`. Errors: as CaseStream; more than kMostBytesHeld.
+Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths);
+Result<std::vector<NamedCase>> read_cases(const std::string& path);
+
+/// Writes cases to a file, which appears whole with finish() or, if that is not reached, not at
+/// all. Endings as for reading; a .json takes one case. Errors: another ending, a full disk, a
+/// read-only folder, naming the path. No writing on after an error.
+class CaseWriter {
+ public:
+  static Result<CaseWriter> open(const std::string& path);
+  CaseWriter(CaseWriter&&) noexcept;
+  CaseWriter& operator=(CaseWriter&&) noexcept;
+  ~CaseWriter();
+
+  Result<void> write(const Case& value);
+  /// Must come last.
+  Result<void> finish();
+
+ private:
+  struct State;
+  explicit CaseWriter(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ccdfuzz

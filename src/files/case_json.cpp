@@ -1,0 +1,379 @@
+// The format of cases, field by field; docs/formats.md describes it.
+#include "files/case_json.hpp"
+
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/verify.hpp"
+#include "bezier/trim.hpp"
+#include "files/expected_json.hpp"
+#include "files/query_json.hpp"
+#include "io/fields.hpp"
+
+namespace ccdfuzz {
+
+bool Asked::admits(double precision) {
+  return compare(precision, 0x1p-50) >= 0 && compare(precision, 1) <= 0;
+}
+
+template <>
+struct JsonForm<Rational> {
+  static void write(std::string& json, const Rational& x) { json += json_string(to_text(x)); }
+  static void read(const JsonCursor& from, Rational& x) {
+    if (from.value().kind != JsonKind::kString)
+      from.refuse_value("is not a string \"p\" or \"p/q\"");
+    Result<Rational> parsed = parse_rational(from.string());
+    if (!parsed) from.refuse(parsed.error().what);
+    x = *std::move(parsed);
+  }
+};
+
+template <>
+struct JsonForm<Integer> {
+  static void write(std::string& json, const Integer& x) { json += json_string(x.get_str()); }
+  static void read(const JsonCursor& from, Integer& x) {
+    Rational rational;
+    read_json(from, rational);
+    if (rational.get_den() != 1) from.refuse_value("is not a whole number");
+    x = rational.get_num();
+  }
+};
+
+template <>
+struct JsonForm<Vec3<double>> {
+  static void write(std::string& json, const Vec3<double>& point) {
+    for (int k = 0; k < 3; ++k) {
+      json += k == 0 ? '[' : ',';
+      json += json_number(point[k]);
+    }
+    json += ']';
+  }
+  static void read(const JsonCursor& from, Vec3<double>& point) {
+    from.array(3, "coordinates");
+    for (int k = 0; k < 3; ++k) point[k] = from.item(static_cast<size_t>(k)).real();
+  }
+};
+
+template <>
+struct JsonForm<MovingPatch<double>> {
+  static void fields(auto& archive, auto& patch) {
+    auto& shape = patch.shape;
+    archive("shape", shape.kind);
+    const auto degree = within(1, kMaxDegree);
+    if (shape.kind == ShapeKind::kTensor) {
+      std::array degrees{shape.n, shape.m};
+      archive("degree", degrees, Each{degree});
+      if constexpr (kReads<decltype(archive)>) shape = Shape::tensor(degrees[0], degrees[1]);
+    } else if (shape.parameter_count() > 0) {
+      archive("degree", shape.n, degree);
+    }
+    const auto right_count = [&](const Points<double>& points) {
+      if (std::cmp_equal(points.size(), shape.control_count())) return std::string();
+      return fmt::format("has {} control points; {} has {}", points.size(), to_text(shape),
+                         shape.control_count());
+    };
+    if (shape.kind == ShapeKind::kHull) {
+      of_hull(archive, patch);
+      return;
+    }
+    archive("positions", patch.positions, right_count);
+    if constexpr (kReads<decltype(archive)>) {
+      const bool has_ends = archive.object().find("ends").has_value();
+      if (has_ends && archive.object().find("velocities")) {
+        archive.object().at("ends").refuse("stands beside velocities; a patch has one of them");
+      }
+      has_ends ? archive("ends", patch.ends, right_count)
+               : archive("velocities", patch.velocities, right_count);
+    } else {
+      patch.has_ends() ? archive("ends", patch.ends) : archive("velocities", patch.velocities);
+    }
+    archive.optional("weights", patch.weights, {}, Each{positive}, [&](const auto& weights) {
+      if (weights.size() != patch.positions.size()) {
+        return fmt::format("has {} weights of {} control points", weights.size(),
+                           patch.positions.size());
+      }
+      return are_weights(weights) ? std::string() : spread_of_weights();
+    });
+    archive.optional("trim", patch.trim, {}, [](const Trim& trim) {
+      return trim.empty() ? "has no loop; a patch that is whole has no such key" : "";
+    });
+    if constexpr (kReads<decltype(archive)>) {
+      if (const auto fault = fault_of(patch.trim, shape)) {
+        JsonCursor at = archive.object().at("trim");
+        if (fault->loop) at = at.item(*fault->loop);
+        fault->vertex ? at.item(*fault->vertex).refuse(fault->what) : at.refuse(fault->what);
+      }
+    }
+  }
+
+ private:
+  static void of_hull(auto& archive, auto& patch) {
+    archive("positions", patch.positions, [&](const Points<double>& points) {
+      const bool fits = 1 <= points.size() && points.size() <= size_t{kMaxControls};
+      return fits ? ""
+                  : fmt::format("has {} points; a hull has 1..{}", points.size(), kMaxControls);
+    });
+    if constexpr (kReads<decltype(archive)>) {
+      patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
+    }
+    archive("velocities", patch.velocities, [](const Points<double>& velocities) {
+      return velocities.size() == 1
+                 ? ""
+                 : fmt::format("has {} velocities; a hull has 1", velocities.size());
+    });
+    archive.optional("radius", patch.radius, 0, not_negative);
+  }
+};
+
+template <>
+struct JsonForm<Witness> {
+  static void fields(auto& archive, auto& witness) {
+    archive("t", witness.t);
+    bool has_weights = !witness.weights[0].empty();
+    if constexpr (kReads<decltype(archive)>) has_weights = !!archive.object().find("weights");
+    has_weights ? archive("weights", witness.weights) : archive("uv", witness.uv);
+  }
+};
+
+template <>
+struct JsonForm<ContactBox> {
+  static void fields(auto& archive, auto& box) {
+    archive("centre", box.centre);
+    archive("dependent", box.dependent, Each{within(0, 2)});
+    archive("varied", box.varied, Each{within(0, ContactBox::kTime)}, [](const auto& places) {
+      const bool ascending = places[0] < places[1] && places[1] < places[2];
+      return std::string(ascending ? "" : "is not ascending");
+    });
+    archive("radius", box.radius, Each{positive});
+    archive("inverse", box.inverse);
+  }
+};
+
+template <>
+struct JsonForm<ContactRoot> {
+  static void fields(auto& archive, auto& root) {
+    archive("polynomial", root.polynomial, [](const auto& coefficients) {
+      if (coefficients.size() <= kMaxRootDegree + 1) return std::string();
+      return fmt::format("has {} coefficients; the degree is at most {}", coefficients.size(),
+                         kMaxRootDegree);
+    });
+    archive("from", root.from);
+    archive("by", root.by);
+  }
+};
+
+template <>
+struct JsonForm<TreeRef> {
+  static void fields(auto& archive, auto& tree) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
+    archive("offset", tree.offset, within(std::uint64_t{0}, kMost));
+    archive("length", tree.length, within(std::uint64_t{1}, kMost));
+    archive("xxh3", tree.xxh3, [](const std::string& hash) {
+      const bool good =
+          hash.size() == 32 && hash.find_first_not_of("0123456789abcdef") == std::string::npos;
+      return std::string(good ? "" : "is not 32 lower-case hexadecimal digits");
+    });
+  }
+};
+
+template <>
+struct JsonForm<Clearance> {
+  static void fields(auto& archive, auto& clearance) {
+    std::string kind(proof_word(clearance));
+    archive("kind", kind, [](const std::string& word) {
+      const bool known = word == "P" || word == "T" || word == "L" || word == "K";
+      return std::string(known ? "" : "is not a certificate of absence (P, T, L, K)");
+    });
+    if constexpr (kReads<decltype(archive)>) {
+      if (kind == "T") clearance = MissTree{};
+      if (kind == "L") clearance = LinearClearance{};
+      if (kind == "K") clearance.template emplace<BodyClearance>();
+    }
+    std::visit([&](auto& certificate) { of(archive, certificate); }, clearance);
+  }
+
+ private:
+  static void of(auto& archive, auto& certificate) {
+    archive("until", certificate.until);
+    if constexpr (requires { certificate.tree; }) {
+      archive("tree", certificate.tree);
+    } else {
+      if constexpr (requires { certificate.closed; }) archive("closed", certificate.closed);
+      if constexpr (requires { certificate.normal; }) archive("normal", certificate.normal);
+      if constexpr (requires { certificate.offset; }) archive("offset", certificate.offset);
+    }
+  }
+};
+
+namespace {
+
+/// The certificates of a truth, which stand in an object of their own.
+template <class T>
+struct CertificatesOf {
+  T& truth;
+
+  static void fields(auto& archive, auto& certificates) {
+    auto& of = certificates.truth;
+    archive.optional("contact", of.contact_box);
+    archive.optional("root", of.contact_root);
+    archive.optional("clear", of.clearance);
+  }
+};
+
+/// Refused: a truth that lacks what it says that it rests on.
+void check_supports(const JsonCursor& from, const Truth& truth) {
+  if (truth.proof && *truth.proof != kProofWords[2]) {
+    if (!truth.clearance || proof_word(*truth.clearance) != *truth.proof) {
+      from.at("proof").refuse_value("has no certificate.clear of that kind");
+    }
+  }
+  if (truth.collides == true && !truth.witness && !truth.contact_box && !truth.contact_root) {
+    from.at("witness", ", though collides is true");
+  }
+  if (truth.collides == false) from.at("proof", ", though collides is false");
+}
+
+}  // namespace
+
+template <>
+struct JsonForm<Truth> {
+  static void fields(auto& archive, auto& truth) {
+    archive.when(true, "collides", truth.collides);
+    archive.optional("witness", truth.witness);
+    archive.optional("clear_until", truth.clear_until);
+    archive.optional("proof", truth.proof, {}, [](const auto& word) {
+      if (!word || is_proof_word(*word)) return std::string();
+      return fmt::format("is not a proof ({})", fmt::join(kProofWords, ", "));
+    });
+    const bool any = truth.contact_box || truth.contact_root || truth.clearance;
+    CertificatesOf<std::remove_reference_t<decltype(truth)>> certificates{truth};
+    archive.when(any, "certificate", certificates);
+    if constexpr (kReads<decltype(archive)>) check_supports(archive.object(), truth);
+  }
+};
+
+template <>
+struct JsonForm<Origin> {
+  static void fields(auto& archive, auto& origin) {
+    archive.optional("name", origin.name);
+    archive.optional("contact", origin.contact);
+    archive.optional("kind", origin.kind);
+    archive.optional("generator", origin.generator);
+    archive.optional("seed", origin.seed);
+    archive.optional("index", origin.index);
+    archive.optional("ccdfuzz", origin.ccdfuzz);
+    archive.optional("note", origin.note);
+    archive.others(origin.more);
+  }
+};
+
+template <>
+struct JsonForm<Asked> {
+  static void fields(auto& archive, auto& asked) {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+    archive.optional("precision", asked.precision, Asked().precision, [](double precision) {
+      return std::string(Asked::admits(precision) ? "" : "is not in [2^-50, 1]");
+    });
+    archive.optional("max_pops", asked.max_pops, Asked().max_pops, within(std::uint64_t{1}, kMost));
+  }
+};
+
+namespace {
+
+/// Takes the text or number of an origin's further key out of it.
+std::optional<JsonValue> take(Origin& origin, const std::string& key) {
+  const auto found = origin.more.find(key);
+  if (found == origin.more.end()) return std::nullopt;
+  const Result<JsonValue> value = parse_json(found->second, "");
+  if (!value) return std::nullopt;
+  origin.more.erase(found);
+  return *value;
+}
+
+/// Version 1 has the precision and the causes among the further keys of the origin. Its cause
+/// begins with the level and the axes: "level 3, axes 1-3, left root".
+void carry_over_version_1(const JsonCursor& from, Case& value) {
+  if (const auto precision = take(value.origin, "precision")) {
+    const JsonCursor at = from.at("origin").at("precision");
+    value.asked.precision = at.real();
+    if (!Asked::admits(value.asked.precision)) at.refuse_value("is not in [2^-50, 1]");
+  }
+  for (auto& [method, expected] : value.expect) {
+    const auto error = take(value.origin, "error of " + method);
+    const auto loss = take(value.origin, "loss of " + method);
+    if (expected.outcome == Outcome::kError) {
+      if (error) expected.cause = error->text;
+    } else if (loss) {
+      const size_t comma = loss->text.rfind(", ");
+      expected.cause = comma == std::string::npos ? loss->text : loss->text.substr(comma + 2);
+    }
+  }
+}
+
+void query_fields(auto& archive, auto& query) {
+  archive("patches", query.patches, [](const auto& patches) {
+    const bool is_one =
+        (patches[0].shape.kind == ShapeKind::kHull) != (patches[1].shape.kind == ShapeKind::kHull);
+    return std::string(is_one ? "has one hull; both are, or neither" : "");
+  });
+  archive("t_max", query.t_max, not_negative, [&](double t_max) {
+    return has_ends(query) && compare(t_max, 1) > 0 ? "is past 1, where the ends of a patch are"
+                                                    : "";
+  });
+  archive.optional("separation", query.separation, 0, not_negative);
+}
+
+void case_fields(auto& archive, auto& value) {
+  const int version = archive.format("ccdfuzz-case", 1, 2);
+  archive.reserved({"bodies"});
+  query_fields(archive, value.query);
+  archive.optional("truth", value.truth);
+  archive.optional("origin", value.origin);
+  if (version > 1) archive.optional("asked", value.asked);
+  archive.optional("expect", value.expect);
+  if constexpr (kReads<decltype(archive)>) {
+    if (version == 1) carry_over_version_1(archive.object(), value);
+  }
+}
+
+}  // namespace
+
+void JsonForm<Case>::write(std::string& json, const Case& value) {
+  CCDFUZZ_VERIFY(is_finite(value.query.t_max));
+  json += '{';
+  JsonWriter writer(json);
+  case_fields(writer, value);
+  json += '}';
+}
+
+void JsonForm<Case>::read(const JsonCursor& from, Case& value) {
+  JsonReader reader(from);
+  case_fields(reader, value);
+  reader.refuse_others();
+}
+
+template <>
+struct JsonForm<Query> {
+  static void fields(auto& archive, auto& query) { query_fields(archive, query); }
+};
+
+Result<Query> parse_query(std::string_view json, const std::string& file) {
+  return from_json<Query>(json, file, Unknown::kIgnore);
+}
+
+Result<Case> parse_case(std::string_view json, const std::string& file) {
+  Case value;
+  return read_json_text(json, file, [&](const JsonCursor& top) { read_json(top, value); }).map([&] {
+    return std::move(value);
+  });
+}
+
+std::string to_json(const Case& value, JsonLayout layout) {
+  std::string json;
+  write_json(json, value);
+  return layout == JsonLayout::kOneLine ? json : readable_json(json);
+}
+
+}  // namespace ccdfuzz

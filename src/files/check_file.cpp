@@ -1,0 +1,55 @@
+#include "files/check_file.hpp"
+
+#include <fmt/format.h>
+
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/work_done.hpp"
+#include "files/run_work.hpp"
+#include "files/tree_file.hpp"
+
+namespace ccdfuzz {
+
+Result<CheckedCase> check_with_trees(Case value, const std::string& trees) {
+  const auto tree = tree_of(value.truth, trees);
+  if (!tree) return tl::unexpected(tree.error());
+  return check_case(std::move(value), *tree);
+}
+
+Result<CheckedCase> check_case(const NamedCase& named) {
+  auto checked = check_with_trees(named.value, named.file.empty() ? "" : trees_path(named.file));
+  if (checked) return checked;
+  InputError error = checked.error();
+  error.where = fmt::format("{}: {}", named.id, error.where);
+  return tl::unexpected(std::move(error));
+}
+
+Result<void> check_in_run(const NamedCase& named) {
+  const std::uint64_t before = work_done_here();
+  const auto checked = check_case(named);
+  const Result<void> within = RunWork::add(named, work_done_here() - before);
+  if (!within || checked) return within;
+  return tl::unexpected(checked.error());
+}
+
+Result<void> for_each_checked_case(const std::vector<std::string>& paths,
+                                   const std::function<Result<void>(const NamedCase&)>& visit) {
+  CaseStream cases(paths);
+  for (;;) {
+    const auto next = cases.next();
+    if (!next) return tl::unexpected(next.error());
+    if (!*next) return {};
+    if (auto checked = check_in_run(**next); !checked) return checked;
+    if (auto visited = visit(**next); !visited) return visited;
+  }
+}
+
+Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
+  auto cases = read_cases(path);
+  if (!cases) return cases;
+  for (const NamedCase& named : *cases) {
+    if (auto checked = check_in_run(named); !checked) return tl::unexpected(checked.error());
+  }
+  return cases;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,297 @@
+#include "files/query_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/json_tree.hpp"
+#include "io/line_reader.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr size_t kLongestCsvLine = 1 << 20;
+constexpr size_t kLongestTruthList = 16 << 20;  // three million truths
+/// Those of doubles and of their sums and differences have at most 1,074 bits, 324 digits. Exact
+/// decisions multiply numbers of that denominator, so that it bounds their time.
+constexpr size_t kMostDenominatorDigits = 1000;
+constexpr std::array<const char*, 7> kColumns = {"xn", "xd", "yn", "yd", "zn", "zd", "truth"};
+
+/// A value as a message shows it.
+std::string shown_text(std::string_view text) {
+  constexpr size_t kShown = 60;
+  return fmt::format("\"{}{}\"", text.substr(0, kShown), text.size() > kShown ? "…" : "");
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (size_t begin = 0; begin <= line.size();) {
+    const size_t comma = std::min(line.find(',', begin), line.size());
+    fields.push_back(trimmed(line.substr(begin, comma - begin)));
+    begin = comma + 1;
+  }
+  return fields;
+}
+
+/// Errors: the common denominator of the query's numbers is too long, naming its first line.
+Result<void> check_denominator(const CsvQuery& query) {
+  Integer all = 1;
+  for (const auto* points : {&query.start, &query.end}) {
+    for (const auto& side : *points) {
+      for (const Vec3<Rational>& point : side) {
+        for (int k = 0; k < 3; ++k) all = lcm(all, point[k].get_den());
+        const size_t digits = mpz_sizeinbase(all.get_mpz_t(), 10);
+        if (digits > kMostDenominatorDigits) {
+          return input_error(query.id(),
+                             fmt::format("the numbers of this query have a common denominator of "
+                                         "more than {} digits, the most that is read",
+                                         kMostDenominatorDigits));
+        }
+      }
+    }
+  }
+  return {};
+}
+
+Result<Integer> parse_integer(std::string_view text) {
+  std::string_view digits = text;
+  if (digits.starts_with('-')) digits.remove_prefix(1);
+  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+    return input_error("", shown_text(text) + " is not a whole number");
+  }
+  if (digits.size() > kMaxRationalDigits) {
+    return input_error("", fmt::format("{} has {} digits; at most {} are read", shown_text(text),
+                                       digits.size(), kMaxRationalDigits));
+  }
+  return Integer(std::string(text), 10);  // without the base, a leading 0 is octal
+}
+
+Result<std::vector<bool>> read_truths(const std::string& path) {
+  auto lines = LineReader::open(path, false, kLongestTruthList);
+  if (!lines) return tl::unexpected(lines.error());
+  const auto text = lines->next(true);
+  if (!text) return tl::unexpected(text.error());
+  const auto tree = parse_json(text->value_or(""), path);
+  if (!tree) return tl::unexpected(tree.error());
+  if (tree->kind != JsonKind::kArray) return input_error(path, "is not a JSON list of truths");
+  std::vector<bool> truths;
+  for (size_t i = 0; i < tree->items.size(); ++i) {
+    const JsonValue& item = tree->items[i];
+    const bool is_truth = item.kind == JsonKind::kBool || item.text == "0" || item.text == "1";
+    if (!is_truth) {
+      return input_error(fmt::format("{}: [{}]", path, i),
+                         shown(item) + " is not a truth (true, false, 0, 1)");
+    }
+    truths.push_back(item.text == "true" || item.text == "1");
+  }
+  return truths;
+}
+
+}  // namespace
+
+const char* name_of(CsvLayout layout) {
+  constexpr std::array<const char*, 3> kNames = {"edge-edge", "vertex-face", "curved"};
+  return kNames[static_cast<size_t>(layout)];
+}
+
+std::array<Shape, 2> csv_shapes(CsvLayout layout) {
+  switch (layout) {
+    case CsvLayout::kEdgeEdge:
+      return {Shape::curve(1), Shape::curve(1)};
+    case CsvLayout::kVertexFace:
+      return {Shape::point(), Shape::triangle(1)};
+    case CsvLayout::kCurved:
+      return {Shape::triangle(2), Shape::triangle(2)};
+  }
+  return {};
+}
+
+std::optional<CsvLayout> csv_layout_of_path(const std::string& path) {
+  const std::filesystem::path p(path);
+  for (const std::filesystem::path& part : {p.filename(), p.parent_path().filename()}) {
+    for (const CsvLayout layout : kAllCsvLayouts) {
+      if (part.string().find(name_of(layout)) != std::string::npos) return layout;
+    }
+  }
+  if (path.ends_with("ee.csv")) return CsvLayout::kEdgeEdge;
+  if (path.ends_with("vf.csv")) return CsvLayout::kVertexFace;
+  return std::nullopt;
+}
+
+std::optional<CsvLayout> csv_layout_of(const Query& query) {
+  const std::array<Shape, 2> shapes = {query.patches[0].shape, query.patches[1].shape};
+  for (const CsvLayout layout : kAllCsvLayouts) {
+    const std::array<Shape, 2> wanted = csv_shapes(layout);
+    if (shapes == wanted || shapes == std::array{wanted[1], wanted[0]}) return layout;
+  }
+  return std::nullopt;
+}
+
+std::string CsvQuery::id() const {
+  return fmt::format("{}:{}", path, lines.front());
+}
+
+std::array<MovingPatch<Rational>, 2> CsvQuery::patches() const {
+  std::array<MovingPatch<Rational>, 2> out;
+  const std::array<Shape, 2> shapes = csv_shapes(layout);
+  for (size_t s = 0; s < 2; ++s) {
+    out[s] = {shapes[s], start[s], end[s]};
+    for (size_t i = 0; i < end[s].size(); ++i) {
+      for (int k = 0; k < 3; ++k) out[s].velocities[i][k] -= start[s][i][k];
+    }
+  }
+  return out;
+}
+
+struct CsvReader::State {
+  LineReader lines;
+  CsvLayout layout = CsvLayout::kEdgeEdge;
+  std::optional<std::vector<bool>> truths;
+  std::string truths_path;
+  size_t given = 0;  ///< queries
+
+  std::string here() const { return fmt::format("{}:{}", lines.path(), lines.line()); }
+
+  /// One row: a point, and its truth if there is a column for it.
+  Result<Vec3<Rational>> point_of(const std::vector<std::string_view>& fields) const {
+    Vec3<Rational> point;
+    for (size_t k = 0; k < 3; ++k) {
+      std::array<Integer, 2> parts;
+      for (size_t i = 0; i < 2; ++i) {
+        const size_t column = 2 * k + i;
+        const auto refuse = [&](const std::string& why) {
+          return input_error(here(),
+                             fmt::format("column {} ({}): {}", column + 1, kColumns[column], why));
+        };
+        auto number = parse_integer(fields[column]);
+        if (!number) return refuse(number.error().what);
+        if (i == 1 && *number <= 0) return refuse(shown_text(fields[column]) + " is not > 0");
+        parts[i] = *std::move(number);
+      }
+      point[static_cast<int>(k)] = Rational(parts[0], parts[1]);
+      point[static_cast<int>(k)].canonicalize();
+    }
+    return point;
+  }
+
+  Result<std::optional<bool>> label_of(const std::vector<std::string_view>& fields) const {
+    if (fields.size() < kColumns.size()) return std::nullopt;
+    if (fields.back() == "0" || fields.back() == "1") return fields.back() == "1";
+    return input_error(
+        here(), fmt::format("column 7 (truth): {} is neither 0 nor 1", shown_text(fields.back())));
+  }
+
+  /// The fields of the next row; none at the end.
+  Result<std::vector<std::string_view>> next_row() {
+    for (;;) {
+      const auto text = lines.next();
+      if (!text) return tl::unexpected(text.error());
+      if (!*text) return std::vector<std::string_view>();
+      std::string_view row = **text;
+      // Spreadsheets begin files with a byte order mark.
+      if (lines.line() == 1 && row.starts_with("\xEF\xBB\xBF")) row.remove_prefix(3);
+      row = trimmed(row);
+      if (row.empty() || row.front() == '#') continue;
+      std::vector<std::string_view> fields = fields_of(row);
+      if (fields.size() == 6 || fields.size() == 7) return fields;
+      return input_error(
+          here(), fmt::format("{} columns, not 6 or 7 (xn,xd,yn,yd,zn,zd,truth)", fields.size()));
+    }
+  }
+
+  Result<void> end_of_file(size_t row, size_t rows) {
+    if (row > 0) {
+      return input_error(here(), fmt::format("ends after row {} of the {} of its last {} query",
+                                             row, rows, name_of(layout)));
+    }
+    if (given == 0) return input_error(lines.path(), "holds no query");
+    if (truths && truths->size() != given) {
+      return input_error(truths_path, fmt::format("has {} truths, but {} has {} queries",
+                                                  truths->size(), lines.path(), given));
+    }
+    return {};
+  }
+
+  Result<std::optional<CsvQuery>> next() {
+    const std::array<Shape, 2> shapes = csv_shapes(layout);
+    const std::array counts = {static_cast<size_t>(shapes[0].control_count()),
+                               static_cast<size_t>(shapes[1].control_count())};
+    const size_t rows = 2 * (counts[0] + counts[1]);
+    CsvQuery query;
+    query.layout = layout;
+    query.path = lines.path();
+    for (auto* points : {&query.start, &query.end}) {
+      for (size_t s = 0; s < 2; ++s) {
+        for (size_t i = 0; i < counts[s]; ++i) {
+          const auto fields = next_row();
+          if (!fields) return tl::unexpected(fields.error());
+          if (fields->empty()) {
+            if (auto ended = end_of_file(query.lines.size(), rows); !ended) {
+              return tl::unexpected(ended.error());
+            }
+            return std::nullopt;
+          }
+          auto point = point_of(*fields);
+          if (!point) return tl::unexpected(point.error());
+          const auto label = label_of(*fields);
+          if (!label) return tl::unexpected(label.error());
+          if (!query.lines.empty() && query.label != *label) {
+            return input_error(here(),
+                               "column 7 (truth): differs from that of the query's row in line " +
+                                   std::to_string(query.lines.front()));
+          }
+          query.label = *label;
+          query.lines.push_back(lines.line());
+          (*points)[s].push_back(*std::move(point));
+        }
+      }
+    }
+    if (truths) {
+      if (given >= truths->size()) {
+        return input_error(truths_path, fmt::format("has {} truths, but {} has more queries",
+                                                    truths->size(), lines.path()));
+      }
+      query.label = (*truths)[given];
+    }
+    if (auto fits = check_denominator(query); !fits) return tl::unexpected(fits.error());
+    ++given;
+    return query;
+  }
+};
+
+CsvReader::CsvReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CsvReader::CsvReader(CsvReader&&) noexcept = default;
+CsvReader& CsvReader::operator=(CsvReader&&) noexcept = default;
+CsvReader::~CsvReader() = default;
+
+Result<CsvReader> CsvReader::open(const std::string& path, const CsvOptions& options) {
+  auto lines = LineReader::open(path, false, kLongestCsvLine);
+  if (!lines) return tl::unexpected(lines.error());
+  const auto layout = options.layout ? options.layout : csv_layout_of_path(path);
+  if (!layout) {
+    return input_error(
+        path,
+        "does not tell its layout: name edge-edge, vertex-face or curved in its name "
+        "or its folder's, or `ccdfuzz import --as`");
+  }
+  auto state =
+      std::make_unique<State>(State{*std::move(lines), *layout, std::nullopt, options.truths, 0});
+  if (!options.truths.empty()) {
+    auto list = read_truths(options.truths);
+    if (!list) return tl::unexpected(list.error());
+    state->truths = *std::move(list);
+  }
+  return CsvReader(std::move(state));
+}
+
+Result<std::optional<CsvQuery>> CsvReader::next() {
+  return state_->next();
+}
+
+std::uint64_t CsvReader::position() const {
+  return state_->lines.position();
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,235 @@
+#include "files/test_snippet.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr const char* kPreamble = R"(#include <ccdfuzz_plugin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+{0}
+namespace {{
+
+ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint32_t degree_v,
+                         std::uint64_t count, const double (*positions)[3],
+                         const double (*velocities)[3], const double (*ends)[3] = nullptr,
+                         const double* weights = nullptr, double radius = 0) {{
+  return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count,
+          positions, velocities, ends, weights, radius, 0, nullptr, nullptr}};
+}}
+
+/// The plug-in that this is linked with.
+struct Plugin {{
+  const ccdfuzz_plugin* const table = ccdfuzz_plugin_get();
+  void* state = nullptr;
+  const bool is_made = table->create("", &state) == 0;
+  ccdfuzz_description description{{}};
+
+  Plugin() {{
+    description.size = sizeof description;
+    if (is_made) table->describe(state, &description);
+  }}
+  ~Plugin() {{
+    if (is_made) table->destroy(state);
+  }}
+}};
+
+/// Asks it, with the patches in the order that it takes.
+ccdfuzz_answer ask(ccdfuzz_patch a, ccdfuzz_patch b, double t_max, double separation = 0) {{
+  const Plugin plugin;
+  ccdfuzz_answer answer{{}};
+  if (!plugin.is_made) return answer;
+  const ccdfuzz_description& description = plugin.description;
+  const auto takes = [&](const ccdfuzz_patch& first, const ccdfuzz_patch& second) {{
+    return std::any_of(description.pairs, description.pairs + description.pair_count,
+                       [&](const ccdfuzz_pair& pair) {{
+                         return pair.shapes[0] == first.shape && pair.shapes[1] == second.shape;
+                       }});
+  }};
+  if (!takes(a, b) && takes(b, a)) std::swap(a, b);
+  ccdfuzz_query query{{}};
+  query.size = sizeof query;
+  query.patches[0] = &a;
+  query.patches[1] = &b;
+  query.t_max = t_max;
+  query.precision = 1e-4;
+  query.max_iterations = 1000000;
+  query.max_seconds = 60;
+  query.separation = separation;
+  answer.size = sizeof answer;
+  answer.toi_lower = answer.toi_upper = answer.tolerance = std::nan("");
+  for (auto& uv : answer.uv) uv[0] = uv[1] = std::nan("");
+  if (plugin.table->answer(plugin.state, &query, &answer) != 0) answer.verdict = CCDFUZZ_ERROR;
+  return answer;
+}}
+
+/// Whether a hit is no later than the tolerance in time that the plug-in claims allows.
+[[maybe_unused]] bool is_in_time(const ccdfuzz_answer& answer, double contact, double t_max) {{
+  const ccdfuzz_description claimed = Plugin().description;
+  const bool is_relative = claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME_RELATIVE;
+  double delay = is_relative || claimed.tolerance_kind == CCDFUZZ_TOLERANCE_TIME ? claimed.tolerance : 0;
+  if ((claimed.claims & CCDFUZZ_CONSERVATIVE) != 0) delay = 0;
+  if (answer.tolerance < delay) delay = answer.tolerance;
+  if (is_relative) delay *= t_max;
+  return answer.toi_lower - contact <= delay;
+}}
+
+/// Whether it is an answer to a query about [0, t_max] at all.
+bool is_answer(const ccdfuzz_answer& answer, double t_max) {{
+  if (answer.verdict != CCDFUZZ_HIT) {{
+    return answer.verdict == CCDFUZZ_MISS || answer.verdict == CCDFUZZ_INCONCLUSIVE;
+  }}
+  return answer.toi_lower >= 0 && answer.toi_lower <= t_max;
+}}
+
+}}  // namespace
+)";
+
+constexpr const char* kGoogleTestHeader = "#include <gtest/gtest.h>\n";
+constexpr const char* kCatch2Header = R"(#if __has_include(<catch2/catch_test_macros.hpp>)
+#include <catch2/catch_test_macros.hpp>
+#else
+#include <catch2/catch.hpp>
+#endif
+)";
+
+const char* abi_name(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kPoint:
+      return "CCDFUZZ_POINT";
+    case ShapeKind::kCurve:
+      return "CCDFUZZ_CURVE";
+    case ShapeKind::kTriangle:
+      return "CCDFUZZ_TRIANGLE";
+    case ShapeKind::kTensor:
+      return "CCDFUZZ_TENSOR";
+    case ShapeKind::kHull:
+      return "CCDFUZZ_HULL";
+  }
+  return "?";
+}
+
+std::string points_text(const std::string& name, const Points<double>& points) {
+  std::string out = fmt::format("  const double {}[][3] = {{", name);
+  for (size_t i = 0; i < points.size(); ++i) {
+    out += fmt::format("{}\n      {{{}, {}, {}}}", i == 0 ? "" : ",", to_hex(points[i][0]),
+                       to_hex(points[i][1]), to_hex(points[i][2]));
+  }
+  return out + "};\n";
+}
+
+std::string weights_text(const std::string& name, const std::vector<double>& weights) {
+  std::vector<std::string> numbers;
+  for (const double w : weights) numbers.push_back(to_hex(w));
+  return fmt::format("  const double {}[] = {{{}}};\n", name, fmt::join(numbers, ", "));
+}
+
+std::string check_text(TestFramework framework, const std::string& condition) {
+  return fmt::format("  {}({});\n",
+                     framework == TestFramework::kGoogleTest ? "EXPECT_TRUE" : "CHECK", condition);
+}
+
+/// Letters, digits and '_' of the file's name.
+std::string test_name(const std::string& id, size_t number) {
+  std::string name = id.substr(id.find_last_of('/') + 1);
+  name = name.substr(0, name.find(".json"));
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return fmt::format("Case{}_{}", number, name);
+}
+
+/// Requires that the certificate was checked. What a case says without one is not demanded of a
+/// method.
+bool is_proven_clear(const Case& value) {
+  const auto& clearance = value.truth.clearance;
+  return clearance && covers(*clearance, exact(value.query.t_max));
+}
+
+/// What is proven, for people.
+std::string truth_text(const Case& value) {
+  const Truth& truth = value.truth;
+  if (truth.witness && truth.collides == true && !is_of_bodies(value.query)) {
+    const auto& uv = truth.witness->uv;
+    return fmt::format("they touch at t = {}, (u, v) = ({}, {}) and ({}, {}), exactly",
+                       to_text(truth.witness->t), to_text(uv[0][0]), to_text(uv[0][1]),
+                       to_text(uv[1][0]), to_text(uv[1][1]));
+  }
+  if (truth.collides == true) return "they touch by t = " + to_text(*truth.contact_by());
+  if (is_proven_clear(value)) return "nothing touches in [0, t_max]";
+  return "nothing is proven of contacts: an answer is all that is wanted";
+}
+
+}  // namespace
+
+std::string test_preamble(TestFramework framework) {
+  const bool google = framework == TestFramework::kGoogleTest;
+  std::string out =
+      "// Written by ccdfuzz: what a plug-in answered wrong, as tests of it. Compile with the "
+      "folder\n"
+      "// of ccdfuzz_plugin.h in the include path, and link with the plug-in";
+  out += google ? " and -lgtest_main -lgtest.\n" : " and Catch2's main.\n";
+  return out + fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
+}
+
+std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
+  const Case& value = named.value;
+  if (is_trimmed(value.query)) return "\n// A trim has no place in these tests.\n";
+  const Query moving = with_velocities(value.query).value_or(value.query);
+  const Query query = without_weights(moving).value_or(moving);
+  std::string id = named.id;
+  std::replace(id.begin(), id.end(), '\n', ' ');
+  std::string out = fmt::format("\n// {}\n// {}\n", id, truth_text(value));
+  const std::string name = test_name(named.id, number);
+  out += framework == TestFramework::kGoogleTest
+             ? fmt::format("TEST(FoundByCcdfuzz, {}) {{\n", name)
+             : fmt::format("TEST_CASE(\"found by ccdfuzz: {}\") {{\n", name);
+  std::string patches;
+  for (size_t side = 0; side < 2; ++side) {
+    const MovingPatch<double>& patch = query.patches[side];
+    const std::string letter = side == 0 ? "a" : "b";
+    out += points_text("positions_" + letter, patch.positions);
+    const std::string moves = (patch.has_ends() ? "ends_" : "velocities_") + letter;
+    out += points_text(moves, patch.moves());
+    std::string last = (patch.has_ends() ? "nullptr, " : "") + moves;
+    if (!patch.weights.empty()) {
+      out += weights_text("weights_" + letter, patch.weights);
+      last += (patch.has_ends() ? ", weights_" : ", nullptr, weights_") + letter;
+    }
+    const bool is_hull = patch.shape.kind == ShapeKind::kHull;
+    if (is_hull) last += ", nullptr, nullptr, " + to_hex(patch.radius);
+    patches += fmt::format(
+        "  const ccdfuzz_patch {0} =\n"
+        "      make_patch({1}, {2}, {3}, {4}, positions_{0}, {5});\n",
+        letter, abi_name(patch.shape.kind), is_hull ? 0 : patch.shape.n, patch.shape.m,
+        patch.positions.size(), last);
+  }
+  out += patches;
+  out += fmt::format("  const double t_max = {};\n", to_hex(query.t_max));
+  const std::string separation = query.separation > 0 ? ", " + to_hex(query.separation) : "";
+  out += fmt::format("  const ccdfuzz_answer answer = ask(a, b, t_max{});\n", separation);
+  out += check_text(framework, "is_answer(answer, t_max)");
+  const std::optional<Rational> contact = value.truth.contact_by();
+  if (contact && *contact <= exact(query.t_max)) {
+    // toi > contact exactly if toi > the largest double that is not after it.
+    out += check_text(framework, "answer.verdict != CCDFUZZ_MISS");
+    out += fmt::format("  if (answer.verdict == CCDFUZZ_HIT) {{\n  {}  }}\n",
+                       check_text(framework, fmt::format("is_in_time(answer, {}, t_max)",
+                                                         to_hex(round_down(*contact)))));
+  } else if (is_proven_clear(value)) {
+    out += check_text(framework, "answer.verdict != CCDFUZZ_HIT");
+  }
+  return out + "}\n";
+}
+
+}  // namespace ccdfuzz

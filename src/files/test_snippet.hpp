@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "files/case_files.hpp"
+
+namespace ccdfuzz {
+
+enum class TestFramework : std::uint8_t { kGoogleTest, kCatch2 };
+
+/// How a C++17 source file of tests begins, that needs ccdfuzz_plugin.h, the framework, and the
+/// plug-in to link with.
+std::string test_preamble(TestFramework framework);
+
+/// A test in it of a case, the number-th from 1 on. It asks the plug-in the very query, with every
+/// number as a hex float. It checks that the answer is one. A hit must be no later than the proven
+/// contact. No hit may come where nothing touches in [0, t_max]. A case with a trim gets a comment
+/// instead: these tests have no place for it. Requires a valid, checked case.
+std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework);
+
+}  // namespace ccdfuzz

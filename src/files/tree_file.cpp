@@ -1,0 +1,137 @@
+#include "files/tree_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <zstd.h>
+
+#include <cerrno>
+
+#include "base/verify.hpp"
+#include "io/hash_name.hpp"
+#include "io/input_bytes.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// `length` bytes from `offset` on.
+Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
+  if (auto regular = refuse_irregular(path); !regular) return tl::unexpected(regular.error());
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return system_error(path, "read", errno);
+  std::string bytes(length, '\0');
+  size_t done = 0;
+  int error = 0;
+  while (done < length) {
+    const ssize_t got =
+        ::pread(descriptor, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) error = errno;
+    if (got <= 0) break;
+    done += static_cast<size_t>(got);
+  }
+  ::close(descriptor);
+  if (error != 0) return system_error(path, "read", error);
+  if (done < length) {
+    return input_error(path,
+                       fmt::format("ends before byte {}, where a tree ends", offset + length));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string path_beside(const std::string& case_path, std::string_view ending) {
+  size_t length = case_path.size();
+  for (const std::string_view own : {".jsonl.zst", ".jsonl", ".json"}) {
+    if (case_path.ends_with(own)) length = case_path.size() - own.size();
+  }
+  return case_path.substr(0, length).append(ending);
+}
+
+std::string trees_path(const std::string& case_path) {
+  return path_beside(case_path, ".trees.zst");
+}
+
+Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
+  // Both limits keep a wrong number from being allocated.
+  if (tree.length > ZSTD_compressBound(kMaxTreeBytes)) {
+    return input_error(path, fmt::format("a tree of {} bytes is larger than any", tree.length));
+  }
+  const auto frame = read_range(path, tree.offset, tree.length);
+  if (!frame) return frame;
+  const unsigned long long size = ZSTD_getFrameContentSize(frame->data(), frame->size());
+  if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN ||
+      ZSTD_findFrameCompressedSize(frame->data(), frame->size()) != frame->size()) {
+    return input_error(path, fmt::format("holds no tree at byte {}", tree.offset));
+  }
+  if (size > kMaxTreeBytes) {
+    return input_error(path, fmt::format("a tree of {} bytes is larger than any", size));
+  }
+  std::string bytes(size, '\0');
+  const size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame->data(), frame->size());
+  if (ZSTD_isError(got) != 0 || got != bytes.size()) {
+    return input_error(path,
+                       fmt::format("the tree at byte {} is not sound zstd data", tree.offset));
+  }
+  if (const std::string hash = hash_name(bytes); hash != tree.xxh3) {
+    return input_error(path, fmt::format("the tree at byte {} has the hash {}, not {}", tree.offset,
+                                         hash, tree.xxh3));
+  }
+  return bytes;
+}
+
+Result<std::string> tree_of(const Truth& truth, const std::string& trees) {
+  const auto* miss = truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
+  if (miss == nullptr) return "";
+  const auto named = [](const InputError& error) {
+    return InputError{"truth.certificate.clear.tree", error.message()};
+  };
+  return read_tree(trees, miss->tree).map_error(named);
+}
+
+void drop_tree(Truth& truth) {
+  if (!truth.clearance || !std::holds_alternative<MissTree>(*truth.clearance)) return;
+  truth.clearance.reset();
+  truth.clear_until.reset();
+  if (truth.collides == false) truth.proof = "rational-tdibm";
+}
+
+Result<void> carry_tree(Truth& truth, const std::string& trees, const std::string& case_path) {
+  if (trees.empty()) drop_tree(truth);
+  auto* const miss = truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
+  if (miss == nullptr) return {};
+  const auto bytes = read_tree(trees, miss->tree);
+  if (!bytes) return tl::unexpected(bytes.error());
+  TreeWriter writer(case_path);
+  const auto tree = writer.write(*bytes);
+  if (!tree) return tl::unexpected(tree.error());
+  miss->tree = *tree;
+  return writer.finish();
+}
+
+Result<TreeRef> TreeWriter::write(std::string_view bytes) {
+  CCDFUZZ_VERIFY(bytes.size() <= kMaxTreeBytes);
+  if (!file_) {
+    auto file = OutputFile::create(path_);
+    if (!file) return tl::unexpected(file.error());
+    file_ = *std::move(file);
+  }
+  constexpr int kLevel = 9;
+  std::string frame(ZSTD_compressBound(bytes.size()), '\0');
+  const size_t length =
+      ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
+  CCDFUZZ_VERIFY(ZSTD_isError(length) == 0);
+  frame.resize(length);
+  const TreeRef tree{offset_, length, hash_name(bytes)};
+  if (auto written = file_->write(frame); !written) return tl::unexpected(written.error());
+  offset_ += length;
+  return tree;
+}
+
+Result<void> TreeWriter::finish() {
+  return file_ ? file_->commit() : Result<void>();
+}
+
+}  // namespace ccdfuzz

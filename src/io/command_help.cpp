@@ -1,0 +1,157 @@
+#include "io/command_help.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <set>
+
+#include "base/text.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Further notes of help on an option.
+std::string facts_of(const CLI::Option& option) {
+  const auto listed = [](const std::set<CLI::Option*>& others) {
+    std::set<std::string> names;
+    for (const CLI::Option* other : others) names.insert(other->get_name());
+    return fmt::format("{}", fmt::join(names, ", "));
+  };
+  std::string facts;
+  if (option.get_required()) facts += ". Required";
+  if (!option.get_needs().empty()) facts += ". Needs " + listed(option.get_needs());
+  if (!option.get_excludes().empty()) facts += ". Not with " + listed(option.get_excludes());
+  if (std::string standard = option.get_default_str(); !standard.empty()) {
+    for (size_t at = 0; (at = standard.find(',', at)) != std::string::npos; at += 2) {
+      standard.insert(at + 1, " ");
+    }
+    facts += fmt::format(" [{}]", standard);
+  }
+  return facts;
+}
+
+HelpCommand described(const CLI::App& app) {
+  const bool is_program = app.get_parent() == nullptr;
+  HelpCommand help{is_program ? "" : app.get_name(),
+                   app.get_description(),
+                   is_program ? "COMMAND [OPTIONS]" : "[OPTIONS]",
+                   {},
+                   app.get_footer()};
+  const auto group = [&](const std::string& title) -> std::vector<HelpOption>& {
+    for (auto& [known, options] : help.groups) {
+      if (known == title) return options;
+    }
+    return help.groups.emplace_back(title, std::vector<HelpOption>()).second;
+  };
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_group().empty()) continue;
+    group("Commands").push_back({command->get_name(), "", command->get_description()});
+  }
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_group().empty()) continue;
+    std::string text = option->get_description();
+    text.insert(std::min(text.find('\n'), text.size()), facts_of(*option));
+    if (!option->get_positional()) {
+      std::string names = option->get_name(false, true);
+      if (const size_t comma = names.find(','); comma != std::string::npos)
+        names.insert(comma + 1, " ");
+      const bool is_flag = option->get_expected_max() == 0 || option->get_type_size() == 0;
+      group(option->get_group()).push_back({names, is_flag ? "" : option->get_type_name(), text});
+      continue;
+    }
+    std::string name = option->get_name();
+    if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) name += "...";
+    group("Arguments").push_back({name, "", text});
+    help.usage += option->get_required() ? " " + name : fmt::format(" [{}]", name);
+  }
+  // The next thing to type comes last.
+  for (const char* last : {"Limits", "Other"}) {
+    const auto at = std::ranges::find(help.groups, last, [](const auto& g) { return g.first; });
+    if (at != help.groups.end()) std::rotate(at, at + 1, help.groups.end());
+  }
+  if (const auto at =
+          std::ranges::find(help.groups, "Arguments", [](const auto& g) { return g.first; });
+      at != help.groups.end()) {
+    std::rotate(help.groups.begin(), at, at + 1);
+  }
+  return help;
+}
+
+std::string no_such_option(const CLI::App& command, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) names.push_back(option->get_name());
+  }
+  const std::string meant = did_you_mean(name, names);
+  const std::string of = command.get_parent() == nullptr ? "" : command.get_name() + " ";
+  return "no such option" +
+         (meant.empty() ? fmt::format("; {} {}--help lists them", kProgram, of) : meant);
+}
+
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
+    return help_of(*app);
+  }
+};
+
+}  // namespace
+
+std::string help_of(const CLI::App& app) {
+  return help_text(kProgram, described(app));
+}
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+  return std::make_shared<HelpFormatter>();
+}
+
+std::vector<HelpCommand> all_described(const CLI::App& app) {
+  std::vector<HelpCommand> all = {described(app)};
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (!command->get_group().empty()) all.push_back(described(*command));
+  }
+  return all;
+}
+
+std::string chosen_name(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? "" : chosen.front()->get_name();
+}
+
+std::string no_such_command(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string meant = did_you_mean(name, names);
+  return "no such command" +
+         (meant.empty() ? fmt::format("; {} --help lists them", kProgram) : meant);
+}
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  // An option that there is not may be why another seems to be missing.
+  for (const std::string& extra : app.remaining(true)) {
+    const std::string name = extra.substr(0, extra.find('='));
+    if (extra.starts_with('-')) return name + ": " + no_such_option(command, name);
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::string extra = app.remaining(true).front();
+    if (chosen.empty()) return extra + ": " + no_such_command(app, extra);
+    return fmt::format("{}: is one argument too many; usage: ccdfuzz {} {}", extra,
+                       command.get_name(), described(command).usage);
+  }
+  std::string text = error.what();
+  for (const char* verb : {" is required", " excludes ", " requires "}) {
+    const size_t at = text.find(verb);
+    if (at != std::string::npos && text.find(' ') == at) return text.insert(at, ":");
+  }
+  constexpr std::string_view kMissing = ": 1 required ";
+  const size_t at = text.find(kMissing);
+  if (at == std::string::npos) return text;
+  const std::string value = text.substr(at + kMissing.size());
+  return text.substr(0, at) + ": needs a value, " + value.substr(0, value.find(' '));
+}
+
+}  // namespace ccdfuzz

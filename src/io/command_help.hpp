@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/help.hpp"
+
+namespace CLI {
+class App;
+class FormatterBase;
+class ParseError;
+}  // namespace CLI
+
+namespace ccdfuzz {
+
+inline constexpr const char* kProgram = "ccdfuzz";
+
+/// Help in groups, within 80 columns, for the program and the commands that are added to it later.
+std::shared_ptr<CLI::FormatterBase> help_formatter();
+
+/// The help of one of them.
+std::string help_of(const CLI::App& app);
+
+/// The help of the program and its listed commands, the program first.
+std::vector<HelpCommand> all_described(const CLI::App& app);
+
+/// The command that was given; empty if none was.
+std::string chosen_name(const CLI::App& app);
+
+/// The error of a name that is no command's.
+std::string no_such_command(const CLI::App& app, const std::string& name);
+
+/// The error of a command line, as "object: problem".
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace ccdfuzz

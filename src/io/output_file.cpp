@@ -1,0 +1,194 @@
+#include "io/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "base/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+constexpr const char* kNoPath = "is no path here; ./- is, and /dev/stdout is standard output";
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kTemporaryPrefix = ".ccdfuzz-tmp-";
+
+/// Unlike any other file's of this process; O_EXCL rules out the rest.
+std::string new_temporary_name() {
+  static std::atomic<std::uint64_t> counter = 0;
+  return fmt::format("{}{}-{}", kTemporaryPrefix, ::getpid(), counter++);
+}
+
+/// The names of this process's temporary files, for a signal handler, which takes them out. The
+/// mutex is for everybody else. What finds no place is not removed by a signal.
+std::array<std::atomic<char*>, 64> unfinished{};
+std::mutex unfinished_mutex;
+static_assert(std::atomic<char*>::is_always_lock_free);
+
+void enter_unfinished(const std::string& path) {
+  const std::scoped_lock lock(unfinished_mutex);
+  for (std::atomic<char*>& place : unfinished) {
+    if (place != nullptr) continue;
+    place = ::strdup(path.c_str());
+    return;
+  }
+}
+
+void strike_unfinished(const std::string& path) {
+  const std::scoped_lock lock(unfinished_mutex);
+  for (std::atomic<char*>& place : unfinished) {
+    if (const char* const name = place; name != nullptr && path == name) {
+      ::free(place.exchange(nullptr));
+    }
+  }
+}
+
+std::string folder_of(const std::string& path) {
+  const fs::path parent = fs::path(path).parent_path();
+  return parent.empty() ? "." : parent.string();
+}
+
+}  // namespace
+
+std::optional<int> temporary_writer(std::string_view file_name) {
+  if (!file_name.starts_with(kTemporaryPrefix)) return std::nullopt;
+  file_name.remove_prefix(kTemporaryPrefix.size());
+  int process = 0;
+  const char* const end = file_name.data() + file_name.size();
+  const auto [rest, status] = std::from_chars(file_name.data(), end, process);
+  if (status != std::errc() || rest == end || *rest != '-' || process <= 0) return std::nullopt;
+  return process;
+}
+
+void remove_unfinished_files() {
+  for (std::atomic<char*>& place : unfinished) {
+    if (const char* const name = place.exchange(nullptr)) ::unlink(name);
+  }
+}
+
+void remove_leftovers(const std::string& folder) {
+  std::error_code error;
+  fs::directory_iterator at(folder, error), end;
+  for (; !error && at != end; at.increment(error)) {
+    const auto writer = temporary_writer(at->path().filename().string());
+    std::error_code ignored;
+    if (writer && ::kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(at->path(), ignored);
+  }
+}
+
+tl::unexpected<InputError> system_error(const std::string& path, const char* doing, int error) {
+  return input_error(path,
+                     fmt::format("cannot {}: {}", doing, std::generic_category().message(error)));
+}
+
+tl::unexpected<InputError> OutputFile::failed(const char* doing, int error) {
+  abandon();
+  return system_error(path_, doing, error);
+}
+
+Result<OutputFile> OutputFile::create(const std::string& path) {
+  if (path == "-") return input_error(path, kNoPath);
+  OutputFile file;
+  file.path_ = path;
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) return system_error(path, "write", EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    file.descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file.descriptor_ < 0) return system_error(path, "write", errno);
+    return file;
+  }
+  // Through a symbolic link, so that the link stays.
+  const fs::path resolved = fs::weakly_canonical(path, ignored);
+  file.target_ = ignored || resolved.empty() ? path : resolved.string();
+  const std::string folder = folder_of(file.target_);
+  do {
+    file.temporary_ = folder + "/" + new_temporary_name();
+    enter_unfinished(file.temporary_);
+    file.descriptor_ =
+        ::open(file.temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  } while (file.descriptor_ < 0 && errno == EEXIST);
+  if (file.descriptor_ < 0) {
+    const int error = errno;
+    strike_unfinished(std::exchange(file.temporary_, {}));
+    return system_error(path, "write", error);
+  }
+  return file;
+}
+
+OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
+  if (this == &other) return *this;
+  abandon();
+  path_ = std::move(other.path_);
+  target_ = std::move(other.target_);
+  temporary_ = std::exchange(other.temporary_, {});
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  return *this;
+}
+
+void OutputFile::abandon() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  if (temporary_.empty()) return;
+  ::unlink(temporary_.c_str());
+  strike_unfinished(std::exchange(temporary_, {}));
+}
+
+Result<void> OutputFile::write(std::string_view bytes) {
+  CCDFUZZ_VERIFY(descriptor_ >= 0);
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return failed("write", errno);
+    bytes.remove_prefix(static_cast<size_t>(written));
+  }
+  return {};
+}
+
+Result<void> OutputFile::commit() {
+  CCDFUZZ_VERIFY(descriptor_ >= 0);
+  if (!temporary_.empty() && ::fsync(descriptor_) != 0) return failed("write", errno);
+  if (::close(std::exchange(descriptor_, -1)) != 0) return failed("write", errno);
+  if (temporary_.empty()) return {};
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) return failed("write", errno);
+  strike_unfinished(std::exchange(temporary_, {}));
+  // The new name itself is on the disk only once the folder is.
+  const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0) {
+    ::fsync(folder);
+    ::close(folder);
+  }
+  return {};
+}
+
+Result<void> make_folder(const std::string& folder) {
+  if (folder == "-") return input_error(folder, kNoPath);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return system_error(folder, "make the folder", error.value());
+  return {};
+}
+
+Result<void> write_file(const std::string& path, std::string_view bytes) {
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (auto written = file->write(bytes); !written) return written;
+  return file->commit();
+}
+
+}  // namespace ccdfuzz

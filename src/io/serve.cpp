@@ -1,0 +1,121 @@
+#include "io/serve.hpp"
+
+#include <fcntl.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+
+#include <fmt/format.h>
+
+#include "io/process_limits.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Certificates that the oracle makes may be long.
+constexpr std::size_t kServedReplyBytes = std::size_t{256} << 20;
+
+std::atomic<bool> this_program_serves = false;
+
+/// Signals by which what crashes ends, unless a handler (a sanitizer's, say) makes something else
+/// of them; and the one of the timer.
+constexpr std::array kFatalSignals = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,
+                                      SIGABRT, SIGTRAP, SIGSYS, SIGPROF};
+
+/// SIGPROF ends this process once it has used this much more CPU time; 0: no longer.
+void limit_cpu_seconds(double seconds) {
+  double whole = 0;
+  const auto micro = static_cast<suseconds_t>(std::modf(seconds, &whole) * 1e6);
+  const itimerval once{{0, 0}, {static_cast<time_t>(whole), micro}};
+  ::setitimer(ITIMER_PROF, &once, nullptr);
+}
+
+/// The work's answer, or the fault in place of it.
+std::string worked(const std::function<std::string(const std::string&)>& work,
+                   const std::string& question, bool& failed) {
+  failed = true;
+  try {
+    std::string answer = work(question);
+    failed = false;
+    return answer;
+  } catch (const std::bad_alloc&) {
+    return to_json(Fault{"memory", "no more memory within its limit"});
+  } catch (const std::exception& error) {
+    return to_json(Fault{"exception", error.what()});
+  } catch (...) {
+    return to_json(Fault{"exception", "something that is no std::exception"});
+  }
+}
+
+void send_line(int to, std::string line) {
+  line += '\n';
+  for (std::size_t done = 0; done < line.size();) {
+    const ssize_t n = ::write(to, line.data() + done, line.size() - done);
+    if (n <= 0) std::_Exit(1);
+    done += static_cast<std::size_t>(n);
+  }
+}
+
+}  // namespace
+
+void serve_lines(const std::function<std::string(const std::string&)>& work, double cpu_seconds) {
+  const int questions = ::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 64);
+  const int replies = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 64);
+  const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+  if (questions < 0 || replies < 0 || nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0 ||
+      ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    std::_Exit(1);
+  }
+  for (const int signal : kFatalSignals) ::signal(signal, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+  FILE* const in = ::fdopen(questions, "r");
+  char* line = nullptr;
+  std::size_t room = 0;
+  for (ssize_t length; (length = ::getline(&line, &room, in)) > 0;) {
+    if (line[length - 1] == '\n') --length;
+    const std::string question(line, static_cast<std::size_t>(length));
+    bool failed = false;
+    limit_cpu_seconds(cpu_seconds);
+    std::string answer = worked(work, question, failed);
+    limit_cpu_seconds(0);
+    std::fflush(nullptr);
+    send_line(replies, std::move(answer));
+    if (failed) break;
+  }
+  std::_Exit(0);
+}
+
+void serve_by_this_program() {
+  this_program_serves = true;
+}
+
+Result<ChildProgram> served_child(const std::vector<std::string>& arguments,
+                                  const ChildLimits& limits) {
+  std::error_code none;
+  const Result<std::string> program =
+      this_program_serves ? std::filesystem::read_symlink("/proc/self/exe", none).string()
+                          : find_program("ccdfuzz", "CCDFUZZ_PROGRAM");
+  if (!program) return tl::unexpected(program.error());
+  ChildProgram child{{"run", *program, "serve"}, limits};
+  if (limits.cpu_seconds > 0) {
+    child.command.insert(child.command.end(),
+                         {"--cpu-seconds", fmt::format("{}", limits.cpu_seconds)});
+  }
+  child.command.insert(child.command.end(), arguments.begin(), arguments.end());
+  if (kReservesMemory) child.limits.megabytes = 0;
+  child.limits.reply_bytes = kServedReplyBytes;
+  return child;
+}
+
+}  // namespace ccdfuzz

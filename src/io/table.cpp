@@ -1,0 +1,242 @@
+#include "io/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/text.hpp"
+#include "base/verify.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// True iff it is a byte 10xxxxxx of UTF-8.
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+}
+
+std::string padded(const std::string& text, size_t to, Align align) {
+  const std::string blanks(to - std::min(to, width(text)), ' ');
+  return align == Align::kLeft ? text + blanks : blanks + text;
+}
+
+const char* escape_for(Emphasis emphasis) {
+  switch (emphasis) {
+    case Emphasis::kPlain:
+      return "";
+    case Emphasis::kBad:
+      return "\x1b[1;31m";
+    case Emphasis::kFaint:
+      return "\x1b[2m";
+  }
+  return "";
+}
+
+std::string markdown_field(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '|') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+void strip_trailing_blanks(std::string& line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+}
+
+}  // namespace
+
+void Table::add_row(std::vector<TableCell> cells) {
+  CCDFUZZ_VERIFY(cells.size() == columns_.size());
+  rows_.push_back({std::move(cells), std::exchange(group_pending_, std::nullopt)});
+}
+
+void Table::start_group(const std::string& title) {
+  if (row_count() > 0 || !title.empty()) group_pending_ = title;
+}
+
+std::vector<std::string> Table::titles() const {
+  std::vector<std::string> titles;
+  for (const Column& column : columns_) titles.push_back(column.title);
+  return titles;
+}
+
+std::vector<std::vector<std::string>> Table::texts() const {
+  std::vector<std::vector<std::string>> texts;
+  for (const Row& row : rows_) {
+    std::vector<std::string>& line = texts.emplace_back();
+    for (const TableCell& cell : row.cells) line.push_back(cell.text);
+  }
+  return texts;
+}
+
+std::string Table::cell_text(const Row& row, size_t column) const {
+  std::string text = shown_line(row.cells[column].text);
+  const size_t most = columns_[column].most_width, has = width(text);
+  if (most == 0 || has <= most) return text;
+  size_t at = 0;
+  for (size_t passed = 0; passed <= has - most || is_continuation(text[at]); ++at) {
+    passed += is_continuation(text[at]) ? 0 : 1;
+  }
+  return "…" + text.substr(at);
+}
+
+Table::Layout Table::layout_from(size_t row) const {
+  Layout layout;
+  for (size_t c = 0; c < columns_.size(); ++c) {
+    layout.columns.push_back(c);
+    layout.widths.push_back(std::max(width(columns_[c].title), columns_[c].least_width));
+    for (size_t r = row; r < rows_.size(); ++r) {
+      layout.widths[c] = std::max(layout.widths[c], width(cell_text(rows_[r], c)));
+    }
+  }
+  return layout;
+}
+
+std::vector<Table::Layout> Table::parts() const {
+  const Layout all = layout_from(0);
+  Layout keys;
+  size_t keys_width = 0, used = 0;
+  std::vector<Layout> parts;
+  for (const size_t c : all.columns) {
+    const size_t needed = all.widths[c] + 2;
+    if (parts.empty() && columns_[c].align == Align::kLeft) {
+      keys.columns.push_back(c);
+      keys.widths.push_back(all.widths[c]);
+      keys_width += needed;
+      continue;
+    }
+    if (parts.empty() || used + needed > kTextWidth + 2) {
+      parts.push_back(keys);
+      used = keys_width;
+    }
+    parts.back().columns.push_back(c);
+    parts.back().widths.push_back(all.widths[c]);
+    used += needed;
+  }
+  return parts.empty() ? std::vector{keys} : parts;
+}
+
+std::string Table::header_text(const Layout& layout, bool colour) const {
+  std::string header;
+  for (size_t i = 0; i < layout.columns.size(); ++i) {
+    if (i > 0) header += "  ";
+    const Column& column = columns_[layout.columns[i]];
+    header += padded(column.title, layout.widths[i], column.align);
+  }
+  strip_trailing_blanks(header);
+  return colour ? "\x1b[1m" + header + "\x1b[0m\n" : header + "\n";
+}
+
+std::string Table::row_text(const Row& row, const Layout& layout, bool colour) const {
+  std::string line;
+  for (size_t i = 0; i < layout.columns.size(); ++i) {
+    if (i > 0) line += "  ";
+    const size_t c = layout.columns[i];
+    const std::string cell = padded(cell_text(row, c), layout.widths[i], columns_[c].align);
+    const Emphasis emphasis = row.cells[c].emphasis;
+    line += colour && emphasis != Emphasis::kPlain ? escape_for(emphasis) + cell + "\x1b[0m" : cell;
+  }
+  strip_trailing_blanks(line);
+  std::string before;
+  if (row.group) before = row.group->empty() ? "\n" : "\n" + shown_lines(*row.group) + "\n";
+  return before + line + "\n";
+}
+
+std::string Table::to_text(bool colour) const {
+  std::string out;
+  for (const Layout& part : parts()) {
+    out += (out.empty() ? "" : "\n") + header_text(part, colour);
+    for (const Row& row : rows_) out += row_text(row, part, colour);
+  }
+  return out;
+}
+
+std::string Table::next_text(bool colour) {
+  std::string out;
+  if (!std::exchange(header_shown_, true)) out = header_text(layout_from(rows_.size()), colour);
+  while (rows_shown_ < rows_.size()) {
+    const Row& row = rows_[rows_shown_++];
+    out += row_text(row, layout_from(rows_.size()), colour);
+  }
+  return out;
+}
+
+std::string Table::take_text(bool colour, size_t least) {
+  if (rows_.size() < least) return "";
+  const Layout layout = layout_from(0);
+  std::string out = header_shown_ ? "" : header_text(layout, colour);
+  header_shown_ = true;
+  for (const Row& row : rows_) out += row_text(row, layout, colour);
+  rows_taken_ += rows_.size();
+  rows_.clear();
+  for (size_t c = 0; c < columns_.size(); ++c) columns_[c].least_width = layout.widths[c];
+  return out;
+}
+
+std::string Table::to_markdown() const {
+  std::string out = "|";
+  for (const Column& column : columns_) out += fmt::format(" {} |", markdown_field(column.title));
+  out += "\n|";
+  for (const Column& column : columns_) out += column.align == Align::kLeft ? ":--|" : "--:|";
+  out += "\n";
+  for (const Row& row : rows_) {
+    out += "|";
+    for (const TableCell& cell : row.cells)
+      out += fmt::format(" {} |", markdown_field(shown_line(cell.text)));
+    out += "\n";
+  }
+  return out;
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string duration_text(double seconds) {
+  struct Unit {
+    double size;
+    const char* name;
+  };
+  constexpr std::array<Unit, 4> units = {{{1, "s"}, {1e-3, "ms"}, {1e-6, "µs"}, {1e-9, "ns"}}};
+  if (!(seconds > 0)) return "0 s";
+  // Rounding to three digits must not carry 999.9 into four: choose the unit after rounding.
+  for (const Unit& unit : units) {
+    const double value = seconds / unit.size;
+    if (value >= 0.9995 || unit.size == units.back().size) {
+      const int decimals = value >= 99.95 ? 0 : value >= 9.995 ? 1 : 2;
+      return fmt::format("{:.{}f} {}", value, decimals, unit.name);
+    }
+  }
+  return "0 s";
+}
+
+std::string size_text(double bytes) {
+  constexpr std::array<const char*, 4> units = {"B", "KiB", "MiB", "GiB"};
+  size_t unit = 0;
+  // As for times, the unit is chosen after rounding.
+  for (; bytes >= 999.5 && unit + 1 < units.size(); ++unit) bytes /= 1024;
+  const int decimals = unit == 0 || bytes >= 99.95 ? 0 : bytes >= 9.995 ? 1 : 2;
+  return fmt::format("{:.{}f} {}", bytes, decimals, units[unit]);
+}
+
+std::string count_text(std::uint64_t count, std::uint64_t total) {
+  if (count == 0 || total == 0) return fmt::format("{}", count);
+  const double percent = 100.0 * static_cast<double>(count) / static_cast<double>(total);
+  // Two digits below 1 %, so that a count above 0 never reads as 0.0 %.
+  return percent >= 1 ? fmt::format("{} ({:.1f} %)", count, percent)
+                      : fmt::format("{} ({:.1g} %)", count, percent);
+}
+
+}  // namespace ccdfuzz

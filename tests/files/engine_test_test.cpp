@@ -1,0 +1,98 @@
+#include "files/engine_test.hpp"
+
+#include <gmock/gmock.h>
+
+namespace ccdfuzz {
+namespace {
+
+/// A ball of radius 1 that falls onto a box, which it touches at t = 1, half of its way.
+NamedCase falling_ball() {
+  NamedCase named;
+  named.id = "ball.json";
+  Query& query = named.value.query;
+  query.patches[0] = {Shape::hull(1), {{-4, 3, 0.5}}, {{0, -1, 0}}, {}, {}, 1};
+  Points<double> corners;
+  for (const double x : {-5., 5.}) {
+    for (const double y : {-1., 1.}) {
+      for (const double z : {-5., 5.}) corners.push_back({x, y, z});
+    }
+  }
+  query.patches[1] = {Shape::hull(8), corners, {{0, 0, 0}}};
+  query.t_max = 2;
+  named.value.truth.collides = true;
+  Witness witness{Rational(1), {}};
+  witness.weights[0] = {Rational(1)};
+  witness.weights[1] = std::vector<Rational>(8, Rational(0));
+  witness.weights[1][2] = Rational(1);
+  named.value.truth.witness = witness;
+  return named;
+}
+
+NamedCase vertex_through_face() {
+  NamedCase named;
+  named.id = "vertex.json";
+  Query& query = named.value.query;
+  query.patches[0] = {Shape::point(), {{0.25, 0.25, 0.5}}, {{0, 0, -1}}};
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3, {0, 0, 0})};
+  named.value.truth.collides = true;
+  named.value.truth.witness = Witness{Rational(1, 2), {}};
+  named.value.truth.witness->uv[1] = {Rational(1, 4), Rational(1, 4)};
+  return named;
+}
+
+TEST(EngineTest, AsksEachEngineForTheShapesThatItHas) {
+  const NamedCase ball = falling_ball();
+  const std::vector<std::pair<std::string, std::string>> shapes = {
+      {"rapier", "new RAPIER.Cuboid(5, 1, 5)"},
+      {"jolt", "new Jolt.BoxShape(vector(5, 1, 5), 0)"},
+      {"physx", "new physx.PxSphereGeometry(1)"},
+      {"havok", "hk.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], [10, 2, 10])"},
+      {"bullet", "hull({btVector3(-4, 3, 0.5)}, 1)"}};
+  for (const auto& [engine, shape] : shapes) {
+    const Result<std::string> text = engine_test(ball, engine);
+    ASSERT_TRUE(text.has_value()) << engine;
+    EXPECT_THAT(*text, testing::HasSubstr(shape));
+    EXPECT_THAT(*text, testing::HasSubstr("0.5"));
+    EXPECT_THAT(*text, testing::StartsWith("// At t = 1 of t_max = 2"));
+  }
+  const Result<std::string> fcl = engine_test(vertex_through_face(), "fcl");
+  ASSERT_TRUE(fcl.has_value());
+  EXPECT_THAT(*fcl, testing::HasSubstr("intersect_VF(\n      V(0, 0, 0), V(0, 1, 0), V(1, 0, 0), "
+                                       "V(0.25, 0.25, 0.5),\n"));
+}
+
+TEST(EngineTest, AllowsTheEnginesOwnTolerance) {
+  const Result<std::string> in_space = engine_test(falling_ball(), "rapier");
+  EXPECT_THAT(*in_space, testing::HasSubstr("assert(share <= 0.50005,")) << "1e-4 of a way of 2";
+  const Result<std::string> in_time = engine_test(vertex_through_face(), "fcl");
+  EXPECT_THAT(*in_time, testing::HasSubstr("EXPECT_LE(share, 0.5000001)"));
+}
+
+TEST(EngineTest, TakesACornerThatIsNoMiddleOfABoxForAHull) {
+  NamedCase named = falling_ball();
+  named.value.query.patches[1].positions[0][0] = -6;
+  const Result<std::string> text = engine_test(named, "rapier");
+  ASSERT_TRUE(text.has_value());
+  EXPECT_THAT(*text, testing::HasSubstr("new RAPIER.ConvexPolyhedron("));
+}
+
+TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
+  for (const char* engine : {"rapier", "jolt", "bullet"}) {
+    EXPECT_FALSE(engine_test(vertex_through_face(), engine)) << engine;
+  }
+  EXPECT_FALSE(engine_test(falling_ball(), "fcl"));
+  NamedCase capsule = falling_ball();
+  capsule.value.query.patches[0].positions.push_back({0, 3, 0});
+  capsule.value.query.patches[0].shape = Shape::hull(2);
+  EXPECT_FALSE(engine_test(capsule, "jolt")) << "its capsules are along y";
+}
+
+TEST(EngineTest, RefusesWhereNothingIsProven) {
+  NamedCase named = falling_ball();
+  named.value.query.t_max = 0.5;
+  EXPECT_FALSE(engine_test(named, "rapier")) << "the contact comes later";
+}
+
+}  // namespace
+}  // namespace ccdfuzz
