@@ -20,10 +20,20 @@ run("configure" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE} -B ${WORK}/build
     -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX} -DCMAKE_BUILD_TYPE=${CONFIG}
     -DCMAKE_CXX_FLAGS=${FLAGS})
 run("build" ${CMAKE_COMMAND} --build ${WORK}/build)
-run("run" ${WORK}/build/consumer)
 execute_process(COMMAND ${WORK}/build/page ${CASES}/tdibm-e-underflow.json RESULT_VARIABLE status OUTPUT_VARIABLE out)
 if(status OR NOT out MATCHES ": correct")
   message(FATAL_ERROR "the program of docs/api.md (${status}) says:\n${out}")
+endif()
+
+# The checker alone.
+run("configure the checker's consumer" ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/../checker_consumer
+    -B ${WORK}/checker -DCMAKE_PREFIX_PATH=${WORK}/prefix -DCMAKE_CXX_COMPILER=${CXX}
+    -DCMAKE_BUILD_TYPE=${CONFIG} -DCMAKE_CXX_FLAGS=${FLAGS})
+run("build the checker's consumer" ${CMAKE_COMMAND} --build ${WORK}/checker)
+run("run the checker's consumer" ${WORK}/checker/consumer)
+execute_process(COMMAND ldd ${WORK}/checker/consumer RESULT_VARIABLE status OUTPUT_VARIABLE out)
+if(status OR out MATCHES "zstd|xxhash|tbb|libz")
+  message(FATAL_ERROR "the checker is linked with more than it needs (${status}):\n${out}")
 endif()
 
 # Answers do not depend on the flags of who asks.
