@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "bezier/orientation.hpp"
-#include "case/case_json.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
 #include "generators/generate.hpp"
 
 namespace ccdfuzz {
