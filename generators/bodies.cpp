@@ -15,6 +15,39 @@ namespace ccdfuzz {
 
 namespace {
 
+/// Whole numbers, the second of them 0 in a plane: no part of a body leaves it by that axis.
+Whole draw_whole(bool in_plane, std::int64_t most, Draw& draw) {
+  Whole p = any_whole(draw, most);
+  if (in_plane) p[1] = 0;
+  return p;
+}
+
+/// Its first and third axes are in the plane z = 0.
+WholeFrame draw_frame_in_plane(bool is_round, Draw& draw) {
+  const auto flat = [&] {
+    Whole p = any_whole(draw, 4);
+    p[2] = 0;
+    return p;
+  };
+  WholeFrame frame{{{{}, {0, 0, 1}, {}}}};
+  if (!is_round && draw.below(4) == 3) {
+    return draw.until(
+        [&] {
+          frame.axes[0] = flat();
+          frame.axes[2] = flat();
+          return frame;
+        },
+        [](const WholeFrame& f) { return cross_of(f.axes[0], f.axes[2]) != Whole{}; });
+  }
+  constexpr std::array<Whole, 4> kTriples = {{{1, 0, 1}, {3, 4, 5}, {5, 12, 13}, {8, 15, 17}}};
+  auto [x, y, length] = draw.coin() ? kTriples[0] : draw.pick(kTriples);
+  if (draw.coin()) std::swap(x, y);
+  if (draw.coin()) x = -x;
+  if (draw.coin()) y = -y;
+  const std::int64_t sign = draw.coin() ? 1 : -1;
+  return {{{{x, y, 0}, {0, 0, length}, {-sign * y, sign * x, 0}}}, length};
+}
+
 WholeFrame draw_frame(bool is_round, Draw& draw) {
   if (!is_round && draw.below(4) == 3) {
     return draw.until(
@@ -40,10 +73,10 @@ enum class BodyKind : std::uint8_t { kPoint, kSegment, kTriangle, kTetrahedron, 
 constexpr std::array kBodyKinds = {BodyKind::kPoint,       BodyKind::kSegment, BodyKind::kTriangle,
                                    BodyKind::kTetrahedron, BodyKind::kHull,    BodyKind::kBox};
 
-/// The part in the plane: 1, 2 or 3 points around (0,0,0), and their weights.
-void add_feature(Feature feature, FramedBody& body, Draw& draw) {
+/// The part at z = 0: 1, 2 or 3 points around (0,0,0), and their weights.
+void add_feature(Feature feature, bool in_plane, FramedBody& body, Draw& draw) {
   const auto flat = [&] {
-    Whole p = any_whole(draw, 8);
+    Whole p = draw_whole(in_plane, 8, draw);
     p[2] = 0;
     return p;
   };
@@ -69,9 +102,14 @@ void add_feature(Feature feature, FramedBody& body, Draw& draw) {
 }
 
 /// With the axes of a box that its feature asks for: in the plane for it, out of it below.
-FramedBody draw_box(Feature feature, Draw& draw) {
+FramedBody draw_box(Feature feature, bool in_plane, Draw& draw) {
   std::array<Whole, 3> axes{};
-  if (feature == Feature::kFace) {
+  if (in_plane && feature == Feature::kEdge) {
+    axes = {{{1, 0, 0}, {0, 0, 1}}};
+  } else if (in_plane) {
+    axes = draw.coin() ? std::array<Whole, 3>{{{3, 0, 4}, {-4, 0, 3}}}
+                       : std::array<Whole, 3>{{{5, 0, 12}, {-12, 0, 5}}};
+  } else if (feature == Feature::kFace) {
     axes = kRightAngles[draw.below(2)].axes;
   } else if (feature == Feature::kEdge) {
     axes = {{{5, 0, 0}, {0, 4, 3}, {0, -3, 4}}};
@@ -80,6 +118,7 @@ FramedBody draw_box(Feature feature, Draw& draw) {
   }
   FramedBody body{{Whole{}}, {1}};
   for (const Whole& axis : axes) {
+    if (axis == Whole{}) continue;  // a box in a plane has two
     const Whole along = axis[2] > 0 ? -1 * axis : axis;
     const long before = axis[2] == 0 ? static_cast<long>(draw.integer(1, 4)) : 0;
     const long after = static_cast<long>(draw.integer(1, 4));
@@ -96,18 +135,18 @@ FramedBody draw_box(Feature feature, Draw& draw) {
   return body;
 }
 
-FramedBody draw_body(Feature feature, Draw& draw) {
+FramedBody draw_body(Feature feature, bool in_plane, Draw& draw) {
   const auto least = static_cast<std::uint8_t>(feature == Feature::kCorner ? BodyKind::kPoint
                                                : feature == Feature::kEdge ? BodyKind::kSegment
                                                                            : BodyKind::kTriangle);
   const BodyKind kind = kBodyKinds[least + draw.below(kBodyKinds.size() - least)];
-  if (kind == BodyKind::kBox) return draw_box(feature, draw);
+  if (kind == BodyKind::kBox) return draw_box(feature, in_plane, draw);
   FramedBody body;
-  add_feature(feature, body, draw);
+  add_feature(feature, in_plane, body, draw);
   const size_t count = kind == BodyKind::kHull ? static_cast<size_t>(draw.integer(5, 15))
                                                : static_cast<size_t>(kind) + 1;
   while (body.points.size() < count) {
-    Whole p = any_whole(draw, 8);
+    Whole p = draw_whole(in_plane, 8, draw);
     p[2] = -draw.integer(1, 8);
     body.points.push_back(p);
     body.weights.emplace_back(0);
@@ -115,8 +154,9 @@ FramedBody draw_body(Feature feature, Draw& draw) {
   return body;
 }
 
-/// No point twice, and of four points or more not all in a plane.
-bool is_proper(const FramedBody& body) {
+/// No point twice, three points or more are not all in a line, and four or more not in a plane.
+/// This last is not asked where everything is in one.
+bool is_proper(const FramedBody& body, bool in_plane) {
   const std::vector<Whole>& p = body.points;
   if (std::set<Whole>(p.begin(), p.end()).size() < p.size()) return false;
   if (p.size() < 3) return true;
@@ -127,7 +167,7 @@ bool is_proper(const FramedBody& body) {
     normal = cross_of(from_first(1), from_first(i));
   }
   for (size_t i = 0; i < p.size(); ++i) is_flat = is_flat && dot_of(normal, from_first(i)) == 0;
-  return normal != Whole{} && is_flat == (p.size() == 3);
+  return normal != Whole{} && is_flat == (in_plane || p.size() == 3);
 }
 
 /// The numbers of a scene, in units of the frame, of which kParts make a whole one.
@@ -141,14 +181,15 @@ struct FramedPair {
   std::array<std::int64_t, 2> radius{};
 };
 
-FramedPair draw_framed_pair(const std::array<Feature, 2>& features, Draw& draw) {
+FramedPair draw_framed_pair(const std::array<Feature, 2>& features, bool in_plane, Draw& draw) {
   FramedPair pair;
   for (size_t s = 0; s < 2; ++s) {
-    pair.bodies[s] = draw.until([&] { return draw_body(features[s], draw); }, is_proper);
+    pair.bodies[s] = draw.until([&] { return draw_body(features[s], in_plane, draw); },
+                                [&](const FramedBody& b) { return is_proper(b, in_plane); });
   }
   const bool are_points = pair.bodies[0].points.size() + pair.bodies[1].points.size() == 2;
   const bool is_round = are_points || draw.coin();
-  pair.frame = draw_frame(is_round, draw);
+  pair.frame = in_plane ? draw_frame_in_plane(is_round, draw) : draw_frame(is_round, draw);
   pair.lift = is_round ? draw.integer(1, 4) * kParts / 2 : 0;
   const std::int64_t radii = pair.lift * pair.frame.length;
   if (is_round) {
@@ -168,7 +209,7 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
                                         Draw& draw) {
   const std::array<Feature, 2> features = features_of(options.contact);
   const auto [bodies, frame, lift, radius] = draw.until(
-      [&] { return draw_framed_pair(features, draw); },
+      [&] { return draw_framed_pair(features, options.plane, draw); },
       [&](const FramedPair& pair) {
         return is_one_of(options.bodies, pair.bodies[0].points.size(), pair.radius[0] > 0) &&
                is_one_of(options.bodies, pair.bodies[1].points.size(), pair.radius[1] > 0);
@@ -177,12 +218,12 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
   const bool is_miss = options.kind == CaseKind::kNMN;
   const std::int64_t gap = is_miss ? draw.integer(1, kParts) : 0;
   const std::int64_t eighths = draw.integer(1, 8);
-  Whole approach = any_whole(draw, 16);
+  Whole approach = draw_whole(options.plane, 16, draw);
   approach[2] = is_miss ? 0 : -draw.integer(1, 16);
-  const Whole common = draw.coin() ? Whole{} : any_whole(draw, 8);
+  const Whole common = draw.coin() ? Whole{} : draw_whole(options.plane, 8, draw);
   const std::uint64_t mover = draw.below(2);
   const bool is_far = draw.below(8) == 7;
-  Whole place = any_whole(draw, 16);
+  Whole place = draw_whole(options.plane, 16, draw);
   const int unit = static_cast<int>(draw.integer(-7, 0));
   if (is_far) place = (std::int64_t{1} << (draw.integer(10, 16) - unit - 5)) * place;
 

@@ -23,6 +23,8 @@ bool is_made_of_bodies(CaseKind kind);
 /// normal is certificate K up to t*, and the point on either plane is the witness. RP: t* < t_max.
 /// RN: the same patches with t_max = t* − eps_t. NMN: moved away from each other, and moving along
 /// the plane: they pass by at a distance that is proven.
+///
+/// With options.plane all is in the plane z = 0, and the frame's second direction out of it.
 tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                         Draw& draw);
 

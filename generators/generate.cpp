@@ -14,6 +14,7 @@
 #include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
+#include "generators/prescribe.hpp"
 #include "generators/round.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
@@ -75,6 +76,11 @@ Result<void> validate(const GeneratorOptions& options) {
   if (!is_made(options.family, options.contact, options.kind)) {
     return input_error("--kind", fmt::format("{} is not generated in the family {}",
                                              name_of(options.kind), name_of(options.family)));
+  }
+  const auto features = features_of(options.contact);
+  if (options.plane && std::ranges::find(features, Feature::kFace) != features.end()) {
+    return input_error("--contact",
+                       fmt::format("bodies in a plane have no {}", name_of(options.contact)));
   }
   return {};
 }

@@ -93,6 +93,8 @@ struct GeneratorOptions {
   std::optional<std::array<Shape, 2>> shapes;
   /// The kinds of bodies of the family bodies; empty: all.
   BodyKinds bodies = {};
+  /// Whether those of the family bodies lie and move in the plane z = 0.
+  bool plane = false;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
   /// By default 2^-20, and 2^-10 for NHP: grazing patches are only about eps_T² apart then.

@@ -21,6 +21,8 @@ struct AnswerTerms {
   /// Patches that come nearer than this count as touching; not those that are as near from the
   /// start if contacts at 0 do not count. ≥ 0, finite.
   double kept_separation = 0;
+  /// It is asked about bodies in the plane z = 0 alone.
+  bool in_plane = false;
 };
 
 /// How an answer stands against the truth, every comparison exact:
@@ -53,6 +55,8 @@ struct Judged {
   /// For a miss or late hit of bodies, where it was asked for. It is how deep they pass through
   /// each other in the time that is overlooked, at least.
   double depth = 0;
+  /// By the terms of the answer.
+  bool in_plane = false;
 };
 
 /// How long after the proven contact a hit comes, rounded up. Requires that both are there.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "case/query.hpp"
@@ -32,6 +33,17 @@ inline bool is_binary32(const Query& query) {
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double x) { all_are = all_are && is_float(x); });
     for_each_vertex(patch, [&](double x) { all_are = all_are && is_float(x); });
+  }
+  return all_are;
+}
+
+/// True iff two bodies lie and move in the plane z = 0, as those of 2-D engines do.
+inline bool is_in_plane(const Query& query) {
+  bool all_are = is_of_bodies(query);
+  const auto check = [&](const Vec3<double>& v) { all_are = all_are && v[2] == 0; };
+  for (const MovingPatch<double>& patch : query.patches) {
+    std::ranges::for_each(patch.positions, check);
+    std::ranges::for_each(patch.velocities, check);
   }
   return all_are;
 }

@@ -324,6 +324,8 @@ void add_hunt(CommandLine& line) {
             "oracle alone takes them")
       .excludes(shape)
       .excludes(linear);
+  command.flag("--plane", hunt.ground.plane,
+               "Only bodies in the plane z = 0, as 2-D engines have them; with --bodies");
   command.flag("--binary32", hunt.ground.binary32,
                "Only queries whose numbers are all floats, minimised ones too");
   command

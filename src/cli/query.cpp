@@ -142,7 +142,7 @@ int run_query(const QueryOptions& arguments, Session& session) {
         SearchOptions search = options.search.options_for(shared.named().value);
         if (by_default) DefaultBudget::limit(search, asked.query());
         Judged judged = ask(methods.local()[options.methods[m]], asked, search);
-        judged.depth = depth_of(asked, judged.answer, judged.outcome).value_or(0);
+        judged.depth = depth_of(asked, judged).value_or(0);
         return judged;
       },
       [&](const SharedCase& shared, size_t m, const Judged& judged) {

@@ -57,7 +57,7 @@ Expected Asker::shown_as_asked(const std::string& method, const CheckedCase& kno
 
 double Asker::depth(const std::string& method, const CheckedCase& known) {
   const Judged judged = ask(method, known);
-  return depth_of(known, judged.answer, judged.outcome).value_or(0);
+  return depth_of(known, judged).value_or(0);
 }
 
 void Asker::ask_others(Case& find, const std::vector<std::string>& methods) {

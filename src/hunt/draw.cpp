@@ -96,6 +96,7 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     options.family = family;
     options.shapes = shapes;
     options.bodies = ground_.body_kinds;
+    options.plane = ground_.plane;
     options.seed = seed_;
     source.needs = needs;
     for (const CaseKind kind : kCaseKinds) {

@@ -154,6 +154,9 @@ Case HuntGround::fitted(Case value) const {
   };
   for (MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, fit);
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (Vec3<double>& v : *points) v[2] = plane && are_bodies ? 0 : v[2];
+    }
   }
   fit(query.t_max);
   fit(query.separation);

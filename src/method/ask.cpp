@@ -27,18 +27,19 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
   // Moved back by so much, they would not touch: no overlap is deeper than the way. Rounding adds
   // less than a part in 2^50, and the tolerance is no exact number.
   if (velocity.norm() * overlooked <= tolerance) return Outcome::kCorrect;
-  const std::optional<double> depth = depth_of(known, answer, outcome);
+  const std::optional<double> depth =
+      depth_of(known, {answer, outcome, "", 0, 0, answer.terms.in_plane});
   if (!depth) return Outcome::kUnknown;
   return *depth <= tolerance ? Outcome::kCorrect : outcome;
 }
 
 }  // namespace
 
-std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome) {
+std::optional<double> depth_of(const CheckedCase& known, const Judged& judged) {
   const Query& query = known.query();
-  if (!is_false_negative(outcome)) return std::nullopt;
-  const double until = outcome == Outcome::kLate ? *answer.toi : query.t_max;
-  if (is_of_bodies(query)) return depth_until(query, until);
+  if (!is_false_negative(judged.outcome)) return std::nullopt;
+  const double until = judged.outcome == Outcome::kLate ? *judged.answer.toi : query.t_max;
+  if (is_of_bodies(query)) return depth_until(query, until, judged.in_plane);
   const double depth = feature_depth(known.value(), until);
   return depth > 0 ? std::optional(depth) : std::nullopt;
 }
@@ -65,7 +66,9 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     return failed(*answer.broken_claim, answer.broken_claim->name());
   }
   const double late_by = outcome == Outcome::kLate ? delay_of(known, answer) : 0;
-  return {std::move(answer), outcome, outcome == Outcome::kError ? "nonsense" : "", late_by};
+  const bool in_plane = answer.terms.in_plane;
+  const char* const error = outcome == Outcome::kError ? "nonsense" : "";
+  return {std::move(answer), outcome, error, late_by, 0, in_plane};
 }
 
 Judged ask(Method& method, const Case& known, const SearchOptions& options) {

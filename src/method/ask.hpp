@@ -15,6 +15,6 @@ Judged ask(Method& method, const Case& known, const SearchOptions& options);
 /// How deep two bodies, or linear patches, pass through each other, at least, in the time that a
 /// missed or late answer overlooks. Nothing where that is not measured (depth_until,
 /// feature_depth), and for other queries and outcomes.
-std::optional<double> depth_of(const CheckedCase& known, const Answer& answer, Outcome outcome);
+std::optional<double> depth_of(const CheckedCase& known, const Judged& judged);
 
 }  // namespace ccdfuzz

@@ -63,7 +63,8 @@ bool Domain::has_bodies_of(const Query& query) const {
 }
 
 bool Domain::has_numbers_of(const Query& query) const {
-  return (!scale || is_within_scale(query, *scale)) && (!binary32 || is_binary32(query));
+  return (!scale || is_within_scale(query, *scale)) && (!binary32 || is_binary32(query)) &&
+         (!plane || !is_of_bodies(query) || is_in_plane(query));
 }
 
 std::string Domain::broken_by(const Case& value) const {
@@ -71,6 +72,12 @@ std::string Domain::broken_by(const Case& value) const {
   if (binary32 && !is_binary32(value.query)) return "takes floats, and a number of this is none";
   if (scale && !is_within_scale(value.query, *scale)) {
     return fmt::format("takes numbers that are 0 or within 2^±{}", *scale);
+  }
+  if (plane && is_of_bodies(value.query) && !is_in_plane(value.query)) {
+    return "takes bodies in the plane z = 0";
+  }
+  if (ordinary && !plane && has_flat_body(value.query)) {
+    return "takes bodies of four points or more that have a volume";
   }
   const Setting setting = ordinary ? setting_of(value) : Setting::kOrdinary;
   if (ordinary && setting == Setting::kOrdinary && is_shallow(value)) {
@@ -85,7 +92,8 @@ std::optional<Domain> Domain::with(const Domain& other) const {
               common(body_kinds, other.body_kinds),
               scale,
               binary32 || other.binary32,
-              ordinary || other.ordinary};
+              ordinary || other.ordinary,
+              plane || other.plane};
   if (other.scale) both.scale = std::min(scale.value_or(*other.scale), *other.scale);
   for (const Pair& a : pairs) {
     if (other.pairs.empty()) both.pairs.push_back(a);
@@ -109,6 +117,7 @@ std::string Domain::text() const {
   std::vector<std::string> rules;
   if (binary32) rules.emplace_back("floats");
   if (scale) rules.push_back(fmt::format("within 2^±{}", *scale));
+  if (plane) rules.emplace_back("bodies in the plane z = 0");
   if (ordinary) rules.emplace_back("ordinary queries alone");
   return fmt::format("{}", fmt::join(rules, ", "));
 }

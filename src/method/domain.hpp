@@ -28,12 +28,14 @@ struct Domain {
   /// Only cases of Setting::kOrdinary that are not shallow: apart at the start, with extent, in
   /// motion, and with a contact that a little motion does not avoid.
   bool ordinary = false;
+  /// Bodies lie and move in the plane z = 0.
+  bool plane = false;
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.
   std::optional<bool> order_of(const Query& query) const;
   /// Whether a query is of those bodies, if of any.
   bool has_bodies_of(const Query& query) const;
-  /// Whether the numbers of a query are of that scale and width.
+  /// Whether the numbers of a query are of that scale and width, and bodies in that plane.
   bool has_numbers_of(const Query& query) const;
   /// Which of the rules but the pairs a case breaks, in words; empty if none.
   std::string broken_by(const Case& value) const;

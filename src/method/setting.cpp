@@ -70,9 +70,9 @@ class Span {
   std::vector<Vec3<double>> basis_;
 };
 
-/// Whether a body is flat, or has a point twice or one that its count promises too much for: three
-/// in a line, or more in a plane.
-bool is_flat_body(const MovingPatch<double>& hull) {
+/// Whether a body spans less than its count promises in so many dimensions, or has a point twice:
+/// three in a line, or more in a plane.
+bool is_flat_body(const MovingPatch<double>& hull, size_t dimensions) {
   Span span;
   const Vec3<double>& origin = hull.positions[0];
   for (size_t i = 0; i < hull.positions.size(); ++i) {
@@ -81,12 +81,16 @@ bool is_flat_body(const MovingPatch<double>& hull) {
       if (hull.positions[i] == hull.positions[j]) return true;
     }
   }
-  return span.dimension() < std::min<size_t>(3, hull.positions.size() - 1);
+  return span.dimension() < std::min(dimensions, hull.positions.size() - 1);
 }
 
 bool is_degenerate(const Case& value) {
   if (is_of_bodies(value.query)) {
-    return is_at_rest(value.query) || std::ranges::any_of(value.query.patches, is_flat_body);
+    const size_t dimensions = is_in_plane(value.query) ? 2 : 3;
+    return is_at_rest(value.query) ||
+           std::ranges::any_of(value.query.patches, [&](const MovingPatch<double>& hull) {
+             return is_flat_body(hull, dimensions);
+           });
   }
   const std::optional<Rational> contact = value.truth.contact_by();
   return is_at_rest(value.query) ||
@@ -172,6 +176,13 @@ Setting setting_of(const Case& value) {
   if (touches_at_start(value.query)) return Setting::kTouching;
   if (slides(value)) return Setting::kSliding;
   return is_at_an_end(value) ? Setting::kAtAnEnd : Setting::kOrdinary;
+}
+
+bool has_flat_body(const Query& query) {
+  return is_of_bodies(query) &&
+         std::ranges::any_of(query.patches, [](const MovingPatch<double>& hull) {
+           return hull.positions.size() > 3 && is_flat_body(hull, 3);
+         });
 }
 
 bool is_shallow(const Case& value) {

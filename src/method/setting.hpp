@@ -19,7 +19,8 @@ enum class Setting : std::uint8_t {
   kTouching,  ///< linear patches that touch at t = 0 already
   kDegenerate,  ///< at the start or at the contact a patch is as good as a point, or a surface as a
                 ///< line (kThinnest). Or a body of three points or more is flatter than its count
-                ///< promises, or has a point twice. Or nothing moves against the rest
+                ///< promises in space, or in the plane z = 0 if both are there (is_in_plane). Or it
+                ///< has a point twice. Or nothing moves against the rest
   kExtreme,     ///< a number that is not 0 lies outside 2^±40
 };
 inline constexpr std::array kAllSettings = {Setting::kOrdinary,   Setting::kAtAnEnd,
@@ -38,6 +39,9 @@ constexpr const auto& all_of(Setting) {
 }
 
 Setting setting_of(const Case& value);
+
+/// Whether the query has a body of four points or more in one plane.
+bool has_flat_body(const Query& query);
 
 /// Whether linear patches touch, but pass less than kThinnest of their size through each other by
 /// t_max (feature_depth): at the edge of a face, for one. A little motion avoids the contact.

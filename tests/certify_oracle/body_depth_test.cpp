@@ -63,6 +63,18 @@ TEST(BodyDepth, GrowsWithTimeAndNeverExceedsTheWay) {
   EXPECT_GT(last, 0.25);
 }
 
+TEST(BodyDepth, InAPlaneIsTheLeastWayThere) {
+  const Query query{
+      {MovingPatch<double>{
+           Shape::hull(4), {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{4, 0, 0}}},
+       MovingPatch<double>{Shape::hull(3), {{3, 0.25, 0}, {6, 0.25, 0}, {3, 4, 0}}, {{0, 0, 0}}}},
+      1};
+  EXPECT_EQ(depth_until(query, 0.75), 0.0) << "out of the plane, any way is far enough";
+  const double depth = depth_until(query, 0.75, true).value();
+  EXPECT_LE(depth, 0.75);
+  EXPECT_GE(depth, 0.75 * (1 - 0x1p-40)) << "down";
+}
+
 TEST(BodyDepth, OfWhatHasNoInsideIsNothing) {
   const Query query{{ball({0, 0, 1}, 0, {0, 0, -2}), ball({0, 0, 0}, 0, {0, 0, 0})}, 1};
   expect_depth(query, 1, 0);

@@ -64,6 +64,34 @@ TEST(HuntBodies, MutantsAreValidFloatsAndSomeTouch) {
   EXPECT_GT(count[1], 30);
 }
 
+TEST(HuntBodies, DrawsAndMutantsStayInThePlaneThatA2dEngineAsksFor) {
+  using enum ContactClass;
+  HuntGround ground = ground_of_bodies();
+  ground.plane = ground.ordinary = true;
+  ground.scale = 7;
+  ground.body_kinds = {{1, 1, RadiusRule::kPositive}, {2, 12, RadiusRule::kZero}};
+  const Draws draws(1, ground);
+  EXPECT_EQ(draws.classes(), (std::vector{kEE, kVE, kVV}));
+  int asked = 0, polygons = 0;
+  for (const ContactClass contact : draws.classes()) {
+    for (std::uint64_t index = 0; index < 60; ++index) {
+      for (const CheckedCase& drawn : draws.at(contact, index).asked) {
+        ++asked;
+        const Case& value = drawn.value();
+        EXPECT_TRUE(is_in_plane(value.query) && drawn.collides());
+        EXPECT_EQ(setting_of(value), Setting::kOrdinary);
+        for (const auto& body : value.query.patches) polygons += body.positions.size() > 3 ? 1 : 0;
+        Draw choices{Random(index)};
+        Case mutant;
+        mutant.query = mutate_bodies(value.query, value.query, choices);
+        EXPECT_TRUE(is_in_plane(ground.fitted(mutant).query));
+      }
+    }
+  }
+  EXPECT_GE(asked, 171) << "95 in 100 draws";
+  EXPECT_GE(polygons, 40);
+}
+
 TEST(HuntBodies, TheOracleIsAskedAboutDrawsAndMutantsAndNeverFails) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();
@@ -93,6 +121,21 @@ Outcome misses_many_points(const Case& value) {
   return judge(checked_or_unknown(value), answer);
 }
 
+TEST(MinimiseBodies, StayInThePlane) {
+  GeneratorOptions options;
+  options.contact = ContactClass::kVE;
+  options.family = Family::kBodies;
+  options.plane = true;
+  Case found;
+  for (std::uint64_t index = 0; misses_many_points(found) != Outcome::kMissed; ++index) {
+    found = generate(options, index).value;
+  }
+  const auto still_fails = [](const Case& value) {
+    return misses_many_points(value) == Outcome::kMissed;
+  };
+  EXPECT_TRUE(is_in_plane(minimise(found, Outcome::kMissed, still_fails).value.query));
+}
+
 TEST(MinimiseBodies, FewPointsAndBitsAreLeftAndTheContactIsKept) {
   for (const ContactClass contact : kContactClasses) {
     GeneratorOptions options;
@@ -111,6 +154,26 @@ TEST(MinimiseBodies, FewPointsAndBitsAreLeftAndTheContactIsKept) {
     EXPECT_TRUE(is_binary32(small.value.query));
     EXPECT_TRUE(check_case(small.value));
   }
+}
+
+TEST(SettingOfBodies, OfTwoInThePlaneIsThatOfThePlane) {
+  Query query;
+  query.patches[0] = {Shape::hull(4), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 0, 0}}};
+  query.patches[1] = {Shape::hull(1), {{3, 0.25, 0}}, {{-1, 0, 0}}};
+  query.t_max = 8;
+  const auto made = [&] { return *case_of_bodies(query); };
+  EXPECT_EQ(setting_of(made()), Setting::kOrdinary);
+  Domain space, plane;
+  space.ordinary = plane.ordinary = plane.plane = true;
+  EXPECT_EQ(plane.broken_by(made()), "");
+  EXPECT_NE(space.broken_by(made()), "") << "a body of four points that has no volume";
+  EXPECT_TRUE(space.with(plane)->plane);
+  query.patches[1].velocities[0][2] = 0x1p-10;
+  EXPECT_NE(plane.broken_by(made()), "");
+  EXPECT_FALSE(plane.has_numbers_of(query));
+  query.patches[1].velocities[0][2] = 0;
+  query.patches[0].positions = {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}};
+  EXPECT_EQ(setting_of(made()), Setting::kDegenerate) << "four points in a line";
 }
 
 TEST(SettingOfBodies, TellsFlatOnesRestAndAGlancingContact) {

@@ -96,6 +96,13 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   EXPECT_EQ(outcome_of(kMiss, known), "not_asked");
   EXPECT_EQ(outcome_of(kMiss + ":claims=70", known), "missed");
   EXPECT_EQ(outcome_of(":verdict=1:toi=2.5:claims=70", known), "late");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=1094", known), "missed") << "in the plane z = 0";
+  Case moved = known;
+  for (MovingPatch<double>& body : moved.query.patches) {
+    for (Vec3<double>& p : body.positions) p[2] = 1;
+  }
+  EXPECT_EQ(outcome_of(kMiss + ":claims=1094", moved), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=70", moved), "missed");
   known.query.t_max = 1;
   known.truth.collides = false;
   known.truth.proof = "K";

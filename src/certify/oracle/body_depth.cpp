@@ -71,13 +71,14 @@ std::pair<Dyadic, Dyadic> range_along(const Vec3<Dyadic>& normal, const Hull& hu
 
 /// The least distance from the origin to the outside of the differences of points of the two
 /// hulls, rounded down; 0 if these have no inside. That way is along the normal of a facet. Each
-/// facet has two of the directions, and all pairs of them are tried.
-double overlap_of(const Hull& swept, const Hull& rest,
-                  const std::vector<Vec3<Dyadic>>& directions) {
+/// facet has two of the directions, one of each list, and all such pairs are tried.
+double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dyadic>>& directions,
+                  const std::vector<Vec3<Dyadic>>& others) {
   double least = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < directions.size(); ++i) {
-    for (size_t j = 0; j < i; ++j) {
-      const Vec3<Dyadic> normal = cross(directions[i], directions[j]);
+  for (const Vec3<Dyadic>& one : directions) {
+    for (const Vec3<Dyadic>& other : others) {
+      if (&one == &other) break;  // of one list, each pair once
+      const Vec3<Dyadic> normal = cross(one, other);
       if (is_zero(normal)) continue;
       const auto [low, high] = range_along(normal, swept);
       const auto [bottom, top] = range_along(normal, rest);
@@ -91,7 +92,7 @@ double overlap_of(const Hull& swept, const Hull& rest,
 
 }  // namespace
 
-std::optional<double> depth_until(const Query& query, double until) {
+std::optional<double> depth_until(const Query& query, double until, bool in_plane) {
   const auto& [a, b] = query.patches;
   const Hull first = points_of(a), rest = points_of(b);
   const Vec3<Dyadic> way =
@@ -111,7 +112,9 @@ std::optional<double> depth_until(const Query& query, double until) {
     std::vector<Vec3<Dyadic>> directions = {way};
     add_directions(first, directions);
     add_directions(rest, directions);
-    depth = radii + overlap_of(swept, rest, directions);
+    // In a plane, an edge and what is at right angles to the plane make a facet.
+    const std::vector<Vec3<Dyadic>> upwards = {dyadic({0, 0, 1})};
+    depth = radii + overlap_of(swept, rest, directions, in_plane ? upwards : directions);
   }
   return std::max(0.0, kRoundings * depth);
 }

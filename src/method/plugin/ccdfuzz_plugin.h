@@ -113,8 +113,9 @@ enum {
   CCDFUZZ_TAKES_TRIMS = 128,     /* answers patches with loops */
   /* What it promises to answer is narrower; it is asked of nothing else: */
   CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats */
-  CCDFUZZ_ORDINARY = 512  /* queries that start apart, in motion, of patches or bodies with extent,
+  CCDFUZZ_ORDINARY = 512, /* queries that start apart, in motion, of patches or bodies with extent,
                            * and whose contact is well inside of [0, t_max] */
+  CCDFUZZ_PLANE = 1024    /* bodies that lie and move in the plane z = 0 */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:

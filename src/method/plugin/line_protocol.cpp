@@ -103,6 +103,7 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_length(object, "minimum_separation", out.minimum_separation); })
       .and_then([&] { return read_word(object, "nan_policy", kNanPolicies, out.nan_policy); })
       .and_then([&] { return read_flag(object, "ordinary", out.domain.ordinary); })
+      .and_then([&] { return read_flag(object, "plane", out.domain.plane); })
       .and_then([&] { return read_word(object, "numbers", kNumbers, out.domain.binary32); })
       .and_then([&] { return read_count(object, "within", scale); })
       .map([&] {

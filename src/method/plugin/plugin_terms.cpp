@@ -37,6 +37,7 @@ AnswerTerms terms_of(const PluginDescription& claims, const PluginAnswer& given,
   AnswerTerms terms;
   terms.closed_t_max = claims.closed_t_max;
   terms.contact_at_zero = claims.contact_at_zero;
+  terms.in_plane = claims.domain.plane;
   const bool in_space = claims.tolerance_kind == ToleranceKind::kSpace ||
                         claims.tolerance_kind == ToleranceKind::kSpaceRelative;
   double tolerance = claims.tolerance;

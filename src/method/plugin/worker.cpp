@@ -210,6 +210,7 @@ class Plugin {
             {"promise", d.promise == nullptr ? "" : d.promise},
             {"numbers", (d.claims & CCDFUZZ_BINARY32) != 0 ? "binary32" : "binary64"},
             {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
+            {"plane", (d.claims & CCDFUZZ_PLANE) != 0},
             {"within", d.within},
             {"bodies", bodies}};
   }
