@@ -4,6 +4,8 @@ import { createInterface } from 'node:readline';
 
 /// Thrown where an engine promises nothing of a query.
 export class Refusal extends Error {}
+/// Thrown where an engine says that it has failed.
+export class GaveUp extends Error {}
 
 export function float32(x, what) {
   if (Math.fround(x) !== x) throw new Refusal(`${what} is no float`);
@@ -23,7 +25,7 @@ const allFloats = (points) => points.every((p) => p.every((x) => Math.fround(x) 
 
 /// The points as the engine gets them: about the middle where these differences are floats, and
 /// else as they are.
-function body(patch) {
+function body(patch, { plane, numbers }) {
   const { positions, radius = 0, velocities } = patch;
   const middle = axes.map((k) => (low(positions, k) + high(positions, k)) / 2);
   const about = differences(positions, middle);
@@ -31,18 +33,18 @@ function body(patch) {
     about.every((p, i) => axes.every((k) => p[k] + middle[k] === positions[i][k]));
   const centre = exact ? middle : [0, 0, 0];
   const points = exact ? about : positions;
-  points.flat().forEach((x) => float32(x, 'a coordinate'));
-  float32(radius, 'the radius');
-  return { centre, points, radius, half: halfExtents(exact, points), velocity: velocities[0] };
+  if (numbers === 'binary32') points.concat([[radius]]).flat().forEach((x) => float32(x, 'a number'));
+  const half = exact ? halfExtents(points, plane ? 2 : 3) : undefined;
+  return { centre, points, radius, half, velocity: velocities[0] };
 }
 
-/// Of a box whose edges are along the axes; undefined of others.
-function halfExtents(centred, points) {
-  if (!centred || points.length !== 8) return undefined;
+/// Of a box, or rectangle, about 0 whose edges are along the axes; undefined of others.
+function halfExtents(points, dimensions) {
   const half = axes.map((k) => high(points, k));
   const corners = new Set(points.map((p) => p.map((x, k) => x === half[k]).join()));
-  const isBox = points.every((p) => p.every((x, k) => Math.abs(x) === half[k]));
-  return isBox && corners.size === 8 && half.every((x) => x > 0) ? half : undefined;
+  const isBox = points.every((p) => p.every((x, k) => Math.abs(x) === half[k])) &&
+    half.every((x, k) => x > 0 || k >= dimensions);
+  return isBox && [points.length, corners.size].every((n) => n === 2 ** dimensions) ? half : undefined;
 }
 
 /// Answers queries until the input ends. cast(a, b, way) gives the share of `way`, the motion of a
@@ -50,28 +52,33 @@ function halfExtents(centred, points) {
 /// is the sentence that the engine is held to, with a link. It promises nothing of contacts at an
 /// end of the step, of bodies that touch at the start or have no volume, of numbers that are no
 /// floats or outside of 1/128 to 128, nor of overlaps less deep than `tolerance`. `bodies` are
-/// those that it has shapes for.
-export async function serve({ name, version, promise, tolerance, bodies }, cast) {
+/// those that it has shapes for; `plane`: they are in the plane z = 0. It may have doubles for
+/// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
+/// exactly.
+export async function serve(adapter, cast) {
+  const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32' } = adapter;
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
+    const any = asked.options === 'any-numbers=1';
     const reply = asked.ask === 'describe'
       ? { protocol: 1, name, version, promise, accepts: [[hull, hull]], takes_bodies: true,
-          bodies,
-          numbers: 'binary32', within: 7, ordinary: true, closed_t_max: false,
-          contact_at_zero: false, tolerance_kind: 'space', tolerance }
-      : { id: asked.id, ...answer(asked, cast) };
+          bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : 7, ordinary: true,
+          closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space', tolerance }
+      : { id: asked.id, ...answer(asked, { plane, numbers }, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }
 }
 
-function answer({ patches, t_max: tMax }, cast) {
+function answer({ patches, t_max: tMax }, domain, cast) {
+  const float = domain.numbers === 'binary32' ? float32 : (x) => x;
   try {
-    const [a, b] = patches.map(body);
-    const way = axes.map((k) => float32((a.velocity[k] - b.velocity[k]) * tMax, 'the relative motion'));
+    const [a, b] = patches.map((patch) => body(patch, domain));
+    const way = axes.map((k) => float((a.velocity[k] - b.velocity[k]) * tMax, 'the relative motion'));
     const share = cast(a, b, way);
     return share === undefined ? { verdict: 'miss' } : { verdict: 'hit', toi: share * tMax };
   } catch (error) {
     if (error instanceof Refusal) return { verdict: 'refused', message: error.message };
+    if (error instanceof GaveUp) return { verdict: 'inconclusive', message: error.message };
     throw error;
   }
 }

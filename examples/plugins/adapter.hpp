@@ -13,6 +13,24 @@ namespace adapter {
 
 namespace ccd = ccdfuzz_plugin_cpp;
 
+/// Thrown where a code cannot be given a query exactly.
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline float as_float(double x) {
+  const auto narrow = static_cast<float>(x);
+  if (double{narrow} != x) throw Refusal("a number is no float");
+  return narrow;
+}
+
+inline ccd::Answer refused(const Refusal& refusal) {
+  ccd::Answer answer;
+  answer.verdict = CCDFUZZ_REFUSED;
+  answer.message = refusal.what();
+  return answer;
+}
+
 /// "key=number:key=number".
 class Options {
  public:

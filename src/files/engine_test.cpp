@@ -26,7 +26,8 @@ struct EngineBody {
   Points<double> points;
   Vec3<double> centre{0, 0, 0};
   double radius = 0;
-  std::optional<Vec3<double>> half;  ///< half the extents, where it is a box along the axes
+  std::optional<Vec3<double>> half;  ///< half the extents, where it is a box along the axes, or a
+                                     ///< rectangle in the plane z = 0
 };
 
 bool is_float(double x) {
@@ -59,7 +60,10 @@ EngineBody engine_body(const MovingPatch<double>& patch) {
   for (const Vec3<double>& p : about) corners.push_back({p[0], p[1], p[2]});
   std::ranges::sort(corners);
   const bool are_different = std::ranges::adjacent_find(corners) == corners.end();
-  if (about.size() == 8 && are_different && std::ranges::all_of(about, is_corner)) body.half = half;
+  const size_t count = half[2] > 0 ? 8 : 4;
+  if (about.size() == count && are_different && std::ranges::all_of(about, is_corner)) {
+    body.half = half;
+  }
   return body;
 }
 
@@ -127,7 +131,7 @@ std::optional<std::string> shape_text(const Template& engine, const EngineBody& 
   // "point" alone is how a point of a body is written.
   if (round.empty() && body.points.size() == 1) return std::nullopt;
   std::optional<std::string> text;
-  if (body.half) text = engine.shape(round + "box", body);
+  if (body.half) text = engine.shape(round + ((*body.half)[2] > 0 ? "box" : "flat box"), body);
   return text ? text : engine.shape(round + kind, body);
 }
 

@@ -11,8 +11,8 @@ namespace ccdfuzz {
 /// The file find.mjs.in or find.cpp.in of an engine's folder in examples/engines: a test of the
 /// engine alone, with words that stand for the numbers of a case. Its first lines, "//= NAME:
 /// TEXT", say how the engine writes things. "point" is a point, whose coordinates stand for *.
-/// "box", "segment", "triangle" and "hull" are bodies, and "round point", "round box" and so on
-/// those with a radius. Others are "any" where it takes them. It is asked of features by
+/// "box", "flat box", "segment", "triangle" and "hull" are bodies, and "round point", "round box"
+/// and so on those with a radius. Others are "any" where it takes them. It is asked of features by
 /// "vertex-face" and "edge-edge". The test allows its own tolerance: "depth", or "late" as a part
 /// of the way.
 struct EngineTemplate {

@@ -1,7 +1,7 @@
 // Bullet 3.24 (Debian libbullet-dev): the time of impact of two convex shapes that do not turn, by
 // btContinuousConvexCollision. Points and radii are floats; the margin of a hull is its radius.
+// With least-margin=0.04 it is asked only about margins of so much or more, as it recommends.
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
-#include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
@@ -11,15 +11,18 @@
 namespace ccd = adapter::ccd;
 
 struct Bullet {
-  explicit Bullet(const std::string& text) : options(text) { options.check_all_known(); }
+  explicit Bullet(const std::string& text) : options(text) {
+    least_margin = options.number("least-margin", 0);
+    options.check_all_known();
+  }
 
-  static ccd::Description describe() {
+  ccd::Description describe() const {
     ccd::Description description{"Bullet", std::to_string(btGetVersion())};
-    // Neither a contact at 0 nor one at the end.
-    description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;
+    description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;  // open ends
     description.within = 7;
     description.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
-    description.bodies = {{1, 12, CCDFUZZ_ANY_RADIUS}};  // overlaps of these are measured
+    const bool has_margin = least_margin > 0;  // overlaps of up to 12 points are measured
+    description.bodies = {{1, 12, has_margin ? CCDFUZZ_POSITIVE_RADIUS : CCDFUZZ_ANY_RADIUS}};
     description.promise =
         "calculates the time of impact of two convex shapes: https://github.com/bulletphysics/"
         "bullet3/blob/3.24/src/BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h";
@@ -30,24 +33,20 @@ struct Bullet {
 
   static btVector3 vector(const double (&x)[3]) {
     btVector3 v(0, 0, 0);
-    for (int k = 0; k < 3; ++k) {
-      v[k] = static_cast<btScalar>(x[k]);
-      if (double{v[k]} != x[k]) throw std::range_error("no float");
-    }
+    for (int k = 0; k < 3; ++k) v[k] = adapter::as_float(x[k]);
     return v;
   }
 
-  static std::unique_ptr<btConvexShape> shape(const ccdfuzz_patch& body) {
-    const auto radius = static_cast<btScalar>(body.radius);
-    if (double{radius} != body.radius) throw std::range_error("no float");
+  std::unique_ptr<btConvexShape> shape(const ccdfuzz_patch& body) const {
+    if (body.radius < least_margin) throw adapter::Refusal("the margin is too small");
     auto hull = std::make_unique<btConvexHullShape>();
     for (std::uint64_t i = 0; i < body.count; ++i) hull->addPoint(vector(body.positions[i]), false);
     hull->recalcLocalAabb();
-    hull->setMargin(radius);
+    hull->setMargin(adapter::as_float(body.radius));
     return hull;
   }
 
-  static ccd::Answer answer(const ccd::Query& query) {
+  ccd::Answer answer(const ccd::Query& query) const {
     std::unique_ptr<btConvexShape> shapes[2];
     btTransform to[2];
     try {
@@ -58,11 +57,8 @@ struct Bullet {
         for (int k = 0; k < 3; ++k) way[k] = body.velocities[0][k] * query.t_max();
         to[side] = btTransform(btQuaternion::getIdentity(), vector(way));
       }
-    } catch (const std::range_error&) {
-      ccd::Answer refusal;
-      refusal.verdict = CCDFUZZ_REFUSED;
-      refusal.message = "a number is no float";
-      return refusal;
+    } catch (const adapter::Refusal& refusal) {
+      return adapter::refused(refusal);
     }
     btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth;
@@ -75,6 +71,7 @@ struct Bullet {
   }
 
   adapter::Options options;
+  double least_margin = 0;
 };
 
 CCDFUZZ_PLUGIN(Bullet)

@@ -28,6 +28,8 @@ function shape({ points, radius, half }) {
 }
 
 const still = vector([0, 0, 0]);
+// The target distance, 0, came with version 0.13.
+const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 // It states no tolerance. Versions before 0.20 stay within this one.
 const promise = 'casting a shape gives the first time of impact: ' +
   'https://rapier.rs/docs/user_guides/javascript/scene_queries#shape-casting';
@@ -37,6 +39,6 @@ const bodies = [ball, { least_points: 2, most_points: 2, radius: 'zero' },
 const hello = { name: 'Rapier', version: RAPIER.version(), promise, tolerance: 1e-4, bodies };
 await serve(hello, (a, b, way) => {
   const hit = shape(a).castShape(vector(a.centre), noTurn, vector(way), shape(b), vector(b.centre),
-                                 noTurn, still, 0, 1, true);
-  return hit?.time_of_impact;
+                                 noTurn, still, ...distance, 1, true);
+  return hit?.time_of_impact ?? hit?.toi;
 });

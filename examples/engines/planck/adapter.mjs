@@ -1,0 +1,52 @@
+// planck (npm planck, Box2D in JavaScript): the time of impact of two shapes that do not turn, by
+// TimeOfImpact. Its shapes have a skin: polygons and edges are the core, as its documentation says.
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { Circle, Edge, Polygon, Settings, Sweep, TOIInput, TOIOutput, TOIOutputState, TimeOfImpact }
+  from 'planck';
+
+import { GaveUp, Refusal, ball, serve } from '../bodies.mjs';
+
+const manifest = new URL('../package.json', `file://${createRequire(import.meta.url).resolve('planck')}`);
+const { version } = JSON.parse(readFileSync(manifest));
+const vector = ([x, y]) => ({ x, y });
+const slop = Settings.linearSlop;
+
+/// A polygon welds corners that are nearer to each other than half of the slop.
+function shape({ points, radius }) {
+  const corners = points.map(vector);
+  if (points.length === 1) return new Circle(vector(points[0]), radius);
+  if (points.length === 2) return new Edge(...corners);
+  const isWelded = corners.some((p, i) => corners.slice(0, i).some(
+    (q) => Math.hypot(p.x - q.x, p.y - q.y) <= slop / 2));
+  if (isWelded) throw new Refusal('welds corners that are so near');
+  return new Polygon(corners);
+}
+
+function sweep(from, way) {
+  const motion = new Sweep();
+  motion.c0 = vector(from);
+  motion.c = vector(from.map((x, k) => x + way[k]));
+  return motion;
+}
+
+function cast(a, b, way) {
+  const input = new TOIInput();
+  input.proxyA.set(shape(a), 0);
+  input.proxyB.set(shape(b), 0);
+  input.sweepA = sweep(a.centre, way);
+  input.sweepB = sweep(b.centre, [0, 0]);
+  input.tMax = 1;
+  const output = new TOIOutput();
+  TimeOfImpact(output, input);
+  const { e_failed: failed, e_separated: separated } = TOIOutputState;
+  if (output.state === failed) throw new GaveUp('e_failed');
+  return output.state === separated ? undefined : output.t;
+}
+
+// Two circles stop where they overlap by three slops, and a quarter of one is its tolerance.
+const promise = 'with fixed rotations the time of impact function will not miss any collisions: ' +
+  'https://github.com/piqnt/planck.js/blob/master/docs/pages/collision.md#time-of-impact';
+const polygon = { least_points: 2, most_points: Settings.maxPolygonVertices, radius: 'zero' };
+await serve({ name: 'planck', version, promise, tolerance: 3.25 * slop, bodies: [ball, polygon],
+              plane: true, numbers: 'binary64' }, cast);

@@ -1,0 +1,15 @@
+# Tight-Inclusion with its usual options; Debian has what it needs.
+set(PROJECT_NAME TightInclusion)
+set(PROJECT_VERSION ${ENGINE_VERSION})
+set(TIGHT_INCLUSION_WITH_DOUBLE_PRECISION ON)
+set(made ${CMAKE_CURRENT_BINARY_DIR}/include)
+configure_file(${ENGINE_SOURCE}/src/tight_inclusion/config.hpp.in ${made}/tight_inclusion/config.hpp)
+# Debian's spdlog is built with Debian's fmt, and has no copy of it.
+file(WRITE ${made}/spdlog/fmt/bundled/ranges.h "#include <fmt/ranges.h>\n")
+find_package(Eigen3 REQUIRED)
+find_package(spdlog REQUIRED)
+foreach(part ccd interval interval_root_finder logger avx)
+  target_sources(adapter PRIVATE ${ENGINE_SOURCE}/src/tight_inclusion/${part}.cpp)
+endforeach()
+target_include_directories(adapter PRIVATE ${made} ${ENGINE_SOURCE}/src)
+target_link_libraries(adapter PRIVATE Eigen3::Eigen spdlog::spdlog)
