@@ -31,6 +31,7 @@ TEST(EngineFinds, AreRegularAndOfFewDigits) {
     std::vector<size_t> bits;
     double regular = 0;
     for (const auto& file : fs::directory_iterator(engine)) {
+      if (file.is_directory()) continue;
       const Result<std::vector<NamedCase>> read = read_checked_cases(file.path());
       ASSERT_TRUE(read) << file.path();
       const Case& found = read->at(0).value;
@@ -38,15 +39,35 @@ TEST(EngineFinds, AreRegularAndOfFewDigits) {
       promised.scale = is_of_bodies(found.query) ? 7 : 14;
       promised.binary32 = is_of_bodies(found.query);
       promised.ordinary = true;
+      promised.plane = engine.path().filename().string().ends_with("2d");
       const std::string broken = promised.broken_by(found);
       if (!broken.empty()) std::cout << file.path() << ": " << broken << "\n";
       regular += broken.empty() ? 1 : 0;
       bits.push_back(most_bits(found.query));
     }
+    if (bits.empty()) continue;
     std::ranges::sort(bits);
     EXPECT_GE(regular / static_cast<double>(bits.size()), 0.8) << engine.path();
     EXPECT_LE(bits[bits.size() / 2], 12U) << engine.path();
   }
+}
+
+/// Reading a case checks its proof.
+TEST(ReportedCases, AreProvenAndNameTheirThreadAndVersions) {
+  int count = 0;
+  for (const auto& engine : fs::directory_iterator(CCDFUZZ_SOURCE_DIR "/corpus/engines")) {
+    if (!fs::exists(engine.path() / "reported")) continue;
+    for (const auto& file : fs::directory_iterator(engine.path() / "reported")) {
+      const Result<std::vector<NamedCase>> read = read_checked_cases(file.path());
+      ASSERT_TRUE(read) << file.path();
+      const CheckedCase known = checked_or_unknown(read->at(0).value);
+      EXPECT_TRUE(known.collides()) << file.path();
+      EXPECT_TRUE(known.value().origin.note.starts_with("https://github.com/")) << file.path();
+      EXPECT_FALSE(known.value().expect.empty()) << file.path();
+      ++count;
+    }
+  }
+  EXPECT_GE(count, 6);
 }
 
 }  // namespace
