@@ -5,7 +5,7 @@
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
-#include "fuzz/mutator/mutate_bodies.hpp"
+#include "fuzz/mutator/mutate_query.hpp"
 #include "generators/draw_patch.hpp"
 #include "method/method.hpp"
 #include "properties/property.hpp"
@@ -31,7 +31,7 @@ Case draw_planted(Draw& d, CaseKind kind) {
 Query draw_bodies(Draw& d) {
   const Query first = draw_planted(d, d.pick(kBodyCaseKinds)).query;
   const Query other = draw_planted(d, CaseKind::kRP).query;
-  Query query = mutate_bodies(first, other, d);
+  Query query = mutate_query(first, other, d);
   if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
   show(d, "query", query);
   return query;

@@ -4,10 +4,10 @@
 
 #include "case/horizons.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
-#include "fuzz/mutator/mutate_bodies.hpp"
-#include "generators/bodies.hpp"
+#include "fuzz/mutator/mutate_query.hpp"
 
 namespace ccdfuzz {
 
@@ -51,10 +51,10 @@ bool Breeder::is_for_it(const Query& query) const {
 }
 
 void Breeder::add(const Case& known, TracerSet& tracers) {
-  if (is_of_bodies(known.query)) {
+  if (decides_anew(known.query)) {
     if (!is_for_it(known.query)) return;
     founders_.insert(content_address(known.query));
-    return drift(bodies_, known.query, random_);
+    return drift(queries_, known.query, random_);
   }
   std::optional<Contact> q = contact_of(known);
   if (!q || !is_for_it(q->query)) return;
@@ -69,24 +69,29 @@ const Contact& Breeder::mother() {
   return by_margin ? nearest_.nearer_of_two(random_) : drifting_[random_.below(drifting_.size())];
 }
 
+bool Breeder::decides_anew(const Query& query) const {
+  return is_of_bodies(query) || (ground_.binary32 && !traceable_ && is_linear_query(query) &&
+                                 !has_ends(query) && !is_trimmed(query) && query.separation == 0);
+}
+
 /// A mutant that is apart at the start, with its truth; three in four that then miss do not drift.
-std::optional<Case> Breeder::mutant_of_bodies() {
-  const Query& first = bodies_[random_.below(bodies_.size())];
-  const Query& other = bodies_[random_.below(bodies_.size())];
+std::optional<Case> Breeder::decided_mutant() {
+  const Query& first = queries_[random_.below(queries_.size())];
+  const Query& other = queries_[random_.below(queries_.size())];
   Case changed;
-  changed.query = mutate_bodies(first, other, random_);
+  changed.query = mutate_query(first, other, random_);
   const Query mutant = ground_.fitted(std::move(changed)).query;
   if (!is_for_it(mutant)) return std::nullopt;
-  std::optional<Case> made = case_of_bodies(mutant);
-  if (!made || (made->truth.witness && made->truth.witness->t == 0)) return std::nullopt;
-  if (*made->truth.collides || random_.below(4) == 0) drift(bodies_, mutant, random_);
+  std::optional<Case> made = decided_case(mutant);
+  if (!made || made->truth.contact_by() == Rational(0)) return std::nullopt;
+  if (*made->truth.collides || random_.below(4) == 0) drift(queries_, mutant, random_);
   return made;
 }
 
 void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& search,
                    const std::function<void(const Case&, const Judged&)>& found) {
-  if (!bodies_.empty()) {
-    const std::optional<Case> made = mutant_of_bodies();
+  if (!queries_.empty()) {
+    const std::optional<Case> made = decided_mutant();
     if (!made) return;
     ++tally_.mutants;
     return ask_about(*made, methods, search, found);

@@ -40,8 +40,8 @@ enum class Aim : std::uint8_t {
 /// If a trace loses its contact and the mutant is smaller than every failure before, the method is
 /// asked up to the contact and past it. A failure there is a counterexample, unless the moves led
 /// back to a founder, which is asked elsewhere. A plug-in cannot be traced: it is asked about every
-/// smaller mutant, and the drifting population alone is used. So it is
-/// with bodies, whose mutants have a truth that is decided exactly.
+/// smaller mutant, and the drifting population alone is used. So it is with bodies, and with linear
+/// patches in floats, in which no exact witness stays. The truth of their mutants is decided anew.
 class Breeder {
  public:
   Breeder(std::string method, std::uint64_t seed, const HuntGround& ground = {},
@@ -56,7 +56,7 @@ class Breeder {
 
   const BreedTally& tally() const { return tally_; }
   /// Nothing to make mutants of, yet.
-  bool empty() const { return drifting_.empty() && bodies_.empty(); }
+  bool empty() const { return drifting_.empty() && queries_.empty(); }
 
   /// Called with each contact that the method's trace loses, founders too.
   using Loss = std::function<void(const Contact&, const Trace&)>;
@@ -68,7 +68,9 @@ class Breeder {
   /// Whether it lies on the ground and the method takes it.
   bool is_for_it(const Query& query) const;
   const Contact& mother();
-  std::optional<Case> mutant_of_bodies();
+  /// Whether mutants of such a query have their truth decided, rather than kept.
+  bool decides_anew(const Query& query) const;
+  std::optional<Case> decided_mutant();
   void ask_about(const Case& made, MethodSet& methods, const SearchOptions& search,
                  const std::function<void(const Case&, const Judged&)>& found);
 
@@ -80,7 +82,7 @@ class Breeder {
   Draw random_;
   Population nearest_;
   std::vector<Contact> drifting_;
-  std::vector<Query> bodies_;       ///< they drift, too
+  std::vector<Query> queries_;      ///< those of decides_anew; they drift, too
   std::set<std::string> founders_;  ///< addresses
   std::optional<CaseSize> smallest_failure_;
   BreedTally tally_;

@@ -161,20 +161,29 @@ Case HuntGround::fitted(Case value) const {
   fit(query.t_max);
   fit(query.separation);
   if (query == before) return value;
-  if (are_bodies) {
-    const std::optional<Case> decided = case_of_bodies(query);
-    value.truth = decided ? decided->truth : Truth();
-    value.origin.contact = decided ? decided->origin.contact : "";
-  } else {
+  if (!are_bodies) {
     // A planted contact comes at t_max; it may come a little later now.
     query.t_max *= 2;
     if (scale) query.t_max = std::min(query.t_max, std::ldexp(1.0, *scale));
-    value.truth = decide(query).truth;
-    const std::optional<Contact> simple = contact_of(value);
-    const auto contact = simple ? contact_class_of(*simple) : linear_class_of(query);
-    if (contact) value.origin.contact = name_of(*contact);
   }
+  const std::optional<Case> decided = decided_case(query);
+  value.truth = decided ? decided->truth : Truth();
+  value.origin.contact = decided ? decided->origin.contact : "";
   return value;
+}
+
+std::optional<Case> decided_case(const Query& query) {
+  if (is_of_bodies(query)) return case_of_bodies(query);
+  Case out;
+  out.query = query;
+  out.truth = decide(query).truth;
+  if (!out.truth.collides) return std::nullopt;
+  const std::optional<Contact> simple = contact_of(out);
+  const auto contact = simple ? contact_class_of(*simple) : linear_class_of(query);
+  if (contact) out.origin.contact = name_of(*contact);
+  out.origin.kind = name_of(*out.truth.collides ? CaseKind::kRP : CaseKind::kRN);
+  out.origin.generator = "mutant";
+  return out;
 }
 
 Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods) {

@@ -53,10 +53,14 @@ struct HuntGround : Domain {
   /// The shapes to draw patches of; empty: any.
   std::vector<ShapePair> drawn_shapes() const;
   /// The case with its numbers on the ground: brought near the origin and to scale, small numbers
-  /// to 0, each to the nearest float, bodies into the plane. Only bodies and linear patches are
-  /// changed, for of these the truth of the changed query is decided exactly.
+  /// to 0, each to the nearest float. Bodies are brought into the plane. Only bodies and linear
+  /// patches are changed, for of these the truth of the changed query is decided exactly.
   Case fitted(Case value) const;
 };
+
+/// A query of bodies or linear patches as a case whose truth is decided, with its class. nullopt if
+/// it is not decided.
+std::optional<Case> decided_case(const Query& query);
 
 /// What of a ground every one of the methods takes and promises to answer. Errors: nothing.
 Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods);

@@ -6,10 +6,11 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
 #include "finds/minimise.hpp"
-#include "fuzz/mutator/mutate_bodies.hpp"
+#include "fuzz/mutator/mutate_query.hpp"
 #include "generators/bodies.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/hunt.hpp"
+#include "method/method.hpp"
 #include "method/setting.hpp"
 #include "scratch_folder.hpp"
 
@@ -54,7 +55,7 @@ TEST(HuntBodies, MutantsAreValidFloatsAndSomeTouch) {
   const Query other = draws.at(ContactClass::kEE, 1).asked[0].query();
   std::array<int, 2> count{};
   for (int i = 0; i < 300; ++i) {
-    const Query mutant = mutate_bodies(query, other, choices);
+    const Query mutant = mutate_query(query, other, choices);
     ASSERT_TRUE(is_valid(mutant) && is_of_bodies(mutant) && is_binary32(mutant));
     const bool touches = *case_of_bodies(mutant)->truth.collides;
     ++count[touches ? 1 : 0];
@@ -83,7 +84,7 @@ TEST(HuntBodies, DrawsAndMutantsStayInThePlaneThatA2dEngineAsksFor) {
         for (const auto& body : value.query.patches) polygons += body.positions.size() > 3 ? 1 : 0;
         Draw choices{Random(index)};
         Case mutant;
-        mutant.query = mutate_bodies(value.query, value.query, choices);
+        mutant.query = mutate_query(value.query, value.query, choices);
         EXPECT_TRUE(is_in_plane(ground.fitted(mutant).query));
       }
     }
@@ -108,6 +109,31 @@ TEST(HuntBodies, TheOracleIsAskedAboutDrawsAndMutantsAndNeverFails) {
     EXPECT_EQ(cell.tally.not_asked(), takes ? 0U : 6U);
     EXPECT_EQ(cell.bred.mutants > 0, takes);
   }
+}
+
+/// Rounded to floats, a mutant touches at another time, which is decided anew: 15 mutants a query,
+/// where 3 kept an exact contact.
+TEST(HuntFloats, APluginIsAskedAboutManyMutantsOfLinearPatches) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  HuntOptions options;
+  options.methods = {"plugin:" CCDFUZZ_TEST_LINEAR_PLUGIN};
+  ASSERT_TRUE(admit_plugin(options.methods[0]));
+  options.cases = 24;
+  options.shrink = Shrink::kNone;
+  options.ground.binary32 = options.ground.ordinary = true;
+  options.ground.scale = 14;
+  options.ground.pairs = {{{ShapeKind::kPoint, ShapeKind::kTriangle}, {0, 1}},
+                          {{ShapeKind::kCurve, ShapeKind::kCurve}, {1, 1}}};
+  const std::atomic<bool> stop = false;
+  const HuntReport report = hunt(
+      options, store, [](const HuntProgress&) {}, stop);
+  std::uint64_t mutants = 0, queries = 0;
+  for (const HuntCell& cell : report.cells) {
+    mutants += cell.bred.mutants;
+    queries += cell.tally.n;
+  }
+  EXPECT_GE(mutants, 8 * queries);
 }
 
 /// Misses every body that has more than three points.

@@ -1,4 +1,4 @@
-#include "fuzz/mutator/mutate_bodies.hpp"
+#include "fuzz/mutator/mutate_query.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// What one change is made of: a body, what it may take parts of, and where.
+/// What one change is made of: a body or patch, what it may take parts of, and where.
 struct BodyChange {
   Query& query;
   MovingPatch<double>& hull;
@@ -19,9 +19,9 @@ struct BodyChange {
   size_t point;  ///< a place in hull.positions
   int k;         ///< a coordinate
 
-  double& number() const {
-    return draw.below(3) == 0 ? hull.velocities[0][k] : hull.positions[point][k];
-  }
+  double& number() const { return draw.below(3) == 0 ? velocity()[k] : hull.positions[point][k]; }
+  bool is_body() const { return hull.shape.kind == ShapeKind::kHull; }
+  Vec3<double>& velocity() const { return hull.velocities[is_body() ? 0 : point]; }
   const Vec3<double>& other_point() const {
     return donor.positions[draw.below(donor.positions.size())];
   }
@@ -52,10 +52,11 @@ void simplify_number(const BodyChange& c) {
 }
 
 void scale_velocity(const BodyChange& c) {
-  c.hull.velocities[0] *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-6, 6)));
+  c.velocity() *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-6, 6)));
 }
 
 void change_radius(const BodyChange& c) {
+  if (!c.is_body()) return;
   double& r = c.hull.radius;
   const std::uint64_t way = c.draw.below(4);
   const double factor = std::ldexp(1.0, static_cast<int>(c.draw.integer(-4, 4)));
@@ -63,12 +64,12 @@ void change_radius(const BodyChange& c) {
 }
 
 void drop_point(const BodyChange& c) {
-  if (c.hull.positions.size() == 1) return;
+  if (!c.is_body() || c.hull.positions.size() == 1) return;
   c.hull.positions.erase(c.hull.positions.begin() + static_cast<long>(c.point));
 }
 
 void add_point(const BodyChange& c) {
-  if (c.hull.positions.size() == size_t{kMaxControls}) return;
+  if (!c.is_body() || c.hull.positions.size() == size_t{kMaxControls}) return;
   Vec3<double> p = c.hull.positions[c.point];
   p[c.k] += std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
                        static_cast<int>(c.draw.integer(-4, 2)));
@@ -96,6 +97,7 @@ void shift_all(const BodyChange& c) {
 
 /// The points of another body, about a point of this one.
 void splice_body(const BodyChange& c) {
+  if (!c.is_body()) return;
   const Vec3<double> by = c.hull.positions[c.point] - c.other_point();
   c.hull.positions = c.donor.positions;
   for (Vec3<double>& p : c.hull.positions) p += by;
@@ -142,15 +144,16 @@ void change_numbers(Query& query, const Change& change) {
 
 }  // namespace
 
-Query mutate_bodies(const Query& query, const Query& other, Draw& draw) {
+Query mutate_query(const Query& query, const Query& other, Draw& draw) {
   constexpr std::uint64_t kMost = 4;
   Query mutant = query;
   for (std::uint64_t left = 1 + draw.below(kMost); left > 0; --left) {
     change_once(mutant, other, draw);
     change_numbers(mutant, within_floats);  // lest the next subtracts infinities
   }
-  for (MovingPatch<double>& hull : mutant.patches) {
-    hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
+  for (MovingPatch<double>& patch : mutant.patches) {
+    if (patch.shape.kind != ShapeKind::kHull) continue;
+    patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
   }
   change_numbers(mutant, nearest_float);
   CCDFUZZ_VERIFY(is_valid(mutant));

@@ -1,0 +1,46 @@
+#include "fuzz/mutator/mutate_query.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "base/verify.hpp"
+#include "case/scale.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+TEST(MutateQuery, KeepsNumbersThatGrowWithinTheRangeOfFloats) {
+  constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+  Query query;
+  query.patches[0] = {Shape::hull(2), {{kMost, 0, -kMost}, {-kMost, kMost, 1}}, {{kMost, 0, 0}}};
+  query.patches[1] = {Shape::hull(1), {{0, -kMost, kMost}}, {{-kMost, 0, kMost}}, {}, {}, kMost};
+  for (std::uint64_t seed = 0; seed < 20'000; ++seed) {
+    Draw draw(Random::keyed({seed}));
+    const Query mutant = mutate_query(query, query, draw);
+    ASSERT_TRUE(is_valid(mutant)) << "seed " << seed;
+    ASSERT_TRUE(is_binary32(mutant)) << "seed " << seed;
+  }
+}
+
+TEST(MutateQuery, KeepsTheShapesOfLinearPatches) {
+  Query query;
+  query.patches[0] = {Shape::point(), {{0, 0, 1}}, {{0, 0, -2}}};
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  query.t_max = 1;
+  int changed = 0;
+  for (std::uint64_t seed = 0; seed < 2'000; ++seed) {
+    Draw draw(Random::keyed({seed}));
+    const Query mutant = mutate_query(query, query, draw);
+    ASSERT_TRUE(is_valid(mutant) && is_binary32(mutant)) << "seed " << seed;
+    const size_t triangle = mutant.patches[0].positions.size() == 3 ? 0 : 1;
+    EXPECT_EQ(mutant.patches[triangle].shape, Shape::triangle(1));
+    EXPECT_EQ(mutant.patches[1 - triangle].shape, Shape::point());
+    changed += mutant == query ? 0 : 1;
+  }
+  EXPECT_GT(changed, 1'500);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
