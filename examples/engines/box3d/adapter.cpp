@@ -1,0 +1,60 @@
+// Box3D: the time of impact of two shapes that do not turn, by b3TimeOfImpact.
+#include <box3d/collision.h>
+
+#include "../../plugins/adapter.hpp"
+
+namespace ccd = adapter::ccd;
+
+struct Box3d {
+  explicit Box3d(const std::string& text) : options(text) { options.check_all_known(); }
+
+  static ccd::Description describe() {
+    ccd::Description d{"Box3D", ENGINE_VERSION};
+    // Neither a contact at 0 nor one at the end.
+    d.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;
+    d.within = 7;
+    d.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+    d.bodies = {{1, 12, CCDFUZZ_ANY_RADIUS}};  // overlaps of these are measured
+    d.promise =
+        "finds the earliest time at which two swept shapes touch: "
+        "https://github.com/erincatto/box3d/blob/main/docs/collision.md#time-of-impact";
+    // It stops where shapes overlap by its slop, 0.005, and a quarter of that is its tolerance.
+    d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
+    d.tolerance = 1.25 * 0.005;
+    return d;
+  }
+
+  static b3Vec3 vector(const double (&x)[3], double factor = 1) {
+    using adapter::as_float;
+    return {as_float(factor * x[0]), as_float(factor * x[1]), as_float(factor * x[2])};
+  }
+
+  static ccd::Answer answer(const ccd::Query& query) {
+    b3TOIInput input{};
+    input.maxFraction = 1;
+    std::vector<b3Vec3> points[2];
+    try {
+      for (int side = 0; side < 2; ++side) {
+        const ccdfuzz_patch& body = *query.raw.patches[side];
+        std::vector<b3Vec3>& cloud = points[side];
+        for (std::uint64_t i = 0; i < body.count; ++i) cloud.push_back(vector(body.positions[i]));
+        (side == 0 ? input.proxyA : input.proxyB) = {cloud.data(), static_cast<int>(cloud.size()),
+                                                     adapter::as_float(body.radius)};
+        b3Sweep& sweep = side == 0 ? input.sweepA : input.sweepB;
+        sweep.c2 = vector(body.velocities[0], query.t_max());
+        sweep.q1 = sweep.q2 = b3Quat_identity;
+      }
+    } catch (const adapter::Refusal& refusal) {
+      return adapter::refused(refusal);
+    }
+    const b3TOIOutput output = b3TimeOfImpact(&input);
+    if (output.state == b3_toiStateFailed) return {};
+    return output.state == b3_toiStateSeparated
+               ? ccd::Answer::miss()
+               : ccd::Answer::hit(adapter::scaled_toi(double{output.fraction}, query.t_max()));
+  }
+
+  adapter::Options options;
+};
+
+CCDFUZZ_PLUGIN(Box3d)
