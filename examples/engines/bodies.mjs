@@ -16,6 +16,7 @@ const hull = { shape: 'hull' };
 /// Kinds of bodies. Overlaps are measured for hulls of up to 12 points each.
 export const ball = { least_points: 1, most_points: 1, radius: 'positive' };
 export const solid = { least_points: 4, most_points: 12, radius: 'zero' };
+export const stick = { least_points: 2, most_points: 2, radius: 'positive' };
 
 const axes = [0, 1, 2];
 const low = (points, k) => Math.min(...points.map((p) => p[k]));
@@ -45,6 +46,18 @@ function halfExtents(points, dimensions) {
   const isBox = points.every((p) => p.every((x, k) => Math.abs(x) === half[k])) &&
     half.every((x, k) => x > 0 || k >= dimensions);
   return isBox && [points.length, corners.size].every((n) => n === 2 ** dimensions) ? half : undefined;
+}
+
+/// Of a capsule: half its length without the ends, and the turn (x, y, z, w) from an axis into its
+/// direction. As floats they are off by less than 2^-22 of the length: half of a tolerance of 1e-4.
+export function capsule({ points: [p, q] }, axis) {
+  if (axes.some((k) => p[k] !== -q[k])) throw new Refusal('the middle of a capsule is no float');
+  const half = Math.hypot(...q);
+  const to = q.map((x) => (q[axis] < 0 ? -x : x) / half);  // none of its ends is the first
+  const [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
+  const turn = [0, 0, 0, 1 + to[axis]];
+  [turn[next], turn[last]] = [-to[last], to[next]];
+  return { half, turn: turn.map((x) => x / Math.hypot(...turn)) };
 }
 
 /// Answers queries until the input ends. cast(a, b, way) gives the share of `way`, the motion of a

@@ -1,13 +1,11 @@
 // Jolt Physics (npm jolt-physics): the fraction of a shape cast, by TransformedShape.CastShape.
 // Convex radii are 0 where the query has no radius. Back faces count, as in a query about bodies.
-import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import initJolt from 'jolt-physics/wasm-compat';
 
-import { Refusal, ball, serve, solid } from '../bodies.mjs';
+import { Refusal, ball, capsule, serve, solid, stick } from '../bodies.mjs';
 
-const manifest = createRequire(import.meta.url).resolve('jolt-physics/package.json');
-const { version } = JSON.parse(readFileSync(manifest));
+const { version } = createRequire(import.meta.url)('jolt-physics/package.json');
 const Jolt = await initJolt();
 registerShapes();
 
@@ -27,11 +25,16 @@ const keep = (object) => (made.push(object), object);
 const vector = ([x, y, z]) => keep(new Jolt.Vec3(x, y, z));
 const place = ([x, y, z]) => keep(new Jolt.RVec3(x, y, z));
 
-function shape({ points, radius, half }) {
+const isCapsule = ({ points, radius }) => points.length === 2 && radius > 0;
+const turn = (body) => keep(new Jolt.Quat(...(isCapsule(body) ? capsule(body, 1).turn : [0, 0, 0, 1])));
+
+function shape(body) {
+  const { points, radius, half } = body;
   if (points.length === 1) {
     if (!(radius > 0)) throw new Refusal('has no sphere without a radius');
     return new Jolt.SphereShape(radius);
   }
+  if (isCapsule(body)) return new Jolt.CapsuleShape(capsule(body, 1).half, radius);
   if (half && radius === 0) return new Jolt.BoxShape(vector(half), 0);
   if (points.length < 4 || radius > 0) throw new Refusal('has no such rounded shape of free corners');
   const settings = keep(new Jolt.ConvexHullShapeSettings());
@@ -45,7 +48,6 @@ function shape({ points, radius, half }) {
 
 function cast(a, b, way) {
   const [first, second] = [a, b].map(shape);
-  const atRest = Jolt.Quat.prototype.sIdentity();
   // Hulls are about their own centre of mass; GetCenterOfMass is where it lies among the points.
   const middle = (body, of) => {
     const c = of.GetCenterOfMass();
@@ -54,8 +56,8 @@ function cast(a, b, way) {
   const target = keep(new Jolt.TransformedShape());
   target.mShape = second;
   target.mShapePositionCOM = middle(b, second);
-  target.mShapeRotation = atRest;
-  const start = Jolt.RMat44.prototype.sTranslation(middle(a, first));
+  target.mShapeRotation = turn(b);
+  const start = Jolt.RMat44.prototype.sRotationTranslation(turn(a), middle(a, first));
   const one = vector([1, 1, 1]);
   const settings = keep(new Jolt.ShapeCastSettings());
   settings.mBackFaceModeTriangles = settings.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
@@ -68,7 +70,7 @@ function cast(a, b, way) {
 const promise = 'CastShape finds the first hit of a shape that moves along a way: ' +
   'https://jrouwe.github.io/JoltPhysics/class_narrow_phase_query.html';
 const tolerance = keep(new Jolt.ShapeCastSettings()).mCollisionTolerance;
-await serve({ name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, solid] }, (...query) => {
+await serve({ name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, stick, solid] }, (...query) => {
   try {
     return cast(...query);
   } finally {

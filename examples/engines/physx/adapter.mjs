@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
-import { Refusal, ball, serve, solid } from '../bodies.mjs';
+import { Refusal, ball, capsule, serve, solid, stick } from '../bodies.mjs';
 
 const require = createRequire(import.meta.url);
 const folder = require.resolve('physx-js-webidl/package.json');
@@ -28,10 +28,13 @@ if (!foundation) throw new Error('PhysX has no foundation');
 let made = [];
 const keep = (object) => (made.push(object), object);
 const vector = ([x, y, z]) => keep(new physx.PxVec3(x, y, z));
-const noTurn = new physx.PxQuat(0, 0, 0, 1);
+const isCapsule = ({ points, radius }) => points.length === 2 && radius > 0;
+const turn = (body) => keep(new physx.PxQuat(...(isCapsule(body) ? capsule(body, 0).turn : [0, 0, 0, 1])));
 
-function shape({ points, radius, half }) {
+function shape(body) {
+  const { points, radius, half } = body;
   if (points.length === 1 && radius > 0) return keep(new physx.PxSphereGeometry(radius));
+  if (isCapsule(body)) return keep(new physx.PxCapsuleGeometry(radius, capsule(body, 0).half));
   if (half && radius === 0) return keep(new physx.PxBoxGeometry(...half));
   if (points.length < 4 || radius > 0) throw new Refusal('has no such shape');
   const corners = keep(new physx.PxArray_PxVec3(0));
@@ -49,7 +52,7 @@ function shape({ points, radius, half }) {
 function sweep(a, b, way) {
   const length = Math.fround(Math.hypot(...way));
   if (!(length > 0 && length <= 128)) throw new Refusal('is asked about ways of at most 128');
-  const [poseA, poseB] = [a, b].map((body) => keep(new physx.PxTransform(vector(body.centre), noTurn)));
+  const [poseA, poseB] = [a, b].map((body) => keep(new physx.PxTransform(vector(body.centre), turn(body))));
   const hit = keep(new physx.PxSweepHit());
   const flags = keep(new physx.PxHitFlags(physx._emscripten_enum_PxHitFlagEnum_eDEFAULT()));
   const touches = physx.PxGeometryQuery.prototype.sweep(
@@ -61,7 +64,7 @@ function sweep(a, b, way) {
 const promise = 'a sweep gives the distance at which a moving shape touches another: ' +
   'https://nvidia-omniverse.github.io/PhysX/physx/5.6.1/docs/GeometryQueries.html';
 const hello = { name: 'PhysX', version: `5 (physx-js-webidl ${version})`, promise, tolerance: 1e-4,
-                bodies: [ball, solid] };
+                bodies: [ball, stick, solid] };
 await serve(hello, (...query) => {
   try {
     return sweep(...query);

@@ -1,7 +1,7 @@
 // Rapier (npm @dimforge/rapier3d-compat): the time of impact of two shapes, by castShape.
 import RAPIER from '@dimforge/rapier3d-compat';
 
-import { Refusal, ball, serve } from '../bodies.mjs';
+import { Refusal, ball, capsule, serve } from '../bodies.mjs';
 
 const quiet = console.warn;
 console.warn = () => {};
@@ -9,20 +9,25 @@ await RAPIER.init();
 console.warn = quiet;
 
 const vector = ([x, y, z]) => ({ x, y, z });
-const noTurn = { x: 0, y: 0, z: 0, w: 1 };
+const isCapsule = ({ points, radius }) => points.length === 2 && radius > 0;
+function turn(body) {
+  const [x, y, z, w] = isCapsule(body) ? capsule(body, 1).turn : [0, 0, 0, 1];
+  return { x, y, z, w };
+}
 
-function shape({ points, radius, half }) {
+function shape(body) {
+  const { points, radius, half } = body;
   const corners = points.map(vector);
   if (points.length === 1) {
     if (!(radius > 0)) throw new Refusal('has no shape of one point without a radius');
     return new RAPIER.Ball(radius);
   }
-  if (points.length === 2 && radius === 0) return new RAPIER.Segment(...corners);
+  if (isCapsule(body)) return new RAPIER.Capsule(capsule(body, 1).half, radius);
+  if (points.length === 2) return new RAPIER.Segment(...corners);
   if (points.length === 3) {
     return radius === 0 ? new RAPIER.Triangle(...corners) : new RAPIER.RoundTriangle(...corners, radius);
   }
   if (half) return radius === 0 ? new RAPIER.Cuboid(...half) : new RAPIER.RoundCuboid(...half, radius);
-  if (points.length < 4) throw new Refusal('has no capsule along any axis but y');
   const all = new Float32Array(points.flat());
   return radius === 0 ? new RAPIER.ConvexPolyhedron(all, null) : new RAPIER.RoundConvexPolyhedron(all, null, radius);
 }
@@ -33,12 +38,10 @@ const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 // It states no tolerance. Versions before 0.20 stay within this one.
 const promise = 'casting a shape gives the first time of impact: ' +
   'https://rapier.rs/docs/user_guides/javascript/scene_queries#shape-casting';
-// Of two points there is a segment; its capsule is along y alone.
-const bodies = [ball, { least_points: 2, most_points: 2, radius: 'zero' },
-                { least_points: 3, most_points: 12 }];
+const bodies = [ball, { least_points: 2, most_points: 12 }];
 const hello = { name: 'Rapier', version: RAPIER.version(), promise, tolerance: 1e-4, bodies };
 await serve(hello, (a, b, way) => {
-  const hit = shape(a).castShape(vector(a.centre), noTurn, vector(way), shape(b), vector(b.centre),
-                                 noTurn, still, ...distance, 1, true);
+  const hit = shape(a).castShape(vector(a.centre), turn(a), vector(way), shape(b), vector(b.centre),
+                                 turn(b), still, ...distance, 1, true);
   return hit?.time_of_impact ?? hit?.toi;
 });
