@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
 #include "finds/entries.hpp"
 #include "method/domain.hpp"
