@@ -82,10 +82,14 @@ TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
     EXPECT_FALSE(engine_test(vertex_through_face(), engine)) << engine;
   }
   EXPECT_FALSE(engine_test(falling_ball(), "fcl"));
-  NamedCase capsule = falling_ball();
-  capsule.value.query.patches[0].positions.push_back({0, 3, 0});
-  capsule.value.query.patches[0].shape = Shape::hull(2);
-  EXPECT_FALSE(engine_test(capsule, "jolt")) << "its capsules are along y";
+  NamedCase round = falling_ball();
+  Points<double>& points = round.value.query.patches[0].positions;
+  points.push_back({0, 3, 0});
+  round.value.query.patches[0].shape = Shape::hull(2);
+  EXPECT_TRUE(engine_test(round, "jolt")) << "a capsule";
+  points.push_back({1, 4, 0});
+  round.value.query.patches[0].shape = Shape::hull(3);
+  EXPECT_FALSE(engine_test(round, "jolt")) << "a rounded triangle";
 }
 
 TEST(EngineTest, RefusesWhereNothingIsProven) {
