@@ -1,6 +1,6 @@
 /* Vertex-face and edge-edge queries of a linear mesh: roots of the cubic of coplanarity, and then
  * whether the points lie in the triangle or on the segments. In floating point, with tolerances: it
- * claims nothing, and a hunt shows what that costs. */
+ * does not claim to be conservative, and a hunt shows what that costs. */
 #include <math.h>
 #include <stddef.h>
 

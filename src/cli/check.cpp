@@ -326,11 +326,11 @@ int run_check(const CheckArguments& options, Session& session) {
     summary += counted(unchecked, "property", "properties") +
                " checked nothing: all inputs were discarded\n";
   }
-  session.summary(summary +
-                  fmt::format("{}, inputs from {} of seed {}: {} failed{}",
-                              counted(done, "property", "properties"), inputs.first, inputs.seed,
-                              findings,
-                              expected > 0 ? fmt::format(", {} as expected", expected) : ""));
+  session.summary(
+      summary + fmt::format("{}, inputs from {} of seed {}: {} failed{}",
+                            counted(done, "property", "properties"), inputs.first, inputs.seed,
+                            findings,
+                            expected > 0 ? fmt::format(", {} failed as expected", expected) : ""));
   if (interrupted) {
     print_err(fmt::format("ccdfuzz: check: interrupted: {} of {} properties begun\n", done,
                           chosen.size()));

@@ -133,7 +133,7 @@ void print_evaluation(const Rows& rows, const std::vector<GenerationCost>& costs
       print_out("\n");
     }
   }
-  print_out(refused_note(methods));
+  print_out(column_notes(methods));
   if (!arguments.by_class) {
     print_out(mark_note(arguments.methods) +
               "By class, and beside the paper's tables: --by-class\n");

@@ -95,6 +95,12 @@ std::uint64_t query_count(const HuntReport& report) {
   return count;
 }
 
+std::uint64_t mutant_count(const std::vector<HuntCell>& cells) {
+  std::uint64_t count = 0;
+  for (const HuntCell& cell : cells) count += cell.bred.mutants;
+  return count;
+}
+
 std::uint64_t count_of(const HuntReport& report, bool is_new) {
   return static_cast<std::uint64_t>(std::ranges::count(report.finds, is_new, &Find::is_new));
 }
@@ -121,7 +127,7 @@ std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
 Table method_table(const std::vector<HuntCell>& cells) {
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
-      {"queries", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
+      {"drawn", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
   columns.front().most_width = method_column().most_width;
   const auto add = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
     columns.push_back({title, [=](const HuntCell& cell) {
@@ -143,6 +149,22 @@ Table method_table(const std::vector<HuntCell>& cells) {
   return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
 }
 
+/// Below the table: what its columns count.
+std::string hunt_notes(const std::vector<HuntCell>& cells) {
+  const auto is_plugin = [](const HuntCell& cell) { return names_plugin(cell.method); };
+  std::string notes;
+  if (mutant_count(cells) > 0) {
+    notes += "A wrong answer to a mutant is in no column: it is only a counterexample.\n";
+  }
+  if (std::ranges::any_of(cells, is_plugin)) {
+    notes += "mean: with the way to the plug-in's process and back\n";
+  }
+  if (any_is_traced(cells)) {
+    notes += "lost: mutants whose known contact the method's tests discard\n";
+  }
+  return notes;
+}
+
 void print_report(const HuntReport& report, const HuntArguments& options) {
   const std::vector<const Find*> stored = new_finds(report, true);
   for (const Find* find : new_finds(report, false)) {
@@ -152,10 +174,7 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
   print_finds(stored, options.corpus);
   print_table(options.by_class ? hunt_table(report.cells) : method_table(by_method(report.cells)));
   print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
-            refused_note(report.cells) +
-            (any_is_traced(report.cells)
-                 ? "lost: mutants whose known contact the method's tests discard\n"
-                 : ""));
+            column_notes(report.cells) + hunt_notes(report.cells));
   if (stored.empty()) return;
   print_out(fmt::format("Show one:     {}\nRun them all: {}\n", command_of(*stored.front()),
                         replay_command(options.corpus, options.hunt.methods)));
@@ -167,9 +186,9 @@ void print_summary(const HuntReport& report, const std::string& folder) {
   const auto breaking = static_cast<std::uint64_t>(
       std::ranges::count_if(stored, [](const Find* find) { return breaks_claim(find->failure); }));
   const std::uint64_t known = count_of(report, false);
-  print_out(fmt::format("{} on {} in {:.1f} s\n{} in {}{}{}\n",
+  print_out(fmt::format("{} drawn and {} in {:.1f} s\n{} in {}{}{}\n",
                         counted(query_count(report), "query", "queries"),
-                        counted(report.cases, "case", "cases"), report.seconds,
+                        counted(mutant_count(report.cells), "mutant", "mutants"), report.seconds,
                         counted(stored.size(), "new counterexample", "new counterexamples"), folder,
                         breaking == 0 ? "" : fmt::format(", {} breaking a guarantee", breaking),
                         known == 0 ? "" : fmt::format("; {} known", known)));
@@ -202,8 +221,7 @@ void write_hunt_page(const HuntReport& report, const HuntArguments& options,
 
 /// No draw is on the ground, or there was no time for any: then nothing was checked.
 bool asked_nothing(const HuntReport& report) {
-  return query_count(report) == 0 &&
-         std::ranges::all_of(report.cells, [](const HuntCell& c) { return c.bred.mutants == 0; });
+  return query_count(report) == 0 && mutant_count(report.cells) == 0;
 }
 
 void print_that_nothing_was_asked(const HuntReport& report, const HuntArguments& options) {

@@ -77,7 +77,8 @@ struct RefutedJson {
 struct Replayed {
   std::vector<ReplayRow> rows;
   std::map<std::string, Expected> not_allowed;
-  std::string refuted;  ///< why; empty if its truth holds
+  std::uint64_t not_taken = 0;  ///< by a method for all of whose answers something is expected
+  std::string refuted;          ///< why; empty if its truth holds
 };
 
 /// The methods to ask about an entry, and the expected outcomes.
@@ -126,8 +127,8 @@ Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& o
   result.rows = replayer.replay(entry.id, *known, wanted, search);
   // A method need not answer a query that it does not take.
   if (options.expect) {
-    std::erase_if(result.rows,
-                  [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
+    result.not_taken = std::erase_if(
+        result.rows, [](const ReplayRow& row) { return row.got.outcome == Outcome::kNotAsked; });
   }
   return result;
 }
@@ -188,6 +189,7 @@ class Replay {
       ++not_allowed_[method];
       if (session_.json) print_row(NotAskedJson{entry.id, method, expected});
     }
+    not_taken_ += done.not_taken;
     bool changed = false;
     std::optional<std::string> title = entry.id;
     for (const ReplayRow& row : done.rows) {
@@ -237,8 +239,10 @@ class Replay {
   /// Says so where nothing was judged, or nothing by a method that --methods names: then all was as
   /// expected for no good reason.
   bool was_asked() const {
-    if (expectations_ + claims_.claims == 0 && not_allowed_.empty() && options_.methods.empty()) {
-      print_err("ccdfuzz: replay: nothing was judged: no entry expects anything\n");
+    if (expectations_ + claims_.claims == 0 && options_.methods.empty()) {
+      print_err(fmt::format("ccdfuzz: replay: nothing was judged: {}\n",
+                            not_allowed_.empty() ? "no entry expects anything"
+                                                 : "every expectation is one of a plug-in"));
       return false;
     }
     bool all = true;
@@ -262,9 +266,17 @@ class Replay {
           "{}: {}", counted(claims_.claims, "input of properties", "inputs of properties"),
           changes_text(claims_.changes, claims_.claims, claims_.updated)));
     }
-    session_.summary(fmt::format("{}, {}: {}", counted(entries_, "entry", "entries"),
-                                 counted(expectations_, "expectation", "expectations"),
-                                 changes_text(counts_, expectations_, updated_)));
+    session_.summary(fmt::format(
+        "{}, {}: {}{}", counted(entries_, "entry", "entries"),
+        counted(expectations_, "expectation", "expectations"),
+        changes_text(counts_, expectations_, updated_),
+        not_taken_ > 0 ? fmt::format("; {} not asked, as the method does not take them", not_taken_)
+                       : ""));
+    const auto improvements = counts_[static_cast<size_t>(Change::kImprovement)];
+    if (improvements > 0 && !options_.update) {
+      print_err(
+          "ccdfuzz: replay: an improvement is a change, too: --update writes it into the entry\n");
+    }
     if (!not_allowed_.empty()) {
       print_err(fmt::format("ccdfuzz: replay: {}\n", to_text(not_allowed_)));
     }
@@ -273,7 +285,7 @@ class Replay {
 
   const ReplayOptions& options_;
   Session& session_;
-  std::uint64_t entries_ = 0, expectations_ = 0, refuted_ = 0, updated_ = 0;
+  std::uint64_t entries_ = 0, expectations_ = 0, not_taken_ = 0, refuted_ = 0, updated_ = 0;
   static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};

@@ -60,13 +60,18 @@ Column<Row> asked_column() {
   return {"n", [](const Row& row) { return TableCell{fmt::format("{}", row.tally.n)}; }};
 }
 
-/// Below a table with such a column: what it counts. Empty if there is none.
+/// Below a table: what its columns of false positives and of refused queries count. Empty if there
+/// is nothing in them.
 template <class Row>
-std::string refused_note(const std::vector<Row>& rows) {
+std::string column_notes(const std::vector<Row>& rows) {
+  const auto wrong = [](const Row& row) { return row.tally.count(Outcome::kFalsePositive) > 0; };
   const auto refused = [](const Row& row) { return row.tally.not_asked() > 0; };
-  return std::ranges::any_of(rows, refused)
-             ? "not asked: queries that a method refused; `ccdfuzz query` says why\n"
-             : "";
+  return std::string(std::ranges::any_of(rows, wrong)
+                         ? "FP: false positives, hits although nothing touches\n"
+                         : "") +
+         (std::ranges::any_of(rows, refused)
+              ? "not asked: queries that a method refused; `ccdfuzz query` says why\n"
+              : "");
 }
 
 /// Appends a column of what was refused, if anything was.

@@ -43,6 +43,7 @@ TEST(Replay, AnyChangeExits1AlsoForTheBetter) {
   EXPECT_NE(finished.out.find("entry.json\ntdibm-e *  missed    correct  improvement"),
             std::string::npos)
       << finished.out;
+  EXPECT_NE(finished.err.find("--update writes it"), std::string::npos) << finished.err;
   const auto rows = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].at("method"), "tdibm-e");
@@ -102,6 +103,17 @@ TEST(Replay, FailsOnACorpusWithoutExpectations) {
   const Finished finished = ccdfuzz({"replay", corpus_of(folder, {})});
   EXPECT_EQ(finished.code, 1);
   EXPECT_NE(finished.err.find("nothing was judged"), std::string::npos) << finished.err;
+}
+
+TEST(Replay, FailsIfOnlyPluginsThatMayNotBeAskedHaveExpectations) {
+  const ScratchFolder folder;
+  const Finished finished =
+      ccdfuzz({"replay", corpus_of(folder, {{"plugin:mine", Outcome::kMissed}})});
+  EXPECT_EQ(finished.code, 1);
+  EXPECT_NE(finished.err.find("nothing was judged: every expectation is one of a plug-in"),
+            std::string::npos)
+      << finished.err;
+  EXPECT_NE(finished.err.find("--plugin"), std::string::npos) << finished.err;
 }
 
 TEST(Replay, UpdateTakesNoBudgetOfTheCommandLine) {

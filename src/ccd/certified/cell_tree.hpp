@@ -23,7 +23,7 @@ class CellTree {
   void reset(const Shape& shape, std::span<const std::array<double, 6>> controls,
              std::span<const double> weights = {});
 
-  /// Before reset, whose patch it will be: of a trimmed one children that are outside are known.
+  /// Takes the trim of a patch, for outside(). Call it before reset, which gets the same patch.
   void trim(const MovingPatch<double>& patch) { region_.assign(patch); }
   /// Bit c for child c that is outside of the trim. Requires that children(parent) was called.
   unsigned outside(Node parent) const { return nodes_[parent]->outside; }

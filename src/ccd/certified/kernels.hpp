@@ -55,7 +55,8 @@ struct Snapshot {
 void take_snapshot(const double* net, int count, double t0, double t1, double* out);
 
 /// The same, and the extents on the coordinate axes in the first three lanes; zeros in the last.
-/// count ≥ 1. An extent starts from the first point, so that nothing but NaN separates nothing.
+/// count ≥ 1. An extent starts from the first point: if all are NaN it is NaN, and separates
+/// nothing.
 void take_snapshot(const double* net, int count, double t0, double t1, double* out,
                    RangeBatch& ranges);
 

@@ -27,7 +27,7 @@ class MovingPolygon {
   std::size_t corners() const { return corners_; }
   /// Coordinate k of a corner.
   const Corner& corner(std::size_t i, std::size_t k) const { return corner_[i][k]; }
-  /// Component k of corner i × corner i + 1, of which the last is followed by the first.
+  /// Component k of corner i × corner j, where j follows i: the first follows the last.
   const Cross& cross(std::size_t i, std::size_t k) {
     if (!std::exchange(has_cross_[i][k], true)) {
       const std::size_t j = (i + 1) % corners_, y = (k + 1) % 3, z = (k + 2) % 3;

@@ -12,8 +12,9 @@ namespace ccdfuzz::certified {
 /// used because arithmetic on subnormals is slow. Lengths are of the order of 1.
 inline constexpr double kLeastAbsolute = 0x1p-1000;
 
-/// A query brought to magnitude 1 by steps whose rounding is known. No finite input then under- or
-/// overflows later. The error bound scales with the scene, not with its distance from the origin.
+/// A query brought to magnitude 1 by steps whose rounding is known. No finite input then
+/// overflows later, and what underflows is below `absolute`. The error bound scales with the scene,
+/// not with its distance from the origin.
 ///
 /// Stored control point p' and the exact p'' = 2^space·(p − c), stored velocity v' and the exact
 /// v'' = 2^(space+time)·(v − w), with c and w common to both patches, satisfy per component
@@ -39,7 +40,7 @@ struct NormalisedQuery {
   double separation = 0;
   /// What ends add to the roundings behind a control point at any time.
   int roundings = 0;
-  /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite if scaling down by ¼ may have
+  /// The absolute part of the error above, ≥ kLeastAbsolute. Infinite if scaling down by 4 may have
   /// lost all relative positions (some coordinates near 2^1023 and equal, the differences
   /// subnormal). Then no pair is ever separated.
   double absolute = 0;

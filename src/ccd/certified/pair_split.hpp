@@ -17,7 +17,7 @@ namespace ccdfuzz::certified {
 /// A pair of cells, and the window in which they may touch.
 struct CellPair {
   Window window{};
-  Axis hint{};  ///< the last axis that shortened the parent's window, or zero
+  Axis hint{};  ///< the last of the pair's own axes that shortened its window, or its parent's hint
   std::array<CellTree::Node, 2> cells{};
   /// How often each was split. The two may differ. A point is split, too, and stays the same node.
   std::array<std::uint8_t, 2> depths{};
@@ -33,8 +33,8 @@ class PairSplit {
  public:
   using Node = CellTree::Node;
 
-  /// The axes before it, all pairs of children share: 0..2 are the coordinate axes, 3 the parent's
-  /// hint, 4 and 5 the parents' normals. From it on they are those of CandidateAxes.
+  /// All pairs of children share the axes before this one: 0..2 are the coordinate axes, 3 is the
+  /// parent's hint, 4 and 5 are the parents' normals. From it on come those of CandidateAxes.
   static constexpr int kFirstOwnAxis = 6;
 
   static constexpr int kMostPairs = 16;

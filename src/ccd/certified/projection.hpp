@@ -51,9 +51,9 @@ class ErrorBound {
   static constexpr double kHalfUlp = 0x1p-53;
 
   ErrorBound() = default;
-  /// magnitude, absolute: as in NormalisedQuery. Four times `absolute` are of the control points; a
-  /// fifth covers what is lost by underflow in subdivision.
-  /// separation: scaled as lengths are.
+  /// magnitude, absolute: as in NormalisedQuery. E has `absolute` five times: four are of the
+  /// control points, and one is of what underflows in subdivision. separation: scaled as lengths
+  /// are.
   ErrorBound(double magnitude, double absolute, int roundings, double separation = 0)
       : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute),
         separation_(separation),
@@ -93,9 +93,10 @@ class ErrorBound {
   }
 
  private:
-  /// At least |l|₂, by enough that the product, its sum with `rounding` and that with a gap, of one
-  /// rounding each, need no more. Scaled so that no square underflows but beside a 1: 4 + 1
-  /// roundings, and half of 3 before the root, are below 2^-50.
+  /// At least |l|₂. The excess covers three more roundings: of the product, of its sum with
+  /// `rounding`, and of that with a gap. The largest component is scaled to 1, so a square that
+  /// underflows is nothing beside it. The root has 4 + 1 roundings and half of the 3 before it,
+  /// below 2^-50 together.
   static double above_norm2(const Axis& l) {
     const double most = std::max({std::abs(l[0]), std::abs(l[1]), std::abs(l[2])});
     if (most == 0) return 0;

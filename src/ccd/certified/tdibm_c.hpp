@@ -10,17 +10,23 @@ namespace ccdfuzz {
 
 /// tdibm-c: the certified method (DERIVATION.md).
 ///
-/// Never misses: it drops a pair of cells, or a part of a window, only with an axis that separates
-/// the two control nets. It does so at both ends of the dropped time, by more than the error bound.
-/// By convexity the axis then separates them throughout. So
+/// Read next: PairSplit (the test of a pair), window_trim.hpp (Laws A and B, how a window shrinks),
+/// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries: linear_advance.hpp,
+/// then linear_contact.hpp.
+///
+/// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis. On it
+/// the two control nets are apart by more than the error bound. They are so at both ends of the
+/// dropped time (Law A), or from one end up to the root of a chord (Law B). By convexity the axis
+/// then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every valid query;
-///   hit        a pair of cells no wider than `precision` could not be separated at toi; every
-///              contact is at toi or later;
+///   hit        a pair of cells no wider than `precision` could not be separated in its window,
+///              which begins at toi or at most 2^-20·t_max later; every contact is at toi or later;
 ///   undecided  a budget ran out; every contact is at toi or later;
 ///   refused    the query is not valid, or an option is out of range (is_taken); any bits may be
 ///              asked about.
-/// How early toi can be: no later time is certified clear for that pair. So it is early by at most
-/// the time in which the pair's hulls, of diameter O(precision), approach each other.
+/// How early toi can be: no time after the begin of that window is certified clear for the pair. So
+/// toi is early by at most 2^-20·t_max and the time in which the pair's hulls, of diameter
+/// O(precision), approach each other.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly. A hit's cells are not proven to be outside.
 /// Linear patches (can_advance) that are not trimmed are decided exactly: a hit is a contact, at

@@ -70,7 +70,7 @@ class TimePolynomial {
   int degree_ = -1;  ///< all coefficients above are 0
 };
 
-/// What MovingPolygon is made of, for numbers of any length.
+/// What MovingPolygon is made of, for numbers of up to kMostBits bits.
 struct LongIntegers {
   static constexpr int kBits = kMostBits;
   using Int = certified::Int;

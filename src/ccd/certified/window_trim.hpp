@@ -96,10 +96,11 @@ class HeightLines {
   std::array<PerPoint, 2> slopes_, intercepts_;
 };
 
-/// Moves one end of w inward, by Newton's iteration from the other end of `seen`, to a time at
-/// which separation is certified again. Law A covers the time between. sign: which side is below;
-/// both signs start from the same window, so exchanging the patches changes no result. Requires
-/// that separation is certified at that end. Returns false if no step was certified.
+/// Moves one end of w inward, to a time at which separation is certified again; Law A covers the
+/// time between. Newton's iteration looks for it from the other end of `seen`. sign: which side is
+/// below; both signs start from the same window, so exchanging the patches changes no result.
+/// Requires that separation is certified at the end that moves. Returns false if no step was
+/// certified.
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
                     const Window& seen, Window& w);
 
