@@ -70,6 +70,7 @@ struct FramedBody {
 
 /// In order of their points: 1 to 4.
 enum class BodyKind : std::uint8_t { kPoint, kSegment, kTriangle, kTetrahedron, kHull, kBox };
+constexpr size_t kMostPoints = 15;
 constexpr std::array kBodyKinds = {BodyKind::kPoint,       BodyKind::kSegment, BodyKind::kTriangle,
                                    BodyKind::kTetrahedron, BodyKind::kHull,    BodyKind::kBox};
 
@@ -143,7 +144,7 @@ FramedBody draw_body(Feature feature, bool in_plane, Draw& draw) {
   if (kind == BodyKind::kBox) return draw_box(feature, in_plane, draw);
   FramedBody body;
   add_feature(feature, in_plane, body, draw);
-  const size_t count = kind == BodyKind::kHull ? static_cast<size_t>(draw.integer(5, 15))
+  const size_t count = kind == BodyKind::kHull ? static_cast<size_t>(draw.integer(5, kMostPoints))
                                                : static_cast<size_t>(kind) + 1;
   while (body.points.size() < count) {
     Whole p = draw_whole(in_plane, 8, draw);
@@ -203,6 +204,24 @@ FramedPair draw_framed_pair(const std::array<Feature, 2>& features, bool in_plan
 
 bool is_made_of_bodies(CaseKind kind) {
   return kind != CaseKind::kNHP;
+}
+
+bool has_bodies(const BodyKinds& kinds, ContactClass contact) {
+  const auto count = [](Feature feature) {
+    return feature == Feature::kCorner ? 1U : feature == Feature::kEdge ? 2U : 3U;
+  };
+  // In one of the two bodies at least, a point without a radius is no body.
+  std::array<bool, 2> is_drawn{}, is_more{};
+  for (size_t s = 0; s < 2; ++s) {
+    for (size_t n = count(features_of(contact)[s]); n <= kMostPoints; ++n) {
+      for (const bool is_round : {false, true}) {
+        if (!is_one_of(kinds, n, is_round)) continue;
+        is_drawn[s] = true;
+        is_more[s] = is_more[s] || n > 1 || is_round;
+      }
+    }
+  }
+  return is_drawn[0] && is_drawn[1] && (is_more[0] || is_more[1]);
 }
 
 tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,

@@ -10,6 +10,9 @@ namespace ccdfuzz {
 /// True iff there are body cases of the kind: RP, RN and NMN, of every class.
 bool is_made_of_bodies(CaseKind kind);
 
+/// Whether bodies of these kinds are drawn in contacts of a class.
+bool has_bodies(const BodyKinds& kinds, ContactClass contact);
+
 /// One attempt at a case of two bodies (ShapeKind::kHull) with its truth, without its origin; or
 /// why it was thrown away. They are points, segments, triangles, tetrahedra, boxes and hulls of up
 /// to 15 points, with a radius or without. The class says what of each is in contact at t*: a

@@ -68,6 +68,10 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--shape",
                        fmt::format("the family {} has shapes of its own", name_of(options.family)));
   }
+  if (options.family == Family::kBodies && !has_bodies(options.bodies, options.contact)) {
+    return input_error("--contact", fmt::format("bodies of the kinds that are taken have no {}",
+                                                name_of(options.contact)));
+  }
   if (is_shaped(options)) return validate_shaped(options);
   if (!is_made(options.family, options.contact, CaseKind::kRP)) {
     return input_error("--contact", fmt::format("the family {} has no {}", name_of(options.family),

@@ -206,12 +206,11 @@ void check_terms_of_space(Draw& d) {
   answer.has_uv = !d.coin();
   if (d.coin()) terms.space_tolerance = draw_next_to(d, 5 * size);
 
-  const bool abreast = *answer.toi - passing == answer.uv[1][0];
-  const bool on_line = answer.uv[1][0] >= 0 && answer.uv[1][0] <= 1;
+  const bool abreast = *answer.toi - passing == std::clamp(answer.uv[1][0], 0.0, 1.0);
   Outcome expected = Outcome::kFalsePositive;
   if (terms.space_tolerance > 0 && !answer.has_uv) {
     expected = Outcome::kUnknown;
-  } else if (abreast && on_line && terms.space_tolerance >= 5 * size) {
+  } else if (abreast && terms.space_tolerance >= 5 * size) {
     expected = Outcome::kCorrect;
   }
   show(d, "has_uv", answer.has_uv);

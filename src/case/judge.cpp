@@ -48,10 +48,14 @@ std::optional<Rational> binding_contact(const CheckedCase& known, const AnswerTe
   return by;
 }
 
-bool in_domain(const Shape& shape, const Uv<double>& uv) {
-  const auto in_unit = [](double x) { return compare(x, 0) >= 0 && compare(x, 1) <= 0; };
-  return in_unit(uv[0]) && in_unit(uv[1]) &&
-         (shape.kind != ShapeKind::kTriangle || exact(uv[0]) + exact(uv[1]) <= 1);
+/// The parameters, finite, moved into the domain: rounding takes those of its edges out of it.
+Uv<Rational> into_domain(const Shape& shape, const Uv<double>& uv) {
+  const auto into = [](const Rational& x, const Rational& most) {
+    return x < 0 ? Rational(0) : std::min(x, most);
+  };
+  const Rational u = into(exact(uv[0]), 1);
+  const bool is_triangle = shape.kind == ShapeKind::kTriangle;
+  return {u, into(exact(uv[1]), is_triangle ? Rational(1 - u) : Rational(1))};
 }
 
 /// The squared distance of a point on each patch from each other at time t.
@@ -74,11 +78,11 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   std::array<Uv<Rational>, 2> where;
   for (size_t side = 0; side < 2; ++side) {
     const Uv<double>& uv = hit.uv[side];
-    if (!in_domain(query.patches[side].shape, uv)) return false;
+    if (!is_finite(uv[0]) || !is_finite(uv[1])) return false;
     TrimRegion region;
     region.assign(query.patches[side]);
     if (!region.contains(uv)) return false;
-    where[side] = {exact(uv[0]), exact(uv[1])};
+    where[side] = into_domain(query.patches[side].shape, uv);
   }
   const Rational most = exact(query.separation) + exact(tolerance);
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;

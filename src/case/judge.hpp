@@ -34,9 +34,9 @@ struct AnswerTerms {
 ///                   than its time tolerance. Or the two points of a witness, of any time, come
 ///                   nearer than the separation it keeps, and it is a miss, or a hit later than so
 ///   false_positive  a hit, and absence of contact on [0, t_max] is proven (is_clear); the patches
-///                   at uv and toi are farther apart than the space tolerance, or the
-///                   direction that proves it of bodies shows that they are; and no contact is
-///                   known to come within the early tolerance
+///                   at uv and toi are farther apart than the space tolerance (a uv outside of the
+///                   domain is moved to its edge), or the direction that proves it of bodies shows
+///                   that they are; and no contact is known to come within the early tolerance
 ///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
 ///                   them; or the answer has a space tolerance and does not say where
 ///   correct         anything else

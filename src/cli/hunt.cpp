@@ -154,7 +154,7 @@ std::string hunt_notes(const std::vector<HuntCell>& cells) {
   const auto is_plugin = [](const HuntCell& cell) { return names_plugin(cell.method); };
   std::string notes;
   if (mutant_count(cells) > 0) {
-    notes += "A wrong answer to a mutant is in no column: it is only a counterexample.\n";
+    notes += "The table counts drawn queries; mutants are only searched for counterexamples.\n";
   }
   if (std::ranges::any_of(cells, is_plugin)) {
     notes += "mean: with the way to the plug-in's process and back\n";
@@ -347,16 +347,18 @@ void add_hunt(CommandLine& line) {
   command.flag("--binary32", hunt.ground.binary32,
                "Only queries whose numbers are all floats, minimised ones too");
   command
-      .whole("--within", options->within,
-             "Only queries whose numbers are 0 or between 2^-N and 2^N, so that neither under- nor "
-             "overflow explains a failure",
-             1, kWidest)
+      .whole(
+          "--within", options->within,
+          "Only queries whose numbers are 0 or between 2^-N and 2^N, minimised ones too, so that "
+          "neither under- nor overflow explains a failure",
+          1, kWidest)
       .without_default();
   command.flag("--ordinary", hunt.ground.ordinary,
                "Only queries that any code should answer: patches with extent that are apart at 0, "
                "and in contact well inside of [0, t_max] or never; no number beyond 2^40");
   command.flag("--uniform", hunt.ground.uniform,
-               "Only queries of uniform numbers, to compare with: bodies or linear patches");
+               "Only queries of coordinates drawn uniformly, to compare with: bodies or linear "
+               "patches");
   command.group("Results");
   command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
   command.choice(

@@ -53,14 +53,15 @@ void print_finds(const std::vector<const Find*>& finds, const std::string& folde
     const Find& find = *first[i];
     const bool breaks = breaks_claim(find.failure);
     if (group != breaks) {
-      print_out(fmt::format("New in {}, by methods {} guarantee:\n", folder,
-                            breaks ? "that break their" : "without a"));
+      print_out(fmt::format("New in {}, breaking {} guarantee:\n", folder, breaks ? "a" : "no"));
     }
     group = breaks;
     std::string text = std::filesystem::path(find.path).filename().string();
     if (find.depth > 0) text += fmt::format(", {:.2g} deep", find.depth);
     const std::vector<std::string>& classes = others.at(alike(find));
-    if (!classes.empty()) text += fmt::format("; also {}", fmt::join(classes, ", "));
+    if (!classes.empty()) {
+      text += fmt::format("; {} more: {}", classes.size(), fmt::join(classes, ", "));
+    }
     print_out(wrapped("  " + text, 4) + "\n");
   }
   if (first.size() > kMost) print_out(fmt::format("  and {} more\n", first.size() - kMost));

@@ -224,7 +224,7 @@ Result<void> Intake::finish(const Finish& how) {
         auto& [failure, find, depth] = tasks[i];
         Asker& asker = askers.local();
         if (how.shrinks(failure))
-          find = shrink(find, failure, asker, {how.max_trials, how.is_late}).value;
+          find = shrink(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
         if (is_false_negative(failure.outcome)) {
           depth = asker.depth(failure.who, checked_or_unknown(find));
         }

@@ -78,6 +78,8 @@ class Intake {
     std::uint64_t max_trials = 1000;
     /// True ends minimising.
     std::function<bool()> is_late;
+    /// What a minimised find must stay (MinimiseOptions).
+    std::function<bool(const Case&)> admits;
     /// The methods that each find is to say what it expects of.
     std::vector<std::string> methods;
     /// True ends it.

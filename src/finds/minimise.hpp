@@ -11,6 +11,8 @@ struct MinimiseOptions {
   std::uint64_t max_trials = 1000;  ///< how often to ask whether it still fails
   /// Asked before each trial: true ends it, with what there is.
   std::function<bool()> stop = [] { return false; };
+  /// Simpler cases of which this is false are not asked about, if it is true of the first.
+  std::function<bool(const Case&)> admits = [](const Case&) { return true; };
 };
 
 struct Minimised {

@@ -32,10 +32,12 @@ Minimised shrink(const Case& found, const Failure& failure, Asker& asker, Minimi
   // A deep one stays deep, so that what is left is no matter of rounding.
   const bool has_depth = is_false_negative(failure.outcome);
   const double least = has_depth ? kDepthKept * relative_depth(failure, start, asker) : 0;
+  const bool is_admitted = options.admits(start);
   Minimised minimised = minimise(
       start, failure.outcome,
       [&](const Case& simpler) {
-        return asker.failure(failure.who, simpler) == failure &&
+        return (!is_admitted || options.admits(simpler)) &&
+               asker.failure(failure.who, simpler) == failure &&
                (least == 0 || relative_depth(failure, simpler, asker) >= least);
       },
       options);

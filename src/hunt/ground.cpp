@@ -188,8 +188,13 @@ std::optional<Case> decided_case(const Query& query) {
 
 Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& methods) {
   const auto nothing = [&] {
-    return input_error("--methods", fmt::format("no query is taken by all of {}: hunt them apart",
-                                                fmt::join(methods, ", ")));
+    return input_error(
+        "--methods",
+        methods.size() == 1
+            ? fmt::format("{} takes no query that is drawn; bodies are drawn if it takes_bodies",
+                          methods.front())
+            : fmt::format("no query is taken by all of {}: hunt them apart",
+                          fmt::join(methods, ", ")));
   };
   bool take_bodies = true, take_patches = true;
   for (const std::string& method : methods) {
@@ -218,6 +223,11 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
     return nothing();
   }
   if (ground.shapes && !ground.has_shapes(*ground.shapes)) return nothing();
+  if (ground.bodies && std::ranges::none_of(kContactClasses, [&](ContactClass contact) {
+        return has_bodies(ground.body_kinds, contact);
+      })) {
+    return nothing();
+  }
   return ground;
 }
 

@@ -306,8 +306,11 @@ class Hunt {
       return !is_late() && (options_.shrink == Shrink::kAll ||
                             (options_.shrink == Shrink::kPlugins && names_plugin(failure.who)));
     };
+    const auto admits = [this](const Case& value) {
+      return options_.ground.broken_by(value).empty();
+    };
     return intake_.finish(
-        {options_.threads, shrinks, kShrinkTrials, is_late, options_.methods, stop_});
+        {options_.threads, shrinks, kShrinkTrials, is_late, admits, options_.methods, stop_});
   }
 
   const HuntOptions options_;

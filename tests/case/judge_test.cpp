@@ -270,12 +270,19 @@ TEST(JudgeByTerms, AHitWithinItsToleranceInSpaceIsNotFalse) {
   Answer somewhere = hit(0.5);
   somewhere.has_uv = false;
   EXPECT_EQ(judge(checked_or_unknown(passing), somewhere, terms), Outcome::kUnknown);
-  // Parameters outside of the patch are no place on it.
+  // Parameters outside of the patch are moved to its edge: the answer may only have rounded them.
   terms = {true, true, 0, 0.25, true};
   query.patches[1] = {Shape::curve(1), {{0, 0.25, 0}, {1, 0.25, 0}}, {{0, 0, 0}, {0, 0, 0}}};
   Answer outside = hit(0.25);
   outside.uv[1] = {-0.5, 0};
   EXPECT_EQ(judge(checked_or_unknown(passing), outside, terms), Outcome::kFalsePositive);
+  outside.toi = 0.5;
+  EXPECT_EQ(judge(checked_or_unknown(passing), outside, terms), Outcome::kCorrect);
+  query.patches[1] = {
+      Shape::triangle(1), {{0, 0.25, 0}, {1, 0.25, 0}, {0, 0.25, 1}}, Points<double>(3, {0, 0, 0})};
+  outside.uv[1] = {0, std::nextafter(1, 2)};
+  outside.toi = 1;
+  EXPECT_EQ(judge(checked_or_unknown(passing), outside, terms), Outcome::kCorrect);
 }
 
 }  // namespace

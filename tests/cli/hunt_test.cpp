@@ -6,6 +6,8 @@
 #include <set>
 #include <thread>
 
+#include "case/case_files.hpp"
+#include "numeric/rational.hpp"
 #include "process.hpp"
 #include "share.hpp"
 
@@ -251,6 +253,25 @@ TEST(Hunt, FailsAndSaysWhyWhenItAskedNothing) {
   EXPECT_EQ(no_time.code, 1);
   EXPECT_NE(no_time.err.find("the time was over before: try more --seconds"), std::string::npos)
       << no_time.err;
+}
+
+TEST(Hunt, MinimisesWithinTheNumbersThatItWasAskedFor) {
+  const ScratchFolder folder;
+  const Finished finished =
+      ccdfuzz({"hunt", "--corpus", folder / "finds", "--cases", "300", "--within", "7", "--methods",
+               std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN, "--json"});
+  int numbers = 0;
+  for (const auto& row : json_lines(finished.out)) {
+    if (row.at("row") != "find") continue;
+    Query query = read_case(row.at("path").get<std::string>()).value().value.query;
+    for (MovingPatch<double>& patch : query.patches) {
+      for_each_coordinate(patch, [&](double x) {
+        ++numbers;
+        EXPECT_TRUE(x == 0 || (0x1p-7 <= std::abs(x) && std::abs(x) <= 0x1p7)) << to_hex(x);
+      });
+    }
+  }
+  EXPECT_GT(numbers, 100);
 }
 
 TEST(Hunt, RefusesMoreCasesThanItCanCount) {

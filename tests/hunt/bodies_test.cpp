@@ -48,6 +48,18 @@ TEST(HuntBodies, DrawsAreOfBodiesInFloatsAndAskedAsTheyStand) {
   EXPECT_EQ(contacts, 24) << "of three kinds one has a contact";
 }
 
+TEST(HuntBodies, ClassesAreThoseThatTheKindsOfBodiesHave) {
+  HuntGround ground = ground_of_bodies();
+  ground.body_kinds = {{1, 1, RadiusRule::kPositive}};
+  const Draws balls(1, ground);
+  EXPECT_EQ(balls.classes(), std::vector{ContactClass::kVV});
+  EXPECT_FALSE(balls.at(ContactClass::kVV, 0).asked.empty());
+  ground.body_kinds = {{1, 2, RadiusRule::kPositive}};  // and capsules
+  EXPECT_EQ(Draws(1, ground).classes().size(), 3U);
+  ground.body_kinds = {{1, 1, RadiusRule::kZero}};
+  EXPECT_TRUE(Draws(1, ground).classes().empty());
+}
+
 TEST(HuntBodies, MutantsAreValidFloatsAndSomeTouch) {
   const Draws draws(1, ground_of_bodies());
   Draw choices{Random(1)};

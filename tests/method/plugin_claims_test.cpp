@@ -392,17 +392,18 @@ TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
             "0.5, NaN: hit");
 }
 
-TEST(PluginClaims, AreGarbageWhenTheirLineCannotBeRead) {
+TEST(PluginClaims, AreRefusedWhenTheyCannotBeReadOrAreOfNoKnownField) {
   EXPECT_TRUE(read_description(R"({"protocol":1})"));
   EXPECT_TRUE(read_description(R"({"protocol":1,"nan_policy":"hit","tolerance_kind":"space"})"));
   for (const char* claim :
        {R"("conservative":1)", R"("closed_t_max":"no")", R"("contact_at_zero":null)",
         R"("tolerance_kind":"parameter")", R"("tolerance_kind":0)", R"("tolerance":"small")",
         R"("tolerance":-1)", R"("tolerance":NaN)", R"("minimum_separation":-0.5)",
-        R"("minimum_separation":Infinity)", R"("nan_policy":"miss")", R"("nan_policy":true)"}) {
+        R"("minimum_separation":Infinity)", R"("nan_policy":"miss")", R"("nan_policy":true)",
+        R"("take_bodies":true)"}) {
     const Described read = read_description(fmt::format("{{\"protocol\":1,{}}}", claim));
     ASSERT_FALSE(read) << claim;
-    EXPECT_EQ(std::get<Fault>(read.error()).name, "garbage") << claim;
+    EXPECT_TRUE(std::holds_alternative<PluginRefusal>(read.error())) << claim;
   }
 }
 

@@ -14,8 +14,8 @@ namespace ccdfuzz {
 /// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries: linear_advance.hpp,
 /// then linear_contact.hpp.
 ///
-/// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis. On it
-/// the two control nets are apart by more than the error bound. They are so at both ends of the
+/// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis. On
+/// it the two control nets are apart by more than the error bound. They are so at both ends of the
 /// dropped time (Law A), or from one end up to the root of a chord (Law B). By convexity the axis
 /// then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every valid query;

@@ -93,8 +93,8 @@ typedef struct ccdfuzz_answer {
   uint32_t verdict;
   double toi_lower;    /* hit: the time of impact, or a lower bound of it; in [0, t_max] */
   double toi_upper;    /* hit: a finite upper bound of it, or NaN if it has none */
-  double uv[2][2];     /* hit: where on each patch, or NaN if it does not know; outside of the
-                          patch it counts as not known */
+  double uv[2][2];     /* hit: where on each patch, or NaN if it does not know; what rounding took
+                          out of the domain is moved back to its edge */
   uint64_t iterations; /* boxes, Newton steps: whatever it counts */
   double tolerance;    /* achieved, in the unit of the claimed one, which it stands in for where it
                         * is tighter; looser: a finding ("broken claim"); NaN: as claimed */

@@ -111,6 +111,22 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       });
 }
 
+/// A field that a description does not have: misspelt, it would claim nothing.
+std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
+  constexpr std::array kFields = {
+      "protocol",         "name",         "version",      "promise",    "accepts",
+      "bodies",           "conservative", "closed_t_max", "takes_ends", "takes_trims",
+      "takes_weights",    "takes_bodies", "tolerance",    "nan_policy", "tolerance_kind",
+      "takes_separation", "ordinary",     "numbers",      "within",     "minimum_separation",
+      "contact_at_zero",  "plane"};
+  for (const std::string& key : object.keys) {
+    if (std::ranges::find(kFields, key) == kFields.end()) {
+      return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};
+    }
+  }
+  return std::nullopt;
+}
+
 /// A claim so loose that it would excuse any answer.
 std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
   const bool relative = d.tolerance_kind == ToleranceKind::kTimeRelative ||
@@ -296,7 +312,8 @@ Described read_description(const std::string& line) {
           .and_then(
               [&] { return read_items(*object, "bodies", read_body_kind, out.domain.body_kinds); })
           .and_then([&] { return read_claims(*object, out); });
-  if (!read) return tl::unexpected(read.error());
+  if (!read) return tl::unexpected(PluginRefusal{read.error().note});
+  if (auto refusal = unknown_field(*object)) return tl::unexpected(*std::move(refusal));
   if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
   return out;
 }
