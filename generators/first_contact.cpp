@@ -2,7 +2,7 @@
 
 #include "ccd/certified/tdibm_c.hpp"
 #include "ccd/rational/proves_clear.hpp"
-#include "generators/moving_plane.hpp"
+#include "certify/checker/check_plane.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/tangent_cone.hpp"
 
@@ -25,6 +25,16 @@ std::optional<Vec3<Dyadic>> approach_normal(const Scene& scene) {
   return separating_normal(cones[0], cones[1], {approach});
 }
 
+/// With this normal, through the contact at t* and moving along with the patches.
+MovingPlane moving_plane(const Scene& scene, const Vec3<Dyadic>& normal) {
+  const Dyadic& t = scene.contact.t;
+  const Vec3<Dyadic> contact =
+      weighted_sum(bernstein_weights(scene.contact.x[0]), scene.patches[0].at(t));
+  return {t.rational(),
+          {normal[0].rational(), normal[1].rational(), normal[2].rational()},
+          dot<Dyadic>(normal, contact).rational()};
+}
+
 /// The certified double method finds no contact in [0, until]. Its budget is small: a search that
 /// takes long here takes too long in exact arithmetic.
 bool certified_clear(const Query& query, double until) {
@@ -44,8 +54,8 @@ std::optional<Absence> prove_first_contact(const Scene& scene, const Query& quer
                                            std::uint64_t max_pops) {
   CCDFUZZ_VERIFY(until < scene.contact.t);
   const auto by_plane = [&](const Vec3<Dyadic>& normal) -> std::optional<Absence> {
-    if (!moving_plane_separates(scene, normal)) return std::nullopt;
-    return Absence{until, moving_plane(scene, normal)};
+    const MovingPlane plane = moving_plane(scene, normal);
+    return check_plane(query, plane) ? std::optional(Absence{until, plane}) : std::nullopt;
   };
   if (auto proof = by_plane(scene.normal)) return proof;
   if (!grazing) {

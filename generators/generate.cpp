@@ -11,15 +11,14 @@
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/grazing.hpp"
-#include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/round.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
-#include "generators/stress.hpp"
 #include "generators/trimmed.hpp"
+#include "generators/twins.hpp"
 #include "generators/weighted.hpp"
 
 namespace ccdfuzz {
@@ -53,9 +52,7 @@ int eps_t_exponent(const GeneratorOptions& options) {
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   if (family == Family::kRegular) return true;
   if (family == Family::kBodies) return is_made_of_bodies(kind);
-  if (std::ranges::find(kQuadraticFamilies, family) != kQuadraticFamilies.end()) {
-    return kind == CaseKind::kRP;
-  }
+  if (family == Family::kTwins) return kind == CaseKind::kRP;
   return is_made_of_shapes(family, contact, kind);
 }
 
@@ -124,20 +121,12 @@ Random stream_of(const GeneratorOptions& options, std::uint64_t index) {
 
 /// Steps I to IV; nullopt if the static check refused the result.
 std::optional<Scene> construct(const GeneratorOptions& options, Draw& draw) {
-  if (options.family != Family::kRegular) {
-    return stress_scene(options.family, options.contact, draw);
-  }
-  const bool grazing = is_grazing(options.kind);
-  if (options.construction == Construction::kPaper) {
-    return paper_scene(options.contact, grazing, draw);
-  }
-  OneSidedStyle style;
-  style.grazing = grazing;
-  style.flat_edges = !grazing;
-  return one_sided_scene(options.contact, style, draw);
+  if (options.family == Family::kTwins) return twin_scene(options.contact, draw);
+  return paper_scene(options.contact, is_grazing(options.kind), draw);
 }
 
-/// One attempt at a case of two quadratic triangles, or why it was thrown away.
+/// One attempt at a case of two quadratic triangles, of the paper's construction or twins, or why
+/// it was thrown away.
 tl::expected<Case, Discard> quadratic_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                            Draw& draw) {
   std::optional<Scene> scene = construct(options, draw);

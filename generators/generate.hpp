@@ -28,12 +28,11 @@ std::string_view name_of(Construction construction);
 
 /// The family of the cases, beyond contact class and kind; shaped/families.cpp has a row for each.
 /// All but the first are stress families. Each has an exact witness, whatever the construction
-/// asked for. It is made to bring out one weakness, or is a contact of another kind. The first five
-/// make positives of quadratic triangles and claim nothing of the time before the contact, unless
-/// shapes are asked for. The others have random shapes, unless some are asked for. They prove by a
-/// moving plane that nothing touches before t*, except where the row says otherwise. The last ones
-/// are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp), surfaces of
-/// revolution and separations (round.hpp), loops (trimmed.hpp) and ends (ends.hpp).
+/// asked for. It is made to bring out one weakness, or is a contact of another kind. Twins are
+/// positives of quadratic triangles, and claim nothing of the time before the contact. The others
+/// prove by a moving plane that nothing touches before t*, except where the row says otherwise. The
+/// last ones are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp),
+/// surfaces of revolution and separations (round.hpp), loops (trimmed.hpp) and ends (ends.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -88,8 +87,8 @@ struct GeneratorOptions {
   CaseKind kind = CaseKind::kRP;
   Construction construction = Construction::kPaper;
   Family family = Family::kRegular;
-  /// The shapes of patches 1 and 2; by default both are quadratic triangles in kRegular and the
-  /// first five stress families, and random in the others. Other shapes are made one-sided only.
+  /// The shapes of patches 1 and 2; by default both are quadratic triangles up to kInteriorTime,
+  /// and random in the others. Other shapes are made one-sided only.
   std::optional<std::array<Shape, 2>> shapes;
   /// The kinds of bodies of the family bodies; empty: all.
   BodyKinds bodies = {};

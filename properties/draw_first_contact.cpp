@@ -4,8 +4,8 @@
 
 #include "generators/draw_contact.hpp"
 #include "generators/exact_sum.hpp"
-#include "generators/finalize.hpp"
-#include "generators/one_sided.hpp"
+#include "generators/quadratic.hpp"
+#include "generators/shaped/families.hpp"
 #include "method/method.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -59,31 +59,27 @@ bool move_apart(Query& query, const Vec3<Dyadic>& normal, int exponent) {
 
 Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   const ContactClass contact = choices.pick(kContactClasses);
-  OneSidedStyle style;
-  style.contact_bits = 20, style.contact_unit = -16;
-  style.max_flatness = 1;  // coarse boxes are no good
-  style.t_max = choices.coin() ? Dyadic(2) : style.t;
-  const Scene scene = one_sided_scene(contact, style, choices);
-  const auto query = to_query(scene);
-  if (!query) return input_error("", "a number is not a double");
+  // Coarse boxes are no good for flat patches.
+  ContactScene scene = touching(contact, {kQuadratic, kQuadratic}, choices, 1);
+  if (choices.coin()) scene.t_max = 2;
+  Placement placement = random_placement(choices);
+  placement.shift = choices.vector(20, -16);
+  const auto made = to_case(scene, placement, choices);
+  if (!made) return input_error("", "a number is not a double");
   FirstContact out;
-  out.query = *query;
-  out.t = *scene.contact.t.to_double_exactly();
-  out.witness.t = scene.contact.t.rational();
-  for (std::size_t s = 0; s < 2; ++s) {
-    const Barycentric& at = scene.contact.x[s];
-    out.witness.uv[s] = {at[0].rational(), at[1].rational()};
-  }
-  if (apart && !move_apart(out.query, scene.normal, static_cast<int>(choices.integer(-12, 3)))) {
+  out.query = made->query;
+  out.witness = *made->truth.witness;
+  out.t = *scene.t.to_double_exactly();
+  const Vec3<Dyadic>& towards = placement.frame.normal;
+  if (apart && !move_apart(out.query, towards, static_cast<int>(choices.integer(-12, 3)))) {
     return input_error("", "a number is not a double");
   }
   double reach = 0;
   std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};
-  const Vec3<double> normal = {scene.normal[0].rational().get_d(),
-                               scene.normal[1].rational().get_d(),
-                               scene.normal[2].rational().get_d()};
+  Vec3<double> normal;
+  for (int k = 0; k < 3; ++k) normal[k] = towards[k].rational().get_d();
   for (std::size_t s = 0; s < 2; ++s) {
-    const MovingPatch<double>& patch = query->patches[s];
+    const MovingPatch<double>& patch = made->query.patches[s];
     Vec3<double> width;
     for (int k = 0; k < 3; ++k) {
       width[k] = kQuadratic.n * kFinePrecision * extent(patch, k, out.t);

@@ -1,4 +1,5 @@
 #include "bezier/blossom.hpp"
+#include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
@@ -10,8 +11,6 @@
 #include "generators/generate.hpp"
 #include "generators/grazing.hpp"
 #include "generators/motion.hpp"
-#include "generators/moving_plane.hpp"
-#include "generators/one_sided.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
@@ -221,14 +220,14 @@ std::vector<Property> generator_steps_claims() {
       {"generator.motion", "Patches in motion are in place at t*, each coming from its side",
        "Section 5.1, Step IV, Section 5.2", check_motion},
       {"generator.first_contact", "The moving plane of a one-sided scene proves its first contact",
-       "generators/one_sided.hpp",
+       "generators/shaped/families.hpp",
        [](Draw& d) {
          const ContactClass contact = d.pick(kContactClasses);
-         show(d, "class", contact);
-         const Scene scene = one_sided_scene(contact, {}, d);
-         const auto& [at, x] = scene.contact;
-         CLAIM(point_at(scene.patches[0].at(at), x[0]) == point_at(scene.patches[1].at(at), x[1]));
-         CLAIM(moving_plane_separates(scene, scene.normal));
+         const ContactScene scene = touching(contact, {kQuadratic, kQuadratic}, d);
+         const Case made = supposed(to_case(scene, random_placement(d), d));
+         show(d, "case", made);
+         CLAIM(check_witness(made.query, *made.truth.witness).has_value());
+         CLAIM(check_plane(made.query, std::get<MovingPlane>(*made.truth.clearance)).has_value());
        }},
       {"generator.grazing",
        "Grazing patches meet at t*, slide along the contact plane, and are apart in a near-miss",

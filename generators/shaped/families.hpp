@@ -39,10 +39,12 @@ bool has_own_shapes(Family family);
 /// A random frame; shift and drift of many bits, as large as the patches.
 Placement random_placement(Draw& draw);
 
-/// Patches that touch in one point, each on its own side of the contact plane, and approach each
-/// other: one-sided scenes (generators/one_sided.hpp) of any shapes. A degree of 1 can leave a
-/// patch flat, and its contact a line or an area. t* = t_max = 1.
-ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw);
+/// A one-sided scene: Steps I, II and IV in one go, without solving or discarding anything. The
+/// patches touch in one point, each on its own side of the contact plane, and approach each other.
+/// A degree of 1 can leave a patch flat, and its contact a line or an area. t* = t_max = 1.
+/// most_flatness: heights are the size of the patch times 2^-f, f up to this.
+ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,
+                      int most_flatness = 6);
 
 /// The regular scene with all velocities in the contact plane, for near-hits and near-misses; the
 /// latter has patch 2 moved away by 2^-20 to 2^-8.

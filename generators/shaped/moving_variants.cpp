@@ -10,7 +10,6 @@ namespace {
 
 // Heights are multiples of 2^-9 times the squares of parameters, below about 2^4.
 constexpr long kBowlUnit = -9;
-constexpr int kMostFlatness = 6;
 constexpr int kManyBits = 12, kFewBits = 2;  // of parameters
 
 /// A multiple of 1/8 in (0, 1).
@@ -121,8 +120,9 @@ Placement random_placement(Draw& draw) {
   return placement;
 }
 
-ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw) {
-  const std::int64_t flatness = draw.integer(0, kMostFlatness);
+ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,
+                      int most_flatness) {
+  const std::int64_t flatness = draw.integer(0, most_flatness);
   const long unit = kBowlUnit - static_cast<long>(flatness);
   ContactScene scene = touching_at(contact, shapes, kManyBits, unit, draw);
   let_approach(scene, draw);

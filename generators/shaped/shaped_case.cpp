@@ -7,17 +7,12 @@
 #include "base/verify.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/shaped/families.hpp"
-#include "generators/stress.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
 constexpr ShapePair kTwoQuadratics = {Shape::triangle(2), Shape::triangle(2)};
-
-bool is_quadratic_family(Family family) {
-  return std::ranges::find(kQuadraticFamilies, family) != kQuadraticFamilies.end();
-}
 
 bool is_sliding_kind(CaseKind kind) {
   return kind == CaseKind::kNHP || kind == CaseKind::kNMN;
@@ -70,6 +65,7 @@ PlacedScene scene_of(const GeneratorOptions& options, const ShapePair& shapes, D
 
 ShapePair shapes_of(const GeneratorOptions& options, Draw& draw) {
   if (options.shapes) return *options.shapes;
+  if (options.family <= Family::kInteriorTime) return kTwoQuadratics;
   const std::array<Feature, 2> features = features_of(options.contact);
   return draw.until(
       [&] {
@@ -94,9 +90,11 @@ bool end_before_contact(Case& value, const Dyadic& until) {
 }
 
 bool is_shaped(const GeneratorOptions& options) {
-  const bool quadratic = options.family == Family::kRegular || is_quadratic_family(options.family);
   if (has_own_shapes(options.family)) return false;
-  return !quadratic || options.shapes.value_or(kTwoQuadratics) != kTwoQuadratics;
+  const bool is_paper =
+      options.family == Family::kRegular && options.construction == Construction::kPaper;
+  const bool is_quadratic = options.shapes.value_or(kTwoQuadratics) == kTwoQuadratics;
+  return !(is_paper || options.family == Family::kTwins) || !is_quadratic;
 }
 
 bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind) {

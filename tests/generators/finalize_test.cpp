@@ -3,14 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include "generators/one_sided.hpp"
+#include "generators/paper.hpp"
 
 namespace ccdfuzz {
 namespace {
 
 Scene some_scene() {
   Draw random{Random(1)};
-  return one_sided_scene(ContactClass::kVE, {}, random);
+  return *random.until([&] { return paper_scene(ContactClass::kVE, false, random); },
+                       [](const auto& scene) { return scene && to_query(*scene); });
 }
 
 TEST(Finalize, EveryNumberSurvivesTheRoundTrip) {

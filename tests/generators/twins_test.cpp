@@ -1,0 +1,103 @@
+#include "generators/twins.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "certify/checker/check_witness.hpp"
+#include "generators/generate.hpp"
+#include "generators/prescribe.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+constexpr std::uint64_t kCases = 25;
+
+template <class Check>
+void for_each_scene(const Check& check) {
+  for (const ContactClass contact : kContactClasses) {
+    for (std::uint64_t key = 0; key < kCases; ++key) {
+      SCOPED_TRACE(fmt::format("{} key {}", name_of(contact), key));
+      Draw random{Random(key)};
+      check(contact, twin_scene(contact, random));
+    }
+  }
+}
+
+/// The exponent e with 2^(e-1) ≤ |x| < 2^e, x ≠ 0.
+long magnitude(const Dyadic& x) {
+  return x.exponent() + static_cast<long>(mpz_sizeinbase(x.mantissa().get_mpz_t(), 2));
+}
+
+TEST(Twins, TheCheckerAcceptsTheirContactsAndNothingIsProvenBefore) {
+  for (const ContactClass contact : kContactClasses) {
+    for (std::uint64_t index = 0; index < kCases; ++index) {
+      SCOPED_TRACE(fmt::format("{} index {}", name_of(contact), index));
+      GeneratorOptions options;
+      options.contact = contact;
+      options.family = Family::kTwins;
+      const Case c = generate(options, index).value;
+      ASSERT_EQ(c.truth.collides, true);
+      ASSERT_TRUE(c.truth.witness);
+      const Result<void> checked = check_witness(c.query, *c.truth.witness);
+      EXPECT_TRUE(checked) << checked.error().message();
+      EXPECT_FALSE(c.truth.clear_until);
+    }
+  }
+}
+
+TEST(Twins, TheContactLiesOnTheFeaturesThatItsClassNames) {
+  for_each_scene([](ContactClass contact, const Scene& scene) {
+    for (size_t s = 0; s < 2; ++s) {
+      EXPECT_EQ(feature_at(scene.contact.x[s]), features_of(contact)[s]);
+    }
+  });
+}
+
+/// True iff the velocities of two control points, and their positions if those count too, are
+/// within 4 ulps of the largest number among them.
+bool within_ulps(const MovingPatch<Dyadic>& patch, size_t i, size_t j, bool positions_too) {
+  for (int k = 0; k < 3; ++k) {
+    Dyadic largest;
+    for (const size_t c : {i, j}) {
+      largest = std::max({largest, abs(patch.velocities[c][k]), abs(patch.positions[c][k])});
+    }
+    if (largest.sign() == 0) continue;
+    const Dyadic four_ulps(4, magnitude(largest) - 53);
+    if (abs(patch.velocities[i][k] - patch.velocities[j][k]) > four_ulps) return false;
+    if (positions_too && abs(patch.positions[i][k] - patch.positions[j][k]) > four_ulps) {
+      return false;
+    }
+  }
+  return true;
+}
+
+TEST(Twins, TwoMidControlsOfACornerAreAFewUlpsApartAndMostlyNotEqual) {
+  int equal = 0, different = 0, coincident = 0;
+  for_each_scene([&](ContactClass, const Scene& scene) {
+    const MovingPatch<Dyadic>& patch = scene.patches[0];
+    int pairs = 0;
+    for (int corner = 0; corner < 3; ++corner) {
+      const size_t i = control_of(corner, (corner + 1) % 3);
+      const size_t j = control_of(corner, (corner + 2) % 3);
+      if (!within_ulps(patch, i, j, false)) continue;
+      ++pairs;
+      ++(patch.velocities[i] == patch.velocities[j] ? equal : different);
+      coincident += within_ulps(patch, i, j, true);
+    }
+    EXPECT_EQ(pairs, 1);
+  });
+  EXPECT_GT(different, equal);
+  EXPECT_GT(coincident, (equal + different) / 4) << "twins in space too";
+}
+
+TEST(Twins, HaveNoNegatives) {
+  GeneratorOptions options;
+  options.family = Family::kTwins;
+  options.kind = CaseKind::kRN;
+  const Result<void> refused = validate(options);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message(), "--kind: RN is not generated in the family twins");
+}
+
+}  // namespace
+}  // namespace ccdfuzz
