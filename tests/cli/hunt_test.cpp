@@ -6,7 +6,7 @@
 #include <set>
 #include <thread>
 
-#include "case/case_files.hpp"
+#include "files/case_files.hpp"
 #include "numeric/rational.hpp"
 #include "process.hpp"
 #include "share.hpp"

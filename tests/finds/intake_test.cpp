@@ -230,6 +230,7 @@ TEST(Intake, FinishShrinksToTheSameFailureAndAsksTheOthers) {
                                    [](const Failure&) { return true; },
                                    1000,
                                    [] { return false; },
+                                   [](const Case&) { return true; },
                                    {"tdibm", "other"},
                                    stop}));
   const std::vector<Case> cases = cases_in(folder.path());
