@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "bezier/orientation.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/build_tree.hpp"
 #include "certify/oracle/find_contact.hpp"
@@ -118,6 +119,28 @@ TEST(Oracle, FindsContactsAtTheBeginning) {
   }
   query.patches[1].positions[1] = {0.3, 0.1, -0x1p-30};
   EXPECT_EQ(decide(query).truth.collides, false);
+}
+
+// The parameters have 53 bits, and no box about them is inside of the region.
+TEST(Oracle, FindsContactsOnSlantedEdgesOfTrims) {
+  const Vec3<double> o = {0, 0, 0};
+  for (const auto& [u, v, du, dv] : {std::array{0.3, 0.4, 0x1p-3, -0x1p-4},
+                                     {0.3, 0.4, 0x1p-5, 0x1p-6},
+                                     {0.7, 0.1, -0x1p-7, 0x1p-6}}) {
+    for (const double share : {1.0, 0.5}) {
+      const std::array<Uv<double>, 2> edge = {Uv<double>{u - du, v - dv},
+                                              {u + share * du, v + share * dv}};
+      ASSERT_EQ(orientation(edge[0], edge[1], {u, v}), 0);
+      Query query;
+      query.patches[0] = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {o, o, o}};
+      query.patches[0].trim = {{edge[0], edge[1], {0, 0}}};
+      query.patches[1] = {Shape::point(), {{u, v, 1}}, {{0, 0, -1}}};
+      const Truth truth = decide(query).truth;
+      ASSERT_EQ(truth.collides, true) << u << " " << v << " " << share;
+      EXPECT_EQ(truth.witness->t, 1);
+      EXPECT_EQ(truth.witness->uv[0], (Uv<Rational>{exact(u), exact(v)}));
+    }
+  }
 }
 
 /// A wavy patch at rest, its control points this much higher.

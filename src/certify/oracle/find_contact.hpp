@@ -15,8 +15,9 @@ struct Suspicion {
 
 /// An exact witness (certificate W) near the suspicion, at a time ≤ t_max, or nothing. Tries as
 /// parameters the simplest dyadic and other rationals in growing intervals about the suspicion, and
-/// those of loops' vertices there. The time is then the exact root of a linear equation. What is
-/// returned passed check_witness.
+/// those of loops' vertices there. Then it tries simple parts of the way along the nearest edge of
+/// a loop. The time is then the exact root of a linear equation. What is returned passed
+/// check_witness.
 std::optional<Witness> find_witness(const Query& query, const Suspicion& near);
 
 /// A contact box (certificate M) near the suspicion that ends at a time ≤ t_max, the earliest of

@@ -64,6 +64,28 @@ void snap_to_trim(const Trim& trim, const Uv<double>& near, double width, Uv<Rat
   }
 }
 
+/// A simple part of the way along the nearest edge of the loops, if that is near. The point is on
+/// the edge exactly, whatever its slope.
+void snap_to_edge(const Trim& trim, const Uv<double>& near, double width, bool dyadic,
+                  Uv<Rational>& uv) {
+  double least = width;
+  for (const auto& loop : trim) {
+    for (size_t i = 0; i < loop.size(); ++i) {
+      const Uv<double>&a = loop[i], &b = loop[(i + 1) % loop.size()];
+      const double du = b[0] - a[0], dv = b[1] - a[1], length = std::hypot(du, dv);
+      const double part = ((near[0] - a[0]) * du + (near[1] - a[1]) * dv) / (length * length);
+      if (!(part >= 0 && part <= 1)) continue;
+      const double distance = std::hypot(a[0] + part * du - near[0], a[1] + part * dv - near[1]);
+      if (!(distance <= least)) continue;
+      least = distance;
+      const Rational share = simplest(part, width / length, dyadic);
+      for (const size_t k : {size_t{0}, size_t{1}}) {
+        uv[k] = exact(a[k]) + share * (exact(b[k]) - exact(a[k]));
+      }
+    }
+  }
+}
+
 /// About the earlier root of |p + t·v|² = d², not before it and hardly after; 0 if they are that
 /// near at 0. nullopt if they come no nearer.
 std::optional<Rational> time_of_distance(const std::array<Vec3<Rational>, 2>& offset, double d) {
@@ -111,14 +133,18 @@ std::optional<Witness> find_witness(const Query& query, const Suspicion& near) {
   for (const double factor : {1.0, 4.0, 32.0, 0x1p10, 0x1p16}) {
     const double width = near.width * factor;
     if (width > 0x1p-5) break;
-    enum class Way { kDyadic, kRational, kTrim };
-    for (const Way way : {Way::kDyadic, Way::kRational, Way::kTrim}) {
+    enum class Way { kDyadic, kRational, kTrim, kDyadicOfEdge, kRationalOfEdge };
+    for (const Way way :
+         {Way::kDyadic, Way::kRational, Way::kTrim, Way::kDyadicOfEdge, Way::kRationalOfEdge}) {
+      const bool dyadic = way != Way::kRational && way != Way::kRationalOfEdge;
       std::array<Uv<Rational>, 2> uv;
       bool inside = true;
       for (size_t s = 0; s < 2; ++s) {
         const Shape& shape = query.patches[s].shape;
-        uv[s] = snapped(shape, near.uv[s], width, way != Way::kRational);
-        if (way == Way::kTrim) snap_to_trim(query.patches[s].trim, near.uv[s], width, uv[s]);
+        const Trim& trim = query.patches[s].trim;
+        uv[s] = snapped(shape, near.uv[s], width, dyadic);
+        if (way == Way::kTrim) snap_to_trim(trim, near.uv[s], width, uv[s]);
+        if (way > Way::kTrim) snap_to_edge(trim, near.uv[s], width, dyadic, uv[s]);
         inside = inside && shape.contains(uv[s]);
       }
       if (!inside || std::find(tried.begin(), tried.end(), uv) != tried.end()) continue;
