@@ -70,8 +70,8 @@ Profile line(bool slants, Draw& draw) {
   return out;
 }
 
-Profile draw_profile(bool is_straight, Draw& draw) {
-  switch (is_straight ? 2 + draw.below(2) : draw.below(4)) {
+Profile draw_profile(Draw& draw) {
+  switch (draw.below(4)) {
     case 0:
       return circle(0, draw.integer(1, 6), draw);
     case 1:
@@ -103,7 +103,7 @@ RoundSide revolve(const Profile& profile, const QuarterCircle& quarter) {
 }
 
 /// What touches the plane z = 0 from above. Its lengths are 125 times those of profiles.
-RoundSide draw_other(ContactClass contact, bool is_straight, Draw& draw) {
+RoundSide draw_other(ContactClass contact, Draw& draw) {
   if (contact == ContactClass::kVF) return {Shape::point(), {Whole{}}, {}, {0, 0}};
   if (draw.coin()) {
     const std::int64_t size = kLength * draw.integer(1, 8);
@@ -112,7 +112,7 @@ RoundSide draw_other(ContactClass contact, bool is_straight, Draw& draw) {
             {},
             {Rational(1, 3), Rational(1, 3)}};
   }
-  RoundSide out = revolve(draw_profile(is_straight, draw), draw.pick(kQuarterCircles));
+  RoundSide out = revolve(draw_profile(draw), draw.pick(kQuarterCircles));
   constexpr std::array<std::array<std::int64_t, 2>, 3> kTurns = {{{5, 0}, {0, 5}, {3, 4}}};
   const auto& [c, s] = draw.pick(kTurns);
   // Five times as large, with its axis in another direction.
@@ -130,11 +130,9 @@ Vec3<double> times_power(const Whole& p, int exponent) {
 
 }  // namespace
 
-Case draw_round_case(ContactClass contact, RoundKind kind, Draw& draw) {
-  const bool apart = kind == RoundKind::kApart, is_straight = kind == RoundKind::kStraight;
-  std::array<RoundSide, 2> sides = {
-      revolve(draw_profile(is_straight, draw), draw.pick(kQuarterCircles)),
-      draw_other(contact, is_straight, draw)};
+Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
+  std::array<RoundSide, 2> sides = {revolve(draw_profile(draw), draw.pick(kQuarterCircles)),
+                                    draw_other(contact, draw)};
   for (Whole& p : sides[0].points) p = 5 * p;
   const WholeFrame frame = draw_right_angles(draw);
   const std::int64_t gap = apart ? kLength * draw.integer(1, 8) : 0;
@@ -174,11 +172,9 @@ Case draw_round_case(ContactClass contact, RoundKind kind, Draw& draw) {
     const Whole normal = -1 * frame.axes[2];
     for (std::size_t k = 0; k < 3; ++k) plane.normal[k] = static_cast<long>(normal[k]);
     plane.offset = static_cast<long>(dot_of(normal, frame(place))) * power_of_two(unit);
-    // The checker sees that cylinders and cones, whose circles are on one side each, are there.
-    if (check_clearance(out.query, plane, "")) {
-      truth.clearance = plane;
-      truth.clear_until = plane.until;
-    }
+    CCDFUZZ_VERIFY(check_clearance(out.query, plane, ""));
+    truth.clearance = plane;
+    truth.clear_until = plane.until;
   }
   CCDFUZZ_VERIFY(check_truth(out));
   return out;
@@ -186,13 +182,10 @@ Case draw_round_case(ContactClass contact, RoundKind kind, Draw& draw) {
 
 tl::expected<Case, Discard> round_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                        Draw& draw) {
-  const bool is_negative = options.kind == CaseKind::kRN;
-  const RoundKind kind = options.family == Family::kApart ? RoundKind::kApart
-                         : is_negative                    ? RoundKind::kStraight
-                                                          : RoundKind::kAny;
-  Case out = draw_round_case(options.contact, kind, draw);
+  Case out = draw_round_case(options.contact, options.family == Family::kApart, draw);
+  if (options.kind != CaseKind::kRN) return out;
   const Dyadic before = *Dyadic::from(out.truth.witness->t) - eps_t;
-  if (is_negative && !end_before_contact(out, before)) return tl::unexpected(Discard::kRoundTrip);
+  if (!end_before_contact(out, before)) return tl::unexpected(Discard::kRoundTrip);
   return out;
 }
 

@@ -230,6 +230,34 @@ void check_rows(Draw& d) {
   CLAIM(is_seen(d, shape, coefficients));
 }
 
+/// α·(v − a)² + (β + γ·v)·(u − b)², of which all of α, β, γ are ≥ 0 and the first two above, is 0
+/// at (b, a) alone. It is seen to be ≥ 0. That less anything is not, nor that times −1.
+void check_discriminants(Draw& d) {
+  const auto inside = [&]() -> Rational {
+    return Rational(static_cast<long>(d.integer(1, 7))) / 8;
+  };
+  const auto factor = [&](int least) { return Rational(static_cast<long>(d.integer(least, 4))); };
+  const Rational a = inside(), b = inside(), alpha = factor(1), beta = factor(1);
+  const Rational gamma = factor(0);
+  const bool is_turned = d.coin();
+  Polynomial drawn;
+  const auto add = [&](int in_u, int in_v, const Rational& by) {
+    drawn.push_back(is_turned ? Monomial{in_v, in_u, by} : Monomial{in_u, in_v, by});
+  };
+  add(0, 2, alpha), add(0, 1, -2 * a * alpha), add(0, 0, a * a * alpha);
+  for (const int v : {0, 1}) {
+    const Rational& by = v == 0 ? beta : gamma;
+    add(2, v, by), add(1, v, -2 * b * by), add(0, v, b * b * by);
+  }
+  const Shape shape = Shape::tensor(2, 2);
+  CLAIM(is_seen(d, shape, coefficients_of(shape, drawn)));
+  Polynomial negative = drawn;
+  for (Monomial& m : negative) m.factor = -m.factor;
+  CLAIM(!is_seen(d, shape, coefficients_of(shape, negative)));
+  drawn.push_back({0, 0, -draw_little(d)});
+  CLAIM(!is_seen(d, shape, coefficients_of(shape, drawn)));
+}
+
 }  // namespace
 
 std::vector<Property> polynomials_claims() {
@@ -246,6 +274,9 @@ std::vector<Property> polynomials_claims() {
        "A polynomial whose rows along either parameter, or any edge of a triangle, are >= 0 is "
        "seen to be so",
        kSource, check_rows},
+      {"checker.sees_discriminants",
+       "A sum of squares along both parameters is seen to be >= 0, and no less is", kSource,
+       check_discriminants},
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "certify/checker/check_plane.hpp"
 #include "certify/oracle/find_contact.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 Case draw_round(Draw& d) {
   const ContactClass contact = d.coin() ? ContactClass::kVF : ContactClass::kFF;
-  return draw_round_case(contact, d.choose(3) == 3 ? RoundKind::kApart : RoundKind::kAny, d);
+  return draw_round_case(contact, d.choose(3) == 3, d);
 }
 
 /// A box about the place where a point comes to the surface is found.
@@ -33,11 +34,28 @@ void check_place(const Case& drawn) {
 
 /// A tree that keeps surfaces a distance apart is refused as a proof of one that they do not keep.
 void check_separations(Draw& d) {
-  const Case drawn =
-      draw_round_case(d.coin() ? ContactClass::kVF : ContactClass::kFF, RoundKind::kApart, d);
+  const Case drawn = draw_round_case(d.coin() ? ContactClass::kVF : ContactClass::kFF, true, d);
   show(d, "query", drawn.query);
   const double share = d.pick(std::array{0.0, 0.5, 1 - 0x1p-6});
   claim_no_larger_separation(drawn.query, drawn.truth.witness->t, share, 3000, d);
+}
+
+/// The plane of a first contact is accepted. Where it stays longer, or is on one side of it, the
+/// patches are not on theirs.
+void check_planes(Draw& d) {
+  const Case drawn = draw_round_case(d.coin() ? ContactClass::kVF : ContactClass::kFF, false, d);
+  show(d, "query", drawn.query);
+  const MovingPlane plane = std::get<MovingPlane>(*drawn.truth.clearance);
+  const Rational little = power_of_two(-static_cast<long>(d.integer(0, 60)));
+  const auto is_accepted = [&](const MovingPlane& changed) {
+    return check_plane(drawn.query, changed).has_value();
+  };
+  CLAIM(is_accepted(plane));
+  MovingPlane later = plane, above = plane, below = plane;
+  later.until += little;
+  above.offset += little;
+  below.offset -= little;
+  CLAIM(!is_accepted(later) && !is_accepted(above) && !is_accepted(below));
 }
 
 void check_first_contact(Draw& d) {
@@ -79,6 +97,8 @@ std::vector<Property> round_claims() {
   return {
       {"weights.round", "Spheres, cylinders, cones and tori first touch when a closed formula says",
        "generators/round.hpp", check_first_contact},
+      {"weights.planes", "A plane proves the first contact of round patches, and nothing after it",
+       "src/certify/checker/nonnegative.hpp", check_planes},
       {"weights.separations", "Trees that keep round patches apart prove no larger separation",
        "src/case/certificate.hpp", check_separations},
   };

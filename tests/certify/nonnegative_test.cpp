@@ -93,6 +93,25 @@ TEST(Nonnegative, IsSeenAlongAnyEdge) {
   EXPECT_TRUE(is_nonnegative(Shape::tensor(2, 1), numbers({1, 5, -1, 5, 1, 5})));
 }
 
+// (2v − 1)²·(1 + u²) + (2u − 1)²·(2 + v), which is 0 in the middle alone.
+TEST(Nonnegative, IsSeenOfASumOfSquaresThatVaryAlong) {
+  const auto at = [](int i, int j) {
+    constexpr std::array<int, 3> kSquare = {1, -1, 1};  // of (2x − 1)²
+    const Rational one_and_square = i == 2 ? 2 : 1, two_and_more = 2 + Rational(j, 2);
+    return Rational(kSquare.at(static_cast<size_t>(j)) * one_and_square +
+                    kSquare.at(static_cast<size_t>(i)) * two_and_more);
+  };
+  std::vector<Rational> c;
+  for (int i = 0; i <= 2; ++i) {
+    for (int j = 0; j <= 2; ++j) c.push_back(at(i, j));
+  }
+  const Shape shape = Shape::tensor(2, 2);
+  EXPECT_EQ(value_at(shape, c, Rational(1, 2), Rational(1, 2)), 0);
+  EXPECT_TRUE(is_nonnegative(shape, c));
+  for (Rational& x : c) x -= power_of_two(-60);
+  EXPECT_FALSE(is_nonnegative(shape, c));
+}
+
 TEST(Nonnegative, IsAMatterOfTheOneCoefficientOfAPoint) {
   EXPECT_TRUE(is_nonnegative(Shape::point(), numbers({0})));
   EXPECT_FALSE(is_nonnegative(Shape::point(), numbers({-1})));

@@ -56,7 +56,7 @@ Result<void> check_within(const Query& query, const MovingPlane& plane, Work& wo
       h = s == 0 ? Rational(h - plane.offset) : Rational(plane.offset - h);
     // With weights > 0 the height is ≥ 0 where its numerator is, the sum of these times B.
     for (size_t i = 0; i < patch.weights.size(); ++i) heights[i] *= patch.weights[i];
-    if (!is_nonnegative(patch.shape, heights)) {
+    if (!is_nonnegative(patch.shape, heights, &work)) {
       return refuse_plane(
           fmt::format("patches[{}] is not known to be on its side of the plane", s));
     }

@@ -83,20 +83,100 @@ bool is_nonnegative_row(const std::vector<Rational>& row) {
          is_low_and_nonnegative(Shape::curve(static_cast<int>(row.size()) - 1), row);
 }
 
+/// Row r of equal i if by_u, else of equal j.
+std::vector<Rational> row_of(const Shape& shape, const std::vector<Rational>& coefficients,
+                             bool by_u, int r) {
+  std::vector<Rational> row;
+  const int last = by_u || shape.kind == ShapeKind::kTriangle ? degree_in_v(shape, r) : shape.n;
+  for (int k = 0; k <= last; ++k) {
+    row.push_back(coefficients[static_cast<size_t>(by_u ? shape.index(r, k) : shape.index(k, r))]);
+  }
+  return row;
+}
+
 /// by_u: rows of equal i, else of equal j.
 bool has_nonnegative_rows(const Shape& shape, const std::vector<Rational>& coefficients,
                           bool by_u) {
   const int rows = by_u ? shape.n : degree_in_v(shape, 0);
   for (int r = 0; r <= rows; ++r) {
-    std::vector<Rational> row;
-    const int last = by_u || shape.kind == ShapeKind::kTriangle ? degree_in_v(shape, r) : shape.n;
-    for (int k = 0; k <= last; ++k) {
-      row.push_back(
-          coefficients[static_cast<size_t>(by_u ? shape.index(r, k) : shape.index(k, r))]);
-    }
-    if (!is_nonnegative_row(row)) return false;
+    if (!is_nonnegative_row(row_of(shape, coefficients, by_u, r))) return false;
   }
   return true;
+}
+
+/// A polynomial in one variable x: Bernstein coefficients times binomials, which are coefficients
+/// in y = x/(1−x). So a product of two is one of these numbers alone, and x in [0, 1] is y ≥ 0.
+using Scaled = std::vector<Rational>;
+
+Scaled scaled(const std::vector<Rational>& row) {
+  Scaled out;
+  const int n = static_cast<int>(row.size()) - 1;
+  for (int k = 0; k <= n; ++k) out.emplace_back(row[static_cast<size_t>(k)] * choose(n, k));
+  return out;
+}
+
+Scaled product(const Scaled& a, const Scaled& b) {
+  Scaled out(a.size() + b.size() - 1);
+  for (size_t i = 0; i < a.size(); ++i) {
+    for (size_t j = 0; j < b.size(); ++j) out[i + j] += a[i] * b[j];
+  }
+  return out;
+}
+
+void drop_zeros(Scaled& p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+}
+
+/// Divides by b, of which the last coefficient is not 0: a becomes the remainder.
+Scaled divide(Scaled& a, const Scaled& b, Work* work) {
+  Scaled quotient(a.size() >= b.size() ? a.size() - b.size() + 1 : 0);
+  for (size_t i = quotient.size(); i-- > 0;) {
+    quotient[i] = a[i + b.size() - 1] / b.back();
+    for (size_t k = 0; k < b.size(); ++k) {
+      if (work != nullptr) {
+        work->charge(2 *
+                     fraction_work(words_of(a[i + k]) + words_of(quotient[i]) + words_of(b[k])));
+      }
+      a[i + k] -= quotient[i] * b[k];
+    }
+  }
+  drop_zeros(a);
+  return quotient;
+}
+
+/// The greatest common divisor of p ≠ 0 and its derivative.
+Scaled repeated_factor(const Scaled& p, Work* work) {
+  Scaled a = p, b;
+  for (size_t k = 1; k < p.size(); ++k) b.emplace_back(p[k] * static_cast<long>(k));
+  drop_zeros(b);
+  while (!b.empty()) {
+    divide(a, b, work);
+    std::swap(a, b);
+  }
+  return a;
+}
+
+/// Whether p ≥ 0 for y ≥ 0 is seen: of coefficients ≥ 0, of degree 2, or of q·g² with such a q.
+bool is_nonnegative_beyond_0(Scaled p, Work* work) {
+  const auto is_simple = [](const Scaled& q) {
+    if (all_nonnegative(q)) return true;
+    if (q.size() != 3 || q[0] < 0 || q[2] < 0) return false;
+    return q[1] * q[1] <= 4 * q[0] * q[2];
+  };
+  drop_zeros(p);
+  if (is_simple(p)) return true;
+  const Scaled g = repeated_factor(p, work);
+  const Scaled q = divide(p, product(g, g), work);
+  return p.empty() && is_simple(q);
+}
+
+/// The outer rows of three and their discriminant are ≥ 0.
+bool has_nonnegative_discriminant(const std::array<std::vector<Rational>, 3>& rows, Work* work) {
+  if (!is_nonnegative_row(rows[0]) || !is_nonnegative_row(rows[2])) return false;
+  Scaled discriminant = product(scaled(rows[0]), scaled(rows[2]));
+  const Scaled squared = product(scaled(rows[1]), scaled(rows[1]));
+  for (size_t k = 0; k < squared.size(); ++k) discriminant[k] -= squared[k];
+  return is_nonnegative_beyond_0(std::move(discriminant), work);
 }
 
 /// The same polynomial with u and w = 1−u−v exchanged.
@@ -112,7 +192,7 @@ std::vector<Rational> turned(const Shape& triangle, const std::vector<Rational>&
 
 }  // namespace
 
-bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficients) {
+bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficients, Work* work) {
   if (all_nonnegative(coefficients)) return true;
   if (shape.kind == ShapeKind::kPoint) return false;
   if (is_low_and_nonnegative(shape, coefficients)) return true;
@@ -121,8 +201,15 @@ bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficient
       has_nonnegative_rows(shape, coefficients, false)) {
     return true;
   }
-  return shape.kind == ShapeKind::kTriangle &&
-         has_nonnegative_rows(shape, turned(shape, coefficients), true);
+  if (shape.kind == ShapeKind::kTriangle) {
+    return has_nonnegative_rows(shape, turned(shape, coefficients), true);
+  }
+  const auto has_discriminant = [&](bool by_u) {
+    if ((by_u ? shape.n : shape.m) != 2) return false;
+    const auto row = [&](int r) { return row_of(shape, coefficients, by_u, r); };
+    return has_nonnegative_discriminant({row(0), row(1), row(2)}, work);
+  };
+  return has_discriminant(true) || has_discriminant(false);
 }
 
 }  // namespace ccdfuzz
