@@ -69,11 +69,11 @@ TEST(LinearAdvance, NeverPassesAContact) {
   NormalisedQuery normalised;
   for (size_t i = 0; i < 6000 / kOneIn; ++i) {
     const Query query = almost_touching(random);
-    ASSERT_TRUE(can_advance(query.patches[0].shape, query.patches[1].shape));
+    ASSERT_TRUE(is_linear_pair(query.patches[0].shape, query.patches[1].shape));
     auto contact = linear::first_contact(query);
     normalise(query, normalised);
-    const Advanced advanced = advance(normalised);
-    const bool is_clear = advanced.kind == Advanced::Kind::kClear;
+    const Advancement advanced = advance(normalised);
+    const bool is_clear = advanced.kind == Advancement::Kind::kClear;
     clear += is_clear;
     if (!contact) continue;
     ++contacts;
@@ -82,7 +82,7 @@ TEST(LinearAdvance, NeverPassesAContact) {
     ASSERT_GE(contact->time.sign_of(linear::Polynomial({-time.get_num(), time.get_den()})), 0)
         << to_json({query, {}, {}, {}});
     const Rational early = contact->time.lo() - time;
-    reached += advanced.kind == Advanced::Kind::kStopped && early < power_of_two(-20);
+    reached += advanced.kind == Advancement::Kind::kStopped && early < power_of_two(-20);
   }
   // All of it happens. Where patches turn much, the general search is to do the rest.
   EXPECT_GE(contacts, 600 / static_cast<int>(kOneIn));
@@ -105,8 +105,8 @@ TEST(LinearAdvance, StopsAtParametersInTheirDomain) {
     if (i % 2 != 0) face.positions[2] *= 0.25;
     const Query query{{face, point}, 0};
     normalise(query, normalised);
-    const Advanced advanced = advance(normalised);
-    if (advanced.kind != Advanced::Kind::kStopped) continue;
+    const Advancement advanced = advance(normalised);
+    if (advanced.kind != Advancement::Kind::kStopped) continue;
     ++stopped;
     ASSERT_TRUE(face.shape.contains(nearest_parameters(normalised, advanced.time)[0]))
         << to_json({query, {}, {}, {}});
@@ -115,10 +115,10 @@ TEST(LinearAdvance, StopsAtParametersInTheirDomain) {
 }
 
 TEST(LinearAdvance, TakesLinearShapesAlone) {
-  EXPECT_TRUE(can_advance(Shape::point(), Shape::triangle(1)));
-  EXPECT_FALSE(can_advance(Shape::curve(1), Shape::triangle(1)));
-  EXPECT_FALSE(can_advance(Shape::curve(2), Shape::point()));
-  EXPECT_FALSE(can_advance(Shape::point(), Shape::tensor(1, 1)));
+  EXPECT_TRUE(is_linear_pair(Shape::point(), Shape::triangle(1)));
+  EXPECT_FALSE(is_linear_pair(Shape::curve(1), Shape::triangle(1)));
+  EXPECT_FALSE(is_linear_pair(Shape::curve(2), Shape::point()));
+  EXPECT_FALSE(is_linear_pair(Shape::point(), Shape::tensor(1, 1)));
 }
 
 }  // namespace

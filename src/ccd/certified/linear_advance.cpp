@@ -87,20 +87,20 @@ std::array<double, 2> with_weights(const std::array<double, 2>& x,
   return sum > 0 ? std::array{second / sum, third / sum} : x;
 }
 
-class Advancing {
+class ConservativeAdvancement {
  public:
-  Advancing(const NormalisedQuery& query, ExclusionObserver* observer)
+  ConservativeAdvancement(const NormalisedQuery& query, ExclusionObserver* observer)
       : query_(query),
         observer_(observer),
         differences_(query),
         error_(query.magnitude, query.absolute, query.roundings, query.separation) {}
 
-  Advanced run() {
+  Advancement run() {
     for (size_t k = 0; k < 3; ++k) {
       follow(coordinate_axis(static_cast<int>(k)));
-      if (clear_) return {Advanced::Kind::kClear, query_.t_max, 0};
+      if (clear_) return {Advancement::Kind::kClear, query_.t_max, 0};
     }
-    Advanced out;
+    Advancement out;
     time_ = furthest_;
     const bool in_plane = query_.controls[0].size() + query_.controls[1].size() < 4;
     const std::uint64_t most_steps = query_.separation > 0 ? kMostStepsApart
@@ -109,14 +109,14 @@ class Advancing {
     for (out.steps = 1; out.steps <= most_steps; ++out.steps) {
       try_axes();
       if (clear_) {
-        out.kind = Advanced::Kind::kClear;
+        out.kind = Advancement::Kind::kClear;
         return out;
       }
       const double step = furthest_ - time_;
       time_ = furthest_;
       out.time = time_;
       if (step <= kShortestStep * query_.t_max) {
-        out.kind = Advanced::Kind::kStopped;
+        out.kind = Advancement::Kind::kStopped;
         return out;
       }
     }
@@ -249,13 +249,13 @@ class Advancing {
 
 }  // namespace
 
-bool can_advance(const Shape& a, const Shape& b) {
+bool is_linear_pair(const Shape& a, const Shape& b) {
   const auto flat = [](const Shape& s) { return s.kind != ShapeKind::kTensor && s.n <= 1; };
   return flat(a) && flat(b) && a.parameter_count() + b.parameter_count() <= 2;
 }
 
-Advanced advance(const NormalisedQuery& query, ExclusionObserver* observer) {
-  return Advancing(query, observer).run();
+Advancement advance(const NormalisedQuery& query, ExclusionObserver* observer) {
+  return ConservativeAdvancement(query, observer).run();
 }
 
 std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, double t) {

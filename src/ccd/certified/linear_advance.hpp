@@ -10,7 +10,7 @@
 namespace ccdfuzz::certified {
 
 /// What advancing found out. Nothing touches at any t in [0, time); with kClear, in [0, t_max].
-struct Advanced {
+struct Advancement {
   enum class Kind : std::uint8_t {
     kClear,    ///< nothing touches
     kStopped,  ///< at `time` no axis tells the patches apart, or none for a longer time
@@ -23,15 +23,15 @@ struct Advanced {
 
 /// True iff advance takes the shapes: points, curves of degree 1 and triangles of degree 1, with at
 /// most two parameters in all.
-bool can_advance(const Shape& a, const Shape& b);
+bool is_linear_pair(const Shape& a, const Shape& b);
 
 /// The fast path of linear queries (DERIVATION.md, 6). From t = 0 on, an axis that separates the
 /// patches at t is followed until it no longer does; there the next is chosen. Requires
-/// can_advance. observer: told of each axis that separates at the time reached, and until when.
-Advanced advance(const NormalisedQuery& query, ExclusionObserver* observer = nullptr);
+/// is_linear_pair. observer: told of each axis that separates at the time reached, and until when.
+Advancement advance(const NormalisedQuery& query, ExclusionObserver* observer = nullptr);
 
 /// Parameters of points of both patches that are nearest to each other at the normalised time t, as
-/// far as doubles tell. Requires can_advance.
+/// far as doubles tell. Requires is_linear_pair.
 std::array<Uv<double>, 2> nearest_parameters(const NormalisedQuery& query, double t);
 
 }  // namespace ccdfuzz::certified

@@ -22,7 +22,7 @@ struct LinearContact {
 /// It covers a query if the numbers of each coordinate by itself are multiples of one power of two,
 /// and less than 2^254 times it. These numbers are positions, and velocities times t_max. A proven
 /// contact is at toi + 2^-level·t_max at most, but for the rounding of toi; level ≤ 50. Requires
-/// finite numbers, t_max ≥ 0 and can_advance.
+/// finite numbers, t_max ≥ 0 and is_linear_pair.
 LinearContact first_linear_contact(const Query& query, int level);
 
 }  // namespace ccdfuzz::certified

@@ -66,8 +66,8 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
                                             int target, double& from) {
   const certified::NormalisedQuery& normalised = split_.query();
   Answer answer;
-  const certified::Advanced advanced = certified::advance(normalised);
-  if (advanced.kind == certified::Advanced::Kind::kClear) {
+  const certified::Advancement advanced = certified::advance(normalised);
+  if (advanced.kind == certified::Advancement::Kind::kClear) {
     ++linear_.advancement;
     answer.verdict = Verdict::kMiss;
     return answer;
@@ -81,14 +81,14 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
   };
   if (query.separation > 0) {
     // No polynomial is known whose sign decides: what doubles do not tell from d is a hit.
-    if (advanced.kind == certified::Advanced::Kind::kStopped) return hit(advanced.time, 0);
+    if (advanced.kind == certified::Advancement::Kind::kStopped) return hit(advanced.time, 0);
     from = advanced.time;
     return std::nullopt;
   }
   // Half the precision is the window's, the rest is more than all roundings.
   const double width = 0.5 * options.precision * normalised.t_max;
   const double before = std::max(0.0, advanced.time - 0.5 * width);
-  const bool stopped = advanced.kind == certified::Advanced::Kind::kStopped;
+  const bool stopped = advanced.kind == certified::Advancement::Kind::kStopped;
   const certified::RoughContact rough =
       certified::rough_contact(normalised, before, stopped ? before + width : 0, width);
   linear_.doubles += rough.kind != certified::RoughContact::Kind::kOpen;
@@ -109,7 +109,7 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
     return answer;
   }
   if (contact.kind != Kind::kProven) answer.note = "contact not proven";
-  if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advanced::Kind::kStopped) {
+  if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advancement::Kind::kStopped) {
     return hit(advanced.time, contact.toi);
   }
   from = advanced.time;
@@ -125,7 +125,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
   pushed_ = 0;
   Answer answer;
   double from = 0;
-  const bool is_linear = certified::can_advance(normalised.shapes[0], normalised.shapes[1]);
+  const bool is_linear = certified::is_linear_pair(normalised.shapes[0], normalised.shapes[1]);
   if (is_linear && !is_trimmed(query)) {
     if (const std::optional<Answer> decided = decide_linear(query, options, target, from)) {
       return *decided;

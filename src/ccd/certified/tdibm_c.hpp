@@ -29,7 +29,7 @@ namespace ccdfuzz {
 /// O(precision), approach each other.
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly. A hit's cells are not proven to be outside.
-/// Linear patches (can_advance) that are not trimmed are decided exactly: a hit is a contact, at
+/// Linear patches (is_linear_pair) that are not trimmed are decided exactly: a hit is a contact, at
 /// toi + precision·t_max at most. Where numbers differ by too many binary places
 /// (first_linear_contact), only what is said above holds, and the answer's note says so.
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.

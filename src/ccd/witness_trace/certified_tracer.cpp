@@ -53,7 +53,7 @@ const Trace& CertifiedTracer::trace(const Query& query, const Witness& witness,
   watch_.begin(path_.time(), options.steps);
   now_.clear();
   const auto& shapes = split_.query().shapes;
-  if (certified::can_advance(shapes[0], shapes[1]) && !is_trimmed(query)) {
+  if (certified::is_linear_pair(shapes[0], shapes[1]) && !is_trimmed(query)) {
     follow_linear(query, options);
   } else {
     split_.begin(target);

@@ -8,8 +8,8 @@
 namespace ccdfuzz {
 
 /// Follows a witness through the splits of tdibm-c. That method does not test the whole patches, so
-/// the first level is 1. It does not split linear patches (can_advance). The one pair, of level 0,
-/// then shows which axes it advances along, and what its answer leaves of the time step. Margins
+/// the first level is 1. It does not split linear patches (is_linear_pair). The one pair, of level
+/// 0, then shows which axes it advances along, and what its answer leaves of the time step. Margins
 /// and gaps are in its own time scale, t* and t_max divided by a power of two. Places and
 /// exclusions are in that of the query.
 class CertifiedTracer {
