@@ -154,11 +154,11 @@ DrawnBox draw_box(Draw& d) {
     const Case known = supposed(draw_contact(d, {-2, 2, 2}));
     out.query = known.query, witness = *known.truth.witness;
   }
-  Suspicion near{{}, round_down(witness.t), 0x1p-20};
+  ContactGuess guess{{}, round_down(witness.t), 0x1p-20};
   for (std::size_t s = 0; s < 2; ++s) {
-    near.uv[s] = {witness.uv[s][0].get_d(), witness.uv[s][1].get_d()};
+    guess.uv[s] = {witness.uv[s][0].get_d(), witness.uv[s][1].get_d()};
   }
-  out.box = supposed(find_contact_box(out.query, near));
+  out.box = supposed(find_contact_box(out.query, guess));
   out.side = d.choose(1);
   suppose(out.query.patches[out.side].shape.parameter_count() == 2);
   for (std::size_t i = 0; i < 3; ++i) {

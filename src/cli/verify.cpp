@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "ccd/rational/proves_clear.hpp"
-#include "certify/checker/shown.hpp"
+#include "certify/checker/abbreviated.hpp"
 #include "certify/checker/work.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -83,12 +83,12 @@ Verified verify(const NamedCase& named) {
   if (const auto [proven, at_limit] = method_proves(value.query, clear_until); !proven) {
     return {named.id, Standing::kUnproven,
             fmt::format("no proof found {}that nothing touches up to t = {}",
-                        at_limit ? "within the work of a case " : "", shown(clear_until))};
+                        at_limit ? "within the work of a case " : "", abbreviated(clear_until))};
   }
   // That there is a contact is proven all the same.
   if (truth.collides == true) {
     return {named.id, Standing::kHolds,
-            fmt::format("clear until t = {} by method", shown(clear_until))};
+            fmt::format("clear until t = {} by method", abbreviated(clear_until))};
   }
   return {named.id, Standing::kHoldsByMethod};
 }

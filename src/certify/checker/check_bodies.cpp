@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "certify/checker/shown.hpp"
+#include "certify/checker/abbreviated.hpp"
 
 namespace ccdfuzz {
 
@@ -39,11 +39,11 @@ Result<Vec3<Rational>> point_of(const MovingPatch<double>& hull, const Rational&
     std::uint64_t words = words_of(weights[i]) + words_of(sum);
     for (int k = 0; k < 3; ++k) words += words_of(point[k]);
     charge_for(kOperations, words, work);
-    if (weights[i] < 0) return refuse(fmt::format("{} is negative", shown(weights[i])));
+    if (weights[i] < 0) return refuse(fmt::format("{} is negative", abbreviated(weights[i])));
     sum += weights[i];
     for (int k = 0; k < 3; ++k) point[k] += weights[i] * exact(hull.positions[i][k]);
   }
-  if (sum != 1) return refuse(fmt::format("their sum is {}, not 1", shown(sum)));
+  if (sum != 1) return refuse(fmt::format("their sum is {}, not 1", abbreviated(sum)));
   for (int k = 0; k < 3; ++k) point[k] += t * exact(hull.velocities[0][k]);
   return point;
 }
@@ -51,7 +51,7 @@ Result<Vec3<Rational>> point_of(const MovingPatch<double>& hull, const Rational&
 Result<void> check_contact_within(const Query& query, const Witness& witness, Work& work) {
   if (witness.t < 0) {
     return input_error(fmt::format("{}.t", kWitness),
-                       fmt::format("{} is negative", shown(witness.t)));
+                       fmt::format("{} is negative", abbreviated(witness.t)));
   }
   charge_for(3, words_of(witness.t), work);
   const auto first = point_of(query.patches[0], witness.t, witness.weights[0], work);
@@ -67,8 +67,8 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
   const Rational reach = reach_of(query);
   if (squared <= reach * reach) return {};
   return input_error(fmt::format("{}.weights", kWitness),
-                     fmt::format("the points are farther apart than {}: {} squared", shown(reach),
-                                 shown(squared)));
+                     fmt::format("the points are farther apart than {}: {} squared",
+                                 abbreviated(reach), abbreviated(squared)));
 }
 
 Rational height(const std::array<Rational, 3>& normal, const Vec3<double>& p) {
@@ -81,7 +81,7 @@ Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& 
                                        Work& work) {
   const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
   const auto& [until, normal, closed] = clearance;
-  if (until < 0) return refuse(fmt::format("until: {} is negative", shown(until)));
+  if (until < 0) return refuse(fmt::format("until: {} is negative", abbreviated(until)));
   const auto& [a, b] = query.patches;
   constexpr std::uint64_t kOperations = 8;
   charge_for(kOperations * (a.positions.size() + b.positions.size() + 4),
@@ -100,7 +100,7 @@ Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& 
     const bool holds = at_end && !closed ? gap >= 0 && squared >= kept : gap > 0 && squared > kept;
     if (holds) continue;
     return refuse(fmt::format("the normal does not keep the bodies apart at t = {}",
-                              at_end ? shown(until) : "0"));
+                              at_end ? abbreviated(until) : "0"));
   }
   return {};
 }

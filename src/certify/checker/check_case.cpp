@@ -2,15 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_truth.hpp"
-#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
 Result<void> check_absence(const Case& value, std::string_view tree) {
   const Truth& truth = value.truth;
   if (!truth.clearance) return input_error("truth.certificate.clear", "missing");
-  const std::string until = shown(until_of(*truth.clearance));
+  const std::string until = abbreviated(until_of(*truth.clearance));
   if (truth.collides == false && !covers(*truth.clearance, exact(value.query.t_max))) {
     return input_error("truth.certificate.clear.until",
                        fmt::format("{} does not reach past t_max = {}", until, value.query.t_max));
@@ -18,7 +18,7 @@ Result<void> check_absence(const Case& value, std::string_view tree) {
   if (truth.clear_until && *truth.clear_until > until_of(*truth.clearance)) {
     return input_error(
         "truth.certificate.clear.until",
-        fmt::format("{} is before clear_until = {}", until, shown(*truth.clear_until)));
+        fmt::format("{} is before clear_until = {}", until, abbreviated(*truth.clear_until)));
   }
   return check_clearance(value.query, *truth.clearance, tree);
 }

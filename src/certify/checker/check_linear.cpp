@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "certify/checker/shown.hpp"
+#include "certify/checker/abbreviated.hpp"
 
 namespace ccdfuzz {
 
@@ -293,7 +293,8 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
     return input_error(kClear, fmt::format("is no proof of distances above {}", query.separation));
   }
   const Rational& until = clearance.until;
-  if (until < 0) return input_error(kClear, fmt::format("until = {} is negative", shown(until)));
+  if (until < 0)
+    return input_error(kClear, fmt::format("until = {} is negative", abbreviated(until)));
   if (until == 0 && !clearance.closed) return {};  // there is no such time
   const auto ends = [&](const Rational& p, const Rational& v) -> std::array<Rational, 2> {
     return {p, p + until * v};
@@ -305,7 +306,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
   for (const Triangle& triangle : triangles_between(query, at_the_end)) {
     // Halving would come near this contact without end.
     if (!clearance.closed || !contains_origin(Signs(triangle, 0, work))) continue;
-    return input_error(kClear, fmt::format("there is a contact at t = {}", shown(until)));
+    return input_error(kClear, fmt::format("there is a contact at t = {}", abbreviated(until)));
   }
   for (const Triangle& triangle : triangles_between(query, ends)) {
     const Found found = decide_outside(triangle, clearance.closed, kMostHalvings, work);
@@ -313,7 +314,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
     return input_error(
         kClear, fmt::format("{} before t = {}",
                             found == Found::kInside ? "there is a contact" : "no proof of absence",
-                            shown(until)));
+                            abbreviated(until)));
   }
   return {};
 }
@@ -323,8 +324,8 @@ Result<void> check_root_within(const Query& query, const ContactRoot& root, Work
   if (is_trimmed(query)) return input_error(kRoot, "does not show that the contact is in a trim");
   const Form& p = root.polynomial;
   if (root.from < 0 || root.by <= root.from) {
-    return input_error(
-        kRoot, fmt::format("from = {} and by = {} are no times", shown(root.from), shown(root.by)));
+    return input_error(kRoot, fmt::format("from = {} and by = {} are no times",
+                                          abbreviated(root.from), abbreviated(root.by)));
   }
   if (p.empty() || p.back() == 0 || sign_of(p, root.from, work) * sign_of(p, root.by, work) >= 0) {
     return input_error(kRoot, "the polynomial does not change its sign from one end to the other");

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "bezier/exact_patch.hpp"
+#include "certify/checker/abbreviated.hpp"
 #include "certify/checker/nonnegative.hpp"
-#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
@@ -46,7 +46,7 @@ Result<void> check_within(const Query& query, const MovingPlane& plane, Work& wo
         fmt::format("a plane proves nothing of distances up to {}", query.separation));
   }
   if (plane.until < 0)
-    return refuse_plane(fmt::format("until: {} is negative", shown(plane.until)));
+    return refuse_plane(fmt::format("until: {} is negative", abbreviated(plane.until)));
   std::array<std::vector<Rational>, 2> rates;
   for (size_t s = 0; s < 2; ++s) {
     const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/double_parts.hpp"
+#include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_trim.hpp"
 #include "certify/checker/miss_tree.hpp"
 #include "certify/checker/polar.hpp"
-#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
@@ -325,7 +325,7 @@ Result<std::uint64_t> check_tree(const Query& query, const Rational& until, std:
                                  std::uint64_t most_work) {
   if (until < 0) {
     return input_error("truth.certificate.clear.until",
-                       fmt::format("{} is negative", shown(until)));
+                       fmt::format("{} is negative", abbreviated(until)));
   }
   constexpr const char* kWhere = "truth.certificate.clear.tree";
   try {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_box.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_witness.hpp"
-#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
@@ -41,22 +41,22 @@ Result<void> check_truth(const Case& value) {
   if (truth.collides == true && *by > exact(value.query.t_max)) {
     return input_error(
         "truth.collides",
-        fmt::format("true, but the contact is proven only by t = {} > t_max", shown(*by)));
+        fmt::format("true, but the contact is proven only by t = {} > t_max", abbreviated(*by)));
   }
   if (truth.collides == false && by && *by <= exact(value.query.t_max)) {
-    return input_error(
-        "truth.collides",
-        fmt::format("false, but the {} proves a contact at t = {} ≤ t_max", proof, shown(*by)));
+    return input_error("truth.collides",
+                       fmt::format("false, but the {} proves a contact at t = {} ≤ t_max", proof,
+                                   abbreviated(*by)));
   }
   if (truth.clear_until) {
-    const std::string until = shown(*truth.clear_until);
+    const std::string until = abbreviated(*truth.clear_until);
     if (*truth.clear_until < 0) {
       return input_error("truth.clear_until", fmt::format("{} is negative", until));
     }
     if (by && *by < *truth.clear_until) {
       return input_error("truth.clear_until",
                          fmt::format("{}, but the {} proves a contact at t = {} before it", until,
-                                     proof, shown(*by)));
+                                     proof, abbreviated(*by)));
     }
   }
   return {};

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_trim.hpp"
 #include "certify/checker/polar.hpp"
-#include "certify/checker/shown.hpp"
 
 namespace ccdfuzz {
 
@@ -44,19 +44,20 @@ Result<void> check_contact(const Query& query, const Witness& witness, std::uint
   if (!witness.weights[0].empty() || !witness.weights[1].empty()) {
     return refuse("weights", "are of bodies alone");
   }
-  if (witness.t < 0) return refuse("t", fmt::format("{} is negative", shown(witness.t)));
+  if (witness.t < 0) return refuse("t", fmt::format("{} is negative", abbreviated(witness.t)));
   return within_work("truth.witness", most_work, [&](Work& work) -> Result<void> {
     std::array<Vec3<Rational>, 2> at;
     for (size_t s = 0; s < 2; ++s) {
       const MovingPatch<double>& patch = query.patches[s];
       if (!patch.shape.contains(witness.uv[s])) {
         return refuse("uv", fmt::format("({}, {}) lies outside the domain of patches[{}], {}",
-                                        shown(witness.uv[s][0]), shown(witness.uv[s][1]), s,
-                                        to_text(patch.shape)));
+                                        abbreviated(witness.uv[s][0]),
+                                        abbreviated(witness.uv[s][1]), s, to_text(patch.shape)));
       }
       if (!is_in_region(patch.trim, witness.uv[s], work)) {
-        return refuse("uv", fmt::format("({}, {}) lies outside of the trim of patches[{}]",
-                                        shown(witness.uv[s][0]), shown(witness.uv[s][1]), s));
+        return refuse("uv",
+                      fmt::format("({}, {}) lies outside of the trim of patches[{}]",
+                                  abbreviated(witness.uv[s][0]), abbreviated(witness.uv[s][1]), s));
       }
       at[s] = point_at(patch, witness.uv[s], witness.t, work);
     }
@@ -69,12 +70,12 @@ Result<void> check_contact(const Query& query, const Witness& witness, std::uint
       }
       if (squared <= exact(query.separation) * exact(query.separation)) return {};
       return refuse("uv", fmt::format("the points are farther apart than {}: {} squared",
-                                      query.separation, shown(squared)));
+                                      query.separation, abbreviated(squared)));
     }
     for (int k = 0; k < 3; ++k) {
       if (at[0][k] == at[1][k]) continue;
       return refuse("uv", fmt::format("the patches do not touch there: coordinate {} is {} and {}",
-                                      "xyz"[k], shown(at[0][k]), shown(at[1][k])));
+                                      "xyz"[k], abbreviated(at[0][k]), abbreviated(at[1][k])));
     }
     return {};
   });
@@ -82,7 +83,7 @@ Result<void> check_contact(const Query& query, const Witness& witness, std::uint
 
 Result<void> check_witness(const Query& query, const Witness& witness, std::uint64_t most_work) {
   if (witness.t > exact(query.t_max)) {
-    return refuse("t", fmt::format("{} is after t_max = {}", shown(witness.t), query.t_max));
+    return refuse("t", fmt::format("{} is after t_max = {}", abbreviated(witness.t), query.t_max));
   }
   return check_contact(query, witness, most_work);
 }

@@ -180,7 +180,8 @@ bool has_nonnegative_discriminant(const std::array<std::vector<Rational>, 3>& ro
 }
 
 /// The same polynomial with u and w = 1−u−v exchanged.
-std::vector<Rational> turned(const Shape& triangle, const std::vector<Rational>& coefficients) {
+std::vector<Rational> with_u_and_w_exchanged(const Shape& triangle,
+                                             const std::vector<Rational>& coefficients) {
   std::vector<Rational> out;
   for (int i = 0; i <= triangle.n; ++i) {
     for (int j = 0; j <= triangle.n - i; ++j) {
@@ -202,7 +203,7 @@ bool is_nonnegative(const Shape& shape, const std::vector<Rational>& coefficient
     return true;
   }
   if (shape.kind == ShapeKind::kTriangle) {
-    return has_nonnegative_rows(shape, turned(shape, coefficients), true);
+    return has_nonnegative_rows(shape, with_u_and_w_exchanged(shape, coefficients), true);
   }
   const auto has_discriminant = [&](bool by_u) {
     if ((by_u ? shape.n : shape.m) != 2) return false;

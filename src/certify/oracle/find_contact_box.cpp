@@ -21,22 +21,22 @@ std::array<double, 3> barycentrics(const Uv<double>& uv, double near_zero) {
   return x;
 }
 
-/// A box of no size at the suspicion. In a triangle the largest barycentric is the dependent one,
+/// A box of no size at the guess. In a triangle the largest barycentric is the dependent one,
 /// so that edges are fixed unknowns.
-ContactBox box_at(const Query& query, const Suspicion& near, double near_zero) {
+ContactBox box_at(const Query& query, const ContactGuess& guess, double near_zero) {
   ContactBox box;
   for (size_t s = 0; s < 2; ++s) {
     const Shape& shape = query.patches[s].shape;
     double* const x = &box.centre[2 * s];
     if (shape.kind == ShapeKind::kTriangle) {
-      const std::array<double, 3> b = barycentrics(near.uv[s], near_zero);
+      const std::array<double, 3> b = barycentrics(guess.uv[s], near_zero);
       const auto z = static_cast<size_t>(std::max_element(b.begin(), b.end()) - b.begin());
       box.dependent[s] = static_cast<int>(z);
       x[0] = b[(z + 1) % 3], x[1] = b[(z + 2) % 3];
       continue;
     }
     for (int k = 0; k < shape.parameter_count(); ++k) {
-      x[k] = near.uv[s][static_cast<size_t>(k)];
+      x[k] = guess.uv[s][static_cast<size_t>(k)];
       if (x[k] <= near_zero) x[k] = 0;
       if (x[k] >= 1 - near_zero) x[k] = 1;
     }
@@ -128,7 +128,7 @@ ContactBox unscaled(ContactBox box, int time, int space) {
 
 }  // namespace
 
-std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& near) {
+std::optional<ContactBox> find_contact_box(const Query& query, const ContactGuess& guess) {
   certified::NormalisedQuery normalised;
   certified::normalise(query, normalised);
   const Query scaled = scaled_query(normalised);
@@ -136,13 +136,13 @@ std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& 
   std::optional<ContactBox> best;
   const auto good_enough = [&] {
     constexpr double kLate = 0x1p-16;  // of the horizon
-    return best && best->until() <= exact(near.t) + exact(kLate) * t_max;
+    return best && best->until() <= exact(guess.t) + exact(kLate) * t_max;
   };
-  for (const double near_zero : {4 * near.width, 0.0}) {
+  for (const double near_zero : {4 * guess.width, 0.0}) {
     for (int mask = 0; mask < 32 && !good_enough(); ++mask) {
       // Sets that contain the time come first, as contacts that begin transversally are found by
       // them: the time is the top bit of 31 − mask.
-      ContactBox start = box_at(query, near, near_zero);
+      ContactBox start = box_at(query, guess, near_zero);
       size_t count = 0;
       for (int i = 0; i < 5; ++i) {
         if (((31 - mask) >> i & 1) == 0) continue;
@@ -158,7 +158,7 @@ std::optional<ContactBox> find_contact_box(const Query& query, const Suspicion& 
         }
       }
       if (!possible) continue;
-      start.centre[kTime] = std::ldexp(near.t, -normalised.time);
+      start.centre[kTime] = std::ldexp(guess.t, -normalised.time);
       if (!converge(scaled, start)) continue;
       for (int exponent = -44; exponent <= -6; exponent += 4) {
         ContactBox box = start;

@@ -128,10 +128,10 @@ std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rat
 
 }  // namespace
 
-std::optional<Witness> find_witness(const Query& query, const Suspicion& near) {
+std::optional<Witness> find_witness(const Query& query, const ContactGuess& guess) {
   std::vector<std::array<Uv<Rational>, 2>> tried;
   for (const double factor : {1.0, 4.0, 32.0, 0x1p10, 0x1p16}) {
-    const double width = near.width * factor;
+    const double width = guess.width * factor;
     if (width > 0x1p-5) break;
     enum class Way { kDyadic, kRational, kTrim, kDyadicOfEdge, kRationalOfEdge };
     for (const Way way :
@@ -142,9 +142,9 @@ std::optional<Witness> find_witness(const Query& query, const Suspicion& near) {
       for (size_t s = 0; s < 2; ++s) {
         const Shape& shape = query.patches[s].shape;
         const Trim& trim = query.patches[s].trim;
-        uv[s] = snapped(shape, near.uv[s], width, dyadic);
-        if (way == Way::kTrim) snap_to_trim(trim, near.uv[s], width, uv[s]);
-        if (way > Way::kTrim) snap_to_edge(trim, near.uv[s], width, dyadic, uv[s]);
+        uv[s] = snapped(shape, guess.uv[s], width, dyadic);
+        if (way == Way::kTrim) snap_to_trim(trim, guess.uv[s], width, uv[s]);
+        if (way > Way::kTrim) snap_to_edge(trim, guess.uv[s], width, dyadic, uv[s]);
         inside = inside && shape.contains(uv[s]);
       }
       if (!inside || std::find(tried.begin(), tried.end(), uv) != tried.end()) continue;

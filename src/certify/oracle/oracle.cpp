@@ -87,14 +87,14 @@ class Deciding {
   bool settles(const Answer& answer, double precision) {
     missed_ = answer.verdict == Verdict::kMiss;
     if (answer.verdict != Verdict::kHit) return missed_;
-    const Suspicion near{answer.uv, *answer.toi, precision};
+    const ContactGuess guess{answer.uv, *answer.toi, precision};
     Truth& truth = out_.truth;
-    if (const auto witness = find_witness(query_, near)) {
+    if (const auto witness = find_witness(query_, guess)) {
       consider(*witness);
       return true;
     }
     const bool touching = query_.separation == 0;
-    const auto box = touching ? find_contact_box(query_, near) : std::nullopt;
+    const auto box = touching ? find_contact_box(query_, guess) : std::nullopt;
     if (box && (!truth.contact_by() || box->until() < *truth.contact_by())) {
       truth.contact_box = box;
       truth.witness.reset();

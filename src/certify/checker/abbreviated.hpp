@@ -7,7 +7,7 @@
 namespace ccdfuzz {
 
 /// A number as a message shows it: a long one by its beginning and what it is about.
-inline std::string shown(const Rational& x) {
+inline std::string abbreviated(const Rational& x) {
   constexpr size_t kLongest = 60;
   std::string text = to_text(x);
   if (text.size() <= kLongest) return text;
