@@ -62,7 +62,7 @@ void check_sub_patch_error(Draw& d) {
   Points<Dyadic> whole, exact(points.size());
   for (const Vec3<double>& p : points) whole.push_back(exact_vector(p));
   restrict_to<Dyadic>(shape, whole, exact_corners<Dyadic>(corners), exact);
-  const Dyadic largest = Dyadic::exact(extent_of({shape, points, points}).position);
+  const Dyadic largest = Dyadic::exact(largest_components_of({shape, points, points}).position);
   const bool triangle = shape.kind == ShapeKind::kTriangle;
   const Dyadic bound = triangle ? theorem_4_1_bound(largest.scaled(shape.n), 5 * shape.n)
                                 : theorem_4_1_bound(largest, 3 * (shape.n + shape.m));
@@ -135,7 +135,8 @@ void check_coefficient_error(Draw& d) {
   const Axis axis = axes[r];
   const Vec3<Dyadic> direction =
       exact_vector({axis.direction[0], axis.direction[1], axis.direction[2]});
-  const CoefficientError bound = coefficient_error(patches[0].shape, extent_of(patches[0]), axis);
+  const CoefficientError bound =
+      coefficient_error(patches[0].shape, largest_components_of(patches[0]), axis);
   const MovingPatch<Dyadic> exact =
       restrict_to(exact_patch<Dyadic>(patches[0]), exact_corners<Dyadic>(corners));
   show(d, "axis", r + 1);

@@ -80,7 +80,7 @@ void check_steps_are_exact(Draw& d) {
   upper_envelope(Plain(), f, w, envelope_f);
   upper_envelope(Plain(), g, w, envelope_g);
   const auto found = separation(Plain(), envelope_f, envelope_g, w);
-  Separation<Rational> expected{w.lo, w.hi, true, true};
+  SeparatedInterval<Rational> expected{w.lo, w.hi, true, true};
   bool none = false;
   for (const Line<Rational>& x : f) {
     for (const Line<Rational>& y : g) {

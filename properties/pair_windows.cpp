@@ -27,8 +27,8 @@ class Follower final : public ExclusionObserver {
     }
   }
 
-  void excluded(const Exclusion& exclusion) override {
-    const Separation<double>& times = exclusion.times;
+  void excluded(const ExcludedInterval& exclusion) override {
+    const SeparatedInterval<double>& times = exclusion.times;
     if (times.has_lo && times.has_hi) {
       gone_ = true;
       return;
@@ -41,7 +41,7 @@ class Follower final : public ExclusionObserver {
     gone_ = gone_ || left_.lo > left_.hi || (is_own && left_.lo == left_.hi);
   }
 
-  void compared(const AxisGap& gap) override {
+  void compared(const SignedGap& gap) override {
     claim_bound(gap);
     const bool is_own = gap.axis >= PairSplit::kFirstOwnAxis;
     const int batch = (gap.axis - PairSplit::kFirstOwnAxis) / certified::kLanes;
@@ -61,15 +61,15 @@ class Follower final : public ExclusionObserver {
   bool is_gone() const { return gone_; }
 
  private:
-  void claim_bound(const AxisGap& gap) {
-    if (std::isinf(gap.unit)) return;
+  void claim_bound(const SignedGap& gap) {
+    if (std::isinf(gap.in_units_of)) return;
     Dyadic norm;
     for (int k = 0; k < 3; ++k) norm += abs(Dyadic::exact(gap.direction[k]));
     const Dyadic derived = derived_error(query_.magnitude, query_.absolute, roundings_, norm);
-    const bool is_bound = derived <= Dyadic::exact(gap.unit);
+    const bool is_bound = derived <= Dyadic::exact(gap.in_units_of);
     if (!is_bound) {
       show(d_, "direction", gap.direction);
-      show(d_, "bound", gap.unit);
+      show(d_, "bound", gap.in_units_of);
     }
     CLAIM(is_bound);
   }

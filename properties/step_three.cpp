@@ -62,9 +62,10 @@ Lines<double> upside_down(const Lines<double>& lines) {
 /// Step III: from the left, and from the right as from the left by −t. f and g as separation() has
 /// them.
 template <class Policy>
-std::optional<Separation<double>> literal_separation(const Policy& policy, const Lines<double>& f,
-                                                     const Lines<double>& g,
-                                                     const TimeWindow<double>& w) {
+std::optional<SeparatedInterval<double>> literal_separation(const Policy& policy,
+                                                            const Lines<double>& f,
+                                                            const Lines<double>& g,
+                                                            const TimeWindow<double>& w) {
   const auto apart_at = [&](int i, int j, double t) {  // Eq. 7
     return policy.negative(
         EndValue<double>{f[i].slope + g[j].slope, f[i].intercept + g[j].intercept, t});
@@ -75,7 +76,7 @@ std::optional<Separation<double>> literal_separation(const Policy& policy, const
   const bool apart_at_start = Policy::kBoundsErrors
                                   ? apart_at(0, 0, w.lo)
                                   : forth.first[0].at(w.lo) < forth.second[0].at(w.lo);
-  Separation<double> found{w.lo, w.hi, apart_at_start, apart_at(last_f, last_g, w.hi)};
+  SeparatedInterval<double> found{w.lo, w.hi, apart_at_start, apart_at(last_f, last_g, w.hi)};
   if (!found.has_lo) {
     const auto pair = first_crossing(policy, forth, w.hi);
     if (!pair) return {};

@@ -49,11 +49,12 @@ void project(const ControlNet& net, const Axis& axis, Lines<double>& out) {
   sort_lines(out);
 }
 
-Extent extent_of(const MovingPatch<double>& patch) {
+LargestComponents largest_components_of(const MovingPatch<double>& patch) {
   return {largest_component(patch.positions), largest_component(patch.velocities)};
 }
 
-CoefficientError coefficient_error(const Shape& shape, const Extent& extent, const Axis& axis) {
+CoefficientError coefficient_error(const Shape& shape, const LargestComponents& extent,
+                                   const Axis& axis) {
   // 3·2^n·B_l·P·[(1+eps)^(k_cp + k_l + 3) − 1]
   const Growth growth = growth_of(shape);
   const double per_unit = ErrorBoundIntended::bound(3 * growth.factor * std::ldexp(1.0, axis.stage),

@@ -10,14 +10,15 @@ void project(const ControlNet& net, const Axis& axis, Lines<double>& out);
 
 /// The largest component of a patch's original control points and velocities, P and Ṗ of
 /// Appendix A.
-struct Extent {
+struct LargestComponents {
   double position = 0;
   double velocity = 0;
 };
-Extent extent_of(const MovingPatch<double>& patch);
+LargestComponents largest_components_of(const MovingPatch<double>& patch);
 
 /// Appendix A (d): how far the lines of any sub-patch of a patch on an axis, made by restrict_to
 /// and project, are claimed to be off at most.
-CoefficientError coefficient_error(const Shape& shape, const Extent& extent, const Axis& axis);
+CoefficientError coefficient_error(const Shape& shape, const LargestComponents& extent,
+                                   const Axis& axis);
 
 }  // namespace ccdfuzz

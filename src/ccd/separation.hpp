@@ -38,12 +38,12 @@ bool crosses_within(const Policy& policy, const Lines<S>& f, int i, const Line<S
 /// Safe, for exact S: equal to that set. For double it is Policy's claim that it is a subset.
 /// Nothing is returned where an end is not found.
 template <class Policy, class S>
-std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f, const Lines<S>& g,
-                                        const TimeWindow<S>& w) {
+std::optional<SeparatedInterval<S>> separation(const Policy& policy, const Lines<S>& f,
+                                               const Lines<S>& g, const TimeWindow<S>& w) {
   const auto sum_at = [](const Line<S>& x, const Line<S>& y, const S& t) {
     return EndValue<S>{S(x.slope + y.slope), S(x.intercept + y.intercept), t};
   };
-  Separation<S> found{w.lo, w.hi, true, true};
+  SeparatedInterval<S> found{w.lo, w.hi, true, true};
   if (!policy.starts_below(f[0], g[0], w.lo)) {  // Eq. 7
     int i = 0, j = 0;
     for (;;) {
@@ -80,7 +80,7 @@ std::optional<Separation<S>> separation(const Policy& policy, const Lines<S>& f,
 /// The part of a separation on a wider window that lies in w: it holds an end of w that it reaches
 /// past. Nothing if it has none.
 template <class S>
-std::optional<Separation<S>> clipped_to(const TimeWindow<S>& w, Separation<S> s) {
+std::optional<SeparatedInterval<S>> clipped_to(const TimeWindow<S>& w, SeparatedInterval<S> s) {
   s.has_lo = s.lo < w.lo;
   s.has_hi = w.hi < s.hi;
   if (s.has_lo) s.lo = w.lo;
@@ -93,12 +93,12 @@ std::optional<Separation<S>> clipped_to(const TimeWindow<S>& w, Separation<S> s)
 /// w. Intervals merge only where they share a point: between two that end in the same root, that
 /// root is a touch and stays.
 template <class S>
-std::optional<TimeWindow<S>> remaining_window(std::span<const Separation<S>> separations,
+std::optional<TimeWindow<S>> remaining_window(std::span<const SeparatedInterval<S>> separations,
                                               const TimeWindow<S>& w) {
   S lo = w.lo;
   for (bool moved = true; moved;) {
     moved = false;
-    for (const Separation<S>& s : separations) {
+    for (const SeparatedInterval<S>& s : separations) {
       if (!s.contains(lo)) continue;
       if (s.has_hi) return std::nullopt;
       lo = s.hi;
@@ -108,7 +108,7 @@ std::optional<TimeWindow<S>> remaining_window(std::span<const Separation<S>> sep
   S hi = w.hi;
   for (bool moved = true; moved;) {
     moved = false;
-    for (const Separation<S>& s : separations) {
+    for (const SeparatedInterval<S>& s : separations) {
       if (!s.contains(hi)) continue;
       hi = s.lo;  // s.lo is not in s: else s would reach back to lo
       moved = true;

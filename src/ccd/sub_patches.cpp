@@ -37,7 +37,7 @@ void SubPatches::begin(const Query& query) {
 void SubPatches::prepare(int side, std::span<const Cell> parts) {
   const MovingPatch<double>& patch = query_->patches[side];
   const auto count = static_cast<size_t>(patch.shape.control_count());
-  Kept& kept = kept_[side];
+  Families& kept = kept_[side];
   const size_t place = place_of(parts[0]);
   const bool is_rational = patch.is_rational();
   Homogeneous& h = homogeneous_[static_cast<size_t>(side)];

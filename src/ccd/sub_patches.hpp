@@ -48,7 +48,7 @@ class SubPatches {
     double frame_time;
   };
   /// The nets of sibling cells, in a direct-mapped cache: the first cell of a family is its key.
-  struct Kept {
+  struct Families {
     std::array<Cell, kSplits> first;
     std::array<size_t, kSplits> parts;  ///< how many; 0 if there are none yet
     std::vector<Vec3<double>> points;
@@ -64,7 +64,7 @@ class SubPatches {
   AxisReading reading_;
   const Query* query_ = nullptr;
   std::array<std::array<Part, 4>, 2> parts_;
-  std::array<Kept, 2> kept_;
+  std::array<Families, 2> kept_;
   std::array<Homogeneous, 2> homogeneous_;
 };
 

@@ -12,7 +12,7 @@ void TdibmInclusion<Policy>::begin(const Query& query) {
   parts_.begin(query);
   if constexpr (Policy::kBoundsErrors) {
     for (size_t side = 0; side < 2; ++side) {
-      const Extent extent = extent_of(query.patches[side]);
+      const LargestComponents extent = largest_components_of(query.patches[side]);
       for (int stage = 0; stage < ObbAxes::kStages; ++stage) {
         stage_errors_[side][static_cast<size_t>(stage)] =
             coefficient_error(query.patches[side].shape, extent, Axis{{0, 0, 0}, stage});
@@ -88,7 +88,7 @@ typename TdibmInclusion<Policy>::OnAxis& TdibmInclusion<Policy>::on_axis(int sid
 template <class Policy>
 std::optional<Window> TdibmInclusion<Policy>::test(int part_a, int part_b, const Window& window,
                                                    ExclusionObserver* observer) {
-  std::array<Separation<double>, 2 * ObbAxes::kCount> separations;
+  std::array<SeparatedInterval<double>, 2 * ObbAxes::kCount> separations;
   size_t count = 0;
   if (window.lo != seen_.lo || window.hi != seen_.hi) {
     for (auto& side : own_) {

@@ -22,7 +22,7 @@ inline Window intersection(const Window& v, const Window& w) {
 /// An interval of time in which an axis separates two patches. It holds an end only if it was cut
 /// off there by the window: elsewhere the end is a root, at which the boxes touch.
 template <class S>
-struct Separation {
+struct SeparatedInterval {
   S lo;
   S hi;
   bool has_lo = false;

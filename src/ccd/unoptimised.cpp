@@ -15,8 +15,8 @@ namespace {
 /// Steps I and II for one patch in one direction: sign −1 stands for the lower envelope.
 template <class Policy>
 std::unique_ptr<Lines<double>> envelope(const Policy& policy, const MovingPatch<double>& part,
-                                        const Extent& extent, const Axis& axis, double sign,
-                                        const Window& w) {
+                                        const LargestComponents& extent, const Axis& axis,
+                                        double sign, const Window& w) {
   std::vector<Line<double>> heights;
   for (size_t i = 0; i < part.positions.size(); ++i) {
     heights.push_back({sign * dot(axis.direction, part.velocities[i]),
@@ -50,7 +50,8 @@ std::unique_ptr<Lines<double>> envelope(const Policy& policy, const MovingPatch<
 template <class Policy>
 void UnoptimisedInclusion<Policy>::begin(const Query& query) {
   query_ = &query;
-  for (size_t side = 0; side < 2; ++side) extents_[side] = extent_of(query.patches[side]);
+  for (size_t side = 0; side < 2; ++side)
+    extents_[side] = largest_components_of(query.patches[side]);
 }
 
 template <class Policy>
@@ -72,7 +73,7 @@ std::optional<Window> UnoptimisedInclusion<Policy>::test(int part_a, int part_b,
   const ObbAxes axes =
       ObbAxes::of({parts[0].shape, parts[1].shape}, frame(0), frame(1), reading_.axes.length);
   const Window wide{window.lo - reading_.window_margin, window.hi + reading_.window_margin};
-  std::vector<Separation<double>> separations;
+  std::vector<SeparatedInterval<double>> separations;
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     const Axis axis = axes[r];
     if (axis.is_zero()) continue;

@@ -25,7 +25,7 @@ class UnoptimisedInclusion {
   Policy policy_;
   Reading reading_;
   const Query* query_ = nullptr;
-  std::array<Extent, 2> extents_;
+  std::array<LargestComponents, 2> extents_;
   std::array<std::array<Cell, 4>, 2> cells_;
 };
 

@@ -19,7 +19,7 @@ std::array<double, 3> coordinates(const Vec3<double>& v) {
 }
 
 struct TimesJson {
-  const Separation<double>& times;
+  const SeparatedInterval<double>& times;
 
   static void fields(auto& archive, auto& json) {
     archive("from", json.times.lo);
@@ -35,14 +35,15 @@ void place_fields(JsonWriter& archive, const TracePlace& place) {
   archive("window", std::array{place.window.lo, place.window.hi});
 }
 
-/// The fields of an axis that excluded something (Exclusion), or how far it is from that (AxisGap).
+/// The fields of an axis that excluded something (ExcludedInterval), or how far it is from that
+/// (SignedGap).
 void axis_fields(JsonWriter& archive, const auto& by) {
   archive("axis", by.axis);
   archive("direction", coordinates(by.direction));
   archive("below", by.below);
 }
 
-void exclusion_fields(JsonWriter& archive, const Exclusion& by) {
+void exclusion_fields(JsonWriter& archive, const ExcludedInterval& by) {
   axis_fields(archive, by);
   archive("excluded", TimesJson{by.times});
 }
@@ -86,7 +87,7 @@ struct JsonForm<Trace::Slack> {
     place_fields(archive, slack.place);
     axis_fields(archive, slack.gap);
     archive("gap", std::array{slack.gap.at_lo, slack.gap.at_hi});
-    archive("unit", slack.gap.unit);
+    archive("unit", slack.gap.in_units_of);
   }
 };
 
@@ -130,7 +131,7 @@ std::vector<Table::Column> trace_columns() {
 std::vector<TableCell> trace_cells(const TraceRow& row) {
   const Trace& trace = row.trace;
   TableCell level, axis, below, margin, slack;
-  const auto show = [&](const TracePlace& place, const Exclusion& by) {
+  const auto show = [&](const TracePlace& place, const ExcludedInterval& by) {
     level = {fmt::format("{}", place.level)};
     axis = {fmt::format("{}", by.axis)};
     below = {by.below == 0 ? "first" : "second"};

@@ -43,7 +43,7 @@ struct OnAxis {
   }
 };
 
-double nearness(const Contact& q, const Exclusion& by) {
+double nearness(const Contact& q, const ExcludedInterval& by) {
   constexpr double kRounding = 0x1p-53;
   const double t = about(q.t);
   const double apart = std::max({0.0, by.times.lo - t, t - by.times.hi});
@@ -62,7 +62,7 @@ Standing standing_of(const Contact& q, const Trace& trace) {
             trace.slack->value};
   }
   if (trace.margin) {
-    const Exclusion& by = trace.margin->by;
+    const ExcludedInterval& by = trace.margin->by;
     const bool at_start = by.times.lo <= trace.margin->place.window.lo;
     return {niche_at(at_start ? Niche::By::kExcludedStart : Niche::By::kExcludedRest,
                      trace.margin->place, by.axis),

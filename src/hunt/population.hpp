@@ -18,7 +18,7 @@ struct Niche {
     kNothing,        ///< nothing was excluded
     kExcludedStart,  ///< an exclusion that begins with the window
     kExcludedRest,   ///< one that begins later
-    kGap,            ///< the gap at an end of a window (AxisGap)
+    kGap,            ///< the gap at an end of a window (SignedGap)
   };
   By by = By::kNothing;
   std::int16_t level = 0;  ///< the pair's (TracePlace)

@@ -44,7 +44,7 @@ Json cells_json(const TracePlace& place) {
   return cells;
 }
 
-Json axis_json(const Exclusion& by) {
+Json axis_json(const ExcludedInterval& by) {
   return {{"axis", by.axis},
           {"direction", {by.direction[0], by.direction[1], by.direction[2]}},
           {"below", by.below},
@@ -75,7 +75,7 @@ Json step_json(const Rational& t, const Trace::Step& step) {
        cells_json(step.place), nullptr, nullptr, nullptr, nullptr, nullptr, nullptr});
   if (step.slack) row[5] = shortened(*step.slack);
   if (!step.margin) return row;
-  const Exclusion& by = step.margin->by;
+  const ExcludedInterval& by = step.margin->by;
   row[3] = shortened(static_cast<double>(step.margin->ulps), 4);
   row[4] = by.axis;
   row[6] = Json::array();

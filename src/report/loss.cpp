@@ -74,7 +74,7 @@ LossFacts facts_of(const Query& query, const Witness& witness, const Trace::Loss
   CCDFUZZ_VERIFY(loss.by.axis >= 0);
   LossFacts facts;
   facts.overlap = overlap_of(query, witness, loss);
-  const Separation<double>& times = loss.by.times;
+  const SeparatedInterval<double>& times = loss.by.times;
   if (!times.has_lo) facts.ulps_past = doubles_between(times.lo, round_down(witness.t));
   if (!times.has_hi) {
     const std::uint64_t past = doubles_between(round_up(witness.t), times.hi);

@@ -56,7 +56,8 @@ Rational worst_share_of_bound(Draw& random, const Shape& shape) {
   Rational worst = 0;
   for (int r = 0; r < ObbAxes::kCount; ++r) {
     const Axis axis = axes[r];
-    const CoefficientError bound = coefficient_error(shape, extent_of(query.patches[0]), axis);
+    const CoefficientError bound =
+        coefficient_error(shape, largest_components_of(query.patches[0]), axis);
     const ControlNet net = parts.net(0, 0);
     for (size_t i = 0; i < net.positions.size(); ++i) {
       const auto error = [&](const Vec3<double>& rounded, const Vec3<Rational>& exact_point) {
@@ -86,7 +87,7 @@ TEST(Projection, StepOneIsWithinTheBoundsOfAppendixA) {
 }
 
 TEST(Projection, BoundsGrowWithPatchAndAxis) {
-  const Extent unit_extent{1, 2};
+  const LargestComponents unit_extent{1, 2};
   const Axis first{{1, 0, 0}, 0}, last{{1, 0, 0}, 5};
   const CoefficientError at_first = coefficient_error(Shape::triangle(2), unit_extent, first);
   const CoefficientError at_last = coefficient_error(Shape::triangle(2), unit_extent, last);

@@ -12,10 +12,9 @@ namespace ccdfuzz {
 
 /// Where f + g < 0 on w, f the maximum of the lines f and g that of the lines g, from all pairs of
 /// lines: no envelope, no order, no predicate that Steps II and III use.
-inline std::optional<Separation<Rational>> all_pairs_separation(const Lines<Rational>& f,
-                                                                const Lines<Rational>& g,
-                                                                const TimeWindow<Rational>& w) {
-  Separation<Rational> s{w.lo, w.hi, true, true};
+inline std::optional<SeparatedInterval<Rational>> all_pairs_separation(
+    const Lines<Rational>& f, const Lines<Rational>& g, const TimeWindow<Rational>& w) {
+  SeparatedInterval<Rational> s{w.lo, w.hi, true, true};
   for (const Line<Rational>& x : f) {
     for (const Line<Rational>& y : g) {
       const Rational slope(x.slope + y.slope), intercept(x.intercept + y.intercept);
@@ -40,8 +39,8 @@ inline std::optional<Separation<Rational>> all_pairs_separation(const Lines<Rati
 }
 
 /// Is every time of `found` in `exact_set`?
-inline bool is_subset(const Separation<double>& found,
-                      const std::optional<Separation<Rational>>& exact_set) {
+inline bool is_subset(const SeparatedInterval<double>& found,
+                      const std::optional<SeparatedInterval<Rational>>& exact_set) {
   if (!exact_set) return false;
   const Rational lo = exact(found.lo), hi = exact(found.hi);
   const bool lo_fits =

@@ -31,8 +31,8 @@ LineProblem sorted_problem(std::initializer_list<Line<double>> f,
 
 /// Steps II and III as a method runs them.
 template <class Policy, class S>
-std::optional<Separation<S>> separated_times(const Policy& policy, const Lines<S>& f,
-                                             const Lines<S>& g, const TimeWindow<S>& w) {
+std::optional<SeparatedInterval<S>> separated_times(const Policy& policy, const Lines<S>& f,
+                                                    const Lines<S>& g, const TimeWindow<S>& w) {
   Lines<S> envelope_f, envelope_g;
   upper_envelope(policy, f, w, envelope_f);
   upper_envelope(policy, g, w, envelope_g);
@@ -157,7 +157,7 @@ TEST(Separation, ThePathAdvancesTheOtherEnvelopeAlone) {
 TEST(ClippedTo, HoldsAnEndOfTheWindowThatItReachesPast) {
   const TimeWindow<double> w{.25, .75};
   const auto clipped = [&w](double lo, double hi) {
-    return clipped_to(w, Separation<double>{lo, hi, lo == 0, hi == 1});
+    return clipped_to(w, SeparatedInterval<double>{lo, hi, lo == 0, hi == 1});
   };
   EXPECT_TRUE(clipped(0, .5)->has_lo && !clipped(0, .5)->has_hi);
   EXPECT_TRUE(!clipped(.5, 1)->has_lo && clipped(.5, 1)->has_hi);
@@ -170,7 +170,7 @@ TEST(ClippedTo, HoldsAnEndOfTheWindowThatItReachesPast) {
 }
 
 TEST(RemainingWindow, KeepsATouchBetweenTwoSeparations) {
-  const std::array<Separation<double>, 2> s = {{{0, .5, true, false}, {.5, 1, false, true}}};
+  const std::array<SeparatedInterval<double>, 2> s = {{{0, .5, true, false}, {.5, 1, false, true}}};
   const auto w = remaining_window<double>(s, {0, 1});
   ASSERT_TRUE(w.has_value());
   EXPECT_EQ(w->lo, .5);
@@ -178,12 +178,12 @@ TEST(RemainingWindow, KeepsATouchBetweenTwoSeparations) {
 }
 
 TEST(RemainingWindow, KeepsATouchAtEitherEnd) {
-  const std::array<Separation<double>, 1> after_start = {{{0, 1, false, true}}};
+  const std::array<SeparatedInterval<double>, 1> after_start = {{{0, 1, false, true}}};
   const auto start = remaining_window<double>(after_start, {0, 1});
   ASSERT_TRUE(start.has_value());
   EXPECT_EQ(start->lo, 0);
   EXPECT_EQ(start->hi, 0);
-  const std::array<Separation<double>, 1> before_end = {{{0, 1, true, false}}};
+  const std::array<SeparatedInterval<double>, 1> before_end = {{{0, 1, true, false}}};
   const auto end = remaining_window<double>(before_end, {0, 1});
   ASSERT_TRUE(end.has_value());
   EXPECT_EQ(end->lo, 1);
@@ -191,13 +191,13 @@ TEST(RemainingWindow, KeepsATouchAtEitherEnd) {
 }
 
 TEST(RemainingWindow, MergesSeparationsThatOverlap) {
-  const std::array<Separation<double>, 3> s = {
+  const std::array<SeparatedInterval<double>, 3> s = {
       {{.6, 1, false, true}, {.25, .75, false, false}, {0, .5, true, false}}};
   EXPECT_FALSE(remaining_window<double>(s, {0, 1}).has_value());
 }
 
 TEST(RemainingWindow, KeepsWhatLiesBetween) {
-  const std::array<Separation<double>, 3> s = {
+  const std::array<SeparatedInterval<double>, 3> s = {
       {{.75, 1, false, true}, {0, .25, true, false}, {.4, .5, false, false}}};
   const auto w = remaining_window<double>(s, {0, 1});
   ASSERT_TRUE(w.has_value());

@@ -111,8 +111,8 @@ std::map<std::array<certified::CellTree::Node, 2>, certified::CellPair> kept_of(
 
 class Deaf : public ExclusionObserver {
  public:
-  void excluded(const Exclusion&) override {}
-  void compared(const AxisGap&) override {}
+  void excluded(const ExcludedInterval&) override {}
+  void compared(const SignedGap&) override {}
 };
 
 // The certified method looks at all children of a pair, a trace at one of each patch.

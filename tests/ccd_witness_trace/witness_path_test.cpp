@@ -82,11 +82,11 @@ TEST(TimeBounds, ATimeBetweenDoublesIsNoneOfThem) {
   EXPECT_FALSE(between.within(TimeWindow<double>{above, 2}));
   EXPECT_TRUE(between.within(TimeWindow<double>{below, above}));
   EXPECT_TRUE(at.within(TimeWindow<double>{0, below}));
-  EXPECT_TRUE(between.within(Separation<double>{below, above, false, false}));
-  EXPECT_FALSE(between.within(Separation<double>{0, below, true, true}));
-  EXPECT_TRUE(at.within(Separation<double>{0, below, true, true}));
-  EXPECT_FALSE(at.within(Separation<double>{0, below, true, false}));
-  EXPECT_FALSE(at.within(Separation<double>{below, 2, false, true}));
+  EXPECT_TRUE(between.within(SeparatedInterval<double>{below, above, false, false}));
+  EXPECT_FALSE(between.within(SeparatedInterval<double>{0, below, true, true}));
+  EXPECT_TRUE(at.within(SeparatedInterval<double>{0, below, true, true}));
+  EXPECT_FALSE(at.within(SeparatedInterval<double>{0, below, true, false}));
+  EXPECT_FALSE(at.within(SeparatedInterval<double>{below, 2, false, true}));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct ObservedAxis {
 
   Vec3<double> direction() const { return {l[0], l[1], l[2]}; }
 
-  void excluded(int below, const Separation<double>& times) const {
+  void excluded(int below, const SeparatedInterval<double>& times) const {
     observer.excluded({number, direction(), below, times});
   }
 

@@ -12,7 +12,7 @@ namespace {
 void unscale(Window& w, int exponent) {
   w = {std::ldexp(w.lo, exponent), std::ldexp(w.hi, exponent)};
 }
-void unscale(Exclusion& e, int exponent) {
+void unscale(ExcludedInterval& e, int exponent) {
   e.times.lo = std::ldexp(e.times.lo, exponent);
   e.times.hi = std::ldexp(e.times.hi, exponent);
 }

@@ -6,7 +6,7 @@ namespace ccdfuzz {
 
 std::string loss_cause(const Trace& trace) {
   if (!trace.loss) return "";
-  const Exclusion& by = trace.loss->by;
+  const ExcludedInterval& by = trace.loss->by;
   if (by.axis < 0) return "hull";
   if (by.times.has_lo) return by.times.has_hi ? "whole window" : "right root";
   return by.times.has_hi ? "left root" : "both roots";
@@ -14,7 +14,7 @@ std::string loss_cause(const Trace& trace) {
 
 std::string loss_signature(const Trace& trace) {
   if (!trace.loss) return "";
-  const Exclusion& by = trace.loss->by;
+  const ExcludedInterval& by = trace.loss->by;
   const int level = trace.loss->place.level;
   if (by.axis < 0) return fmt::format("level {}, hull", level);
   // Of oriented boxes: those of patch 1, those of patch 2, and their cross products.

@@ -49,7 +49,7 @@ struct Trace {
   /// window, if anything.
   struct Loss {
     TracePlace place;
-    Exclusion by;
+    ExcludedInterval by;
     std::optional<Window> left;
   };
   std::optional<Loss> loss;
@@ -63,19 +63,19 @@ struct Trace {
   struct Margin {
     std::uint64_t ulps = 0;
     TracePlace place;
-    Exclusion by;
+    ExcludedInterval by;
   };
   std::optional<Margin> margin;
 
   /// For methods that compare at the ends of windows: how near an axis was to excluding t*. It is
-  /// the AxisGap at t*, linear between both ends, in its unit; least over all pairs and axes.
+  /// the SignedGap at t*, linear between both ends, in its unit; least over all pairs and axes.
   /// tdibm-c: in multiples of its error bound E, 1 where the computed gap is 0. At a loss of t* at
   /// an end of the window it is < 0. In exact arithmetic it is never < 1. trad: overlap in ulps of
   /// the heights, < 0 at a loss. Computed in double precision: a guide, no proof.
   struct Slack {
     double value = 0;
     TracePlace place;
-    AxisGap gap;
+    SignedGap gap;
   };
   std::optional<Slack> slack;
 

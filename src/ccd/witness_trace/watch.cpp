@@ -34,12 +34,12 @@ bool WitnessWatch::judge(const std::optional<Window>& left) {
   if (steps_) trace_.steps.push_back({place_, left, !kept, margin_, slack_});
   if (kept) return true;
   ++trace_.lost_pairs;
-  if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(Exclusion{}), left};
+  if (!trace_.lost) trace_.loss = Trace::Loss{place_, claim_.value_or(ExcludedInterval{}), left};
   trace_.lost = true;
   return false;
 }
 
-void WitnessWatch::excluded(const Exclusion& exclusion) {
+void WitnessWatch::excluded(const ExcludedInterval& exclusion) {
   std::uint64_t ulps = 0;
   if (time_.within(exclusion.times)) {
     ++trace_.false_claims;
@@ -55,7 +55,7 @@ void WitnessWatch::excluded(const Exclusion& exclusion) {
   if (!trace_.margin || ulps < trace_.margin->ulps) trace_.margin = margin_;
 }
 
-void WitnessWatch::compared(const AxisGap& gap) {
+void WitnessWatch::compared(const SignedGap& gap) {
   const Window& w = gap.window;
   double at_t = gap.at_lo;
   if (time_.lo == w.hi) {
@@ -63,7 +63,7 @@ void WitnessWatch::compared(const AxisGap& gap) {
   } else if (w.lo < time_.lo) {
     at_t += (gap.at_hi - gap.at_lo) * ((time_.lo - w.lo) / (w.hi - w.lo));
   }
-  const double slack = at_t / gap.unit;
+  const double slack = at_t / gap.in_units_of;
   if (slack_ ? slack < *slack_ : slack == slack) slack_ = slack;
   if (trace_.slack ? slack < trace_.slack->value : slack == slack) {
     trace_.slack = Trace::Slack{slack, place_, gap};

@@ -19,8 +19,8 @@ class WitnessWatch final : public ExclusionObserver {
   /// Its result: the window that is left. Returns whether the witness is in it.
   bool judge(const std::optional<Window>& left);
 
-  void excluded(const Exclusion& exclusion) override;
-  void compared(const AxisGap& gap) override;
+  void excluded(const ExcludedInterval& exclusion) override;
+  void compared(const SignedGap& gap) override;
 
   const Trace& trace() const { return trace_; }
   Trace& trace() { return trace_; }
@@ -29,9 +29,9 @@ class WitnessWatch final : public ExclusionObserver {
   TimeBounds time_;
   Trace trace_;
   TracePlace place_;
-  std::optional<Exclusion> claim_;       ///< the first of this test that contains the witness
-  std::optional<Trace::Margin> margin_;  ///< in this test
-  std::optional<double> slack_;          ///< in this test
+  std::optional<ExcludedInterval> claim_;  ///< the first of this test that contains the witness
+  std::optional<Trace::Margin> margin_;    ///< in this test
+  std::optional<double> slack_;            ///< in this test
   bool steps_ = false;
 };
 

@@ -17,7 +17,7 @@ struct TimeBounds {
   double hi = 0;
 
   bool within(const TimeWindow<double>& w) const { return w.lo <= lo && hi <= w.hi; }
-  bool within(const Separation<double>& s) const {
+  bool within(const SeparatedInterval<double>& s) const {
     return (s.lo < hi || (s.has_lo && s.lo == hi && lo == hi)) &&
            (lo < s.hi || (s.has_hi && s.hi == lo && lo == hi));
   }
