@@ -106,16 +106,5 @@ TEST(Citations, DerivationsNameFunctionsThatAreThere) {
   EXPECT_GT(names, 50);
 }
 
-// A law of a header has tests that carry its name.
-TEST(Citations, LawsOfTdibmCHaveTheirTests) {
-  std::string headers, tests;
-  for (const fs::path& file : files_in("src/ccd/certified", {".hpp"})) headers += text_of(file);
-  for (const fs::path& file : files_in("tests/ccd_certified", {".cpp"})) tests += text_of(file);
-  for (const std::string law : {"A", "B", "C"}) {
-    EXPECT_NE(headers.find("/// Law " + law + ": "), std::string::npos) << law;
-    EXPECT_NE(tests.find("(Law" + law + ", "), std::string::npos) << law;
-  }
-}
-
 }  // namespace
 }  // namespace ccdfuzz

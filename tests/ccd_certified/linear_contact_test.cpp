@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ccd/certified/normalise.hpp"
+#include "ccd/certified/rough_contact.hpp"
 #include "ccd/certified/short_contact.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 #include "certify/linear/first_contact.hpp"
@@ -118,7 +120,7 @@ Query about_origin(Draw& random, int bits) {
 }
 
 // Level 45 is too fine for short integers.
-TEST(LinearContact, IsTheSameInShortAndLongIntegers) {
+TEST(LawL10, IsTheSameInShortAndLongIntegers) {
   Draw random{Random::keyed({41})};
   int is_short = 0, hits = 0, total = 0;
   for (std::size_t i = 0; i < 6000 / kOneIn; ++i, ++total) {
@@ -138,6 +140,111 @@ TEST(LinearContact, IsTheSameInShortAndLongIntegers) {
   EXPECT_GT(hits, total / 20);
 }
 
+/// Whether short integers, then long ones, decide as another code in GMP does.
+void expect_decided(const Query& query) {
+  const Kind kind = linear::first_contact(query) ? Kind::kProven : Kind::kNone;
+  for (const int level : {44, 45}) {
+    ASSERT_EQ(first_linear_contact(query, level).kind, kind) << to_json({query, {}, {}, {}});
+  }
+}
+
+/// Two patches about the origin with coordinates that are −1, 0 or 1, which rest or move likewise.
+Query on_a_grid(Draw& random, bool is_flat, bool moves) {
+  Query query = about_origin(random, 0);
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (Vec3<double>& p : *points) {
+        if (is_flat) p[2] = 0;
+        if (!moves && points == &patch.velocities) p.setZero();
+      }
+    }
+  }
+  return query;
+}
+
+// Many of these polygons have no area, and many have the origin on an edge or at a corner.
+TEST(LawL1, SaysWhetherTheOriginIsInThePolygon) {
+  Draw random{Random::keyed({42})};
+  for (std::size_t i = 0; i < 4000 / kOneIn; ++i) {
+    expect_decided(on_a_grid(random, random.coin(), false));
+  }
+}
+
+// In a plane the determinant is 0 at all times.
+TEST(LawL2, FindsTheFirstContactInAPlane) {
+  Draw random{Random::keyed({43})};
+  for (std::size_t i = 0; i < 4000 / kOneIn; ++i) expect_decided(on_a_grid(random, true, true));
+}
+
+// Of small integers the determinant has irrational roots, at which other polynomials are 0, too.
+TEST(LawL5, FindsSignsAtIrrationalTimes) {
+  Draw random{Random::keyed({44})};
+  for (std::size_t i = 0; i < 2000 / kOneIn; ++i) {
+    expect_decided(about_origin(random, random.pick(std::array{1, 2, 3})));
+  }
+}
+
+// Coordinates of the most binary places that are promised: a size beyond L6 would throw.
+TEST(LawL6, TheLongestNumbersFit) {
+  Draw random{Random::keyed({45})};
+  for (std::size_t i = 0; i < 400 / kOneIn; ++i) {
+    Query query = on_a_grid(random, false, true);
+    query.t_max = 1;
+    for (MovingPatch<double>& patch : query.patches) {
+      for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+        for (Vec3<double>& p : *points) {
+          for (int k = 0; k < 3; ++k) {
+            p[k] *= random.pick(std::array{1.0, 2 - 0x1p-52, 0x1p-253, 3 * 0x1p-253});
+          }
+        }
+      }
+    }
+    const Kind kind = kind_of(query);
+    ASSERT_NE(kind, Kind::kTooWide);
+    if (kind == Kind::kOpen) continue;  // L3: roots that are nearer than 2^-512
+    ASSERT_EQ(kind == Kind::kProven, linear::first_contact(query).has_value());
+  }
+}
+
+TEST(LawL8, TheTimeIsNoMoreThanAStepBeforeTheContact) {
+  Draw random{Random::keyed({46})};
+  int hits = 0;
+  for (std::size_t i = 0; i < 2000 / kOneIn; ++i) {
+    const Query query = about_origin(random, random.pick(std::array{1, 2, 3, 20}));
+    const auto contact = linear::first_contact(query);
+    if (!contact) continue;
+    ++hits;
+    for (const int level : {44, 47, 50}) {
+      const Rational toi = exact(first_linear_contact(query, level).toi);
+      ASSERT_LE(toi, contact->time.hi()) << to_json({query, {}, {}, {}});
+      // A step, and what its rounding and the contact's bracket add.
+      const Rational early = exact(query.t_max) * power_of_two(1 - level);
+      ASSERT_LE(contact->time.lo(), toi + early) << to_json({query, {}, {}, {}});
+    }
+  }
+  EXPECT_GT(hits, 10);
+}
+
+TEST(LawL9, SaysWhatExactArithmeticFinds) {
+  Draw random{Random::keyed({47})};
+  NormalisedQuery normalised;
+  int none = 0, proven = 0;
+  for (std::size_t i = 0; i < 4000 / kOneIn; ++i) {
+    const Query query = about_origin(random, random.pick(std::array{3, 20, 53}));
+    normalise(query, normalised);
+    const RoughContact rough = rough_contact(normalised, 0, 0, 0x1p-14);
+    if (rough.kind == RoughContact::Kind::kOpen) continue;
+    const auto contact = linear::first_contact(query);
+    const bool is_proven = rough.kind == RoughContact::Kind::kProven;
+    ASSERT_EQ(contact.has_value(), is_proven) << to_json({query, {}, {}, {}});
+    ++(is_proven ? proven : none);
+    if (!is_proven) continue;
+    ASSERT_LE(exact(std::ldexp(rough.time, normalised.time)), contact->time.hi());
+  }
+  EXPECT_GT(none, 10);
+  EXPECT_GT(proven, 10);
+}
+
 // p(t) = (t − ½, ε), q(t) = (s·ε, t − ½) about the origin: collinear with it where (t − ½)² = s·ε²,
 // and on opposite sides there.
 Query near_roots(int exponent, double s) {
@@ -147,7 +254,7 @@ Query near_roots(int exponent, double s) {
           1};
 }
 
-TEST(LinearContact, PartsRootsThatAreNear) {
+TEST(LawL3, PartsRootsThatAreNear) {
   for (const int exponent : {-4, -20, -60, -100, -190}) {
     EXPECT_EQ(kind_of(near_roots(exponent, -1)), Kind::kNone) << exponent;
     EXPECT_EQ(kind_of(near_roots(exponent, 0)), Kind::kProven) << exponent;
@@ -157,7 +264,7 @@ TEST(LinearContact, PartsRootsThatAreNear) {
 }
 
 /// The same about a triangle: a third corner makes the determinant a polynomial of degree 3.
-TEST(LinearContact, FindsRepeatedRootsOfCubics) {
+TEST(LawL4, FindsRepeatedRootsOfCubics) {
   for (const double z : {-1.0, -0.25, 0.0, 0.5}) {
     for (const double s : {-0x1p-60, 0.0, 0x1p-60}) {
       const Query query{{patch(Shape::point(), {{0, 0, 0}}),
@@ -179,7 +286,7 @@ Query gap_of_places(int places, double gap, double scale) {
 
 // It is exact for the number of binary places that it promises, from the lowest bit of a coordinate
 // to its highest. Beyond, it says hit wherever the bounds of doubles do not exclude one.
-TEST(LinearContact, IsExactInTheRangeThatItSays) {
+TEST(LawL7, IsExactInTheRangeThatItSays) {
   for (int places = 240; places <= 270; ++places) {
     if (places == 255) continue;  // covered here, but not promised
     for (const double scale : {1.0, 0x1p-700, 0x1p700}) {

@@ -57,7 +57,7 @@ CutCase cut(const Setting& s) {
   return c;
 }
 
-RC_GTEST_PROP(Window, LosesOnlyTimesThatAreSeparated, ()) {
+RC_GTEST_PROP(LawR1, LosesOnlyTimesThatAreSeparated, ()) {
   const CutCase c = cut(any_setting(3, 6));
   if (c.cut == Cut::kAll) {
     RC_ASSERT(c.any([&](const SeparatedTimes& s) { return c.separates_all(s); }));
@@ -77,10 +77,20 @@ RC_GTEST_PROP(Window, LosesOnlyTimesThatAreSeparated, ()) {
   RC_ASSERT((c.cut == Cut::kNothing) == (c.before.lo == c.after.lo && c.before.hi == c.after.hi));
 }
 
-RC_GTEST_PROP(Window, IsEmptyWhereverOneAxisSeparatesThroughout, ()) {
+RC_GTEST_PROP(LawR2, IsEmptyWhereverOneAxisSeparatesThroughout, ()) {
   const CutCase c = cut(any_setting(3, 6));
   if (c.any([&](const SeparatedTimes& s) { return c.separates_all(s); })) {
     RC_ASSERT(c.cut == Cut::kAll);
+  }
+}
+
+RC_GTEST_PROP(LawR3, MovesNoEndAtWhichTheGapIsNotNegative, ()) {
+  const CutCase c = cut(any_setting(3, 6));
+  if (!c.any([&](const SeparatedTimes& s) { return c.separates_lo(s); })) {
+    RC_ASSERT(c.after.lo == c.before.lo);
+  }
+  if (!c.any([&](const SeparatedTimes& s) { return c.separates_hi(s); })) {
+    RC_ASSERT(c.after.hi == c.before.hi);
   }
 }
 

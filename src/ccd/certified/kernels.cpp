@@ -167,6 +167,7 @@ template <bool kRational>
   const Vector least0 = gap.lo0 < gap.hi0 ? gap.lo0 : gap.hi0;
   const Vector least1 = gap.lo1 < gap.hi1 ? gap.lo1 : gap.hi1;
   const Vector least = least0 < least1 ? least0 : least1;
+  // Laws A and C: below −E at both ends is separated throughout.
   const Mask separated = throughout < -bound, at_end = least < -bound;
   constexpr Mask kThroughout = {1, 2, 4, 8}, kAtEnd = {16, 32, 64, 128};
   const Mask bits = (separated & kThroughout) | (at_end & kAtEnd);

@@ -23,8 +23,8 @@ constexpr int kLevelsBeforeGcd = 6;
 
 /// No more than a share of t_max, of which `share` is a quotient of approximations.
 double time_below(double share, double t_max) {
-  // Two approximations, 2^-52 each, a quotient and two products: less than 2^-50 in all. A root is
-  // 2^-774 at least, and the last product alone may underflow, which one double covers.
+  // Law L8: two approximations, 2^-52 each, a quotient and two products are less than 2^-50 in all.
+  // A root is 2^-774 at least, and the last product alone may underflow, which one double covers.
   const double product = share * (1 - 0x1p-50) * t_max;
   return product > 0 ? next_down(product) : 0;
 }
@@ -53,6 +53,7 @@ class ContactSearch {
     Moment start({Int(), Int(1)});
     if (start.sign_of(determinant) == 0) try_moment(start);
     if (best_.kind != Kind::kNone) return best_;
+    // Law L2: the first contact is 0, a root of the determinant, or else one of what decides.
     if (!determinant.is_zero()) {
       try_roots(determinant);
       return best_;
@@ -115,7 +116,7 @@ Touch ContactSearch::touches(Moment& t) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const SignCount count = count_signs(
           t, quick, [&](std::size_t i) -> auto& { return polygon_.cross(i, k); });
-      if (count.both()) return Touch::kNo;
+      if (count.both()) return Touch::kNo;  // Law L1 (a)
       if (count.open == 0 && count.any()) return Touch::kYes;
       if (count.open > 0 && !quick) return Touch::kOpen;
     }
@@ -123,14 +124,14 @@ Touch ContactSearch::touches(Moment& t) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const SignCount count = count_signs(
         t, false, [&](std::size_t i) -> auto& { return polygon_.corner(i, k); });
-    if (count.both()) return Touch::kYes;
+    if (count.both()) return Touch::kYes;  // Law L1 (b)
     if (count.open > 0) return Touch::kOpen;
     if (count.any()) {
       const bool apart = std::max(count.above, count.below) == polygon_.corners();
       return apart ? Touch::kNo : Touch::kYes;
     }
   }
-  return Touch::kYes;
+  return Touch::kYes;  // Law L1 (c)
 }
 
 void ContactSearch::keep(Kind kind, const TimeRatio& lower_bound) {
@@ -197,7 +198,7 @@ void ContactSearch::try_roots(const TimePolynomial& p) {
     if (at_lo) {
       Moment moment({part.m, Int(1) << part.level});
       if (try_moment(moment)) return;
-    } else if (of_part.changes == 1) {
+    } else if (of_part.changes == 1) {  // Law L3: a single root, and it is simple
       Moment moment(p, part);
       if (try_moment(moment)) return;
     } else if (part.level == kMostLevels) {
@@ -205,7 +206,7 @@ void ContactSearch::try_roots(const TimePolynomial& p) {
       return;
     } else {
       if (part.level >= kLevelsBeforeGcd && !std::exchange(asked, true)) {
-        const TimePolynomial repeated = gcd(p, p.derivative());
+        const TimePolynomial repeated = gcd(p, p.derivative());  // Law L4
         if (repeated.degree() > 0) {
           try_ratios(p, repeated);
           return;

@@ -42,7 +42,7 @@ void Moment::narrow(int level) {
 std::optional<int> Moment::sign_of(const TimePolynomial& q) {
   for (bool asked = false; true; halve()) {
     if (const std::optional<int> sign = quick_sign_of(q)) return sign;
-    // A common divisor has no other root here than the one of `of_`, and that once.
+    // Law L5: a common divisor has no other root here than the one of `of_`, and that once.
     if (!std::exchange(asked, true) && gcd(*of_, q).signs_on(part_).odd_roots()) return 0;
     if (part_.level >= kMostLevels) return std::nullopt;
   }

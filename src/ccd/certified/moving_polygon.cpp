@@ -50,6 +50,7 @@ bool MovingPolygon<Integers>::make_coordinate(const Query& query, std::size_t k)
       note(backward[s][i], step.exponent, top_of_way);
     }
   }
+  // Law L7: numbers of this many binary places fit.
   if (top >= least && top - least >= Integers::kBits) return false;
   const std::int64_t factor = step.mantissa;
   for (std::size_t c = 0; c < corners_; ++c) {

@@ -98,6 +98,7 @@ Found RoughSearch::decide(const Instant& a, const Instant& b) {
   const Corners &p = a.corners, &q = b.corners;
   const double m = std::max(largest_coordinate(p), largest_coordinate(q));
   if (!(of_corner_ < 0x1p-20 * m)) return Found::kOpen;
+  // Law L9: these bound the errors of a cross product and of a determinant.
   const double of_cross = 6 * m * of_corner_, of_determinant = 96 * m * m * of_corner_;
 
   // The determinant's coefficients in Bernstein's basis, those inside three times.

@@ -18,8 +18,9 @@ struct RoughContact {
 };
 
 /// Decides nearly all linear queries that are not degenerate, in a far shorter time than integers
-/// take (DERIVATION.md, 7, L9). [from, first] is looked at before the rest, if first > from: where
-/// a contact is likely. Times are normalised. Requires is_linear_pair, 0 ≤ from ≤ t_max, width > 0.
+/// take (DERIVATION.md, 7, L9). [from, first] is looked at before the rest, if first > from:
+/// where a contact is likely. Times are normalised. Requires is_linear_pair, 0 ≤ from ≤ t_max,
+/// width > 0.
 RoughContact rough_contact(const NormalisedQuery& query, double from, double first, double width);
 
 }  // namespace ccdfuzz::certified

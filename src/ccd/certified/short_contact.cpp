@@ -146,13 +146,14 @@ ShortMoment ShortSearch::root_in(std::int64_t part, int level, int first, double
 std::optional<int> sign_at(const Cross& exact, const ShortMoment& t) {
   const auto sign = RoughPolynomial<2>(exact).sign_about(t.centre, t.radius);
   if (sign || t.part < 0) return sign;
+  // Law L10: on a part of level 44 a cross has 343 bits.
   const auto on_part = exact.on_part<384>(t.part, kShortLevel);
   if (t.radius == 0) return on_part.c[0].sign();
   const SignsOfPart signs = signs_of(on_part);
   return signs.changes == 0 ? std::optional(signs.first) : std::nullopt;
 }
 
-/// L1 (a), unless a sign is open.
+/// Whether the origin is in the polygon, unless a sign is open.
 std::optional<bool> touches(ShortPolygon& polygon, const ShortMoment& t) {
   for (std::size_t k = 0; k < 3; ++k) {
     bool above = false, below = false, open = false;
@@ -162,7 +163,7 @@ std::optional<bool> touches(ShortPolygon& polygon, const ShortMoment& t) {
       above = above || (sign && *sign > 0);
       below = below || (sign && *sign < 0);
     }
-    if (above && below) return false;
+    if (above && below) return false;  // Law L1 (a)
     if (!open && (above || below)) return true;
   }
   return std::nullopt;

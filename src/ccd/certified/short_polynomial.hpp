@@ -90,8 +90,8 @@ struct RoughPolynomial {
       size = size * x + std::abs(c[i]);
       slope += static_cast<double>(i) * std::abs(c[i]);
     }
-    // 2^-52 of each coefficient and six roundings, 2^-53 each, are 8·2^-53 of the size at most. As
-    // much is for it and the slope, which are rounded too.
+    // Law L10: 2^-52 of each coefficient and six roundings, 2^-53 each, are 8·2^-53 of the size at
+    // most. As much is for it and the slope, which are rounded too.
     const double bound = 0x1p-49 * size + 2 * radius * slope;
     if (value > bound) return 1;
     if (value < -bound) return -1;

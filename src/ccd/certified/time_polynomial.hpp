@@ -6,9 +6,9 @@
 
 namespace ccdfuzz::certified {
 
-/// Coordinates are integers below 2^kMostBits where linear contacts are decided, and all that is
-/// computed of them is below 2^(26·kMostBits + 64) (DERIVATION.md, 7).
+/// Coordinates are integers below 2^kMostBits where linear contacts are decided.
 inline constexpr int kMostBits = 256;
+// Law L6: all that is computed of them is below this.
 using Int = BoundedInt<26 * kMostBits + 64>;
 
 /// From m·2^-level to (m + 1)·2^-level; the whole time step is [0, 1].

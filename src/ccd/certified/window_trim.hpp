@@ -28,8 +28,9 @@ struct Gaps {
     CCDFUZZ_ASSERT(b.of.is_of(a.of.window));
   }
 
-  /// Separated throughout the window, certainly (Laws A and C).
+  /// Separated throughout the window, certainly.
   bool separated(double bound) const {
+    // Laws A and C
     return (at_lo[0] < -bound && at_hi[0] < -bound) || (at_lo[1] < -bound && at_hi[1] < -bound);
   }
 
@@ -62,7 +63,8 @@ inline void trim_by_chord(const Gaps& gaps, double bound, Window& w) {
   const Window whole = w;
   for (int sign = 0; sign < 2; ++sign) {
     const double h_lo = gaps.at_lo[sign] + bound, h_hi = gaps.at_hi[sign] + bound;
-    // fl(gap + bound) is an upper bound of h up to one rounding, which the slack in bound covers.
+    // Law B: fl(gap + bound) is an upper bound of h up to one rounding, which the slack in bound
+    // covers.
     if (gaps.at_lo[sign] < -bound && h_hi >= 0) {
       w.lo = std::max(w.lo, chord_root(whole.lo, h_lo, whole.hi, h_hi));
     } else if (gaps.at_hi[sign] < -bound && h_lo >= 0) {

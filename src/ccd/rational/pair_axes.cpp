@@ -2,6 +2,7 @@
 #include "numeric/products.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ccdfuzz::exact_ccd {
@@ -75,22 +76,9 @@ Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t) {
 }
 
 Vec3<double> pair_axis(const Frame& a, const Frame& b, int r) {
-  switch (r) {
-    case 0:
-      return a[1];
-    case 1:
-      return b[1];
-    case 2:
-      return a[0];
-    case 3:
-      return b[0];
-    case 4:
-      return a[2];
-    case 5:
-      return b[2];
-    default:
-      return cross(a[static_cast<size_t>((r - 6) / 3)], b[static_cast<size_t>((r - 6) % 3)]);
-  }
+  constexpr std::array<size_t, 3> kOrder = {1, 0, 2};
+  if (r < 6) return (r % 2 == 0 ? a : b)[kOrder[static_cast<size_t>(r / 2)]];
+  return cross(a[static_cast<size_t>((r - 6) / 3)], b[static_cast<size_t>((r - 6) % 3)]);
 }
 
 }  // namespace ccdfuzz::exact_ccd

@@ -58,7 +58,7 @@ class RootRounding {
   bool certify(double t) {
     found_ = t;
     if (!(from_ < to_ ? from_ < t && t < to_ : to_ < t && t < from_)) return false;
-    return gap_.sign(below_, t, gap_.extremes(t)) <= 0;
+    return gap_.sign(below_, t, gap_.extremes(t)) <= 0;  // Law R3
   }
 
   Gap& gap_;
@@ -76,9 +76,10 @@ Cut cut_window(Gap& gap, ScaledWindow& window) {
   for (int below = 0; below < 2; ++below) {
     const double gap_lo = at_lo.gap(below), gap_hi = at_hi.gap(below);
     if (gap_lo > gap.error() && gap_hi > gap.error()) continue;
+    // Law R1: exact signs decide what is taken.
     const int sign_lo = gap.sign(below, window.lo, at_lo);
     const int sign_hi = window.lo == window.hi ? sign_lo : gap.sign(below, window.hi, at_hi);
-    if (sign_lo < 0 && sign_hi < 0) return Cut::kAll;
+    if (sign_lo < 0 && sign_hi < 0) return Cut::kAll;  // Law R2
     if (sign_lo < 0) {
       const double end = sign_hi == 0
                              ? window.hi

@@ -22,8 +22,7 @@ std::optional<Witness> find_witness(const Query& query, const ContactGuess& gues
 
 /// A contact box (certificate M) near the guess that ends at a time ≤ t_max, the earliest of
 /// those found, or nothing. Each choice of three unknowns is tried: Newton's method finds them from
-/// the guess, and the box grows until the checker accepts it. What is returned passed
-/// check_box.
+/// the guess, and the box grows until the checker accepts it. What is returned passed check_box.
 std::optional<ContactBox> find_contact_box(const Query& query, const ContactGuess& guess);
 
 }  // namespace ccdfuzz
