@@ -34,7 +34,7 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
 
 /// Heights of a cell's control points along an axis at t: the least and the largest.
 std::array<Rational, 2> heights(const MovingPatch<double>& patch, const Cell& cell,
-                                const exact_ccd::Axis& axis, const Rational& t) {
+                                const exact_ccd::IntegerAxis& axis, const Rational& t) {
   const MovingPatch<Rational> part = restrict_to<Rational>(
       exact_patch<Rational>(patch), exact_corners<Rational>(cell.corners(patch.shape)));
   std::optional<std::array<Rational, 2>> out;
@@ -48,7 +48,7 @@ std::array<Rational, 2> heights(const MovingPatch<double>& patch, const Cell& ce
 }
 
 void check_filter_on(const Query& query, Draw& d) {
-  exact_ccd::Axis axis;
+  exact_ccd::IntegerAxis axis;
   for (auto& l : axis.l) l = static_cast<std::int32_t>(d.integer(-(1 << 20), 1 << 20));
   if (axis.norm1() == 0) axis.l[0] = 1;
   exact_ccd::Gap gap;

@@ -19,7 +19,7 @@ struct ExactLine {
 
 /// The control points of a cell, projected on an axis: the cell's own, restricted exactly.
 inline std::vector<ExactLine> exact_lines(const MovingPatch<double>& patch, const Cell& cell,
-                                          const exact_ccd::Axis& axis) {
+                                          const exact_ccd::IntegerAxis& axis) {
   const MovingPatch<Dyadic> part =
       restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
   const auto along = [&](const Vec3<Dyadic>& p) {

@@ -74,7 +74,7 @@ void agrees_at_the_limit() {
   scene.load(limit.query, Units::of(limit.query));
   const std::array<Cell, 2> cells = {limit.families[0].cell(), limit.families[1].cell()};
   constexpr std::int32_t most = std::int32_t{1} << kAxisBits;
-  Axis axis{{most, most, most}};
+  IntegerAxis axis{{most, most, most}};
   for (std::int32_t& x : axis.l) {
     if (*rc::gen::inRange(0, 8) == 0) x = *rc::gen::element(-most, 0, 1, most - 1);
   }

@@ -8,10 +8,10 @@ namespace ccdfuzz::exact_ccd {
 
 inline constexpr int kMostAxisBits = 30;
 
-inline Axis any_axis(int bits) {
+inline IntegerAxis any_axis(int bits) {
   const std::int32_t most = std::int32_t{1} << bits;
   if (*rc::gen::inRange(0, 3) == 0) return {{0, *rc::gen::element(1, -1, most), 0}};
-  Axis axis;
+  IntegerAxis axis;
   for (std::int32_t& x : axis.l) x = *rc::gen::inRange(-most, most + 1);
   RC_PRE(axis.norm1() > 0);
   return axis;
@@ -36,7 +36,7 @@ inline double any_window_end(const Query& query, const Units& units) {
 struct Setting {
   Query query;
   std::array<CellFamily, 2> families;
-  Axis axis;
+  IntegerAxis axis;
 
   std::vector<ExactLine> lines(size_t side) const {
     return exact_lines(query.patches[side], families[side].cell(), axis);

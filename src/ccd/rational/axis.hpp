@@ -11,7 +11,7 @@ namespace ccdfuzz::exact_ccd {
 
 /// A separating axis with few-bit integer components. It is not unit, and exact by definition,
 /// since any vector serves as an axis: if h < 0 on it, the hulls are disjoint.
-struct Axis {
+struct IntegerAxis {
   std::array<std::int32_t, 3> l{};
 
   /// |l|_1.
@@ -21,7 +21,7 @@ struct Axis {
     return sum;
   }
 
-  friend bool operator==(const Axis&, const Axis&) = default;
+  friend bool operator==(const IntegerAxis&, const IntegerAxis&) = default;
 };
 
 /// Bits of an axis for cells of a given depth. A cell of width 2^-d is about 2^-2d thick, so an
@@ -34,6 +34,6 @@ constexpr int axis_bits(int depth) {
 
 /// The integer vector with a largest component of magnitude 2^bits that is nearest in direction to
 /// `direction`. Nothing if direction is not finite or smaller than 2^-900. Requires 1 ≤ bits ≤ 30.
-std::optional<Axis> round_to_axis(const Vec3<double>& direction, int bits);
+std::optional<IntegerAxis> round_to_axis(const Vec3<double>& direction, int bits);
 
 }  // namespace ccdfuzz::exact_ccd

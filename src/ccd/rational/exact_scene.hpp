@@ -76,7 +76,7 @@ class ExactScene {
   /// other cell, at time t. below: the side whose maximum is taken. cells: one per side, of one
   /// depth. t: a window end. candidates: per side, the control points of the cell that may attain
   /// the extreme; a superset of those that do.
-  int gap_sign(int below, const std::array<Cell, 2>& cells, const Axis& axis, double t,
+  int gap_sign(int below, const std::array<Cell, 2>& cells, const IntegerAxis& axis, double t,
                const std::array<std::span<const std::uint8_t>, 2>& candidates) {
     const auto lower = static_cast<size_t>(below), upper = 1 - lower;
     auto [max, weight_of_max] = extreme(lower, true, cells[lower], axis, t, candidates[lower]);
@@ -170,7 +170,7 @@ class ExactScene {
   }
 
   /// The sign of max − min + d·|l|_2.
-  int sign_of_gap(const Int& max, const Int& min, const Int& d, const Axis& axis) {
+  int sign_of_gap(const Int& max, const Int& min, const Int& d, const IntegerAxis& axis) {
     if (separation_ == Int(0)) return max < min ? -1 : max > min ? 1 : 0;
     if (!(max < min)) return 1;
     // h + d·|l|_2 with h < 0 has the sign of d²·|l|² − h².
@@ -238,7 +238,7 @@ class ExactScene {
     return out;
   }
 
-  Height extreme(size_t which, bool maximum, const Cell& cell, const Axis& axis, double t,
+  Height extreme(size_t which, bool maximum, const Cell& cell, const IntegerAxis& axis, double t,
                  std::span<const std::uint8_t> candidates) {
     const DoubleParts parts = parts_of(t);
     CCDFUZZ_ASSERT(parts.mantissa == 0 || parts.exponent >= units_.time);

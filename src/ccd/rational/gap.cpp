@@ -130,7 +130,7 @@ void Gap::select(int part_a, int part_b) {
   selected_ = {points(0, part_a), points(1, part_b)};
 }
 
-void Gap::project(const Axis& axis, int bits) {
+void Gap::project(const IntegerAxis& axis, int bits) {
   axis_ = axis;
   axis_bits_ = bits;
   error_ = error_per_norm_ * static_cast<double>(axis.norm1());

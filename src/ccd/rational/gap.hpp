@@ -57,7 +57,7 @@ class Gap {
   }
 
   /// Projects the selected cells on an axis with components of magnitude ≤ 2^bits.
-  void project(const Axis& axis, int bits);
+  void project(const IntegerAxis& axis, int bits);
   Extremes extremes(double t) const;
   /// |gap − exact gap·2^length_shift| ≤ error(), at any t in [0, 1].
   double error() const { return error_; }
@@ -107,7 +107,7 @@ class Gap {
 
   std::array<Cell, 2> cells_;
   std::array<CellPoints, 2> selected_;
-  Axis axis_;
+  IntegerAxis axis_;
   int axis_bits_ = 0;
   using Values = std::array<double, padded(kMaxControls)>;
   alignas(16) std::array<Values, 2> slopes_, intercepts_;

@@ -9,7 +9,8 @@ namespace ccdfuzz::exact_ccd {
 /// The three mutually orthogonal directions of a cell's oriented box at one time (Appendix A (c)).
 /// They are along the first parameter, normal to both parameters, and normal to these two.
 /// Directions only: scaled to a largest component of 1. A cell that spans less than two directions
-/// gets arbitrary ones for the rest. Double precision: a direction needs no error bound, see Axis.
+/// gets arbitrary ones for the rest. Double precision: a direction needs no error bound, see
+/// IntegerAxis.
 using Frame = std::array<Vec3<double>, 3>;
 Frame frame_of(const Shape& shape, const CellPoints& points, double t);
 

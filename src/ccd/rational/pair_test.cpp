@@ -21,7 +21,7 @@ const Frame& PairTest::frame(int side, int part, double t) {
   return *frame;
 }
 
-void PairTest::tell(ExclusionObserver& observer, int axis, const Axis& direction,
+void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
                     const ScaledWindow& before, Cut cut, const ScaledWindow& after) const {
   const auto exclude = [&](double lo, double hi, bool has_lo, bool has_hi) {
     // The lower side is the one with the lesser gap at the excluded end. The gaps of the two sides
@@ -54,7 +54,7 @@ std::optional<Window> PairTest::test(int part_a, int part_b, const Window& windo
     const Vec3<double> direction =
         r < kPairAxes ? pair_axis(a, b, r)
                       : offset_axis(gap_.points(0, part_a), gap_.points(1, part_b), w.lo);
-    const std::optional<Axis> axis = round_to_axis(direction, axis_bits_);
+    const std::optional<IntegerAxis> axis = round_to_axis(direction, axis_bits_);
     if (!axis) continue;
     gap_.project(*axis, axis_bits_);
     const ScaledWindow before = w;

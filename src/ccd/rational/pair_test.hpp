@@ -27,7 +27,7 @@ class PairTest {
  private:
   const Frame& frame(int side, int part, double t);
   /// What cut_window did to a window with the axis that the gap is projected on.
-  void tell(ExclusionObserver& observer, int axis, const Axis& direction,
+  void tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
             const ScaledWindow& before, Cut cut, const ScaledWindow& after) const;
 
   Gap gap_;
