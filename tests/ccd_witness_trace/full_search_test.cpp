@@ -53,7 +53,7 @@ template <class Inclusion, class... Args>
 void expect_the_trace_within_the_search(const Args&... args) {
   size_t same = 0;
   for (const ContactClass contact : kContactClasses) {
-    for (std::uint64_t index = 0; index < 4; ++index) {
+    for (std::uint64_t index = 0; index < 6; ++index) {
       const Case known =
           generated_case(contact, index % 2 == 0 ? Family::kRegular : Family::kInteriorTime, index);
       constexpr double kPrecision = 0x1p-5;
@@ -118,8 +118,9 @@ class Deaf : public ExclusionObserver {
 // The certified method looks at all children of a pair, a trace at one of each patch.
 TEST(FullSearch, SplitsOfTheCertifiedMethodGiveEachPairTheSameWhoeverElseIsThere) {
   size_t same = 0;
-  for (const ContactClass contact : kContactClasses) {
-    const Case known = generated_case(contact, Family::kRegular, 1);
+  for (std::uint64_t i = 0; i < 4 * kContactClasses.size(); ++i) {
+    const ContactClass contact = kContactClasses[i / 4];
+    const Case known = generated_case(contact, Family::kRegular, i % 4);
     certified::PairSplit split;
     constexpr int kFinest = 9;
     split.take(known.query);

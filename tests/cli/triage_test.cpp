@@ -87,7 +87,7 @@ TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   ASSERT_TRUE(drawn);
   auto witnessed = contact_of(drawn->at(0).value);
   ASSERT_TRUE(witnessed);
-  witnessed->query.patches[0].positions[0][0] += 1;
+  for (Vec3<double>& p : witnessed->query.patches[0].positions) p[0] += 1;
   const auto bytes = to_bytes(*witnessed);
   ASSERT_TRUE(bytes);
   const auto repaired = contact_of_bytes(*bytes);

@@ -103,7 +103,7 @@ TEST(UnprovenTruth, TheWordOfAMethodJudgesNothingAndIsCounted) {
   EXPECT_EQ(
       ccdfuzz({"export", folder / "words.jsonl", "--as", "gtest", "-o", folder / "t.cpp"}).code, 0);
   const std::string tests = read_text(folder / "t.cpp");
-  const std::string demand = "EXPECT_TRUE(answer.verdict != CCDFUZZ_HIT)";
+  const std::string demand = "EXPECT_TRUE(answer.verdict != CCDFUZZ_HIT || may_be_near())";
   EXPECT_NE(tests.find(demand), std::string::npos);
   EXPECT_EQ(tests.find(demand), tests.rfind(demand)) << "only of the proven one";
 }

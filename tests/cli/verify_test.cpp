@@ -29,8 +29,9 @@ std::string changed_case(const ScratchFolder& folder, const std::string& kind,
 
 TEST(Verify, ReadsOnPastARefutedTruthAndExits1) {
   const ScratchFolder folder;
-  const std::string wrong =
-      changed_case(folder, "RP", [](Case& c) { c.query.patches[0].positions[0][0] += 0x1p-40; });
+  const std::string wrong = changed_case(folder, "RP", [](Case& c) {
+    for (Vec3<double>& p : c.query.patches[0].positions) p[0] += 0x1p-40;
+  });
   const std::string good = generated(folder, "VV", "RN", 2);
   const Finished finished = ccdfuzz({"verify", wrong, good, "--json"});
   EXPECT_EQ(finished.code, 1) << finished.err;
