@@ -20,7 +20,7 @@ struct Refusal : std::runtime_error {
 
 inline float as_float(double x) {
   const auto narrow = static_cast<float>(x);
-  if (double{narrow} != x) throw Refusal("a number is no float");
+  if (static_cast<double>(narrow) != x) throw Refusal("a number is no float");
   return narrow;
 }
 

@@ -248,7 +248,7 @@ Option Command::allow_plugins() {
 Option Command::max_work() {
   return add_text("--max-work N",
                   "End the command after this much work of checking cases, in operations on 64-bit "
-                  "words. By default 2^32, and 2^27 for each case",
+                  "words. By default 2^32 plus at most 2^27 for each case of a file",
                   "",
                   [](const std::string& where, const std::string& text) {
                     return parse_whole(where, text).map(&RunWork::allow);

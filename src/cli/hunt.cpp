@@ -347,18 +347,18 @@ void add_hunt(CommandLine& line) {
   command.flag("--binary32", hunt.ground.binary32,
                "Only queries whose numbers are all floats, minimised ones too");
   command
-      .whole(
-          "--within", options->within,
-          "Only queries whose numbers are 0 or between 2^-N and 2^N, minimised ones too, so that "
-          "neither under- nor overflow explains a failure",
-          1, kWidest)
+      .whole("--within", options->within,
+             "Only queries whose numbers are 0 or of size 2^-N to 2^N, minimised ones too, so that "
+             "neither under- nor overflow explains a failure",
+             1, kWidest)
       .without_default();
   command.flag("--ordinary", hunt.ground.ordinary,
                "Only queries that any code should answer: patches with extent that are apart at 0, "
-               "and in contact well inside of [0, t_max] or never; no number beyond 2^40");
-  command.flag("--uniform", hunt.ground.uniform,
-               "Only queries of coordinates drawn uniformly, to compare with: bodies or linear "
-               "patches");
+               "and touch well inside of [0, t_max] or not in it, neither shallow nor sliding; "
+               "numbers are 0 or of size 2^-40 to 2^40");
+  command.flag(
+      "--uniform", hunt.ground.uniform,
+      "Only bodies or linear patches whose coordinates are drawn uniformly, as a baseline");
   command.group("Results");
   command.text("--corpus FOLDER", options->corpus, "Where to store counterexamples");
   command.choice(

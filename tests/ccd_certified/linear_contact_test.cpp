@@ -302,6 +302,24 @@ TEST(LawL7, IsExactInTheRangeThatItSays) {
   }
 }
 
+// Advancement stops short of it, so the general search answers.
+TEST(LinearContact, AHitBeyondTheRangeSaysThatItIsNotProven) {
+  const Query query{
+      {patch(Shape::point(), {{-0x1.0cp+0 - 0x1p-46, 0x1.6p-1 - 0x1p-46, 0x1.6p-3 + 0x1p-46}},
+             {{0.3125, 1.75, 1.21875}}),
+       patch(Shape::triangle(1),
+             {{-0.96875, 1.28125, -1.15625},
+              {-0.65625, 1.46875, 0.96875},
+              {0x1p-300, -1.53125, 1.34375}},
+             {{0.34375, -0.875, 1.625}, {-0.65625, 1.625, 1.875}, {0.53125, 1.8125, 0.1875}})},
+      1};
+  ASSERT_EQ(kind_of(query), Kind::kTooWide);
+  const Answer answer = TdibmC().answer(query, {});
+  ASSERT_EQ(answer.verdict, Verdict::kHit);
+  EXPECT_GT(answer.pops, 0U);
+  EXPECT_EQ(answer.note, "contact not proven");
+}
+
 TEST(LinearContact, DecidesAtTheEndsOfDoubles) {
   constexpr double kLeast = std::numeric_limits<double>::denorm_min();
   constexpr double kMost = std::numeric_limits<double>::max();

@@ -20,6 +20,9 @@ constexpr double kTimeBuckets = 0x1p20;
 /// Contacts of linear patches are within 2^-44 of the time step, since it costs no more than 2^-14.
 constexpr int kLevelOfLinearTimes = 44;
 
+/// What a hit on linear patches says that are not decided exactly.
+constexpr const char* kNotProven = "contact not proven";
+
 }  // namespace
 
 bool TdibmC::Entry::later(const Entry& x, const Entry& y) {
@@ -108,7 +111,7 @@ std::optional<Answer> TdibmC::decide_linear(const Query& query, const SearchOpti
     answer.verdict = Verdict::kMiss;
     return answer;
   }
-  if (contact.kind != Kind::kProven) answer.note = "contact not proven";
+  if (contact.kind != Kind::kProven) answer.note = kNotProven;
   if (contact.kind != Kind::kTooWide || advanced.kind == certified::Advancement::Kind::kStopped) {
     return hit(advanced.time, contact.toi);
   }
@@ -130,6 +133,7 @@ Answer TdibmC::decide(const Query& query, const SearchOptions& options) {
     if (const std::optional<Answer> decided = decide_linear(query, options, target, from)) {
       return *decided;
     }
+    if (query.separation == 0) answer.note = kNotProven;
   }
   split_.begin(target);
   push({{from, normalised.t_max}, {}, {}, {}});

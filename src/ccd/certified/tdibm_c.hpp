@@ -22,8 +22,8 @@ namespace ccdfuzz {
 ///   hit        a pair of cells no wider than `precision` could not be separated in its window,
 ///              which begins at toi or at most 2^-20·t_max later; every contact is at toi or later;
 ///   undecided  a budget ran out; every contact is at toi or later;
-///   refused    the query is not valid, or an option is out of range (is_taken); any bits may be
-///              asked about.
+///   refused    the query is not valid, or an option is out of range (is_taken). Any bits may be
+///              passed, NaN and infinity too.
 /// How early toi can be: no time after the begin of that window is certified clear for the pair. So
 /// toi is early by at most 2^-20·t_max and the time in which the pair's hulls, of diameter
 /// O(precision), approach each other.
@@ -33,14 +33,14 @@ namespace ccdfuzz {
 /// toi + precision·t_max at most. Where numbers differ by too many binary places
 /// (first_linear_contact), only what is said above holds, and the answer's note says so.
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
-/// At toi a hit's cells are no farther than d and their own size. A hit on linear patches is
-/// decided only as far as doubles tell the distance from d.
-/// Keeps at most kKeptBytes between queries.
+/// When its window begins, a hit's cells are no farther apart than d and both diameters. A hit on
+/// linear patches is decided only as far as doubles tell the distance from d. Keeps at most
+/// kKeptBytes between queries.
 class TdibmC {
  public:
   Answer answer(const Query& query, const SearchOptions& options);
 
-  /// What decided, over the life of the object.
+  /// How often each tier decided, over the life of the object.
   certified::Tiers tiers() const;
 
  private:
@@ -54,7 +54,7 @@ class TdibmC {
   static_assert(sizeof(Entry) == 64);
 
   Answer decide(const Query& query, const SearchOptions& options);
-  /// What the linear patches of split_ show; nothing where the general search has to, which may
+  /// What the linear patches of split_ show; nullopt where the general search must decide. It may
   /// begin at `from`.
   std::optional<Answer> decide_linear(const Query& query, const SearchOptions& options, int target,
                                       double& from);
