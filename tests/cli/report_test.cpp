@@ -176,7 +176,7 @@ TEST(ReportCommand, ShowsTheEndOfAHuntByTime) {
 
 TEST(ReportCommand, ShowsTheScoreboard) {
   const ScratchFolder folder;
-  const std::string board = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/results.json";
+  const std::string board = CCDFUZZ_SOURCE_DIR "/tests/report/scoreboard.json";
   const std::string corpus = small_corpus(folder);
   const Finished made = ccdfuzz({"report", corpus, "--scoreboard", board, "-o", folder / "page"});
   EXPECT_EQ(made.code, 0) << made.err;

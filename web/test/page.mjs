@@ -46,7 +46,7 @@ for (const contact of ['FF', 'EF', 'EE', 'VF', 'VE', 'VV']) {
 run('evaluate', ...['FF', 'EF', 'EE', 'VF', 'VE', 'VV'].flatMap((c) => [data(`${c}RP.jsonl`), data(`${c}RN.jsonl`)]),
   '--methods', 'tdibm,tdibm-h:1e-16,tdibm-h:1e-12,tdibm-e,tdibm-c', '--report', data('evaluation'));
 run('hunt', '--seconds', '3', '--shrink', 'none', '--methods', 'tdibm,tdibm-e,tdibm-c', '--max-pops', '2000', '--corpus', data('finds'), '--report', data('hunt-run'));
-run('report', data('hunt-run'), '--scoreboard', join('tests', 'scoreboard', 'results.json'), '-o', data('hunt'));
+run('report', data('hunt-run'), '--scoreboard', join('tests', 'report', 'scoreboard.json'), '-o', data('hunt'));
 // A plug-in that reports each contact at t_max, and so late.
 writeFileSync(data('late.mjs'), `#!${process.execPath}
 import { createInterface } from 'node:readline';
