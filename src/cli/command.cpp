@@ -245,10 +245,11 @@ Option Command::allow_plugins() {
       .in("Methods");
 }
 
-Option Command::max_work() {
+Option Command::max_work(const std::string& which) {
   return add_text("--max-work N",
-                  "End the command after this much work of checking cases, in operations on 64-bit "
-                  "words. By default 2^32 plus at most 2^27 for each case of a file",
+                  fmt::format("End the command after this much work of checking {}, in operations "
+                              "on 64-bit words. By default 2^32 plus at most 2^27 for each",
+                              which),
                   "",
                   [](const std::string& where, const std::string& text) {
                     return parse_whole(where, text).map(&RunWork::allow);

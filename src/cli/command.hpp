@@ -115,8 +115,8 @@ class Command {
   Option plugin_names();
   /// --allow-plugins: of the plug-ins that files name, the command starts no others.
   Option allow_plugins();
-  /// --max-work, the limit of RunWork: of each command that checks cases of files.
-  Option max_work();
+  /// --max-work, the limit of RunWork, of each command that checks cases of files. which: these.
+  Option max_work(const std::string& which = "cases of files");
 
  private:
   friend class CommandLine;

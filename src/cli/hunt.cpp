@@ -352,10 +352,11 @@ void add_hunt(CommandLine& line) {
              "neither under- nor overflow explains a failure",
              1, kWidest)
       .without_default();
-  command.flag("--ordinary", hunt.ground.ordinary,
-               "Only queries that any code should answer: patches with extent that are apart at 0, "
-               "and touch well inside of [0, t_max] or not in it, neither shallow nor sliding; "
-               "numbers are 0 or of size 2^-40 to 2^40");
+  command.flag(
+      "--ordinary", hunt.ground.ordinary,
+      "Only queries that any code should answer: patches are apart at 0, and touch well inside of "
+      "[0, t_max] or not at all in it; none is degenerate; bodies and linear patches do not slide, "
+      "and linear ones are not shallow; numbers are 0 or of size 2^-40 to 2^40");
   command.flag(
       "--uniform", hunt.ground.uniform,
       "Only bodies or linear patches whose coordinates are drawn uniformly, as a baseline");
@@ -376,7 +377,7 @@ void add_hunt(CommandLine& line) {
   command.group("Limits");
   options->search.max_pops = kDefaultPops;
   options->search.add_budget_to(command);
-  command.max_work();
+  command.max_work("what is in --corpus already");
   command.threads();
 }
 
