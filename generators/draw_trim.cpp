@@ -22,8 +22,10 @@ Loop draw_loop(Draw& choices, const Shape& shape, const Uv<double>& p) {
   switch (choices.choose(3)) {
     case 0:
       return loop_about(shape, p, static_cast<int>(choices.choose(10)));
-    case 1:
-      return loop_about(shape, draw_vertex(choices, shape), static_cast<int>(choices.choose(4)));
+    case 1: {
+      const auto halvings = static_cast<int>(choices.choose(4));
+      return loop_about(shape, draw_vertex(choices, shape), halvings);
+    }
     case 2:
       return draw_loop_through(choices, shape, p, choices.coin());
     default: {

@@ -74,8 +74,10 @@ Profile draw_profile(Draw& draw) {
   switch (draw.below(4)) {
     case 0:
       return circle(0, draw.integer(1, 6), draw);
-    case 1:
-      return circle(QuarterCircle::kRadius * draw.integer(1, 4), draw.integer(1, 4), draw);
+    case 1: {
+      const std::int64_t radius = draw.integer(1, 4);
+      return circle(QuarterCircle::kRadius * draw.integer(1, 4), radius, draw);
+    }
     case 2:
       return line(false, draw);
     default:
@@ -102,6 +104,11 @@ RoundSide revolve(const Profile& profile, const QuarterCircle& quarter) {
   return out;
 }
 
+RoundSide draw_revolved(Draw& draw) {
+  const auto& turn = draw.pick(kQuarterCircles);
+  return revolve(draw_profile(draw), turn);
+}
+
 /// What touches the plane z = 0 from above. Its lengths are 125 times those of profiles.
 RoundSide draw_other(ContactClass contact, Draw& draw) {
   if (contact == ContactClass::kVF) return {Shape::point(), {Whole{}}, {}, {0, 0}};
@@ -112,7 +119,7 @@ RoundSide draw_other(ContactClass contact, Draw& draw) {
             {},
             {Rational(1, 3), Rational(1, 3)}};
   }
-  RoundSide out = revolve(draw_profile(draw), draw.pick(kQuarterCircles));
+  RoundSide out = draw_revolved(draw);
   constexpr std::array<std::array<std::int64_t, 2>, 3> kTurns = {{{5, 0}, {0, 5}, {3, 4}}};
   const auto& [c, s] = draw.pick(kTurns);
   // Five times as large, with its axis in another direction.
@@ -131,8 +138,7 @@ Vec3<double> times_power(const Whole& p, int exponent) {
 }  // namespace
 
 Case draw_round_case(ContactClass contact, bool apart, Draw& draw) {
-  std::array<RoundSide, 2> sides = {revolve(draw_profile(draw), draw.pick(kQuarterCircles)),
-                                    draw_other(contact, draw)};
+  std::array<RoundSide, 2> sides = {draw_revolved(draw), draw_other(contact, draw)};
   for (Whole& p : sides[0].points) p = 5 * p;
   const WholeFrame frame = draw_right_angles(draw);
   const std::int64_t gap = apart ? kLength * draw.integer(1, 8) : 0;

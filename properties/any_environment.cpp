@@ -79,8 +79,8 @@ void check_exact_numbers(Draw& d) {
   const double x = draw_tiny_or_any(d), y = draw_tiny_or_any(d);
   const Rational off = Rational(1, 3) * power_of_two(static_cast<long>(d.integer(-1100, 10)));
   const Rational q = d.coin() ? Rational(exact(x) + off) : exact(x);
-  const std::string decimal =
-      fmt::format("{}e{}", d.integer(-999'999'999, 999'999'999), d.integer(-340, 22));
+  const std::int64_t exponent = d.integer(-340, 22);
+  const std::string decimal = fmt::format("{}e{}", d.integer(-999'999'999, 999'999'999), exponent);
   claim_same_in_environments(d, [&] {
     const DoubleParts parts = parts_of(x);
     const Dyadic dyadic = Dyadic::exact(x);

@@ -169,7 +169,8 @@ std::vector<Property> certificates_claims() {
        [](Draw& d) {
          Case moved = supposed(draw_contact(d, {0, 0}));
          const auto axis = static_cast<int>(d.choose(2));
-         const double by = std::ldexp(d.coin() ? 1.0 : -1.0, static_cast<int>(d.integer(-16, 8)));
+         const auto exponent = static_cast<int>(d.integer(-16, 8));
+         const double by = std::ldexp(d.coin() ? 1.0 : -1.0, exponent);
          for (Vec3<double>& p : moved.query.patches[d.choose(1)].positions) p[axis] += by;
          show(d, "case", moved);
          CLAIM(!check_truth(moved));

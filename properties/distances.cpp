@@ -98,8 +98,8 @@ void check_linear_apart(Draw& d) {
       size = std::max({size, patch.positions[i].cwiseAbs().maxCoeff(), end.cwiseAbs().maxCoeff()});
     }
   }
-  query.separation =
-      size * std::ldexp(d.pick(std::array{1.0, 1.25}), -static_cast<int>(d.integer(0, 12)));
+  const int exponent = -static_cast<int>(d.integer(0, 12));
+  query.separation = size * std::ldexp(d.pick(std::array{1.0, 1.25}), exponent);
   suppose(is_valid(query) && query.separation > 0x1p-900 && size < 0x1p900);
   const Answer answer = make_method("tdibm-c").value()->answer(query, {});
   show(d, "toi", answer.toi);

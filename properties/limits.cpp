@@ -185,7 +185,8 @@ Integer draw_long_integer(Draw& choices) {
 }
 
 Rational draw_long_fraction(Draw& choices) {
-  Rational x(draw_long_integer(choices), draw_long_integer(choices));
+  const Integer below = draw_long_integer(choices);
+  Rational x(draw_long_integer(choices), below);
   x.canonicalize();
   if (x > 1 && choices.coin()) x = 1 / x;
   return choices.choose(7) == 0 ? Rational(-x) : x;

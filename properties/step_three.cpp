@@ -161,8 +161,8 @@ void claim_lists_follow(Draw& d, const LinePairs& pairs) {
 void check_step_three(Draw& d) {
   LinePairs pairs = draw_line_pairs(d);
   draw_window(d, pairs);
-  const double error =
-      std::ldexp(static_cast<double>(d.integer(0, 255)), static_cast<int>(d.integer(-60, 0)));
+  const auto exponent = static_cast<int>(d.integer(-60, 0));
+  const double error = std::ldexp(static_cast<double>(d.integer(0, 255)), exponent);
   switch (d.choose(3)) {
     case 0:
       return claim_envelopes_follow(d, ErrorBoundIntended(), pairs, error);

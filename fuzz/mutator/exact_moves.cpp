@@ -129,9 +129,8 @@ bool change_horizon(Contact& q, Draw& draw) {
 
 bool give_separation(Contact& q, Draw& draw) {
   const int size = size_exponent(q.query.patches[0].positions);
-  const double part =
-      std::ldexp(static_cast<double>(draw.below(4)), -1 - static_cast<int>(draw.below(20)));
-  q.query.separation = std::ldexp(part, size);
+  const int exponent = -1 - static_cast<int>(draw.below(20));
+  q.query.separation = std::ldexp(std::ldexp(static_cast<double>(draw.below(4)), exponent), size);
   return std::isfinite(q.query.separation);
 }
 

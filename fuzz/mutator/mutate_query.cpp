@@ -27,6 +27,12 @@ struct BodyChange {
   }
 };
 
+/// n·2^e, |n| ≤ 8, least ≤ e ≤ most.
+double draw_step(Draw& draw, int least, int most) {
+  const auto exponent = static_cast<int>(draw.integer(least, most));
+  return std::ldexp(static_cast<double>(draw.integer(-8, 8)), exponent);
+}
+
 /// A few floats away.
 void nudge(const BodyChange& c) {
   double& x = c.number();
@@ -38,8 +44,8 @@ void nudge(const BodyChange& c) {
 }
 
 void shift_number(const BodyChange& c) {
-  c.number() += std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
-                           static_cast<int>(c.draw.integer(-8, 2)));
+  const double step = draw_step(c.draw, -8, 2);
+  c.number() += step;
 }
 
 void align(const BodyChange& c) {
@@ -71,8 +77,7 @@ void drop_point(const BodyChange& c) {
 void add_point(const BodyChange& c) {
   if (!c.is_body() || c.hull.positions.size() == size_t{kMaxControls}) return;
   Vec3<double> p = c.hull.positions[c.point];
-  p[c.k] += std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
-                       static_cast<int>(c.draw.integer(-4, 2)));
+  p[c.k] += draw_step(c.draw, -4, 2);
   c.hull.positions.push_back(p);
 }
 
@@ -83,8 +88,7 @@ void stretch(const BodyChange& c) {
 }
 
 void shift_body(const BodyChange& c) {
-  const double by = std::ldexp(static_cast<double>(c.draw.integer(-8, 8)),
-                               static_cast<int>(c.draw.integer(-10, 2)));
+  const double by = draw_step(c.draw, -10, 2);
   for (Vec3<double>& p : c.hull.positions) p[c.k] += by;
 }
 

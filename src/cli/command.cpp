@@ -248,7 +248,7 @@ Option Command::allow_plugins() {
 Option Command::max_work(const std::string& which) {
   return add_text("--max-work N",
                   fmt::format("End the command after this much work of checking {}, in operations "
-                              "on 64-bit words. By default 2^32 plus at most 2^27 for each",
+                              "on 64-bit words. By default 2^32 plus at most 2^27 a case",
                               which),
                   "",
                   [](const std::string& where, const std::string& text) {

@@ -333,13 +333,15 @@ void add_hunt(CommandLine& line) {
                                       "Only patches of this shape, or of two with a comma between: "
                                       "point, curve:N, triangle:N, tensor:NxM",
                                       parse_shapes);
-  Option linear = command.flag("--linear", hunt.ground.linear,
-                               "Only linear queries: vertex-face, edge-edge and degenerate ones");
+  Option linear =
+      command.flag("--linear", hunt.ground.linear,
+                   "Only points, edges and triangles: vertex-face, edge-edge, point-edge, "
+                   "point-point; degenerate ones, too");
   linear.excludes(shape);
   command
       .flag("--bodies", hunt.ground.bodies,
             "Only convex bodies under translation: boxes, balls, hulls. Of the built-in methods, "
-            "oracle alone takes them")
+            "oracle alone takes them, and is then the default")
       .excludes(shape)
       .excludes(linear);
   command.flag("--plane", hunt.ground.plane,
@@ -355,8 +357,9 @@ void add_hunt(CommandLine& line) {
   command.flag(
       "--ordinary", hunt.ground.ordinary,
       "Only queries that any code should answer: patches are apart at 0, and touch well inside of "
-      "[0, t_max] or not at all in it; none is degenerate; bodies and linear patches do not slide, "
-      "and linear ones are not shallow; numbers are 0 or of size 2^-40 to 2^40");
+      "[0, t_max] or not at all in it; none is degenerate; bodies and linear patches do not "
+      "slide, and linear ones that touch pass through each other by a thousandth of their "
+      "size; numbers are 0 or of size 2^-40 to 2^40");
   command.flag(
       "--uniform", hunt.ground.uniform,
       "Only bodies or linear patches whose coordinates are drawn uniformly, as a baseline");

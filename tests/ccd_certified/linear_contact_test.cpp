@@ -222,7 +222,7 @@ TEST(LawL8, TheTimeIsNoMoreThanAStepBeforeTheContact) {
       ASSERT_LE(contact->time.lo(), toi + early) << to_json({query, {}, {}, {}});
     }
   }
-  EXPECT_GT(hits, 10);
+  EXPECT_GE(hits, 10);
 }
 
 TEST(LawL9, SaysWhatExactArithmeticFinds) {

@@ -49,7 +49,8 @@ class RandomQueries {
     MovingPatch<double> p{shape, {}, {}};
     const Eigen::Index turn = static_cast<Eigen::Index>(below(3));
     const auto vector = [&](double size) {
-      return Vec3<double>(between(-size, size), between(-size, size), between(-size, size));
+      const double z = between(-size, size), y = between(-size, size);
+      return Vec3<double>(between(-size, size), y, z);
     };
     const Vec3<double> centre = vector(offset), velocity = vector(2);
     for (int i = 0; i <= shape.n; ++i) {

@@ -84,10 +84,13 @@ TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
   EXPECT_FALSE(engine_test(falling_ball(), "fcl"));
   NamedCase round = falling_ball();
   Points<double>& points = round.value.query.patches[0].positions;
+  std::vector<Rational>& weights = round.value.truth.witness->weights[0];
   points.push_back({0, 3, 0});
+  weights.emplace_back(0);
   round.value.query.patches[0].shape = Shape::hull(2);
   EXPECT_TRUE(engine_test(round, "jolt")) << "a capsule";
   points.push_back({1, 4, 0});
+  weights.emplace_back(0);
   round.value.query.patches[0].shape = Shape::hull(3);
   EXPECT_FALSE(engine_test(round, "jolt")) << "a rounded triangle";
 }
