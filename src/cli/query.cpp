@@ -34,11 +34,13 @@ std::string title_of(const NamedCase& named) {
   const auto& [query, truth, origin, asked, expect] = named.value;
   std::string known = "nothing is known of a contact";
   if (const std::optional<Rational> by = truth.contact_by()) {
+    known = "contact by t = " + time_text(*by);
     // Shrinking may move a contact of bodies to other features.
-    const bool is_moved = is_of_bodies(query);
-    known = fmt::format("contact {}by t = {}{}",
-                        origin.contact.empty() || is_moved ? "" : origin.contact + " ",
-                        time_text(*by), is_moved ? ", drawn as " + origin.contact : "");
+    if (!origin.contact.empty()) {
+      known = is_of_bodies(query)
+                  ? fmt::format("{}, drawn as {}", known, origin.contact)
+                  : fmt::format("contact {} by t = {}", origin.contact, time_text(*by));
+    }
   } else if (truth.collides) {
     known = *truth.collides ? "contact" : "no contact";
   }

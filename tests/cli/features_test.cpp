@@ -64,6 +64,7 @@ TEST(QueryOfBodies, RunsTheOracleWhereNoMethodIsNamed) {
   const std::string out = out_of({"query"}, balls);
   EXPECT_THAT(out, testing::ContainsRegex("oracle \\* +hit at 1 +correct"));
   EXPECT_THAT(out, Not(HasSubstr("refused")));
+  EXPECT_THAT(out, HasSubstr("t_max 1: contact by t = 1\n")) << "of no class that is known";
   EXPECT_THAT(out, HasSubstr("1 case, 1 answer: 1 correct\n"));
   EXPECT_EQ(json_lines(ccdfuzz({"query", "--json", balls[0]}).out).size(), 1U);
   EXPECT_THAT(out_of({"query", "--methods", "tdibm"}, balls), HasSubstr("1 not asked"));
