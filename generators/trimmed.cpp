@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/verify.hpp"
-#include "bezier/orientation.hpp"
 #include "bezier/trim.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "generators/draw_patch.hpp"
@@ -99,12 +98,7 @@ Trim draw_loops(Place place, Draw& draw, const Shape& shape, const Uv<double>& p
 }
 
 bool is_on_loop(const Trim& trim, const Uv<double>& p) {
-  return std::ranges::any_of(trim, [&](const Loop& loop) {
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (is_on_segment(p, loop[i], loop[(i + 1) % loop.size()])) return true;
-    }
-    return false;
-  });
+  return std::ranges::any_of(trim, [&](const Loop& loop) { return place_of(p, loop) == 0; });
 }
 
 /// Gives patch `side` loops with the contact at one of the places. Returns that.

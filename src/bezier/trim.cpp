@@ -61,16 +61,6 @@ bool meet_themselves(const Loop& loop, size_t i, size_t j) {
   return meeting(a, b, c, d) != Meeting::kNone;
 }
 
-/// 1 inside of the loop, 0 on it, −1 outside.
-int place_of(const Uv<double>& p, const Loop& loop) {
-  bool odd = false;
-  for (size_t i = 0; i < loop.size(); ++i) {
-    if (is_on_segment(p, loop[i], next(loop, i))) return 0;
-    odd ^= crosses_ray(p, loop[i], next(loop, i));
-  }
-  return odd ? 1 : -1;
-}
-
 bool has_both_sides(const Loop& vertices, const Loop& loop) {
   bool inside = false, outside = false;
   for (const Uv<double>& p : vertices) {
@@ -118,6 +108,15 @@ bool have_crossing(const Loop& p, const Loop& q) {
 }
 
 }  // namespace
+
+int place_of(const Uv<double>& p, const Loop& loop) {
+  bool odd = false;
+  for (size_t i = 0; i < loop.size(); ++i) {
+    if (is_on_segment(p, loop[i], next(loop, i))) return 0;
+    odd ^= crosses_ray(p, loop[i], next(loop, i));
+  }
+  return odd ? 1 : -1;
+}
 
 std::optional<TrimFault> fault_of(const Trim& trim, const Shape& shape) {
   if (trim.empty()) return std::nullopt;

@@ -11,6 +11,9 @@ namespace ccdfuzz {
 /// a second even where every comparison needs numbers of 2,000 bits.
 inline constexpr size_t kMaxTrimVertices = 512;
 
+/// 1 inside of the loop, 0 on it, −1 outside. Exact.
+int place_of(const Uv<double>& p, const std::vector<Uv<double>>& loop);
+
 /// What is wrong with a loop, or one of its vertices, or with all loops.
 struct TrimFault {
   std::optional<size_t> loop, vertex;
