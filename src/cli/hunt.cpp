@@ -330,8 +330,9 @@ void add_hunt(CommandLine& line) {
   add_methods(command, hunt.methods, "Methods to test, separated by commas");
   constexpr int kWidest = 1074;  // 2^-1074 is the least double
   const Option shape = command.parsed("--shape SHAPE", hunt.ground.shapes,
-                                      "Only patches of this shape, or of two with a comma between: "
-                                      "point, curve:N, triangle:N, tensor:NxM",
+                                      "Only this shape for both patches, or one for each with a "
+                                      "comma between, in either order: point, curve:N, triangle:N, "
+                                      "tensor:NxM",
                                       parse_shapes);
   Option linear =
       command.flag("--linear", hunt.ground.linear,
@@ -372,7 +373,7 @@ void add_hunt(CommandLine& line) {
   command.choice(
       "--fail-on WHICH", options->fail_on,
       "Exit with 1 if a method broke its guarantee (claims), after any counterexample (any), "
-      "or never (none). Known ones count");
+      "or never (none). Those that --corpus already has count, if they are met again");
   command.text("--report FOLDER", options->page,
                "Also make a page (index.html) of the counterexamples and of how the hunt went");
   command.flag("--by-class", options->by_class, "A row for each contact class and method");
