@@ -137,13 +137,12 @@ Result<void> validate_points(const Points<double>& points, const Shape& shape, s
 }  // namespace
 
 bool are_weights(const std::vector<double>& weights) {
-  int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
-  for (const double w : weights) {
-    if (!is_finite(w) || compare(w, 0) <= 0) return false;
-    least = std::min(least, parts_of(w).top());
-    most = std::max(most, parts_of(w).top());
-  }
-  return weights.empty() || most - least <= kWeightBits;
+  if (weights.empty()) return true;
+  const auto [least, most] =
+      std::ranges::minmax(weights, {}, [](double w) { return std::bit_cast<std::int64_t>(w); });
+  // Doubles > 0 are in the order of their bits, infinity and NaNs last. Others have bits ≤ 0.
+  return std::bit_cast<std::int64_t>(least) > 0 && is_finite(most) &&
+         parts_of(most).top() - parts_of(least).top() <= kWeightBits;
 }
 
 std::string spread_of_weights() {
