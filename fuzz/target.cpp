@@ -49,7 +49,7 @@ std::size_t mutated_bytes(std::uint8_t* data, std::size_t size, std::size_t max_
   // on from what they reach: an equal share for either.
   constexpr std::uint64_t kOneDrawnIn = 2;
   Draw random{Random(seed)};
-  if (this_suite().reads_text) {
+  if (this_suite().is_of_bytes) {
     return LLVMFuzzerMutate != nullptr ? LLVMFuzzerMutate(data, size, max_size) : size;
   }
   auto input = claim_input(this_suite(), {data, size});
@@ -90,7 +90,7 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data1, std:
   Draw random{Random(seed)};
   auto mother = claim_input(this_suite(), {data1, size1});
   const auto father = claim_input(this_suite(), {data2, size2});
-  if (!mother || !father || this_suite().reads_text) return 0;
+  if (!mother || !father || this_suite().is_of_bytes) return 0;
   mother->choices = crossed(mother->choices, father->choices, random);
   return put(*mother, out, max_size);
 }

@@ -20,7 +20,7 @@ std::array<std::uint8_t, kClaimHead> head_of(std::string_view property) {
 }  // namespace
 
 std::optional<ClaimInput> claim_input(const Suite& suite, std::span<const std::uint8_t> bytes) {
-  if (suite.reads_text) {
+  if (suite.is_of_bytes) {
     return ClaimInput{suite.claims[0], ChoiceNumbers(bytes.begin(), bytes.end())};
   }
   if (bytes.size() < kClaimHead) return std::nullopt;

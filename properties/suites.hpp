@@ -12,8 +12,9 @@ namespace ccdfuzz {
 /// to hold (fuzz/suite.cpp). properties/CMakeLists.txt says which files it is made of.
 struct Suite {
   std::string name;
-  /// True if its one claim draws a text first: the bytes of the fuzz target are that text.
-  bool reads_text = false;
+  /// True if it has one claim, and each byte of its fuzz target's inputs is a choice of it. So a
+  /// text that the claim draws is those bytes.
+  bool is_of_bytes = false;
   std::vector<Property> claims;
 
   /// Those that are expected to hold, in the same order.

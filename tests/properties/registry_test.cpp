@@ -42,7 +42,7 @@ TEST(Registry, TheSameChoicesGiveTheSameResult) {
 TEST(Suites, EachHasAClaimThatItsFuzzTargetCanRefute) {
   for (const Suite& suite : suites()) {
     EXPECT_FALSE(suite.thought_to_hold().empty()) << suite.name;
-    EXPECT_TRUE(!suite.reads_text || suite.claims.size() == 1) << suite.name;
+    EXPECT_TRUE(!suite.is_of_bytes || suite.claims.size() == 1) << suite.name;
   }
 }
 
@@ -57,7 +57,7 @@ TEST(Suites, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
 
 TEST(ClaimInput, NamesItsClaimAndComesBackFromItsBytes) {
   for (const Suite& suite : suites()) {
-    if (suite.reads_text) continue;
+    if (suite.is_of_bytes) continue;
     for (const Property& claim : suite.thought_to_hold()) {
       const auto input = claim_input(suite, to_bytes({claim, {7, 1000}}));
       ASSERT_TRUE(input) << claim.name;
