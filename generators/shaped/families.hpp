@@ -42,7 +42,8 @@ Placement random_placement(Draw& draw);
 /// A one-sided scene: Steps I, II and IV in one go, without solving or discarding anything. The
 /// patches touch in one point, each on its own side of the contact plane, and approach each other.
 /// A degree of 1 can leave a patch flat, and its contact a line or an area. t* = t_max = 1.
-/// most_flatness: heights are the size of the patch times 2^-f, f up to this.
+/// most_flatness: heights are the size of the patch times 2^-f, f up to this. With 6 they are a
+/// 64th of it or more, as of surfaces that are plainly curved; flat_grazing asks for thinner ones.
 ContactScene touching(ContactClass contact, const ShapePair& shapes, Draw& draw,
                       int most_flatness = 6);
 

@@ -246,14 +246,16 @@ Option Command::allow_plugins() {
 }
 
 Option Command::max_work(const std::string& which) {
-  return add_text("--max-work N",
-                  fmt::format("End the command after this much work of checking {}, in operations "
-                              "on 64-bit words. By default 2^32 plus at most 2^27 a case",
-                              which),
-                  "",
-                  [](const std::string& where, const std::string& text) {
-                    return parse_whole(where, text).map(&RunWork::allow);
-                  })
+  return add_text(
+             "--max-work N",
+             fmt::format("End the command after this much work of checking {}, in operations "
+                         "on 64-bit words. By default 2^32, and for each case 2^27 or, if less, "
+                         "2^18 a byte of its file",
+                         which),
+             "",
+             [](const std::string& where, const std::string& text) {
+               return parse_whole(where, text).map(&RunWork::allow);
+             })
       .in("Limits");
 }
 

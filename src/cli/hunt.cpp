@@ -373,7 +373,7 @@ void add_hunt(CommandLine& line) {
   command.choice(
       "--fail-on WHICH", options->fail_on,
       "Exit with 1 if a method broke its guarantee (claims), after any counterexample (any), "
-      "or never (none). Those that --corpus already has count, if they are met again");
+      "or never (none). Finds met again count, too, though --corpus has them already");
   command.text("--report FOLDER", options->page,
                "Also make a page (index.html) of the counterexamples and of how the hunt went");
   command.flag("--by-class", options->by_class, "A row for each contact class and method");
