@@ -23,19 +23,6 @@ void write_scene(const ScratchFolder& folder) {
   write_text(folder / "scene/notes.txt", "no queries");
 }
 
-/// What an evaluation printed or left, without times.
-std::vector<std::string> untimed(const std::string& lines) {
-  std::vector<std::string> all;
-  for (nlohmann::ordered_json one : json_lines(lines)) {
-    if (one.contains("answers")) {
-      for (auto& answer : one["answers"]) answer.erase("seconds");
-    }
-    for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) one.erase(time);
-    all.push_back(one.dump());
-  }
-  return all;
-}
-
 /// `count` queries of three sorts, the thirds of them contacts.
 std::string many_queries(int count) {
   std::string text;
@@ -50,8 +37,7 @@ TEST(CsvCases, AFolderIsEvaluatedByTheTruthOfItsQueries) {
   write_scene(folder);
   const std::vector<std::string> command = {"evaluate", folder / "scene", "--methods",
                                             "tdibm-c,tdibm-e", "--by-class"};
-  const Finished done = ccdfuzz(command);
-  EXPECT_EQ(done.code, 0) << done.err;
+  const Finished done = succeeded(ccdfuzz(command));
   EXPECT_THAT(done.out, HasSubstr("Table 3, beside the paper's"));
   EXPECT_THAT(done.out, HasSubstr("107/21209"));
   EXPECT_THAT(done.err, HasSubstr("1 of 3 labels are not the truth"));
@@ -73,8 +59,7 @@ TEST(CsvCases, LinearIsAnotherNameOfTheDataSet) {
   const auto rows = [&](std::vector<std::string> files) {
     files.insert(files.begin(), "evaluate");
     files.insert(files.end(), {"--methods", "tdibm-e,tdibm", "--json"});
-    const Finished done = ccdfuzz(files);
-    EXPECT_EQ(done.code, 0) << done.err;
+    const Finished done = succeeded(ccdfuzz(files));
     return untimed(done.out);
   };
   const std::string scene = folder / "scene";
@@ -87,7 +72,7 @@ TEST(CsvCases, ImportedOnesGiveTheSameRows) {
   const ScratchFolder folder;
   write_scene(folder);
   const std::string cases = folder / "cases.jsonl";
-  ASSERT_EQ(ccdfuzz({"import", folder / "scene", "-o", cases, "--round"}).code, 0);
+  succeeded(ccdfuzz({"import", folder / "scene", "-o", cases, "--round"}));
   const auto rows = [](const std::string& file) {
     return untimed(ccdfuzz({"evaluate", file, "--methods", "tdibm-e,tdibm", "--json"}).out);
   };
@@ -105,8 +90,8 @@ TEST(CsvCases, OtherCommandsReadThemAsTheyReadCases) {
   EXPECT_EQ(answers[1]["case"], csv + ":9");
   EXPECT_EQ(answers[1]["verdict"], "miss");
   EXPECT_EQ(answers[1]["outcome"], "correct");
-  EXPECT_EQ(ccdfuzz({"replay", csv, "--methods", "tdibm-c", "--expect", "correct"}).code, 0);
-  EXPECT_EQ(ccdfuzz({"prove", csv, "-o", proven}).code, 0);
+  succeeded(ccdfuzz({"replay", csv, "--methods", "tdibm-c", "--expect", "correct"}));
+  succeeded(ccdfuzz({"prove", csv, "-o", proven}));
   EXPECT_EQ(ccdfuzz({"verify", proven}).out, "2 cases: 2 hold, 0 refuted, 0 unproven\n");
   EXPECT_THAT(ccdfuzz({"verify", csv}).out, HasSubstr("2 without a truth"));
 }
@@ -118,13 +103,11 @@ TEST(CsvCases, AreTheSameOnAnyNumberOfThreads) {
   std::set<std::string> imports;
   std::set<std::vector<std::string>> evaluations;
   for (const char* threads : {"1", "2", "7"}) {
-    ASSERT_EQ(ccdfuzz({"import", csv, "--round", "-o", out, "--threads", threads}).code, 0);
+    succeeded(ccdfuzz({"import", csv, "--round", "-o", out, "--threads", threads}));
     imports.insert(read_text(out));
     const std::string answers = folder / threads;
-    ASSERT_EQ(ccdfuzz({"evaluate", csv, "--methods", "tdibm-c,tdibm", "--threads", threads, "-o",
-                       answers})
-                  .code,
-              0);
+    succeeded(ccdfuzz(
+        {"evaluate", csv, "--methods", "tdibm-c,tdibm", "--threads", threads, "-o", answers}));
     evaluations.insert(untimed(read_text(answers + "/answers.jsonl")));
   }
   EXPECT_EQ(imports.size(), 1U);
@@ -139,8 +122,7 @@ TEST(CsvCases, SharesOfAFolderMergeIntoTheWhole) {
     std::vector<std::string> command = {
         "evaluate", folder / "scene", "--methods", "tdibm-c,tdibm", "-o", to};
     command.insert(command.end(), more.begin(), more.end());
-    const Finished done = ccdfuzz(command);
-    EXPECT_EQ(done.code, 0) << done.err;
+    succeeded(ccdfuzz(command));
   };
   evaluate(folder / "whole", {});
   std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
@@ -148,36 +130,18 @@ TEST(CsvCases, SharesOfAFolderMergeIntoTheWhole) {
     merge.push_back(folder / fmt::format("share-{}", shard[0]));
     evaluate(merge.back(), {"--shard", shard});
   }
-  ASSERT_EQ(ccdfuzz(merge).code, 0);
+  succeeded(ccdfuzz(merge));
   for (const char* file : {"/answers.jsonl", "/rows.jsonl"}) {
     EXPECT_EQ(untimed(read_text(folder / "merged" + file)),
               untimed(read_text(folder / "whole" + file)));
   }
-  const Finished page = ccdfuzz({"report", folder / "merged", "-o", folder / "page"});
-  EXPECT_EQ(page.code, 0) << page.err;
+  const Finished page = succeeded(ccdfuzz({"report", folder / "merged", "-o", folder / "page"}));
   const nlohmann::json shown = page_data(folder / "page");
   EXPECT_EQ(shown["groups"][0]["kind"], "linear");
   EXPECT_EQ(shown["tables"][0]["id"], "table-3");
   for (const nlohmann::json& row : shown["paper"]) {
     EXPECT_NE(row["class"], "VF") << "the paper's rate is of curved cases";
   }
-}
-
-TEST(CsvCases, AnEvaluationGoesOnAfterKills) {
-  const ScratchFolder folder;
-  const std::string csv = folder / "vertex-face.csv", whole = folder / "whole",
-                    report = folder / "report", journal = report + "/answers.jsonl.partial";
-  write_text(csv, many_queries(4'000));
-  const auto arguments = [&](const std::string& to) {
-    return std::vector<std::string>{"evaluate", csv, "--methods", "tdibm-e,tdibm", "-o", to};
-  };
-  ASSERT_EQ(ccdfuzz(arguments(whole)).code, 0);
-  ASSERT_TRUE(kill_often(arguments(report), journal, 3, [&] { fs::remove_all(report); }));
-  const Finished last = ccdfuzz(arguments(report));
-  EXPECT_EQ(last.code, 0) << last.err;
-  EXPECT_THAT(last.err, HasSubstr("going on"));
-  EXPECT_EQ(untimed(read_text(report + "/answers.jsonl")),
-            untimed(read_text(whole + "/answers.jsonl")));
 }
 
 TEST(CsvCases, NameErrorsByFileLineAndColumn) {
@@ -191,10 +155,8 @@ TEST(CsvCases, NameErrorsByFileLineAndColumn) {
        {"evaluate {0} --methods tdibm", "evaluate {0} --methods tdibm -o {1}/answers",
         "query {0} --methods tdibm", "verify {0}", "prove {0} -o {1}/p.jsonl",
         "import {0} -o {1}/i.jsonl", "replay {0} --methods tdibm --expect correct"}) {
-    const Finished done =
-        shell("$ccdfuzz " + fmt::format(fmt::runtime(command), csv, folder.path()));
-    EXPECT_EQ(done.code, 2) << command;
-    EXPECT_THAT(done.err, HasSubstr(csv + ":16: column 2 (xd): \"0\" is not > 0")) << command;
+    refused(shell("$ccdfuzz " + fmt::format(fmt::runtime(command), csv, folder.path())),
+            csv + ":16: column 2 (xd): \"0\" is not > 0");
   }
 }
 
@@ -202,12 +164,8 @@ TEST(CsvCases, AFolderOrFileOfWhichNothingIsKnownIsRefused) {
   const ScratchFolder folder;
   fs::create_directories(folder / "empty");
   write_text(folder / "queries.csv", falling_vertex("-1,2", 1));
-  const Finished empty = ccdfuzz({"evaluate", folder / "empty"});
-  EXPECT_EQ(empty.code, 2);
-  EXPECT_THAT(empty.err, HasSubstr("empty: is a folder without a .csv in it"));
-  const Finished unclear = ccdfuzz({"evaluate", folder / "queries.csv"});
-  EXPECT_EQ(unclear.code, 2);
-  EXPECT_THAT(unclear.err, HasSubstr("queries.csv: does not tell its layout"));
+  refused(ccdfuzz({"evaluate", folder / "empty"}), "empty: is a folder without a .csv in it");
+  refused(ccdfuzz({"evaluate", folder / "queries.csv"}), "queries.csv: does not tell its layout");
 }
 
 /// What the command leaves that is interrupted half a second after its start.
@@ -231,7 +189,7 @@ TEST(CsvCases, AnInterruptedReportOfAnEvaluationShowsWhatItRead) {
   const ScratchFolder folder;
   const std::string csv = folder / "vertex-face.csv", run = folder / "run", page = folder / "page";
   write_text(csv, many_queries(30'000));
-  ASSERT_EQ(ccdfuzz({"evaluate", csv, "--methods", "tdibm-c", "-o", run}).code, 0);
+  succeeded(ccdfuzz({"evaluate", csv, "--methods", "tdibm-c", "-o", run}));
   const Finished stopped = interrupted({"report", run, "-o", page, "--threads", "1"});
   EXPECT_EQ(stopped.code, 128 + SIGINT);
   EXPECT_THAT(stopped.err, HasSubstr("the page shows only what was read until then"));

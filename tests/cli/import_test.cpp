@@ -14,8 +14,7 @@ TEST(Import, DecidesExactlyAndListsWrongLabels) {
   const ScratchFolder folder;
   const std::string csv = folder / "vertex-face.csv", out = folder / "out.jsonl";
   write_text(csv, falling_vertex("-1,2", 1) + falling_vertex("1,2", 1) + falling_vertex("0,1", 1));
-  const Finished done = ccdfuzz({"import", csv, "-o", out});
-  EXPECT_EQ(done.code, 0) << done.err;
+  const Finished done = succeeded(ccdfuzz({"import", csv, "-o", out}));
   EXPECT_THAT(done.out, HasSubstr(csv + ":9"));
   EXPECT_THAT(done.out, HasSubstr("3 queries: 2 hits, 1 miss; 1 of 3 labels are wrong\n"));
   const Finished verified = ccdfuzz({"verify", out});
@@ -38,12 +37,9 @@ TEST(Import, TellsWhereRoundingChangesTheTruth) {
   // Ends above the face by less than the least double.
   const std::string denominator = to_text(Rational(3 * power_of_two(1100)));
   write_text(csv, falling_vertex("1," + denominator, 0));
-  const Finished refused = ccdfuzz({"import", csv, "-o", out});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr(csv + ":5: z = 1/"));
+  refused(ccdfuzz({"import", csv, "-o", out}), csv + ":5: z = 1/");
   EXPECT_FALSE(std::filesystem::exists(out));
-  const Finished done = ccdfuzz({"import", csv, "-o", out, "--round"});
-  EXPECT_EQ(done.code, 0) << done.err;
+  const Finished done = succeeded(ccdfuzz({"import", csv, "-o", out, "--round"}));
   EXPECT_THAT(done.out, HasSubstr("1 query: 1 hit, 0 misses; 0 of 1 labels are wrong; 1 values "
                                   "of 1 queries rounded, which changed the truth of 1\n"));
 }
@@ -53,7 +49,7 @@ TEST(Import, RefusesWhatItCannotRead) {
   const std::string csv = folder / "queries.csv", out = folder / "out.jsonl";
   write_text(csv, falling_vertex("0,1", -1));
   EXPECT_THAT(ccdfuzz({"import", csv, "-o", out}).err, HasSubstr("does not tell its layout: "));
-  EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "vertex-face"}).code, 0);
+  succeeded(ccdfuzz({"import", csv, "-o", out, "--as", "vertex-face"}));
   EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "curved"}).code, 2);
   EXPECT_EQ(ccdfuzz({"import", csv, "-o", out, "--as", "faces"}).code, 2);
   EXPECT_EQ(ccdfuzz({"import", csv, csv, "-o", out, "--truths", csv}).code, 2);
@@ -65,9 +61,8 @@ TEST(Export, GivesBackWhatImportRead) {
                     back = folder / "back.csv";
   const std::string text = falling_vertex("-1,2", 1) + falling_vertex("1,2", 0);
   write_text(csv, text);
-  ASSERT_EQ(ccdfuzz({"import", csv, "-o", cases}).code, 0);
-  const Finished done = ccdfuzz({"export", cases, "-o", back});
-  EXPECT_EQ(done.code, 0) << done.err;
+  succeeded(ccdfuzz({"import", csv, "-o", cases}));
+  const Finished done = succeeded(ccdfuzz({"export", cases, "-o", back}));
   EXPECT_EQ(done.out, "2 vertex-face queries\n");
   EXPECT_EQ(read_text(back), text);
 }
@@ -76,10 +71,8 @@ TEST(Export, WritesCurvedCasesThatImportReads) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "VV", "RP", 3), csv = folder / "curved.csv",
                     back = folder / "back.jsonl";
-  const Finished done = ccdfuzz({"export", set, "-o", csv});
-  EXPECT_EQ(done.code, 0) << done.err;
-  const Finished read = ccdfuzz({"import", csv, "-o", back, "--round"});
-  EXPECT_EQ(read.code, 0) << read.err;
+  succeeded(ccdfuzz({"export", set, "-o", csv}));
+  const Finished read = succeeded(ccdfuzz({"import", csv, "-o", back, "--round"}));
   EXPECT_THAT(read.out, HasSubstr("3 queries: 0 hits, 0 misses, 3 left to prove"));
   const auto cases = read_cases(back);
   ASSERT_TRUE(cases);

@@ -70,11 +70,9 @@ TEST_F(LostFolder, IsMadeAgainWithAllFinds) {
   EXPECT_GT(count_of(finished.out, "\n  tdibm-"), 0U) << finished.out;
   EXPECT_LE(count_of(finished.out, "\n  tdibm-"), entries_in(finds_).size()) << finished.out;
   // An entry may have been replaced by a smaller one since.
-  const Finished merged = ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"});
-  EXPECT_EQ(merged.code, 0) << merged.err;
+  const Finished merged = succeeded(ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"}));
   EXPECT_EQ(entries_in(folder_ / "merged"), entries_in(finds_));
-  const Finished replayed = ccdfuzz({"replay", finds_});
-  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  succeeded(ccdfuzz({"replay", finds_}));
 }
 
 TEST_F(LostFolder, IsWrittenOnceItCanBe) {
@@ -87,8 +85,7 @@ TEST_F(LostFolder, IsWrittenOnceItCanBe) {
   wait_for_entries(entries_in(away_).size());
   const Finished finished = end();
   EXPECT_EQ(finished.code, 128 + SIGINT) << finished.err;
-  const Finished merged = ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"});
-  EXPECT_EQ(merged.code, 0) << merged.err;
+  const Finished merged = succeeded(ccdfuzz({"merge", finds_, away_, "-o", folder_ / "merged"}));
   EXPECT_EQ(entries_in(folder_ / "merged"), entries_in(finds_));
 }
 
@@ -111,7 +108,7 @@ TEST_F(LostFolder, IsAnErrorAfterTheSummaryAndTheCasesWhenItStaysLost) {
     write_text(folder_ / fmt::format("away/unstored-{}.json", cases++), line);
   }
   EXPECT_GT(cases, 0U) << finished.out;
-  EXPECT_EQ(ccdfuzz({"replay", away_}).code, 0);
+  succeeded(ccdfuzz({"replay", away_}));
 }
 
 }  // namespace

@@ -18,9 +18,8 @@ class MergeOfClaims : public testing::Test {
  protected:
   /// Keeps an input that fails as RapidCheck would tell it, in a folder's claims.
   void keep(const std::string& corpus, const char* choices) const {
-    const Finished kept = ccdfuzz(
-        {"check", kProperty, "--choices", choices, "--save", folder_ / (corpus + "/claims")});
-    ASSERT_EQ(kept.code, 0) << kept.out << kept.err;
+    const Finished kept = succeeded(ccdfuzz(
+        {"check", kProperty, "--choices", choices, "--save", folder_ / (corpus + "/claims")}));
     ASSERT_THAT(kept.out, HasSubstr("saved: " + file(corpus)));
   }
   std::string file(const std::string& corpus, const std::string& stem = kProperty) const {
@@ -33,8 +32,7 @@ class MergeOfClaims : public testing::Test {
   }
   nlohmann::json merged(const std::vector<std::string>& inputs,
                         const std::string& into = "corpus") const {
-    const Finished run = merge(inputs, into);
-    EXPECT_EQ(run.code, 0) << run.err;
+    const Finished run = succeeded(merge(inputs, into));
     return json_lines(run.out).at(0);
   }
   std::string choices_in(const std::string& path) const {
@@ -110,14 +108,10 @@ TEST_F(MergeOfClaims, RefusesWhatItCannotReplayLater) {
   std::string gone = read_text(file("finds"));
   gone.replace(gone.find(kProperty), std::string(kProperty).size(), "paper.gone");
   write_text(file("finds"), gone);
-  const Finished unknown = merge({"finds"});
-  EXPECT_EQ(unknown.code, 2);
-  EXPECT_THAT(unknown.err, HasSubstr(file("finds") + ": property: no property \"paper.gone\""));
+  refused(merge({"finds"}), file("finds") + ": property: no property \"paper.gone\"");
   write_text(file("finds"), "{}");
   EXPECT_EQ(merge({"finds"}).code, 2);
-  const Finished into = merge({"finds"}, "corpus/claims");
-  EXPECT_EQ(into.code, 2);
-  EXPECT_THAT(into.err, HasSubstr("is a folder of claims: name its corpus"));
+  refused(merge({"finds"}, "corpus/claims"), "is a folder of claims: name its corpus");
 }
 
 }  // namespace

@@ -36,9 +36,9 @@ TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   }
   std::vector<std::string> all = methods;
   all.emplace_back("tdibm");
-  const Finished hunted = ccdfuzz({"hunt", "--cases", "1", "--max-pops", "100", "--methods",
-                                   joined(all), "--corpus", folder / "finds", "--json"});
-  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  const Finished hunted =
+      succeeded(ccdfuzz({"hunt", "--cases", "1", "--max-pops", "100", "--methods", joined(all),
+                         "--corpus", folder / "finds", "--json"}));
   std::map<std::string, int> finds;
   for (const auto& row : rows_of(hunted.out, "find")) {
     ++finds[row.at("method").get<std::string>()];
@@ -62,9 +62,8 @@ TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
 
 TEST(Plugins, AreRefutedAndTheFindsShrunkWhenTheyAreNaive) {
   const ScratchFolder folder;
-  const Finished hunted = ccdfuzz(
-      {"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "finds", "--json"});
-  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  const Finished hunted = succeeded(ccdfuzz(
+      {"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "finds", "--json"}));
   const auto finds = rows_of(hunted.out, "find");
   ASSERT_FALSE(finds.empty());
   for (const auto& find : finds) {
@@ -72,17 +71,16 @@ TEST(Plugins, AreRefutedAndTheFindsShrunkWhenTheyAreNaive) {
     const auto entry = nlohmann::json::parse(read_text(find.at("path").get<std::string>()));
     EXPECT_LT(entry.at("patches").dump().size(), 900U) << entry;
   }
-  EXPECT_EQ(ccdfuzz({"verify", finds.front().at("path").get<std::string>()}).code, 0);
-  const Finished replayed = ccdfuzz({"replay", folder / "finds", "--allow-plugins", kNaive});
-  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  succeeded(ccdfuzz({"verify", finds.front().at("path").get<std::string>()}));
+  succeeded(ccdfuzz({"replay", folder / "finds", "--allow-plugins", kNaive}));
 }
 
 TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
   const ScratchFolder folder;
   const std::string named = "naive=" + kNaive;
-  const Finished hunted = ccdfuzz({"hunt", "--cases", "1", "--plugin", named, "--methods",
-                                   "plugin:naive", "--corpus", folder / "finds", "--json"});
-  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  const Finished hunted =
+      succeeded(ccdfuzz({"hunt", "--cases", "1", "--plugin", named, "--methods", "plugin:naive",
+                         "--corpus", folder / "finds", "--json"}));
   const auto finds = rows_of(hunted.out, "find");
   ASSERT_FALSE(finds.empty());
   for (const auto& find : finds) {
@@ -95,11 +93,10 @@ TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
   EXPECT_NE(unnamed.err.find("--plugin NAME=SPEC what stands behind plugin:naive"),
             std::string::npos)
       << unnamed.err;
-  const Finished shown = shell(finds.front().at("reproduce").get<std::string>() + " --json");
-  EXPECT_EQ(shown.code, 0) << shown.err;
+  const Finished shown =
+      succeeded(shell(finds.front().at("reproduce").get<std::string>() + " --json"));
   EXPECT_EQ(json_lines(shown.out).front().at("outcome"), finds.front().at("outcome"));
-  const Finished replayed = ccdfuzz({"replay", folder / "finds", "--plugin", named});
-  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  const Finished replayed = succeeded(ccdfuzz({"replay", folder / "finds", "--plugin", named}));
   EXPECT_EQ(replayed.err, "");
   EXPECT_EQ(replayed.out,
             fmt::format("{0} entries, {0} expectations: all as expected\n", finds.size()));
@@ -138,8 +135,7 @@ TEST(Plugins, AreStartedByThePrintedReplayCommand) {
     const size_t at = out.find(before);
     ASSERT_NE(at, std::string::npos) << out;
     const size_t begin = at + before.size();
-    const Finished replayed = shell(out.substr(begin, out.find('\n', begin) - begin));
-    EXPECT_EQ(replayed.code, 0) << replayed.err;
+    const Finished replayed = succeeded(shell(out.substr(begin, out.find('\n', begin) - begin)));
     EXPECT_NE(replayed.out.find(": all as expected"), std::string::npos) << replayed.out;
     EXPECT_EQ(replayed.out.find(" 0 expectations"), std::string::npos) << replayed.out;
   }
@@ -149,22 +145,17 @@ TEST(Plugins, AreRefusedWhenTheirNameIsNone) {
   for (const std::string& bad :
        {std::string("naive"), "a b=" + kNaive, "=" + kNaive, std::string("naive=tdibm"),
         "naive=" + kNaive + ",naive=" + kNaive, std::string("naive=plugin:/nowhere")}) {
-    const Finished asked =
-        ccdfuzz({"query", "nothing.json", "--plugin", bad, "--methods", "tdibm"});
-    EXPECT_EQ(asked.code, 2) << bad;
-    EXPECT_NE(asked.err.find("--plugin"), std::string::npos) << asked.err;
+    refused(ccdfuzz({"query", "nothing.json", "--plugin", bad, "--methods", "tdibm"}), "--plugin");
   }
-  const Finished unknown = ccdfuzz({"query", "nothing.json", "--methods", "plugin:naive"});
-  EXPECT_EQ(unknown.code, 2);
-  EXPECT_NE(unknown.err.find("\"plugin:naive\""), std::string::npos) << unknown.err;
+  refused(ccdfuzz({"query", "nothing.json", "--methods", "plugin:naive"}), "\"plugin:naive\"");
 }
 
 TEST(Plugins, AreHuntedWithLinearQueriesWhenTheyTakeNoOthers) {
   const ScratchFolder folder;
   const std::string linear = std::string("plugin:") + CCDFUZZ_TEST_LINEAR_PLUGIN;
-  const Finished hunted = ccdfuzz({"hunt", "--linear", "--cases", "12", "--methods",
-                                   linear + ",tdibm-c", "--corpus", folder / "finds", "--json"});
-  ASSERT_EQ(hunted.code, 0) << hunted.err;
+  const Finished hunted =
+      succeeded(ccdfuzz({"hunt", "--linear", "--cases", "12", "--methods", linear + ",tdibm-c",
+                         "--corpus", folder / "finds", "--json"}));
   std::map<std::string, int> asked;
   for (const auto& cell : rows_of(hunted.out, "cell")) {
     if (cell.at("method") != linear) {
@@ -177,8 +168,7 @@ TEST(Plugins, AreHuntedWithLinearQueriesWhenTheyTakeNoOthers) {
   EXPECT_GT(asked["VF"], 0);
   EXPECT_GT(asked["EE"], 0);
   EXPECT_FALSE(rows_of(hunted.out, "find").empty());
-  const Finished replayed = ccdfuzz({"replay", folder / "finds", "--allow-plugins", linear});
-  EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;
+  succeeded(ccdfuzz({"replay", folder / "finds", "--allow-plugins", linear}));
 }
 
 /// Refuses every query.
@@ -211,9 +201,7 @@ TEST(Plugins, AreNeverAskedWhenTheyRefuseEverything) {
 TEST(Plugins, HaveTheirRefusalsInAColumn) {
   const ScratchFolder folder;
   const std::string cases = folder / "c.jsonl";
-  ASSERT_EQ(
-      ccdfuzz({"generate", "--contact", "VV", "--kind", "RP", "--count", "3", "-o", cases}).code,
-      0);
+  succeeded(ccdfuzz({"generate", "--contact", "VV", "--kind", "RP", "--count", "3", "-o", cases}));
   const std::string methods = kRefusing + ",tdibm-c";
   for (const auto& row :
        json_lines(ccdfuzz({"query", cases, "--methods", methods, "--json"}).out)) {
@@ -292,10 +280,8 @@ TEST(Plugins, CountAsClaimsWhereTheyClaim) {
                      "--fail-on", "claims"})
                 .code,
             1);
-  EXPECT_EQ(ccdfuzz({"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "naive",
-                     "--fail-on", "claims"})
-                .code,
-            0);
+  succeeded(ccdfuzz({"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "naive",
+                     "--fail-on", "claims"}));
 }
 
 /// The C++ between the first pair of fences of the page for newcomers.
@@ -311,130 +297,13 @@ TEST(Plugins, TakeAtMostSixtyLinesToBuildAndHuntAsThePageSays) {
   const std::string source = newcomers_plugin();
   EXPECT_LE(std::ranges::count(source, '\n'), 60);
   write_text(folder / "mine.cpp", source);
-  const Finished built = shell(fmt::format(
+  succeeded(shell(fmt::format(
       "{} -std=c++17 -O2 -Wall -Wextra -Werror -shared -fPIC -I{}/src/method/plugin {} -o {}",
-      CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR, folder / "mine.cpp", folder / "libmine.so"));
-  ASSERT_EQ(built.code, 0) << built.err;
+      CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR, folder / "mine.cpp", folder / "libmine.so")));
   const Finished hunted =
-      ccdfuzz({"hunt", "--cases", "2", "--methods", "plugin:" + (folder / "libmine.so"), "--corpus",
-               folder / "finds"});
-  EXPECT_EQ(hunted.code, 0) << hunted.err;
+      succeeded(ccdfuzz({"hunt", "--cases", "2", "--methods", "plugin:" + (folder / "libmine.so"),
+                         "--corpus", folder / "finds"}));
   EXPECT_NE(hunted.err.find("ccdfuzz: hunt: found: "), std::string::npos) << hunted.err;
-}
-
-/// A vertex that reaches a face in its inside, and one that stays above it.
-constexpr const char* kTwoLinearCases =
-    R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-2]]}],"t_max":1,"truth":{"collides":true,"witness":{"t":"1/2","uv":[["1/4","1/2"],["0","0"]]}}}
-{"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-0.5]]}],"t_max":1,"truth":{"collides":false,"proof":"L","certificate":{"clear":{"kind":"L","until":"1","closed":true}}}}
-)";
-
-/// Always wrong: says the opposite of what the example says.
-constexpr const char* kContrary = R"(#include "ccdfuzz_plugin.hpp"
-namespace ccd = ccdfuzz_plugin_cpp;
-struct Contrary {
-  explicit Contrary(const std::string&) {}
-  static ccd::Description describe() { return {"contrary", ""}; }
-  static ccd::Answer answer(const ccd::Query& query) {
-    const bool comes = query.raw.patches[1]->velocities[0][2] == -2;
-    return comes ? ccd::Answer::miss() : ccd::Answer::hit(0);
-  }
-};
-CCDFUZZ_PLUGIN(Contrary)
-)";
-
-TEST(Export, AsGoogleTestFailsWithAPluginThatFailsAndPassesWithOneThatDoesNot) {
-  const ScratchFolder folder;
-  write_text(folder / "cases.jsonl", kTwoLinearCases);
-  write_text(folder / "contrary.cpp", kContrary);
-  const Finished written =
-      ccdfuzz({"export", folder / "cases.jsonl", "--as", "gtest", "-o", folder / "found_test.cpp"});
-  ASSERT_EQ(written.code, 0) << written.err;
-  EXPECT_EQ(written.out, "2 tests\n");
-  const Finished compiled =
-      shell(fmt::format("cd {0} && cxx='{1} -std=c++17 -I{2}/src/method/plugin' && "
-                        "$cxx -Wall -Wextra -Werror -c found_test.cpp -o test.o && "
-                        "$cxx test.o contrary.cpp -o wrong -lgtest_main -lgtest -pthread && "
-                        "$cxx test.o {3} -Wl,-rpath,{4} -o right -lgtest_main -lgtest -pthread",
-                        folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR, CCDFUZZ_TEST_LINEAR_PLUGIN,
-                        std::filesystem::path(CCDFUZZ_TEST_LINEAR_PLUGIN).parent_path().string()));
-  ASSERT_EQ(compiled.code, 0) << compiled.err;
-  const Finished right = Process({}, "", folder / "right").wait();
-  EXPECT_EQ(right.code, 0) << right.out;
-  EXPECT_NE(right.out.find("[  PASSED  ] 2 tests"), std::string::npos) << right.out;
-  const Finished wrong = Process({}, "", folder / "wrong").wait();
-  EXPECT_EQ(wrong.code, 1) << wrong.out;
-  EXPECT_NE(wrong.out.find("2 FAILED TESTS"), std::string::npos) << wrong.out;
-}
-
-/// LATE of t_max late, and claims that it may be by a millionth.
-constexpr const char* kLateByItsTolerance = R"(#include "ccdfuzz_plugin.hpp"
-namespace ccd = ccdfuzz_plugin_cpp;
-struct Late {
-  explicit Late(const std::string&) {}
-  static ccd::Description describe() {
-    ccd::Description description{"late", ""};
-    description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;
-    description.tolerance = 1e-6;
-    return description;
-  }
-  static ccd::Answer answer(const ccd::Query& query) {
-    const bool comes = query.raw.patches[1]->velocities[0][2] == -2;
-    return comes ? ccd::Answer::hit(0.5 + LATE) : ccd::Answer::miss();
-  }
-};
-CCDFUZZ_PLUGIN(Late)
-)";
-
-TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {
-  const ScratchFolder folder;
-  write_text(folder / "cases.jsonl", kTwoLinearCases);
-  write_text(folder / "late.cpp", kLateByItsTolerance);
-  ASSERT_EQ(
-      ccdfuzz({"export", folder / "cases.jsonl", "--as", "gtest", "-o", folder / "found_test.cpp"})
-          .code,
-      0);
-  const Finished compiled = shell(fmt::format(
-      "cd {0} && cxx='{1} -std=c++17 -I{2}/src/method/plugin' && $cxx -c found_test.cpp -o t.o && "
-      "$cxx t.o late.cpp -DLATE=0x1p-20 -o within -lgtest_main -lgtest -pthread && "
-      "$cxx t.o late.cpp -DLATE=0x1p-19 -o beyond -lgtest_main -lgtest -pthread",
-      folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR));
-  ASSERT_EQ(compiled.code, 0) << compiled.err;
-  EXPECT_EQ(Process({}, "", folder / "within").wait().code, 0);
-  EXPECT_EQ(Process({}, "", folder / "beyond").wait().code, 1);
-}
-
-TEST(Export, AsCatch2Compiles) {
-  const ScratchFolder folder;
-  write_text(folder / "cases.jsonl", kTwoLinearCases);
-  // A stand-in for the two macros of Catch2 that are used.
-  std::filesystem::create_directories(folder / "catch2");
-  write_text(folder / "catch2/catch_test_macros.hpp",
-             "#define TEST_CASE(name) static void test_case(const char (*)[__LINE__])\n"
-             "#define CHECK(condition) static_cast<void>(condition)\n");
-  ASSERT_EQ(
-      ccdfuzz({"export", folder / "cases.jsonl", "--as", "catch2", "-o", folder / "found_test.cpp"})
-          .code,
-      0);
-  const Finished compiled = shell(
-      fmt::format("cd {} && {} -std=c++17 -fsyntax-only -I. -I{}/src/method/plugin found_test.cpp",
-                  folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR));
-  EXPECT_EQ(compiled.code, 0) << compiled.err;
-}
-
-TEST(Minimize, WritesAnEntryThatFailsAlikeAndRefusesWhatDoesNotFail) {
-  const ScratchFolder folder;
-  const std::string underflow = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
-  const std::string small = folder / "small.json";
-  const Finished shrunk =
-      ccdfuzz({"minimize", underflow, "--method", "tdibm-e", "-o", small, "--json"});
-  ASSERT_EQ(shrunk.code, 0) << shrunk.err;
-  const auto row = json_lines(shrunk.out).front();
-  EXPECT_LE(row.at("bits"), row.at("bits_before"));
-  EXPECT_EQ(ccdfuzz({"verify", small}).code, 0);
-  EXPECT_EQ(ccdfuzz({"replay", small}).code, 0);
-  const Finished refused = ccdfuzz({"minimize", small, "--method", "tdibm-c"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_NE(refused.err.find("no failure to shrink"), std::string::npos) << refused.err;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <gtest/gtest.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -20,6 +20,7 @@ namespace ccdfuzz {
 
 /// What a program left behind: its exit code, or 128 + the signal that ended it.
 struct Finished {
+  std::string command;
   int code = -1;
   std::string out;
   std::string err;
@@ -34,6 +35,7 @@ class Process {
                    const std::string& program = CCDFUZZ_EXECUTABLE)
       : out_path_(out_path.empty() ? scratch_ / "out" : out_path), err_path_(scratch_ / "err") {
     arguments.insert(arguments.begin(), program);
+    command_ = fmt::format("{}", fmt::join(arguments, " "));
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);
@@ -69,8 +71,9 @@ class Process {
     rusage used = {};
     ::wait4(pid_, &status, 0, &used);
     pid_ = -1;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out_path_),
-            contents(err_path_), static_cast<std::uint64_t>(used.ru_maxrss) << 10U};
+    return {command_, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            contents(out_path_), contents(err_path_),
+            static_cast<std::uint64_t>(used.ru_maxrss) << 10U};
   }
 
  private:
@@ -80,7 +83,7 @@ class Process {
   }
 
   ScratchFolder scratch_;
-  std::string out_path_, err_path_;
+  std::string command_, out_path_, err_path_;
   pid_t pid_ = -1;
 };
 
@@ -107,6 +110,19 @@ inline Finished shell(const std::string& line) {
       .wait();
 }
 
+/// A failure unless the program ended well.
+inline Finished succeeded(Finished finished) {
+  EXPECT_EQ(finished.code, 0) << finished.command << '\n' << finished.out << finished.err;
+  return finished;
+}
+
+/// A failure unless the program ended as for bad input, naming this.
+inline Finished refused(Finished finished, const std::string& named) {
+  EXPECT_EQ(finished.code, 2) << finished.command << '\n' << finished.out << finished.err;
+  EXPECT_THAT(finished.err, testing::HasSubstr(named)) << finished.command;
+  return finished;
+}
+
 /// Each line of the text as JSON; a failure if one is not.
 inline std::vector<nlohmann::ordered_json> json_lines(const std::string& text) {
   std::vector<nlohmann::ordered_json> rows;
@@ -116,6 +132,19 @@ inline std::vector<nlohmann::ordered_json> json_lines(const std::string& text) {
     EXPECT_FALSE(rows.back().is_discarded()) << line;
   }
   return rows;
+}
+
+/// What an evaluation printed or left, without times.
+inline std::vector<std::string> untimed(const std::string& lines) {
+  std::vector<std::string> all;
+  for (nlohmann::ordered_json one : json_lines(lines)) {
+    if (one.contains("answers")) {
+      for (auto& answer : one["answers"]) answer.erase("seconds");
+    }
+    for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) one.erase(time);
+    all.push_back(one.dump());
+  }
+  return all;
 }
 
 /// The data in the page of a report's folder; the JSON of another of its elements.

@@ -13,9 +13,8 @@ const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
 TEST(ReportCommand, ShowsAFileOfCasesAfterAnEvaluation) {
   const ScratchFolder folder;
-  const Finished made =
-      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "--report", folder / "page"});
-  EXPECT_EQ(made.code, 0) << made.err;
+  succeeded(
+      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "--report", folder / "page"}));
   EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"tdibm-e\""));
   const nlohmann::json page = page_data(folder / "page");
   EXPECT_EQ(page["groups"][0]["method"], "tdibm-e");
@@ -32,31 +31,26 @@ std::string small_corpus(const ScratchFolder& folder) {
 
 TEST(ReportCommand, ShowsACorpus) {
   const ScratchFolder folder;
-  const Finished made = ccdfuzz({"report", small_corpus(folder), "-o", folder / "page"});
-  EXPECT_EQ(made.code, 0) << made.err;
+  const Finished made = succeeded(ccdfuzz({"report", small_corpus(folder), "-o", folder / "page"}));
   EXPECT_THAT(made.out, HasSubstr("index.html: 1 case"));
   EXPECT_THAT(page_data(folder / "page")["cases"][0][0], HasSubstr("entry.json"));
 }
 
 TEST(ReportCommand, HuntAndEvaluateWriteOne) {
   const ScratchFolder folder;
-  const Finished hunted = ccdfuzz({"hunt", "--cases", "1", "--methods", "tdibm", "--max-pops", "10",
-                                   "--corpus", folder / "finds", "--report", folder / "hunt"});
-  EXPECT_EQ(hunted.code, 0) << hunted.err;
+  succeeded(ccdfuzz({"hunt", "--cases", "1", "--methods", "tdibm", "--max-pops", "10", "--corpus",
+                     folder / "finds", "--report", folder / "hunt"}));
   EXPECT_TRUE(std::filesystem::exists(folder / "hunt/index.html"));
-  const Finished evaluated =
-      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c", "--report", folder / "evaluation"});
-  EXPECT_EQ(evaluated.code, 0) << evaluated.err;
+  succeeded(
+      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c", "--report", folder / "evaluation"}));
   EXPECT_TRUE(std::filesystem::exists(folder / "evaluation/index.html"));
 }
 
 TEST(ReportCommand, ShowsTheFolderOfAnEvaluation) {
   const ScratchFolder folder;
-  const Finished evaluated = ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "-o",
-                                      folder / "run", "--report", folder / "page"});
-  EXPECT_EQ(evaluated.code, 0) << evaluated.err;
-  const Finished again = ccdfuzz({"report", folder / "run", "-o", folder / "again"});
-  EXPECT_EQ(again.code, 0) << again.err;
+  succeeded(ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "-o", folder / "run",
+                     "--report", folder / "page"}));
+  const Finished again = succeeded(ccdfuzz({"report", folder / "run", "-o", folder / "again"}));
   EXPECT_EQ(page_data(folder / "page")["groups"], page_data(folder / "again")["groups"]);
 }
 
@@ -73,10 +67,9 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
   const ScratchFolder folder;
   for (const char* threads : {"1", "2"}) {
     const std::string own = folder / threads;
-    const Finished hunted =
-        ccdfuzz({"hunt", "--cases", "2", "--methods", "tdibm,tdibm-c", "--max-pops", "10", "--seed",
-                 "3", "--threads", threads, "--corpus", own + "/finds", "--report", own + "/page"});
-    ASSERT_EQ(hunted.code, 0) << hunted.err;
+    succeeded(ccdfuzz({"hunt", "--cases", "2", "--methods", "tdibm,tdibm-c", "--max-pops", "10",
+                       "--seed", "3", "--threads", threads, "--corpus", own + "/finds", "--report",
+                       own + "/page"}));
   }
   const auto record_of_one = record_without_times(folder / "1/page/hunt.jsonl");
   EXPECT_EQ(record_of_one, record_without_times(folder / "2/page/hunt.jsonl"))
@@ -87,39 +80,34 @@ TEST(ReportCommand, ShowsTheFolderOfAHunt) {
   EXPECT_GT(last["mutants"], 0);
   EXPECT_TRUE(last["margins"][1].is_number_unsigned()) << last;
 
-  const Finished again = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
-  EXPECT_EQ(again.code, 0) << again.err;
+  const Finished again = succeeded(ccdfuzz({"report", folder / "1/page", "-o", folder / "again"}));
   EXPECT_EQ(read_text(folder / "1/page/index.html"), read_text(folder / "again/index.html"));
 
   std::string record = read_text(folder / "1/page/hunt.jsonl");
   record.replace(record.find("\"n\":"), 4, "\"n\":-");
   write_text(folder / "1/page/hunt.jsonl", record);
-  const Finished refused = ccdfuzz({"report", folder / "1/page", "-o", folder / "again"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("hunt.jsonl: cells[0].n: -"));
+  refused(ccdfuzz({"report", folder / "1/page", "-o", folder / "again"}),
+          "hunt.jsonl: cells[0].n: -");
 }
 
 TEST(ReportCommand, ShowsAPluginsAnswers) {
   const ScratchFolder folder;
-  const Finished evaluated = ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c," + kPlugin, "-o",
-                                      folder / "run", "--report", folder / "page"});
-  EXPECT_EQ(evaluated.code, 0) << evaluated.err;
+  succeeded(ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c," + kPlugin, "-o", folder / "run",
+                     "--report", folder / "page"}));
   EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"" + kPlugin + "\""));
   // A kept evaluation shows what the plug-in says of itself only where that is allowed.
   const nlohmann::json own = page_data(folder / "page")["methods"];
   for (const bool allow : {true, false}) {
     std::vector<std::string> report = {"report", folder / "run", "-o", folder / "again"};
     if (allow) report.insert(report.end(), {"--allow-plugins", kPlugin});
-    const Finished again = ccdfuzz(report);
-    EXPECT_EQ(again.code, 0) << again.err;
+    const Finished again = succeeded(ccdfuzz(report));
     EXPECT_EQ(page_data(folder / "again")["methods"] == own, allow);
   }
   std::filesystem::create_directories(folder / "corpus");
   nlohmann::ordered_json entry = nlohmann::ordered_json::parse(read_text(kEntry));
   entry["expect"] = {{"tdibm-c", "correct"}, {kPlugin, "missed"}};
   write_text(folder / "corpus/entry.json", entry.dump());
-  const Finished made = ccdfuzz({"report", folder / "corpus", "-o", folder / "page"});
-  EXPECT_EQ(made.code, 0) << made.err;
+  succeeded(ccdfuzz({"report", folder / "corpus", "-o", folder / "page"}));
   const nlohmann::json page = page_data(folder / "page");
   EXPECT_EQ(page["methods"][1]["spec"], kPlugin);
   EXPECT_EQ(page["cases"][0][4], "cm");
@@ -128,22 +116,19 @@ TEST(ReportCommand, ShowsAPluginsAnswers) {
 TEST(ReportCommand, NeedsNeitherThePluginsNorTheFolderOfAHunt) {
   const ScratchFolder folder;
   std::filesystem::copy(CCDFUZZ_TEST_NAIVE_PLUGIN, folder / "libmine.so");
-  const Finished hunted =
+  succeeded(
       shell(fmt::format("cd {} && $ccdfuzz hunt --cases 1 --shrink none --methods "
                         "plugin:./libmine.so --corpus finds --report page",
-                        folder.path()));
-  ASSERT_EQ(hunted.code, 0) << hunted.err;
+                        folder.path())));
   std::filesystem::remove(folder / "libmine.so");
-  const Finished again = ccdfuzz({"report", folder / "page", "-o", folder / "again"});
-  EXPECT_EQ(again.code, 0) << again.err;
+  const Finished again = succeeded(ccdfuzz({"report", folder / "page", "-o", folder / "again"}));
   const nlohmann::json page = page_data(folder / "again");
   EXPECT_EQ(page["groups"], page_data(folder / "page")["groups"]);
   EXPECT_EQ(page["methods"][0]["spec"], "plugin:./libmine.so");
   EXPECT_EQ(page["cases"][0][4], "m");
 
   std::filesystem::rename(folder / "finds", folder / "elsewhere");
-  const Finished without = ccdfuzz({"report", folder / "page", "-o", folder / "again"});
-  EXPECT_EQ(without.code, 0) << without.err;
+  const Finished without = succeeded(ccdfuzz({"report", folder / "page", "-o", folder / "again"}));
   EXPECT_THAT(without.err, HasSubstr("finds: the store of the hunt is not there"));
   const nlohmann::json left = page_data(folder / "again");
   EXPECT_EQ(left["tables"].back()["id"], "finds");
@@ -178,8 +163,7 @@ TEST(ReportCommand, ShowsTheScoreboard) {
   const ScratchFolder folder;
   const std::string board = CCDFUZZ_SOURCE_DIR "/tests/report/scoreboard.json";
   const std::string corpus = small_corpus(folder);
-  const Finished made = ccdfuzz({"report", corpus, "--scoreboard", board, "-o", folder / "page"});
-  EXPECT_EQ(made.code, 0) << made.err;
+  succeeded(ccdfuzz({"report", corpus, "--scoreboard", board, "-o", folder / "page"}));
   EXPECT_EQ(page_data(folder / "page", "scoreboard"), nlohmann::json::parse(read_text(board)));
   for (const auto& [text, complaint] : std::map<std::string, std::string>{
            {"[", "board.json"},
@@ -187,10 +171,9 @@ TEST(ReportCommand, ShowsTheScoreboard) {
            {R"({"format": "ccdfuzz-scoreboard", "version": 1, "drivers": [], "rows": 5})",
             "board.json: rows: 5"}}) {
     write_text(folder / "board.json", text);
-    const Finished refused =
-        ccdfuzz({"report", corpus, "--scoreboard", folder / "board.json", "-o", folder / "other"});
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.err, HasSubstr(complaint));
+    refused(
+        ccdfuzz({"report", corpus, "--scoreboard", folder / "board.json", "-o", folder / "other"}),
+        complaint);
     EXPECT_FALSE(std::filesystem::exists(folder / "other/index.html"));
   }
 }
@@ -198,17 +181,13 @@ TEST(ReportCommand, ShowsTheScoreboard) {
 TEST(ReportCommand, RefusesWhatItCannotRead) {
   const ScratchFolder folder;
   for (const std::string& source : {folder / "nothing.json", kEntry}) {
-    const Finished refused = ccdfuzz({"report", source, "-o", folder / "page"});
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_THAT(refused.err, HasSubstr(source + ": is no folder"));
+    refused(ccdfuzz({"report", source, "-o", folder / "page"}), source + ": is no folder");
   }
   std::filesystem::create_directories(folder / "empty");
   EXPECT_EQ(ccdfuzz({"report", folder / "empty", "-o", folder / "page"}).code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder / "page/index.html"));
   write_text(folder / "file", "");
-  const Finished blocked = ccdfuzz({"report", small_corpus(folder), "-o", folder / "file/page"});
-  EXPECT_EQ(blocked.code, 2);
-  EXPECT_THAT(blocked.err, HasSubstr("file/page"));
+  refused(ccdfuzz({"report", small_corpus(folder), "-o", folder / "file/page"}), "file/page");
 }
 
 }  // namespace

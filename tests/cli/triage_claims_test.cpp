@@ -63,8 +63,7 @@ class TriageOfClaims : public testing::Test {
 };
 
 TEST_F(TriageOfClaims, KeepsOneOfEachClaimAndError) {
-  const Finished run = triage({"--json"});
-  EXPECT_EQ(run.code, 0) << run.err;
+  const Finished run = succeeded(triage({"--json"}));
   const auto rows = json_lines(run.out);
   ASSERT_EQ(rows.size(), 4U) << run.out;
   const std::vector<std::pair<std::string, std::string>> wanted = {
@@ -142,9 +141,7 @@ TEST_F(TriageOfClaims, AFileThatIsNoFindInItsPlaceIsAnErrorAndStays) {
   std::filesystem::create_directories(finds_ + "/claims");
   const std::string path = finds_ + "/claims/made_up.fails_on_all.json";
   write_text(path, "{}");
-  const Finished run = triage({});
-  EXPECT_EQ(run.code, 2) << run.out;
-  EXPECT_THAT(run.err, HasSubstr(path + ": "));
+  refused(triage({}), path + ": ");
   EXPECT_EQ(read_text(path), "{}");
 }
 
@@ -166,9 +163,7 @@ TEST_F(TriageOfClaims, WantOfMemoryIsNoRefutation) {
 TEST_F(TriageOfClaims, RefusesFoldersBeforeItWorks) {
   write_text(folder_ / "file", "");
   for (const char* option : {"-o", "--known"}) {
-    const Finished run = triage({option, folder_ / "file"});
-    EXPECT_EQ(run.code, 2) << option;
-    EXPECT_THAT(run.err, HasSubstr(folder_ / "file"));
+    const Finished run = refused(triage({option, folder_ / "file"}), folder_ / "file");
     EXPECT_EQ(run.out, "");
   }
   EXPECT_EQ(triage({"--known", folder_ / "none"}).code, 2);
@@ -176,22 +171,17 @@ TEST_F(TriageOfClaims, RefusesFoldersBeforeItWorks) {
 
 TEST_F(TriageOfClaims, RefusesWhatIsOfMethods) {
   for (const char* option : {"--methods", "--max-pops", "--max-seconds"}) {
-    const Finished run = triage({option, "1"});
-    EXPECT_EQ(run.code, 2) << option;
-    EXPECT_THAT(run.err, HasSubstr(option));
+    refused(triage({option, "1"}), option);
   }
 }
 
 TEST(TriageOfTargets, RefusesAnUnknownTargetAndReadsThatOfAny) {
   const ScratchFolder folder;
   write_text(folder / "input", "a,b");
-  const Finished refused = ccdfuzz({"triage", folder / "input", "--target", "quarry"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err,
-              HasSubstr("--target: no target \"quarry\"; there are: any_bits, any_environment, "));
-  const Finished read = ccdfuzz(
-      {"triage", folder / "input", "--target", "query_csv", "-o", folder / "finds", "--json"});
-  EXPECT_EQ(read.code, 0) << read.err;
+  refused(ccdfuzz({"triage", folder / "input", "--target", "quarry"}),
+          "--target: no target \"quarry\"; there are: any_bits, any_environment, ");
+  const Finished read = succeeded(ccdfuzz(
+      {"triage", folder / "input", "--target", "query_csv", "-o", folder / "finds", "--json"}));
   EXPECT_EQ(json_lines(read.out).back()["harmless"], 1);
 }
 

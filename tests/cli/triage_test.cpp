@@ -37,7 +37,7 @@ TEST(Triage, StoresEachFailureOnceAndShrunk) {
     const std::string entry = rows[i]["path"];
     EXPECT_LT(read_text(entry).size(), 2000U) << entry;
   }
-  EXPECT_EQ(ccdfuzz({"replay", finds}).code, 0);
+  succeeded(ccdfuzz({"replay", finds}));
   const Finished again =
       ccdfuzz({"triage", drawn, "-o", folder / "new", "--known", finds, "--methods", "tdibm"});
   EXPECT_THAT(again.out, HasSubstr("; 0 new in "));
@@ -72,13 +72,12 @@ TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
     ++written;
   }
   ASSERT_GT(written, 1U);
-  const Finished run = ccdfuzz(
-      {"triage", folder / "crashes", "-o", folder / "finds", "--methods", "tdibm", "--json"});
-  EXPECT_EQ(run.code, 0) << run.err;
+  const Finished run = succeeded(ccdfuzz(
+      {"triage", folder / "crashes", "-o", folder / "finds", "--methods", "tdibm", "--json"}));
   const auto rows = json_lines(run.out);
   EXPECT_EQ(rows.back().at("inputs"), written);
   EXPECT_GT(entries_of(folder / "finds"), 0U);
-  EXPECT_EQ(ccdfuzz({"replay", folder / "finds"}).code, 0);
+  succeeded(ccdfuzz({"replay", folder / "finds"}));
 }
 
 TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
@@ -94,9 +93,8 @@ TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   ASSERT_TRUE(repaired);
   ASSERT_NE(repaired->query, *query_of(*bytes));
   write_text(folder / "input", std::string(bytes->begin(), bytes->end()));
-  const Finished run =
-      ccdfuzz({"triage", folder / "input", "-o", folder / "finds", "--methods", "tdibm", "--json"});
-  EXPECT_EQ(run.code, 0) << run.err;
+  const Finished run = succeeded(ccdfuzz(
+      {"triage", folder / "input", "-o", folder / "finds", "--methods", "tdibm", "--json"}));
   EXPECT_EQ(json_lines(run.out).back().at("inputs"), 2);
 }
 
@@ -105,11 +103,9 @@ TEST(Triage, LeavesWhatItCannotReadAndGoesOn) {
   std::filesystem::create_directory(folder / "inputs");
   write_text(folder / "inputs/a", "");
   std::filesystem::rename(generated(folder, "VV", "RP", 2), folder / "inputs/b.jsonl");
-  const Finished run = ccdfuzz({"triage", folder / "inputs", "-o", folder / "finds", "--methods",
-                                "tdibm", "--remove", "--json"});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err,
-              HasSubstr((folder / "inputs/a") + ": is neither a case file nor an input of"));
+  const Finished run = refused(ccdfuzz({"triage", folder / "inputs", "-o", folder / "finds",
+                                        "--methods", "tdibm", "--remove", "--json"}),
+                               (folder / "inputs/a") + ": is neither a case file nor an input of");
   const auto summary = json_lines(run.out).back();
   EXPECT_EQ(summary.at("files_done"), 1);
   EXPECT_EQ(summary.at("files_unread"), 1);
@@ -121,21 +117,17 @@ TEST(Triage, LeavesWhatItCannotReadAndGoesOn) {
 TEST(Triage, RefusesWhatIsNoInput) {
   const ScratchFolder folder;
   write_text(folder / "bytes", "a");
-  const Finished refused = ccdfuzz({"triage", folder / "bytes", "-o", folder / "finds"});
-  EXPECT_EQ(refused.code, 2);
-  EXPECT_THAT(refused.err, HasSubstr("is neither a case file nor an input of fuzz_query or"));
-  const Finished absent = ccdfuzz({"triage", folder / "none", "-o", folder / "finds"});
-  EXPECT_EQ(absent.code, 2);
-  EXPECT_THAT(absent.err, HasSubstr("no such file or folder"));
+  refused(ccdfuzz({"triage", folder / "bytes", "-o", folder / "finds"}),
+          "is neither a case file nor an input of fuzz_query or");
+  refused(ccdfuzz({"triage", folder / "none", "-o", folder / "finds"}), "no such file or folder");
 }
 
 TEST(MergeOfCorpora, KeepsOneOfEachFailure) {
   const ScratchFolder folder;
   const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
-  ASSERT_EQ(ccdfuzz({"triage", drawn, "-o", finds, "--methods", "tdibm"}).code, 0);
+  succeeded(ccdfuzz({"triage", drawn, "-o", finds, "--methods", "tdibm"}));
   std::filesystem::copy(finds, folder / "twin", std::filesystem::copy_options::recursive);
-  const Finished merged = ccdfuzz({"merge", finds, folder / "twin", "-o", folder / "all"});
-  EXPECT_EQ(merged.code, 0) << merged.err;
+  succeeded(ccdfuzz({"merge", finds, folder / "twin", "-o", folder / "all"}));
   EXPECT_GT(entries_of(finds), 0U);
   EXPECT_EQ(entries_of(folder / "all"), entries_of(finds));
   EXPECT_EQ(ccdfuzz({"merge", "-o", folder / "all"}).code, 2);

@@ -69,8 +69,10 @@ TEST(OutputByClass, FitsATerminalToo) {
 TEST(Help, FitsATerminalAndHasAnExample) {
   EXPECT_GE(commands().size(), 18U);
   expect_narrow(ccdfuzz({"--help"}).out, "--help");
+  expect_narrow(ccdfuzz({"properties"}).out, "properties");
   for (const std::string& command : commands()) {
-    const std::string help = ccdfuzz({command, "--help"}).out;
+    const Finished shown = succeeded(ccdfuzz({command, "--help"}));
+    const std::string& help = shown.out;
     expect_narrow(help, command);
     EXPECT_NE(help.find("\nExample, "), std::string::npos) << help;
     EXPECT_NE(help.find("\n  ccdfuzz " + command), std::string::npos) << help;

@@ -1,0 +1,113 @@
+// What export and minimize make of cases, built and run.
+#include <filesystem>
+
+#include "process.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// A vertex that reaches a face in its inside, and one that stays above it.
+constexpr const char* kTwoLinearCases =
+    R"({"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-2]]}],"t_max":1,"truth":{"collides":true,"witness":{"t":"1/2","uv":[["1/4","1/2"],["0","0"]]}}}
+{"format":"ccdfuzz-case","version":1,"patches":[{"shape":"triangle","degree":1,"positions":[[0,0,0],[0,1,0],[1,0,0]],"velocities":[[0,0,0],[0,0,0],[0,0,0]]},{"shape":"point","positions":[[0.25,0.5,1]],"velocities":[[0,0,-0.5]]}],"t_max":1,"truth":{"collides":false,"proof":"L","certificate":{"clear":{"kind":"L","until":"1","closed":true}}}}
+)";
+
+/// Always wrong: says the opposite of what the example says.
+constexpr const char* kContrary = R"(#include "ccdfuzz_plugin.hpp"
+namespace ccd = ccdfuzz_plugin_cpp;
+struct Contrary {
+  explicit Contrary(const std::string&) {}
+  static ccd::Description describe() { return {"contrary", ""}; }
+  static ccd::Answer answer(const ccd::Query& query) {
+    const bool comes = query.raw.patches[1]->velocities[0][2] == -2;
+    return comes ? ccd::Answer::miss() : ccd::Answer::hit(0);
+  }
+};
+CCDFUZZ_PLUGIN(Contrary)
+)";
+
+TEST(Export, AsGoogleTestFailsWithAPluginThatFailsAndPassesWithOneThatDoesNot) {
+  const ScratchFolder folder;
+  write_text(folder / "cases.jsonl", kTwoLinearCases);
+  write_text(folder / "contrary.cpp", kContrary);
+  const Finished written = succeeded(ccdfuzz(
+      {"export", folder / "cases.jsonl", "--as", "gtest", "-o", folder / "found_test.cpp"}));
+  EXPECT_EQ(written.out, "2 tests\n");
+  succeeded(
+      shell(fmt::format("cd {0} && cxx='{1} -std=c++17 -I{2}/src/method/plugin' && "
+                        "$cxx -Wall -Wextra -Werror -c found_test.cpp -o test.o && "
+                        "$cxx test.o contrary.cpp -o wrong -lgtest_main -lgtest -pthread && "
+                        "$cxx test.o {3} -Wl,-rpath,{4} -o right -lgtest_main -lgtest -pthread",
+                        folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR, CCDFUZZ_TEST_LINEAR_PLUGIN,
+                        std::filesystem::path(CCDFUZZ_TEST_LINEAR_PLUGIN).parent_path().string())));
+  const Finished right = succeeded(Process({}, "", folder / "right").wait());
+  EXPECT_NE(right.out.find("[  PASSED  ] 2 tests"), std::string::npos) << right.out;
+  const Finished wrong = Process({}, "", folder / "wrong").wait();
+  EXPECT_EQ(wrong.code, 1) << wrong.out;
+  EXPECT_NE(wrong.out.find("2 FAILED TESTS"), std::string::npos) << wrong.out;
+}
+
+/// LATE of t_max late, and claims that it may be by a millionth.
+constexpr const char* kLateByItsTolerance = R"(#include "ccdfuzz_plugin.hpp"
+namespace ccd = ccdfuzz_plugin_cpp;
+struct Late {
+  explicit Late(const std::string&) {}
+  static ccd::Description describe() {
+    ccd::Description description{"late", ""};
+    description.tolerance_kind = CCDFUZZ_TOLERANCE_TIME_RELATIVE;
+    description.tolerance = 1e-6;
+    return description;
+  }
+  static ccd::Answer answer(const ccd::Query& query) {
+    const bool comes = query.raw.patches[1]->velocities[0][2] == -2;
+    return comes ? ccd::Answer::hit(0.5 + LATE) : ccd::Answer::miss();
+  }
+};
+CCDFUZZ_PLUGIN(Late)
+)";
+
+TEST(Export, AsGoogleTestAllowsTheToleranceInTimeThatAPluginClaims) {
+  const ScratchFolder folder;
+  write_text(folder / "cases.jsonl", kTwoLinearCases);
+  write_text(folder / "late.cpp", kLateByItsTolerance);
+  succeeded(ccdfuzz(
+      {"export", folder / "cases.jsonl", "--as", "gtest", "-o", folder / "found_test.cpp"}));
+  succeeded(shell(fmt::format(
+      "cd {0} && cxx='{1} -std=c++17 -I{2}/src/method/plugin' && $cxx -c found_test.cpp -o t.o && "
+      "$cxx t.o late.cpp -DLATE=0x1p-20 -o within -lgtest_main -lgtest -pthread && "
+      "$cxx t.o late.cpp -DLATE=0x1p-19 -o beyond -lgtest_main -lgtest -pthread",
+      folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR)));
+  EXPECT_EQ(Process({}, "", folder / "within").wait().code, 0);
+  EXPECT_EQ(Process({}, "", folder / "beyond").wait().code, 1);
+}
+
+TEST(Export, AsCatch2Compiles) {
+  const ScratchFolder folder;
+  write_text(folder / "cases.jsonl", kTwoLinearCases);
+  // A stand-in for the two macros of Catch2 that are used.
+  std::filesystem::create_directories(folder / "catch2");
+  write_text(folder / "catch2/catch_test_macros.hpp",
+             "#define TEST_CASE(name) static void test_case(const char (*)[__LINE__])\n"
+             "#define CHECK(condition) static_cast<void>(condition)\n");
+  succeeded(ccdfuzz(
+      {"export", folder / "cases.jsonl", "--as", "catch2", "-o", folder / "found_test.cpp"}));
+  succeeded(shell(
+      fmt::format("cd {} && {} -std=c++17 -fsyntax-only -I. -I{}/src/method/plugin found_test.cpp",
+                  folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR)));
+}
+
+TEST(Minimize, WritesAnEntryThatFailsAlikeAndRefusesWhatDoesNotFail) {
+  const ScratchFolder folder;
+  const std::string underflow = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
+  const std::string small = folder / "small.json";
+  const Finished shrunk =
+      succeeded(ccdfuzz({"minimize", underflow, "--method", "tdibm-e", "-o", small, "--json"}));
+  const auto row = json_lines(shrunk.out).front();
+  EXPECT_LE(row.at("bits"), row.at("bits_before"));
+  succeeded(ccdfuzz({"verify", small}));
+  succeeded(ccdfuzz({"replay", small}));
+  refused(ccdfuzz({"minimize", small, "--method", "tdibm-c"}), "no failure to shrink");
+}
+
+}  // namespace
+}  // namespace ccdfuzz
