@@ -37,18 +37,6 @@ TEST(Extract, CornersAreOnTheGridAndInTheParent) {
   });
 }
 
-// E.4's containment, "by construction": the contact is at part.x, and on the same feature.
-TEST(Extract, TheContactLiesOnThePartAsOnTheParent) {
-  for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Draw&) {
-    EXPECT_EQ(feature_at(part.x), feature);
-    for (size_t k = 0; k < 3; ++k) {
-      Dyadic sum;
-      for (size_t a = 0; a < 3; ++a) sum += part.x[a] * part.corners[a][k];
-      EXPECT_EQ(sum, x[k]);
-    }
-  });
-}
-
 // An edge of the part is part of the parent's edge: else the contact would be inside the parent.
 TEST(Extract, AnEdgeOfThePartIsPartOfTheEdgeOfTheParent) {
   for_each_part([](Feature feature, const Barycentric& x, const LocalPatch& part, Draw&) {

@@ -1,6 +1,5 @@
 #include "generators/first_contact.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "generators/finalize.hpp"

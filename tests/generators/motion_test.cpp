@@ -36,24 +36,6 @@ void for_each_motion(const Check& check) {
   }
 }
 
-TEST(Motion, BringsThePatchesWhereTheyAreToBeAtTheContactTime) {
-  for_each_motion([](const Moving& m) {
-    for (size_t s = 0; s < 2; ++s) EXPECT_EQ(m.patches[s].at(m.prescribed.t), m.points[s]);
-  });
-}
-
-TEST(Motion, ContactPointsApproachFromTheirSidesOfTheContactPlane) {
-  for_each_motion([](const Moving& m) {
-    if (m.contact == ContactClass::kVE || m.contact == ContactClass::kVV) return;
-    const auto along_normal = [&](size_t s) {
-      const auto weights = bernstein_weights(m.prescribed.x[s]);
-      return dot(m.normal, weighted_sum(weights, m.patches[s].velocities)).sign();
-    };
-    EXPECT_LE(along_normal(0), 0);
-    EXPECT_GE(along_normal(1), 0);
-  });
-}
-
 TEST(Motion, ContactPointsOfVertexVertexMoveAnyWay) {
   int approaching = 0, all = 0;
   for_each_motion([&](const Moving& m) {

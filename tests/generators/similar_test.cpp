@@ -6,7 +6,6 @@
 #include "certify/checker/check_truth.hpp"
 #include "generators/generate.hpp"
 #include "generators/planted.hpp"
-#include "generators/prescribe.hpp"
 #include "tests/certify/rising_triangle.hpp"
 
 namespace ccdfuzz {
@@ -15,33 +14,6 @@ namespace {
 Case planted(ContactClass contact, std::uint64_t key) {
   Draw random{Random(key)};
   return planted_case(contact, random);
-}
-
-/// On how many edges of its domain a point lies.
-int edges_at(const Shape& shape, const Uv<Rational>& uv) {
-  const Rational w = 1 - uv[0] - uv[1];
-  if (shape.kind == ShapeKind::kTriangle) return (uv[0] == 0) + (uv[1] == 0) + (w == 0);
-  return (uv[0] == 0) + (uv[0] == 1) + (uv[1] == 0) + (uv[1] == 1);
-}
-
-TEST(Planted, TouchesInTheFeaturesOfItsClass) {
-  bool tensor = false, quadratic = false;
-  for (const ContactClass contact : kContactClasses) {
-    for (std::uint64_t key = 0; key < 50; ++key) {
-      const Case made = planted(contact, key);
-      EXPECT_TRUE(check_truth(made)) << name_of(contact) << ' ' << key;
-      for (size_t s = 0; s < 2; ++s) {
-        const Shape& shape = made.query.patches[s].shape;
-        // An interior point lies on no edge, an edge's on one, a corner on two.
-        EXPECT_EQ(edges_at(shape, made.truth.witness->uv[s]),
-                  static_cast<int>(features_of(contact)[s]));
-        tensor |= shape.kind == ShapeKind::kTensor;
-        quadratic |= shape == Shape::triangle(2);
-      }
-    }
-  }
-  EXPECT_TRUE(tensor);
-  EXPECT_TRUE(quadratic);
 }
 
 /// The first whose patches are both quadratic triangles: those with the fewest bits.

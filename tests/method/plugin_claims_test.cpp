@@ -310,19 +310,6 @@ TEST(PluginClaims, DoNotApplyToRefusedQueries) {
   }
 }
 
-TEST(PluginClaims, AskNoMoreAfterRepeatedHangsOnNumbersThatAreNotFinite) {
-  const Case known = meeting_at(0.5, 2);
-  auto method = admitted(kClaiming + ":nan=1:poisoned=8:seconds=0.05" + hit(0.5));
-  ASSERT_TRUE(method);
-  for (int i = 0; i < 8; ++i) {
-    const Judged judged = ask(**method, known, {});
-    EXPECT_EQ(judged.error, "hang") << judged.answer.note;
-  }
-  const Judged judged = ask(**method, known, {});
-  EXPECT_EQ(judged.outcome, Outcome::kUndecided);
-  EXPECT_THAT(judged.answer.note, testing::HasSubstr("asked no more"));
-}
-
 TEST(PluginClaims, AreTheLargestDoubleWhenTheyOverflow) {
   // Two points at a distance of 100 that run off the end of double.
   Case known = meeting_at(2.25, 2);

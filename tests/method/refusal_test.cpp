@@ -157,28 +157,6 @@ TEST(Refusal, EveryMethodNamesTheFieldAndItsValue) {
   }
 }
 
-TEST(Refusal, TheLimitsThemselvesAreTaken) {
-  for (const std::string& spec : every_method()) {
-    const auto method = *make_method(spec);
-    for (const double precision : {1.0, 0x1p-1074}) {
-      for (const double t_max : {0.0, -0.0, 0x1p-1074, std::numeric_limits<double>::max()}) {
-        Query query = meeting(Shape::point());
-        query.t_max = t_max;
-        SearchOptions options;
-        options.precision = precision;
-        options.max_pops = 100;
-        const Answer answer = method->answer(query, options);
-        EXPECT_NE(answer.verdict, Verdict::kRefused) << spec << ": " << answer.note;
-      }
-    }
-    Query largest = meeting(Shape::tensor(8, 8));
-    largest.patches[0].positions[0][0] = std::numeric_limits<double>::max();
-    SearchOptions few;
-    few.max_pops = 1;
-    EXPECT_NE(method->answer(largest, few).verdict, Verdict::kRefused) << spec;
-  }
-}
-
 TEST(Refusal, LeavesAnInvalidQueryUndecidedAndUnproven) {
   std::vector<Spoilt> all = spoilt_structures();
   for (const Spoilt& spoilt : all) {
@@ -212,21 +190,6 @@ TEST(Refusal, TracersThrowOnWhatIsNotValid) {
     const Witness before{Rational(-1, 2), {}}, after{Rational(3, 2), {}};
     EXPECT_THROW(tracer->trace(meeting(Shape::triangle(1)), before, {}), InternalError) << spec;
     EXPECT_THROW(tracer->trace(meeting(Shape::triangle(1)), after, {}), InternalError) << spec;
-  }
-}
-
-TEST(Refusal, IsNeverJudgedByTheTruth) {
-  Answer refused;
-  refused.verdict = Verdict::kRefused;
-  refused.toi = kNan;
-  refused.uv[0][0] = kNan;
-  const Query query = meeting(Shape::point());
-  Truth contact, absence;
-  contact.collides = true;
-  contact.witness = Witness{Rational(1, 2), {}};
-  absence.collides = false;
-  for (const Truth& truth : {contact, absence, Truth()}) {
-    EXPECT_EQ(judge(known(query, truth), refused), Outcome::kNotAsked);
   }
 }
 
