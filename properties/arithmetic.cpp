@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/double_parts.hpp"
 #include "ccd/next_double.hpp"
@@ -61,31 +62,72 @@ Integer to_integer(const BoundedInt<Bits>& x) {
   return x.sign() < 0 ? Integer(-sum) : sum;
 }
 
+/// Mostly limbs at which carries and borrows happen.
+std::int64_t draw_word(Draw& d) {
+  constexpr auto kMin = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
+  if (d.coin())
+    return d.pick(std::array<std::int64_t, 8>{0, 1, -1, 2, kMin, kMin + 1, kMax, kMax - 1});
+  return static_cast<std::int64_t>(d.choose(~std::uint64_t{0}));
+}
+
+/// Any bit pattern.
+template <int Bits>
+WideInt<Bits> draw_wide(Draw& d, const char* name) {
+  WideInt<Bits> x(draw_word(d));
+  const bool is_one_word = d.choose(2) == 0;
+  if (is_one_word) x = x << static_cast<int>(d.choose(Bits - 1));
+  for (int i = 1; i < Bits / 64 && !is_one_word; ++i) x = (x << 64) + WideInt<Bits>(draw_word(d));
+  show(d, name, Rational(to_integer(x)));
+  return x;
+}
+
+/// x modulo 2^Bits, in two's complement.
+template <int Bits>
+Integer wrapped(const Integer& x) {
+  Integer r;
+  mpz_fdiv_r_2exp(r.get_mpz_t(), x.get_mpz_t(), Bits);
+  if (mpz_tstbit(r.get_mpz_t(), Bits - 1) != 0) r -= Integer(1) << Bits;
+  return r;
+}
+
+template <int Bits>
+void claim_wide_is_gmp(Draw& d) {
+  const auto a = draw_wide<Bits>(d, "a"), b = draw_wide<Bits>(d, "b");
+  const std::int64_t m = draw_word(d);
+  const auto s = static_cast<int>(d.choose(Bits - 1));
+  show(d, "m", m);
+  show(d, "s", s);
+  const Integer x = to_integer(a), y = to_integer(b), z(static_cast<long>(m));
+  CLAIM(to_integer(a + b) == wrapped<Bits>(x + y));
+  CLAIM(to_integer(a - b) == wrapped<Bits>(x - y));
+  CLAIM(to_integer(-a) == wrapped<Bits>(-x));
+  CLAIM(to_integer(a * m) == wrapped<Bits>(x * z));
+  CLAIM(to_integer(a << s) == wrapped<Bits>(Integer(x << static_cast<mp_bitcnt_t>(s))));
+  CLAIM(to_integer(WideInt<Bits>(m)) == z);
+  CLAIM((a <=> b) == (x < y   ? std::strong_ordering::less
+                      : x > y ? std::strong_ordering::greater
+                              : std::strong_ordering::equal));
+  CLAIM((a == b) == (x == y));
+  CLAIM(a.sign() == sgn(x));
+}
+
+template <int Bits, int Others>
+void claim_wide_product(Draw& d) {
+  const auto a = draw_wide<Bits>(d, "a");
+  const auto b = draw_wide<Others>(d, "b");
+  const Integer x = to_integer(a), product = to_integer(a * b);
+  CLAIM(product == x * to_integer(b));
+  CLAIM(to_integer(WideInt<Bits + Others>(a)) == x);
+  const Rational off = abs(exact((a * b).approximate()) - Rational(product));
+  CLAIM(off * power_of_two(52) <= Rational(abs(product)));
+}
+
 void check_wide_int(Draw& d) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 61;
-  WideInt<192> sum(0);
-  Integer expected = 0;
-  for (std::int64_t n = d.integer(1, 5); n > 0; --n) {
-    const std::int64_t x = d.integer(-kMost, kMost);
-    const std::uint64_t operation = d.choose(3);
-    const Integer exact_x(static_cast<long>(x));
-    show(d, std::array{"+", "-", "*", "<"}[operation], x);
-    if (operation == 0) sum += WideInt<192>(x), expected += exact_x;
-    if (operation == 1) sum -= WideInt<192>(x), expected -= exact_x;
-    if (operation == 2 && mpz_sizeinbase(expected.get_mpz_t(), 2) < 100) {
-      sum *= x, expected *= exact_x;
-    }
-    if (operation == 3 && mpz_sizeinbase(expected.get_mpz_t(), 2) < 120) sum <<= 9, expected <<= 9;
-  }
-  CLAIM(to_integer(sum) == expected);
-  CLAIM(sum.sign() == sgn(expected));
-  const std::int64_t x = d.integer(-kMost, kMost);
-  const WideInt<128> factor = WideInt<128>(x) << static_cast<int>(d.choose(65));
-  const auto product = factor * sum;
-  show(d, "factor", Rational(to_integer(factor)));
-  CLAIM(to_integer(product) == to_integer(factor) * expected);
-  const Rational off = abs(exact(product.approximate()) - Rational(to_integer(product)));
-  CLAIM(off * power_of_two(52) <= abs(to_integer(product)));
+  constexpr std::array kClaims = {claim_wide_is_gmp<128>,       claim_wide_is_gmp<256>,
+                                  claim_wide_is_gmp<512>,       claim_wide_product<128, 128>,
+                                  claim_wide_product<128, 256>, claim_wide_product<256, 128>};
+  d.pick(kClaims)(d);
 }
 
 /// Also where they grow and shrink by many limbs.
@@ -120,6 +162,7 @@ void check_bounded_int(Draw& d) {
     CLAIM(to_integer(numbers[i]) == expected[i]);
     CLAIM(numbers[i].sign() == sgn(expected[i]));
     CLAIM(abs(error) <= abs(Rational(expected[i])) * power_of_two(-52));
+    CLAIM(expected[i] == 0 || (0.5 <= std::abs(mantissa) && std::abs(mantissa) <= 1));
   }
 }
 
@@ -128,7 +171,8 @@ void check_double_parts(Draw& d) {
   const DoubleParts parts = parts_of(x);
   show(d, "x", x);
   CLAIM(std::ldexp(static_cast<double>(parts.mantissa), parts.exponent) == x);
-  CLAIM(x == 0 || parts.mantissa % 2 != 0);
+  CLAIM(x == 0 || (parts.mantissa % 2 != 0 && parts.top() == std::ilogb(x) + 1));
+  CLAIM(double_of(parts.mantissa, parts.exponent) == x);
   CLAIM(next_up(x) == std::nextafter(x, HUGE_VAL));
   CLAIM(next_down(x) == std::nextafter(x, -HUGE_VAL));
 }
@@ -167,7 +211,8 @@ std::vector<Property> arithmetic_claims() {
   return {
       {"rational.rounding", "round_down and round_up are the doubles next to a rational",
        "src/numeric/rational.hpp", check_rational_rounding},
-      {"wide_int.is_gmp", "Fixed-width integers agree with GMP within their range",
+      {"wide_int.is_gmp",
+       "Fixed-width integers agree with GMP modulo their range, and products are exact",
        "src/numeric/wide_int.hpp", check_wide_int},
       {"bounded_int.is_gmp", "Integers of bounded length agree with GMP",
        "src/numeric/bounded_int.hpp", check_bounded_int},

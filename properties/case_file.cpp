@@ -16,14 +16,106 @@ namespace {
 
 constexpr std::array kLayouts = {JsonLayout::kOneLine, JsonLayout::kReadable};
 
-/// Any finite numbers at all, in any two shapes.
-Case draw_any_case(Draw& choices) {
+Rational draw_rational(Draw& d) {
+  const auto p = static_cast<long>(d.integer(-1'000'000, 1'000'000));
+  return Rational(p) / Rational(static_cast<long>(d.integer(1, 1'000'000)));
+}
+
+std::array<Rational, 3> draw_rationals(Draw& d) {
+  const Rational x = draw_rational(d), y = draw_rational(d);
+  return {x, y, draw_rational(d)};
+}
+
+Query draw_any_bodies(Draw& d) {
+  Query drawn;
+  for (MovingPatch<double>& body : drawn.patches) {
+    body.shape = Shape::hull(static_cast<int>(d.integer(1, 5)));
+    body.positions.resize(static_cast<std::size_t>(body.shape.control_count()));
+    body.velocities.resize(1);
+    for_each_coordinate(body, [&](double& x) { x = d.finite_double(); });
+    body.radius = std::abs(d.finite_double());
+  }
+  return drawn;
+}
+
+Clearance draw_any_clearance(Draw& d) {
+  constexpr std::uint64_t kMost = 1 << 30;
+  const Rational until = draw_rational(d);
+  const bool closed = d.coin();
+  switch (d.choose(3)) {
+    case 0:
+      return LinearClearance{until, closed};
+    case 1:
+      return BodyClearance{until, draw_rationals(d), closed};
+    case 2:
+      return MovingPlane{until, draw_rationals(d), draw_rational(d)};
+    default:
+      return MissTree{until,
+                      {d.choose(kMost), 1 + d.choose(kMost), "00112233445566778899aabbccddeeff"}};
+  }
+}
+
+ContactBox draw_any_box(Draw& d) {
+  constexpr std::array<std::array<int, 3>, 3> kVaried = {{{0, 1, 2}, {0, 3, 4}, {2, 3, 4}}};
+  ContactBox box;
+  for (double& x : box.centre) x = d.finite_double();
+  for (int& k : box.dependent) k = static_cast<int>(d.choose(2));
+  box.varied = d.pick(kVaried);
+  for (double& x : box.radius) x = std::max(std::abs(d.finite_double()), 0x1p-1074);
+  for (auto& row : box.inverse) {
+    for (double& x : row) x = d.finite_double();
+  }
+  return box;
+}
+
+/// All that a file may say of a query, true or not.
+Truth draw_any_truth(Draw& d, const Query& query) {
+  Truth truth;
+  if (d.coin()) {
+    truth.witness = Witness{draw_rational(d), {}};
+    for (std::size_t s = 0; s < 2; ++s) {
+      const auto count = static_cast<std::size_t>(query.patches[s].shape.control_count());
+      if (is_of_bodies(query)) {
+        truth.witness->weights[s].assign(count, draw_rational(d));
+      } else {
+        truth.witness->uv[s] = {draw_rational(d), draw_rational(d)};
+      }
+    }
+  }
+  if (d.coin()) truth.clear_until = draw_rational(d);
+  if (d.coin()) truth.contact_box = draw_any_box(d);
+  if (d.coin()) {
+    const std::array<Rational, 3> any = draw_rationals(d);
+    truth.contact_root = ContactRoot{{any[0].get_num(), any[1].get_num()}, any[2], any[0]};
+  }
+  if (d.coin()) truth.clearance = draw_any_clearance(d);
+  if (truth.clearance && d.coin()) truth.proof = proof_word(*truth.clearance);
+  if (!truth.proof && d.coin()) truth.proof = "rational-tdibm";
+  const bool is_contact = truth.witness || truth.contact_box || truth.contact_root;
+  if (is_contact && d.coin()) {
+    truth.collides = true;
+  } else if (truth.proof && d.coin()) {
+    truth.collides = false;
+  }
+  return truth;
+}
+
+/// Any finite numbers at all, in any two shapes, and anything said of them.
+Case draw_any_case(Draw& d) {
   Case drawn;
-  drawn.query = draw_any_query(choices);
-  if (choices.coin()) drawn.origin.seed = choices.choose(~std::uint64_t{0});
-  if (choices.coin()) drawn.origin.note = "\"\\\n\x01\xc3\xa4/ ";
-  const Outcome expected = choices.pick(kAllOutcomes);
-  if (choices.coin()) drawn.expect["tdibm-h:1e-12"] = expected;
+  drawn.query = d.choose(3) == 3 ? draw_any_bodies(d) : draw_any_query(d);
+  if (d.coin()) drawn.truth = draw_any_truth(d, drawn.query);
+  Origin& origin = drawn.origin;
+  for (std::string* text : {&origin.contact, &origin.kind, &origin.generator, &origin.ccdfuzz,
+                            &origin.name, &origin.note}) {
+    if (d.coin()) *text = "\"\\\n\x01\xc3\xa4/ ";
+  }
+  if (d.coin()) origin.seed = d.choose(~std::uint64_t{0});
+  if (d.coin()) origin.index = d.choose(~std::uint64_t{0});
+  if (d.coin()) origin.more["label"] = "1e-2";
+  if (d.coin()) drawn.asked = {0.01, 1 + d.choose(8)};
+  const Outcome expected = d.pick(kAllOutcomes);
+  if (d.coin()) drawn.expect["tdibm-h:1e-12"] = {expected, d.coin() ? "left root" : ""};
   return drawn;
 }
 
@@ -126,7 +218,10 @@ std::vector<Property> case_file_claims() {
          for (const JsonLayout layout : kLayouts) {
            const std::string written = to_json(value, layout);
            show(d, "written", written);
-           CLAIM(parse_case(written, "written").value() == value);
+           const Case read = parse_case(written, "written").value();
+           CLAIM(read == value);
+           CLAIM(to_json(read, layout) == written);  // −0, too
+           CLAIM(layout == JsonLayout::kReadable || written.find('\n') == std::string::npos);
          }
        }},
       {"case_file.mutants",

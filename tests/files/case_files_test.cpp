@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "case/random_case.hpp"
 #include "files/case_json.hpp"
 #include "scratch_folder.hpp"
 

@@ -3,8 +3,8 @@
 #include <locale>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include "files/case_json.hpp"
-#include "rapidcheck.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -39,7 +39,8 @@ struct Row {
   const char* name;
   const char* from;  ///< the text in kGood to replace; "" for all of it
   const char* to;
-  const char* message;  ///< without "c.json: "
+  const char*
+      message;  ///< without "c.json: "; all of it, but of what the JSON library says the place
 };
 
 void PrintTo(const Row& row, std::ostream* out) {
@@ -53,31 +54,16 @@ const std::vector<Row> kTable = {
     {"Scalar", "", "7", "7 is not an object"},
     {"Array", "", "[]", "an array is not an object"},
     {"Null", "", "null", "null is not an object"},
-    {"Unclosed", "", "{\"format\": \"ccdfuzz-case\"",
-     "column 26: syntax error while parsing object - unexpected end of input; expected '}'"},
-    {"TrailingGarbage", "\"correct\"}\n}", "\"correct\"}\n} x",
-     "line 24, column 3: syntax error while parsing value - invalid literal; last read: "
-     "'\"correct\"}<U+000A>} x'; "
-     "expected end of input"},
-    {"TrailingComma", "\"t_max\": 2.0,", "\"t_max\": 2.0,,",
-     "line 10, column 16: syntax error while parsing object key - unexpected ','; expected string "
-     "literal"},
-    {"Comment", "\"t_max\": 2.0,", "// no\n",
-     "line 10, column 3: syntax error while parsing object key - invalid literal; last read: "
-     "'\"0x0p+0\"]]}<U+000A>  ],<U+000A>  /'; expected string literal"},
-    {"NanLiteral", "1.5]", "NaN]",
-     "line 7, column 49: syntax error while parsing value - invalid literal; last read: '1,N'"},
-    {"LeadingZero", "1.5]", "01.5]",
-     "line 7, column 52: syntax error while parsing array - unexpected number literal; expected "
-     "']'"},
-    {"LeadingPlus", "1.5]", "+1.5]",
-     "line 7, column 49: syntax error while parsing value - invalid literal; last read: '1,+'"},
-    {"BareFraction", "1.5]", ".5]",
-     "line 7, column 49: syntax error while parsing value - invalid literal; last read: '1,.'"},
+    {"Unclosed", "", "{\"format\": \"ccdfuzz-case\"", "column 26: "},
+    {"TrailingGarbage", "\"correct\"}\n}", "\"correct\"}\n} x", "line 24, column 3: "},
+    {"TrailingComma", "\"t_max\": 2.0,", "\"t_max\": 2.0,,", "line 10, column 16: "},
+    {"Comment", "\"t_max\": 2.0,", "// no\n", "line 10, column 3: "},
+    {"NanLiteral", "1.5]", "NaN]", "line 7, column 49: "},
+    {"LeadingZero", "1.5]", "01.5]", "line 7, column 52: "},
+    {"LeadingPlus", "1.5]", "+1.5]", "line 7, column 49: "},
+    {"BareFraction", "1.5]", ".5]", "line 7, column 49: "},
     {"DecimalComma", "1.5]", "1,5]", "patches[1].positions[3]: needs 3 coordinates, not 4"},
-    {"HexNumber", "1.5]", "0x1p0]",
-     "line 7, column 50: syntax error while parsing array - invalid literal; last read: '0x'; "
-     "expected ']'"},
+    {"HexNumber", "1.5]", "0x1p0]", "line 7, column 50: "},
     {"DuplicateTopKey", "\"t_max\": 2.0,", "\"t_max\": 2.0, \"t_max\": 1,", "t_max: duplicate key"},
     {"DuplicatePatchKey", "\"degree\": 1,", "\"degree\": 1, \"shape\": \"curve\",",
      "patches[0].shape: duplicate key"},
@@ -365,7 +351,9 @@ std::string spoiled(const Row& row) {
 TEST_P(MalformedCase, IsRefusedByFilePathAndValue) {
   const auto parsed = parse_case(spoiled(GetParam()), "c.json");
   ASSERT_FALSE(parsed);
-  EXPECT_EQ(parsed.error().message(), std::string("c.json: ") + GetParam().message);
+  const std::string told = parsed.error().message(), message = GetParam().message;
+  const bool is_whole = !message.ends_with(": ");
+  EXPECT_EQ(is_whole ? told : told.substr(0, 8 + message.size()), "c.json: " + message) << told;
 }
 
 TEST(MalformedCase, TheTableSpoilsAGoodCase) {
@@ -401,23 +389,6 @@ TEST(MalformedCase, NestingAndKeysAreBounded) {
   for (int i = 0; i < 100'000; ++i) wide += "\"k" + std::to_string(i) + "\":1,";
   wide += "\"k\":1}}";
   EXPECT_EQ(parse_case(wide, "c.json").error().message(), "c.json: origin: more than 1024 keys");
-}
-
-/// No text makes the reader do anything but answer: no crash, no exception, and an error that
-/// names the file.
-RC_GTEST_PROP(MalformedCase, AnyDamageIsAnErrorOrACase, ()) {
-  std::string text(kGood);
-  for (int n = *rc::gen::inRange(1, 4); n > 0; --n) {
-    const auto at = *rc::gen::inRange<size_t>(0, text.size());
-    const auto length = *rc::gen::inRange<size_t>(0, 12);
-    const auto other = *rc::gen::inRange<size_t>(0, kGood.size());
-    const std::string piece = *rc::gen::oneOf(
-        rc::gen::just(std::string(kGood.substr(other, *rc::gen::inRange<size_t>(0, 12)))),
-        rc::gen::arbitrary<std::string>());
-    text.replace(at, length, piece);
-  }
-  const auto parsed = parse_case(text, "c.json");
-  if (!parsed) RC_ASSERT(parsed.error().message().starts_with("c.json: "));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "finds/content_address.hpp"
 
-#include "case/random_case.hpp"
+#include <gtest/gtest.h>
 
 namespace ccdfuzz {
 namespace {
@@ -45,22 +45,6 @@ TEST(CaseSize, CountsBitsAndThenTheSpreadOfExponents) {
   query.patches[1].velocities[0][2] = 0x1.8p1000;
   EXPECT_EQ(size_of(query), (CaseSize{4, 2074}));
   EXPECT_LT((CaseSize{3, 2000}), (CaseSize{4, 0}));
-}
-
-RC_GTEST_PROP(CaseSize, DoesNotDependOnAPowerOfTwo, ()) {
-  const int shift = *rc::gen::inRange(-1000, 1000);
-  Query query = any_query(), scaled = query;
-  for (size_t s = 0; s < 2; ++s) {
-    for (size_t i = 0; i < query.patches[s].positions.size(); ++i) {
-      for (int k = 0; k < 3; ++k) {
-        const double x = *any_coordinate().to_double_exactly();
-        query.patches[s].positions[i][k] = x;
-        scaled.patches[s].positions[i][k] = std::ldexp(x, shift);
-        query.patches[s].velocities[i][k] = scaled.patches[s].velocities[i][k] = 0;
-      }
-    }
-  }
-  RC_ASSERT(size_of(query) == size_of(scaled));
 }
 
 }  // namespace

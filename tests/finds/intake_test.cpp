@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "finds/finds.hpp"
 #include "scratch_folder.hpp"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -15,7 +14,6 @@
 #include "finds/content_address.hpp"
 #include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
-#include "numeric/rational.hpp"
 
 namespace ccdfuzz {
 namespace {

@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include <filesystem>
-#include <random>
 
 #include "files/case_json.hpp"
 #include "finds/finds.hpp"
@@ -33,16 +32,6 @@ TEST(Store, KeepsAFindUnderTheNameOfItsFailure) {
   EXPECT_EQ(entries->at(0).id, store.path_of(kMissed));
   EXPECT_EQ(named_by_failure(entries->at(0)), kMissed);
   EXPECT_EQ(put(store, find_of(3)), Put::kKnown);
-}
-
-TEST(Store, ASmallerFindTakesThePlaceOfALargerOne) {
-  const ScratchFolder folder;
-  Store store = open_store(folder.path());
-  EXPECT_EQ(put(store, find_of(7)), Put::kNew);
-  EXPECT_EQ(put(store, find_of(15)), Put::kKnown);
-  EXPECT_EQ(put(store, find_of(3)), Put::kSmaller);
-  EXPECT_THAT(cases_in(folder.path()), ElementsAre(find_of(3)));
-  EXPECT_EQ(folder.entry_count(), 1U);
 }
 
 TEST(Store, FailuresOfOtherMethodsOutcomesClassesCausesAndSettingsStandApart) {
@@ -220,25 +209,6 @@ TEST(Store, WritesToCasesWhereThatIsAndKnowsTheSeeds) {
   EXPECT_TRUE(fs::exists(folder / "cases/trad-missed-VV-at-an-end.json"));
   EXPECT_EQ(put(store, find_of(1)), Put::kNew);
   EXPECT_TRUE(fs::exists(folder / "seeds/a.json"));
-}
-
-TEST(Store, TheOrderOfFindsDoesNotMatter) {
-  std::vector<Case> finds;
-  for (const double x : {5, 7, 9, 11}) {
-    finds.push_back(find_of(x, "tdibm"));
-    finds.push_back(find_of(x, "trad", Outcome::kLate));
-  }
-  std::vector<Case> first;
-  std::mt19937 engine(1);  // the same on every machine, unlike the distributions
-  for (int round = 0; round < 10; ++round) {
-    for (size_t i = finds.size(); i > 1; --i) std::swap(finds[i - 1], finds[engine() % i]);
-    const ScratchFolder folder;
-    Store store = open_store(folder.path());
-    for (const Case& find : finds) put(store, find);
-    if (round == 0) first = cases_in(folder.path());
-    EXPECT_EQ(cases_in(folder.path()), first);
-  }
-  EXPECT_EQ(first.size(), 2U);
 }
 
 TEST(LoadCorpus, AnEmptyOrMissingCorpusIsAnError) {

@@ -3,9 +3,7 @@
 
 #include <limits>
 
-#include "ccd/separation.hpp"
 #include "properties/dyadic_round_trip.hpp"
-#include "properties/separation.hpp"
 #include "properties/sub_patch.hpp"
 
 namespace ccdfuzz {
@@ -28,18 +26,6 @@ TEST(SubPatch, IsRightForAnInvertedTriangle) {
   const Cell middle = Cell().child(shape, 3);
   EXPECT_NO_THROW(
       claim_sub_patch_is_the_restriction(shape, points, middle, {Dyadic(1, -2), Dyadic(1, -1)}));
-}
-
-/// t − 7/8 and its twin lie below the maximum of 0 and 2t − 13/8 by 1/16 and more. The printed sign
-/// keeps the first because Phi cannot tell it from its twin. It keeps both because the twin shields
-/// the first from the last line. So the sweep takes t − 7/8 for the maximum where 0 is higher. It
-/// says that the patches are separated up to 25/32, though they touch at 3/4.
-TEST(Separation, TwinShieldMisleadsTheSignAsPrinted) {
-  const LinePairs pairs{
-      {{0, 0}, {1, -0.875}, {1 + 0x1p-52, -0.875}, {2, -1.625}}, {{2, -1.5}}, {0, 1}};
-  EXPECT_NO_THROW(claim_separation_is_true<Plain>(pairs));
-  EXPECT_NO_THROW(claim_separation_is_true<ErrorBoundIntended>(pairs));
-  EXPECT_THROW(claim_separation_is_true<ErrorBoundPrinted>(pairs), Refuted);
 }
 
 }  // namespace
