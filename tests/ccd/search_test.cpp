@@ -30,27 +30,6 @@ TEST(Search, DepthIsTheLeastThatMeetsThePrecision) {
   EXPECT_EQ(depth_for(1e-300), Cell::kMaxDepth);
 }
 
-TEST(Search, PopBudgetGivesUndecidedWithTheFrontiersLowestTime) {
-  Tdibm<ErrorBoundIntended> method;
-  SearchOptions options;
-  options.precision = 1e-2;
-  const Query query = twin_shield();
-  const Answer decided = method.answer(query, options);
-  ASSERT_EQ(decided.verdict, Verdict::kHit);
-  double last = 0;
-  for (std::uint64_t pops = 0; pops < decided.pops; pops += 1 + pops / 8) {
-    options.max_pops = pops;
-    const Answer answer = method.answer(query, options);
-    ASSERT_EQ(answer.verdict, Verdict::kUndecided) << pops;
-    EXPECT_EQ(answer.pops, pops);
-    EXPECT_GE(answer.toi.value(), last) << "the frontier only moves on";
-    EXPECT_LE(answer.toi.value(), decided.toi.value());
-    EXPECT_FALSE(answer.note.empty());
-    last = answer.toi.value();
-  }
-  EXPECT_GT(last, 0);
-}
-
 TEST(Search, MemoryBudgetGivesUndecided) {
   Tdibm<ErrorBoundIntended> method;
   SearchOptions options;

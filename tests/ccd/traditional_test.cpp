@@ -34,25 +34,6 @@ TEST(Traditional, FindsPlantedContactsOfAllShapesInTime) {
   EXPECT_GT(hits, 80) << "of 98";
 }
 
-TEST(Traditional, MissesPatchesThatStayApart) {
-  Draw random{Random::keyed({5})};
-  Query query = plant_contact(random, Shape::tensor(2, 2), Shape::triangle(2)).query;
-  for (Vec3<double>& p : query.patches[1].positions) p[2] += 64;
-  EXPECT_EQ(Traditional().answer(query, coarse()).verdict, Verdict::kMiss);
-  EXPECT_EQ(Traditional(BoxKind::kAxisAligned).answer(query, coarse()).verdict, Verdict::kMiss);
-}
-
-TEST(Traditional, RespectsItsBudget) {
-  Draw random{Random::keyed({6})};
-  const Planted planted = plant_contact(random, Shape::triangle(2), Shape::triangle(2));
-  SearchOptions options;
-  options.max_pops = 5;
-  const Answer answer = Traditional().answer(planted.query, options);
-  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
-  EXPECT_EQ(answer.pops, 5u);
-  EXPECT_LE(exact(answer.toi.value()), planted.witness.t);
-}
-
 /// toi is the start of a window that is as narrow in time as the cells are in their parameters.
 TEST(Traditional, SubdividesTimeAsTheParameters) {
   Query query;  // two points that meet at t = 1/3

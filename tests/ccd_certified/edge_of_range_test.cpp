@@ -156,18 +156,5 @@ TEST(TdibmC, AnswersItsMirrorImageAlike) {
   EXPECT_EQ(to_hex(answer.toi.value()), to_hex(mirrored.toi.value()));
 }
 
-TEST(TdibmC, KeepsNoStateBetweenQueries) {
-  TdibmC used;
-  const Query far{{triangle(0, 0, 1), triangle(3, -1, 1)}, 1};
-  const Query near{{triangle(0, 0, 0x1p-40), triangle(1, -1, 0x1p-40)}, 1};
-  const Answer fresh = ask(near);
-  used.answer(far, {});
-  const Answer again = used.answer(near, {.precision = 0x1p-8, .max_pops = 20000});
-  EXPECT_EQ(again.verdict, fresh.verdict);
-  EXPECT_EQ(again.toi, fresh.toi);
-  EXPECT_EQ(again.uv, fresh.uv);
-  EXPECT_EQ(again.pops, fresh.pops);
-}
-
 }  // namespace
 }  // namespace ccdfuzz

@@ -30,24 +30,5 @@ RC_GTEST_PROP(Gap, SignIsTheExactSignForHighDegreesAndDeepCells, ()) {
   expect_exact_signs(any_setting(kMaxDegree, 40), gap);
 }
 
-RC_GTEST_PROP(Gap, DoublesAreWithinTheErrorBound, ()) {
-  Setting s = any_setting(*rc::gen::element(2, kMaxDegree), *rc::gen::element(3, 20, 45));
-  for (int axis = 0; axis < 8; ++axis) {
-    s.axis = any_axis(kMostAxisBits);
-    Gap gap;
-    s.put(gap);
-    const double t = any_window_end(s.query, gap.units());
-    const Extremes extremes = gap.extremes(gap.scaled(t));
-    const std::array<std::vector<ExactLine>, 2> lines = {s.lines(0), s.lines(1)};
-    for (size_t below = 0; below < 2; ++below) {
-      const Rational scale = power_of_two(gap.length_shift());
-      const Rational error = exact_gap(lines[below], lines[1 - below], exact(t)) * scale -
-                             exact(extremes.gap(static_cast<int>(below)));
-      RC_LOG() << "error " << error.get_d() << " bound " << gap.error() << "\n";
-      RC_ASSERT(abs(error) <= exact(gap.error()));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace ccdfuzz::exact_ccd

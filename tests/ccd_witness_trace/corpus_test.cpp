@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "files/case_files.hpp"
@@ -38,27 +37,6 @@ TEST(Corpus, HasTracesThatLoseTheWitnessWhereAMethodMissesAndSoundOnesThatKeepIt
   }
   EXPECT_GT(entries, 10);
   EXPECT_GT(losses, 20);
-}
-
-TEST(Corpus, TheNamedEntriesShowTheirFault) {
-  struct Named {
-    const char* entry;
-    const char* method;
-  };
-  for (const Named& named :
-       {Named{"tdibm-e-underflow", "tdibm-e"}, Named{"tdibm-e-overflow", "tdibm-e"},
-        Named{"tdibm-e-literal-twin-shield", "tdibm-e-literal"},
-        Named{"tdibm-h-common-velocity", "tdibm-h:1e-12"}}) {
-    const std::string path = std::string(CCDFUZZ_CORPUS "/cases/") + named.entry + ".json";
-    const auto cases = read_cases(path);
-    ASSERT_TRUE(cases) << cases.error().message();
-    const Case& entry = cases->front().value;
-    ASSERT_TRUE(entry.expect.contains(named.method)) << path;
-    const Trace trace =
-        tracer_of(named.method)
-            ->trace(entry.query, *entry.truth.witness, {entry.asked.precision, true});
-    EXPECT_TRUE(trace.lost) << path;
-  }
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "traced.hpp"
 
 namespace ccdfuzz {

@@ -34,20 +34,6 @@ TEST(Trace, TheSoundMethodsLoseNoWitnessOfAnyClassAndFamily) {
   }
 }
 
-TEST(Trace, TheSoundMethodsLoseNoPlantedWitnessOfAnyShapes) {
-  Draw random{Random::keyed({3})};
-  for (const char* spec : kSound) {
-    const auto tracer = tracer_of(spec);
-    for (const Shape& first : kSomeShapes) {
-      for (const Shape& second : kSomeShapes) {
-        const Planted planted = plant_contact(random, first, second);
-        const Trace& trace = tracer->trace(planted.query, planted.witness, {.all = true});
-        ASSERT_FALSE(trace.lost) << spec << ' ' << to_text(first) << ' ' << to_text(second);
-      }
-    }
-  }
-}
-
 TEST(Trace, ContactsAtTheEndsOfTheStepSurvive) {
   Query parting = meeting_points(1);
   parting.patches[1].positions[0] = {0, 0, 0};

@@ -10,7 +10,6 @@
 #include "certify/checker/check_tree.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/miss_tree.hpp"
-#include "files/case_json.hpp"
 #include "rising_triangle.hpp"
 
 namespace ccdfuzz {
@@ -126,13 +125,6 @@ TEST(CheckTrim, ALeafMaySayThatAPartIsOutside) {
 TEST(CheckTrim, WhatHoldsOfTheWholePatchHoldsOfTheTrimmed) {
   const Case c = trimmed({{{0.5, 0}, {1, 0}, {0.5, 0.5}}});
   EXPECT_TRUE(check_clearance(c.query, rising_plane(), ""));
-}
-
-TEST(CheckTrim, CaseFilesCarryIt) {
-  const Case c = trimmed(with_hole({0.25, 0.125}, {0.25, 0.375}));
-  const auto read = parse_case(to_json(c), "c.json");
-  ASSERT_TRUE(read) << read.error().message();
-  EXPECT_EQ(read->query, c.query);
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include "certify/checker/check_truth.hpp"
-#include "bezier/exact_patch.hpp"
+
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "bezier/blossom.hpp"
-#include "bezier/random_patch.hpp"
-#include "certify/checker/check_witness.hpp"
 #include "files/case_json.hpp"
 #include "files/check_file.hpp"
 #include "rising_triangle.hpp"
@@ -86,42 +84,6 @@ TEST(CheckTruth, RefusesAnInvalidQuery) {
               c.query.patches[1].velocities[2][1] = std::numeric_limits<double>::infinity();
             }),
             "patches[1].velocities[2][1]: inf is not finite");
-}
-
-/// The patch through the same point at the same time is touched there, whatever else it does; and
-/// moved by any amount it is not.
-RC_GTEST_PROP(CheckWitness, AcceptsContactsByConstructionAndNothingNearby, ()) {
-  Query query;
-  Witness witness;
-  witness.t = any_coordinate().rational();
-  if (witness.t < 0) witness.t = -witness.t;
-  std::array<Vec3<Rational>, 2> at;
-  for (size_t s = 0; s < 2; ++s) {
-    MovingPatch<double>& patch = query.patches[s];
-    patch.shape = *any_shape();
-    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
-      for (const Vec3<Dyadic>& p : any_points(patch.shape)) {
-        points->push_back(
-            {*p[0].to_double_exactly(), *p[1].to_double_exactly(), *p[2].to_double_exactly()});
-      }
-    }
-    const Uv<Dyadic> uv = any_uv(patch.shape);
-    witness.uv[s] = {uv[0].rational(), uv[1].rational()};
-    at[s] = evaluate(exact_patch<Rational>(patch), witness.uv[s], witness.t);
-  }
-  query.t_max = 64;
-  for (auto& p : query.patches[1].positions) {
-    for (int k = 0; k < 3; ++k) {
-      const auto moved = to_double_exactly(Rational(exact(p[k]) + at[0][k] - at[1][k]));
-      RC_PRE(moved.has_value());
-      p[k] = *moved;
-    }
-  }
-  const auto checked = check_witness(query, witness);
-  if (!checked) RC_FAIL(checked.error().message());
-  const auto k = *rc::gen::inRange(0, 3);
-  for (auto& p : query.patches[1].positions) p[k] += 0x1p-30;
-  RC_ASSERT(!check_witness(query, witness));
 }
 
 TEST(ReadCheckedCases, NamesFileLineAndField) {

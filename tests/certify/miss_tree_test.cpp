@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "certify/checker/check_tree.hpp"
-#include "rapidcheck.hpp"
 #include "rising_triangle.hpp"
 
 namespace ccdfuzz {
@@ -119,70 +118,6 @@ TEST(CheckTree, APointHasNoParts) {
   bits.leaf({1, 0, 0});
   EXPECT_EQ(verdict(passing_points(), Rational(1), bits.bytes()),
             "truth.certificate.clear.tree: node 0: a point has no parts");
-}
-
-TEST(CheckTree, DepthIsBounded) {
-  TreeBits bits;
-  for (int i = 0; i < 100'000; ++i) bits.split(1);
-  EXPECT_EQ(verdict(passing_points(), Rational(1), bits.bytes()),
-            "truth.certificate.clear.tree: node 60: a part is split more than 60 times");
-}
-
-RC_GTEST_PROP(MissTree, ReadsBackWhatWasWritten, ()) {
-  std::vector<TreeNode> nodes;
-  TreeBits bits;
-  const int count = *rc::gen::inRange(1, 50);
-  for (int i = 0; i < count; ++i) {
-    TreeNode node;
-    node.kind = *rc::gen::element(TreeNodeKind::kLeaf, TreeNodeKind::kSplit, TreeNodeKind::kTime,
-                                  TreeNodeKind::kOutside);
-    const auto mark = bits.mark();
-    const int tries = *rc::gen::inRange(1, 3);  // the last one counts
-    for (int n = 0; n < tries; ++n) {
-      bits.rewind(mark);
-      switch (node.kind) {
-        case TreeNodeKind::kLeaf: {
-          const int size = *rc::gen::inRange(0, 32);
-          for (auto& x : node.axis) {
-            const std::int64_t most = (std::int64_t{1} << std::min(size, 31)) - 1;
-            x = *rc::gen::inRange<std::int64_t>(-most, most + 1);
-          }
-          bits.leaf(node.axis);
-          break;
-        }
-        case TreeNodeKind::kSplit:
-          node.side = *rc::gen::inRange(0, 2);
-          bits.split(node.side);
-          break;
-        case TreeNodeKind::kTime:
-          node.time = *rc::gen::inRange<std::uint64_t>(1, kTimeSteps);
-          node.time = std::max<std::uint64_t>(1, node.time >> *rc::gen::inRange(0, 32));
-          bits.time(node.time);
-          break;
-        case TreeNodeKind::kOutside:
-          node.side = *rc::gen::inRange(0, 2);
-          bits.outside(node.side);
-          break;
-      }
-    }
-    nodes.push_back(node);
-  }
-  TreeReader reader(bits.bytes());
-  for (const TreeNode& node : nodes) {
-    const auto read = reader.next();
-    RC_ASSERT(read.has_value());
-    RC_ASSERT(read->kind == node.kind);
-    RC_ASSERT(read->side == node.side);
-    RC_ASSERT(read->time == node.time);
-    RC_ASSERT(read->axis == node.axis);
-  }
-  RC_ASSERT(reader.at_end());
-}
-
-/// No bytes make the checker do anything but answer.
-RC_GTEST_PROP(CheckTree, AnyBytesAreAnswered, ()) {
-  const auto bytes = *rc::gen::arbitrary<std::vector<char>>();
-  (void)check_tree(rising_triangle().query, Rational(3, 8), {bytes.data(), bytes.size()});
 }
 
 }  // namespace

@@ -51,15 +51,6 @@ TEST(Hunt, MakingDrawsLeavesMutantsTheirHalf) {
   EXPECT_GT(shares.mutants, 0U);
 }
 
-// Within 2^±4 two such triangles are rare: there is nothing to make mutants of.
-TEST(Hunt, MutantsOfNothingTakeNoTime) {
-  HuntGround ground;
-  ground.scale = 4;
-  ground.shapes = {Shape::triangle(1), Shape::triangle(1)};
-  const Shares shares = shares_of(ground);
-  EXPECT_TRUE(shares.queries > 0 || shares.of_draws > 0.75) << shares.of_draws;
-}
-
 // Threads inherit the environment of whoever starts them.
 TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
   const auto hunted = [](int threads) {
