@@ -15,6 +15,7 @@
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/round.hpp"
+#include "generators/separated.hpp"
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/trimmed.hpp"
@@ -181,6 +182,8 @@ auto attempt_of(const GeneratorOptions& options) {
       return trimmed_case;
     case Family::kEnds:
       return ends_case;
+    case Family::kSeparated:
+      return separated_case;
     default:
       return is_shaped(options) ? shaped_case : quadratic_case;
   }

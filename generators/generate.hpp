@@ -32,7 +32,8 @@ std::string_view name_of(Construction construction);
 /// positives of quadratic triangles, and claim nothing of the time before the contact. The others
 /// prove by a moving plane that nothing touches before t*, except where the row says otherwise. The
 /// last ones are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp),
-/// surfaces of revolution and separations (round.hpp), loops (trimmed.hpp) and ends (ends.hpp).
+/// surfaces of revolution (round.hpp), loops (trimmed.hpp), ends (ends.hpp) and separations
+/// (separated.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -60,6 +61,7 @@ enum class Family : std::uint8_t {
   kApart,
   kTrimmed,
   kEnds,
+  kSeparated,
 };
 /// Those of plain patches.
 inline constexpr auto kFamilies = [] {
@@ -68,7 +70,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kEnds) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kSeparated) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "generators/draw_contact.hpp"
-#include "generators/exact_sum.hpp"
 #include "generators/quadratic.hpp"
+#include "generators/separated.hpp"
 #include "generators/shaped/families.hpp"
 #include "method/method.hpp"
 #include "properties/property.hpp"
@@ -29,32 +29,6 @@ double extent(const MovingPatch<double>& patch, int k, double t) {
   return width;
 }
 
-/// The least double whose square is no less.
-double root_above(const Rational& squared) {
-  double root = std::sqrt(round_up(squared));
-  while (exact(root) * exact(root) < squared) root = std::nextafter(root, HUGE_VAL);
-  while (exact(std::nextafter(root, 0)) * exact(std::nextafter(root, 0)) >= squared) {
-    root = std::nextafter(root, 0);
-  }
-  return root;
-}
-
-/// Moves patch 1 by normal·2^exponent; false if a number would be rounded.
-bool move_apart(Query& query, const Vec3<Dyadic>& normal, int exponent) {
-  Rational squared = 0;
-  for (int k = 0; k < 3; ++k) {
-    const Dyadic along = normal[k].scaled(exponent);
-    const std::optional<double> by = along.to_double_exactly();
-    if (!by) return false;
-    squared += along.rational() * along.rational();
-    for (Vec3<double>& p : query.patches[0].positions) {
-      if (!add_exactly(p[k], *by)) return false;
-    }
-  }
-  query.separation = root_above(squared);
-  return true;
-}
-
 }  // namespace
 
 Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
@@ -71,8 +45,11 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   out.witness = *made->truth.witness;
   out.t = *scene.t.to_double_exactly();
   const Vec3<Dyadic>& towards = placement.frame.normal;
-  if (apart && !move_apart(out.query, towards, static_cast<int>(choices.integer(-12, 3)))) {
-    return input_error("", "a number is not a double");
+  if (apart) {
+    const auto exponent = static_cast<int>(choices.integer(-12, 3));
+    const Vec3<Dyadic> way(towards[0].scaled(exponent), towards[1].scaled(exponent),
+                           towards[2].scaled(exponent));
+    if (!move_apart(out.query, way)) return input_error("", "a number is not a double");
   }
   double reach = 0;
   std::array<double, 2> rate = {-HUGE_VAL, HUGE_VAL};

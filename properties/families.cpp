@@ -9,7 +9,7 @@ namespace {
 
 /// Families whose queries have weights, loops, ends or a separation.
 constexpr std::array kNotPlain = {Family::kWeighted, Family::kRound, Family::kApart,
-                                  Family::kTrimmed, Family::kEnds};
+                                  Family::kTrimmed,  Family::kEnds,  Family::kSeparated};
 
 Case draw_not_plain(Draw& d, CaseKind kind) {
   GeneratorOptions options;

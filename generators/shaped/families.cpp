@@ -82,6 +82,8 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
      "with loops at the contact; RN: the whole patches alone touch, in a hole", kAll, kAll, nullptr,
      families::have_a_surface},
     {Family::kEnds, "ends", "two positions, whose differences are no doubles", kAll, kAll},
+    {Family::kSeparated, "separated", "regular contacts at a separation; witness only", kAll,
+     kNone},
 }};
 
 constexpr bool are_in_order() {

@@ -52,12 +52,13 @@ struct NotPlain {
   Family family;
   Features needs;
 };
-constexpr std::array<NotPlain, 5> kNotPlain = {
+constexpr std::array<NotPlain, 6> kNotPlain = {
     {{Family::kWeighted, {.weights = true}},
      {Family::kRound, {.weights = true}},
      {Family::kApart, {.separation = true, .weights = true}},
      {Family::kTrimmed, {.trims = true}},
-     {Family::kEnds, {.ends = true}}}};
+     {Family::kEnds, {.ends = true}},
+     {Family::kSeparated, {.separation = true}}}};
 
 bool has_all(const Features& taken, const Features& needs) {
   return (taken.ends || !needs.ends) && (taken.separation || !needs.separation) &&
@@ -70,7 +71,9 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& featu
     : seed_(seed), ground_(ground), features_(features) {
   if (are_by_shapes()) {
     for (size_t i = 0; i < kLinearPairs.size(); ++i) {
-      if (ground_.has_shapes(kLinearPairs[i])) classes_.push_back(kLinearClasses[i]);
+      if (!ground_.has_shapes(kLinearPairs[i])) continue;
+      classes_.push_back(kLinearClasses[i]);
+      sources_[static_cast<size_t>(kLinearClasses[i])] = linear_sources(i);
     }
     return;
   }
@@ -84,46 +87,58 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& featu
   }
 }
 
+void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
+                       const std::optional<ShapePair>& shapes, Family family, const Features& needs,
+                       Construction construction) const {
+  if (ground_.ordinary && std::ranges::find(kNotOrdinary, family) != kNotOrdinary.end()) return;
+  Source source;
+  GeneratorOptions& options = source.options;
+  options.contact = contact;
+  options.construction = construction;
+  options.family = family;
+  options.shapes = shapes;
+  options.bodies = ground_.body_kinds;
+  options.plane = ground_.plane;
+  options.seed = seed_;
+  source.needs = needs;
+  for (const CaseKind kind : kCaseKinds) {
+    options.kind = kind;
+    if (validate(options)) source.kinds.push_back(kind);
+  }
+  if (!source.kinds.empty()) sources.push_back(std::move(source));
+}
+
+void Draws::add_not_plain(std::vector<Source>& sources, ContactClass contact,
+                          const std::optional<ShapePair>& shapes) const {
+  for (const auto& [family, needs] : kNotPlain) {
+    if (has_all(features_, needs)) add_source(sources, contact, shapes, family, needs);
+  }
+}
+
+std::vector<Draws::Source> Draws::linear_sources(size_t pair) const {
+  std::vector<Source> sources(1);  // draw_linear_case, which makes all kinds
+  if (!ground_.uniform) add_not_plain(sources, kLinearClasses[pair], kLinearPairs[pair]);
+  return sources;
+}
+
 std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   std::vector<Source> sources;
-  std::optional<ShapePair> shapes;
-  const auto add = [&](Construction construction, Family family, const Features& needs = {}) {
-    if (ground_.ordinary && std::ranges::find(kNotOrdinary, family) != kNotOrdinary.end()) return;
-    Source source;
-    GeneratorOptions& options = source.options;
-    options.contact = contact;
-    options.construction = construction;
-    options.family = family;
-    options.shapes = shapes;
-    options.bodies = ground_.body_kinds;
-    options.plane = ground_.plane;
-    options.seed = seed_;
-    source.needs = needs;
-    for (const CaseKind kind : kCaseKinds) {
-      options.kind = kind;
-      if (validate(options)) source.kinds.push_back(kind);
-    }
-    if (!source.kinds.empty()) sources.push_back(std::move(source));
-  };
   if (ground_.bodies) {
-    add(Construction::kOneSided, Family::kBodies);
+    add_source(sources, contact, std::nullopt, Family::kBodies);
     return sources;
   }
-  const auto add_all = [&] {
-    for (const Construction c : kConstructions) add(c, Family::kRegular);
-    for (const Family f : kFamilies) {
-      if (f != Family::kRegular) add(Construction::kOneSided, f);
+  const auto add_all = [&](const std::optional<ShapePair>& shapes) {
+    for (const Construction construction : kConstructions) {
+      add_source(sources, contact, shapes, Family::kRegular, {}, construction);
     }
-    for (const auto& [family, needs] : kNotPlain) {
-      if (has_all(features_, needs)) add(Construction::kOneSided, family, needs);
+    for (const Family family : kFamilies) {
+      if (family != Family::kRegular) add_source(sources, contact, shapes, family);
     }
+    add_not_plain(sources, contact, shapes);
   };
   const std::vector<ShapePair> drawn = ground_.drawn_shapes();
-  if (drawn.empty()) add_all();
-  for (const ShapePair& pair : drawn) {
-    shapes = pair;
-    add_all();
-  }
+  if (drawn.empty()) add_all(std::nullopt);
+  for (const ShapePair& pair : drawn) add_all(pair);
   return sources;
 }
 
@@ -131,6 +146,7 @@ Case Draws::generated(ContactClass contact, std::uint64_t index) const {
   const std::vector<Source>& around = sources_[static_cast<size_t>(contact)];
   const Source& source = around[index % around.size()];
   const std::uint64_t round = index / around.size();
+  if (source.kinds.empty()) return draw_linear_case(contact, seed_, round);
   GeneratorOptions options = source.options;
   options.kind = source.kinds[round % source.kinds.size()];
   return generate(options, round).value;
@@ -141,7 +157,7 @@ Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
     Draw choices{Random::keyed({seed_, index, static_cast<std::uint64_t>(contact), 0x756e69})};
     return uniform_case(ground_, contact, choices);
   }
-  return are_by_shapes() ? draw_linear_case(contact, seed_, index) : generated(contact, index);
+  return generated(contact, index);
 }
 
 std::vector<size_t> Draws::places_of(ContactClass contact, const Features& taken) const {

@@ -46,13 +46,14 @@ class Draws {
   std::uint64_t count_different(ContactClass contact, const std::vector<Begun>& begun) const;
 
  private:
-  /// What the draws of a class go round, with the kinds of cases that are made of it.
+  /// What the draws of a class go round, with the kinds of cases that are made of it. Without
+  /// kinds it is draw_linear_case.
   struct Source {
     GeneratorOptions options;
     std::vector<CaseKind> kinds;
     Features needs;
   };
-  /// Places of the sources of such draws; empty where draws are not of sources.
+  /// Places of the sources of such draws.
   std::vector<size_t> places_of(ContactClass contact, const Features& taken) const;
 
   /// Whether patches are drawn of kLinearPairs: uniform ones; or those that are degenerate in some
@@ -61,6 +62,13 @@ class Draws {
     return !ground_.bodies && (ground_.uniform || (ground_.linear && !ground_.ordinary));
   }
   Case drawn_case(ContactClass contact, std::uint64_t index) const;
+  void add_source(std::vector<Source>& sources, ContactClass contact,
+                  const std::optional<ShapePair>& shapes, Family family, const Features& needs = {},
+                  Construction construction = Construction::kOneSided) const;
+  /// The families of what a query may have beyond plain patches, where features_ has that.
+  void add_not_plain(std::vector<Source>& sources, ContactClass contact,
+                     const std::optional<ShapePair>& shapes) const;
+  std::vector<Source> linear_sources(size_t pair) const;
   std::vector<Source> sources_of(ContactClass contact) const;
   Case generated(ContactClass contact, std::uint64_t index) const;
 

@@ -1,4 +1,4 @@
-// The families of loops and of ends.
+// The families of loops, of ends and of separations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,6 +103,15 @@ TEST(Ends, OfEachCaseSomeDifferenceToTheStartIsNoDouble) {
       for (const MovingPatch<double>& patch : c.query.patches) EXPECT_TRUE(patch.has_ends());
     });
   }
+}
+
+TEST(Separated, OfEachCaseTheContactIsAtTheSeparationAndNoNearer) {
+  for_each_case(Family::kSeparated, CaseKind::kRP, 3, [&](const Case& c) {
+    EXPECT_TRUE(check_truth(c)) << to_json(c);
+    Case nearer = c;
+    nearer.query.separation = std::nextafter(c.query.separation, 0.0);
+    EXPECT_FALSE(check_truth(nearer)) << to_json(c);
+  });
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
 
 /// The families of weights, loops, ends and separations among the draws that such a method takes.
 std::set<std::string> not_plain_draws(const Draws& draws, const Features& taken) {
-  const std::set<std::string> not_plain = {"weighted", "round", "apart", "trimmed", "ends"};
+  const std::set<std::string> not_plain = {"weighted", "round", "apart",
+                                           "trimmed",  "ends",  "separated"};
   std::set<std::string> seen;
   for (std::uint64_t n = 0; n < 30; ++n) {
     const std::uint64_t index = draws.index_of(ContactClass::kFF, taken, n);
@@ -84,10 +85,27 @@ TEST(Draw, OffersAMethodTheKindsThatItTakesAndNoOthers) {
   using Families = std::set<std::string>;
   EXPECT_EQ(seen({}), Families());
   EXPECT_EQ(seen({.ends = true}), Families{"ends"});
-  EXPECT_EQ(seen({.separation = true}), Families()) << "round patches have weights";
+  EXPECT_EQ(seen({.separation = true}), Families{"separated"}) << "round patches have weights";
   EXPECT_EQ(seen({.weights = true}), (Families{"weighted", "round"}));
   EXPECT_EQ(seen({.trims = true}), Families{"trimmed"});
-  EXPECT_EQ(seen(kAllFeatures), (Families{"weighted", "round", "apart", "trimmed", "ends"}));
+  EXPECT_EQ(seen(kAllFeatures),
+            (Families{"weighted", "round", "apart", "trimmed", "ends", "separated"}));
+}
+
+TEST(Draw, OffersLinearCodesEndsAndSeparations) {
+  HuntGround ground;
+  ground.linear = true;
+  const Features taken{.ends = true, .separation = true};
+  const Draws draws(1, ground, taken);
+  std::set<std::string> seen;
+  for (std::uint64_t n = 0; n < 6; ++n) {
+    const std::uint64_t index = draws.index_of(ContactClass::kVF, taken, n);
+    for (const CheckedCase& asked : draws.at(ContactClass::kVF, index).asked) {
+      EXPECT_TRUE(ground.has(asked.value()));
+      seen.insert(asked.value().origin.generator);
+    }
+  }
+  EXPECT_EQ(seen, (std::set<std::string>{"linear", "ends", "separated"}));
 }
 
 TEST(Draw, WhatAMethodIsAskedDoesNotDependOnWhatOthersTake) {

@@ -34,8 +34,8 @@ HuntGround ground_of_an_engine() {
 
 /// The share of draws of which something is asked. All that is asked lies on the ground, with a
 /// truth that the checker accepts.
-double share_used(const HuntGround& ground) {
-  const Draws draws(1, ground);
+double share_used(const HuntGround& ground, const Features& features = {}) {
+  const Draws draws(1, ground, features);
   double used = 0, all = 0;
   for (const ContactClass contact : draws.classes()) {
     for (std::uint64_t index = 0; index < 240 / kOneIn; ++index) {
@@ -55,6 +55,7 @@ double share_used(const HuntGround& ground) {
 TEST(Ground, DrawsAreMadeOnItRatherThanDiscarded) {
   EXPECT_GE(share_used(ground_of_an_engine()), 0.95);
   EXPECT_GE(share_used(ground_of_features()), 0.8);
+  EXPECT_GE(share_used(ground_of_features(), {.separation = true}), 0.7);
   HuntGround floats = ground_of_features();
   floats.binary32 = true;
   EXPECT_GE(share_used(floats), 0.65);

@@ -1,0 +1,84 @@
+#include "generators/separated.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/verify.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "generators/exact_sum.hpp"
+#include "generators/shaped/shaped_case.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// The least double whose square is no less.
+double root_above(const Rational& squared) {
+  double root = std::sqrt(round_up(squared));
+  while (exact(root) * exact(root) < squared) root = std::nextafter(root, HUGE_VAL);
+  while (exact(std::nextafter(root, 0)) * exact(std::nextafter(root, 0)) >= squared) {
+    root = std::nextafter(root, 0);
+  }
+  return root;
+}
+
+/// The exponent of the largest coordinate that a control point has relative to the first one.
+int exponent_of_size(const Query& query) {
+  const Vec3<double>& origin = query.patches[0].positions[0];
+  double largest = std::numeric_limits<double>::min();
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      largest = std::max(largest, (p - origin).cwiseAbs().maxCoeff());
+    }
+  }
+  return std::ilogb(largest);
+}
+
+}  // namespace
+
+bool move_apart(Query& query, const Vec3<Dyadic>& way) {
+  Rational squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::optional<double> by = way[k].to_double_exactly();
+    if (!by) return false;
+    squared += way[k].rational() * way[k].rational();
+    for (Vec3<double>& p : query.patches[0].positions) {
+      if (!add_exactly(p[k], *by)) return false;
+    }
+  }
+  query.separation = root_above(squared);
+  return true;
+}
+
+tl::expected<Case, Discard> separated_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                           Draw& draw) {
+  GeneratorOptions plain = options;
+  plain.family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
+  if (!plain.shapes) plain.shapes = shapes_of(options, draw);
+  tl::expected<Case, Discard> made = shaped_case(plain, eps_t, draw);
+  if (!made) return made;
+  const auto* plane = std::get_if<MovingPlane>(&*made->truth.clearance);
+  CCDFUZZ_VERIFY(plane != nullptr);
+  // From 2^-20 to 2^-8 of the size of the scene, as simulations keep meshes apart. The larger a
+  // separation is, the more pairs of points are nearly as near as the nearest.
+  int exponent = exponent_of_size(made->query) - static_cast<int>(draw.integer(8, 20));
+  Vec3<Dyadic> way;
+  double longest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const std::optional<Dyadic> along = Dyadic::from(plane->normal[static_cast<std::size_t>(k)]);
+    if (!along) return tl::unexpected(Discard::kRoundTrip);
+    way[k] = *along;
+    longest = std::max(longest, std::abs(along->rational().get_d()));
+  }
+  exponent -= std::ilogb(longest);
+  for (int k = 0; k < 3; ++k) way[k] = way[k].scaled(exponent);
+  if (!move_apart(made->query, way)) return tl::unexpected(Discard::kRoundTrip);
+  made->truth.clear_until.reset();
+  made->truth.clearance.reset();
+  made->truth.proof.reset();
+  CCDFUZZ_VERIFY(check_truth(*made));
+  return made;
+}
+
+}  // namespace ccdfuzz
