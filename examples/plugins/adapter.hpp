@@ -90,4 +90,39 @@ std::array<Vector, 8> end_points(const ccd::Query& query) {
   return points;
 }
 
+/// The same, exactly. Where a query has velocities the step is as long as the least power of two
+/// that is no less than t_max. Where it has ends the step is 1. Throws a Refusal where an end is no
+/// double.
+template <class Vector>
+struct ExactEnds {
+  std::array<Vector, 8> points;
+  double step = 1;
+
+  explicit ExactEnds(const ccd::Query& query) {
+    points.fill(Vector::Zero());
+    const bool has_ends = query.raw.patches[0]->ends != nullptr;
+    if (!has_ends) step = std::exp2(std::ceil(std::log2(std::max(query.t_max(), 0x1p-60))));
+    std::size_t next = 0;
+    for (const ccdfuzz_patch* patch : query.raw.patches) {
+      for (std::uint64_t i = 0; i < patch->count; ++i, ++next) {
+        for (int k = 0; k < 3; ++k) {
+          const double start = patch->positions[i][k];
+          points[next][k] = start;
+          points[next + 4][k] =
+              has_ends ? patch->ends[i][k] : moved(start, patch->velocities[i][k]);
+        }
+      }
+    }
+  }
+
+ private:
+  double moved(double start, double velocity) const {
+    const double way = step * velocity, end = start + way;
+    if (end - start != way || end - way != start) {
+      throw Refusal("an end of the motion is no double");
+    }
+    return end;
+  }
+};
+
 }  // namespace adapter

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
+#include <set>
+
 #include "certify/linear/first_contact.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -24,7 +27,7 @@ std::string_view name_of(ExportForm form) {
 
 struct Form {
   ExportForm form = ExportForm::kCsv;
-  std::string_view engine;  ///< for kEngine
+  EngineTemplate engine{};  ///< for kEngine
 };
 
 Result<Form> parse_form(const std::string& where, const std::string& text) {
@@ -34,7 +37,7 @@ Result<Form> parse_form(const std::string& where, const std::string& text) {
     names.push_back(name_of(form));
   }
   for (const EngineTemplate& one : engine_templates()) {
-    if (one.engine == text) return Form{ExportForm::kEngine, one.engine};
+    if (one.engine == text) return Form{ExportForm::kEngine, one};
     names.push_back(one.engine);
   }
   return input_error(where, fmt::format("\"{}\" is none of {}", text, fmt::join(names, ", ")));
@@ -122,31 +125,40 @@ int export_csv(const ExportOptions& options, OutputFile& out) {
   return kDone;
 }
 
-int export_engine_test(const ExportOptions& options, OutputFile& out) {
-  std::uint64_t count = 0;
+/// The test of a case in a folder: of a.json a.cpp, and of line 3 of a.jsonl a-3.cpp.
+std::string test_path(const std::string& folder, const NamedCase& named, std::string_view ending) {
+  const size_t colon = named.id.rfind(':'), slash = named.id.rfind('/');
+  const bool has_line = colon != named.id.npos && (slash == named.id.npos || colon > slash);
+  const std::filesystem::path name = std::filesystem::path(named.id.substr(0, colon)).filename();
+  return fmt::format("{}{}{}{}", folder, name.string().substr(0, name.string().find(".json")),
+                     has_line ? "-" + named.id.substr(colon + 1) : "", ending);
+}
+
+int export_engine_tests(const ExportOptions& options) {
+  const EngineTemplate& engine = options.as.engine;
+  const bool is_folder = options.output.ends_with('/');
+  if (is_folder) need(make_folder(options.output));
+  std::set<std::string> paths;
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
-    if (++count > 1) return input_error(named.id, "a test of an engine is of one case");
-    return engine_test(named, options.as.engine).and_then([&](const std::string& text) {
-      return out.write(text);
+    const std::string path =
+        is_folder ? test_path(options.output, named, engine.ending) : options.output;
+    if (!paths.insert(path).second) {
+      return input_error(named.id, is_folder ? path + " is the test of a case before it"
+                                             : "a file has one test; -o FOLDER/ takes several");
+    }
+    return engine_test(named, engine.engine).and_then([&](const std::string& text) {
+      return write_file(path, text);
     });
   }));
-  need(out.commit());
-  print_out("1 test\n");
+  print_out(counted(paths.size(), "test", "tests") + "\n");
   return kDone;
 }
 
 int run_export(const ExportOptions& options, Session&) {
+  if (options.as.form == ExportForm::kEngine) return export_engine_tests(options);
   OutputFile out = need(OutputFile::create(options.output));
-  switch (options.as.form) {
-    case ExportForm::kCsv:
-      return export_csv(options, out);
-    case ExportForm::kEngine:
-      return export_engine_test(options, out);
-    case ExportForm::kGoogleTest:
-    case ExportForm::kCatch2:
-      return export_tests(options, out);
-  }
-  return kDone;
+  return options.as.form == ExportForm::kCsv ? export_csv(options, out)
+                                             : export_tests(options, out);
 }
 
 }  // namespace
@@ -162,10 +174,11 @@ void add_export(CommandLine& line) {
   for (const EngineTemplate& one : engine_templates()) engines.push_back(one.engine);
   command.parsed(
       "--as FORM", options->as,
-      fmt::format("csv: 8 rows per linear query, 24 per curved one. gtest, catch2: a C++ file with "
-                  "a test per case, which needs ccdfuzz_plugin.h and the plug-in to link with. {}: "
-                  "a test of one case that needs this engine alone",
-                  fmt::join(engines, ", ")),
+      fmt::format(
+          "csv: 8 rows per linear query, 24 per curved one. gtest, catch2: a C++ file with "
+          "a test per case, which needs ccdfuzz_plugin.h and the plug-in to link with. {}: "
+          "a test that needs this engine alone; of several cases, a file each with -o FOLDER/",
+          fmt::join(engines, ", ")),
       parse_form, "csv");
   command.flag("--round", options->round,
                "Take the nearest double for end points that are none, and count them");

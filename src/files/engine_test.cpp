@@ -10,6 +10,7 @@
 
 #include "base/read_double.hpp"
 #include "base/verify.hpp"
+#include "case/scale.hpp"
 #include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
@@ -17,8 +18,8 @@ namespace ccdfuzz {
 namespace {
 
 constexpr std::array kAxes = {0, 1, 2};
-/// Names of templates of engines that are asked about features.
-constexpr const char *kVertexFace = "vertex-face", *kEdgeEdge = "edge-edge";
+/// The name that every template of an engine that is asked about features has.
+constexpr const char* kVertexFace = "vertex-face";
 
 /// A body as the adapters give it to engines (examples/engines/bodies.mjs): its points about a
 /// centre. The centre is the middle of its box, or 0 where that or a difference is no float.
@@ -81,13 +82,15 @@ std::string filled(std::string text, const std::map<std::string_view, std::strin
   return text;
 }
 
+constexpr const char *kUntil = "__UNTIL__", *kApart = "__APART__", *kChecks = "__CHECKS__";
+
 /// The test of an engine (EngineTemplate): what it calls things, and the text.
 struct Template {
-  std::string_view engine;
+  std::string_view engine, ending;
   std::map<std::string, std::string, std::less<>> names;
   std::string text;
 
-  explicit Template(const EngineTemplate& of) : engine(of.engine) {
+  explicit Template(const EngineTemplate& of) : engine(of.engine), ending(of.ending) {
     std::string_view file = of.text;
     constexpr std::string_view kMark = "//= ";
     while (file.starts_with(kMark)) {
@@ -103,10 +106,17 @@ struct Template {
   std::string list(const Points<double>& points) const {
     std::vector<std::string> texts;
     for (const Vec3<double>& p : points) {
-      texts.push_back(filled(names.at("point"), {{"*", ccdfuzz::list(p)}}));
+      texts.push_back(filled(names.at("point"), {{"*", ccdfuzz::list(p)},
+                                                 {"__X__", fmt::format("{}", p[0])},
+                                                 {"__Y__", fmt::format("{}", p[1])}}));
     }
     return fmt::format("{}", fmt::join(texts, ", "));
   }
+
+  bool has(std::string_view name) const { return names.find(name) != names.end(); }
+  /// Whether it is given ends after a step that is a power of two, and exactly.
+  bool is_exact() const { return text.find(kUntil) != text.npos; }
+  bool takes_separation() const { return text.find(kApart) != text.npos; }
 
   /// The engine's words for a body of this kind; nothing where it has none.
   std::optional<std::string> shape(const std::string& kind, const EngineBody& body) const {
@@ -117,6 +127,7 @@ struct Template {
     const Vec3<double> half = body.half.value_or(Vec3<double>(0, 0, 0));
     return filled(name->second, {{"__POINTS__", list(body.points)},
                                  {"__NUMBERS__", fmt::format("{}", fmt::join(numbers, ", "))},
+                                 {"__COUNT__", fmt::format("{}", body.points.size())},
                                  {"__RADIUS__", fmt::format("{}", body.radius)},
                                  {"__HALF__", ccdfuzz::list(half)},
                                  {"__SIZE__", ccdfuzz::list(Vec3<double>(2 * half))}});
@@ -135,20 +146,26 @@ std::optional<std::string> shape_text(const Template& engine, const EngineBody& 
   return text ? text : engine.shape(round + kind, body);
 }
 
-constexpr const char* kGoogleTest = "#include <gtest/gtest.h>\n\n";
-
-/// What every test ends with; share is undefined, or below 0 in C++, where the engine sees nothing.
-std::string node_checks(const std::optional<double>& latest) {
-  const std::string begin = "import assert from 'node:assert';\n";
-  if (!latest) return begin + "assert(share === undefined, `a contact at ${share} of the way`);\n";
-  return begin + fmt::format(
-                     "assert(share !== undefined, 'the contact is missed');\n"
-                     "assert(share <= {0}, `${{share}} is after {0} of the way`);\n",
-                     *latest);
-}
-std::string google_checks(const std::optional<double>& latest) {
-  if (!latest) return "  EXPECT_FALSE(touches) << \"at \" << share << \" of the way\";\n}\n";
-  return fmt::format("  ASSERT_TRUE(touches);\n  EXPECT_LE(share, {});\n}}\n", *latest);
+/// The whole test: with what the template says of a contact until `latest`, or of none. Else it
+/// ends with what all of Node or of GoogleTest say; share is undefined, or below 0 in C++, where
+/// the engine sees nothing.
+std::string with_checks(const Template& engine, const std::string& text,
+                        const std::optional<double>& latest) {
+  const std::string by = latest ? fmt::format("{}", *latest) : "";
+  if (engine.has("touches")) {
+    const std::string& own = engine.names.find(latest ? "touches" : "clear")->second;
+    return filled(text, {{kChecks, filled(own, {{"__LATEST__", by}, {"\\n", "\n"}})}});
+  }
+  if (engine.ending == ".mjs") {
+    return text + "import assert from 'node:assert';\n" +
+           (latest ? fmt::format("assert(share !== undefined, 'the contact is missed');\n"
+                                 "assert(share <= {0}, `${{share}} is after {0} of the way`);\n",
+                                 by)
+                   : "assert(share === undefined, `a contact at ${share} of the way`);\n");
+  }
+  return "#include <gtest/gtest.h>\n\n" + text +
+         (latest ? fmt::format("  ASSERT_TRUE(touches);\n  EXPECT_LE(share, {});\n}}\n", by)
+                 : "  EXPECT_FALSE(touches) << \"at \" << share << \" of the way\";\n}\n");
 }
 
 /// How much later than the contact the engine may be, as a part of the way. That is its own
@@ -210,42 +227,76 @@ std::string proof_text(const Case& value) {
       at, points[0], points[1]);
 }
 
+/// The name in a template of a pair of linear shapes, the smaller first; "" if there is none.
+std::string kind_of(const Query& query) {
+  constexpr std::array kShapes = {Shape::point(), Shape::curve(1), Shape::triangle(1)};
+  constexpr std::array kNames = {"vertex", "edge", "face"};
+  std::array<long, 2> places;
+  for (size_t side = 0; side < 2; ++side) {
+    places[side] = std::ranges::find(kShapes, query.patches[side].shape) - kShapes.begin();
+    if (places[side] == std::ssize(kShapes)) return "";
+  }
+  const auto [least, most] = std::ranges::minmax(places);
+  return fmt::format("{}-{}", kNames.at(static_cast<size_t>(least)),
+                     kNames.at(static_cast<size_t>(most)));
+}
+
+/// How long the step is, as the adapter makes it.
+double step_of(const Query& query, const Template& engine) {
+  if (has_ends(query)) return 1;
+  return engine.is_exact() ? std::exp2(std::ceil(std::log2(query.t_max))) : query.t_max;
+}
+
 Result<std::string> features_text(const NamedCase& named, const Template& engine) {
   const Query query = with_velocities(named.value.query).value_or(named.value.query);
-  const auto& [first, second] = query.patches;
-  const bool is_face =
-      first.shape.kind == ShapeKind::kPoint || second.shape.kind == ShapeKind::kPoint;
-  const size_t count = first.positions.size() + second.positions.size();
-  const bool is_linear =
-      is_face
-          ? count == 4 && (first.shape == Shape::triangle(1) || second.shape == Shape::triangle(1))
-          : first.shape == Shape::curve(1) && second.shape == Shape::curve(1);
-  if (!is_linear || has_ends(query) || is_trimmed(query) || query.separation > 0) {
-    return input_error(
-        named.id,
-        fmt::format("{} has tests of a vertex and a whole face, or of two edges, that touch",
-                    engine.engine));
+  const std::string kind = kind_of(query);
+  if (!engine.has(kind) || is_trimmed(query) || (has_ends(query) && !engine.is_exact()) ||
+      (query.separation > 0 && !engine.takes_separation())) {
+    return input_error(named.id,
+                       fmt::format("{} is not asked about such a pair of shapes, or such a motion "
+                                   "or separation of them",
+                                   engine.engine));
   }
-  std::array<Points<double>, 2> points;  // at 0 and at t_max
+  const double step = step_of(query, engine);
+  std::array<Points<double>, 2> points;  // at 0 and after the step
+  bool is_exact = true;
   const auto add = [&](const MovingPatch<double>& patch) {
     for (size_t i = 0; i < patch.positions.size(); ++i) {
-      points[0].push_back(patch.positions[i]);
-      points[1].emplace_back(patch.positions[i] + query.t_max * patch.velocities[i]);
+      const Vec3<double>& start = points[0].emplace_back(patch.positions[i]);
+      if (has_ends(query)) {
+        points[1].push_back(patch.ends[i]);
+        continue;
+      }
+      const Vec3<double>& velocity = patch.velocities[i];
+      const Vec3<double>& end = points[1].emplace_back(start + step * velocity);
+      for (const int k : kAxes) {
+        is_exact = is_exact && exact(start[k]) + exact(step) * exact(velocity[k]) == exact(end[k]);
+      }
     }
   };
-  // A vertex comes after the face.
-  const bool is_swapped = is_face && first.shape.kind == ShapeKind::kPoint;
-  add(is_swapped ? second : first);
-  add(is_swapped ? first : second);
-  return filled(engine.text, {{"__CALL__", engine.names.at(is_face ? kVertexFace : kEdgeEdge)},
+  // A vertex comes after the face, unless the engine has it first.
+  const bool is_vertex_first =
+      query.patches[0].positions.size() < query.patches[1].positions.size();
+  const size_t first = is_vertex_first == engine.has("vertex-first") ? 0 : 1;
+  add(query.patches[first]);
+  add(query.patches[1 - first]);
+  if (engine.is_exact() && !is_exact) {
+    return input_error(named.id, "an end of the motion is no double");
+  }
+  return filled(engine.text, {{"__CALL__", engine.names.find(kind)->second},
                               {"__START__", engine.list(points[0])},
-                              {"__END__", engine.list(points[1])}});
+                              {"__END__", engine.list(points[1])},
+                              {kApart, fmt::format("{}", query.separation)},
+                              {kUntil, fmt::format("{}", query.t_max / step)}});
 }
 
 Result<std::string> bodies_text(const NamedCase& named, const Template& engine) {
   const Query& query = named.value.query;
   if (!is_of_bodies(query)) {
     return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
+  }
+  if (engine.has("plane") && !is_in_plane(query)) {
+    return input_error(named.id, "is not in the plane z = 0");
   }
   std::array<EngineBody, 2> bodies = {engine_body(query.patches[0]), engine_body(query.patches[1])};
   std::array<std::string, 2> shapes;
@@ -261,11 +312,14 @@ Result<std::string> bodies_text(const NamedCase& named, const Template& engine) 
   }
   const Vec3<double> way =
       (query.patches[0].velocities[0] - query.patches[1].velocities[0]) * query.t_max;
-  return filled(engine.text, {{"__A__", shapes[0]},
-                              {"__B__", shapes[1]},
-                              {"__CENTRE_A__", list(bodies[0].centre)},
-                              {"__CENTRE_B__", list(bodies[1].centre)},
-                              {"__WAY__", list(way)}});
+  return filled(engine.text,
+                {{"__A__", shapes[0]},
+                 {"__B__", shapes[1]},
+                 {"__CENTRE_A__", list(bodies[0].centre)},
+                 {"__CENTRE_B__", list(bodies[1].centre)},
+                 {"__WAY__", list(way)},
+                 {"__WAY_A__", engine.list({query.t_max * query.patches[0].velocities[0]})},
+                 {"__WAY_B__", engine.list({query.t_max * query.patches[1].velocities[0]})}});
 }
 
 }  // namespace
@@ -283,15 +337,18 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
     return input_error(named.id, "neither a contact within t_max nor its absence is proven");
   }
   const Template engine(*of_engine);
+  const bool is_of_features = engine.has(kVertexFace);
+  const double step = is_of_features ? step_of(value.query, engine) : value.query.t_max;
   std::optional<double> latest;
-  if (touches) latest = round_up(Rational(*contact / t_max)) + allowed_delay(value, engine);
-  const Result<std::string> asked = engine.names.contains(kVertexFace)
-                                        ? features_text(named, engine)
-                                        : bodies_text(named, engine);
+  if (touches) latest = round_up(Rational(*contact / exact(step))) + allowed_delay(value, engine);
+  if (!latest && engine.has("touches") && !engine.has("clear")) {
+    return input_error(
+        named.id, fmt::format("{} may be early, so a test of it needs a contact", engine.engine));
+  }
+  const Result<std::string> asked =
+      is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
-    const std::string head = fmt::format("// {}\n", proof_text(value));
-    return of_engine->is_cpp ? head + kGoogleTest + text + google_checks(latest)
-                             : head + text + node_checks(latest);
+    return fmt::format("// {}\n{}", proof_text(value), with_checks(engine, text, latest));
   });
 }
 

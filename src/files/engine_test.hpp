@@ -8,16 +8,19 @@
 
 namespace ccdfuzz {
 
-/// The file find.mjs.in or find.cpp.in of an engine's folder in examples/engines: a test of the
-/// engine alone, with words that stand for the numbers of a case. Its first lines, "//= NAME:
-/// TEXT", say how the engine writes things. "point" is a point, whose coordinates stand for *.
-/// "box", "flat box", "segment", "triangle" and "hull" are bodies, and "round point", "round box"
-/// and so on those with a radius. Others are "any" where it takes them. It is asked of features by
-/// "vertex-face" and "edge-edge". The test allows its own tolerance: "depth", or "late" as a part
-/// of the way.
+/// The file find.mjs.in, find.cpp.in or find.c.in of an engine's folder in examples/engines. It is
+/// a test of the engine alone, with words that stand for the numbers of a case. Its first lines,
+/// "//= NAME: TEXT", say how the engine writes things. "point" is a point, whose coordinates stand
+/// for *, or the first two for __X__ and __Y__. "box", "flat box", "segment", "triangle" and "hull"
+/// are bodies, and "round point", "round box" and so on those with a radius. Others are "any" where
+/// it takes them. It is asked of features by "vertex-face", "edge-edge", "vertex-edge" and
+/// "vertex-vertex"; "vertex-first" says that a vertex comes before the face. "plane" says that
+/// bodies are those of the plane z = 0. The test allows its own tolerance: "depth", or "late" as a
+/// part of the way. What __CHECKS__ stands for is "touches" where there is a contact and "clear"
+/// where there is none, in a framework of the engine's own. Without "clear" it may be early.
 struct EngineTemplate {
   std::string_view engine;
-  bool is_cpp;
+  std::string_view ending;  ///< .mjs, .cpp or .c
   std::string_view text;
 };
 /// As they were when this program was built.
@@ -26,9 +29,10 @@ std::span<const EngineTemplate> engine_templates();
 /// A complete test file that asks the engine itself the query of a case, as its adapter does. It
 /// fails where the engine misses the proven contact, is late for it, or reports one where none is
 /// proven. It needs nothing of ccdfuzz. For engines of npm it is a module for Node, for others a
-/// GoogleTest. Requires a checked case, and an engine of engine_templates(). Errors, naming the
-/// case: it is of other shapes than the engine has; neither a contact within t_max nor its absence
-/// is proven.
+/// GoogleTest or what the template says. Requires a checked case, and an engine of
+/// engine_templates(). Errors, naming the case: it is of other shapes than the engine has; neither
+/// a contact within t_max nor its absence is proven. Or nothing touches, and the engine may be
+/// early.
 Result<std::string> engine_test(const NamedCase& named, std::string_view engine);
 
 }  // namespace ccdfuzz

@@ -44,6 +44,21 @@ TEST(Import, TellsWhereRoundingChangesTheTruth) {
                                   "of 1 queries rounded, which changed the truth of 1\n"));
 }
 
+TEST(Export, WritesATestOfAnEngineForEachCaseIntoAFolder) {
+  const ScratchFolder folder;
+  const std::string csv = folder / "vertex-face.csv", cases = folder / "cases.jsonl";
+  write_text(csv, falling_vertex("-1,2", 1) + falling_vertex("-1,4", 1));
+  ASSERT_EQ(ccdfuzz({"import", csv, "-o", cases}).code, 0);
+  const Finished done = ccdfuzz({"export", cases, "--as", "fcl", "-o", folder / "tests/"});
+  EXPECT_EQ(done.out, "2 tests\n") << done.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / "tests/cases-1.cpp"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "tests/cases-2.cpp"));
+  EXPECT_THAT(ccdfuzz({"export", cases, "--as", "fcl", "-o", folder / "one.cpp"}).err,
+              HasSubstr("cases.jsonl:2: a file has one test"));
+  EXPECT_THAT(ccdfuzz({"export", cases, cases, "--as", "fcl", "-o", folder / "tests/"}).err,
+              HasSubstr("cases.jsonl:1: "));
+}
+
 TEST(Import, RefusesWhatItCannotRead) {
   const ScratchFolder folder;
   const std::string csv = folder / "queries.csv", out = folder / "out.jsonl";

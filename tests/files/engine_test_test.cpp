@@ -95,6 +95,51 @@ TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
   EXPECT_FALSE(engine_test(round, "jolt")) << "a rounded triangle";
 }
 
+TEST(EngineTest, GivesEndsExactly) {
+  NamedCase named = vertex_through_face();
+  named.value.query.t_max = 0.75;
+  const Result<std::string> text = engine_test(named, "tight-inclusion");
+  ASSERT_TRUE(text.has_value());
+  EXPECT_THAT(*text, testing::HasSubstr("t_max = 0.75;")) << "of a step of 1";
+  EXPECT_THAT(*text, testing::HasSubstr("ticcd::vertexFaceCCD(\n      V(0.25, 0.25, 0.5), V(0,"));
+  EXPECT_THAT(*text, testing::HasSubstr("      V(0.25, 0.25, -0.5), "));
+  EXPECT_THAT(*text, testing::HasSubstr("EXPECT_LE(share, 0.5);"));
+  named.value.query.patches[0].velocities[0][0] = 0x1p-80;
+  EXPECT_FALSE(engine_test(named, "tight-inclusion")) << "an end is no double";
+}
+
+TEST(EngineTest, TakesASeparationWhereTheEngineDoes) {
+  NamedCase named = vertex_through_face();
+  named.value.query.separation = 0.25;
+  const Result<std::string> text = engine_test(named, "ipc-toolkit");
+  ASSERT_TRUE(text.has_value());
+  EXPECT_THAT(*text, testing::HasSubstr("min_distance = 0.25,"));
+  EXPECT_FALSE(engine_test(named, "fcl"));
+}
+
+TEST(EngineTest, RefusesAbsenceWhereTheEngineMayBeEarly) {
+  NamedCase named = vertex_through_face();
+  named.value.truth = {};
+  named.value.truth.collides = false;
+  named.value.truth.clearance = LinearClearance{Rational(1, 4), true};
+  named.value.query.t_max = 0.25;
+  EXPECT_TRUE(engine_test(named, "fcl"));
+  EXPECT_FALSE(engine_test(named, "ipc-toolkit"));
+}
+
+TEST(EngineTest, KeepsToThePlaneWhereTheEngineDoes) {
+  for (const char* engine : {"box2d", "planck", "rapier2d"}) {
+    EXPECT_FALSE(engine_test(falling_ball(), engine)) << engine;
+  }
+  NamedCase flat = falling_ball();
+  for (MovingPatch<double>& patch : flat.value.query.patches) {
+    for (Vec3<double>& p : patch.positions) p[2] = 0;
+  }
+  const Result<std::string> text = engine_test(flat, "box2d");
+  ASSERT_TRUE(text.has_value());
+  EXPECT_THAT(*text, testing::HasSubstr("b2MakeProxy( (b2Vec2[]){ { -4, 3 } }, 1, 1 )"));
+}
+
 TEST(EngineTest, RefusesWhereNothingIsProven) {
   NamedCase named = falling_ball();
   named.value.query.t_max = 0.5;
