@@ -26,13 +26,6 @@ std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, E
   return corpus;
 }
 
-TEST(Replay, NoChangeExits0) {
-  const ScratchFolder folder;
-  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}});
-  const Finished finished = succeeded(ccdfuzz({"replay", corpus}));
-  EXPECT_EQ(finished.out, "1 entry, 1 expectation: all as expected\n");
-}
-
 TEST(Replay, AnyChangeExits1AlsoForTheBetter) {
   const ScratchFolder folder;
   const std::string corpus =

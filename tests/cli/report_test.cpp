@@ -11,39 +11,11 @@ using testing::HasSubstr;
 const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
 const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
-TEST(ReportCommand, ShowsAFileOfCasesAfterAnEvaluation) {
-  const ScratchFolder folder;
-  succeeded(
-      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "--report", folder / "page"}));
-  EXPECT_THAT(read_text(folder / "page/index.html"), HasSubstr("\"tdibm-e\""));
-  const nlohmann::json page = page_data(folder / "page");
-  EXPECT_EQ(page["groups"][0]["method"], "tdibm-e");
-  EXPECT_EQ(page["groups"][0]["missed"], 1);
-  EXPECT_EQ(page["cases"][0][4], "mc") << page["cases"];
-}
-
 /// A folder with one entry.
 std::string small_corpus(const ScratchFolder& folder) {
   std::filesystem::create_directories(folder / "corpus");
   std::filesystem::copy(kEntry, folder / "corpus/entry.json");
   return folder / "corpus";
-}
-
-TEST(ReportCommand, ShowsACorpus) {
-  const ScratchFolder folder;
-  const Finished made = succeeded(ccdfuzz({"report", small_corpus(folder), "-o", folder / "page"}));
-  EXPECT_THAT(made.out, HasSubstr("index.html: 1 case"));
-  EXPECT_THAT(page_data(folder / "page")["cases"][0][0], HasSubstr("entry.json"));
-}
-
-TEST(ReportCommand, HuntAndEvaluateWriteOne) {
-  const ScratchFolder folder;
-  succeeded(ccdfuzz({"hunt", "--cases", "1", "--methods", "tdibm", "--max-pops", "10", "--corpus",
-                     folder / "finds", "--report", folder / "hunt"}));
-  EXPECT_TRUE(std::filesystem::exists(folder / "hunt/index.html"));
-  succeeded(
-      ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-c", "--report", folder / "evaluation"}));
-  EXPECT_TRUE(std::filesystem::exists(folder / "evaluation/index.html"));
 }
 
 TEST(ReportCommand, ShowsTheFolderOfAnEvaluation) {

@@ -122,16 +122,5 @@ TEST(Triage, RefusesWhatIsNoInput) {
   refused(ccdfuzz({"triage", folder / "none", "-o", folder / "finds"}), "no such file or folder");
 }
 
-TEST(MergeOfCorpora, KeepsOneOfEachFailure) {
-  const ScratchFolder folder;
-  const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
-  succeeded(ccdfuzz({"triage", drawn, "-o", finds, "--methods", "tdibm"}));
-  std::filesystem::copy(finds, folder / "twin", std::filesystem::copy_options::recursive);
-  succeeded(ccdfuzz({"merge", finds, folder / "twin", "-o", folder / "all"}));
-  EXPECT_GT(entries_of(finds), 0U);
-  EXPECT_EQ(entries_of(folder / "all"), entries_of(finds));
-  EXPECT_EQ(ccdfuzz({"merge", "-o", folder / "all"}).code, 2);
-}
-
 }  // namespace
 }  // namespace ccdfuzz

@@ -77,6 +77,7 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
       {{"hunt", "--corpus", "/dev/null/finds"}, "/dev/null/finds"},
       {{"verify"}, "case"},
       {{"trace"}, "case"},
+      {{"merge", "-o", "/tmp/all"}, "input"},
       {{"verify", "no-such-file.jsonl"}, "no-such-file.jsonl"},
       {{"prove", "x.jsonl"}, "--output"},
       {{"prove", "-o", "/tmp/no-case.jsonl"}, "case"},

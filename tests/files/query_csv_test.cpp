@@ -46,23 +46,28 @@ Result<std::vector<CsvQuery>> read(const std::string& text, CsvLayout layout,
   }
 }
 
+/// The first query of a text that is read, in doubles. Counts what is rounded.
+Query query_of(const Result<std::vector<CsvQuery>>& read, bool rounds, std::uint64_t& rounded) {
+  if (!read) throw std::runtime_error(read.error().message());
+  const auto query = to_query(read->front(), rounds, rounded);
+  if (!query) throw std::runtime_error(query.error().message());
+  return *query;
+}
+
 TEST(QueryCsv, ReadsRowsWithCommentsAndBlanks) {
   const auto queries = read(kVertexFaceRows, CsvLayout::kVertexFace);
-  ASSERT_TRUE(queries) << queries.error().message();
-  ASSERT_EQ(queries->size(), 1U);
-  const CsvQuery& csv = queries->front();
-  EXPECT_EQ(csv.label, true);
-  EXPECT_THAT(csv.lines, testing::ElementsAre(2, 3, 5, 6, 7, 9, 10, 11));
   std::uint64_t rounded = 0;
-  const auto query = to_query(csv, false, rounded);
-  ASSERT_TRUE(query) << query.error().message();
+  const Query query = query_of(queries, false, rounded);
+  ASSERT_EQ(queries->size(), 1U);
+  EXPECT_EQ(queries->front().label, true);
+  EXPECT_THAT(queries->front().lines, testing::ElementsAre(2, 3, 5, 6, 7, 9, 10, 11));
   EXPECT_EQ(rounded, 0U);
-  EXPECT_EQ(query->t_max, 1);
-  EXPECT_EQ(query->patches[0].shape, Shape::point());
-  EXPECT_EQ(query->patches[0].positions[0], Vec3<double>(0.25, 0.25, 1));
-  EXPECT_EQ(query->patches[0].velocities[0], Vec3<double>(0, 0, -1.5));
-  EXPECT_EQ(query->patches[1].shape, Shape::triangle(1));
-  EXPECT_EQ(query->patches[1].positions[2], Vec3<double>(1, 0, 0));
+  EXPECT_EQ(query.t_max, 1);
+  EXPECT_EQ(query.patches[0].shape, Shape::point());
+  EXPECT_EQ(query.patches[0].positions[0], Vec3<double>(0.25, 0.25, 1));
+  EXPECT_EQ(query.patches[0].velocities[0], Vec3<double>(0, 0, -1.5));
+  EXPECT_EQ(query.patches[1].shape, Shape::triangle(1));
+  EXPECT_EQ(query.patches[1].positions[2], Vec3<double>(1, 0, 0));
 }
 
 /// All of `from` in a text, or all lines of it, by `to`.
@@ -76,12 +81,9 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(QueryCsv, ALeadingZeroIsNoOctalNumber) {
   std::string rows;
   for (int i = 0; i < 8; ++i) rows += "010,01,-08,010,00,09,1\n";
-  const auto queries = read(rows, CsvLayout::kEdgeEdge);
-  ASSERT_TRUE(queries) << queries.error().message();
   std::uint64_t rounded = 0;
-  const auto query = to_query(queries->front(), true, rounded);
-  ASSERT_TRUE(query) << query.error().message();
-  EXPECT_EQ(query->patches[0].positions[0], Vec3<double>(10, -0.8, 0));
+  const Query query = query_of(read(rows, CsvLayout::kEdgeEdge), true, rounded);
+  EXPECT_EQ(query.patches[0].positions[0], Vec3<double>(10, -0.8, 0));
 }
 
 TEST(QueryCsv, ReadsWhateverEndsAndBeginsALine) {
@@ -149,18 +151,16 @@ TEST(QueryCsv, KeepsEndsWhoseWayIsNoDouble) {
   std::string text = kVertexFaceRows;
   text.replace(text.find("1,4,1,4,-1,2"), 12, "1,4,1,1152921504606846976,-1,2");
   const auto queries = read(text, CsvLayout::kVertexFace);
-  ASSERT_TRUE(queries) << queries.error().message();
   std::uint64_t rounded = 0;
-  const auto query = to_query(queries->front(), false, rounded);
-  ASSERT_TRUE(query) << query.error().message();
+  const Query query = query_of(queries, false, rounded);
   EXPECT_EQ(rounded, 0U);
-  EXPECT_FALSE(with_velocities(*query));
-  EXPECT_EQ(query->patches[0].ends[0][1], 0x1p-60);
+  EXPECT_FALSE(with_velocities(query));
+  EXPECT_EQ(query.patches[0].ends[0][1], 0x1p-60);
   for (size_t s = 0; s < 2; ++s) {
-    EXPECT_EQ(exact_patch<Rational>(query->patches[s]), queries->front().patches()[s]);
+    EXPECT_EQ(exact_patch<Rational>(query.patches[s]), queries->front().patches()[s]);
   }
   // And back, to the bit.
-  const auto rows = to_csv_query(*query, "q", false, rounded);
+  const auto rows = to_csv_query(query, "q", false, rounded);
   ASSERT_TRUE(rows) << rows.error().message();
   EXPECT_EQ(rows->end, queries->front().end);
 }
@@ -171,13 +171,10 @@ TEST(QueryCsv, RoundsToTheNearestEvenOfTwo) {
   const std::string half = "9007199254740995,9007199254740992";
   text.replace(text.find("1,4, 1,4"), 3, half);
   text.replace(text.find("1,4,1,4,-1,2"), 3, half);
-  const auto queries = read(text, CsvLayout::kVertexFace);
-  ASSERT_TRUE(queries) << queries.error().message();
   std::uint64_t rounded = 0;
-  const auto taken = to_query(queries->front(), true, rounded);
-  ASSERT_TRUE(taken);
-  EXPECT_EQ(taken->patches[0].positions[0][0], 1 + 0x1p-51);
-  EXPECT_EQ(taken->patches[0].velocities[0][0], 0);
+  const Query query = query_of(read(text, CsvLayout::kVertexFace), true, rounded);
+  EXPECT_EQ(query.patches[0].positions[0][0], 1 + 0x1p-51);
+  EXPECT_EQ(query.patches[0].velocities[0][0], 0);
   EXPECT_EQ(rounded, 2U);
 }
 

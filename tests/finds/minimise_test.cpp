@@ -41,12 +41,8 @@ Answer misses_fast_ones(const Query& query) {
   return answer;
 }
 
-Outcome outcome_of(const Case& value) {
-  return judge(checked_or_unknown(value), misses_fast_ones(value.query));
-}
-
-int bits_of(const Case& value) {
-  return static_cast<int>(size_of(value.query).significant_bits);
+bool is_missed(const Case& value) {
+  return judge(checked_or_unknown(value), misses_fast_ones(value.query)) == Outcome::kMissed;
 }
 
 Case trimmed_contact() {
@@ -58,8 +54,7 @@ Case trimmed_contact() {
 }
 
 TEST(Minimise, TakesATrimAwayThatDoesNotMatter) {
-  const Minimised small = minimise(trimmed_contact(), Outcome::kMissed,
-                                   [](const Case& c) { return outcome_of(c) == Outcome::kMissed; });
+  const Minimised small = minimise(trimmed_contact(), Outcome::kMissed, is_missed);
   EXPECT_FALSE(is_trimmed(small.value.query));
 }
 
@@ -77,12 +72,12 @@ TEST(Minimise, FindsTheOneNumberThatMattersAndKeepsTheContact) {
   for (const ContactClass contact : kContactClasses) {
     // Its parameters have few bits. The contact's place stays, so those of others are left.
     const Case found = drawn(contact, CaseKind::kRP, 0, Family::kFlatGrazing);
-    ASSERT_EQ(outcome_of(found), Outcome::kMissed);
+    ASSERT_TRUE(is_missed(found));
     const Minimised small = minimise(found, Outcome::kMissed, [](const Case& c) {
       EXPECT_TRUE(check_truth(c)) << to_json(c);
-      return outcome_of(c) == Outcome::kMissed;
+      return is_missed(c);
     });
-    EXPECT_EQ(outcome_of(small.value), Outcome::kMissed);
+    EXPECT_TRUE(is_missed(small.value));
     EXPECT_TRUE(check_truth(small.value)) << to_json(small.value);
     EXPECT_EQ(small.value.origin, found.origin);
     EXPECT_GT(small.value.truth.witness->t, 0);
@@ -94,15 +89,14 @@ TEST(Minimise, FindsTheOneNumberThatMattersAndKeepsTheContact) {
 
 TEST(Minimise, IsDeterministicAndStopsWhenTold) {
   const Case found = drawn(ContactClass::kVF, CaseKind::kRP, 1);
-  const auto fails = [](const Case& c) { return outcome_of(c) == Outcome::kMissed; };
-  const Minimised one = minimise(found, Outcome::kMissed, fails);
-  const Minimised two = minimise(found, Outcome::kMissed, fails);
+  const Minimised one = minimise(found, Outcome::kMissed, is_missed);
+  const Minimised two = minimise(found, Outcome::kMissed, is_missed);
   EXPECT_EQ(one.value, two.value);
   EXPECT_EQ(one.trials, two.trials);
-  const Minimised few = minimise(found, Outcome::kMissed, fails, {3, [] { return false; }});
+  const Minimised few = minimise(found, Outcome::kMissed, is_missed, {3, [] { return false; }});
   EXPECT_EQ(few.trials, 3U);
-  EXPECT_EQ(outcome_of(few.value), Outcome::kMissed);
-  const Minimised none = minimise(found, Outcome::kMissed, fails, {1000, [] { return true; }});
+  EXPECT_TRUE(is_missed(few.value));
+  const Minimised none = minimise(found, Outcome::kMissed, is_missed, {1000, [] { return true; }});
   EXPECT_EQ(none.trials, 0U);
   EXPECT_EQ(none.value, found);
 }
@@ -171,8 +165,8 @@ TEST(Minimise, LinearPatchesWithoutAWitnessKeepAContactThatIsDecided) {
     EXPECT_TRUE(check_case(c)) << to_json(c);
     return c.query.patches[0].velocities[0][2] > 1;
   });
-  EXPECT_LT(bits_of(small.value), 40) << to_json(small.value);
-  EXPECT_GT(bits_of(found), 500);
+  EXPECT_LT(size_of(small.value.query).significant_bits, 40U) << to_json(small.value);
+  EXPECT_GT(size_of(found.query).significant_bits, 500U);
 }
 
 TEST(Minimise, LeavesWhatDoesNotFailWhenSimpler) {

@@ -29,13 +29,6 @@ TEST(Random, BelowHitsEveryValueAboutEquallyOftenAndNoOther) {
   }
 }
 
-TEST(Draw, IntegerReachesBothEnds) {
-  Draw random{Random(1)};
-  std::set<std::int64_t> seen;
-  for (int i = 0; i < 1000; ++i) seen.insert(random.integer(-3, 4));
-  EXPECT_EQ(seen, (std::set<std::int64_t>{-3, -2, -1, 0, 1, 2, 3, 4}));
-}
-
 TEST(Draw, LatticeStaysInItsRangeAndOnItsGrid) {
   Draw random{Random(2)};
   for (int i = 0; i < 1000; ++i) {

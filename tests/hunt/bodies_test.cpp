@@ -148,49 +148,43 @@ TEST(HuntFloats, APluginIsAskedAboutManyMutantsOfLinearPatches) {
   EXPECT_GE(mutants, 8 * queries);
 }
 
-/// Misses every body that has more than three points.
-Outcome misses_many_points(const Case& value) {
+/// By whoever misses every body of more than three points.
+bool is_missed(const Case& value) {
   Answer answer;
   answer.verdict = Verdict::kHit;
   answer.toi = 0;
   for (const MovingPatch<double>& hull : value.query.patches) {
     if (hull.positions.size() > 3) answer.verdict = Verdict::kMiss;
   }
-  return judge(checked_or_unknown(value), answer);
+  return judge(checked_or_unknown(value), answer) == Outcome::kMissed;
+}
+
+/// The first that is missed, minimised.
+Query minimised(ContactClass contact, bool plane) {
+  GeneratorOptions options;
+  options.contact = contact;
+  options.family = Family::kBodies;
+  options.plane = plane;
+  Case found;
+  for (std::uint64_t index = 0; !is_missed(found); ++index) {
+    found = generate(options, index).value;
+  }
+  const Case small = minimise(found, Outcome::kMissed, is_missed).value;
+  EXPECT_TRUE(check_case(small));
+  return small.query;
 }
 
 TEST(MinimiseBodies, StayInThePlane) {
-  GeneratorOptions options;
-  options.contact = ContactClass::kVE;
-  options.family = Family::kBodies;
-  options.plane = true;
-  Case found;
-  for (std::uint64_t index = 0; misses_many_points(found) != Outcome::kMissed; ++index) {
-    found = generate(options, index).value;
-  }
-  const auto still_fails = [](const Case& value) {
-    return misses_many_points(value) == Outcome::kMissed;
-  };
-  EXPECT_TRUE(is_in_plane(minimise(found, Outcome::kMissed, still_fails).value.query));
+  EXPECT_TRUE(is_in_plane(minimised(ContactClass::kVE, true)));
 }
 
 TEST(MinimiseBodies, FewPointsAndBitsAreLeftAndTheContactIsKept) {
   for (const ContactClass contact : kContactClasses) {
-    GeneratorOptions options;
-    options.contact = contact;
-    options.family = Family::kBodies;
-    Case found;
-    for (std::uint64_t index = 0; misses_many_points(found) != Outcome::kMissed; ++index) {
-      found = generate(options, index).value;
-    }
-    const Minimised small = minimise(found, Outcome::kMissed, [](const Case& value) {
-      return misses_many_points(value) == Outcome::kMissed;
-    });
-    const auto& [a, b] = small.value.query.patches;
+    const Query small = minimised(contact, false);
+    const auto& [a, b] = small.patches;
     EXPECT_LE(a.positions.size() + b.positions.size(), 7U) << name_of(contact);
-    EXPECT_LE(size_of(small.value.query).significant_bits, 24U);
-    EXPECT_TRUE(is_binary32(small.value.query));
-    EXPECT_TRUE(check_case(small.value));
+    EXPECT_LE(size_of(small).significant_bits, 24U);
+    EXPECT_TRUE(is_binary32(small));
   }
 }
 

@@ -161,21 +161,6 @@ TEST(Draw, CyclesThroughTheClassesAndFamiliesOfItsShapes) {
   }
 }
 
-TEST(Draw, HasTheKindsOfNegativesOfItsFamilies) {
-  HuntGround ground;
-  ground.shapes = {Shape::triangle(3), Shape::triangle(1)};
-  const Draws draws(1, ground);
-  std::set<std::string> seen;
-  for (std::uint64_t index = 0; index < 40; ++index) {
-    for (const CheckedCase& asked : draws.at(ContactClass::kVV, index).asked) {
-      seen.insert(asked.value().origin.generator + " " + asked.value().origin.kind);
-    }
-  }
-  for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
-    EXPECT_TRUE(seen.contains("scaled " + std::string(name_of(kind)))) << name_of(kind);
-  }
-}
-
 TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {
   const Draws draws(5);
   DrawCache cache(draws);

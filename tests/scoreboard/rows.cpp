@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "drivers.hpp"
+#include "io/csv.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -84,48 +84,17 @@ and seed.) A fault that is a statement counts as triggered where it is reached. 
 a machine with other work on it.
 )";
 
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2) {
-    text.insert(at, 1, '"');
+/// The rows of PREFIX.json.
+struct Board {
+  std::vector<DriverRow> drivers;
+  std::vector<Row> rows;
+
+  static void fields(auto& archive, auto& board) {
+    archive.format("ccdfuzz-scoreboard", 1, 1);
+    archive("drivers", board.drivers);
+    archive("rows", board.rows);
   }
-  return '"' + text + '"';
-}
-
-nlohmann::ordered_json to_json(const DriverRow& d) {
-  return {{"driver", d.driver},
-          {"faults", d.faults},
-          {"reached", d.reached},
-          {"triggered", d.triggered},
-          {"killed", d.killed},
-          {"watched", d.watched},
-          {"clean_runs", d.clean_runs},
-          {"false_alarms", d.false_alarms},
-          {"least_runs", d.least_runs},
-          {"most_runs", d.most_runs},
-          {"limit", d.limit},
-          {"most_limit", d.most_limit},
-          {"seconds", d.seconds},
-          {"executions", d.executions},
-          {"mean_seconds", d.mean_seconds},
-          {"censored", d.censored}};
-}
-
-nlohmann::ordered_json to_json(const Row& r, const std::string& what) {
-  return {{"driver", r.driver},
-          {"fault", r.fault},
-          {"what", what},
-          {"equivalent", r.equivalent},
-          {"runs", r.runs},
-          {"watched", r.watched},
-          {"reached", r.reached},
-          {"triggered", r.triggered},
-          {"detected", r.detected},
-          {"seconds", r.seconds},
-          {"executions", r.executions},
-          {"limit", r.limit},
-          {"most", r.most},
-          {"found", r.found}};
-}
+};
 
 std::string range(double least, double most) {
   return least < most ? fmt::format("{}–{}", least, most) : fmt::format("{}", most);
@@ -200,6 +169,7 @@ std::vector<Row> rows_of(const std::vector<PlantedFault>& faults, const Records&
       rows.push_back(row_of(runs));
       rows.back().driver = name_of(driver);
       rows.back().fault = name;
+      if (f > 0) rows.back().what = faults[f - 1].what;
       rows.back().equivalent = f > 0 && !faults[f - 1].equivalent.empty();
     }
   }
@@ -255,27 +225,12 @@ Result<void> probe_tables(const std::string& prefix) {
 Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records) {
   const std::vector<Row> rows = rows_of(faults, records);
-  std::ostringstream csv;
-  csv << "driver,fault,equivalent,runs,watched,reached,triggered,detected,seconds,executions,limit,"
-         "most,"
-         "found\n";
-  nlohmann::ordered_json json = {{"format", "ccdfuzz-scoreboard"},
-                                 {"version", 1},
-                                 {"drivers", nlohmann::ordered_json::array()},
-                                 {"rows", nlohmann::ordered_json::array()}};
-  for (const DriverRow& d : driver_rows(rows)) json["drivers"].push_back(to_json(d));
-  for (const Row& r : rows) {
-    csv << fmt::format("{},{},{},{},{},{},{},{},{:.6f},{:.0f},{},{},{}\n", r.driver, r.fault,
-                       r.equivalent ? 1 : 0, r.runs, r.watched, r.reached, r.triggered, r.detected,
-                       r.seconds, r.executions, r.limit, r.most, quoted(r.found));
-    const auto fault =
-        std::ranges::find_if(faults, [&](const PlantedFault& f) { return f.name == r.fault; });
-    json["rows"].push_back(to_json(r, fault == faults.end() ? "" : fault->what));
-  }
-  const auto replace = nlohmann::json::error_handler_t::replace;
-  if (auto r = write_file(prefix + ".csv", csv.str()); !r) return r;
+  std::string csv = csv_header<Row>() + '\n';
+  for (const Row& row : rows) csv += csv_row(row) + '\n';
+  if (auto r = write_file(prefix + ".csv", csv); !r) return r;
   if (auto r = write_file(prefix + ".md", markdown(faults, rows)); !r) return r;
-  return write_file(prefix + ".json", json.dump(1, ' ', false, replace) + '\n');
+  const Board board{driver_rows(rows), rows};
+  return write_file(prefix + ".json", readable_json(to_json(board)) + '\n');
 }
 
 }  // namespace ccdfuzz

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fault_list.hpp"
+#include "io/fields.hpp"
 #include "records.hpp"
 
 namespace ccdfuzz {
@@ -14,6 +15,7 @@ namespace ccdfuzz {
 /// its limit. If the median is such a run, it is a lower bound ("censored").
 struct Row {
   std::string driver, fault;  ///< fault "none": false alarms
+  std::string what;           ///< the fault in words
   bool equivalent = false;
   std::size_t runs = 0, reached = 0, triggered = 0,
               detected = 0;  ///< all runs, and how many did so
@@ -25,6 +27,23 @@ struct Row {
 
   /// Detected by more than half of the runs: then the medians are of what was measured.
   bool is_kill() const { return 2 * detected > runs; }
+
+  static void fields(auto& archive, auto& row) {
+    archive("driver", row.driver);
+    archive("fault", row.fault);
+    archive("what", row.what);
+    archive("equivalent", row.equivalent);
+    archive("runs", row.runs);
+    archive("watched", row.watched);
+    archive("reached", row.reached);
+    archive("triggered", row.triggered);
+    archive("detected", row.detected);
+    archive("seconds", row.seconds);
+    archive("executions", row.executions);
+    archive("limit", row.limit);
+    archive("most", row.most);
+    archive("found", row.found);
+  }
 };
 
 /// One row a driver over all faults that are not equivalent.
@@ -38,6 +57,25 @@ struct DriverRow {
   double seconds = 0, executions = 0;         ///< medians over the faults, misses censored
   double mean_seconds = 0;                    ///< restricted to the limits
   bool censored = false;  ///< the median is that of a miss, and so a lower bound
+
+  static void fields(auto& archive, auto& row) {
+    archive("driver", row.driver);
+    archive("faults", row.faults);
+    archive("reached", row.reached);
+    archive("triggered", row.triggered);
+    archive("killed", row.killed);
+    archive("watched", row.watched);
+    archive("clean_runs", row.clean_runs);
+    archive("false_alarms", row.false_alarms);
+    archive("least_runs", row.least_runs);
+    archive("most_runs", row.most_runs);
+    archive("limit", row.limit);
+    archive("most_limit", row.most_limit);
+    archive("seconds", row.seconds);
+    archive("executions", row.executions);
+    archive("mean_seconds", row.mean_seconds);
+    archive("censored", row.censored);
+  }
 };
 
 /// All rows that there are records of: driver by driver, no fault first, then as in the list.
@@ -47,17 +85,10 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows);
 /// "3.5 ms".
 std::string seconds_text(double seconds);
 
-/// Writes PREFIX.csv, a line a row; PREFIX.md, the drivers and then a line a fault with the median
-/// time of each driver; PREFIX.json:
-///   {"format": "ccdfuzz-scoreboard", "version": 1,
-///    "drivers": [{"driver", "faults", "reached", "triggered", "killed", "watched",
-///                 "clean_runs", "false_alarms", "least_runs", "most_runs", "limit",
-///                 "most_limit", "seconds", "executions", "mean_seconds", "censored"}, …],
-///    "rows": [{"driver", "fault", "what", "equivalent", "runs", "watched", "reached",
-///              "triggered", "detected", "seconds", "executions", "limit", "most",
-///              "found"}, …]}
-/// with the fields of DriverRow and Row, "what" being the fault in words. Each appears complete or
-/// not at all.
+/// Writes PREFIX.csv, the fields of a Row a line; PREFIX.md, the drivers and then a line a fault
+/// with the median time of each driver; PREFIX.json:
+///   {"format": "ccdfuzz-scoreboard", "version": 1, "drivers": [DriverRow, …], "rows": [Row, …]}
+/// Each appears complete or not at all.
 Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records);
 
