@@ -43,8 +43,7 @@ TEST(Bench, ATimeLimitIsReportedWithItsLargestOverrun) {
   for (const auto& row : json_lines(ccdfuzz(arguments).out)) {
     EXPECT_TRUE(row.at("overrun_seconds").is_null()) << "no limit";
   }
-  std::vector<std::string> limited = arguments;
-  limited.insert(limited.end(), {"--max-seconds", "1e-6"});
+  std::vector<std::string> limited = with(arguments, {"--max-seconds", "1e-6"});
   const auto rows = json_lines(ccdfuzz(limited).out);
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_GE(rows[0].at("undecided"), 1);

@@ -5,10 +5,8 @@
 namespace ccdfuzz {
 namespace {
 
-std::vector<nlohmann::ordered_json> check(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "check");
-  arguments.emplace_back("--json");
-  return json_lines(ccdfuzz(arguments).out);
+std::vector<nlohmann::ordered_json> check(const std::vector<std::string>& arguments) {
+  return json_lines(ccdfuzz(with({"check", "--json"}, arguments)).out);
 }
 
 TEST(Check, ShrinksANamedPropertyAndRepeatsItsFailureFromItsChoices) {
@@ -28,7 +26,7 @@ TEST(Check, ShrinksANamedPropertyAndRepeatsItsFailureFromItsChoices) {
                   .out.starts_with("tdibm.separation fails as expected: "));
   EXPECT_EQ(repeated[0].at("text"), rows[0].at("shrunk"));
   const std::string test = rows[0].at("test");
-  EXPECT_NE(test.find("TEST(Found, TdibmSeparation)"), std::string::npos) << test;
+  EXPECT_THAT(test, testing::HasSubstr("TEST(Found, TdibmSeparation)"));
 }
 
 TEST(Check, EffortMultipliesTheInputs) {
@@ -74,8 +72,8 @@ TEST(Check, OnlyWhatShouldHoldIsSaved) {
   const ScratchFolder folder;
   const Finished run =
       ccdfuzz({"check", "tdibm.separation", "--count", "200", "--save", folder / "saved"});
-  EXPECT_NE(run.out.find("reproduce: "), std::string::npos) << run.out;
-  EXPECT_EQ(run.out.find("saved"), std::string::npos) << run.out;
+  EXPECT_THAT(run.out, testing::HasSubstr("reproduce: "));
+  EXPECT_THAT(run.out, testing::Not(testing::HasSubstr("saved")));
   EXPECT_TRUE(std::filesystem::is_empty(folder / "saved"));
 }
 
@@ -90,8 +88,8 @@ TEST(Check, APropertyThatIsNamedTwiceIsCheckedOnce) {
 TEST(Check, AClaimKnownToBeFalseThatDoesNotFailIsTold) {
   const Finished run =
       succeeded(shell("CCDFUZZ_EFFORT=1 $ccdfuzz check tdibm.swap dyadic.round_trip --count 3"));
-  EXPECT_NE(run.out.find("not refuted\n"), std::string::npos) << run.out;
-  EXPECT_NE(run.out.find("\n1 expected failure did not fail: "), std::string::npos) << run.out;
+  EXPECT_THAT(run.out, testing::HasSubstr("not refuted\n"));
+  EXPECT_THAT(run.out, testing::HasSubstr("\n1 expected failure did not fail: "));
 }
 
 TEST(Check, NamesSimilarPropertiesForAnUnknownOneOrWhereTheListIs) {

@@ -119,10 +119,8 @@ TEST(CsvCases, SharesOfAFolderMergeIntoTheWhole) {
   write_scene(folder);
   write_text(folder / "scene/vertex-face/1.csv", many_queries(20));
   const auto evaluate = [&](const std::string& to, const std::vector<std::string>& more) {
-    std::vector<std::string> command = {
-        "evaluate", folder / "scene", "--methods", "tdibm-c,tdibm", "-o", to};
-    command.insert(command.end(), more.begin(), more.end());
-    succeeded(ccdfuzz(command));
+    succeeded(ccdfuzz(
+        with({"evaluate", folder / "scene", "--methods", "tdibm-c,tdibm", "-o", to}, more)));
   };
   evaluate(folder / "whole", {});
   std::vector<std::string> merge = {"merge", "-o", folder / "merged"};

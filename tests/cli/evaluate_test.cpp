@@ -27,11 +27,11 @@ TEST(Evaluate, WritesTheTablesAndTheirRows) {
       ccdfuzz({"evaluate", set, "--methods", "tdibm-e,tdibm-c", "-o", report, "--by-class"}));
   for (const char* word : {"Table 1", "Table 2", "Table 4", "NHP+NMN", "RP+RN", "memory", "p99",
                            "59.0 s", "175/6603", "static check"}) {
-    EXPECT_NE(finished.out.find(word), std::string::npos) << word << "\n" << finished.out;
+    EXPECT_THAT(finished.out, testing::HasSubstr(word)) << word;
   }
   const std::string markdown = read_text(report + "/tables.md");
   for (const char* title : {"## Performance", "## Table 1", "## Table 2", "## Table 4"}) {
-    EXPECT_NE(markdown.find(title), std::string::npos) << title;
+    EXPECT_THAT(markdown, testing::HasSubstr(title)) << title;
   }
   const auto lines = [&](const char* name) {
     const std::string text = read_text(report + "/" + name);
@@ -47,13 +47,11 @@ TEST(Evaluate, WritesTheTablesAndTheirRows) {
 TEST(Evaluate, SharesMergeIntoTheWhole) {
   const ScratchFolder folder;
   const std::string set = paper_part(folder), whole = folder / "whole";
-  const std::vector<std::string> base = {"evaluate",        set,   "--methods", "tdibm-e,tdibm-c",
-                                         "--t-max-factors", "1,2", "-o"};
+  const std::vector<std::string> base = {"evaluate",        set,  "--methods", "tdibm-e,tdibm-c",
+                                         "--t-max-factors", "1,2"};
   const auto evaluate = [&](const std::string& report, std::vector<std::string> more) {
-    std::vector<std::string> arguments = base;
-    arguments.push_back(report);
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    succeeded(ccdfuzz(arguments));
+    more.insert(more.end(), {"-o", report});
+    succeeded(ccdfuzz(with(base, more)));
   };
   evaluate(whole, {"--threads", "2"});
   std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
@@ -96,7 +94,7 @@ TEST(Merge, WritesNoDataSetToTheStreamOfItsTable) {
   const Finished made = ccdfuzz({"merge", folder / "share.jsonl", "-o", "-"});
   EXPECT_EQ(made.code, 2);
   EXPECT_EQ(made.out, "");
-  EXPECT_NE(made.err.find("--output: - is neither"), std::string::npos) << made.err;
+  EXPECT_THAT(made.err, testing::HasSubstr("--output: - is neither"));
 }
 
 TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
@@ -114,7 +112,7 @@ TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
     for (const Finished& done : {ccdfuzz({"merge", run, "-o", folder / "merged"}),
                                  ccdfuzz({"report", run, "-o", folder / "page"})}) {
       EXPECT_EQ(done.code, 2);
-      EXPECT_NE(done.err.find(complaint), std::string::npos) << text << done.err;
+      EXPECT_THAT(done.err, testing::HasSubstr(complaint)) << text;
     }
   };
   refused("\"version\":1", "\"version\":3", "answers.jsonl: version");
@@ -125,16 +123,12 @@ TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
 TEST(Evaluate, AnInterruptedOneSaysSo) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "FF", "RP", 40);
-  const std::string folder_of_answers = folder / "answers";
-  Process process(
-      {"evaluate", set, "--methods", "tdibm-rational", "-o", folder_of_answers, "--threads", "1"});
-  const std::string partial = RunFile::path_for(folder_of_answers + "/answers.jsonl");
-  while (size_or_zero(partial) < 1000 && !process.is_over()) std::this_thread::yield();
-  process.signal(SIGINT);
-  const Finished stopped = process.wait();
+  const std::string run = folder / "answers";
+  const Finished stopped = ended_by(
+      SIGINT, {"evaluate", set, "--methods", "tdibm-rational", "-o", run, "--threads", "1"},
+      RunFile::path_for(run + "/answers.jsonl"), 1000);
   EXPECT_EQ(stopped.code, 128 + SIGINT);
-  EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos)
-      << stopped.err;
+  EXPECT_THAT(stopped.err, testing::HasSubstr("the same command goes on from there"));
   EXPECT_EQ(stopped.out, "");
 }
 
@@ -150,9 +144,9 @@ TEST(Evaluate, GoesOnAfterKillsAndRefusesAnotherRunsJournal) {
   ASSERT_TRUE(
       kill_often(arguments(report, "tdibm-e,tdibm"), journal, 3, [&] { fs::remove_all(report); }));
   const Finished other = refused(ccdfuzz(arguments(report, "tdibm")), journal);
-  EXPECT_NE(other.err.find("--methods"), std::string::npos) << other.err;
+  EXPECT_THAT(other.err, testing::HasSubstr("--methods"));
   const Finished last = succeeded(ccdfuzz(arguments(report, "tdibm-e,tdibm")));
-  EXPECT_NE(last.err.find("going on"), std::string::npos) << last.err;
+  EXPECT_THAT(last.err, testing::HasSubstr("going on"));
   EXPECT_EQ(without_times(report), without_times(whole));
   EXPECT_FALSE(fs::exists(journal));
 }

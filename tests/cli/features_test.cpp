@@ -46,9 +46,8 @@ std::vector<std::string> feature_files(const ScratchFolder& folder) {
   return files;
 }
 
-std::string out_of(std::vector<std::string> command, const std::vector<std::string>& files) {
-  command.insert(command.end(), files.begin(), files.end());
-  const Finished finished = succeeded(ccdfuzz(command));
+std::string out_of(const std::vector<std::string>& command, const std::vector<std::string>& files) {
+  const Finished finished = succeeded(ccdfuzz(with(command, files)));
   std::istringstream lines(finished.out);
   for (std::string line; std::getline(lines, line);) {
     EXPECT_LE(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }), 80) << line;

@@ -7,9 +7,7 @@ namespace {
 
 std::vector<std::string> generate(const std::string& contact, const std::string& kind,
                                   std::vector<std::string> more) {
-  std::vector<std::string> arguments = {"generate", "--contact", contact, "--kind", kind};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with({"generate", "--contact", contact, "--kind", kind}, more);
 }
 
 TEST(Generate, AnyCaseOfARunCanBeMadeAlone) {
@@ -26,14 +24,14 @@ TEST(Generate, CtrlCLeavesNoFileBehind) {
   process.signal(SIGINT);
   const Finished finished = process.wait();
   EXPECT_EQ(finished.code, 128 + SIGINT);
-  EXPECT_NE(finished.err.find("set.jsonl was not written"), std::string::npos) << finished.err;
+  EXPECT_THAT(finished.err, testing::HasSubstr("set.jsonl was not written"));
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(Generate, AFullDiskLeavesNothingBehind) {
   const Finished made =
       refused(ccdfuzz(generate("VV", "RP", {"--count", "5", "-o", "/dev/full"})), "/dev/full");
-  EXPECT_NE(made.err.find("No space left on device"), std::string::npos) << made.err;
+  EXPECT_THAT(made.err, testing::HasSubstr("No space left on device"));
 }
 
 }  // namespace

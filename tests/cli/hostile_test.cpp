@@ -108,8 +108,7 @@ TEST_F(Hostile, TheLongestWitnessThatIsReadIsWithinTheWorkBudgetOrRefused) {
   const Rational x = fraction(kMaxRationalDigits);
   value.truth.witness = Witness{x, {Uv<Rational>{x, x}, Uv<Rational>{x, x}}};
   const std::string path = file(value);
-  const Finished verified = limited("verify " + path);
-  EXPECT_EQ(verified.code, 1) << verified.err;
+  const Finished verified = failed(limited("verify " + path));
   EXPECT_THAT(verified.out, HasSubstr("unproven  truth.witness: exceeds the work budget"));
   refused(limited("query " + path), "truth.witness: exceeds the work budget");
 }
@@ -236,8 +235,7 @@ TEST_F(Hostile, AnAbsenceByWordInNumbersFarApartIsUnprovenAfterTheWorkOfACase) {
   value.query = tensors_of_far_exponents();
   value.truth.collides = false;
   value.truth.proof = "rational-tdibm";
-  const Finished verified = limited("verify " + file(value));
-  EXPECT_EQ(verified.code, 1) << verified.err;
+  const Finished verified = failed(limited("verify " + file(value)));
   EXPECT_THAT(verified.out, HasSubstr("unproven  no proof found within the work of a case"));
 }
 
@@ -259,8 +257,7 @@ TEST_F(Hostile, AWideTreeIsRefused) {
   grow(grow, 8);
   Query query = near_tensors();
   for (Vec3<double>& p : query.patches[1].positions) p[2] += 100;  // every leaf holds
-  const Finished verified = limited("verify " + with_tree(query, bits.bytes()));
-  EXPECT_EQ(verified.code, 1) << verified.err;
+  const Finished verified = failed(limited("verify " + with_tree(query, bits.bytes())));
   EXPECT_THAT(verified.out, HasSubstr("truth.certificate.clear.tree: exceeds the work budget"));
 }
 
@@ -276,8 +273,7 @@ TEST_F(Hostile, ABoxOfExtremeNumbersIsChecked) {
   box.radius = {0x1p-1050, 0x1p-1050, 0x1p-1050};
   box.inverse = {{{0x1p1000, 0x1p-1074, 0}, {0, 0x1p1000, 0}, {0, 0x1p-1074, 1}}};
   value.truth.contact_box = box;
-  const Finished verified = limited("verify " + file(value));
-  EXPECT_EQ(verified.code, 1) << verified.err;
+  failed(limited("verify " + file(value)));
 }
 
 TEST_F(Hostile, ASignalIsObeyedWhateverTheProgramComputesOrWaitsFor) {

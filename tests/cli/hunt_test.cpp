@@ -20,10 +20,7 @@ constexpr int kCases = kOneIn == 1 ? 6 : 3;  // a class; shared by three
 const std::string kAFew = std::to_string(kCases);
 
 std::vector<std::string> hunt(const std::string& corpus, std::vector<std::string> more) {
-  std::vector<std::string> arguments = {"hunt", "--corpus", corpus};
-  arguments.insert(arguments.end(), kQuick.begin(), kQuick.end());
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with(with({"hunt", "--corpus", corpus}, kQuick), more);
 }
 
 /// File name → contents, of everything in a folder.
@@ -92,7 +89,7 @@ TEST(Hunt, QuotesAFolderWithASpaceInTheCommandThatShowsAFind) {
   const std::string corpus = folder / "two words";
   const Finished finished = ccdfuzz(hunt(corpus, {"--cases", "3"}));
   ASSERT_TRUE(has_entry(corpus)) << finished.out << finished.err;
-  EXPECT_NE(finished.out.find(" query '" + corpus), std::string::npos) << finished.out;
+  EXPECT_THAT(finished.out, testing::HasSubstr(" query '" + corpus));
 }
 
 TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtKnownFailuresToo) {
@@ -100,10 +97,9 @@ TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtKnownFailuresToo) {
   const std::string finds = folder / "finds";
   EXPECT_EQ(ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"})).code, 1);
   const auto before = files_in(finds);
-  const Finished second = ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"}));
-  EXPECT_EQ(second.code, 1) << second.out;
-  EXPECT_NE(second.out.find("0 new counterexamples"), std::string::npos) << second.out;
-  EXPECT_NE(second.out.find(" known\n"), std::string::npos) << second.out;
+  const Finished second = failed(ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"})));
+  EXPECT_THAT(second.out, testing::HasSubstr("0 new counterexamples"));
+  EXPECT_THAT(second.out, testing::HasSubstr(" known\n"));
   EXPECT_EQ(files_in(finds), before);
   // Neither method claims to be free of false negatives.
   succeeded(ccdfuzz(hunt(folder / "other", {"--cases", kAFew, "--fail-on", "claims"})));
@@ -112,10 +108,9 @@ TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtKnownFailuresToo) {
 TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
   const ScratchFolder folder;
   const Finished finished =
-      ccdfuzz({"hunt", "--cases", "4", "--methods", "tdibm-e-literal", "--max-pops", "40",
-               "--corpus", folder / "finds", "--fail-on", "claims"});
-  EXPECT_EQ(finished.code, 1) << finished.out;
-  EXPECT_NE(finished.out.find(" breaking a guarantee\n"), std::string::npos) << finished.out;
+      failed(ccdfuzz({"hunt", "--cases", "4", "--methods", "tdibm-e-literal", "--max-pops", "40",
+                      "--corpus", folder / "finds", "--fail-on", "claims"}));
+  EXPECT_THAT(finished.out, testing::HasSubstr(" breaking a guarantee\n"));
 }
 
 TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
@@ -126,8 +121,8 @@ TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
     process->signal(signal);
     const Finished finished = process->wait();
     EXPECT_EQ(finished.code, 128 + signal) << finished.err;
-    EXPECT_NE(finished.out.find("\nmethod "), std::string::npos) << finished.out;
-    EXPECT_NE(finished.out.find("new counterexamples"), std::string::npos) << finished.out;
+    EXPECT_THAT(finished.out, testing::HasSubstr("\nmethod "));
+    EXPECT_THAT(finished.out, testing::HasSubstr("new counterexamples"));
     succeeded(ccdfuzz({"replay", finds}));
   }
 }
@@ -155,32 +150,26 @@ TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
       "{{ trap '' XFSZ; ulimit -f 1; $ccdfuzz hunt --cases 3 --methods tdibm --max-pops 20 "
       "--corpus {} 2>&1; echo \"exit code $?\"; }} | cat",
       finds));
-  EXPECT_NE(finished.out.find("exit code 2"), std::string::npos) << finished.out;
-  EXPECT_NE(finished.out.find("ccdfuzz: hunt: " + finds), std::string::npos) << finished.out;
-  EXPECT_NE(finished.out.find("File too large"), std::string::npos) << finished.out;
-  EXPECT_NE(finished.out.find("missed"), std::string::npos) << finished.out;
+  EXPECT_THAT(finished.out, testing::HasSubstr("exit code 2"));
+  EXPECT_THAT(finished.out, testing::HasSubstr("ccdfuzz: hunt: " + finds));
+  EXPECT_THAT(finished.out, testing::HasSubstr("File too large"));
+  EXPECT_THAT(finished.out, testing::HasSubstr("missed"));
   EXPECT_TRUE(files_in(finds).empty());
 }
 
-/// No triangle of degree 2 is drawn first whose numbers are all 0 or between 1/2 and 2.
-const std::vector<std::string> kNothingToAsk = {"--cases",  "1", "--shape",   "triangle:2",
-                                                "--within", "1", "--methods", "tdibm"};
-
 TEST(Hunt, FailsAndSaysWhyWhenItAskedNothing) {
   const ScratchFolder folder;
-  std::vector<std::string> arguments = {"hunt", "--json", "--corpus", folder / "finds"};
-  arguments.insert(arguments.end(), kNothingToAsk.begin(), kNothingToAsk.end());
-  const Finished finished = ccdfuzz(arguments);
-  EXPECT_EQ(finished.code, 1);
+  // No triangle of degree 2 is drawn first whose numbers are all 0 or between 1/2 and 2.
+  const Finished finished =
+      failed(ccdfuzz({"hunt", "--json", "--corpus", folder / "finds", "--cases", "1", "--shape",
+                      "triangle:2", "--within", "1", "--methods", "tdibm"}));
   EXPECT_EQ(
       finished.err,
       "ccdfuzz: hunt: nothing was checked: no query was asked; none of 6 cases drawn can be with "
       "--within 1: try more --cases\n");
   EXPECT_EQ(json_lines(finished.out).back().at("queries"), 0);
-  const Finished no_time = ccdfuzz(hunt(folder / "finds", {"--seconds", "1e-9"}));
-  EXPECT_EQ(no_time.code, 1);
-  EXPECT_NE(no_time.err.find("the time was over before: try more --seconds"), std::string::npos)
-      << no_time.err;
+  const Finished no_time = failed(ccdfuzz(hunt(folder / "finds", {"--seconds", "1e-9"})));
+  EXPECT_THAT(no_time.err, testing::HasSubstr("the time was over before: try more --seconds"));
 }
 
 TEST(Hunt, MinimisesWithinTheNumbersThatItWasAskedFor) {

@@ -19,6 +19,15 @@ inline std::uintmax_t size_or_zero(const std::string& path) {
   return none ? 0 : size;
 }
 
+/// What a command leaves that is sent a signal once this file of its has so many bytes.
+inline Finished ended_by(int signal, const std::vector<std::string>& command,
+                         const std::string& path, std::uintmax_t bytes) {
+  Process process(command);
+  while (size_or_zero(path) < bytes && !process.is_over()) std::this_thread::yield();
+  process.signal(signal);
+  return process.wait();
+}
+
 /// Runs ccdfuzz until its run file has grown and kills it up to 20 ms later; `kills` times, each
 /// run resuming the one before. A run may end before it is killed, if this process gets no time.
 /// Then it calls `forget`, which removes what was written, and starts over. Returns false after

@@ -12,9 +12,8 @@ using testing::Not;
 
 constexpr const char* kProgram = CCDFUZZ_TEST_MISBEHAVING_PROPERTIES;
 
-Finished misbehaving(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "check");
-  return Process(std::move(arguments), "", kProgram).wait();
+Finished misbehaving(const std::vector<std::string>& arguments) {
+  return Process(with({"check"}, arguments), "", kProgram).wait();
 }
 
 /// The rest of the line that begins so; empty if there is none.
@@ -37,9 +36,8 @@ TEST_P(CrashingProperty, IsAFindLikeAnyAndTheOthersAreChecked) {
   const auto& [property, error, signal] = GetParam();
   std::string found;
   for (const char* threads : {"1", "2"}) {
-    const Finished run = misbehaving(
-        {property, "made_up.holds", "--save", folder.path(), "--seed", "3", "--threads", threads});
-    EXPECT_EQ(run.code, 1) << run.err;
+    const Finished run = failed(misbehaving(
+        {property, "made_up.holds", "--save", folder.path(), "--seed", "3", "--threads", threads}));
     EXPECT_THAT(run.out, HasSubstr(property + " fails: " + error + ": "));
     EXPECT_THAT(run.out, HasSubstr("made_up.holds"));
     EXPECT_THAT(line_after(run.out, "shrunk: "), testing::StartsWith(error));
@@ -47,8 +45,7 @@ TEST_P(CrashingProperty, IsAFindLikeAnyAndTheOthersAreChecked) {
     EXPECT_THAT(command, HasSubstr(" check " + property + " --seed 3 --first "));
     EXPECT_TRUE(found.empty() || command == found) << "on another number of threads";
     found = command;
-    const Finished again = shell(command + " --save " + folder.path());
-    EXPECT_EQ(again.code, 1) << command;
+    const Finished again = failed(shell(command + " --save " + folder.path()));
     EXPECT_EQ(line_after(again.out, "as found: "), command);
     // Of one input there is a debugger's view: it runs in the program itself.
     const Finished least = shell(line_after(run.out, "reproduce: "));
@@ -65,9 +62,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Check, EveryInputIsCheckedWhateverTheOthersDo) {
   const ScratchFolder folder;
-  const Finished run = misbehaving({"made_up.fails_then_aborts", "--count", "120", "--threads", "1",
-                                    "--save", folder.path(), "--json"});
-  EXPECT_EQ(run.code, 1) << run.err;
+  const Finished run = failed(misbehaving({"made_up.fails_then_aborts", "--count", "120",
+                                           "--threads", "1", "--save", folder.path(), "--json"}));
   const auto row = json_lines(run.out).at(0);
   EXPECT_EQ(row.at("checked"), 120);
   EXPECT_EQ(row.at("failed"), 120);
@@ -76,27 +72,24 @@ TEST(Check, EveryInputIsCheckedWhateverTheOthersDo) {
 
 TEST(Check, ShrinkingGoesPastWhatCrashesInstead) {
   const ScratchFolder folder;
-  const Finished run = misbehaving({"made_up.aborts_when_shrunk", "--save", folder.path()});
-  EXPECT_EQ(run.code, 1) << run.err;
+  const Finished run = failed(misbehaving({"made_up.aborts_when_shrunk", "--save", folder.path()}));
   EXPECT_THAT(run.out, HasSubstr("\nshrunk: a large number\n"));
 }
 
 TEST(Check, TheEmptyCounterexampleIsReproducedByTheCommandThatIsPrinted) {
   const ScratchFolder folder;
-  const Finished run = misbehaving({"made_up.fails_on_empty", "--save", folder.path()});
-  EXPECT_EQ(run.code, 1) << run.err;
+  const Finished run = failed(misbehaving({"made_up.fails_on_empty", "--save", folder.path()}));
   const std::string command = line_after(run.out, "reproduce: ");
   EXPECT_TRUE(command.ends_with(" check made_up.fails_on_empty --choices ''")) << command;
-  const Finished again = shell(command);
-  EXPECT_EQ(again.code, 1) << again.err;
+  const Finished again = failed(shell(command));
   EXPECT_EQ(again.out, "made_up.fails_on_empty fails: the text is empty\n");
   EXPECT_EQ(shell(line_after(run.out, "as found: ") + " --save " + folder.path()).code, 1);
 }
 
 TEST(Check, AFindIsSavedAsItIsPrinted) {
   const ScratchFolder folder;
-  const Finished run = misbehaving({"made_up.fails_on_all", "--save", folder / "new/finds"});
-  EXPECT_EQ(run.code, 1) << run.err;
+  const Finished run =
+      failed(misbehaving({"made_up.fails_on_all", "--save", folder / "new/finds"}));
   const std::string saved = line_after(run.out, "saved: ");
   EXPECT_EQ(saved, folder / "new/finds/made_up.fails_on_all.json");
   const auto find = nlohmann::json::parse(read_text(saved));
@@ -125,22 +118,20 @@ TEST(Check, AFindThatIsTooLargeToSaveShrunkStaysAsItWasFound) {
 TEST(Check, AFailureThatDoesNotRepeatIsAFindThatIsNotShrunk) {
   const ScratchFolder folder;
   const Finished run =
-      misbehaving({"made_up.fails_once", "made_up.holds", "--save", folder.path()});
-  EXPECT_EQ(run.code, 1) << run.err;
+      failed(misbehaving({"made_up.fails_once", "made_up.holds", "--save", folder.path()}));
   EXPECT_THAT(run.out, HasSubstr("made_up.fails_once fails: the first time\n"));
   EXPECT_THAT(run.out, HasSubstr("not shrunk: the same input does not fail each time"));
   EXPECT_THAT(run.out, HasSubstr("made_up.holds"));
   EXPECT_THAT(read_text(line_after(run.out, "saved: ")), HasSubstr("the first time"));
-  const Finished json = misbehaving({"made_up.fails_once", "--save", folder.path(), "--json"});
-  EXPECT_EQ(json.code, 1) << json.err;
+  const Finished json =
+      failed(misbehaving({"made_up.fails_once", "--save", folder.path(), "--json"}));
   EXPECT_EQ(json_lines(json.out).at(0).at("fails_again"), false);
 }
 
 TEST(Check, ShrinkingEndsWhenItIsInterruptedOrItsTimeIsOver) {
   const ScratchFolder folder;
-  const auto shrunk = [&](std::vector<std::string> arguments) {
-    arguments.insert(arguments.end(), {"--threads", "1", "--save", folder.path()});
-    const Finished run = misbehaving(arguments);
+  const auto shrunk = [&](const std::vector<std::string>& arguments) {
+    const Finished run = misbehaving(with(arguments, {"--threads", "1", "--save", folder.path()}));
     EXPECT_THAT(run.out, HasSubstr("\nshrunk (not to the end): many are large\n")) << run.err;
     return run.code;
   };
@@ -152,9 +143,9 @@ TEST(Check, AFindThatCannotBeSavedIsToldAndTheOthersAreChecked) {
   const ScratchFolder folder;
   write_text(folder / "finds", "a file where the folder would be");
   for (const std::string more : {"", " --json"}) {
-    const Finished run = shell(fmt::format(
-        "cd '{}' && {} check made_up.fails_on_all made_up.holds{}", folder.path(), kProgram, more));
-    EXPECT_EQ(run.code, 1) << run.err;
+    const Finished run =
+        failed(shell(fmt::format("cd '{}' && {} check made_up.fails_on_all made_up.holds{}",
+                                 folder.path(), kProgram, more)));
     EXPECT_THAT(run.out, HasSubstr("drew 0"));
     EXPECT_THAT(run.out, HasSubstr(more.empty() ? "not saved: finds/claims: cannot "
                                                 : "\"not_saved\":\"finds/claims: cannot "));
@@ -182,19 +173,16 @@ TEST(Check, ARunThatIsInterruptedSaysWhatItDidNotBegin) {
 }
 
 TEST(Check, FailsWhenNothingIsChecked) {
-  const Finished run = misbehaving({"made_up.is_discarded", "made_up.holds"});
-  EXPECT_EQ(run.code, 1);
+  const Finished run = failed(misbehaving({"made_up.is_discarded", "made_up.holds"}));
   EXPECT_THAT(run.out, HasSubstr("nothing checked"));
-  const Finished json = misbehaving({"made_up.is_discarded", "--json"});
-  EXPECT_EQ(json.code, 1);
+  const Finished json = failed(misbehaving({"made_up.is_discarded", "--json"}));
   const auto rows = json_lines(json.out);
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].at("nothing_checked"), true);
-  const Finished by_time = misbehaving({"made_up.is_discarded", "--seconds", "1e-9", "--json"});
-  EXPECT_EQ(by_time.code, 1);
+  const Finished by_time =
+      failed(misbehaving({"made_up.is_discarded", "--seconds", "1e-9", "--json"}));
   EXPECT_GE(json_lines(by_time.out).at(0).at("discarded"), 1000);
-  const Finished one = misbehaving({"made_up.is_discarded", "--choices", "0"});
-  EXPECT_EQ(one.code, 1);
+  const Finished one = failed(misbehaving({"made_up.is_discarded", "--choices", "0"}));
   EXPECT_EQ(one.out, "made_up.is_discarded is discarded: the choices make no such input\n");
   EXPECT_EQ(one.err, "ccdfuzz: check: nothing was checked: the input was discarded\n");
 }
@@ -203,9 +191,8 @@ TEST(Check, AProgramWithABlankInItsPathIsQuotedInWhatIsPrinted) {
   const ScratchFolder folder;
   const std::string program = folder / "a program";
   std::filesystem::create_symlink(kProgram, program);
-  const Finished run =
-      Process({"check", "made_up.fails_on_all", "--save", folder.path()}, "", program).wait();
-  EXPECT_EQ(run.code, 1) << run.err;
+  const Finished run = failed(
+      Process({"check", "made_up.fails_on_all", "--save", folder.path()}, "", program).wait());
   for (const char* beginning : {"reproduce: ", "as found: "}) {
     const std::string command = line_after(run.out, beginning);
     EXPECT_TRUE(command.starts_with("'" + program + "' check ")) << command;

@@ -14,10 +14,7 @@ namespace fs = std::filesystem;
 constexpr const char* kOneInSome = "1500";
 
 std::vector<std::string> paper(const std::string& output, std::vector<std::string> more = {}) {
-  std::vector<std::string> arguments = {"generate", "--paper", "--one-in",
-                                        kOneInSome, "-o",      output};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
+  return with({"generate", "--paper", "--one-in", kOneInSome, "-o", output}, more);
 }
 
 /// The files of a data set, without the times of its costs.
@@ -60,7 +57,7 @@ TEST_F(PaperSet, IsWhatVerifyAccepts) {
 TEST_F(PaperSet, PrintsTable4WithDiscardsStepByStep) {
   for (const char* word :
        {"RP+RN", "NHP", "NMN", "static check", "first contact", "round trip", "59.0 s", "all"}) {
-    EXPECT_NE(made.out.find(word), std::string::npos) << word << "\n" << made.out;
+    EXPECT_THAT(made.out, testing::HasSubstr(word)) << word;
   }
   const auto rows = json_lines(ccdfuzz(paper(*folder / "json.jsonl", {"--json"})).out);
   EXPECT_EQ(rows.size(), 18U);
@@ -88,31 +85,21 @@ TEST_F(PaperSet, GoesOnAfterKillsWithTheSameBytes) {
 
 TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
   const std::string path = *folder / "stopped.jsonl.zst";
-  Process process({"generate", "--paper", "-o", path});
-  while (size_or_zero(RunFile::path_for(path)) < 5000 && !process.is_over()) {
-    std::this_thread::yield();
-  }
-  process.signal(SIGINT);
-  const Finished finished = process.wait();
+  const Finished finished =
+      ended_by(SIGINT, {"generate", "--paper", "-o", path}, RunFile::path_for(path), 5000);
   EXPECT_EQ(finished.code, 128 + SIGINT);
-  EXPECT_NE(finished.err.find("the same command goes on"), std::string::npos) << finished.err;
+  EXPECT_THAT(finished.err, testing::HasSubstr("the same command goes on"));
   EXPECT_FALSE(fs::exists(path));
 }
 
 TEST_F(PaperSet, APartialFileOfAnotherRunIsAnErrorThatNamesIt) {
   const std::string path = *folder / "stopped.jsonl.zst";
-  Process process({"generate", "--paper", "-o", path, "--seed", "1"});
-  while (size_or_zero(RunFile::path_for(path)) < 5000 && !process.is_over()) {
-    std::this_thread::yield();
-  }
-  process.signal(SIGKILL);
-  process.wait();
+  const std::vector<std::string> command = {"generate", "--paper", "-o", path};
+  ended_by(SIGKILL, with(command, {"--seed", "1"}), RunFile::path_for(path), 5000);
   const std::string before = read_text(path + ".partial");
   for (const std::vector<std::string>& other : std::vector<std::vector<std::string>>{
            {"--seed", "2"}, {"--seed", "1", "--shard", "0/2"}, {"--seed", "1", "--one-in", "2"}}) {
-    std::vector<std::string> arguments = {"generate", "--paper", "-o", path};
-    arguments.insert(arguments.end(), other.begin(), other.end());
-    const std::string told = refused(ccdfuzz(arguments), path + ".partial").err;
+    const std::string told = refused(ccdfuzz(with(command, other)), path + ".partial").err;
     EXPECT_THAT(told, testing::HasSubstr(other[other.size() - 2]));
   }
   EXPECT_EQ(read_text(path + ".partial"), before);
@@ -154,10 +141,8 @@ TEST(Merge, PutsPlainSharesTogetherAndRefusesGaps) {
   const std::vector<std::string> base = {"generate", "--contact", "VV", "--kind",  "RP", "--count",
                                          "7",        "--seed",    "4",  "--first", "2"};
   const auto make = [&](const std::string& name, std::vector<std::string> more) {
-    std::vector<std::string> arguments = base;
     more.insert(more.end(), {"-o", folder / name});
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    succeeded(ccdfuzz(arguments));
+    succeeded(ccdfuzz(with(base, more)));
     return folder / name;
   };
   const std::string whole = make("whole.jsonl", {});

@@ -86,13 +86,11 @@ TEST(Plugins, AreCalledByTheNameThatTheCommandLineGivesThem) {
   for (const auto& find : finds) {
     EXPECT_EQ(find.at("method"), "plugin:naive");
     const std::string entry = read_text(find.at("path").get<std::string>());
-    EXPECT_EQ(entry.find(CCDFUZZ_TEST_NAIVE_PLUGIN), std::string::npos) << entry;
+    EXPECT_THAT(entry, testing::Not(testing::HasSubstr(CCDFUZZ_TEST_NAIVE_PLUGIN)));
   }
-  const Finished unnamed = ccdfuzz({"replay", folder / "finds"});
-  EXPECT_EQ(unnamed.code, 1) << unnamed.out << unnamed.err;
-  EXPECT_NE(unnamed.err.find("--plugin NAME=SPEC what stands behind plugin:naive"),
-            std::string::npos)
-      << unnamed.err;
+  const Finished unnamed = failed(ccdfuzz({"replay", folder / "finds"}));
+  EXPECT_THAT(unnamed.err,
+              testing::HasSubstr("--plugin NAME=SPEC what stands behind plugin:naive"));
   const Finished shown =
       succeeded(shell(finds.front().at("reproduce").get<std::string>() + " --json"));
   EXPECT_EQ(json_lines(shown.out).front().at("outcome"), finds.front().at("outcome"));
@@ -110,8 +108,8 @@ TEST(Plugins, AreNotTracedAndHaveNoLostMutants) {
         .out;
   };
   const std::string alone = table_of("plugin:naive");
-  EXPECT_NE(alone.find("mutants"), std::string::npos) << alone;
-  EXPECT_EQ(alone.find("lost"), std::string::npos) << alone;
+  EXPECT_THAT(alone, testing::HasSubstr("mutants"));
+  EXPECT_THAT(alone, testing::Not(testing::HasSubstr("lost")));
   std::istringstream lines(table_of("tdibm,plugin:naive"));
   bool is_counted = false;
   for (std::string line; std::getline(lines, line) && !line.starts_with("lost:");) {
@@ -130,14 +128,14 @@ TEST(Plugins, AreStartedByThePrintedReplayCommand) {
         "hunt", "--cases", "1", "--corpus", finds, "--methods", is_named ? "plugin:naive" : kNaive};
     if (is_named) line.insert(line.end(), {"--plugin", "naive=" + kNaive});
     const std::string out = ccdfuzz(line).out;
-    EXPECT_EQ(out.find("lost"), std::string::npos) << "a plug-in is not traced\n" << out;
+    EXPECT_THAT(out, testing::Not(testing::HasSubstr("lost"))) << "a plug-in is not traced\n";
     const std::string before = "Run them all: ";
     const size_t at = out.find(before);
     ASSERT_NE(at, std::string::npos) << out;
     const size_t begin = at + before.size();
     const Finished replayed = succeeded(shell(out.substr(begin, out.find('\n', begin) - begin)));
-    EXPECT_NE(replayed.out.find(": all as expected"), std::string::npos) << replayed.out;
-    EXPECT_EQ(replayed.out.find(" 0 expectations"), std::string::npos) << replayed.out;
+    EXPECT_THAT(replayed.out, testing::HasSubstr(": all as expected"));
+    EXPECT_THAT(replayed.out, testing::Not(testing::HasSubstr(" 0 expectations")));
   }
 }
 
@@ -179,15 +177,13 @@ TEST(Plugins, AreNeverAskedWhenTheyRefuseEverything) {
   const ScratchFolder folder;
   const std::vector<std::string> hunt = {
       "hunt", "--cases", "1", "--methods", kRefusing, "--corpus", folder / "f", "--fail-on", "any"};
-  const Finished told = ccdfuzz(hunt);
-  EXPECT_EQ(told.code, 1);
+  const Finished told = failed(ccdfuzz(hunt));
   EXPECT_THAT(told.out, testing::HasSubstr("not asked: queries that a method refused; "));
   EXPECT_THAT(told.err, testing::HasSubstr("nothing was checked: no query was asked; every method "
                                            "refused what it was to be asked about 6 cases"));
   std::vector<std::string> as_json = hunt;
   as_json.emplace_back("--json");
-  const Finished hunted = ccdfuzz(as_json);
-  EXPECT_EQ(hunted.code, 1);
+  const Finished hunted = failed(ccdfuzz(as_json));
   for (const auto& cell : rows_of(hunted.out, "cell")) {
     EXPECT_EQ(cell.at("n"), 0) << cell;
     EXPECT_EQ(cell.at("positives"), 0) << cell;
@@ -232,8 +228,7 @@ TEST(Plugins, HaveTheirRefusalsInAColumn) {
   auto entry = json_lines(read_text(cases)).front();
   entry["expect"] = {{"tdibm-c", "not_asked"}};
   write_text(folder / "entry.json", entry.dump());
-  const Finished replayed = ccdfuzz({"replay", folder / "entry.json", "--json"});
-  EXPECT_EQ(replayed.code, 1) << replayed.err;
+  const Finished replayed = failed(ccdfuzz({"replay", folder / "entry.json", "--json"}));
   EXPECT_EQ(json_lines(replayed.out).front().at("expected"), "not_asked");
 }
 
@@ -303,7 +298,7 @@ TEST(Plugins, TakeAtMostSixtyLinesToBuildAndHuntAsThePageSays) {
   const Finished hunted =
       succeeded(ccdfuzz({"hunt", "--cases", "2", "--methods", "plugin:" + (folder / "libmine.so"),
                          "--corpus", folder / "finds"}));
-  EXPECT_NE(hunted.err.find("ccdfuzz: hunt: found: "), std::string::npos) << hunted.err;
+  EXPECT_THAT(hunted.err, testing::HasSubstr("ccdfuzz: hunt: found: "));
 }
 
 }  // namespace

@@ -91,6 +91,13 @@ inline Finished ccdfuzz(std::vector<std::string> arguments, const std::string& o
   return Process(std::move(arguments), out_path).wait();
 }
 
+/// A command with more arguments.
+inline std::vector<std::string> with(std::vector<std::string> command,
+                                     const std::vector<std::string>& more) {
+  command.insert(command.end(), more.begin(), more.end());
+  return command;
+}
+
 /// The names behind "Commands:" in the general help.
 inline std::vector<std::string> commands() {
   const std::string help = ccdfuzz({"--help"}).out;
@@ -113,6 +120,12 @@ inline Finished shell(const std::string& line) {
 /// A failure unless the program ended well.
 inline Finished succeeded(Finished finished) {
   EXPECT_EQ(finished.code, 0) << finished.command << '\n' << finished.out << finished.err;
+  return finished;
+}
+
+/// A failure unless the program ended as where what it checks does not hold.
+inline Finished failed(Finished finished) {
+  EXPECT_EQ(finished.code, 1) << finished.command << '\n' << finished.out << finished.err;
   return finished;
 }
 

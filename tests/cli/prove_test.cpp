@@ -78,8 +78,7 @@ TEST(Prove, AFalseClaimIsReplacedAndExits1) {
   wrong.truth.clear_until.reset();
   const std::string in = folder / "wrong.json", out = folder / "out.json";
   write_text(in, to_json(wrong));
-  const Finished proven = ccdfuzz({"prove", in, "-o", out, "--json"});
-  EXPECT_EQ(proven.code, 1) << proven.out;
+  const Finished proven = failed(ccdfuzz({"prove", in, "-o", out, "--json"}));
   EXPECT_EQ(json_lines(proven.out).at(0).at("refuted"), true);
   EXPECT_EQ(cases_of(out).at(0).value.truth.collides, true);
   succeeded(ccdfuzz({"verify", out}));
@@ -93,8 +92,7 @@ class DamagedTrees : public testing::Test {
     succeeded(ccdfuzz({"prove", bare(folder, generated(folder, "EF", "RN", 3)), "-o", set}));
   }
   void expect_refuted(const std::string& why) const {
-    const Finished verified = ccdfuzz({"verify", set, "--json"});
-    EXPECT_EQ(verified.code, 1) << verified.err;
+    const Finished verified = failed(ccdfuzz({"verify", set, "--json"}));
     const auto rows = json_lines(verified.out);
     ASSERT_EQ(rows.size(), 3U);
     EXPECT_EQ(rows.back().at("truth"), "refuted");
@@ -122,8 +120,7 @@ TEST_F(DamagedTrees, Foreign) {
   succeeded(ccdfuzz({"prove", bare(folder, generated(folder, "EE", "RN", 3)), "-o", other}));
   std::filesystem::copy_file(folder / "other.trees.zst", trees,
                              std::filesystem::copy_options::overwrite_existing);
-  const Finished verified = ccdfuzz({"verify", set});
-  EXPECT_EQ(verified.code, 1) << verified.out;
+  failed(ccdfuzz({"verify", set}));
 }
 
 TEST_F(DamagedTrees, AreRefusedWhenTheyAreOfAnotherCase) {

@@ -20,9 +20,8 @@ TEST(Query, ACaseIsAskedAtThePrecisionThatItWasFoundAt) {
     std::string text = head_on("1");
     text.insert(text.rfind('}'), asked);
     write_text(path, text);
-    std::vector<std::string> arguments = {"query", path, "--methods", "tdibm", "--json"};
-    arguments.insert(arguments.end(), flags.begin(), flags.end());
-    const Finished finished = succeeded(ccdfuzz(arguments));
+    const Finished finished =
+        succeeded(ccdfuzz(with({"query", path, "--methods", "tdibm", "--json"}, flags)));
     const auto rows = json_lines(finished.out);
     return rows.empty() ? 0 : rows[0].at("pops").get<int>();
   };
@@ -40,8 +39,8 @@ TEST(Query, PrintsTheRowsBeforeTheFirstBadInput) {
   const Finished finished = ccdfuzz({"query", good, bad, good, "--methods", "tdibm", "--json"});
   EXPECT_EQ(finished.code, 2);
   EXPECT_EQ(json_lines(finished.out).size(), 1U) << finished.out;
-  EXPECT_NE(finished.err.find(bad), std::string::npos) << finished.err;
-  EXPECT_NE(finished.err.find("t_max"), std::string::npos) << finished.err;
+  EXPECT_THAT(finished.err, testing::HasSubstr(bad));
+  EXPECT_THAT(finished.err, testing::HasSubstr("t_max"));
 }
 
 TEST(Query, AnswersDoNotDependOnTheNumberOfThreads) {

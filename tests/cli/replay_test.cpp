@@ -30,12 +30,9 @@ TEST(Replay, AnyChangeExits1AlsoForTheBetter) {
   const ScratchFolder folder;
   const std::string corpus =
       corpus_of(folder, {{"tdibm-e", Outcome::kMissed}, {"tdibm-rational", Outcome::kCorrect}});
-  const Finished finished = ccdfuzz({"replay", corpus});
-  EXPECT_EQ(finished.code, 1) << finished.err;
-  EXPECT_NE(finished.out.find("entry.json\ntdibm-e *  missed    correct  improvement"),
-            std::string::npos)
-      << finished.out;
-  EXPECT_NE(finished.err.find("--update writes it"), std::string::npos) << finished.err;
+  const Finished finished = failed(ccdfuzz({"replay", corpus}));
+  EXPECT_THAT(finished.out, HasSubstr("entry.json\ntdibm-e *  missed    correct  improvement"));
+  EXPECT_THAT(finished.err, HasSubstr("--update writes it"));
   const auto rows = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[0].at("method"), "tdibm-e");
@@ -52,14 +49,12 @@ TEST(Replay, ExpectsTheGivenOutcomeOfNamedMethodsOnEveryEntryThatTheyTake) {
   const Finished correct =
       succeeded(ccdfuzz({"replay", corpus, "--methods", "tdibm-c,tdibm-e", "--expect", "correct"}));
   EXPECT_EQ(correct.out, "1 entry, 2 expectations: all as expected\n");
-  const Finished red = ccdfuzz({"replay", corpus, "--methods", "tdibm", "--expect", "correct"});
-  EXPECT_EQ(red.code, 1);
-  EXPECT_NE(red.out.find("tdibm   correct   missed (left root)  regression"), std::string::npos)
-      << red.out;
-  const Finished stated = ccdfuzz({"replay", corpus, "--methods", "tdibm-c"});
-  EXPECT_EQ(stated.code, 1) << "nothing was judged";
+  const Finished red =
+      failed(ccdfuzz({"replay", corpus, "--methods", "tdibm", "--expect", "correct"}));
+  EXPECT_THAT(red.out, HasSubstr("tdibm   correct   missed (left root)  regression"));
+  const Finished stated = failed(ccdfuzz({"replay", corpus, "--methods", "tdibm-c"}));
   EXPECT_EQ(stated.out, "1 entry, 0 expectations: 0 as expected\n");
-  EXPECT_NE(stated.err.find("tdibm-c was asked nothing"), std::string::npos) << stated.err;
+  EXPECT_THAT(stated.err, HasSubstr("tdibm-c was asked nothing"));
   EXPECT_EQ(ccdfuzz({"replay", corpus, "--expect", "wrong"}).code, 2);
 }
 
@@ -68,8 +63,7 @@ TEST(Replay, UpdateShowsWhatChangedAndWritesIt) {
   const std::string corpus =
       corpus_of(folder, {{"tdibm-e", Outcome::kMissed}, {"tdibm-rational", Outcome::kCorrect}});
   const Finished updated = succeeded(ccdfuzz({"replay", corpus, "--update"}));
-  EXPECT_NE(updated.out.find("1 as expected, 1 improvement; 1 entry written"), std::string::npos)
-      << updated.out;
+  EXPECT_THAT(updated.out, HasSubstr("1 as expected, 1 improvement; 1 entry written"));
   EXPECT_EQ(ccdfuzz({"replay", corpus}).out, "1 entry, 2 expectations: all as expected\n");
 }
 
@@ -79,8 +73,7 @@ TEST(Replay, ACrashThatIsNoneAnyMoreIsAChange) {
   const std::string corpus = corpus_of(folder, {{"tdibm-c", Outcome::kCorrect},
                                                 {"tdibm-e", Outcome::kError},
                                                 {"tdibm-rational", Outcome::kCorrect}});
-  const Finished finished = ccdfuzz({"replay", corpus, "--json", "--threads", "2"});
-  EXPECT_EQ(finished.code, 1) << finished.err;
+  const Finished finished = failed(ccdfuzz({"replay", corpus, "--json", "--threads", "2"}));
   const auto rows = json_lines(finished.out);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[1].at("method"), "tdibm-e");
@@ -90,20 +83,16 @@ TEST(Replay, ACrashThatIsNoneAnyMoreIsAChange) {
 
 TEST(Replay, FailsOnACorpusWithoutExpectations) {
   const ScratchFolder folder;
-  const Finished finished = ccdfuzz({"replay", corpus_of(folder, {})});
-  EXPECT_EQ(finished.code, 1);
-  EXPECT_NE(finished.err.find("nothing was judged"), std::string::npos) << finished.err;
+  const Finished finished = failed(ccdfuzz({"replay", corpus_of(folder, {})}));
+  EXPECT_THAT(finished.err, HasSubstr("nothing was judged"));
 }
 
 TEST(Replay, FailsIfOnlyPluginsThatMayNotBeAskedHaveExpectations) {
   const ScratchFolder folder;
   const Finished finished =
-      ccdfuzz({"replay", corpus_of(folder, {{"plugin:mine", Outcome::kMissed}})});
-  EXPECT_EQ(finished.code, 1);
-  EXPECT_NE(finished.err.find("nothing was judged: every expectation is one of a plug-in"),
-            std::string::npos)
-      << finished.err;
-  EXPECT_NE(finished.err.find("--plugin"), std::string::npos) << finished.err;
+      failed(ccdfuzz({"replay", corpus_of(folder, {{"plugin:mine", Outcome::kMissed}})}));
+  EXPECT_THAT(finished.err, HasSubstr("nothing was judged: every expectation is one of a plug-in"));
+  EXPECT_THAT(finished.err, HasSubstr("--plugin"));
 }
 
 TEST(Replay, UpdateTakesNoBudgetOfTheCommandLine) {
@@ -116,9 +105,9 @@ TEST(Replay, UpdateTakesNoBudgetOfTheCommandLine) {
 
 TEST(Replay, SaysByHowMuchAHitIsLate) {
   const std::string late = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-late-past-the-contact.json";
-  const Finished finished = ccdfuzz({"replay", late, "--methods", "tdibm", "--expect", "correct"});
-  EXPECT_EQ(finished.code, 1);
-  EXPECT_NE(finished.out.find("late by 1.29e-14 (right root)"), std::string::npos) << finished.out;
+  const Finished finished =
+      failed(ccdfuzz({"replay", late, "--methods", "tdibm", "--expect", "correct"}));
+  EXPECT_THAT(finished.out, HasSubstr("late by 1.29e-14 (right root)"));
   const auto rows =
       json_lines(ccdfuzz({"query", late, "--methods", "tdibm,tdibm-c", "--json"}).out);
   ASSERT_EQ(rows.size(), 2U);
@@ -135,7 +124,7 @@ TEST(Replay, AnExpectationOfAMethodThatThereIsNotIsAnErrorThatNamesTheEntry) {
   const ScratchFolder folder;
   const std::string corpus = corpus_of(folder, {{"tdibm-x", Outcome::kMissed}});
   const Finished finished = refused(ccdfuzz({"replay", corpus}), "entry.json");
-  EXPECT_NE(finished.err.find("\"tdibm-x\""), std::string::npos) << finished.err;
+  EXPECT_THAT(finished.err, HasSubstr("\"tdibm-x\""));
 }
 
 TEST(Replay, AnEntrysOwnPrecisionCounts) {
@@ -172,8 +161,7 @@ TEST(Replay, AClaimThatIsMendedIsAnImprovementWhichUpdateWrites) {
                        property, expect);
   };
   write_text(path, claim("dyadic.round_trip", "fails"));
-  const Finished better = ccdfuzz({"replay", folder.path()});
-  EXPECT_EQ(better.code, 1);
+  const Finished better = failed(ccdfuzz({"replay", folder.path()}));
   EXPECT_THAT(better.out, HasSubstr("dyadic.round_trip  fails     holds  improvement"));
   EXPECT_THAT(better.out, HasSubstr("1 input of properties: 0 as expected, 1 improvement\n"));
   succeeded(ccdfuzz({"replay", folder.path(), "--update"}));

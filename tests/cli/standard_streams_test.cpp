@@ -99,9 +99,8 @@ TEST(OddOptions, AnEmptyNameIsRefusedByItsOption) {
   const std::vector<std::vector<std::string>> commands = {{"prove", "x.json"},  {"merge", "x.json"},
                                                           {"import", "x.csv"},  {"triage", "x"},
                                                           {"export", "x.json"}, {"report", "x"}};
-  for (auto command : commands) {
-    command.insert(command.end(), {"-o", ""});
-    const Finished finished = refused(ccdfuzz(command), "-o");
+  for (const auto& command : commands) {
+    const Finished finished = refused(ccdfuzz(with(command, {"-o", ""})), "-o");
     EXPECT_THAT(finished.err, HasSubstr("is empty")) << testing::PrintToString(command);
   }
 }

@@ -25,8 +25,8 @@ std::string small_hunt(const ScratchFolder& folder, const std::string& redirecti
 TEST(Terminal, ShowsProgressAndColour) {
   const ScratchFolder folder;
   const std::string shown = on_a_terminal("unset NO_COLOR; TERM=xterm " + small_hunt(folder, ""));
-  EXPECT_NE(shown.find(kProgress), std::string::npos) << shown;
-  EXPECT_NE(shown.find(kBold), std::string::npos) << shown;
+  EXPECT_THAT(shown, testing::HasSubstr(kProgress));
+  EXPECT_THAT(shown, testing::HasSubstr(kBold));
   // The progress line is wiped before the table.
   EXPECT_LT(shown.rfind(kProgress), shown.rfind("\r\x1b[K"));
   EXPECT_LT(shown.rfind("\r\x1b[K"), shown.find("undecided"));
@@ -35,27 +35,27 @@ TEST(Terminal, ShowsProgressAndColour) {
 TEST(Terminal, NoColorTakesTheColourAndLeavesTheProgress) {
   const ScratchFolder folder;
   const std::string shown = on_a_terminal("NO_COLOR=1 TERM=xterm " + small_hunt(folder, ""));
-  EXPECT_NE(shown.find(kProgress), std::string::npos) << shown;
-  EXPECT_EQ(shown.find(kBold), std::string::npos) << shown;
+  EXPECT_THAT(shown, testing::HasSubstr(kProgress));
+  EXPECT_THAT(shown, testing::Not(testing::HasSubstr(kBold)));
 }
 
 TEST(Terminal, OnlyTheStreamThatIsATerminalIsDressed) {
   const ScratchFolder folder;
   const std::string err_only =
       on_a_terminal("unset NO_COLOR; TERM=xterm " + small_hunt(folder, "> /dev/null"));
-  EXPECT_NE(err_only.find(kProgress), std::string::npos) << err_only;
-  EXPECT_EQ(err_only.find(kBold), std::string::npos) << err_only;
+  EXPECT_THAT(err_only, testing::HasSubstr(kProgress));
+  EXPECT_THAT(err_only, testing::Not(testing::HasSubstr(kBold)));
   const std::string out_only =
       on_a_terminal("unset NO_COLOR; TERM=xterm " + small_hunt(folder, "2> /dev/null"));
-  EXPECT_EQ(out_only.find(kProgress), std::string::npos) << out_only;
-  EXPECT_NE(out_only.find(kBold), std::string::npos) << out_only;
+  EXPECT_THAT(out_only, testing::Not(testing::HasSubstr(kProgress)));
+  EXPECT_THAT(out_only, testing::HasSubstr(kBold));
 }
 
 TEST(Terminal, TheProgressSaysTheRateAndTheTimeLeft) {
   const ScratchFolder folder;
   const std::string shown = on_a_terminal(fmt::format(
       "$ccdfuzz hunt --cases 100 --methods tdibm-c --corpus {} --json", folder / "finds"));
-  EXPECT_NE(shown.find(" queries/s  "), std::string::npos) << shown;
+  EXPECT_THAT(shown, testing::HasSubstr(" queries/s  "));
   EXPECT_TRUE(std::regex_search(shown, std::regex("  [0-9]+:[0-9]{2} left  "))) << shown;
 }
 

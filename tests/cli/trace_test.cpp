@@ -22,9 +22,9 @@ const std::string kWitness = R"("witness":{"t":"1/2","uv":[["0","0"],["0","0"]]}
 // The named entry was found at precision 1e-2, where origin.precision says so.
 TEST(Trace, ACaseIsTracedAtThePrecisionItWasFoundAt) {
   const std::string entry = regression("tdibm-e-literal-twin-shield");
-  const auto levels = [&](std::vector<std::string> more) {
-    more.insert(more.begin(), {"trace", entry, "--methods", "tdibm-e-literal,tdibm-c", "--json"});
-    const Finished finished = succeeded(ccdfuzz(more));
+  const auto levels = [&](const std::vector<std::string>& more) {
+    const Finished finished = succeeded(
+        ccdfuzz(with({"trace", entry, "--methods", "tdibm-e-literal,tdibm-c", "--json"}, more)));
     auto rows = json_lines(finished.out);
     EXPECT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows.at(0).at("lost"), true);

@@ -18,10 +18,6 @@ struct BadUsage {
 
 TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
   const std::vector<std::string> generate = {"generate", "--contact", "VV", "--kind", "RP"};
-  const auto with = [](std::vector<std::string> base, const std::vector<std::string>& more) {
-    base.insert(base.end(), more.begin(), more.end());
-    return base;
-  };
   std::vector<BadUsage> table = {
       {{}, "no command"},
       {{"nonsense"}, "nonsense"},
@@ -114,7 +110,7 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
     const Finished finished = ccdfuzz(bad.arguments);
     const std::string shown = testing::PrintToString(bad.arguments);
     EXPECT_EQ(finished.code, 2) << shown << "\n" << finished.err;
-    EXPECT_NE(finished.err.find(bad.named), std::string::npos) << shown << "\n" << finished.err;
+    EXPECT_THAT(finished.err, testing::HasSubstr(bad.named)) << shown;
     EXPECT_EQ(finished.out, "") << shown;
   }
 }
@@ -208,8 +204,8 @@ TEST(Usage, AFullDiskUnderStdoutIsAnErrorForEveryCommandThatPrints) {
 TEST(Usage, QuotesControlCharactersSoThatNoTerminalObeysThem) {
   const Finished refused = ccdfuzz({"query", "no\x1b[2Jsuch.json"});
   EXPECT_EQ(refused.code, 2);
-  EXPECT_EQ(refused.err.find('\x1b'), std::string::npos) << refused.err;
-  EXPECT_NE(refused.err.find("no\\u001b[2Jsuch.json"), std::string::npos) << refused.err;
+  EXPECT_THAT(refused.err, testing::Not(testing::HasSubstr("\x1b")));
+  EXPECT_THAT(refused.err, testing::HasSubstr("no\\u001b[2Jsuch.json"));
 }
 
 }  // namespace

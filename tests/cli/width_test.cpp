@@ -74,9 +74,9 @@ TEST(Help, FitsATerminalAndHasAnExample) {
     const Finished shown = succeeded(ccdfuzz({command, "--help"}));
     const std::string& help = shown.out;
     expect_narrow(help, command);
-    EXPECT_NE(help.find("\nExample, "), std::string::npos) << help;
-    EXPECT_NE(help.find("\n  ccdfuzz " + command), std::string::npos) << help;
-    EXPECT_EQ(help.find("TEXT"), std::string::npos) << "says what a value is: " << help;
+    EXPECT_THAT(help, testing::HasSubstr("\nExample, "));
+    EXPECT_THAT(help, testing::HasSubstr("\n  ccdfuzz " + command));
+    EXPECT_THAT(help, testing::Not(testing::HasSubstr("TEXT"))) << "says what a value is: ";
     EXPECT_EQ(ccdfuzz({"help", command}).out, help);
   }
   EXPECT_EQ(ccdfuzz({"help"}).out, ccdfuzz({"--help"}).out);
@@ -101,7 +101,7 @@ TEST(Help, TheManualPageHasEveryCommandAndOption) {
   const std::string page = ccdfuzz({"help", "--man"}).out;
   EXPECT_TRUE(page.starts_with(".TH CCDFUZZ 1 ")) << page;
   for (const std::string& command : commands()) {
-    EXPECT_NE(page.find("\n.SH " + command + "\n"), std::string::npos) << command;
+    EXPECT_THAT(page, testing::HasSubstr("\n.SH " + command + "\n")) << command;
   }
   EXPECT_NE(page.find("\n.B \\-\\-seconds SECONDS\n"), std::string::npos);
   std::istringstream lines(page);

@@ -116,12 +116,5 @@ TEST(Breeder, KeepsLinear) {
   EXPECT_FALSE(ground.has(query));
 }
 
-TEST(Breeder, DependsOnItsSeedAlone) {
-  const Bred once = bred_by("tdibm-h:1e-16", ContactClass::kVV, 200 / kOneIn);
-  const Bred again = bred_by("tdibm-h:1e-16", ContactClass::kVV, 200 / kOneIn);
-  EXPECT_EQ(once.found, again.found);
-  EXPECT_EQ(once.tally.lost, again.tally.lost);
-}
-
 }  // namespace
 }  // namespace ccdfuzz

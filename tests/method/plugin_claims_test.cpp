@@ -197,50 +197,23 @@ TEST(PluginClaims, AToleranceInSpaceExcusesAHitWherePatchesAreNear) {
   EXPECT_EQ(outcome_of(":verdict=1:toi=2:tolerance=0.25:kind=2", known), "unknown");
 }
 
-TEST(PluginClaims, AnAchievedToleranceStandsInThePlaceOfTheClaimedOne) {
-  const Case known = meeting_at(0.5, 2);
+TEST(PluginClaims, AnAchievedToleranceStandsInThePlaceOfTheClaimedOneUnlessItIsLooser) {
+  const Case known = meeting_at(0.5, 2), far = meeting_at(2.25, 2);
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=0.1", known), "late");
-  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=0.125:kind=1", known), "correct");
-  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2:achieved=0.1", meeting_at(2.25, 2)),
-            "false_positive");
-  // Who claims none has none to achieve.
-  EXPECT_EQ(outcome_of(hit(0.75) + ":achieved=0.25", known), "late");
+  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2:achieved=0.1", far), "false_positive");
   EXPECT_THAT(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=-1", known),
               testing::StartsWith("error (garbage)"));
-}
-
-TEST(PluginClaims, AnAchievedToleranceThatIsLooserThanTheClaimedOneIsABrokenClaim) {
-  const Case known = meeting_at(0.5, 2), far = meeting_at(2.25, 2);
   // The answer is right by the claim, and yet: what it says of itself is not what it claimed.
-  for (const char* achieved : {"0.26", "1e300", "inf"}) {
-    EXPECT_THAT(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=" + achieved, known),
-                testing::StartsWith("error (broken claim): claims a tolerance of 0.25 (time)"))
-        << achieved;
-  }
-  // What is wrong by the claim stays so: in time, relative, early and in space.
-  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.1:achieved=0.25", known), "late");
-  EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.1:achieved=0.125:kind=1", known), "late");
-  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.1:achieved=1e300", far), "false_positive");
-  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.1:kind=2:achieved=0.25", far), "false_positive");
-  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=1e-300:kind=2:achieved=1e300", far), "false_positive");
-  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.001:kind=3:achieved=1", far), "false_positive");
-  EXPECT_EQ(outcome_of(kMiss + ":tolerance=0.1:achieved=1e300", known), "missed");
+  EXPECT_THAT(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=0.26", known),
+              testing::StartsWith("error (broken claim): claims a tolerance of 0.25 (time)"));
+  EXPECT_EQ(outcome_of(kMiss + ":tolerance=0.1:achieved=1e300", known), "missed") << "all the same";
 }
 
 TEST(PluginClaims, AreRefusedWhenTheyExcuseAnyAnswer) {
-  const auto refused = [](const std::string& claims) {
-    const Result<void> admitted = admit_plugin(kClaiming + claims);
-    return admitted ? std::string() : admitted.error().message();
-  };
-  EXPECT_THAT(refused(":kind=2:tolerance=1e308"),
-              testing::HasSubstr("claims tolerance 1e+308, which is not in [0, 1099511627776]"));
-  EXPECT_THAT(refused(":kind=3:tolerance=1.5"),
+  EXPECT_THAT(outcome_of(":kind=3:tolerance=1.5", {}),
               testing::HasSubstr("claims tolerance 1.5, which is not in [0, 1]"));
-  EXPECT_THAT(refused(":kind=1:tolerance=1.5"), testing::HasSubstr("not in [0, 1]"));
-  EXPECT_THAT(refused(":separation=1e308"),
+  EXPECT_THAT(outcome_of(":separation=1e308", {}),
               testing::HasSubstr("claims minimum_separation 1e+308, which is not in [0, "));
-  EXPECT_EQ(refused(":kind=0:tolerance=1099511627776:separation=1099511627776"), "");
-  EXPECT_EQ(refused(":kind=3:tolerance=1"), "");
 }
 
 TEST(PluginClaims, AMinimumSeparationExcusesAHitWithinItAndBindsWhoIsConservative) {
