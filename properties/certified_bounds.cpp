@@ -216,7 +216,7 @@ void check_derived_bound(Draw& d) {
   const int shorter = d.coin() ? static_cast<int>(d.integer(-600, 0)) : 0;
   for (double& x : axis) x = *d.dyadic(53, -51).scaled(shorter).to_double_exactly();
   const double separation = d.coin() ? *abs(d.dyadic(53, -51)).to_double_exactly() : 0;
-  const certified::ErrorBound bound(magnitude, absolute, count, separation);
+  const certified::HeightErrorBound bound(magnitude, absolute, count, separation);
   certified::AxisBatch batch;
   for (std::size_t k = 0; k < 3; ++k) batch.axes[k][0] = axis[k];
   Dyadic norm;

@@ -87,8 +87,8 @@ RC_GTEST_PROP(LawC, TheBoundCoversEveryRoundingOfAGap, ()) {
   }
   const Axis l = {any_double(0), any_double(0), any_double(-3)};
   const double t = n.t_max * std::ldexp(*rc::gen::inRange(0, 1025), -10);
-  const ErrorBound bound(n.magnitude, n.absolute,
-                         std::max(trees[0].roundings(depth), trees[1].roundings(depth)));
+  const HeightErrorBound bound(n.magnitude, n.absolute,
+                               std::max(trees[0].roundings(depth), trees[1].roundings(depth)));
   // Heights of the points at t, and of the lines at t: both orders of operations.
   alignas(32) std::array<double, kPerPoint * kMaxControls> values[2];
   RangeBatch ranges[2];
@@ -136,7 +136,7 @@ RC_GTEST_PROP(LawA, SeparatedAtBothEndsIsSeparatedBetween, ()) {
                  n.t_max * std::ldexp(*rc::gen::inRange(512, 1025), -10)};
   AxisBatch batch;
   for (size_t k = 0; k < 3; ++k) batch.axes[k].fill(l[k]);
-  const ErrorBound error(n.magnitude, n.absolute, 0);
+  const HeightErrorBound error(n.magnitude, n.absolute, 0);
   std::array<CellTree, 2> trees;
   alignas(32) std::array<double, kPerPoint * kMaxControls> values[2];
   std::array<Snapshot, 2> nets;

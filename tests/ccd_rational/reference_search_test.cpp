@@ -25,7 +25,7 @@ class ReferenceTest {
   std::optional<Window> test(int part_a, int part_b, const Window& window) {
     const std::array<Cell, 2> cells = {parts_[0][static_cast<size_t>(part_a)],
                                        parts_[1][static_cast<size_t>(part_b)]};
-    std::array<exact_ccd::Frame, 2> frames;
+    std::array<exact_ccd::BoxDirections, 2> frames;
     for (size_t s = 0; s < 2; ++s) frames[s] = frame(query_.patches[s], cells[s], window.lo);
     // Per axis and sign, the lines whose maximum must stay below the other lines' minimum.
     std::vector<std::array<std::vector<ExactLine>, 2>> constraints;
@@ -53,7 +53,8 @@ class ReferenceTest {
   }
 
  private:
-  static exact_ccd::Frame frame(const MovingPatch<double>& patch, const Cell& cell, double t) {
+  static exact_ccd::BoxDirections frame(const MovingPatch<double>& patch, const Cell& cell,
+                                        double t) {
     const MovingPatch<Dyadic> part =
         restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
     std::vector<double> data;
@@ -63,7 +64,7 @@ class ReferenceTest {
       }
     }
     const int count = patch.shape.control_count();
-    return exact_ccd::frame_of(patch.shape, {data.data(), count, count}, t);
+    return exact_ccd::box_directions(patch.shape, {data.data(), count, count}, t);
   }
 
   Query query_;

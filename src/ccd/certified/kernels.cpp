@@ -146,7 +146,8 @@ template <bool kRational>
       }
     }
     const double e = bounds.on[i];
-    CCDFUZZ_ASSERT(e >= ErrorBound::kHalfUlp * (basis.roundings + ErrorBound::kFixedRoundings) *
+    CCDFUZZ_ASSERT(e >= HeightErrorBound::kHalfUlp *
+                            (basis.roundings + HeightErrorBound::kFixedRoundings) *
                             basis.magnitude * basis.norms[i]);
     CCDFUZZ_ASSERT(e >= 4 * basis.absolute * basis.norms[i] || basis.norms[i] == 0);
     const bool separated = (a.max_lo[i] - b.min_lo[i] < -e && a.max_hi[i] - b.min_hi[i] < -e) ||

@@ -240,7 +240,7 @@ class ConservativeAdvancement {
   const NormalisedQuery& query_;
   ExclusionObserver* const observer_;
   const Differences differences_;
-  const ErrorBound error_;
+  const HeightErrorBound error_;
   double time_ = 0;      ///< separated until here
   double furthest_ = 0;  ///< and until here by an axis tried since
   bool clear_ = false;

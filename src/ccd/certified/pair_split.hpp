@@ -130,7 +130,7 @@ class PairSplit {
   // The split at hand.
   Window window_{};                       ///< where the parents may touch
   std::array<std::uint8_t, 2> depths_{};  ///< how deep the children are
-  ErrorBound error_;
+  HeightErrorBound error_;
   bool newton_ = false;  ///< the parents are coarse enough for it
   bool coarse_ = false;  ///< the children will be split further
   Children children_[2];

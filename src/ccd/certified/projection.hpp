@@ -43,18 +43,18 @@ struct RangePair {
 /// Σ max|p'| + max|v'|. Then fl(max₁) − fl(min₂) < −E in doubles implies max₁ − min₂ < 0 in exact
 /// arithmetic. With a separation d it implies max₁ − min₂ < −d·|l|₂: no points of them are as near
 /// as d.
-class ErrorBound {
+class HeightErrorBound {
  public:
   /// 1 normalise + 3 dot product + 1 product with t + 1 sum + 1 difference of the two extents + 1
   /// where the bound is added to that difference.
   static constexpr int kFixedRoundings = 8;
   static constexpr double kHalfUlp = 0x1p-53;
 
-  ErrorBound() = default;
+  HeightErrorBound() = default;
   /// magnitude, absolute: as in NormalisedQuery. E has `absolute` five times: four are of the
   /// control points, and one is of what underflows in subdivision. separation: scaled as lengths
   /// are.
-  ErrorBound(double magnitude, double absolute, int roundings, double separation = 0)
+  HeightErrorBound(double magnitude, double absolute, int roundings, double separation = 0)
       : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute),
         separation_(separation),
         made_from_(magnitude, absolute, roundings) {}

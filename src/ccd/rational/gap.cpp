@@ -42,7 +42,7 @@ struct Drift {
 };
 
 /// Four control points at once; the sequence of roundings of each is that of scalar code.
-using Lanes = Eigen::Array4d;
+using FourHeights = Eigen::Array4d;
 
 /// The exponent e with m < 2^e, or the least int for m = 0.
 int top_of(double m) {
@@ -158,13 +158,13 @@ Extremes Gap::extremes(double t) const {
   Extremes e;
   e.separation = on_axis_;
   for (size_t side = 0; side < 2; ++side) {
-    const auto values = [&](int i) -> Lanes {
-      return Eigen::Map<const Lanes>(&slopes_[side][static_cast<size_t>(i)]) * t +
-             Eigen::Map<const Lanes>(&intercepts_[side][static_cast<size_t>(i)]);
+    const auto values = [&](int i) -> FourHeights {
+      return Eigen::Map<const FourHeights>(&slopes_[side][static_cast<size_t>(i)]) * t +
+             Eigen::Map<const FourHeights>(&intercepts_[side][static_cast<size_t>(i)]);
     };
-    Lanes max = values(0), min = max;
+    FourHeights max = values(0), min = max;
     for (int i = 4; i < selected_[side].width; i += 4) {
-      const Lanes v = values(i);
+      const FourHeights v = values(i);
       max = max.max(v);
       min = min.min(v);
     }

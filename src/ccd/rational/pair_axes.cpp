@@ -55,7 +55,7 @@ std::array<Vec3<double>, 2> spanned(const Shape& shape, const CellPoints& points
 
 }  // namespace
 
-Frame frame_of(const Shape& shape, const CellPoints& points, double t) {
+BoxDirections box_directions(const Shape& shape, const CellPoints& points, double t) {
   auto [u, v] = spanned(shape, points, t);
   if (is_zero(u)) std::swap(u, v);
   if (is_zero(u)) return {Vec3<double>(1, 0, 0), Vec3<double>(0, 1, 0), Vec3<double>(0, 0, 1)};
@@ -75,7 +75,7 @@ Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t) {
   return normalised(middle(a) - middle(b));
 }
 
-Vec3<double> pair_axis(const Frame& a, const Frame& b, int r) {
+Vec3<double> pair_axis(const BoxDirections& a, const BoxDirections& b, int r) {
   constexpr std::array<size_t, 3> kOrder = {1, 0, 2};
   if (r < 6) return (r % 2 == 0 ? a : b)[kOrder[static_cast<size_t>(r / 2)]];
   return cross(a[static_cast<size_t>((r - 6) / 3)], b[static_cast<size_t>((r - 6) % 3)]);

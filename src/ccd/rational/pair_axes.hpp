@@ -11,8 +11,8 @@ namespace ccdfuzz::exact_ccd {
 /// Directions only: scaled to a largest component of 1. A cell that spans less than two directions
 /// gets arbitrary ones for the rest. Double precision: a direction needs no error bound, see
 /// IntegerAxis.
-using Frame = std::array<Vec3<double>, 3>;
-Frame frame_of(const Shape& shape, const CellPoints& points, double t);
+using BoxDirections = std::array<Vec3<double>, 3>;
+BoxDirections box_directions(const Shape& shape, const CellPoints& points, double t);
 
 inline constexpr int kPairAxes = 15;
 
@@ -22,6 +22,6 @@ Vec3<double> offset_axis(const CellPoints& a, const CellPoints& b, double t);
 
 /// Candidate axis r of a pair of frames, 0 ≤ r < kPairAxes. The order is that in which they are
 /// worth testing: both normals, the other box axes, the nine products of the two boxes' axes.
-Vec3<double> pair_axis(const Frame& a, const Frame& b, int r);
+Vec3<double> pair_axis(const BoxDirections& a, const BoxDirections& b, int r);
 
 }  // namespace ccdfuzz::exact_ccd

@@ -14,10 +14,10 @@ void PairTest::prepare(int side, std::span<const Cell> parts) {
   for (auto& frame : frames_[static_cast<size_t>(side)]) frame.reset();
 }
 
-const Frame& PairTest::frame(int side, int part, double t) {
+const BoxDirections& PairTest::frame(int side, int part, double t) {
   const auto s = static_cast<size_t>(side);
-  std::optional<Frame>& frame = frames_[s][static_cast<size_t>(part)];
-  if (!frame) frame = frame_of(shapes_[s], gap_.points(side, part), t);
+  std::optional<BoxDirections>& frame = frames_[s][static_cast<size_t>(part)];
+  if (!frame) frame = box_directions(shapes_[s], gap_.points(side, part), t);
   return *frame;
 }
 
@@ -40,8 +40,8 @@ void PairTest::tell(ExclusionObserver& observer, int axis, const IntegerAxis& di
 std::optional<Window> PairTest::test(int part_a, int part_b, const Window& window,
                                      ExclusionObserver* observer) {
   ScaledWindow w{gap_.scaled(window.lo), gap_.scaled(window.hi)};
-  const Frame& a = frame(0, part_a, w.lo);
-  const Frame& b = frame(1, part_b, w.lo);
+  const BoxDirections& a = frame(0, part_a, w.lo);
+  const BoxDirections& b = frame(1, part_b, w.lo);
   gap_.select(part_a, part_b);
   // Cycle through the axes until all in a row leave the window unchanged: an axis may separate at
   // an end that another has uncovered. The bound on the rounds only saves time: a longer window is

@@ -25,7 +25,7 @@ class PairTest {
   std::uint64_t exact_work() const { return gap_.exact_work(); }
 
  private:
-  const Frame& frame(int side, int part, double t);
+  const BoxDirections& frame(int side, int part, double t);
   /// What cut_window did to a window with the axis that the gap is projected on.
   void tell(ExclusionObserver& observer, int axis, const IntegerAxis& direction,
             const ScaledWindow& before, Cut cut, const ScaledWindow& after) const;
@@ -33,7 +33,7 @@ class PairTest {
   Gap gap_;
   std::array<Shape, 2> shapes_;
   /// Frames of the prepared parts at the start of the first window tested.
-  std::array<std::array<std::optional<Frame>, 4>, 2> frames_;
+  std::array<std::array<std::optional<BoxDirections>, 4>, 2> frames_;
   int axis_bits_ = 0;
   int axes_ = kPairAxes;
 };

@@ -215,26 +215,27 @@ std::vector<Triangle> triangles_between(const Query& query, const Ends& ends) {
 
 enum class Found { kOutside, kInside, kUndecided };
 
-/// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s. All parts
+/// Decides for all s in [0, 1], or if not `closed` in [0, 1), where x = 1 − s and y = s. All pieces
 /// of one length before any shorter, so that a contact between two is found before one of them is
 /// halved towards it without end.
 Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, Work& work) {
-  struct Part {
+  struct Piece {
     Triangle triangle;
     bool closed;
     Signs start, end;
   };
-  std::vector<Part> parts, shorter;
-  parts.push_back({triangle, closed, Signs(triangle, 0, work), Signs(triangle, 1, work)});
-  for (int halvings = 0; !parts.empty(); ++halvings) {
-    for (const Part& part : parts) {
-      if (is_outside(part.triangle, part.start, part.end, part.closed, work)) continue;
-      if (contains_origin(part.start)) return Found::kInside;
+  std::vector<Piece> pieces, shorter;
+  pieces.push_back({triangle, closed, Signs(triangle, 0, work), Signs(triangle, 1, work)});
+  for (int halvings = 0; !pieces.empty(); ++halvings) {
+    for (const Piece& piece : pieces) {
+      if (is_outside(piece.triangle, piece.start, piece.end, piece.closed, work)) continue;
+      if (contains_origin(piece.start)) return Found::kInside;
       if (halvings == most_halvings) return Found::kUndecided;
-      Part first{{}, true, part.start, part.end}, second{{}, part.closed, part.start, part.end};
+      Piece first{{}, true, piece.start, piece.end},
+          second{{}, piece.closed, piece.start, piece.end};
       for (size_t i = 0; i < 3; ++i) {
         for (size_t k = 0; k < 3; ++k) {
-          const auto& [start, end] = part.triangle[i][k];
+          const auto& [start, end] = piece.triangle[i][k];
           const Integer middle = start + end;  // all doubled
           first.triangle[i][k] = {Integer(2 * start), middle};
           second.triangle[i][k] = {middle, Integer(2 * end)};
@@ -244,7 +245,7 @@ Found decide_outside(const Triangle& triangle, bool closed, int most_halvings, W
       shorter.push_back(std::move(first));
       shorter.push_back(std::move(second));
     }
-    parts = std::exchange(shorter, {});
+    pieces = std::exchange(shorter, {});
   }
   return Found::kOutside;
 }

@@ -32,7 +32,7 @@ Axis to_double(const TreeAxis& l) {
   return {static_cast<double>(l[0]), static_cast<double>(l[1]), static_cast<double>(l[2])};
 }
 
-/// Extents of a net on axis l at two times, each value rounded as ErrorBound assumes.
+/// Extents of a net on axis l at two times, each value rounded as HeightErrorBound assumes.
 RangePair extents(const double* net, int count, const Axis& l, double t0, double t1) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   RangePair r{{kInfinity, -kInfinity}, {kInfinity, -kInfinity}, {{t0, t1}, 0}};
@@ -106,7 +106,7 @@ class Builder {
   static constexpr int kTimeBits = std::countr_zero(kTimeSteps);
 
   /// The time at m. `round_up` costs up to 2u and the product u: three roundings. One of them is
-  /// the chord's in ErrorBound, which no certified axis here uses; kOfTime counts the others.
+  /// the chord's in HeightErrorBound, which no certified axis here uses; kOfTime counts the others.
   double time(std::uint64_t m) const {
     return until_ * std::ldexp(static_cast<double>(m), -kTimeBits);
   }
@@ -117,8 +117,8 @@ class Builder {
       const CellTree& tree = trees_[s];
       roundings = std::max(roundings, tree.roundings(tree.depth(pair.cells[s])));
     }
-    return ErrorBound(query_.magnitude, query_.absolute, query_.roundings + roundings + kOfTime,
-                      query_.separation)
+    return HeightErrorBound(query_.magnitude, query_.absolute,
+                            query_.roundings + roundings + kOfTime, query_.separation)
         .for_axis(l);
   }
   Gaps gaps(const Pair& pair, const Axis& l, std::uint64_t lo, std::uint64_t hi) const {

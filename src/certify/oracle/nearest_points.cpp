@@ -31,9 +31,9 @@ size_t support(const Points<Rational>& points, const Vec3<Rational>& direction, 
 /// is at right angles to all d_k: 1 − Σ c_k, and c_k. With ways[0] as base they are the weights of
 /// the least vector in the ways' affine span.
 std::vector<Rational> NearestPoints::least_from(const Vec3<Rational>& base) const {
-  const size_t n = parts_.size() - 1;
+  const size_t n = differences_.size() - 1;
   std::vector<Vec3<Rational>> d;
-  for (size_t k = 1; k <= n; ++k) d.push_back(minus(parts_[k].way, parts_[0].way));
+  for (size_t k = 1; k <= n; ++k) d.push_back(minus(differences_[k].way, differences_[0].way));
   std::vector<std::vector<Rational>> rows(n);
   for (size_t i = 0; i < n; ++i) {
     for (size_t j = 0; j < n; ++j) rows[i].push_back(dot_of(d[i], d[j]));
@@ -59,8 +59,8 @@ std::vector<Rational> NearestPoints::least_from(const Vec3<Rational>& base) cons
 Vec3<Rational> NearestPoints::rate_of_way(const Vec3<Rational>& velocity) const {
   const std::vector<Rational> shares = least_from(velocity);
   Vec3<Rational> rate = velocity;
-  for (size_t k = 1; k < parts_.size(); ++k) {
-    const Vec3<Rational> d = minus(parts_[k].way, parts_[0].way);
+  for (size_t k = 1; k < differences_.size(); ++k) {
+    const Vec3<Rational> d = minus(differences_[k].way, differences_[0].way);
     for (int i = 0; i < 3; ++i) rate[i] += shares[k] * d[i];
   }
   return rate;
@@ -69,46 +69,48 @@ Vec3<Rational> NearestPoints::rate_of_way(const Vec3<Rational>& velocity) const 
 /// Moves the weights to the least vector of the parts' span; those that it leaves out first go.
 void NearestPoints::settle() {
   for (;;) {
-    const std::vector<Rational> goal = least_from(parts_[0].way);
+    const std::vector<Rational> goal = least_from(differences_[0].way);
     std::optional<Rational> step;  // how far the weights get before one is 0
     for (size_t k = 0; k < goal.size(); ++k) {
       if (goal[k] > 0) continue;
-      const Rational most = parts_[k].weight / (parts_[k].weight - goal[k]);
+      const Rational most = differences_[k].weight / (differences_[k].weight - goal[k]);
       if (!step || most < *step) step = most;
     }
     for (size_t k = 0; k < goal.size(); ++k) {
-      Rational& weight = parts_[k].weight;
+      Rational& weight = differences_[k].weight;
       weight = step ? Rational(weight + *step * (goal[k] - weight)) : goal[k];
     }
     if (!step) return;
-    std::erase_if(parts_, [](const Part& part) { return part.weight == 0; });
+    std::erase_if(differences_,
+                  [](const Difference& difference) { return difference.weight == 0; });
   }
 }
 
 const NearestPoints::Found& NearestPoints::operator()(const Points<Rational>& from,
                                                       const Points<Rational>& to) {
   if (found_.weights[0].size() != from.size() || found_.weights[1].size() != to.size()) {
-    parts_ = {{{0, 0}, {}, 1}};
+    differences_ = {{{0, 0}, {}, 1}};
   }
-  for (Part& part : parts_) part.way = minus(to[part.places[1]], from[part.places[0]]);
+  for (Difference& difference : differences_)
+    difference.way = minus(to[difference.places[1]], from[difference.places[0]]);
   for (;;) {
     settle();
     Vec3<Rational>& way = found_.way;
     way = {0, 0, 0};
-    for (const Part& part : parts_) {
-      for (int k = 0; k < 3; ++k) way[k] += part.weight * part.way[k];
+    for (const Difference& difference : differences_) {
+      for (int k = 0; k < 3; ++k) way[k] += difference.weight * difference.way[k];
     }
     found_.squared = dot_of(way, way);
     if (found_.squared == 0) break;
     const std::array<size_t, 2> places = {support(from, way, -1), support(to, way, 1)};
     Vec3<Rational> least = minus(to[places[1]], from[places[0]]);
     if (dot_of(least, way) >= found_.squared) break;
-    parts_.push_back({places, std::move(least), 0});
+    differences_.push_back({places, std::move(least), 0});
   }
   found_.weights[0].assign(from.size(), 0);
   found_.weights[1].assign(to.size(), 0);
-  for (const Part& part : parts_) {
-    for (size_t s = 0; s < 2; ++s) found_.weights[s][part.places[s]] += part.weight;
+  for (const Difference& difference : differences_) {
+    for (size_t s = 0; s < 2; ++s) found_.weights[s][difference.places[s]] += difference.weight;
   }
   return found_;
 }

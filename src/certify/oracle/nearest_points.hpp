@@ -25,13 +25,13 @@ class NearestPoints {
   const Found& operator()(const Points<Rational>& from, const Points<Rational>& to);
 
   /// How fast the way last found changes where the second hull moves by a velocity. Its ends must
-  /// stay on the same vertices, edges or faces. It is the part of the velocity at right angles to
-  /// these.
+  /// stay on the same vertices, edges or faces. It is the difference of the velocity at right
+  /// angles to these.
   Vec3<Rational> rate_of_way(const Vec3<Rational>& velocity) const;
 
  private:
   /// A difference to[places[1]] − from[places[0]], and its weight.
-  struct Part {
+  struct Difference {
     std::array<size_t, 2> places;
     Vec3<Rational> way;
     Rational weight;
@@ -40,7 +40,7 @@ class NearestPoints {
   void settle();
   std::vector<Rational> least_from(const Vec3<Rational>& base) const;
 
-  std::vector<Part> parts_;
+  std::vector<Difference> differences_;
   Found found_;
 };
 
