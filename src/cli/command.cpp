@@ -207,7 +207,8 @@ Option Command::threads() {
 
 Option Command::plugin_names() {
   return add_text("--plugin NAME=SPEC",
-                  "Call this plug-in plugin:NAME in options, files and output; several with commas "
+                  "Load this plug-in. Options, files and output name it plugin:NAME. Several with "
+                  "commas "
                   "between",
                   "",
                   [](const std::string& where, const std::string& text) -> Result<void> {
@@ -246,16 +247,15 @@ Option Command::allow_plugins() {
 }
 
 Option Command::max_work(const std::string& which) {
-  return add_text(
-             "--max-work N",
-             fmt::format("End the command after this much work of checking {}, in operations "
-                         "on 64-bit words. By default 2^32, and for each case 2^27 or, if less, "
-                         "2^18 a byte of its file",
-                         which),
-             "",
-             [](const std::string& where, const std::string& text) {
-               return parse_whole(where, text).map(&RunWork::allow);
-             })
+  return add_text("--max-work N",
+                  fmt::format("End the command after this much work of checking {}, in operations "
+                              "on 64-bit words. By default 2^32, plus 2^27 for each case or 2^18 "
+                              "for each byte of the files, whichever is less",
+                              which),
+                  "",
+                  [](const std::string& where, const std::string& text) {
+                    return parse_whole(where, text).map(&RunWork::allow);
+                  })
       .in("Limits");
 }
 
