@@ -66,6 +66,7 @@ void bring_to_scale(Query& query, int scale) {
   for (MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, in_space); });
   }
+  query.separation = std::ldexp(query.separation, in_space);
   const int in_time = shift_into(largest(moves), scale);
   for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1.0, in_time);

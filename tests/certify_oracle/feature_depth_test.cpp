@@ -40,6 +40,21 @@ TEST(FeatureDepth, OfTwoEdgesTheyPassByTheNearestEnd) {
   expect_feature_depth(known, 1, 0.5);
 }
 
+TEST(FeatureDepth, AtASeparationIsHowMuchNearerThePointsCome) {
+  Case known;
+  known.query.patches[0] = {Shape::point(), {{0.25, 0, 1}}, {{0, 0, -2}}};
+  known.query.patches[1] = {Shape::curve(1), {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  known.query.t_max = 0.4375;
+  known.query.separation = 0.5;
+  known.truth.witness = Witness{Rational(1, 4), {}};
+  known.truth.witness->uv[1][0] = Rational(1, 4);
+  known.truth.collides = true;
+  expect_feature_depth(known, 0.4375, 0.375);
+  expect_feature_depth(known, 0.375, 0.25);
+  expect_feature_depth(known, 1, 0.5);
+  EXPECT_EQ(feature_depth(known, 0.25), 0);
+}
+
 TEST(FeatureDepth, IsNoneOfAContactAtTheEdgeOfAFaceNorOfOtherQueries) {
   Case known = falling_through();
   known.query.patches[0].positions[0][0] = 0;

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/nearest_points.hpp"
+#include "certify/oracle/oracle.hpp"
 
 namespace ccdfuzz {
 
@@ -89,13 +92,41 @@ Rational squared_of_edges(const Corners& from, const Corners& to) {
   return least;
 }
 
+/// How much nearer than the separation the points of a witness come in [its time, until].
+double depth_within_separation(const Query& query, const Witness& witness, const Rational& until) {
+  const auto gap_at = [&](const Rational& t) {
+    std::array<Vec3<Rational>, 2> points;
+    for (size_t side = 0; side < 2; ++side) {
+      points[side] =
+          evaluate<Rational>(exact_patch<Rational>(query.patches[side]), witness.uv[side], t);
+    }
+    return Vec3<Rational>(points[0] - points[1]);
+  };
+  const Vec3<Rational> from = gap_at(witness.t), way = gap_at(until) - from;
+  const Rational length = dot_of(way, way);
+  Rational share = length == 0 ? Rational(0) : Rational(-dot_of(from, way) / length);
+  share = std::clamp(share, Rational(0), Rational(1));
+  const Vec3<Rational> nearest = from + way * share;
+  const double distance = std::sqrt(round_up(dot_of(nearest, nearest))) * (1 + 0x1p-50);
+  return std::max(0.0, round_down(exact(query.separation) - exact(distance)));
+}
+
 }  // namespace
 
 double feature_depth(const Case& known, double until) {
   const Query& query = known.query;
   const auto& [witness, root] = std::pair(known.truth.witness, known.truth.contact_root);
-  const bool is_plain = query.separation == 0 && linear::is_linear(query) && !is_trimmed(query);
+  const bool is_plain = linear::is_linear(query) && !is_trimmed(query);
   if (!is_plain || is_of_bodies(query) || (!witness && !root)) return 0;
+  if (query.separation > 0) {
+    if (!witness || witness->t <= 0 || witness->t >= exact(until)) return 0;
+    Case touching;
+    touching.query = query;
+    touching.query.separation = 0;
+    touching.truth = decide(touching.query).truth;
+    return std::max(feature_depth(touching, until),
+                    depth_within_separation(query, *witness, exact(until)));
+  }
   const Differences differences(query);
   const Rational first = witness ? witness->t : root->from, last = witness ? witness->t : root->by;
   const Rational end = exact(until);
