@@ -45,7 +45,7 @@ ClaimInput drawn_input(Draw& random) {
 
 std::size_t mutated_bytes(std::uint8_t* data, std::size_t size, std::size_t max_size,
                           unsigned seed) {
-  // Draws kill twice as many planted faults in 5 s as coverage does (tests/scoreboard), which goes
+  // Draws kill twice as many planted faults in 5 s as coverage does (bench/scoreboard), which goes
   // on from what they reach: an equal share for either.
   constexpr std::uint64_t kOneDrawnIn = 2;
   Draw random{Random(seed)};

@@ -11,7 +11,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kTrackedRecords = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/records.jsonl";
+const std::string kTrackedRecords = CCDFUZZ_SOURCE_DIR "/bench/scoreboard/records.jsonl";
 
 Finished run(const std::vector<std::string>& arguments) {
   return Process(arguments).wait();

@@ -58,7 +58,7 @@ TEST(Verdict, NamesFaultsThatNobodyNoticed) {
 }
 
 TEST(Verdict, IsGoodOnTheStoredRecords) {
-  const std::string folder = CCDFUZZ_SOURCE_DIR "/tests/scoreboard/";
+  const std::string folder = CCDFUZZ_SOURCE_DIR "/bench/scoreboard/";
   const auto faults = read_faults(folder + "faults.txt");
   ASSERT_TRUE(faults) << faults.error().message();
   const ScratchFolder scratch;  // without the journal of a running campaign

@@ -15,8 +15,8 @@
 #include <system_error>
 
 #include "io/process_limits.hpp"
+#include "planted.hpp"
 #include "property_turns.hpp"
-#include "scoreboard/planted.hpp"
 
 #ifdef CCDFUZZ_COVERAGE
 extern "C" void __gcov_dump();
@@ -35,8 +35,8 @@ namespace {
   _exit(status);
 }
 
-/// Far above what a driver may take, which ends by itself, and of which a step that hangs is ended
-/// by Heartbeat: the kernel counts full ticks, on a loaded machine a tenth more than were used.
+/// Far above what a driver may take: it ends by itself, and Heartbeat ends a step that hangs. The
+/// kernel counts full ticks, on a loaded machine a tenth more than were used.
 rlim_t most_cpu_seconds(double seconds) {
   return static_cast<rlim_t>(2 * seconds) + 5;
 }

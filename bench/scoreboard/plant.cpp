@@ -3,8 +3,8 @@
 // list as it was then: faults are known by their places in it. Nothing else of the project knows of
 // faults. A fault is stale if its text is not in its file just once. It is left out with a warning
 // and named in OUT/left_out.txt, so that whoever changes a source can still build. If OUT is "-",
-// nothing is written, and the exit code is 1 if any fault is stale: this is how a test says that
-// the list must follow.
+// nothing is written, and the exit code is 1 if any fault is stale. So a test says that the list
+// must follow.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -86,7 +86,7 @@ int plant(const std::string& list, const fs::path& sources, const fs::path& out)
       end = it->first;
       text.replace(it->first, from.size(), choice(*faults, *it->second));
     }
-    text.insert(0, "#include \"scoreboard/planted.hpp\"\n#line 1\n");
+    text.insert(0, "#include \"bench/scoreboard/planted.hpp\"\n#line 1\n");
     if (out == "-") continue;
     if (!write_if_changed(out / file, text))
       return fail((out / file).string() + ": cannot be written");

@@ -2,7 +2,7 @@
 # Runs each fuzz target against each fault planted into what it is there for (target_faults.txt), as
 # `script/fuzz` would, without a corpus but the tracked one, and prints a table: the executions and
 # seconds of CPU time until the target stops on its own.
-#   tests/scoreboard/targets.sh BUILD [SECONDS [TARGET...]]
+#   bench/scoreboard/targets.sh BUILD [SECONDS [TARGET...]]
 # BUILD: a build by clang with -DCCDFUZZ_FUZZ=ON -DCCDFUZZ_SCOREBOARD=ON, target planted_fuzz_targets.
 # SECONDS: of CPU time for each fault, a whole number (default 40).
 # Exits 1 if a target stops without a fault, or with none.
@@ -16,7 +16,7 @@ build=$(cd "$1" && pwd) || exit 2
 seconds=${2:-40}
 shift $(($# < 2 ? $# : 2))
 cd "$(dirname "$0")/../.."
-here=tests/scoreboard
+here=bench/scoreboard
 mapfile -t faults < <(awk -F': ' '
   $1 == "fault" { if (name) print name; name = $2 } $1 == "equivalent" { name = "" }
   END { if (name) print name }' $here/faults.txt)
@@ -44,7 +44,7 @@ run_target() {  # target, seconds, fault or nothing
   mkdir "$scratch/corpus"
   status=0
   local TIMEFORMAT=%U
-  { time run_limited "$2" "${3-}" "$build/tests/scoreboard/planted_fuzz_$1" -seed=1 -timeout=20 \
+  { time run_limited "$2" "${3-}" "$build/bench/scoreboard/planted_fuzz_$1" -seed=1 -timeout=20 \
     -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/corpus" "${options[@]}" \
     || status=$?; } 2>"$scratch/time"
   used=$(grep -x "[0-9.]*" "$scratch/time" | tail -n 1)  # the shell says there, too, what ended it

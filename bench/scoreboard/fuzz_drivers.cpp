@@ -1,5 +1,5 @@
-// libFuzzer inside of the scoreboard: its driver is a function here, which a run's process calls
-// and never leaves but by finding something or by running out of time.
+// libFuzzer inside of the scoreboard: its driver is a function here, which a run's process calls.
+// It leaves it only by finding something or by running out of time.
 #include "fuzz_drivers.hpp"
 
 #include <fmt/format.h>
@@ -65,8 +65,8 @@ std::string check_raw(std::span<const std::uint8_t> data) {
   return contradiction(query);
 }
 
-/// The first byte says what the others are: a case for the project's decoder, or after another byte
-/// that names a property the choices that it draws from.
+/// The first byte says what the others are. They are a case for the project's decoder, or a byte
+/// that names a property and then the choices that it draws from.
 constexpr std::uint8_t kIsProperty = 128;
 constexpr std::size_t kCaseHead = 1, kPropertyHead = 2;
 

@@ -1,10 +1,10 @@
-// What makes a fuzz target one with a fault in it: the environment variable CCDFUZZ_FAULT names the
-// fault of faults.txt that is active in this process; without it there is none.
+// What makes a fuzz target one with a fault in it. The environment variable CCDFUZZ_FAULT names the
+// fault of faults.txt that is active in this process. Without it there is none.
 #include <cstdlib>
 #include <iostream>
 
 #include "fault_list.hpp"
-#include "scoreboard/planted.hpp"
+#include "planted.hpp"
 
 extern "C" int LLVMFuzzerInitialize(int* /*argc*/, char*** /*argv*/) {
   using namespace ccdfuzz;  // NOLINT: of this function alone

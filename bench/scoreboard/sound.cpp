@@ -7,7 +7,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "scoreboard/planted.hpp"
+#include "planted.hpp"
 
 namespace ccdfuzz {
 

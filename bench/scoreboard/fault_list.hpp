@@ -18,7 +18,7 @@ struct PlantedFault {
   std::string equivalent;  ///< why nothing can tell the two apart; empty if something can
 };
 
-/// Reads faults.txt, in which each fault is a paragraph of lines "key: text":
+/// Reads faults.txt, in which each fault is a paragraph of lines "key: text". The keys are
 /// fault, what, file, expr or stmt (the right text), to (the wrong one), equivalent (optional).
 /// Lines that begin with # are for readers. The number of a fault is its place, from 1.
 /// Errors: of the file, an unknown or missing key, a name given twice; naming the line.

@@ -8,8 +8,8 @@
 
 namespace ccdfuzz {
 
-/// The stored counterexamples, one an execution: what is known of them, their contacts traced, and
-/// the answer of every method that an entry expects something of.
+/// The stored counterexamples, one an execution. The execution checks what is known of it, traces
+/// its contacts, and asks every method of which the entry expects something.
 class CorpusDriver {
  public:
   /// Reads them all. An error of it is what the first execution finds.

@@ -89,10 +89,10 @@ class Records {
 
   std::string path_;
   const std::vector<PlantedFault>* faults_;
-  std::map<std::string, std::string> definitions_;  ///< of what Record::fault may name
+  std::map<std::string, std::string> definitions_;  ///< by what Record::fault may name
   std::map<Key, Record> records_;
   std::set<Key> outdated_;
-  std::set<std::string, std::less<>> lines_;  ///< of the file
+  std::set<std::string, std::less<>> lines_;  ///< those of the file
   std::optional<RunFile> journal_;
   std::string added_;  ///< the lines that are in the journal only
 };
