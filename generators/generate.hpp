@@ -74,6 +74,13 @@ inline constexpr auto kAllFamilies = [] {
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
+/// Those of queries with weights, loops, ends or a separation.
+inline constexpr auto kNotPlainFamilies = [] {
+  constexpr auto kFirst = static_cast<size_t>(Family::kBodies) + 1;
+  std::array<Family, kAllFamilies.size() - kFirst> all{};
+  for (size_t i = 0; i < all.size(); ++i) all[i] = kAllFamilies[kFirst + i];
+  return all;
+}();
 constexpr const auto& all_of(Family) {
   return kAllFamilies;
 }

@@ -7,13 +7,9 @@ namespace ccdfuzz {
 
 namespace {
 
-/// Families whose queries have weights, loops, ends or a separation.
-constexpr std::array kNotPlain = {Family::kWeighted, Family::kRound, Family::kApart,
-                                  Family::kTrimmed,  Family::kEnds,  Family::kSeparated};
-
 Case draw_not_plain(Draw& d, CaseKind kind) {
   GeneratorOptions options;
-  options.family = d.pick(kNotPlain);
+  options.family = d.pick(kNotPlainFamilies);
   options.contact = d.pick(kContactClasses);
   options.kind = kind;
   options.proof_pops = 1000;

@@ -52,13 +52,14 @@ struct NotPlain {
   Family family;
   Features needs;
 };
-constexpr std::array<NotPlain, 6> kNotPlain = {
+constexpr std::array<NotPlain, kNotPlainFamilies.size()> kNotPlain = {
     {{Family::kWeighted, {.weights = true}},
      {Family::kRound, {.weights = true}},
      {Family::kApart, {.separation = true, .weights = true}},
      {Family::kTrimmed, {.trims = true}},
      {Family::kEnds, {.ends = true}},
      {Family::kSeparated, {.separation = true}}}};
+static_assert(std::ranges::equal(kNotPlain, kNotPlainFamilies, {}, &NotPlain::family));
 
 bool has_all(const Features& taken, const Features& needs) {
   return (taken.ends || !needs.ends) && (taken.separation || !needs.separation) &&
