@@ -249,8 +249,8 @@ Option Command::allow_plugins() {
 Option Command::max_work(const std::string& which) {
   return add_text("--max-work N",
                   fmt::format("End the command after this much work of checking {}, in operations "
-                              "on 64-bit words. By default 2^32, plus the lesser of 2^27 for each "
-                              "case and 2^18 for each byte of the files",
+                              "on 64-bit words. By default 2^32 + min(2^27 * cases, "
+                              "2^18 * bytes of the files)",
                               which),
                   "",
                   [](const std::string& where, const std::string& text) {
