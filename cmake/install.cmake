@@ -9,7 +9,7 @@ install(TARGETS ccdfuzz_flags ${ccdfuzz_libraries} EXPORT ccdfuzz_targets)
 # may be compiled with any flags, -ffast-math too: none includes numeric/ieee_arithmetic.hpp, as all headers
 # with arithmetic that an error bound speaks of do. (tests/build/consumer compiles each by itself.)
 set(ccdfuzz_public_headers
-  bezier/patch.hpp bezier/shape.hpp
+  bezier/patch.hpp bezier/shape.hpp bezier/turn.hpp
   ccd/search_options.hpp
   certify/checker/check_box.hpp certify/checker/check_case.hpp certify/checker/check_linear.hpp
   certify/checker/check_plane.hpp certify/checker/check_tree.hpp certify/checker/check_truth.hpp

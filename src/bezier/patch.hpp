@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
 #include "base/double_parts.hpp"
 #include "bezier/shape.hpp"
+#include "bezier/turn.hpp"
 #include "numeric/vec3.hpp"
 
 namespace ccdfuzz {
@@ -30,8 +32,8 @@ using Trim = std::vector<std::vector<Uv<double>>>;
 /// Loops in `trim` restrict the patch to their closed even-odd region (trim_region.hpp). A
 /// parameter is in it if it lies on a loop, or if an odd number of loops go around it. Only
 /// triangles and tensors are trimmed. A hull is a body: all that is within `radius` of the convex
-/// hull of its points. It has one velocity for all of its points, no ends and no weights. Other
-/// patches have the radius 0.
+/// hull of its points. It has one velocity for all of its points, no ends and no weights. It may
+/// turn, too. Other patches have the radius 0, and do not turn.
 template <class S>
 struct MovingPatch {
   Shape shape;
@@ -41,6 +43,7 @@ struct MovingPatch {
   std::vector<S> weights = {};  ///< > 0; empty: polynomial
   S radius = S(0);
   Trim trim = {};  ///< empty: all of the shape's domain
+  std::optional<BodyTurn> turn = {};
 
   bool has_ends() const { return !ends.empty(); }
   /// The ends or, without them, the velocities.
@@ -59,7 +62,7 @@ struct MovingPatch {
     return velocities[shape.kind == ShapeKind::kHull ? 0 : i];
   }
 
-  /// The control points at time t. Requires velocities.
+  /// The control points at time t. Requires velocities, and no turn.
   Points<S> at(const S& t) const {
     Points<S> p(positions.size());
     for (size_t i = 0; i < p.size(); ++i) {

@@ -98,8 +98,26 @@ struct BodyClearance {
   friend bool operator==(const BodyClearance&, const BodyClearance&) = default;
 };
 
+/// Certificate N: planes between two bodies, one after another, at every t in the closed
+/// [0, until]. From its time to that of the next, or to `until`, normal and offset of a plane
+/// change linearly. Patch 1 is at normal·x ≤ offset, and patch 2 at normal·x ≥ offset + gap.
+struct BodyPlanes {
+  struct Plane {
+    Rational from;
+    std::array<std::array<Rational, 3>, 2> normals;  ///< at its two ends; towards patch 2
+    std::array<Rational, 2> offsets;                 ///< at its two ends
+    Rational gap;
+
+    friend bool operator==(const Plane&, const Plane&) = default;
+  };
+  Rational until;
+  std::vector<Plane> planes;
+
+  friend bool operator==(const BodyPlanes&, const BodyPlanes&) = default;
+};
+
 /// Proof that nothing touches for a time.
-using Clearance = std::variant<MovingPlane, MissTree, LinearClearance, BodyClearance>;
+using Clearance = std::variant<MovingPlane, MissTree, LinearClearance, BodyClearance, BodyPlanes>;
 
 inline const Rational& until_of(const Clearance& clearance) {
   return std::visit([](const auto& c) -> const Rational& { return c.until; }, clearance);
@@ -108,7 +126,8 @@ inline const Rational& until_of(const Clearance& clearance) {
 /// True iff the clearance, if it holds, proves absence of contact in the closed [0, t].
 inline bool covers(const Clearance& clearance, const Rational& t) {
   const Rational& until = until_of(clearance);
-  bool closed = std::holds_alternative<MissTree>(clearance);
+  bool closed =
+      std::holds_alternative<MissTree>(clearance) || std::holds_alternative<BodyPlanes>(clearance);
   if (const auto* linear = std::get_if<LinearClearance>(&clearance)) closed = linear->closed;
   if (const auto* bodies = std::get_if<BodyClearance>(&clearance)) closed = bodies->closed;
   return closed ? t <= until : t < until;

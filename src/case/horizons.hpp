@@ -15,7 +15,7 @@ inline constexpr std::array kHorizonFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0};
 /// The case asked up to factor · t* instead, t* the witness's time, rounded up; factor ≥ 1. Where
 /// t* = 0, up to (factor − 1) · t_max.
 /// nullopt if it has no witness, or the product is no finite double, or past 1 of patches with
-/// ends.
+/// ends or that turn.
 std::optional<Case> at_horizon(const Case& known, double factor);
 std::optional<CheckedCase> at_horizon(const CheckedCase& known, double factor);
 

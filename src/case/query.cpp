@@ -63,7 +63,7 @@ bool is_hull(const MovingPatch<double>& patch) {
   FiniteScan scan;
   scan.add(patch.velocities[0]);
   for (const Vec3<double>& p : patch.positions) scan.add(p);
-  return scan.all_finite();
+  return scan.all_finite() && !(patch.turn && fault_of(*patch.turn));
 }
 
 /// Two bodies, or none.
@@ -165,15 +165,21 @@ bool is_valid(const Query& query) {
       scan.add(patch.positions[i]);
       scan.add(moves[i]);
     }
-    return scan.all_finite() && is_zero(patch.radius) && !fault_of(patch.trim, patch.shape);
+    return scan.all_finite() && is_zero(patch.radius) && !patch.turn &&
+           !fault_of(patch.trim, patch.shape);
   };
   return is_patch(query.patches[0]) && is_patch(query.patches[1]) && are_alike(query) &&
          is_not_negative(query.t_max) && is_not_negative(query.separation) &&
-         !(has_ends(query) && compare(query.t_max, 1) > 0);
+         !(has_ends(query) && compare(query.t_max, 1) > 0) &&
+         !(has_turns(query) && compare(query.t_max, 1) > 0);
 }
 
 bool has_ends(const Query& query) {
   return query.patches[0].has_ends() || query.patches[1].has_ends();
+}
+
+bool has_turns(const Query& query) {
+  return query.patches[0].turn || query.patches[1].turn;
 }
 
 bool is_rational(const Query& query) {
@@ -249,6 +255,10 @@ Result<void> validate(const Query& query, const std::string& where) {
                          fmt::format("{} is not {}", patch.radius,
                                      is_hull ? "a finite number ≥ 0" : "0, as of all but hulls"));
     }
+    if (patch.turn && !is_hull) return input_error(path + ".turn", "only a hull turns");
+    if (const auto fault = patch.turn ? fault_of(*patch.turn) : std::nullopt) {
+      return input_error(fmt::format("{}.turn.{}", path, fault->field), fault->what);
+    }
     if (is_hull && !patch.weights.empty()) {
       return input_error(path + ".weights", "a hull has none");
     }
@@ -271,9 +281,9 @@ Result<void> validate(const Query& query, const std::string& where) {
   };
   if (!is_not_negative(query.t_max)) return refuse("t_max", query.t_max);
   if (!is_not_negative(query.separation)) return refuse("separation", query.separation);
-  if (has_ends(query) && compare(query.t_max, 1) > 0) {
+  if (ends_at_one(query) && compare(query.t_max, 1) > 0) {
     return input_error(where + "t_max",
-                       fmt::format("{} is past 1, where the ends of a patch are", query.t_max));
+                       fmt::format("{} is past 1, where {}", query.t_max, kEndOfMotion));
   }
   return {};
 }

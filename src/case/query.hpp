@@ -13,8 +13,8 @@ namespace ccdfuzz {
 /// A CCD query: are two moving patches in contact at some t in the closed [0, t_max], and when
 /// first? (Eq. 1). They are where a point of one is no farther than `separation` from a point of
 /// the other; with 0, where they touch. All numbers finite, t_max ≥ 0, and ≤ 1 where a patch has
-/// ends; separation ≥ 0, radius ≥ 0; weights as kWeightBits says; loops as fault_of (trim.hpp)
-/// says. Both patches are hulls, or neither is.
+/// ends or turns; separation ≥ 0, radius ≥ 0; weights as kWeightBits says; loops as fault_of
+/// (trim.hpp) says. Both patches are hulls, or neither is.
 struct Query {
   std::array<MovingPatch<double>, 2> patches;
   double t_max = 1;
@@ -24,7 +24,7 @@ struct Query {
 };
 
 /// Calls visit on each number of a patch: the coordinates of the positions, point by point, then of
-/// the velocities or ends; of a hull the radius.
+/// the velocities or ends. Those of a hull include the radius, and the centre of its turn.
 template <class Patch, class Visit>
 void for_each_coordinate(Patch& patch, const Visit& visit) {
   for (auto* points : {&patch.positions, &patch.velocities, &patch.ends}) {
@@ -32,7 +32,19 @@ void for_each_coordinate(Patch& patch, const Visit& visit) {
       for (int k = 0; k < 3; ++k) visit(p[k]);
     }
   }
-  if (patch.shape.kind == ShapeKind::kHull) visit(patch.radius);
+  if (patch.shape.kind != ShapeKind::kHull) return;
+  visit(patch.radius);
+  if (patch.turn)
+    visit(patch.turn->centre[0]), visit(patch.turn->centre[1]), visit(patch.turn->centre[2]);
+}
+
+/// Calls visit on each number of a turn but its centre's.
+template <class Patch, class Visit>
+void for_each_turn_number(Patch& patch, const Visit& visit) {
+  if (!patch.turn) return;
+  for (auto* numbers : {&patch.turn->from, &patch.turn->to}) {
+    for (auto& x : *numbers) visit(x);
+  }
 }
 
 /// Calls visit on both parameters of each vertex of a patch's loops.
@@ -50,6 +62,12 @@ inline bool is_of_bodies(const Query& query) {
 }
 
 bool has_ends(const Query& query);
+/// One of its bodies turns.
+bool has_turns(const Query& query);
+/// A patch has ends or turns, so that nothing is asked past t = 1.
+inline bool ends_at_one(const Query& query) {
+  return has_ends(query) || has_turns(query);
+}
 /// A patch has weights that are not all equal.
 bool is_rational(const Query& query);
 
@@ -83,11 +101,15 @@ inline Vec3<double> rounded_velocity(const MovingPatch<double>& patch, size_t i)
 /// Gives a patch with velocities the ends positions + velocities, each rounded, in their place.
 void give_rounded_ends(MovingPatch<double>& patch);
 
+/// What is at t = 1 of such a query.
+inline constexpr const char* kEndOfMotion = "the ends of a patch or of a turn are";
+
 /// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
 /// Errors: the field that is wrong, its value, and what it may be.
 Result<void> validate(const Query& query, const std::string& where);
 
-/// True iff validate accepts the query, whatever its bits. Allocates nothing, but for trims.
+/// True iff validate accepts the query, whatever its bits. Allocates nothing, but for trims and
+/// turns.
 bool is_valid(const Query& query);
 
 }  // namespace ccdfuzz

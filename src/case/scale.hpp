@@ -19,6 +19,7 @@ inline bool is_within_scale(const Query& query, int bits) {
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double x) { all_fit = all_fit && fits(x); });
     for (const double w : patch.weights) all_fit = all_fit && fits(w);
+    for_each_turn_number(patch, [&](double x) { all_fit = all_fit && fits(x); });
     for_each_vertex(patch, [&](double x) { all_fit = all_fit && fits(x); });
   }
   return all_fit;
@@ -32,6 +33,7 @@ inline bool is_binary32(const Query& query) {
   bool all_are = is_float(query.t_max) && is_float(query.separation);
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, [&](double x) { all_are = all_are && is_float(x); });
+    for_each_turn_number(patch, [&](double x) { all_are = all_are && is_float(x); });
     for_each_vertex(patch, [&](double x) { all_are = all_are && is_float(x); });
   }
   return all_are;
@@ -44,6 +46,11 @@ inline bool is_in_plane(const Query& query) {
   for (const MovingPatch<double>& patch : query.patches) {
     std::ranges::for_each(patch.positions, check);
     std::ranges::for_each(patch.velocities, check);
+    if (!patch.turn) continue;
+    check(patch.turn->centre);
+    for (const auto* q : {&patch.turn->from, &patch.turn->to}) {
+      if (q->size() == 4) all_are = all_are && (*q)[1] == 0 && (*q)[2] == 0;
+    }
   }
   return all_are;
 }

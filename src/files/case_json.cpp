@@ -10,6 +10,7 @@
 #include "bezier/trim.hpp"
 #include "files/expected_json.hpp"
 #include "files/query_json.hpp"
+#include "files/turn_json.hpp"
 #include "io/fields.hpp"
 
 namespace ccdfuzz {
@@ -124,6 +125,7 @@ struct JsonForm<MovingPatch<double>> {
                  : fmt::format("has {} velocities; a hull has 1", velocities.size());
     });
     archive.optional("radius", patch.radius, 0, not_negative);
+    archive.optional("turn", patch.turn);
   }
 };
 
@@ -183,13 +185,14 @@ struct JsonForm<Clearance> {
   static void fields(auto& archive, auto& clearance) {
     std::string kind(proof_word(clearance));
     archive("kind", kind, [](const std::string& word) {
-      const bool known = word == "P" || word == "T" || word == "L" || word == "K";
-      return std::string(known ? "" : "is not a certificate of absence (P, T, L, K)");
+      const bool known = word == "P" || word == "T" || word == "L" || word == "K" || word == "N";
+      return std::string(known ? "" : "is not a certificate of absence (P, T, L, K, N)");
     });
     if constexpr (kReads<decltype(archive)>) {
       if (kind == "T") clearance = MissTree{};
       if (kind == "L") clearance = LinearClearance{};
       if (kind == "K") clearance.template emplace<BodyClearance>();
+      if (kind == "N") clearance.template emplace<BodyPlanes>();
     }
     std::visit([&](auto& certificate) { of(archive, certificate); }, clearance);
   }
@@ -199,6 +202,8 @@ struct JsonForm<Clearance> {
     archive("until", certificate.until);
     if constexpr (requires { certificate.tree; }) {
       archive("tree", certificate.tree);
+    } else if constexpr (requires { certificate.planes; }) {
+      archive("planes", certificate.planes);
     } else {
       if constexpr (requires { certificate.closed; }) archive("closed", certificate.closed);
       if constexpr (requires { certificate.normal; }) archive("normal", certificate.normal);
@@ -319,8 +324,8 @@ void query_fields(auto& archive, auto& query) {
     return std::string(is_one ? "has one hull; both are, or neither" : "");
   });
   archive("t_max", query.t_max, not_negative, [&](double t_max) {
-    return has_ends(query) && compare(t_max, 1) > 0 ? "is past 1, where the ends of a patch are"
-                                                    : "";
+    const bool is_past = ends_at_one(query) && compare(t_max, 1) > 0;
+    return is_past ? fmt::format("is past 1, where {}", kEndOfMotion) : "";
   });
   archive.optional("separation", query.separation, 0, not_negative);
 }

@@ -298,6 +298,10 @@ Result<std::string> bodies_text(const NamedCase& named, const Template& engine) 
   if (engine.has("plane") && !is_in_plane(query)) {
     return input_error(named.id, "is not in the plane z = 0");
   }
+  if (has_turns(query)) {
+    return input_error(named.id,
+                       fmt::format("{} has tests of bodies that do not turn", engine.engine));
+  }
   std::array<EngineBody, 2> bodies = {engine_body(query.patches[0]), engine_body(query.patches[1])};
   std::array<std::string, 2> shapes;
   for (size_t side = 0; side < 2; ++side) {

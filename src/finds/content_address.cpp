@@ -23,13 +23,17 @@ std::string content_address(const Query& query) {
   std::string bytes;
   for (const MovingPatch<double>& patch : query.patches) {
     // Kind and degrees fix the number of coordinates, so that no two queries have equal bytes.
-    constexpr int kHasWeights = 128, kHasTrim = 64;
+    constexpr int kHasWeights = 128, kHasTrim = 64, kIsQuaternion = 32, kIsAngle = 16;
     bytes += static_cast<char>(static_cast<int>(patch.shape.kind) |
                                (patch.weights.empty() ? 0 : kHasWeights) |
-                               (patch.trim.empty() ? 0 : kHasTrim));
+                               (patch.trim.empty() ? 0 : kHasTrim) |
+                               (!patch.turn                   ? 0
+                                : patch.turn->is_quaternion() ? kIsQuaternion
+                                                              : kIsAngle));
     bytes += static_cast<char>(patch.shape.n);
     bytes += static_cast<char>(patch.shape.m);
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
+    for_each_turn_number(patch, [&](double x) { append_bits(bytes, x); });
     for (const double w : patch.weights) append_bits(bytes, w);
     if (patch.trim.empty()) continue;
     // The number of loops, and of vertices of each, as numbers fix how many bytes follow.
@@ -61,6 +65,7 @@ CaseSize size_of(const Query& query) {
   for (const MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, count);
     for (const double w : patch.weights) count(w);
+    for_each_turn_number(patch, count);
     for_each_vertex(patch, count);
   }
   count_bits(parts_of(query.t_max));

@@ -16,12 +16,18 @@ struct Features {
   bool weights = false;
   /// Bodies (ShapeKind::kHull).
   bool bodies = false;
+  /// Bodies that turn.
+  bool turns = false;
   /// Patches with a trim.
   bool trims = false;
 };
 
-inline constexpr Features kAllFeatures = {
-    .ends = true, .separation = true, .weights = true, .bodies = true, .trims = true};
+inline constexpr Features kAllFeatures = {.ends = true,
+                                          .separation = true,
+                                          .weights = true,
+                                          .bodies = true,
+                                          .turns = true,
+                                          .trims = true};
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends, and
 /// without weights, where it does not take those. Where the query is taken as it is, or is not

@@ -43,6 +43,7 @@ bool is_flat(const MovingPatch<double>& patch, double t) {
 }
 
 bool is_at_rest(const Query& query) {
+  if (has_turns(query)) return false;
   const Vec3<double> velocity = rounded_velocity(query.patches[0], 0);
   for (const MovingPatch<double>& patch : query.patches) {
     for (size_t i = 0; i < patch.positions.size(); ++i) {

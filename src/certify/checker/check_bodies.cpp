@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "certify/checker/abbreviated.hpp"
+#include "certify/checker/check_turning.hpp"
 
 namespace ccdfuzz {
 
@@ -44,8 +45,11 @@ Result<Vec3<Rational>> point_of(const MovingPatch<double>& hull, const Rational&
     for (int k = 0; k < 3; ++k) point[k] += weights[i] * exact(hull.positions[i][k]);
   }
   if (sum != 1) return refuse(fmt::format("their sum is {}, not 1", abbreviated(sum)));
-  for (int k = 0; k < 3; ++k) point[k] += t * exact(hull.velocities[0][k]);
-  return point;
+  const auto moved = moved_point(hull, point, t, work);
+  if (moved) return *moved;
+  return input_error(
+      fmt::format("{}.t", kWitness),
+      fmt::format("{}, at which the turned points are not rational", abbreviated(t)));
 }
 
 Result<void> check_contact_within(const Query& query, const Witness& witness, Work& work) {
@@ -53,7 +57,10 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
     return input_error(fmt::format("{}.t", kWitness),
                        fmt::format("{} is negative", abbreviated(witness.t)));
   }
-  charge_for(3, words_of(witness.t), work);
+  if (has_turns(query) && witness.t > 1) {
+    return input_error(fmt::format("{}.t", kWitness),
+                       fmt::format("{} is past 1, where {}", abbreviated(witness.t), kEndOfMotion));
+  }
   const auto first = point_of(query.patches[0], witness.t, witness.weights[0], work);
   if (!first) return tl::unexpected(first.error());
   const auto second = point_of(query.patches[1], witness.t, witness.weights[1], work);
@@ -81,6 +88,7 @@ Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& 
                                        Work& work) {
   const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
   const auto& [until, normal, closed] = clearance;
+  if (has_turns(query)) return refuse("one direction proves nothing of bodies that turn");
   if (until < 0) return refuse(fmt::format("until: {} is negative", abbreviated(until)));
   const auto& [a, b] = query.patches;
   constexpr std::uint64_t kOperations = 8;

@@ -10,8 +10,9 @@ namespace ccdfuzz {
 // from a point of the other. All is checked in exact rationals, lengths by their squares.
 
 /// Certificate W of bodies. Checks that the weights are ≥ 0 and sum to 1, and that t ≥ 0, which may
-/// lie past t_max. They make a point of each hull; these may be no farther apart at t than the
-/// reach. Requires a valid query. Errors: what is wrong, naming the field; more than most_work.
+/// lie past t_max, and is at most 1 where a body turns. They make a point of each hull; these may
+/// be no farther apart at t than the reach. Requires a valid query. Errors: what is wrong, naming
+/// the field; more than most_work.
 Result<void> check_body_contact(const Query& query, const Witness& witness,
                                 std::uint64_t most_work = kMostWork);
 

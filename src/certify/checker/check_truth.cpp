@@ -8,6 +8,7 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_plane.hpp"
 #include "certify/checker/check_tree.hpp"
+#include "certify/checker/check_turning.hpp"
 #include "certify/checker/check_witness.hpp"
 
 namespace ccdfuzz {
@@ -65,10 +66,13 @@ Result<void> check_truth(const Case& value) {
 Result<void> check_clearance(const Query& query, const Clearance& clearance,
                              std::string_view tree) {
   const auto* bodies = std::get_if<BodyClearance>(&clearance);
-  if (is_of_bodies(query) != (bodies != nullptr)) {
+  const auto* planes = std::get_if<BodyPlanes>(&clearance);
+  const bool is_about_bodies = bodies != nullptr || planes != nullptr;
+  if (is_of_bodies(query) != is_about_bodies) {
     return input_error("truth.certificate.clear",
-                       bodies == nullptr ? "proves nothing of bodies" : "is about bodies alone");
+                       is_about_bodies ? "is about bodies alone" : "proves nothing of bodies");
   }
+  if (planes != nullptr) return check_body_planes(query, *planes);
   if (bodies != nullptr) return check_body_clearance(query, *bodies);
   if (const auto* plane = std::get_if<MovingPlane>(&clearance)) return check_plane(query, *plane);
   if (const auto* linear = std::get_if<LinearClearance>(&clearance)) {

@@ -93,6 +93,7 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
 }  // namespace
 
 std::optional<double> depth_until(const Query& query, double until, bool in_plane) {
+  if (has_turns(query)) return std::nullopt;
   const auto& [a, b] = query.patches;
   const Hull first = points_of(a), rest = points_of(b);
   const Vec3<Dyadic> way =

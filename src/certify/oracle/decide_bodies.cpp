@@ -201,6 +201,11 @@ class DecidingBodies {
 }  // namespace
 
 Decision decide_bodies(const Query& query, const OracleOptions& options) {
+  if (has_turns(query)) {
+    Decision undecided;
+    undecided.note = "bodies that turn are not decided";
+    return undecided;
+  }
   return DecidingBodies(query, options).run();
 }
 

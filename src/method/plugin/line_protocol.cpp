@@ -42,6 +42,12 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   if (shape.kind == ShapeKind::kHull) {
     out += fmt::format(",\"radius\":{}", json_number(patch.radius));
   }
+  if (patch.turn) {
+    out += fmt::format(",\"turn\":{{\"from\":{},\"to\":{}", to_json(patch.turn->from),
+                       to_json(patch.turn->to));
+    const Vec3<double>& centre = patch.turn->centre;
+    out += ",\"centre\":" + to_json(std::vector{centre[0], centre[1], centre[2]}) + '}';
+  }
   out += '}';
 }
 

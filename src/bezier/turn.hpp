@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "numeric/vec3.hpp"
+
+namespace ccdfuzz {
+
+/// How a body turns. At time t a point p of it is at centre + R·(p − centre), and moves on by its
+/// velocity. R is the rotation of q(t) = (1 − t)·from + t·to, whose length does not matter:
+/// - of four numbers w, x, y, z the rotation of a quaternion, p ↦ q p q* / |q|²;
+/// - of two numbers the rotation about the z axis by an angle of such a cosine and sine, times |q|.
+/// So engines interpolate that normalise a linear interpolation. They differ: the angle of a
+/// quaternion is half of that of its rotation.
+struct BodyTurn {
+  std::vector<double> from, to;
+  Vec3<double> centre{0, 0, 0};
+
+  bool is_quaternion() const { return from.size() == 4; }
+
+  friend bool operator==(const BodyTurn&, const BodyTurn&) = default;
+};
+
+/// What is wrong with a turn: numbers that are not four or two, or not finite; or from·to ≤ 0,
+/// without which no q(t) of [0, 1] is 0. The field, and what is wrong with it.
+struct TurnFault {
+  std::string field, what;
+};
+std::optional<TurnFault> fault_of(const BodyTurn& turn);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "certify/checker/work.hpp"
+
+namespace ccdfuzz {
+
+/// The point of a body at time t that stands at p before it turns and moves. Nothing where it is no
+/// rational point: a body that turns by cosine and sine needs a time at which |q(t)| is rational.
+std::optional<Vec3<Rational>> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
+                                          const Rational& t, Work& work);
+
+/// Certificate N: checks that two bodies are farther apart than the reach (check_bodies.hpp) at
+/// every t in the closed [0, until]. Requires a valid query of bodies. Errors: what is wrong,
+/// naming the field; more than most_work.
+///
+/// Proof. Each point's height above the plane, times D ≥ 0, is G·D + H: D is |q|² of a quaternion,
+/// |q| of cosine and sine, or 1. All are polynomials in t but |q|, and D > 0 in [0, 1]. What is
+/// checked is that no Bernstein coefficient of G·D + H is negative between two times. |q| is a
+/// convex function of t: above it is its chord, and below it is q·u for each |u| ≤ 1. G·D + H is
+/// linear in D, so that it is ≥ 0 at |q| if it is so for both of these. So the points of patch 1
+/// are at most at the offset, and those of patch 2 at least at the offset + gap. They are gap/|n|
+/// apart, and |n| is largest at an end, as n changes linearly.
+Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
+                               std::uint64_t most_work = kMostWork);
+
+}  // namespace ccdfuzz

@@ -1,0 +1,172 @@
+// Certificates W and N of bodies that turn, by hand, so that each number is known to be right.
+#include <gtest/gtest.h>
+
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+const BodyTurn kQuaternion{{1, 0, 0, 0}, {1, 0, 0, 1}};
+const BodyTurn kAngle{{10, 0}, {2, 16}};
+
+/// A rod of length 2 from the origin turns about it, from the x axis towards the y axis. At t = 1/2
+/// it has turned to (3, 4)/5, where a resting point is half way along it.
+Query rod_to_point(const BodyTurn& turn) {
+  Query query;
+  auto& [rod, point] = query.patches;
+  rod = {Shape::hull(2), {{0, 0, 0}, {2, 0, 0}}, {{0, 0, 0}}};
+  rod.turn = turn;
+  point = {Shape::hull(1), {{0.75, 1, 0}}, {{0, 0, 0}}};
+  return query;
+}
+
+Witness rod_witness() {
+  Witness witness{Rational(1, 2), {}};
+  witness.weights = {{{Rational(3, 8), Rational(5, 8)}, {1}}};
+  return witness;
+}
+
+/// The rod's normal at t = 0 and at t = 1/4.
+BodyPlanes rod_planes(const BodyTurn& turn) {
+  BodyPlanes out{Rational(1, 4), {{0, {}, {Rational(1, 8), Rational(1, 8)}, Rational(1, 8)}}};
+  out.planes[0].normals[0] = {0, 1, 0};
+  // The angle's tangent is 8/15, or 4/8.
+  out.planes[0].normals[1] = {turn.is_quaternion() ? Rational(-8, 15) : Rational(-1, 2), 1, 0};
+  return out;
+}
+
+const Rational kTiny(1, 1000000);
+
+class CheckTurning : public testing::TestWithParam<bool> {
+ protected:
+  static const BodyTurn& turn() { return GetParam() ? kQuaternion : kAngle; }
+
+  template <class Change>
+  static bool contact_holds(const Change& change) {
+    Query query = rod_to_point(turn());
+    Witness witness = rod_witness();
+    change(query, witness);
+    return is_valid(query) && check_contact(query, witness).has_value();
+  }
+  template <class Change>
+  static bool clearance_holds(const Change& change) {
+    Query query = rod_to_point(turn());
+    BodyPlanes clearance = rod_planes(turn());
+    change(query, clearance);
+    return is_valid(query) && check_clearance(query, clearance, "").has_value();
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Turns, CheckTurning, testing::Bool());
+
+TEST_P(CheckTurning, AContactIsOfTurnedPoints) {
+  EXPECT_TRUE(contact_holds([](Query&, Witness&) {}));
+  EXPECT_FALSE(contact_holds([](Query&, Witness& w) { w.t -= kTiny; }));
+  EXPECT_FALSE(contact_holds([](Query&, Witness& w) { w.t += kTiny; }));
+  EXPECT_FALSE(contact_holds([](Query& q, Witness&) { q.patches[0].turn.reset(); }));
+  EXPECT_FALSE(contact_holds([](Query& q, Witness&) { q.patches[0].turn->centre[0] = 0x1p-30; }));
+  EXPECT_FALSE(contact_holds([](Query& q, Witness&) { q.patches[0].turn->to.back() += 0x1p-30; }));
+  EXPECT_FALSE(contact_holds([](Query& q, Witness&) { q.patches[1].velocities[0][2] = 0x1p-30; }));
+  // The length of q does not matter.
+  EXPECT_TRUE(contact_holds([](Query& q, Witness&) {
+    for (double& x : q.patches[0].turn->from) x *= 8;
+    for (double& x : q.patches[0].turn->to) x *= 8;
+  }));
+  // About another centre it comes elsewhere, where the other is moved along.
+  EXPECT_TRUE(contact_holds([](Query& q, Witness&) {
+    for (Vec3<double>& p : q.patches[0].positions) p += Vec3<double>(5, 6, 7);
+    q.patches[0].turn->centre = {5, 6, 7};
+    q.patches[0].velocities[0] = {2, 0, 0};
+    q.patches[1].positions[0] += Vec3<double>(6, 6, 7);
+  }));
+}
+
+TEST_P(CheckTurning, ATimePastOneIsRefused) {
+  EXPECT_FALSE(contact_holds([](Query& q, Witness& w) { q.separation = 8, w.t = 1 + kTiny; }));
+  EXPECT_FALSE(clearance_holds([](Query& q, BodyPlanes& c) {
+    q.patches[1].positions[0] = {0, 64, 0}, c.until = 1 + kTiny;
+  }));
+  EXPECT_FALSE(contact_holds([](Query& q, Witness&) { q.t_max = 1 + 0x1p-52; }));
+}
+
+TEST(CheckTurning, ATimeOfNoRationalPointsIsRefusedOfAnAngleAlone) {
+  for (const BodyTurn& turn : {kQuaternion, kAngle}) {
+    Query query = rod_to_point(turn);
+    query.separation = 8;
+    Witness witness = rod_witness();
+    witness.t = Rational(1, 3);
+    EXPECT_EQ(check_contact(query, witness).has_value(), turn.is_quaternion());
+  }
+}
+
+TEST_P(CheckTurning, PlanesBetweenThemProveAbsence) {
+  EXPECT_TRUE(clearance_holds([](Query&, BodyPlanes&) {}));
+  EXPECT_TRUE(clearance_holds([](Query&, BodyPlanes& c) { c.until = Rational(1, 8); }));
+  EXPECT_TRUE(clearance_holds([](Query&, BodyPlanes& c) { c.until = 0; }));
+  EXPECT_TRUE(clearance_holds([](Query& q, BodyPlanes&) { q.separation = 0.09375; }));
+  EXPECT_TRUE(clearance_holds([](Query&, BodyPlanes& c) {
+    c.planes.push_back(c.planes[0]);
+    c.planes[1].from = Rational(1, 8);
+    c.planes[1].normals[0] = {Rational(-1, 4), 1, 0};
+    c.planes[0].normals[1] = {Rational(-1, 4), 1, 0};
+  }));
+}
+
+TEST_P(CheckTurning, ForgedPlanesAreRefused) {
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.until = Rational(1, 2); }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].normals[1] = {0, 1, 0}; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].normals = {}; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].gap = 0; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].gap = 1; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].offsets[0] = 1; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].offsets[1] = -kTiny; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes[0].from = kTiny; }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) { c.planes.clear(); }));
+  EXPECT_FALSE(clearance_holds([](Query&, BodyPlanes& c) {
+    c.planes.push_back(c.planes[0]);
+    c.planes[1].from = 1;
+  })) << "the second ends before it begins";
+  EXPECT_FALSE(clearance_holds([](Query& q, BodyPlanes&) { q.separation = 0.125; }))
+      << "the gap is no longer than the reach";
+  EXPECT_FALSE(clearance_holds([](Query& q, BodyPlanes&) { q.patches[0].turn->to.back() *= 4; }));
+  EXPECT_FALSE(
+      clearance_holds([](Query& q, BodyPlanes&) { std::swap(q.patches[0], q.patches[1]); }));
+}
+
+TEST_P(CheckTurning, NoOtherProofIsOfBodiesThatTurn) {
+  const Query turning = rod_to_point(turn());
+  EXPECT_FALSE(check_clearance(turning, BodyClearance{Rational(1, 8), {0, 1, 0}, true}, ""));
+  EXPECT_FALSE(check_clearance(turning, MissTree{Rational(1, 8), {}}, ""));
+  Case known{turning, {}, {}};
+  known.truth.collides = true;
+  known.truth.witness = rod_witness();
+  known.truth.clear_until = Rational(1, 4);
+  known.truth.clearance = rod_planes(turn());
+  const auto checked = check_case(known);
+  ASSERT_TRUE(checked) << checked.error().message();
+  EXPECT_EQ(checked->with_t_max(0.25).collides(), false);
+}
+
+TEST(CheckTurning, ATurnThatComesThroughZeroIsInvalid) {
+  Query query = rod_to_point(kAngle);
+  query.patches[0].turn->to = {-1, 16};
+  EXPECT_FALSE(is_valid(query));
+  EXPECT_EQ(validate(query, "").error().where, "patches[0].turn.to");
+  query.patches[0].turn->to = {0, 16};
+  EXPECT_FALSE(is_valid(query));
+  query.patches[0].turn->to = {1};
+  EXPECT_FALSE(is_valid(query));
+  query.patches[0].turn->to = {1, 0, 0, 0};
+  EXPECT_FALSE(is_valid(query));
+  query.patches[0].turn = kAngle;
+  query.patches[0].turn->centre[2] = HUGE_VAL;
+  EXPECT_EQ(validate(query, "").error().where, "patches[0].turn.centre[2]");
+  query.patches[0].turn = kAngle;
+  EXPECT_TRUE(is_valid(query));
+  query.patches[1].turn = kQuaternion;
+  EXPECT_TRUE(is_valid(query));
+}
+
+}  // namespace
+}  // namespace ccdfuzz
