@@ -325,9 +325,9 @@ std::optional<Case> case_of_bodies(const Query& query) {
   out.query = query;
   out.truth = decide(query).truth;
   if (!out.truth.collides) return std::nullopt;
-  if (out.truth.clearance) {
-    const auto& normal = std::get<BodyClearance>(*out.truth.clearance).normal;
-    out.origin.contact = name_of(class_of_bodies(query, normal));
+  const auto& clearance = out.truth.clearance;
+  if (const auto* apart = clearance ? std::get_if<BodyClearance>(&*clearance) : nullptr) {
+    out.origin.contact = name_of(class_of_bodies(query, apart->normal));
   }
   out.origin.kind = name_of(*out.truth.collides ? CaseKind::kRP : CaseKind::kRN);
   out.origin.generator = "mutant";

@@ -19,6 +19,7 @@
 #include "generators/shaped/families.hpp"
 #include "generators/shaped/shaped_case.hpp"
 #include "generators/trimmed.hpp"
+#include "generators/turning.hpp"
 #include "generators/twins.hpp"
 #include "generators/weighted.hpp"
 
@@ -53,6 +54,7 @@ int eps_t_exponent(const GeneratorOptions& options) {
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   if (family == Family::kRegular) return true;
   if (family == Family::kBodies) return is_made_of_bodies(kind);
+  if (family == Family::kTurning) return kind == CaseKind::kRP || kind == CaseKind::kRN;
   if (family == Family::kTwins) return kind == CaseKind::kRP;
   return is_made_of_shapes(family, contact, kind);
 }
@@ -66,7 +68,8 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--shape",
                        fmt::format("the family {} has shapes of its own", name_of(options.family)));
   }
-  if (options.family == Family::kBodies && !has_bodies(options.bodies, options.contact)) {
+  const bool is_of_hulls = options.family == Family::kBodies || options.family == Family::kTurning;
+  if (is_of_hulls && !has_bodies(options.bodies, options.contact)) {
     return input_error("--contact", fmt::format("bodies of the kinds that are taken have no {}",
                                                 name_of(options.contact)));
   }
@@ -184,6 +187,8 @@ auto attempt_of(const GeneratorOptions& options) {
       return ends_case;
     case Family::kSeparated:
       return separated_case;
+    case Family::kTurning:
+      return turning_case;
     default:
       return is_shaped(options) ? shaped_case : quadratic_case;
   }

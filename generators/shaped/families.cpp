@@ -84,6 +84,7 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kEnds, "ends", "two positions, whose differences are no doubles", kAll, kAll},
     {Family::kSeparated, "separated", "regular contacts at a separation; witness only", kAll,
      kNone},
+    {Family::kTurning, "turning", "convex bodies of which one turns, or both", kAll, kAll},
 }};
 
 constexpr bool are_in_order() {
@@ -105,7 +106,8 @@ bool families::have_a_surface(ContactClass, const ShapePair& shapes) {
 }
 
 bool has_own_shapes(Family family) {
-  return family == Family::kBodies || family == Family::kRound || family == Family::kApart;
+  return family == Family::kBodies || family == Family::kTurning || family == Family::kRound ||
+         family == Family::kApart;
 }
 
 const FamilyRow& row_of(Family family) {

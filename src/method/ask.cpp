@@ -23,11 +23,10 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
   const double tolerance = answer.terms.space_tolerance;
   if (!(tolerance > 0) || !is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
   const double overlooked = outcome == Outcome::kLate ? delay_of(known, answer) : query.t_max;
-  if (has_turns(query)) return Outcome::kUnknown;
   const Vec3<double> velocity = query.patches[0].velocities[0] - query.patches[1].velocities[0];
   // Moved back by so much, they would not touch: no overlap is deeper than the way. Rounding adds
   // less than a part in 2^50, and the tolerance is no exact number.
-  if (velocity.norm() * overlooked <= tolerance) return Outcome::kCorrect;
+  if (!has_turns(query) && velocity.norm() * overlooked <= tolerance) return Outcome::kCorrect;
   const std::optional<double> depth =
       depth_of(known, {answer, outcome, "", 0, 0, answer.terms.in_plane});
   if (!depth) return Outcome::kUnknown;

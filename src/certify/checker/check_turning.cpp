@@ -189,35 +189,38 @@ class HeightCheck {
   std::array<Polynomial, 3> rows_;  ///< the normal times the matrix of the turn, times D
 };
 
-Result<void> check_planes_of_bodies(const Query& query, const BodyPlanes& clearance, Work& work) {
+Result<void> check_between(const Query& query, const BodyPlanes::Plane& plane,
+                           const Rational& until, Work& work) {
   const auto refuse = [](std::string what) { return input_error(kPlanes, std::move(what)); };
-  const auto& [until, planes] = clearance;
-  if (planes.empty() || planes[0].from != 0) return refuse("no plane begins at 0");
+  Piece piece{plane.from, until, {}, {}};
+  if (piece.until < piece.from) return refuse("a plane ends before it begins");
   if (has_turns(query) && until > 1) {
     return refuse(fmt::format("until: {} is past 1, where {}", abbreviated(until), kEndOfMotion));
   }
   const Rational reach =
       exact(query.separation) + exact(query.patches[0].radius) + exact(query.patches[1].radius);
   Charged with(work);
+  for (const auto& n : plane.normals) {
+    const Numbers normal(n.begin(), n.end());
+    const Rational kept = with.product(with.product(reach, reach), with.dot(normal, normal));
+    if (plane.gap > 0 && with.product(plane.gap, plane.gap) > kept) continue;
+    return refuse(fmt::format("gap: {} does not keep the bodies apart", abbreviated(plane.gap)));
+  }
+  for (size_t k = 0; k < 3; ++k) piece.normal[k] = {plane.normals[0][k], plane.normals[1][k]};
+  piece.offset = {plane.offsets[0], plane.offsets[1]};
+  const bool is_below = HeightCheck(query.patches[0], piece, -1, work).holds();
+  for (Rational& x : piece.offset) with.add(x, plane.gap);
+  if (is_below && HeightCheck(query.patches[1], piece, 1, work).holds()) return {};
+  return refuse(fmt::format("patches[{}] is not seen to stay on its side of a plane from {} on",
+                            is_below ? 1 : 0, abbreviated(plane.from)));
+}
+
+Result<void> check_planes_of_bodies(const Query& query, const BodyPlanes& clearance, Work& work) {
+  const auto& [until, planes] = clearance;
+  if (planes.empty() || planes[0].from != 0) return input_error(kPlanes, "no plane begins at 0");
   for (size_t i = 0; i < planes.size(); ++i) {
-    const BodyPlanes::Plane& plane = planes[i];
-    Piece piece{plane.from, i + 1 < planes.size() ? planes[i + 1].from : until, {}, {}};
-    const std::string name = fmt::format("planes[{}]", i);
-    if (piece.until < piece.from) return refuse(name + ": it ends before it begins");
-    for (const auto& n : plane.normals) {
-      const Numbers normal(n.begin(), n.end());
-      const Rational kept = with.product(with.product(reach, reach), with.dot(normal, normal));
-      if (plane.gap > 0 && with.product(plane.gap, plane.gap) > kept) continue;
-      return refuse(
-          fmt::format("{}.gap: {} does not keep the bodies apart", name, abbreviated(plane.gap)));
-    }
-    for (size_t k = 0; k < 3; ++k) piece.normal[k] = {plane.normals[0][k], plane.normals[1][k]};
-    piece.offset = {plane.offsets[0], plane.offsets[1]};
-    const bool is_below = HeightCheck(query.patches[0], piece, -1, work).holds();
-    for (Rational& x : piece.offset) with.add(x, plane.gap);
-    if (is_below && HeightCheck(query.patches[1], piece, 1, work).holds()) continue;
-    return refuse(fmt::format("{}: patches[{}] is not seen to stay on its side of it", name,
-                              is_below ? 1 : 0));
+    const Rational& end = i + 1 < planes.size() ? planes[i + 1].from : until;
+    if (auto checked = check_between(query, planes[i], end, work); !checked) return checked;
   }
   return {};
 }
@@ -258,6 +261,12 @@ std::optional<Vec3<Rational>> moved_point(const MovingPatch<double>& body, const
   }
   for (int k = 0; k < 3; ++k) with.add(out[k], with.product(t, exact(body.velocities[0][k])));
   return out;
+}
+
+Result<void> check_body_plane(const Query& query, const BodyPlanes::Plane& plane,
+                              const Rational& until, std::uint64_t most_work) {
+  return within_work(kPlanes, most_work,
+                     [&](Work& work) { return check_between(query, plane, until, work); });
 }
 
 Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,

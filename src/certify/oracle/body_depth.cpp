@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "certify/oracle/nearest_points.hpp"
+#include "certify/oracle/rational_roots.hpp"
+#include "certify/oracle/turned_points.hpp"
 #include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
@@ -92,8 +94,58 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
 
 }  // namespace
 
+namespace {
+
+/// The depth of overlap at one time, less what rounding their points could add.
+std::optional<double> depth_at(const Query& query, const Rational& t, bool in_plane) {
+  std::array<Points<Rational>, 2> points;
+  Rational largest = power_of_two(-1000);
+  Rational reach = exact(query.separation);
+  for (size_t s = 0; s < 2; ++s) {
+    points[s] = points_at(query.patches[s], t).points;
+    reach += exact(query.patches[s].radius);
+    for (const Vec3<Rational>& p : points[s]) {
+      for (int k = 0; k < 3; ++k) largest = std::max(largest, Rational(abs(p[k])));
+    }
+  }
+  // Each coordinate of both moves by less than the unit, and by what points_at rounds.
+  constexpr int kBits = 60;
+  const Rational unit = power_below(largest) * power_of_two(-kBits);
+  const double rounding = round_up(8 * unit);
+  std::array<Hull, 2> hulls;
+  for (size_t s = 0; s < 2; ++s) {
+    for (Vec3<Rational>& p : points[s]) {
+      for (int k = 0; k < 3; ++k) p[k] = rounded_down(p[k], unit);
+      hulls[s].push_back({*Dyadic::from(p[0]), *Dyadic::from(p[1]), *Dyadic::from(p[2])});
+    }
+  }
+  NearestPoints nearest;
+  const Rational squared = nearest(points[0], points[1]).squared;
+  const double radii = round_down(reach) - rounding;
+  if (squared > 0) return radii - std::sqrt(round_up(squared)) / kRoundings;
+  if (hulls[0].size() * hulls[1].size() > kMostPairs) return std::nullopt;
+  std::vector<Vec3<Dyadic>> directions;
+  for (const Hull& hull : hulls) add_directions(hull, directions);
+  const std::vector<Vec3<Dyadic>> upwards = {dyadic({0, 0, 1})};
+  return radii + overlap_of(hulls[0], hulls[1], directions, in_plane ? upwards : directions);
+}
+
+/// The deepest of some times.
+std::optional<double> depth_of_turning(const Query& query, double until, bool in_plane) {
+  constexpr int kTimes = 8;
+  double deepest = 0;
+  for (int i = 1; i <= kTimes; ++i) {
+    const auto depth = depth_at(query, exact(until) * i / kTimes, in_plane);
+    if (!depth) return std::nullopt;
+    deepest = std::max(deepest, kRoundings * *depth);
+  }
+  return deepest;
+}
+
+}  // namespace
+
 std::optional<double> depth_until(const Query& query, double until, bool in_plane) {
-  if (has_turns(query)) return std::nullopt;
+  if (has_turns(query)) return depth_of_turning(query, until, in_plane);
   const auto& [a, b] = query.patches;
   const Hull first = points_of(a), rest = points_of(b);
   const Vec3<Dyadic> way =

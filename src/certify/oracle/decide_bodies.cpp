@@ -5,41 +5,13 @@
 
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
+#include "certify/oracle/decide_turning.hpp"
 #include "certify/oracle/nearest_points.hpp"
+#include "certify/oracle/rational_roots.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// How near to each other, relative to the time, clear_until and the witness are to be.
-constexpr int kBracketBits = 40;
-/// Times that are no contact are rounded down to about so many bits, lest they grow.
-constexpr int kTimeBits = 96;
-
-size_t bits_of(const Integer& x) {
-  return mpz_sizeinbase(x.get_mpz_t(), 2);
-}
-
-/// The root of x, if it is rational.
-std::optional<Rational> rational_root(const Rational& x) {
-  const Integer &p = x.get_num(), &q = x.get_den();
-  const bool is_square =
-      mpz_perfect_square_p(p.get_mpz_t()) != 0 && mpz_perfect_square_p(q.get_mpz_t()) != 0;
-  return is_square ? std::optional(Rational(sqrt(p), sqrt(q))) : std::nullopt;
-}
-
-/// The root of x ≥ 0, rounded up by at most 2^-kTimeBits of it; exact where it is rational.
-Rational root_above(const Rational& x) {
-  if (const auto root = rational_root(x)) return *root;
-  const Integer &p = x.get_num(), &q = x.get_den();
-  // √(p/q) = √(pq)/q = √(pq·4^k) / (q·2^k)
-  const Integer product = p * q;
-  const size_t has = bits_of(product) / 2;
-  const size_t k = has < kTimeBits + 1 ? kTimeBits + 1 - has : 0;
-  Rational root(Integer(sqrt(Integer(product << (2 * k))) + 1), Integer(q << k));
-  root.canonicalize();
-  return root;
-}
 
 /// x > 0 rounded down, if it is long.
 Rational shortened(const Rational& x) {
@@ -201,11 +173,7 @@ class DecidingBodies {
 }  // namespace
 
 Decision decide_bodies(const Query& query, const OracleOptions& options) {
-  if (has_turns(query)) {
-    Decision undecided;
-    undecided.note = "bodies that turn are not decided";
-    return undecided;
-  }
+  if (has_turns(query)) return decide_turning(query, options);
   return DecidingBodies(query, options).run();
 }
 

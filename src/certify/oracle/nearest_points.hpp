@@ -21,7 +21,8 @@ class NearestPoints {
     std::array<std::vector<Rational>, 2> weights;
   };
 
-  /// Requires a point of each. The next call begins where this one ended, if there are as many.
+  /// Requires a point of each. The next call begins where this one ended, if there are as many. It
+  /// may be about hulls that were moved, and not about hulls that were turned.
   const Found& operator()(const Points<Rational>& from, const Points<Rational>& to);
 
   /// How fast the way last found changes where the second hull moves by a velocity. Its ends must

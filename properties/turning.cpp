@@ -1,0 +1,176 @@
+#include "case/scale.hpp"
+#include "certify/checker/check_bodies.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/nearest_points.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "certify/oracle/rational_roots.hpp"
+#include "certify/oracle/turned_points.hpp"
+#include "files/case_json.hpp"
+#include "generators/generate.hpp"
+#include "method/method.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+Case draw_turning(Draw& d, CaseKind kind) {
+  GeneratorOptions options;
+  options.plane = d.coin();
+  options.contact =
+      options.plane ? d.pick(std::array{ContactClass::kEE, ContactClass::kVE, ContactClass::kVV})
+                    : d.pick(kContactClasses);
+  options.kind = kind;
+  options.family = Family::kTurning;
+  const Case made = generate(options, d).value;
+  show(d, "planted", made);
+  return made;
+}
+
+CaseKind draw_kind_of_turning(Draw& d) {
+  return d.coin() ? CaseKind::kRP : CaseKind::kRN;
+}
+
+/// The truth of planted cases holds, survives a file, and is not asked of who does not take it.
+void check_turning_truth(Draw& d) {
+  const CaseKind kind = draw_kind_of_turning(d);
+  const Case known = draw_turning(d, kind);
+  const auto checked = check_case(known);
+  CLAIM(checked.has_value());
+  CLAIM(checked->collides() == (kind == CaseKind::kRP));
+  CLAIM(is_binary32(known.query) && has_turns(known.query));
+  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
+  CLAIM(read && *read == known);
+  for (const MethodInfo& info : registered_methods()) {
+    CLAIM(check_taken(info.spec, known.query).has_value() == info.features.bodies);
+  }
+}
+
+/// Nearest points in exact arithmetic are no contact at any time that is said to be clear.
+void check_clear_time(Draw& d) {
+  const Case known = draw_turning(d, draw_kind_of_turning(d));
+  constexpr int kSteps = 64;
+  const long step = d.integer(0, kSteps);
+  // Few bits, lest exact nearest points take seconds.
+  const Rational t = rounded_down(*known.truth.clear_until * step / kSteps, power_of_two(-10));
+  show(d, "t", t);
+  std::array<Points<Rational>, 2> points;
+  for (size_t s = 0; s < 2; ++s) points[s] = points_at(known.query.patches[s], t).points;
+  NearestPoints nearest;
+  const NearestPoints::Found& found = nearest(points[0], points[1]);
+  const Rational reach =
+      exact(known.query.patches[0].radius) + exact(known.query.patches[1].radius);
+  CLAIM(found.squared > reach * reach);
+  const bool is_accepted = check_body_contact(known.query, {t, {}, found.weights}).has_value();
+  CLAIM(!is_accepted);
+}
+
+/// What two decisions of the same bodies say is at one with each other.
+void claim_same_contact(const Truth& one, const Truth& other) {
+  suppose(one.collides && other.collides);
+  CLAIM(one.collides == other.collides);
+  if (!*one.collides) return;
+  CLAIM(one.witness->t >= other.clear_until.value_or(0));
+  CLAIM(other.witness->t >= one.clear_until.value_or(0));
+}
+
+/// The oracle finds the planted contact of bodies that it does not know.
+void check_oracle_finds_turning(Draw& d) {
+  const Case known = draw_turning(d, CaseKind::kRP);
+  const Truth found = decide(known.query).truth;
+  show(d, "found", Case{known.query, found, {}, {}});
+  claim_same_contact(known.truth, found);
+  CLAIM(check_case({known.query, found, {}, {}}).has_value());
+  const Rational& t = found.witness->t;
+  CLAIM(t - *found.clear_until <= t * power_of_two(-38));
+}
+
+/// Swapped, with other lengths of q, in another order or scaled, they touch when they did.
+void check_same_turning(Draw& d) {
+  const Case known = draw_turning(d, draw_kind_of_turning(d));
+  Query same = known.query;
+  if (d.coin()) std::swap(same.patches[0], same.patches[1]);
+  const int in_space = static_cast<int>(d.integer(-8, 8));
+  for (MovingPatch<double>& body : same.patches) {
+    const int length = static_cast<int>(d.integer(-8, 8));
+    const double sign = d.coin() ? 1 : -1;
+    const bool is_quaternion = body.turn && body.turn->is_quaternion();
+    for_each_turn_number(body,
+                         [&](double& x) { x = std::ldexp(is_quaternion ? sign * x : x, length); });
+    for_each_coordinate(body, [&](double& x) { x = std::ldexp(x, in_space); });
+    std::reverse(body.positions.begin(), body.positions.end());
+  }
+  show(d, "same", same);
+  claim_same_contact(known.truth, decide(same).truth);
+}
+
+/// A turn that goes nowhere is none.
+void check_no_turn(Draw& d) {
+  GeneratorOptions options;
+  options.contact = d.pick(kContactClasses);
+  options.kind = d.pick(std::array{CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN});
+  options.family = Family::kBodies;
+  Query query = generate(options, d).value.query;
+  query.t_max = std::min(query.t_max, 1.0);
+  const Truth plain = decide(query).truth;
+  MovingPatch<double>& body = query.patches[d.below(2)];
+  const double length = static_cast<double>(d.integer(1, 8));
+  body.turn = BodyTurn{{length, 0, 0, 0}, {1, 0, 0, 0}};
+  if (d.coin()) body.turn = BodyTurn{{length, 0}, {1, 0}};
+  for (int k = 0; k < 3; ++k) body.turn->centre[k] = static_cast<double>(d.integer(-8, 8));
+  show(d, "query", query);
+  claim_same_contact(plain, decide(query).truth);
+}
+
+/// No planes are a proof of the time of a contact.
+void check_late_planes(Draw& d) {
+  const Case known = draw_turning(d, CaseKind::kRP);
+  BodyPlanes planes = std::get<BodyPlanes>(*known.truth.clearance);
+  planes.until = known.truth.witness->t;
+  if (d.coin()) planes.until += (1 - planes.until) * static_cast<long>(d.integer(0, 64)) / 64;
+  BodyPlanes::Plane& last = planes.planes.back();
+  const auto change = [&](Rational& x) {
+    if (d.below(3) > 0) return;
+    x = d.coin() ? Rational(-x)
+                 : Rational(x + d.dyadic(8, static_cast<long>(d.integer(-60, 2))).rational());
+  };
+  for (auto& normal : last.normals) {
+    for (Rational& x : normal) change(x);
+  }
+  for (Rational& x : last.offsets) change(x);
+  change(last.gap);
+  if (planes.planes.size() > 1 && d.coin()) planes.planes.pop_back();
+  const bool is_accepted = check_clearance(known.query, planes, "").has_value();
+  CLAIM(!is_accepted);
+}
+
+}  // namespace
+
+std::vector<Property> turning_claims() {
+  constexpr auto kChecker = "src/certify/checker/check_turning.hpp";
+  constexpr auto kDeciding = "src/certify/oracle/decide_turning.hpp";
+  return {
+      {"turning.truth_holds",
+       "The planted truth of bodies that turn is accepted and survives a file, and methods that do "
+       "not take bodies say so",
+       "generators/turning.hpp", check_turning_truth},
+      {"turning.clear_is_clear",
+       "Bodies that turn are apart, in exact arithmetic, at each time that is said to be clear",
+       kChecker, check_clear_time},
+      {"turning.oracle_finds_contact",
+       "The oracle brackets the planted first contact of bodies that turn within 2^-38 of its time",
+       kDeciding, check_oracle_finds_turning},
+      {"turning.same_contact",
+       "Bodies that turn touch at the same time if they are swapped, scaled, or given quaternions "
+       "of other lengths",
+       kDeciding, check_same_turning},
+      {"turning.no_turn", "Bodies whose turn is the identity touch when they do without it",
+       kDeciding, check_no_turn},
+      {"checker.refuses_late_planes", "No planes keep bodies that turn apart at their contact",
+       kChecker, check_late_planes},
+  };
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,202 @@
+#include "certify/oracle/decide_turning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "certify/checker/check_turning.hpp"
+#include "certify/oracle/nearest_points.hpp"
+#include "certify/oracle/rational_roots.hpp"
+#include "certify/oracle/turned_points.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Contacts take about 10 to 80 tries.
+constexpr int kMostTries = 400;
+/// Points are rounded to this of the scene's size, so that numbers stay short. It leaves 40 bits
+/// beyond those of the bracket.
+constexpr int kPointBits = 80;
+
+class DecidingTurning {
+ public:
+  DecidingTurning(const Query& query, const OracleOptions& options)
+      : query_(query), t_max_(exact(query.t_max)) {
+    reach_ = exact(query.separation);
+    Rational size = power_of_two(-1000);
+    for (const MovingPatch<double>& body : query.patches) {
+      reach_ += exact(body.radius);
+      for_each_coordinate(body, [&](double x) { size += abs(exact(x)); });
+    }
+    unit_ = power_below(size) * power_of_two(-kPointBits);
+    const auto& known = options.known;
+    if (known && known->t <= t_max_) late_ = known->t, witness_ = known;
+  }
+
+  Decision run() {
+    approach();
+    Truth& truth = out_.truth;
+    if (!planes_.planes.empty()) {
+      truth.clear_until = planes_.until;
+      truth.clearance = planes_;
+    }
+    if (truth.collides == false) truth.proof = proof_word(*truth.clearance);
+    return std::move(out_);
+  }
+
+ private:
+  /// What is seen at a time, rounded: nothing is proven by it.
+  struct Sight {
+    Rational t;
+    std::optional<Vec3<Rational>> normal;  ///< about of length 1; none: they are in contact
+    std::array<Rational, 2> heights;       ///< along it: the highest of patch 1, the lowest of 2
+  };
+
+  Points<Rational> rounded_points(size_t side, const Rational& t) const {
+    Points<Rational> points = points_at(query_.patches[side], t).points;
+    for (Vec3<Rational>& p : points) {
+      for (int k = 0; k < 3; ++k) p[k] = rounded_down(p[k], unit_);
+    }
+    return points;
+  }
+
+  Sight sight_at(const Rational& t) {
+    ++out_.pops;
+    Sight out{t, {}, {}};
+    const Points<Rational> first = rounded_points(0, t), second = rounded_points(1, t);
+    NearestPoints nearest;
+    const NearestPoints::Found& found = nearest(first, second);
+    if (found.squared <= reach_ * reach_) return out;
+    constexpr int kBits = 56;
+    const double length = std::sqrt(found.squared.get_d());
+    Vec3<Rational> normal;
+    for (int k = 0; k < 3; ++k) {
+      normal[k] =
+          exact(std::ldexp(std::round(std::ldexp(found.way[k].get_d() / length, kBits)), -kBits));
+    }
+    out.heights = {dot_of(normal, first[0]), dot_of(normal, second[0])};
+    for (const Vec3<Rational>& p : first) {
+      out.heights[0] = std::max(out.heights[0], dot_of(normal, p));
+    }
+    for (const Vec3<Rational>& p : second) {
+      out.heights[1] = std::min(out.heights[1], dot_of(normal, p));
+    }
+    out.normal = normal;
+    return out;
+  }
+
+  /// Whether a plane between them from one time to another is proven, and kept then.
+  bool add_plane(const Sight& here, const Sight& there) {
+    BodyPlanes::Plane plane{here.t, {}, {}, 0};
+    const Rational length = root_above(
+        std::max(dot_of(*here.normal, *here.normal), dot_of(*there.normal, *there.normal)));
+    const Rational kept = reach_ * length;
+    const auto spare = [&](const Sight& at) {
+      return Rational(at.heights[1] - at.heights[0] - kept);
+    };
+    const Rational least = std::min(spare(here), spare(there));
+    if (least <= 0) return false;
+    // The gap takes between 1/16 and 1/2 of what is spare, and the offset half of the rest.
+    const Rational grid = power_below(least) / 16, some = 4 * grid;
+    plane.gap = rounded_down(kept + some, grid) + grid;
+    for (const size_t end : {size_t{0}, size_t{1}}) {
+      const Sight& at = end == 0 ? here : there;
+      for (int k = 0; k < 3; ++k) plane.normals[end][static_cast<size_t>(k)] = (*at.normal)[k];
+      plane.offsets[end] = rounded_down(at.heights[0] + (spare(at) - some - grid) / 2, grid);
+    }
+    if (!check_body_plane(query_, plane, there.t)) return false;
+    planes_.planes.push_back(std::move(plane));
+    planes_.until = there.t;
+    return true;
+  }
+
+  void approach() {
+    Sight here = sight_at(0);
+    if (!here.normal) {
+      witness_.reset();
+      return say_contact(0);
+    }
+    // Above 0, all of the way but 2^-level is tried, else 2^level of half of it.
+    int level = 1;
+    for (int left = kMostTries; left > 0 && level > -kTimeBits; --left) {
+      const Rational way = late_.value_or(t_max_) - here.t;
+      if (late_ && way <= *late_ * power_of_two(-kBracketBits)) return say_contact(*late_);
+      Rational next = late_.value_or(t_max_);
+      if (late_ || level <= 0) {
+        const Rational part = way * power_of_two(level > 0 ? -level : level - 1);
+        next = level > 0 ? Rational(next - part) : Rational(here.t + part);
+        next = rounded_down(next, power_below(part) / 16);
+      }
+      Sight there = sight_at(next);
+      if (!there.normal) {
+        late_ = next;
+        witness_.reset();
+        level = 1;
+      } else if (add_plane(here, there)) {
+        here = std::move(there);
+        if (!late_ && here.t == t_max_) {
+          out_.truth.collides = false;
+          return;
+        }
+        level = level > 0 ? std::min(2 * level, kBracketBits + 2) : level + 1;
+      } else {
+        level = level > 1 ? level / 2 : level - 1;
+      }
+    }
+    if (witness_) return say_contact(*late_);
+    out_.note = "no plane between the bodies was found for some of the time";
+  }
+
+  /// A time near to t at which the points of a body that turns by cosine and sine are rational.
+  static Rational rational_time(const BodyTurn& turn, const Rational& t) {
+    std::array<Rational, 2> from, to, q;
+    for (size_t i = 0; i < 2; ++i) {
+      from[i] = exact(turn.from[i]);
+      to[i] = exact(turn.to[i]);
+      q[i] = (1 - t) * from[i] + t * to[i];
+    }
+    // q, or −q, is along (1 − k², 2k), k the tangent of half of its angle, where k is rational.
+    const Rational length = root_above(q[0] * q[0] + q[1] * q[1]);
+    Rational k = q[0] < 0 ? Rational(-q[1] / (length - q[0])) : Rational(q[1] / (length + q[0]));
+    k = rounded_down(k, power_of_two(-kBracketBits - 8));
+    const Rational cosine = 1 - k * k, sine = 2 * k;
+    const Rational before = from[0] * sine - from[1] * cosine;
+    const Rational after = to[0] * sine - to[1] * cosine;
+    return before == after ? t : Rational(before / (before - after));
+  }
+
+  void say_contact(Rational t) {
+    for (const MovingPatch<double>& body : query_.patches) {
+      if (!witness_ && body.turn && !body.turn->is_quaternion()) t = rational_time(*body.turn, t);
+    }
+    if (!witness_) {
+      const PointsAt first = points_at(query_.patches[0], t),
+                     second = points_at(query_.patches[1], t);
+      NearestPoints nearest;
+      const NearestPoints::Found& found = nearest(first.points, second.points);
+      const bool is_proven = first.are_exact && second.are_exact && 0 <= t && t <= t_max_ &&
+                             found.squared <= reach_ * reach_;
+      if (is_proven) witness_ = Witness{t, {}, found.weights};
+    }
+    out_.truth.witness = witness_;
+    if (witness_) out_.truth.collides = true;
+    if (!witness_) out_.note = "the bodies touch by a time at which their points are not rational";
+  }
+
+  const Query& query_;
+  const Rational t_max_;
+  Rational reach_, unit_;
+  BodyPlanes planes_;
+  std::optional<Rational> late_;  ///< at this time they seem to be in contact
+  std::optional<Witness> witness_;
+  Decision out_;
+};
+
+}  // namespace
+
+Decision decide_turning(const Query& query, const OracleOptions& options) {
+  return DecidingTurning(query, options).run();
+}
+
+}  // namespace ccdfuzz
