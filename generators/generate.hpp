@@ -78,7 +78,8 @@ inline constexpr auto kAllFamilies = [] {
 /// Those of queries with weights, loops, ends or a separation.
 inline constexpr auto kNotPlainFamilies = [] {
   constexpr auto kFirst = static_cast<size_t>(Family::kBodies) + 1;
-  std::array<Family, kAllFamilies.size() - kFirst> all{};
+  constexpr auto kEnd = static_cast<size_t>(Family::kTurning);
+  std::array<Family, kEnd - kFirst> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = kAllFamilies[kFirst + i];
   return all;
 }();

@@ -73,9 +73,10 @@ tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const 
   OracleOptions limits;
   limits.known = witness;
   out.truth = decide(query, limits).truth;
-  if (!out.truth.collides || !out.truth.witness || out.truth.witness->t != witness.t) {
-    return tl::unexpected(Discard::kFirstContact);
-  }
+  const auto& found = out.truth.witness;
+  const bool is_first = found && found->t == witness.t && out.truth.clear_until &&
+                        witness.t - *out.truth.clear_until <= eps_t.rational();
+  if (!is_first) return tl::unexpected(Discard::kFirstContact);
   if (options.kind == CaseKind::kRP) return made;
   query.t_max = t - *eps_t.to_double_exactly();
   out.truth.collides = false;

@@ -11,8 +11,8 @@ namespace ccdfuzz {
 /// touch as those of bodies_case do. At t* < 1 a turn is the identity, so that the contact is
 /// planted there whatever turns. `from` is −t*·d beside a number that makes its length about 1, and
 /// `to` is (1 − t*)·d so. All numbers are floats. With options.plane bodies turn by cosine and
-/// sine, else by quaternions. Kept is what the oracle proves to touch at t* first, up to 2^-40 of
-/// it. RP: t* < t_max ≤ 1. RN: the same bodies with t_max = t* − eps_t.
+/// sine, else by quaternions. Kept is what the oracle proves to touch at t* first, up to eps_t.
+/// RP: t* < t_max ≤ 1. RN: the same bodies with t_max = t* − eps_t.
 tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                          Draw& draw);
 

@@ -115,6 +115,26 @@ void change_end(const BodyChange& c) {
   c.query.t_max *= std::ldexp(1.0, static_cast<int>(c.draw.integer(-2, 2)));
 }
 
+/// A body that turns stops turning, turns as the other does or the other way round, or about
+/// another point.
+void change_turn(const BodyChange& c) {
+  std::optional<BodyTurn>& turn = c.hull.turn;
+  const std::optional<BodyTurn> before = turn;
+  const std::uint64_t way = c.draw.below(5);
+  if (way == 0) {
+    turn.reset();
+  } else if (way == 1) {
+    turn = c.donor.turn;
+  } else if (way == 2) {
+    std::swap(turn->from, turn->to);
+  } else if (way == 3) {
+    turn->centre = c.hull.positions[c.point];
+  } else {
+    turn->centre[c.k] += draw_step(c.draw, -4, 2);
+  }
+  if (turn && fault_of(*turn)) turn = before;
+}
+
 constexpr std::array kBodyChanges = {nudge,          shift_number,  align,      simplify_number,
                                      scale_velocity, change_radius, drop_point, add_point,
                                      stretch,        shift_body,    shift_all,  splice_body,
@@ -124,7 +144,8 @@ void change_once(Query& mutant, const Query& other, Draw& draw) {
   MovingPatch<double>& hull = mutant.patches[draw.below(2)];
   const MovingPatch<double>& donor = other.patches[draw.below(2)];
   const size_t point = draw.below(hull.positions.size());
-  const auto change = draw.pick(kBodyChanges);
+  const bool is_of_turn = hull.turn && draw.below(4) == 0;  // what does not turn draws as before
+  const auto change = is_of_turn ? change_turn : draw.pick(kBodyChanges);
   change({mutant, hull, donor, draw, point, static_cast<int>(draw.below(3))});
 }
 
@@ -142,6 +163,7 @@ template <class Change>
 void change_numbers(Query& query, const Change& change) {
   for (MovingPatch<double>& hull : query.patches) {
     for_each_coordinate(hull, [&](double& x) { x = change(x); });
+    for_each_turn_number(hull, [&](double& x) { x = change(x); });
   }
   query.t_max = change(query.t_max);
 }
@@ -159,6 +181,7 @@ Query mutate_query(const Query& query, const Query& other, Draw& draw) {
     if (patch.shape.kind != ShapeKind::kHull) continue;
     patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
   }
+  if (ends_at_one(mutant)) mutant.t_max = std::min(mutant.t_max, 1.0);
   change_numbers(mutant, nearest_float);
   CCDFUZZ_VERIFY(is_valid(mutant));
   return mutant;

@@ -29,6 +29,7 @@ class BodyMinimiser {
     for (bool goes_on = true; goes_on && !ended();) {
       const std::uint64_t before = taken_;
       drop_points();
+      offer_turns();
       offer_resting();
       offer_numbers();
       goes_on = taken_ > before;
@@ -84,6 +85,15 @@ class BodyMinimiser {
     }
   }
 
+  /// Without a turn, or about a simple point.
+  void offer_turns() {
+    for (const size_t s : {0, 1}) {
+      if (!query().patches[s].turn) continue;
+      if (offer([&](Query& q) { q.patches[s].turn.reset(); })) continue;
+      offer([&](Query& q) { q.patches[s].turn->centre = {0, 0, 0}; });
+    }
+  }
+
   /// One of them at rest, or a point of one at the origin.
   void offer_resting() {
     for (const size_t s : {0, 1}) {
@@ -95,6 +105,7 @@ class BodyMinimiser {
         const bool taken = offer([&](Query& q) {
           for (MovingPatch<double>& hull : q.patches) {
             for (Vec3<double>& p : hull.positions) p -= by;
+            if (hull.turn) hull.turn->centre -= by;
           }
         });
         if (taken) break;
@@ -126,7 +137,10 @@ class BodyMinimiser {
 
   template <class Visit>
   static void for_each_number(Query& query, const Visit& visit) {
-    for (MovingPatch<double>& hull : query.patches) for_each_coordinate(hull, visit);
+    for (MovingPatch<double>& hull : query.patches) {
+      for_each_coordinate(hull, visit);
+      for_each_turn_number(hull, visit);
+    }
     visit(query.t_max);
     visit(query.separation);
   }

@@ -63,7 +63,8 @@ static_assert(std::ranges::equal(kNotPlain, kNotPlainFamilies, {}, &NotPlain::fa
 
 bool has_all(const Features& taken, const Features& needs) {
   return (taken.ends || !needs.ends) && (taken.separation || !needs.separation) &&
-         (taken.weights || !needs.weights) && (taken.trims || !needs.trims);
+         (taken.weights || !needs.weights) && (taken.trims || !needs.trims) &&
+         (taken.turns || !needs.turns) && (taken.angles || !needs.angles);
 }
 
 }  // namespace
@@ -126,6 +127,10 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   std::vector<Source> sources;
   if (ground_.bodies) {
     add_source(sources, contact, std::nullopt, Family::kBodies);
+    const Features needs = {.turns = !ground_.plane, .angles = ground_.plane};
+    if (has_all(features_, needs)) {
+      add_source(sources, contact, std::nullopt, Family::kTurning, needs);
+    }
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {

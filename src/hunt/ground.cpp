@@ -67,6 +67,7 @@ void bring_to_scale(Query& query, int scale) {
     for_each_coordinate(patch, [&](double& x) { x = std::ldexp(x, in_space); });
   }
   query.separation = std::ldexp(query.separation, in_space);
+  if (has_turns(query)) return;  // they turn from 0 to 1
   const int in_time = shift_into(largest(moves), scale);
   for (MovingPatch<double>& patch : query.patches) {
     for (Vec3<double>& v : patch.velocities) v *= std::ldexp(1.0, in_time);
@@ -155,9 +156,12 @@ Case HuntGround::fitted(Case value) const {
   };
   for (MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, fit);
+    for_each_turn_number(patch, fit);
     for (Points<double>* points : {&patch.positions, &patch.velocities}) {
       for (Vec3<double>& v : *points) v[2] = plane && are_bodies ? 0 : v[2];
     }
+    if (patch.turn && plane) patch.turn->centre[2] = 0;
+    if (patch.turn && fault_of(*patch.turn)) patch.turn.reset();  // what is left of it is none
   }
   fit(query.t_max);
   fit(query.separation);

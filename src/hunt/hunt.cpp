@@ -81,6 +81,8 @@ Features features_of_any(const std::vector<std::string>& methods) {
     any.separation |= one.separation;
     any.weights |= one.weights;
     any.trims |= one.trims;
+    any.turns |= one.turns;
+    any.angles |= one.angles;
   }
   return any;
 }

@@ -1,5 +1,7 @@
 #include "method/features.hpp"
 
+#include <algorithm>
+
 #include "case/refusal.hpp"
 
 namespace ccdfuzz {
@@ -10,7 +12,9 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   const bool is_of_ends = has_ends(query) && !features.ends;
   const bool is_weighted = !(a.weights.empty() && b.weights.empty()) && !features.weights;
   const bool has_bodies = is_of_bodies(query) && !features.bodies;
-  const bool has_turning = has_turns(query) && !features.turns;
+  const bool has_turning = std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
+    return body.turn && !(body.turn->is_quaternion() ? features.turns : features.angles);
+  });
   const bool has_trims = is_trimmed(query) && !features.trims;
   const bool is_taken =
       !is_apart && !is_of_ends && !is_weighted && !has_bodies && !has_turning && !has_trims;
@@ -35,7 +39,7 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   }
   if (is_apart) refuse("knows touching alone, and this query has a separation");
   if (has_bodies) refuse(kNoBodies);
-  if (has_turning) refuse("takes bodies that do not turn");
+  if (has_turning) refuse("takes no bodies that turn so");
   if (has_trims) refuse("takes whole patches, and one of this query is trimmed");
 }
 

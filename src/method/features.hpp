@@ -16,8 +16,8 @@ struct Features {
   bool weights = false;
   /// Bodies (ShapeKind::kHull).
   bool bodies = false;
-  /// Bodies that turn.
-  bool turns = false;
+  /// Bodies that turn by quaternions, and by cosine and sine.
+  bool turns = false, angles = false;
   /// Patches with a trim.
   bool trims = false;
 };
@@ -27,6 +27,7 @@ inline constexpr Features kAllFeatures = {.ends = true,
                                           .weights = true,
                                           .bodies = true,
                                           .turns = true,
+                                          .angles = true,
                                           .trims = true};
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends, and

@@ -1,4 +1,5 @@
-// Box2D v3: the time of impact of two shapes that do not turn, by b2TimeOfImpact.
+// Box2D v3: the time of impact of two shapes that do not turn, or with the option turns=1 of those
+// that do, by b2TimeOfImpact.
 #include <box2d/collision.h>
 
 #include "../../plugins/adapter.hpp"
@@ -6,9 +7,12 @@
 namespace ccd = adapter::ccd;
 
 struct Box2d {
-  explicit Box2d(const std::string& text) : options(text) { options.check_all_known(); }
+  explicit Box2d(const std::string& text) : options(text) {
+    turns = options.number("turns", 0) != 0;
+    options.check_all_known();
+  }
 
-  static ccd::Description describe() {
+  ccd::Description describe() const {
     ccd::Description d{"Box2D", ENGINE_VERSION};
     // Neither a contact at 0 nor one at the end.
     d.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY | CCDFUZZ_PLANE;
@@ -21,6 +25,10 @@ struct Box2d {
     // It stops where shapes overlap by its slop, 0.005, and a quarter of that is its tolerance.
     d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
     d.tolerance = 1.25 * 0.005;
+    if (turns) {
+      d.claims |= CCDFUZZ_TAKES_ANGLES;
+      d.promise = "none of bodies that turn: its header says that it may miss collisions";
+    }
     return d;
   }
 
@@ -28,9 +36,22 @@ struct Box2d {
     return {adapter::as_float(factor * x[0]), adapter::as_float(factor * x[1])};
   }
 
+  /// A number of a turn, if its q has the unit length that the engine asks for.
+  static float of_unit(const double* q, std::uint64_t count, std::size_t place) {
+    double squared = 0;
+    for (std::uint64_t i = 0; i < count; ++i) squared += q[i] * q[i];
+    if (std::abs(squared - 1) > 0x1p-20) throw adapter::Refusal("a turn is not of unit length");
+    return adapter::as_float(q[place]);
+  }
+
+  static b2Rot rotation(const double* q) { return {of_unit(q, 2, 0), of_unit(q, 2, 1)}; }
+
   static ccd::Answer answer(const ccd::Query& query) {
     b2TOIInput input{};
-    input.maxFraction = 1;
+    const bool turned =
+        query.raw.patches[0]->turn_count > 0 || query.raw.patches[1]->turn_count > 0;
+    const double way = turned ? 1 : query.t_max();  // at fraction 1
+    input.maxFraction = turned ? static_cast<float>(query.t_max()) : 1;
     try {
       for (int side = 0; side < 2; ++side) {
         const ccdfuzz_patch& body = *query.raw.patches[side];
@@ -39,8 +60,15 @@ struct Box2d {
         (side == 0 ? input.proxyA : input.proxyB) = b2MakeProxy(
             points.data(), static_cast<int>(points.size()), adapter::as_float(body.radius));
         b2Sweep& sweep = side == 0 ? input.sweepA : input.sweepB;
-        sweep.c2 = vector(body.velocities[0], query.t_max());
+        sweep.c2 = vector(body.velocities[0], way);
         sweep.q1 = sweep.q2 = b2Rot_identity;
+        if (body.turn_count == 0) continue;
+        sweep.localCenter = sweep.c1 = vector(body.turn_centre);
+        double end[3];
+        for (int k = 0; k < 3; ++k) end[k] = body.turn_centre[k] + body.velocities[0][k];
+        sweep.c2 = vector(end);
+        sweep.q1 = rotation(body.turn_from);
+        sweep.q2 = rotation(body.turn_to);
       }
     } catch (const adapter::Refusal& refusal) {
       return adapter::refused(refusal);
@@ -49,10 +77,11 @@ struct Box2d {
     if (output.state == b2_toiStateFailed) return {};
     return output.state == b2_toiStateSeparated
                ? ccd::Answer::miss()
-               : ccd::Answer::hit(adapter::scaled_toi(double{output.fraction}, query.t_max()));
+               : ccd::Answer::hit(adapter::scaled_toi(double{output.fraction}, way));
   }
 
   adapter::Options options;
+  bool turns = false;
 };
 
 CCDFUZZ_PLUGIN(Box2d)

@@ -159,7 +159,7 @@ class HeightCheck {
       rows_[column] = {0};
       for (size_t row = 0; row < 3; ++row) {
         const Polynomial matrix = {entry(from_, from_, row, column, with_),
-                                   2 * entry(from_, until_, row, column, with_),
+                                   Rational(2 * entry(from_, until_, row, column, with_)),
                                    entry(until_, until_, row, column, with_)};
         rows_[column] = with_.sum(rows_[column], with_.product(piece_.normal[row], matrix));
       }

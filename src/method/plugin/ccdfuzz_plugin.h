@@ -63,6 +63,16 @@ typedef struct ccdfuzz_patch {
   uint64_t loop_count;
   const uint64_t* loop_sizes;
   const double (*loop_vertices)[2];
+  /* Of a body that turns: at time t a point p of it is at c + R (p - c) + t * velocity, c the
+   * turn_centre. R is the rotation of q = (1-t) * turn_from + t * turn_to, whose length does not
+   * matter, and t_max <= 1. With a turn_count of 4 the numbers are w, x, y, z of a quaternion: R v
+   * = q v q* / |q|^2. With 2 they are cosine and sine of an angle about the z axis, times |q|. 0
+   * and NULL: it does not turn, as always for a plug-in that claims neither CCDFUZZ_TAKES_TURNS nor
+   * CCDFUZZ_TAKES_ANGLES. */
+  uint64_t turn_count;
+  const double* turn_from;
+  const double* turn_to;
+  double turn_centre[3];
 } ccdfuzz_patch;
 
 /* Do the two patches touch at some t of the closed [0, t_max], and when first? */
@@ -115,7 +125,10 @@ enum {
   CCDFUZZ_BINARY32 = 256, /* queries all of whose numbers are floats */
   CCDFUZZ_ORDINARY = 512, /* queries that start apart, in motion, of patches or bodies with extent,
                            * and whose contact is well inside of [0, t_max] */
-  CCDFUZZ_PLANE = 1024    /* bodies that lie and move in the plane z = 0 */
+  CCDFUZZ_PLANE = 1024,   /* bodies that lie and move in the plane z = 0 */
+  /* And it answers bodies that turn: */
+  CCDFUZZ_TAKES_TURNS = 2048, /* by quaternions */
+  CCDFUZZ_TAKES_ANGLES = 4096 /* by cosine and sine */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:

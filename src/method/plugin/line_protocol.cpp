@@ -103,6 +103,8 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_flag(object, "takes_weights", out.features.weights); })
       .and_then([&] { return read_flag(object, "takes_bodies", out.features.bodies); })
       .and_then([&] { return read_flag(object, "takes_trims", out.features.trims); })
+      .and_then([&] { return read_flag(object, "takes_turns", out.features.turns); })
+      .and_then([&] { return read_flag(object, "takes_angles", out.features.angles); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
@@ -120,11 +122,11 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
 /// A field that a description does not have: misspelt, it would claim nothing.
 std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
   constexpr std::array kFields = {
-      "protocol",         "name",         "version",      "promise",    "accepts",
-      "bodies",           "conservative", "closed_t_max", "takes_ends", "takes_trims",
-      "takes_weights",    "takes_bodies", "tolerance",    "nan_policy", "tolerance_kind",
-      "takes_separation", "ordinary",     "numbers",      "within",     "minimum_separation",
-      "contact_at_zero",  "plane"};
+      "protocol",         "name",         "version",      "promise",     "accepts",
+      "bodies",           "conservative", "closed_t_max", "takes_ends",  "takes_trims",
+      "takes_weights",    "takes_bodies", "tolerance",    "nan_policy",  "tolerance_kind",
+      "takes_separation", "ordinary",     "numbers",      "within",      "minimum_separation",
+      "contact_at_zero",  "plane",        "takes_turns",  "takes_angles"};
   for (const std::string& key : object.keys) {
     if (std::ranges::find(kFields, key) == kFields.end()) {
       return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};

@@ -202,6 +202,8 @@ class Plugin {
             {"takes_separation", (d.claims & CCDFUZZ_TAKES_SEPARATION) != 0},
             {"takes_weights", (d.claims & CCDFUZZ_TAKES_WEIGHTS) != 0},
             {"takes_trims", (d.claims & CCDFUZZ_TAKES_TRIMS) != 0},
+            {"takes_turns", (d.claims & CCDFUZZ_TAKES_TURNS) != 0},
+            {"takes_angles", (d.claims & CCDFUZZ_TAKES_ANGLES) != 0},
             {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
@@ -228,6 +230,7 @@ class Plugin {
     query.separation = asked.value("separation", 0.0);
     const auto points_before = points_;
     const auto weights_before = weights_;
+    const auto turns_before = turns_;
 
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     Fenced<ccdfuzz_answer> out;
@@ -246,7 +249,9 @@ class Plugin {
         fault("sizes", "wrote into the query");
       }
     }
-    if (weights_ != weights_before) fault("sizes", "wrote into the query");
+    if (weights_ != weights_before || turns_ != turns_before) {
+      fault("sizes", "wrote into the query");
+    }
     a.message[sizeof a.message - 1] = '\0';
     if (status != 0 || a.verdict == CCDFUZZ_ERROR) {
       return {{"verdict", "error"},
@@ -308,6 +313,16 @@ class Plugin {
     (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
     weights_[side] = patch.value("weights", std::vector<double>());
     if (!weights_[side].empty()) out.weights = weights_[side].data();
+    if (patch.contains("turn")) {
+      const Json& turn = patch.at("turn");
+      for (size_t end = 0; end < 2; ++end) {
+        turns_[2 * side + end] = turn.at(end == 0 ? "from" : "to").get<std::vector<double>>();
+      }
+      out.turn_count = turns_[2 * side].size();
+      out.turn_from = turns_[2 * side].data();
+      out.turn_to = turns_[2 * side + 1].data();
+      for (size_t k = 0; k < 3; ++k) out.turn_centre[k] = turn.at("centre")[k].get<double>();
+    }
     sizes_[side].clear();
     vertices_[side].clear();
     for (const auto& loop : patch.value("trim", std::vector<std::vector<Vertex>>())) {
@@ -325,6 +340,7 @@ class Plugin {
   std::array<ccdfuzz_patch, 2> patches_{};
   std::array<Coordinates, 4> points_;
   std::array<std::vector<double>, 2> weights_;
+  std::array<std::vector<double>, 4> turns_;  ///< from and to of each side
   using Vertex = std::array<double, 2>;
   std::array<std::vector<Vertex>, 2> vertices_;  ///< those of all loops
   std::array<std::vector<std::uint64_t>, 2> sizes_;
