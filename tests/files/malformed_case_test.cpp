@@ -110,10 +110,17 @@ const std::vector<Row> kTable = {
      "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
      "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], \"radius\": -1",
      "patches[0].radius: -1 is negative"},
+    {"TurnThroughZero",
+     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
+     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
+     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], "
+     "\"turn\": {\"from\": [1,0], \"to\": [0,1]}",
+     "patches[0].turn: to from·to is not > 0: give -to, which is the same rotation of a "
+     "quaternion"},
     {"EndsBesideVelocities", "\"degree\": 1,", "\"degree\": 1, \"ends\": [],",
      "patches[0].ends: stands beside velocities; a patch has one of them"},
     {"EndsPastOne", "\"velocities\": [[0,0,0]", "\"ends\": [[0,0,0]",
-     "t_max: 2.0 is past 1, where the ends of a patch are"},
+     "t_max: 2.0 is past 1, where the ends of a patch or of a turn are"},
     {"NegativeSeparation", "\"t_max\"", "\"separation\": -1, \"t_max\"",
      "separation: -1 is negative"},
     // What later versions will have.
@@ -268,7 +275,7 @@ const std::vector<Row> kTable = {
     {"TwoColumns", "[0, 0, -2]", "[0, 0]",
      "truth.certificate.contact.inverse[2]: needs 3 items, not 2"},
     {"UnknownClearance", "\"kind\": \"T\"", "\"kind\": \"Q\"",
-     "truth.certificate.clear.kind: \"Q\" is not a certificate of absence (P, T, L, K)"},
+     "truth.certificate.clear.kind: \"Q\" is not a certificate of absence (P, T, L, K, N)"},
     {"LinearWithATree", "\"kind\": \"T\"", "\"kind\": \"L\"",
      "truth.certificate.clear.closed: missing"},
     {"PlaneWithATree", "\"kind\": \"T\"", "\"kind\": \"P\"",
@@ -289,7 +296,7 @@ const std::vector<Row> kTable = {
     {"NoProof", "\"collides\": true", "\"collides\": false",
      "truth.proof: missing, though collides is false"},
     {"UnknownProof", "\"collides\": true", "\"proof\": \"trust me\", \"collides\": false",
-     "truth.proof: \"trust me\" is not a proof (P, T, rational-tdibm, L, K)"},
+     "truth.proof: \"trust me\" is not a proof (P, T, rational-tdibm, L, K, N)"},
     {"WitnessTimeAsNumber", "\"t\": \"1\"", "\"t\": 1",
      "truth.witness.t: 1 is not a string \"p\" or \"p/q\""},
     {"WitnessTimeDecimal", "\"t\": \"1\"", "\"t\": \"0.5\"",
