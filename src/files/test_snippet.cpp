@@ -25,7 +25,8 @@ ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint3
                          const double (*velocities)[3], const double (*ends)[3] = nullptr,
                          const double* weights = nullptr, double radius = 0) {{
   return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count,
-          positions, velocities, ends, weights, radius, 0, nullptr, nullptr}};
+          positions, velocities, ends, weights, radius,
+          0, nullptr, nullptr, 0, nullptr, nullptr, {{}}}};
 }}
 
 /// The plug-in that this is linked with.
