@@ -341,8 +341,8 @@ void add_hunt(CommandLine& line) {
   linear.excludes(shape);
   command
       .flag("--bodies", hunt.ground.bodies,
-            "Only convex bodies under translation: boxes, balls, hulls. Of the built-in methods, "
-            "oracle alone takes them, and is then the default")
+            "Only convex bodies: boxes, balls, hulls. They turn for methods that take that. Of the "
+            "built-in methods, oracle alone takes bodies, and is then the default")
       .excludes(shape)
       .excludes(linear);
   command.flag("--plane", hunt.ground.plane,
