@@ -108,6 +108,30 @@ TEST(Draw, OffersLinearCodesEndsAndSeparations) {
   EXPECT_EQ(seen, (std::set<std::string>{"linear", "ends", "separated"}));
 }
 
+TEST(Draw, OffersBodiesThatTurnToWhoTakesThem) {
+  for (const bool plane : {false, true}) {
+    HuntGround ground;
+    ground.bodies = true;
+    ground.plane = plane;
+    Features taken{.bodies = true};
+    (plane ? taken.angles : taken.turns) = true;
+    const Draws draws(1, ground, taken);
+    const ContactClass contact = draws.classes().front();
+    const auto turning_of = [&](const Features& features) {
+      int turning = 0;
+      for (std::uint64_t n = 0; n < 8; ++n) {
+        const std::uint64_t index = draws.index_of(contact, features, n);
+        for (const CheckedCase& asked : draws.at(contact, index).asked) {
+          turning += has_turns(asked.query()) ? 1 : 0;
+        }
+      }
+      return turning;
+    };
+    EXPECT_GE(turning_of(taken), 2) << plane;
+    EXPECT_EQ(turning_of({.bodies = true}), 0) << plane;
+  }
+}
+
 TEST(Draw, WhatAMethodIsAskedDoesNotDependOnWhatOthersTake) {
   const Draws alone(1), together(1, {}, kAllFeatures);
   for (std::uint64_t n = 0; n < 60; n += kOneIn) {

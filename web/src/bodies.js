@@ -3,6 +3,7 @@ import { IcosahedronGeometry, Vector3 } from 'three';
 import { ConvexHull } from 'three/addons/math/ConvexHull.js';
 import { add, compare, fractionOf, multiply, parseFraction, subtract, toNumber } from './exact.js';
 import { real } from './local.js';
+import { turnedAt } from './turn.js';
 
 const kFlat = 2 ** -20;  // of a body's size: what is thinner is drawn as flat
 const kTie = 2 ** -40;  // of a body's size: heights that differ by less are of one face or edge
@@ -126,12 +127,14 @@ const sum = (list) => list.reduce(add, [0n, 1n]);
 /**
  * Two bodies about their contact, as localPatches has patches: each with its one term, the point of its surface
  * that is nearest to the other, and with `points`, `radius` and `mesh` besides. `normal` is the direction from
- * body 1 to body 2 there. Without a witness it is that of the middles, and so are the points.
+ * body 1 to body 2 there. Without a witness it is that of the middles, and so are the points. A body that turns
+ * is drawn as it stands at t, also before and after.
  */
 export function localBodies(known, { uv, t, witness }) {
   const bodies = known.patches.map((patch, s) => {
     const v = patch.velocities[0].map(exact);
-    const points = patch.positions.map((row) => row.map((x, k) => add(exact(x), multiply(t, v[k]))));
+    const turned = patch.turn ? turnedAt(patch.turn, t) : (point) => point;
+    const points = patch.positions.map((row) => turned(row.map(exact)).map((x, k) => add(x, multiply(t, v[k]))));
     const share = witness ? known.truth.witness.weights[s].map(parseFraction) : points.map(() => [1n, BigInt(points.length)]);
     const place = [0, 1, 2].map((k) => sum(points.map((p, i) => multiply(share[i], p[k]))));
     return { v, points, place, radius: exact(patch.radius ?? 0) };

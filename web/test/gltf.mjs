@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { bodyMesh } from '../src/bodies.js';
+import { bodyMesh, localBodies } from '../src/bodies.js';
 import { netEdges } from '../src/patch_view.js';
 import { grid, trimmed } from '../src/surface.js';
 
@@ -124,6 +124,19 @@ for (const [change, said] of [
 }
 claim('refused: no case named', run('-o', join(work, 'bad.gltf')).status === 2);
 claim('refused: no such file', run(join(work, 'nothing.json'), '-o', join(work, 'bad.gltf')).status === 2);
+
+// The far end of a segment, which turns about the near one, meets a point at t = 1.
+for (const [what, turn, place] of [
+  ['a quaternion', { from: [1, 0, 0, 0], to: [1, 0, 0, 1] }, [0, 5, 0]],
+  ['a quaternion about a centre', { from: [1, 0, 0, 0], to: [1, 0, 0, 1], centre: [1, 0, 0] }, [1, 4, 0]],
+  ['a cosine and a sine', { from: [5, 0], to: [3, 4] }, [3, 4, 0]],
+]) {
+  const still = [[0, 0, 0]];
+  const hulls = [{ shape: 'hull', positions: [[0, 0, 0], [5, 0, 0]], velocities: still, turn }, { shape: 'hull', positions: [place], velocities: still }];
+  const known = { patches: hulls, truth: { witness: { t: '1', weights: [['0', '1'], ['1']] } } };
+  const { apart, origin } = localBodies(known, { uv: [], t: [1n, 1n], witness: true });
+  claim(`a body that turns by ${what} is drawn where it touches`, !apart && origin.every((x, k) => x === place[k]), apart, origin);
+}
 
 // Surfaces and nets of both the page and the files.
 for (const [kind, area] of [['triangle', 0.5], ['tensor', 1]]) {
