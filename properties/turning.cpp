@@ -2,6 +2,7 @@
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_turning.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
@@ -124,6 +125,100 @@ void check_no_turn(Draw& d) {
   claim_same_contact(plain, decide(query).truth);
 }
 
+/// Along a normal the highest point of body 1 and the lowest of body 2, in exact arithmetic.
+std::array<Rational, 2> heights_at(const Query& query, const Vec3<Rational>& normal,
+                                   const Rational& t) {
+  std::array<Rational, 2> heights;
+  for (size_t s = 0; s < 2; ++s) {
+    const Points<Rational> points = points_at(query.patches[s], t).points;
+    heights[s] = dot_of(normal, points[0]);
+    for (const Vec3<Rational>& p : points) {
+      const Rational height = dot_of(normal, p);
+      if (s == 0 ? height > heights[s] : height < heights[s]) heights[s] = height;
+    }
+  }
+  return heights;
+}
+
+/// A time of few bits, lest exact nearest points take seconds, and a plane that begins then. Its
+/// normal is about the shortest way from body 1 to body 2.
+struct PlaneBetween {
+  BodyPlanes::Plane plane;
+  Vec3<Rational> normal;
+  Rational largest = 0;  ///< component of the normal
+  Rational reach, kept;  ///< what the bodies are to be apart, and that along the normal
+};
+
+PlaneBetween draw_plane_between(Draw& d, const Query& query) {
+  constexpr int kSteps = 64;
+  PlaneBetween out;
+  out.plane.from = rounded_down(
+      exact(query.t_max) * static_cast<long>(d.integer(0, kSteps)) / kSteps, power_of_two(-10));
+  NearestPoints nearest;
+  const Vec3<Rational> way = nearest(points_at(query.patches[0], out.plane.from).points,
+                                     points_at(query.patches[1], out.plane.from).points)
+                                 .way;
+  for (int k = 0; k < 3; ++k) {
+    out.normal[k] = exact(way[k].get_d());
+    out.largest = std::max(out.largest, Rational(abs(out.normal[k])));
+    for (auto& end : out.plane.normals) end[static_cast<size_t>(k)] = out.normal[k];
+  }
+  out.reach = exact(query.patches[0].radius) + exact(query.patches[1].radius);
+  out.kept = out.reach * root_above(dot_of(out.normal, out.normal));
+  return out;
+}
+
+/// For a short time a plane between bodies with room on both sides is accepted. It is refused with
+/// a gap that is no larger than what they are to be apart.
+void check_planes_with_room(Draw& d) {
+  const Query query = draw_turning(d, CaseKind::kRP).query;
+  auto [plane, normal, largest, reach, kept] = draw_plane_between(d, query);
+  const Rational until = plane.from + power_of_two(-24);
+  suppose(until <= 1);
+  Rational size = 0;
+  for (const MovingPatch<double>& body : query.patches) {
+    for_each_coordinate(body, [&](double x) { size += abs(exact(x)); });
+  }
+  const auto [highest, lowest] = heights_at(query, normal, plane.from);
+  const Rational room = lowest - highest - kept;
+  // In 2^-24 of the step no point goes farther than a small part of this.
+  suppose(room > power_of_two(-8) * size * largest);
+  plane.offsets.fill(highest + room / 4);
+  plane.gap = kept + room / 4;
+  show(d, "room", room);
+  CLAIM(check_body_plane(query, plane, until).has_value());
+  plane.gap = reach * largest;
+  const bool is_accepted = check_body_plane(query, plane, until).has_value();
+  CLAIM(!is_accepted);
+}
+
+/// A plane that touches the bodies at both of its ends is accepted only if they are on their sides
+/// of it in between.
+void check_planes_between(Draw& d) {
+  const Query query = draw_turning(d, CaseKind::kRP).query;
+  auto [plane, normal, largest, reach, kept] = draw_plane_between(d, query);
+  const Rational length = power_of_two(-static_cast<long>(d.integer(1, 6)));
+  const Rational until = plane.from + length;
+  suppose(until <= 1);
+  const std::array ends = {heights_at(query, normal, plane.from), heights_at(query, normal, until)};
+  const bool touches_first = d.coin();
+  plane.gap = kept + power_of_two(-20) * largest;
+  for (size_t end = 0; end < 2; ++end) {
+    plane.offsets[end] = touches_first ? ends[end][0] : Rational(ends[end][1] - plane.gap);
+  }
+  suppose(check_body_plane(query, plane, until).has_value());
+  constexpr long kParts = 8;
+  const Rational share = Rational(static_cast<long>(d.integer(1, kParts - 1))) / kParts;
+  const Rational t = plane.from + share * length;
+  const Rational offset = (1 - share) * plane.offsets[0] + share * plane.offsets[1];
+  const auto [highest, lowest] = heights_at(query, normal, t);
+  show(d, "t", t);
+  // Where |q| is not rational, points are within 2^-96 of their distance from the centre.
+  const Rational rounding = power_of_two(-60) * largest;
+  CLAIM(highest <= offset + rounding);
+  CLAIM(lowest + rounding >= offset + plane.gap);
+}
+
 /// No planes are a proof of the time of a contact.
 void check_late_planes(Draw& d) {
   const Case known = draw_turning(d, CaseKind::kRP);
@@ -168,6 +263,14 @@ std::vector<Property> turning_claims() {
        kDeciding, check_same_turning},
       {"turning.no_turn", "Bodies whose turn is the identity touch when they do without it",
        kDeciding, check_no_turn},
+      {"turning.planes_with_room",
+       "For a short time, planes between bodies that turn are accepted if there is room, and "
+       "refused "
+       "with too small a gap",
+       kChecker, check_planes_with_room},
+      {"turning.planes_hold_between",
+       "Planes that are accepted have bodies that turn on their sides between their ends, too",
+       kChecker, check_planes_between},
       {"checker.refuses_late_planes", "No planes keep bodies that turn apart at their contact",
        kChecker, check_late_planes},
   };
