@@ -14,7 +14,7 @@ namespace ccdfuzz {
 namespace {
 
 /// The least double whose square is no less.
-double root_above(const Rational& squared) {
+double double_above_root(const Rational& squared) {
   double root = std::sqrt(round_up(squared));
   while (exact(root) * exact(root) < squared) root = std::nextafter(root, HUGE_VAL);
   while (exact(std::nextafter(root, 0)) * exact(std::nextafter(root, 0)) >= squared) {
@@ -47,7 +47,7 @@ bool move_apart(Query& query, const Vec3<Dyadic>& way) {
       if (!add_exactly(p[k], *by)) return false;
     }
   }
-  query.separation = root_above(squared);
+  query.separation = double_above_root(squared);
   return true;
 }
 

@@ -24,6 +24,14 @@ inline float as_float(double x) {
   return narrow;
 }
 
+/// A number of a turn, if its q has the unit length that an engine asks for.
+inline float of_unit(const double* q, std::uint64_t count, std::size_t place) {
+  double squared = 0;
+  for (std::uint64_t i = 0; i < count; ++i) squared += q[i] * q[i];
+  if (std::abs(squared - 1) > 0x1p-20) throw Refusal("a turn is not of unit length");
+  return as_float(q[place]);
+}
+
 inline ccd::Answer refused(const Refusal& refusal) {
   ccd::Answer answer;
   answer.verdict = CCDFUZZ_REFUSED;

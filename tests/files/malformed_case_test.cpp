@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
-#include <locale>
 #include <vector>
 
-#include <gtest/gtest.h>
 #include "files/case_json.hpp"
 
 namespace ccdfuzz {

@@ -36,15 +36,9 @@ struct Box2d {
     return {adapter::as_float(factor * x[0]), adapter::as_float(factor * x[1])};
   }
 
-  /// A number of a turn, if its q has the unit length that the engine asks for.
-  static float of_unit(const double* q, std::uint64_t count, std::size_t place) {
-    double squared = 0;
-    for (std::uint64_t i = 0; i < count; ++i) squared += q[i] * q[i];
-    if (std::abs(squared - 1) > 0x1p-20) throw adapter::Refusal("a turn is not of unit length");
-    return adapter::as_float(q[place]);
+  static b2Rot rotation(const double* q) {
+    return {adapter::of_unit(q, 2, 0), adapter::of_unit(q, 2, 1)};
   }
-
-  static b2Rot rotation(const double* q) { return {of_unit(q, 2, 0), of_unit(q, 2, 1)}; }
 
   static ccd::Answer answer(const ccd::Query& query) {
     b2TOIInput input{};

@@ -37,16 +37,9 @@ struct Box3d {
     return {as_float(factor * x[0]), as_float(factor * x[1]), as_float(factor * x[2])};
   }
 
-  /// A number of a turn, if its q has the unit length that the engine asks for.
-  static float of_unit(const double* q, std::uint64_t count, std::size_t place) {
-    double squared = 0;
-    for (std::uint64_t i = 0; i < count; ++i) squared += q[i] * q[i];
-    if (std::abs(squared - 1) > 0x1p-20) throw adapter::Refusal("a turn is not of unit length");
-    return adapter::as_float(q[place]);
-  }
-
   static b3Quat rotation(const double* q) {
-    return {{of_unit(q, 4, 1), of_unit(q, 4, 2), of_unit(q, 4, 3)}, of_unit(q, 4, 0)};
+    return {{adapter::of_unit(q, 4, 1), adapter::of_unit(q, 4, 2), adapter::of_unit(q, 4, 3)},
+            adapter::of_unit(q, 4, 0)};
   }
 
   static ccd::Answer answer(const ccd::Query& query) {

@@ -21,10 +21,11 @@ std::optional<Vec3<Rational>> moved_point(const MovingPatch<double>& body, const
 /// linear in D, so that it is ≥ 0 at |q| if it is so for both of these. So the points of patch 1
 /// are at most at the offset, and those of patch 2 at least at the offset + gap. They are gap/|n|
 /// apart, and |n| is largest at an end, as n changes linearly.
-/// The same of one plane and until a later time.
-Result<void> check_body_plane(const Query& query, const BodyPlanes::Plane& plane,
-                              const Rational& until, std::uint64_t most_work = kMostWork);
 Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
                                std::uint64_t most_work = kMostWork);
+
+/// The same of one plane, from its time until a later one.
+Result<void> check_body_plane(const Query& query, const BodyPlanes::Plane& plane,
+                              const Rational& until, std::uint64_t most_work = kMostWork);
 
 }  // namespace ccdfuzz

@@ -92,10 +92,6 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
   return std::isfinite(least) ? least : 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// The depth of overlap at one time, less what rounding their points could add.
 std::optional<double> depth_at(const Query& query, const Rational& t, bool in_plane) {
   std::array<Points<Rational>, 2> points;
