@@ -116,7 +116,7 @@ void change_end(const BodyChange& c) {
 }
 
 /// A body that turns stops turning, turns as the other does or the other way round, or about
-/// another point.
+/// another point or axis.
 void change_turn(const BodyChange& c) {
   std::optional<BodyTurn>& turn = c.hull.turn;
   const std::optional<BodyTurn> before = turn;
@@ -127,10 +127,13 @@ void change_turn(const BodyChange& c) {
     turn = c.donor.turn;
   } else if (way == 2) {
     std::swap(turn->from, turn->to);
+    for (double& x : turn->spin) x = -x;
   } else if (way == 3) {
     turn->centre = c.hull.positions[c.point];
   } else {
-    turn->centre[c.k] += draw_step(c.draw, -4, 2);
+    const bool is_of_spin = turn->is_spin() && c.draw.coin();
+    double& x = is_of_spin ? turn->spin[static_cast<size_t>(c.k)] : turn->centre[c.k];
+    x += draw_step(c.draw, -4, 2);
   }
   if (turn && fault_of(*turn)) turn = before;
 }
@@ -183,6 +186,9 @@ Query mutate_query(const Query& query, const Query& other, Draw& draw) {
   }
   if (ends_at_one(mutant)) mutant.t_max = std::min(mutant.t_max, 1.0);
   change_numbers(mutant, nearest_float);
+  for (MovingPatch<double>& hull : mutant.patches) {
+    if (hull.turn && fault_of(*hull.turn)) hull.turn.reset();  // a spin that is too fast as floats
+  }
   CCDFUZZ_VERIFY(is_valid(mutant));
   return mutant;
 }

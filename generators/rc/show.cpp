@@ -45,9 +45,12 @@ void show_query(const Query& query, std::ostream& out) {
   }
   for (const MovingPatch<double>& patch : query.patches) {
     if (!patch.turn) continue;
-    const auto& [from, to, centre] = *patch.turn;
-    out << fmt::format("{} turns from ({}) to ({}) about {}\n", to_text(patch.shape),
-                       fmt::join(from, ", "), fmt::join(to, ", "), point_text(centre));
+    const auto& [from, to, centre, spin] = *patch.turn;
+    out << (spin.empty()
+                ? fmt::format("{} turns from ({}) to ({}) about {}\n", to_text(patch.shape),
+                              fmt::join(from, ", "), fmt::join(to, ", "), point_text(centre))
+                : fmt::format("{} spins by ({}) about {}\n", to_text(patch.shape),
+                              fmt::join(spin, ", "), point_text(centre)));
   }
   out << fmt::format("asked up to t = {}", query.t_max);
   if (query.separation > 0) out << fmt::format(", for distances up to {}", query.separation);

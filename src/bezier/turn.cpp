@@ -7,33 +7,53 @@
 
 namespace ccdfuzz {
 
+namespace {
+
+std::optional<TurnFault> fault_of_numbers(const char* field, const auto& numbers) {
+  for (int i = 0; i < static_cast<int>(numbers.size()); ++i) {
+    const double x = numbers.begin()[i];
+    if (is_finite(x)) continue;
+    return TurnFault{fmt::format("{}[{}]", field, i), fmt::format("{} is not finite", x)};
+  }
+  return std::nullopt;
+}
+
+Dyadic product_of(const std::vector<double>& a, const std::vector<double>& b) {
+  Dyadic product;
+  for (size_t i = 0; i < a.size(); ++i) {
+    product = product + Dyadic::exact(a[i]) * Dyadic::exact(b[i]);
+  }
+  return product;
+}
+
+std::optional<TurnFault> fault_of_spin(const std::vector<double>& spin) {
+  if (spin.size() != 3) {
+    return TurnFault{"velocity", fmt::format("has {} numbers, and needs 3", spin.size())};
+  }
+  if (auto fault = fault_of_numbers("velocity", spin)) return fault;
+  const Dyadic fastest = Dyadic::exact(kFastestSpin);
+  if (product_of(spin, spin) <= fastest * fastest) return std::nullopt;
+  return TurnFault{"velocity", fmt::format("is of more than {} radians in [0, 1]", kFastestSpin)};
+}
+
+}  // namespace
+
 std::optional<TurnFault> fault_of(const BodyTurn& turn) {
+  if (auto fault = fault_of_numbers("centre", turn.centre)) return fault;
+  if (turn.is_spin() && turn.from.empty() && turn.to.empty()) return fault_of_spin(turn.spin);
   for (const auto& [field, numbers] : {std::pair("from", &turn.from), std::pair("to", &turn.to)}) {
-    if (numbers->size() != 4 && numbers->size() != 2) {
+    if (turn.is_spin() || (numbers->size() != 4 && numbers->size() != 2)) {
       return TurnFault{field, fmt::format("has {} numbers, and needs 4 of a quaternion or 2 of an "
                                           "angle",
                                           numbers->size())};
     }
-    for (size_t i = 0; i < numbers->size(); ++i) {
-      const double x = (*numbers)[i];
-      if (!is_finite(x)) {
-        return TurnFault{fmt::format("{}[{}]", field, i), fmt::format("{} is not finite", x)};
-      }
-    }
+    if (auto fault = fault_of_numbers(field, *numbers)) return fault;
   }
   if (turn.from.size() != turn.to.size()) {
     return TurnFault{"to",
                      fmt::format("has {} numbers, and from {}", turn.to.size(), turn.from.size())};
   }
-  for (int k = 0; k < 3; ++k) {
-    if (is_finite(turn.centre[k])) continue;
-    return TurnFault{fmt::format("centre[{}]", k), fmt::format("{} is not finite", turn.centre[k])};
-  }
-  Dyadic product;
-  for (size_t i = 0; i < turn.from.size(); ++i) {
-    product = product + Dyadic::exact(turn.from[i]) * Dyadic::exact(turn.to[i]);
-  }
-  if (product.sign() > 0) return std::nullopt;
+  if (product_of(turn.from, turn.to).sign() > 0) return std::nullopt;
   return TurnFault{"to",
                    "from·to is not > 0: give -to, which is the same rotation of a quaternion"};
 }

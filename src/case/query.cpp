@@ -182,6 +182,12 @@ bool has_turns(const Query& query) {
   return query.patches[0].turn || query.patches[1].turn;
 }
 
+bool has_spins(const Query& query) {
+  return std::ranges::any_of(query.patches, [](const MovingPatch<double>& body) {
+    return body.turn && body.turn->is_spin();
+  });
+}
+
 bool is_rational(const Query& query) {
   return query.patches[0].is_rational() || query.patches[1].is_rational();
 }
@@ -255,9 +261,10 @@ Result<void> validate(const Query& query, const std::string& where) {
                          fmt::format("{} is not {}", patch.radius,
                                      is_hull ? "a finite number ≥ 0" : "0, as of all but hulls"));
     }
-    if (patch.turn && !is_hull) return input_error(path + ".turn", "only a hull turns");
+    const char* const turn = patch.turn && patch.turn->is_spin() ? ".spin" : ".turn";
+    if (patch.turn && !is_hull) return input_error(path + turn, "only a hull turns");
     if (const auto fault = patch.turn ? fault_of(*patch.turn) : std::nullopt) {
-      return input_error(fmt::format("{}.turn.{}", path, fault->field), fault->what);
+      return input_error(fmt::format("{}{}.{}", path, turn, fault->field), fault->what);
     }
     if (is_hull && !patch.weights.empty()) {
       return input_error(path + ".weights", "a hull has none");

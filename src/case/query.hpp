@@ -42,7 +42,7 @@ void for_each_coordinate(Patch& patch, const Visit& visit) {
 template <class Patch, class Visit>
 void for_each_turn_number(Patch& patch, const Visit& visit) {
   if (!patch.turn) return;
-  for (auto* numbers : {&patch.turn->from, &patch.turn->to}) {
+  for (auto* numbers : {&patch.turn->from, &patch.turn->to, &patch.turn->spin}) {
     for (auto& x : *numbers) visit(x);
   }
 }
@@ -62,8 +62,9 @@ inline bool is_of_bodies(const Query& query) {
 }
 
 bool has_ends(const Query& query);
-/// One of its bodies turns.
+/// One of its bodies turns; or turns by a spin.
 bool has_turns(const Query& query);
+bool has_spins(const Query& query);
 /// A patch has ends or turns, so that nothing is asked past t = 1.
 inline bool ends_at_one(const Query& query) {
   return has_ends(query) || has_turns(query);

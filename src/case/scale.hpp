@@ -51,6 +51,7 @@ inline bool is_in_plane(const Query& query) {
     for (const auto* q : {&patch.turn->from, &patch.turn->to}) {
       if (q->size() == 4) all_are = all_are && (*q)[1] == 0 && (*q)[2] == 0;
     }
+    if (const auto& w = patch.turn->spin; !w.empty()) all_are = all_are && w[0] == 0 && w[1] == 0;
   }
   return all_are;
 }

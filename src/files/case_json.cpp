@@ -125,7 +125,7 @@ struct JsonForm<MovingPatch<double>> {
                  : fmt::format("has {} velocities; a hull has 1", velocities.size());
     });
     archive.optional("radius", patch.radius, 0, not_negative);
-    archive.optional("turn", patch.turn);
+    turn_fields(archive, patch.turn);
   }
 };
 

@@ -21,6 +21,36 @@ struct JsonForm<BodyTurn> {
   }
 };
 
+/// A turn by an angular velocity, as it is in files.
+struct SpinInFiles {
+  BodyTurn turn;
+
+  static void fields(auto& archive, auto& spin) {
+    archive("velocity", spin.turn.spin);
+    archive.optional("centre", spin.turn.centre, Vec3<double>(0, 0, 0));
+    if constexpr (kReads<decltype(archive)>) {
+      // Of no number it would be no spin.
+      const auto fault =
+          spin.turn.is_spin() ? fault_of(spin.turn) : TurnFault{"velocity", "is empty"};
+      if (fault) archive.object().refuse(fmt::format("{} {}", fault->field, fault->what));
+    }
+  }
+};
+
+/// The turn of a body, which is in files as a `turn` or a `spin`.
+void turn_fields(auto& archive, auto& turn) {
+  if constexpr (kReads<decltype(archive)>) {
+    archive.optional("turn", turn);
+    std::optional<SpinInFiles> spin;
+    archive.optional("spin", spin);
+    if (!spin) return;
+    if (turn) archive.object().at("spin").refuse("stands beside a turn; a body has one of them");
+    turn = spin->turn;
+  } else if (turn) {
+    turn->is_spin() ? archive("spin", SpinInFiles{*turn}) : archive("turn", *turn);
+  }
+}
+
 template <>
 struct JsonForm<BodyPlanes::Plane> {
   static void fields(auto& archive, auto& plane) {

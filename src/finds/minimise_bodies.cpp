@@ -91,6 +91,15 @@ class BodyMinimiser {
       if (!query().patches[s].turn) continue;
       if (offer([&](Query& q) { q.patches[s].turn.reset(); })) continue;
       offer([&](Query& q) { q.patches[s].turn->centre = {0, 0, 0}; });
+      // A spin about one axis. Its numbers are offered with all others.
+      for (size_t k = 0; k < 3 && query().patches[s].turn->is_spin(); ++k) {
+        offer([&](Query& q) {
+          std::vector<double>& spin = q.patches[s].turn->spin;
+          const double kept = spin[k];
+          spin.assign(3, 0);
+          spin[k] = kept;
+        });
+      }
     }
   }
 

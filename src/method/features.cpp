@@ -13,7 +13,9 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   const bool is_weighted = !(a.weights.empty() && b.weights.empty()) && !features.weights;
   const bool has_bodies = is_of_bodies(query) && !features.bodies;
   const bool has_turning = std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
-    return body.turn && !(body.turn->is_quaternion() ? features.turns : features.angles);
+    return body.turn && !(body.turn->is_quaternion() ? features.turns
+                          : body.turn->is_spin()     ? features.spins
+                                                     : features.angles);
   });
   const bool has_trims = is_trimmed(query) && !features.trims;
   const bool is_taken =

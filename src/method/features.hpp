@@ -16,8 +16,8 @@ struct Features {
   bool weights = false;
   /// Bodies (ShapeKind::kHull).
   bool bodies = false;
-  /// Bodies that turn by quaternions, and by cosine and sine.
-  bool turns = false, angles = false;
+  /// Bodies that turn by quaternions, by cosine and sine, and by an angular velocity.
+  bool turns = false, angles = false, spins = false;
   /// Patches with a trim.
   bool trims = false;
 };
@@ -28,6 +28,7 @@ inline constexpr Features kAllFeatures = {.ends = true,
                                           .bodies = true,
                                           .turns = true,
                                           .angles = true,
+                                          .spins = true,
                                           .trims = true};
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends, and

@@ -168,5 +168,118 @@ TEST(CheckTurning, ATurnThatComesThroughZeroIsInvalid) {
   EXPECT_TRUE(is_valid(query));
 }
 
+BodyTurn spin_of(double x, double y, double z) {
+  return {{}, {}, {0, 0, 0}, {x, y, z}};
+}
+
+/// A rod of length 2 from the origin spins about the z axis, and a small ball is where its middle
+/// comes after so many radians.
+Query rod_to_ball(double radians, double cosine, double sine) {
+  Query query = rod_to_point(spin_of(0, 0, radians));
+  query.patches[1].positions[0] = {cosine, sine, 0};
+  query.patches[1].radius = 0x1p-50;
+  return query;
+}
+
+TEST(CheckSpin, APointIsWhereItsAngleBringsIt) {
+  struct Known {
+    double radians, cosine, sine;
+  };
+  for (const auto& [radians, cosine, sine] : {Known{1, 0.54030230586813972, 0.84147098480789651},
+                                              Known{-2, -0.41614683654714239, -0.90929742682568169},
+                                              Known{8, -0.14550003380861354, 0.98935824662338181},
+                                              Known{0x1p-60, 1, 0x1p-60}, Known{0, 1, 0}}) {
+    const Query query = rod_to_ball(radians, cosine, sine);
+    ASSERT_TRUE(is_valid(query));
+    Witness witness{1, {}, {{{Rational(1, 2), Rational(1, 2)}, {1}}}};
+    EXPECT_TRUE(check_contact(query, witness)) << radians;
+    witness.t = 1 - power_of_two(-30);
+    EXPECT_EQ(check_contact(query, witness).has_value(), radians < 1 && radians >= 0) << radians;
+    witness = {
+        1, {}, {{{Rational(1, 2) + power_of_two(-40), Rational(1, 2) - power_of_two(-40)}, {1}}}};
+    EXPECT_FALSE(check_contact(query, witness)) << radians;
+  }
+}
+
+TEST(CheckSpin, AboutAnyAxisAThirdOfATurnPermutesTheOthers) {
+  // 2π/3 about (1, 1, 1) brings the x axis to the y axis.
+  const double part = 1.2091995761561452;
+  Query query = rod_to_ball(0, 0, 1);
+  query.patches[0].turn = spin_of(part, part, part);
+  const Witness witness{1, {}, {{{Rational(1, 2), Rational(1, 2)}, {1}}}};
+  EXPECT_TRUE(check_contact(query, witness));
+  query.patches[0].turn = spin_of(-part, -part, -part);
+  EXPECT_FALSE(check_contact(query, witness));
+  query.patches[1].positions[0] = {0, 0, 1};
+  EXPECT_TRUE(check_contact(query, witness));
+}
+
+/// A box and a point in it. The middle of the box, as its corners make it, has the ball of the
+/// radius 1/8·2/√3 = 0.1443 in the simplex of the first corners that span a volume.
+TEST(CheckSpin, HullsTouchWhereOneHasABallAboutItsPoint) {
+  Query query;
+  auto& [box, point] = query.patches;
+  box = {Shape::hull(8), {}, {{0, 0, 0}}};
+  for (int i = 0; i < 8; ++i) {
+    box.positions.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+  }
+  box.turn = spin_of(1, 2, -3);
+  point = {Shape::hull(1), {{0.140625, 0, 0}}, {{0, 0, 0}}};
+  Witness witness{Rational(1, 3), {}, {{std::vector<Rational>(8, Rational(1, 8)), {1}}}};
+  EXPECT_TRUE(check_contact(query, witness));
+  point.positions[0][0] = 0.1484375;
+  EXPECT_FALSE(check_contact(query, witness));
+  point.radius = 0.0078125;
+  EXPECT_TRUE(check_contact(query, witness));
+  std::swap(box, point);
+  std::swap(witness.weights[0], witness.weights[1]);
+  EXPECT_TRUE(check_contact(query, witness));
+  // Without a volume or a weight > 0 there is no ball.
+  query.patches[0].radius = 0;
+  query.patches[0].positions[0] = {0.0625, 0, 0};
+  EXPECT_TRUE(check_contact(query, witness));
+  for (size_t i = 0; i < 8; ++i) witness.weights[1][i] = i == 0 || i == 7 ? Rational(1, 2) : 0;
+  EXPECT_FALSE(check_contact(query, witness));
+  witness.weights[1].assign(8, Rational(1, 8));
+  for (Vec3<double>& p : query.patches[1].positions) p[2] = 0;
+  EXPECT_FALSE(check_contact(query, witness));
+}
+
+TEST(CheckSpin, PlanesBetweenThemProveAbsence) {
+  // In a quarter of the step the rod turns by a quarter of a radian, whose tangent is 0.2553.
+  const Query query = rod_to_point(spin_of(0, 0, 1));
+  BodyPlanes clearance = rod_planes(kAngle);
+  clearance.planes[0].normals[1] = {Rational(-1, 4), 1, 0};
+  EXPECT_TRUE(check_clearance(query, clearance, ""));
+  for (const Rational& slope : {Rational(-1, 8), Rational(-2)}) {
+    clearance.planes[0].normals[1][0] = slope;
+    EXPECT_FALSE(check_clearance(query, clearance, ""));
+  }
+  clearance.planes[0].normals[1] = {Rational(-1, 4), 1, 0};
+  for (const double radians : {8, 2}) {
+    EXPECT_FALSE(check_clearance(rod_to_point(spin_of(0, 0, radians)), clearance, ""));
+  }
+  clearance.planes[0].offsets = {0, Rational(1, 8)};
+  EXPECT_FALSE(check_clearance(query, clearance, "")) << "the rod's end is on the plane at 0";
+}
+
+TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
+  Query query = rod_to_point(spin_of(0, 8, 0));
+  EXPECT_TRUE(is_valid(query));
+  query.patches[0].turn->spin[0] = 0x1p-40;
+  EXPECT_EQ(validate(query, "").error().message(),
+            "patches[0].spin.velocity: is of more than 8 radians in [0, 1]");
+  query.patches[0].turn->spin = {1, 2};
+  EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity");
+  query.patches[0].turn->spin = {1, 2, HUGE_VAL};
+  EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity[2]");
+  query.patches[0].turn = kQuaternion;
+  query.patches[0].turn->spin = {1, 2, 3};
+  EXPECT_FALSE(is_valid(query));
+  query.patches[0].turn = spin_of(0, 0, 1);
+  query.t_max = 1 + 0x1p-52;
+  EXPECT_FALSE(is_valid(query));
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -6,6 +6,7 @@
 
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_turning.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -24,9 +25,47 @@ void charge_for(std::uint64_t operations, std::uint64_t words, Work& work) {
   work.charge(operations * fraction_work(words + kDoubles));
 }
 
+/// The radius of a ball about the point that the weights make, which is in the hull. The first four
+/// points of a weight > 0 that span a volume are the corners of a simplex. A way d from the point
+/// changes the weight of a corner by at most |d| over its height above the face that is opposite.
+Rational radius_within(const MovingPatch<double>& hull, const std::vector<Rational>& weights,
+                       Work& work) {
+  constexpr std::uint64_t kOperations = 64;
+  constexpr size_t kCorners = 4;
+  Points<Rational> corners;
+  std::vector<Rational> of_corners;
+  const auto way = [&](size_t to, size_t from) {
+    return Vec3<Rational>(corners[to % kCorners] - corners[from % kCorners]);
+  };
+  const auto is_spanned = [&] {
+    if (corners.size() == 1) return true;
+    if (corners.size() == 2) return way(1, 0) != Vec3<Rational>(0, 0, 0);
+    const Vec3<Rational> normal = cross(way(1, 0), way(2, 0));
+    if (corners.size() == 3) return normal != Vec3<Rational>(0, 0, 0);
+    return normal.dot(way(3, 0)) != 0;
+  };
+  for (size_t i = 0; i < weights.size() && corners.size() < kCorners; ++i) {
+    if (weights[i] <= 0) continue;
+    charge_for(kOperations, 0, work);
+    corners.push_back(exact(hull.positions[i]));
+    of_corners.push_back(weights[i]);
+    if (!is_spanned()) corners.pop_back(), of_corners.pop_back();
+  }
+  if (corners.size() < kCorners) return 0;
+  Rational least_squared = -1;
+  for (size_t i = 0; i < kCorners; ++i) {
+    charge_for(kOperations, words_of(of_corners[i]), work);
+    const Vec3<Rational> normal = cross(way(i + 2, i + 1), way(i + 3, i + 1));
+    const Rational part = of_corners[i] * normal.dot(way(i, i + 1));
+    const Rational squared = part * part / normal.dot(normal);
+    if (least_squared < 0 || squared < least_squared) least_squared = squared;
+  }
+  return least_squared / root_above(least_squared, work);
+}
+
 /// The point of a hull at time t that the weights make.
-Result<Vec3<Rational>> point_of(const MovingPatch<double>& hull, const Rational& t,
-                                const std::vector<Rational>& weights, Work& work) {
+Result<MovedPoint> point_of(const MovingPatch<double>& hull, const Rational& t,
+                            const std::vector<Rational>& weights, Work& work) {
   const auto refuse = [](std::string what) {
     return input_error(fmt::format("{}.weights", kWitness), std::move(what));
   };
@@ -67,12 +106,18 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
   if (!second) return tl::unexpected(second.error());
   Rational squared = 0;
   for (int k = 0; k < 3; ++k) {
-    const Rational way = (*second)[k] - (*first)[k];
+    const Rational way = second->point[k] - first->point[k];
     charge_for(2, 2 * words_of(way), work);
     squared += way * way;
   }
-  const Rational reach = reach_of(query);
-  if (squared <= reach * reach) return {};
+  Rational reach = reach_of(query);
+  if (has_spins(query)) {
+    reach -= first->error + second->error;
+    for (size_t s = 0; s < 2; ++s) {
+      reach += radius_within(query.patches[s], witness.weights[s], work);
+    }
+  }
+  if (reach >= 0 && squared <= reach * reach) return {};
   return input_error(fmt::format("{}.weights", kWitness),
                      fmt::format("the points are farther apart than {}: {} squared",
                                  abbreviated(reach), abbreviated(squared)));

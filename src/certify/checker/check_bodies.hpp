@@ -13,6 +13,10 @@ namespace ccdfuzz {
 /// lie past t_max, and is at most 1 where a body turns. They make a point of each hull; these may
 /// be no farther apart at t than the reach. Requires a valid query. Errors: what is wrong, naming
 /// the field; more than most_work.
+///
+/// Where a body spins, its point is known but for an error, and the reach is less by that. But each
+/// hull holds a ball about its point (radius_within), and so the reach is longer by both radii. So
+/// hulls without a radius need a point inside of one of them.
 Result<void> check_body_contact(const Query& query, const Witness& witness,
                                 std::uint64_t most_work = kMostWork);
 

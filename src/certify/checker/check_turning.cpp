@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "certify/checker/abbreviated.hpp"
+#include "certify/checker/spin.hpp"
 
 namespace ccdfuzz {
 
@@ -16,6 +17,8 @@ constexpr const char* kPlanes = "truth.certificate.clear";
 /// numbers alone, and (1, 1) is the constant 1.
 using Polynomial = std::vector<Rational>;
 using Numbers = std::vector<Rational>;
+/// w, x, y, z.
+using Quaternion = std::array<Polynomial, 4>;
 
 /// Arithmetic that is charged for.
 class Charged {
@@ -68,37 +71,33 @@ class Charged {
   Work& work_;
 };
 
-/// The entry of the matrix p ↦ q p q* of two quaternions, symmetric in them.
-Rational entry(const Numbers& q, const Numbers& r, size_t row, size_t column, Charged& with) {
-  const auto twice = [&](size_t i, size_t j) {
-    Rational sum = with.product(q[i], r[j]);
-    with.add(sum, with.product(q[j], r[i]));
-    return sum;
+/// The entry of the matrix p ↦ q p q* of a quaternion.
+Polynomial entry(const Quaternion& q, size_t row, size_t column, Charged& with) {
+  const auto signed_product = [&](int sign, size_t i, size_t j) {
+    return with.times(sign, with.product(q[i], q[j]));
   };
   if (row != column) {
     // 2(q_i q_j ± q_0 q_k), with + where k follows i and j in the cycle in reverse.
     const size_t i = row + 1, j = column + 1, k = 6 - i - j;
-    const Rational turned = twice(0, k), both = twice(i, j);
-    return (row + 1) % 3 == column ? Rational(both - turned) : Rational(both + turned);
+    return with.sum(signed_product(2, i, j),
+                    signed_product((row + 1) % 3 == column ? -2 : 2, 0, k));
   }
-  Rational sum = with.product(q[0], r[0]);
-  for (size_t i = 1; i < 4; ++i) {
-    const Rational square = with.product(q[i], r[i]);
-    with.add(sum, i == row + 1 ? square : Rational(-square));
-  }
+  Polynomial sum = with.product(q[0], q[0]);
+  for (size_t i = 1; i < 4; ++i) sum = with.sum(sum, signed_product(i == row + 1 ? 1 : -1, i, i));
   return sum;
 }
 
-/// The root of x ≥ 0, rounded up by less than 2^-64 of what it is, or exact.
-Rational root_above(const Rational& x, Work& work) {
-  constexpr unsigned long kBits = 64;
-  work.charge(4 * product_work(x, x));
-  // √(p/q) = √(p·q·4^k) / (q·2^k)
-  const Integer scaled = Integer(x.get_num() * x.get_den()) << (2 * kBits);
-  Integer root = sqrt(scaled);
-  if (root * root < scaled) ++root;
-  Rational out(root, Integer(x.get_den() << kBits));
-  out.canonicalize();
+/// The product of two quaternions.
+Quaternion product(const Quaternion& a, const Quaternion& b, Charged& with) {
+  Quaternion out;
+  for (size_t i = 0; i < 4; ++i) {
+    // The product of parts i and j is part i^j, as 1·2 = 3 in the cycle.
+    for (size_t j = 0; j < 4; ++j) {
+      const bool is_positive = i == 0 || j == 0 || (i != j && (j + 3 - i) % 3 == 1);
+      Polynomial& part = out[i ^ j];
+      part = with.sum(part, with.times(is_positive ? 1 : -1, with.product(a[i], b[j])));
+    }
+  }
   return out;
 }
 
@@ -119,15 +118,20 @@ class HeightCheck {
       rows_ = piece.normal;
       return;
     }
+    if (body.turn->is_spin()) {
+      turn_by_spin();
+      return;
+    }
     from_ = with_.between(body.turn->from, body.turn->to, piece.from);
     until_ = with_.between(body.turn->from, body.turn->to, piece.until);
-    body.turn->is_quaternion() ? turn_by_quaternion() : turn_by_angle();
+    body.turn->is_quaternion() ? turn_by_linear_quaternion() : turn_by_angle();
   }
 
   /// Whether all points are on their side of the plane.
   bool holds() {
     const Vec3<double> centre = body_.turn ? body_.turn->centre : Vec3<double>(0, 0, 0);
-    Polynomial height = with_.times(-1, piece_.offset);
+    Polynomial height =
+        with_.sum(with_.times(-1, piece_.offset), Polynomial{Rational(-sign_ * margin_)});
     for (int k = 0; k < 3; ++k) {
       const Rational velocity = exact(body_.velocities[0][k]);
       Polynomial place = {with_.product(piece_.from, velocity),
@@ -136,10 +140,10 @@ class HeightCheck {
       height = with_.sum(height, with_.product(piece_.normal[static_cast<size_t>(k)], place));
     }
     return std::ranges::all_of(scales_, [&](const Polynomial& scale) {
-      const Polynomial base = with_.product(height, scale);
-      const bool by_angle = body_.turn && !body_.turn->is_quaternion();
+      Polynomial base = with_.product(height, scale);
       std::array<Polynomial, 3> rows = rows_;
-      if (by_angle) rows[2] = with_.product(piece_.normal[2], scale);
+      if (is_by_angle_) rows[2] = with_.product(piece_.normal[2], scale);
+      base = with_.sum(base, Polynomial(rows[0].size(), 0));
       for (Polynomial& row : rows) row = with_.sum(row, Polynomial(base.size(), 0));
       return std::ranges::all_of(body_.positions, [&](const Vec3<double>& p) {
         Polynomial sum = base;
@@ -153,20 +157,78 @@ class HeightCheck {
   }
 
  private:
-  void turn_by_quaternion() {
-    scales_ = {{with_.dot(from_, from_), 2 * with_.dot(from_, until_), with_.dot(until_, until_)}};
+  void turn_by(const Quaternion& q) {
     for (size_t column = 0; column < 3; ++column) {
       rows_[column] = {0};
       for (size_t row = 0; row < 3; ++row) {
-        const Polynomial matrix = {entry(from_, from_, row, column, with_),
-                                   Rational(2 * entry(from_, until_, row, column, with_)),
-                                   entry(until_, until_, row, column, with_)};
-        rows_[column] = with_.sum(rows_[column], with_.product(piece_.normal[row], matrix));
+        rows_[column] = with_.sum(rows_[column],
+                                  with_.product(piece_.normal[row], entry(q, row, column, with_)));
       }
     }
   }
 
+  void turn_by_linear_quaternion() {
+    Quaternion q;
+    scales_ = {{0}};
+    for (size_t i = 0; i < 4; ++i) {
+      q[i] = {from_[i], until_[i]};
+      scales_[0] = with_.sum(scales_[0], with_.product(q[i], q[i]));
+    }
+    turn_by(q);
+  }
+
+  /// By a polynomial near its quaternion, and what that can be off by.
+  void turn_by_spin() {
+    scales_ = {{1}};
+    const std::vector<double>& spin = body_.turn->spin;
+    const auto start = quaternion_of_spin(spin, piece_.from, work_);
+    // With v = w·(until − from)/2 and x = |v|², the rest turns by the series of (cos |v|s, sin |v|s
+    // / |v| · v) up to s^4.
+    Numbers v;
+    for (const double w : spin)
+      v.push_back(with_.product(exact(w) / 2, piece_.until - piece_.from));
+    const Rational x = with_.dot(v, v), square = with_.product(x, x);
+    Quaternion rest;
+    rest[0] = with_.sum(with_.sum({1}, {0, 0, Rational(-x / 2)}), {0, 0, 0, 0, square / 24});
+    const Polynomial sine = with_.sum({0, 1}, {0, 0, 0, Rational(-x / 6)});
+    for (size_t i = 0; i < 3; ++i) rest[i + 1] = with_.times(v[i], sine);
+    Quaternion first;
+    for (size_t i = 0; i < 4; ++i) first[i] = {start[i]};
+    Quaternion q = product(first, rest, with_);
+    for (Polynomial& part : q) {
+      for (Rational& c : part) c = rounded(c);
+    }
+    turn_by(q);
+    margin_ = margin_of_spin(with_.product(square, root_above(x, work_)) / 120);
+  }
+
+  /// Towards 0, by less than spin_error.
+  Rational rounded(const Rational& x) {
+    const Rational unit = spin_error();
+    work_.charge(product_work(x, unit));
+    return Rational(Integer(x.get_num() * unit.get_den() / x.get_den())) * unit;
+  }
+
+  /// What heights can be off by, with a quaternion of the rest that is off by so much.
+  Rational margin_of_spin(const Rational& error_of_rest) {
+    const Rational error = with_.product(1 + spin_error(), error_of_rest) + 3 * spin_error();
+    Rational farthest = 0, longest = 0;
+    for (const Vec3<double>& p : body_.positions) {
+      Numbers way;
+      for (int k = 0; k < 3; ++k) way.push_back(exact(p[k]) - exact(body_.turn->centre[k]));
+      farthest = std::max(farthest, with_.dot(way, way));
+    }
+    for (const size_t end : {size_t{0}, size_t{1}}) {
+      const auto& [a, b, c] = piece_.normal;
+      const Numbers normal = {a[end], b[end], c[end]};
+      longest = std::max(longest, with_.dot(normal, normal));
+    }
+    const Rational length = with_.product(root_above(longest, work_), root_above(farthest, work_));
+    return with_.product(with_.product(error, 2 + error), length);
+  }
+
   void turn_by_angle() {
+    is_by_angle_ = true;
     const Polynomial cosine = {from_[0], until_[0]}, sine = {from_[1], until_[1]};
     const auto& [x, y, z] = piece_.normal;
     rows_[0] = with_.sum(with_.product(x, cosine), with_.product(y, sine));
@@ -187,6 +249,8 @@ class HeightCheck {
   Numbers from_, until_;            ///< q at the ends of the piece
   std::vector<Polynomial> scales_;  ///< D, or what it is between
   std::array<Polynomial, 3> rows_;  ///< the normal times the matrix of the turn, times D
+  Rational margin_ = 0;             ///< what heights may be off by
+  bool is_by_angle_ = false;
 };
 
 Result<void> check_between(const Query& query, const BodyPlanes::Plane& plane,
@@ -227,39 +291,61 @@ Result<void> check_planes_of_bodies(const Query& query, const BodyPlanes& cleara
 
 }  // namespace
 
-std::optional<Vec3<Rational>> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
-                                          const Rational& t, Work& work) {
+Rational root_above(const Rational& x, Work& work) {
+  constexpr unsigned long kBits = 64;
+  work.charge(4 * product_work(x, x));
+  // √(p/q) = √(p·q·4^k) / (q·2^k)
+  const Integer scaled = Integer(x.get_num() * x.get_den()) << (2 * kBits);
+  Integer root = sqrt(scaled);
+  if (root * root < scaled) ++root;
+  Rational out(root, Integer(x.get_den() << kBits));
+  out.canonicalize();
+  return out;
+}
+
+std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
+                                      const Rational& t, Work& work) {
   Charged with(work);
-  Vec3<Rational> out = p;
+  MovedPoint out{p};
   if (body.turn) {
     const BodyTurn& turn = *body.turn;
-    const Numbers q = with.between(turn.from, turn.to, t);
-    Rational scale = with.dot(q, q);
     Vec3<Rational> way;
     for (int k = 0; k < 3; ++k) way[k] = p[k] - exact(turn.centre[k]);
-    if (turn.is_quaternion()) {
+    Numbers q = with.between(turn.from, turn.to, t);
+    Rational scale = with.dot(q, q);
+    if (turn.is_spin()) {
+      const auto spun = quaternion_of_spin(turn.spin, t, work);
+      q.assign(spun.begin(), spun.end());
+      scale = 1;
+      // |q p q* − r p r*| ≤ |q − r|·(|q| + |r|)·|p|, and |p| ≤ |x| + |y| + |z|.
+      const Rational length = abs(way[0]) + abs(way[1]) + abs(way[2]);
+      out.error = with.product(with.product(spin_error(), 2 + spin_error()), length);
+    }
+    if (q.size() == 4) {
+      Quaternion constant;
+      for (size_t i = 0; i < 4; ++i) constant[i] = {q[i]};
       for (size_t row = 0; row < 3; ++row) {
         Rational sum = 0;
         for (size_t column = 0; column < 3; ++column) {
-          with.add(sum,
-                   with.product(entry(q, q, row, column, with), way[static_cast<int>(column)]));
+          with.add(sum, with.product(entry(constant, row, column, with)[0],
+                                     way[static_cast<int>(column)]));
         }
-        out[static_cast<int>(row)] = sum;
+        out.point[static_cast<int>(row)] = sum;
       }
     } else {
       const Rational root = root_above(scale, work);
       if (root * root != scale) return std::nullopt;
       scale = root;
-      out = {Rational(with.product(q[0], way[0]) - with.product(q[1], way[1])),
-             Rational(with.product(q[1], way[0]) + with.product(q[0], way[1])),
-             with.product(scale, way[2])};
+      out.point = {Rational(with.product(q[0], way[0]) - with.product(q[1], way[1])),
+                   Rational(with.product(q[1], way[0]) + with.product(q[0], way[1])),
+                   with.product(scale, way[2])};
     }
     for (int k = 0; k < 3; ++k) {
-      out[k] = with.product(out[k], 1 / scale);
-      with.add(out[k], exact(turn.centre[k]));
+      out.point[k] = with.product(out.point[k], 1 / scale);
+      with.add(out.point[k], exact(turn.centre[k]));
     }
   }
-  for (int k = 0; k < 3; ++k) with.add(out[k], with.product(t, exact(body.velocities[0][k])));
+  for (int k = 0; k < 3; ++k) with.add(out.point[k], with.product(t, exact(body.velocities[0][k])));
   return out;
 }
 

@@ -5,10 +5,20 @@
 
 namespace ccdfuzz {
 
+/// The root of x ≥ 0, rounded up by less than 2^-64 of what it is, or exact.
+Rational root_above(const Rational& x, Work& work);
+
+/// A point that is known but for a small error.
+struct MovedPoint {
+  Vec3<Rational> point;
+  Rational error = 0;  ///< it is no farther away than this
+};
+
 /// The point of a body at time t that stands at p before it turns and moves. Nothing where it is no
 /// rational point: a body that turns by cosine and sine needs a time at which |q(t)| is rational.
-std::optional<Vec3<Rational>> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
-                                          const Rational& t, Work& work);
+/// That of a body that spins is enclosed.
+std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec3<Rational>& p,
+                                      const Rational& t, Work& work);
 
 /// Certificate N: checks that two bodies are farther apart than the reach (check_bodies.hpp) at
 /// every t in the closed [0, until]. Requires a valid query of bodies. Errors: what is wrong,
@@ -21,6 +31,12 @@ std::optional<Vec3<Rational>> moved_point(const MovingPatch<double>& body, const
 /// linear in D, so that it is ≥ 0 at |q| if it is so for both of these. So the points of patch 1
 /// are at most at the offset, and those of patch 2 at least at the offset + gap. They are gap/|n|
 /// apart, and |n| is largest at an end, as n changes linearly.
+///
+/// The quaternion q of a spin is no polynomial. From its value at the piece's start (spin.hpp) on
+/// it turns about one axis, as a complex number exp(i|v|s) does. So its series up to s^4 leaves out
+/// at most |v|^5/120. With r the product of both series, |q p q* − r p r*| is no larger than
+/// |q − r|·(2 + |q − r|)·|p|. A height is off by no more than |n| times that, and is to be > 0 by
+/// so much.
 Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
                                std::uint64_t most_work = kMostWork);
 

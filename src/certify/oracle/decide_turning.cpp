@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
@@ -18,6 +19,9 @@ constexpr int kMostTries = 400;
 /// Points are rounded to this of the scene's size, so that numbers stay short. It leaves 40 bits
 /// beyond those of the bracket.
 constexpr int kPointBits = 80;
+/// Where one spins, so much is left for a point to be inside of a hull: a body is made smaller by
+/// this part of itself.
+constexpr int kInsideBits = 80;
 
 class DecidingTurning {
  public:
@@ -29,7 +33,8 @@ class DecidingTurning {
       reach_ += exact(body.radius);
       for_each_coordinate(body, [&](double x) { size += abs(exact(x)); });
     }
-    unit_ = power_below(size) * power_of_two(-kPointBits);
+    const int bits = has_spins(query) ? kPointBits + kInsideBits / 2 : kPointBits;
+    unit_ = power_below(size) * power_of_two(-bits);
     const auto& known = options.known;
     if (known && known->t <= t_max_) late_ = known->t, witness_ = known;
   }
@@ -166,7 +171,44 @@ class DecidingTurning {
     return before == after ? t : Rational(before / (before - after));
   }
 
+  /// Proof that bodies of which one spins are in contact: of their nearest points, or, where hulls
+  /// overlap, of a point inside of one of them.
+  std::optional<Witness> witness_of_spin(const Rational& t) const {
+    const std::array points = {rounded_points(0, t), rounded_points(1, t)};
+    for (const size_t smaller : {size_t{2}, size_t{0}, size_t{1}}) {
+      std::array<Points<Rational>, 2> tried = points;
+      const Rational part = power_of_two(-kInsideBits);
+      if (smaller < 2) {
+        Vec3<Rational> middle(0, 0, 0);
+        const auto count = static_cast<long>(points[smaller].size());
+        for (const Vec3<Rational>& p : points[smaller]) middle += p;
+        middle /= Rational(count);
+        for (Vec3<Rational>& p : tried[smaller]) p += part * (middle - p);
+      }
+      NearestPoints nearest;
+      Witness witness{t, {}, nearest(tried[0], tried[1]).weights};
+      if (smaller < 2) {
+        std::vector<Rational>& weights = witness.weights[smaller];
+        const auto count = static_cast<long>(weights.size());
+        for (Rational& w : weights) w = (1 - part) * w + part / count;
+      }
+      if (check_body_contact(query_, witness)) return witness;
+    }
+    return std::nullopt;
+  }
+
+  void say_contact_of_spin(const Rational& t) {
+    if (!witness_) witness_ = witness_of_spin(t);
+    // It may be deep enough only a little later.
+    const Rational later = std::min(t_max_, Rational(t + t * power_of_two(-kBracketBits)));
+    if (!witness_) witness_ = witness_of_spin(later);
+    out_.truth.witness = witness_;
+    if (witness_) out_.truth.collides = true;
+    if (!witness_) out_.note = "the bodies are not seen to overlap by more than rounding";
+  }
+
   void say_contact(Rational t) {
+    if (has_spins(query_)) return say_contact_of_spin(t);
     for (const MovingPatch<double>& body : query_.patches) {
       if (!witness_ && body.turn && !body.turn->is_quaternion()) t = rational_time(*body.turn, t);
     }

@@ -66,9 +66,10 @@ typedef struct ccdfuzz_patch {
   /* Of a body that turns: at time t a point p of it is at c + R (p - c) + t * velocity, c the
    * turn_centre. R is the rotation of q = (1-t) * turn_from + t * turn_to, whose length does not
    * matter, and t_max <= 1. With a turn_count of 4 the numbers are w, x, y, z of a quaternion: R v
-   * = q v q* / |q|^2. With 2 they are cosine and sine of an angle about the z axis, times |q|. 0
-   * and NULL: it does not turn, as always for a plug-in that claims neither CCDFUZZ_TAKES_TURNS nor
-   * CCDFUZZ_TAKES_ANGLES. */
+   * = q v q* / |q|^2. With 2 they are cosine and sine of an angle about the z axis, times |q|. With
+   * 3, turn_from is a constant angular velocity w in radians, and turn_to is NULL: R is the
+   * rotation about w by |w| t, and |w| <= 8. 0 and NULL: it does not turn, as always for a plug-in
+   * that claims none of CCDFUZZ_TAKES_TURNS, CCDFUZZ_TAKES_ANGLES and CCDFUZZ_TAKES_SPINS. */
   uint64_t turn_count;
   const double* turn_from;
   const double* turn_to;
@@ -127,8 +128,9 @@ enum {
                            * and whose contact is well inside of [0, t_max] */
   CCDFUZZ_PLANE = 1024,   /* bodies that lie and move in the plane z = 0 */
   /* And it answers bodies that turn: */
-  CCDFUZZ_TAKES_TURNS = 2048, /* by quaternions */
-  CCDFUZZ_TAKES_ANGLES = 4096 /* by cosine and sine */
+  CCDFUZZ_TAKES_TURNS = 2048,  /* by quaternions */
+  CCDFUZZ_TAKES_ANGLES = 4096, /* by cosine and sine */
+  CCDFUZZ_TAKES_SPINS = 8192   /* by an angular velocity */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:

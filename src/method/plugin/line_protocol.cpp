@@ -43,8 +43,10 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
     out += fmt::format(",\"radius\":{}", json_number(patch.radius));
   }
   if (patch.turn) {
-    out += fmt::format(",\"turn\":{{\"from\":{},\"to\":{}", to_json(patch.turn->from),
-                       to_json(patch.turn->to));
+    out += patch.turn->is_spin()
+               ? fmt::format(",\"spin\":{{\"velocity\":{}", to_json(patch.turn->spin))
+               : fmt::format(",\"turn\":{{\"from\":{},\"to\":{}", to_json(patch.turn->from),
+                             to_json(patch.turn->to));
     const Vec3<double>& centre = patch.turn->centre;
     out += ",\"centre\":" + to_json(std::vector{centre[0], centre[1], centre[2]}) + '}';
   }
@@ -105,6 +107,7 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_flag(object, "takes_trims", out.features.trims); })
       .and_then([&] { return read_flag(object, "takes_turns", out.features.turns); })
       .and_then([&] { return read_flag(object, "takes_angles", out.features.angles); })
+      .and_then([&] { return read_flag(object, "takes_spins", out.features.spins); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
@@ -122,11 +125,11 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
 /// A field that a description does not have: misspelt, it would claim nothing.
 std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
   constexpr std::array kFields = {
-      "protocol",         "name",         "version",      "promise",     "accepts",
-      "bodies",           "conservative", "closed_t_max", "takes_ends",  "takes_trims",
-      "takes_weights",    "takes_bodies", "tolerance",    "nan_policy",  "tolerance_kind",
-      "takes_separation", "ordinary",     "numbers",      "within",      "minimum_separation",
-      "contact_at_zero",  "plane",        "takes_turns",  "takes_angles"};
+      "protocol",         "name",         "version",      "promise",      "accepts",
+      "bodies",           "conservative", "closed_t_max", "takes_ends",   "takes_trims",
+      "takes_weights",    "takes_bodies", "tolerance",    "nan_policy",   "tolerance_kind",
+      "takes_separation", "ordinary",     "numbers",      "within",       "minimum_separation",
+      "contact_at_zero",  "plane",        "takes_turns",  "takes_angles", "takes_spins"};
   for (const std::string& key : object.keys) {
     if (std::ranges::find(kFields, key) == kFields.end()) {
       return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};

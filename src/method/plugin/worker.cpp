@@ -204,6 +204,7 @@ class Plugin {
             {"takes_trims", (d.claims & CCDFUZZ_TAKES_TRIMS) != 0},
             {"takes_turns", (d.claims & CCDFUZZ_TAKES_TURNS) != 0},
             {"takes_angles", (d.claims & CCDFUZZ_TAKES_ANGLES) != 0},
+            {"takes_spins", (d.claims & CCDFUZZ_TAKES_SPINS) != 0},
             {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
@@ -313,14 +314,16 @@ class Plugin {
     (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
     weights_[side] = patch.value("weights", std::vector<double>());
     if (!weights_[side].empty()) out.weights = weights_[side].data();
-    if (patch.contains("turn")) {
-      const Json& turn = patch.at("turn");
-      for (size_t end = 0; end < 2; ++end) {
-        turns_[2 * side + end] = turn.at(end == 0 ? "from" : "to").get<std::vector<double>>();
-      }
+    const bool spins = patch.contains("spin");
+    if (spins || patch.contains("turn")) {
+      const Json& turn = patch.at(spins ? "spin" : "turn");
+      turns_[2 * side] = turn.at(spins ? "velocity" : "from").get<std::vector<double>>();
       out.turn_count = turns_[2 * side].size();
       out.turn_from = turns_[2 * side].data();
-      out.turn_to = turns_[2 * side + 1].data();
+      if (!spins) {
+        turns_[2 * side + 1] = turn.at("to").get<std::vector<double>>();
+        out.turn_to = turns_[2 * side + 1].data();
+      }
       for (size_t k = 0; k < 3; ++k) out.turn_centre[k] = turn.at("centre")[k].get<double>();
     }
     sizes_[side].clear();
@@ -340,7 +343,7 @@ class Plugin {
   std::array<ccdfuzz_patch, 2> patches_{};
   std::array<Coordinates, 4> points_;
   std::array<std::vector<double>, 2> weights_;
-  std::array<std::vector<double>, 4> turns_;  ///< from and to of each side
+  std::array<std::vector<double>, 4> turns_;  ///< from and to of each side, or a spin
   using Vertex = std::array<double, 2>;
   std::array<std::vector<Vertex>, 2> vertices_;  ///< those of all loops
   std::array<std::vector<std::uint64_t>, 2> sizes_;
