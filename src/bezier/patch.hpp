@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -52,8 +54,12 @@ struct MovingPatch {
   /// Equal weights, and those of points, are the polynomial patch.
   bool is_rational() const {
     return std::any_of(weights.begin(), weights.end(), [&](const S& w) {
-      if constexpr (std::is_same_v<S, double>) return compare(w, weights[0]) != 0;
-      return !(w == weights[0]);
+      if constexpr (std::is_same_v<S, double>) {
+        // Weights are > 0, so equal ones have equal bits.
+        return std::bit_cast<std::uint64_t>(w) != std::bit_cast<std::uint64_t>(weights[0]);
+      } else {
+        return !(w == weights[0]);
+      }
     });
   }
 

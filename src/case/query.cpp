@@ -138,11 +138,16 @@ Result<void> validate_points(const Points<double>& points, const Shape& shape, s
 
 bool are_weights(const std::vector<double>& weights) {
   if (weights.empty()) return true;
-  const auto [least, most] =
-      std::ranges::minmax(weights, {}, [](double w) { return std::bit_cast<std::int64_t>(w); });
   // Doubles > 0 are in the order of their bits, infinity and NaNs last. Others have bits ≤ 0.
-  return std::bit_cast<std::int64_t>(least) > 0 && is_finite(most) &&
-         parts_of(most).top() - parts_of(least).top() <= kWeightBits;
+  std::int64_t least = INT64_MAX, most = INT64_MIN;
+  for (const double w : weights) {
+    least = std::min(least, std::bit_cast<std::int64_t>(w));
+    most = std::max(most, std::bit_cast<std::int64_t>(w));
+  }
+  return least > 0 && is_finite(std::bit_cast<double>(most)) &&
+         (least == most || parts_of(std::bit_cast<double>(most)).top() -
+                                   parts_of(std::bit_cast<double>(least)).top() <=
+                               kWeightBits);
 }
 
 std::string spread_of_weights() {
