@@ -164,7 +164,7 @@ Result<void> run_campaign(const CampaignOptions& options, const std::vector<Plan
   // Seed by seed: a campaign that is stopped has something of every fault.
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     for (const Driver driver : kDrivers) {
-      if (!is_wanted(options.drivers, name_of(driver)) || !is_built(driver)) continue;
+      if (!is_wanted(options.drivers, name_of(driver))) continue;
       const std::uint64_t seeds = is_weak(driver) ? options.weak_seeds : options.seeds;
       if (!options.only_seed && seed > seeds) continue;
       if (!is_drawn(driver) && seed > first) continue;

@@ -31,11 +31,6 @@ Result<void> check_options(const CampaignOptions& options,
   for (const std::string& name : options.drivers) {
     const Result<Driver> driver = driver_named(name);
     if (!driver) return input_error("--drivers", driver.error().what);
-    if (!is_built(*driver)) {
-      return input_error("--drivers", fmt::format("{} is not in this build: it needs clang and "
-                                                  "CCDFUZZ_FUZZ",
-                                                  name));
-    }
   }
   for (const std::string& name : options.faults) {
     if (name == kNoFault || name == kWatchedFaults) continue;

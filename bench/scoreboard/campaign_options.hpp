@@ -10,7 +10,7 @@
 namespace ccdfuzz {
 
 struct CampaignOptions {
-  std::vector<std::string> drivers;  ///< names; empty: all that this build has
+  std::vector<std::string> drivers;  ///< names; empty: all
   std::vector<std::string> faults;   ///< names, also kNoFault and kWatchedFaults; empty: all
   std::uint64_t seeds = 5, weak_seeds = 3;
   std::optional<std::uint64_t> only_seed;  ///< this one in place of 1 to seeds
@@ -26,7 +26,7 @@ bool is_asked(const CampaignOptions& options, std::string_view fault);
 std::vector<PlantedFault> asked_faults(const CampaignOptions& options,
                                        const std::vector<PlantedFault>& faults);
 
-/// Errors: a driver or a fault that is none, a driver that this build has not; naming the option.
+/// Errors: a driver or a fault that is none, naming the option.
 Result<void> check_options(const CampaignOptions& options, const std::vector<PlantedFault>& faults);
 
 }  // namespace ccdfuzz

@@ -3,14 +3,12 @@
 #include <algorithm>
 
 #include "drivers.hpp"
-#include "fuzz_drivers.hpp"
 
 namespace ccdfuzz {
 
 std::string_view name_of(Driver driver) {
   constexpr std::array<std::string_view, kDrivers.size()> kNames = {
-      "random", "rapidcheck", "libfuzzer-raw", "contacts",   "traces",
-      "corpus", "by-chance",  "libfuzzer",     "properties", "hunt"};
+      "random", "rapidcheck", "contacts", "traces", "corpus", "by-chance", "properties", "hunt"};
   return kNames[static_cast<std::size_t>(driver)];
 }
 
@@ -22,10 +20,6 @@ Result<Driver> driver_named(std::string_view name) {
     names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(driver));
   }
   return input_error("", fmt::format("no driver \"{}\"; there are: {}", name, names));
-}
-
-bool is_built(Driver driver) {
-  return kHasFuzzer || (driver != Driver::kRawFuzzer && driver != Driver::kFuzzer);
 }
 
 }  // namespace ccdfuzz

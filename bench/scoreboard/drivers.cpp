@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "corpus_driver.hpp"
-#include "fuzz_drivers.hpp"
 #include "hunt_driver.hpp"
 #include "properties/envelope.hpp"
 #include "properties/separation.hpp"
@@ -121,9 +120,6 @@ DriverWork work_of(Driver driver, std::uint64_t seed) {
 
 void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
            const std::function<void(const DriverRun&)>& done) {
-  if (driver == Driver::kRawFuzzer || driver == Driver::kFuzzer) {
-    drive_fuzzer(driver, seed, limit, done);
-  }
   const double end = cpu_seconds_used() + limit.cpu_seconds;
   const DriverWork work = work_of(driver, seed);
   const std::uint64_t most = std::min(limit.executions, work.size);

@@ -16,34 +16,29 @@ namespace ccdfuzz {
 enum class Driver : std::uint8_t {
   kRandom,      ///< random patches, each answer held against what the sound sources prove
   kRapidCheck,  ///< the same, and the envelope claims, on RapidCheck's own arbitrary doubles
-  kRawFuzzer,   ///< the same on patches that are libFuzzer's bytes
   kContacts,    ///< contacts of the inverse construction, asked
   kTraces,      ///< the same, their witnesses traced instead
   kCorpus,      ///< the stored counterexamples, traced and asked, each once
   kChance,      ///< kHunt, with mutants bred by chance
-  kFuzzer,      ///< libFuzzer with the project's decoders, mutator and margins
   kProperties,  ///< every property that holds, on choices of its own draw
   kHunt,        ///< generated witnesses, traced and asked, and mutants bred towards being lost
 };
-inline constexpr std::array kDrivers = {
-    Driver::kRandom, Driver::kRapidCheck, Driver::kRawFuzzer, Driver::kContacts,   Driver::kTraces,
-    Driver::kCorpus, Driver::kChance,     Driver::kFuzzer,    Driver::kProperties, Driver::kHunt};
+inline constexpr std::array kDrivers = {Driver::kRandom,     Driver::kRapidCheck, Driver::kContacts,
+                                        Driver::kTraces,     Driver::kCorpus,     Driver::kChance,
+                                        Driver::kProperties, Driver::kHunt};
 std::string_view name_of(Driver driver);
 /// Errors: an unknown name, with the names that there are.
 Result<Driver> driver_named(std::string_view name);
 
 /// Those that know nothing of the problem, and parts of the hunt: they get less time.
 constexpr bool is_weak(Driver driver) {
-  return driver != Driver::kFuzzer && driver != Driver::kProperties && driver != Driver::kHunt;
+  return driver != Driver::kProperties && driver != Driver::kHunt;
 }
 
 /// Whether what it does depends on a seed.
 constexpr bool is_drawn(Driver driver) {
   return driver != Driver::kCorpus;
 }
-
-/// libFuzzer is there only in a build by clang with CCDFUZZ_FUZZ.
-bool is_built(Driver driver);
 
 /// When a run that finds nothing ends: at the first of the two.
 struct DriveLimit {
@@ -52,7 +47,7 @@ struct DriveLimit {
 };
 
 /// Runs a driver until it finds something wrong or reaches its limit, and calls done, which must
-/// not return. Requires is_built(driver).
+/// not return.
 [[noreturn]] void drive(Driver driver, std::uint64_t seed, const DriveLimit& limit,
                         const std::function<void(const DriverRun&)>& done);
 

@@ -65,11 +65,11 @@ Row row_of(const std::vector<const Record*>& runs) {
 /// Under the table of drivers.
 constexpr const char* kLegend =
     R"(
-`random`: random patches. `rapidcheck`: its own arbitrary doubles. `libfuzzer-raw`: patches that are
-bytes. `contacts`: whole queries of generated contacts. `traces`: their witnesses followed through
-the methods. `corpus`: the stored counterexamples, traced and asked, each once. `by-chance`: contacts,
-traces, and mutants bred by chance. `hunt`: the same, bred by margins. `libfuzzer`: our decoders and
-mutator. `properties`: every property that holds, on draws of its own.
+`random`: random patches. `rapidcheck`: its own arbitrary doubles. `contacts`: whole queries of
+generated contacts. `traces`: their witnesses followed through the methods. `corpus`: the stored
+counterexamples, traced and asked, each once. `by-chance`: contacts, traces, and mutants bred by
+chance. `hunt`: the same, bred by margins. `properties`: every property that holds, on draws of its
+own. What the fuzz targets notice stands in targets.md.
 
 Times are medians over the seeds, and over the faults: a run that did not notice counts as longer than
 all that did, whatever its limit; where the median is of such, it is at least (≥) that. Each
@@ -79,9 +79,8 @@ reached", or empty where nothing was measured; (3 of 5) is the share of seeds th
 for properties, which come in turn by the time that they take, a driver first runs with each seed on
 the right sources up to its limit, then again for as many executions with all faults watched: where
 a wrong value would never have differed, a run with that fault takes the same course, and needs no
-run of its own. (libFuzzer also sees the coverage of the hooks: there, it is a run of the same length
-and seed.) A fault that is a statement counts as triggered where it is reached. The CPU times are of
-a machine with other work on it.
+run of its own. A fault that is a statement counts as triggered where it is reached. The CPU times
+are of a machine with other work on it.
 )";
 
 /// The rows of PREFIX.json.

@@ -119,9 +119,8 @@ void add_options(CLI::App& app, Options& options) {
                           ->default_str(fmt::format("{}", value)));
   };
   add_names("--drivers", options.drivers,
-            "random, rapidcheck, libfuzzer-raw, contacts, traces, corpus, by-chance, libfuzzer, "
-            "properties, hunt; by default all that this build has: libFuzzer needs clang and "
-            "CCDFUZZ_FUZZ");
+            "random, rapidcheck, contacts, traces, corpus, by-chance, properties, hunt; by default "
+            "all");
   add_names("--faults", options.faults,
             "Names; by default all. What is printed and written to --tables is of these alone. "
             "Each driver runs on the right sources first; \"none\": on these "
@@ -129,7 +128,7 @@ void add_options(CLI::App& app, Options& options) {
   add_whole("--seeds", options.seeds, "Runs of each driver against each fault, seeds 1 to N")
       ->capture_default_str();
   add_seconds("--seconds", options.seconds, "CPU time of a run");
-  add_whole("--weak-seeds", options.weak_seeds, "The same of all but libfuzzer, properties, hunt")
+  add_whole("--weak-seeds", options.weak_seeds, "The same of all but properties, hunt")
       ->capture_default_str();
   add_seconds("--weak-seconds", options.weak_seconds, "The same of these");
   add_whole("--only-seed", options.only_seed, "Runs with this seed alone")

@@ -27,12 +27,6 @@ TEST(CampaignOptions, NamesAreOfWhatThereIs) {
   EXPECT_THAT(refusal_of({}, {"a.fault", "nosuch"}), StartsWith("--faults: no fault \"nosuch\""));
 }
 
-TEST(CampaignOptions, ADriverThatIsNotBuiltIsRefused) {
-  ASSERT_FALSE(is_built(Driver::kFuzzer));
-  EXPECT_THAT(refusal_of({"libfuzzer"}, {}),
-              StartsWith("--drivers: libfuzzer is not in this build"));
-}
-
 TEST(CampaignOptions, NameTheirFaultsUnlessAllAreWatched) {
   std::vector<PlantedFault> faults = {kFewFaults[0], kFewFaults[0]};
   faults[1].name = "b.fault";
