@@ -22,15 +22,17 @@ void append_bits(std::string& bytes, double x) {
 std::string content_address(const Query& query) {
   std::string bytes;
   for (const MovingPatch<double>& patch : query.patches) {
-    // Kind and degrees fix the number of coordinates, so that no two queries have equal bytes.
+    // Kind, degrees and these flags fix how many numbers follow and what they are, so that no two
+    // queries have equal bytes.
     constexpr int kHasWeights = 128, kHasTrim = 64, kIsQuaternion = 32, kIsAngle = 16, kIsSpin = 48;
-    bytes += static_cast<char>(static_cast<int>(patch.shape.kind) |
-                               (patch.weights.empty() ? 0 : kHasWeights) |
-                               (patch.trim.empty() ? 0 : kHasTrim) |
-                               (!patch.turn                   ? 0
-                                : patch.turn->is_quaternion() ? kIsQuaternion
-                                : patch.turn->is_spin()       ? kIsSpin
-                                                              : kIsAngle));
+    constexpr int kHasEnds = 8;
+    bytes += static_cast<char>(
+        static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
+        (patch.weights.empty() ? 0 : kHasWeights) | (patch.trim.empty() ? 0 : kHasTrim) |
+        (!patch.turn                   ? 0
+         : patch.turn->is_quaternion() ? kIsQuaternion
+         : patch.turn->is_spin()       ? kIsSpin
+                                       : kIsAngle));
     bytes += static_cast<char>(patch.shape.n);
     bytes += static_cast<char>(patch.shape.m);
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });

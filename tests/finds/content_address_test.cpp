@@ -35,6 +35,13 @@ TEST(ContentAddress, TellsEveryBitApart) {
   EXPECT_NE(tensor, content_address(other_shape));
 }
 
+// Both have a number for each coordinate of a control point.
+TEST(ContentAddress, TellsEndsFromVelocities) {
+  Query ends = two_points(1);
+  std::swap(ends.patches[0].ends, ends.patches[0].velocities);
+  EXPECT_NE(content_address(ends), content_address(two_points(1)));
+}
+
 TEST(CaseSize, CountsBitsAndThenTheSpreadOfExponents) {
   EXPECT_EQ(size_of(two_points(0)), (CaseSize{1, 0}));  // t_max's
   EXPECT_EQ(size_of(two_points(0, 0)), (CaseSize{0, 0}));
