@@ -108,7 +108,7 @@ void triage_cases(const TriageArguments& arguments, const std::function<bool()>&
 }
 
 /// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
-std::string folder_of_properties(const std::string& folder) {
+std::string folder_of_claims(const std::string& folder) {
   return fmt::format("{}/{}", folder, kClaims);
 }
 
@@ -229,9 +229,9 @@ void triage_target(const TriageArguments& arguments, const std::function<bool()>
   if (!known.empty() && !std::filesystem::is_directory(known, error)) {
     throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
   }
-  const std::string folder = folder_of_properties(arguments.output);
+  const std::string folder = folder_of_claims(arguments.output);
   need(make_find_folder(folder));
-  ClaimTriage triage(*target, folder, known.empty() ? "" : folder_of_properties(known), stop,
+  ClaimTriage triage(*target, folder, known.empty() ? "" : folder_of_claims(known), stop,
                      arguments.json, walk);
   walk.go(files, [&](const std::string& file) {
     return read_bytes(file).map([&](std::vector<std::uint8_t> bytes) -> TriageWalk::Work {
@@ -253,10 +253,9 @@ int run_triage(const TriageArguments& arguments, Session& session) {
   TriageWalk walk(is_over, options.remove);
   (options.target ? triage_target : triage_cases)(options, is_over, files, walk);
   const TriageCounts& counts = walk.counts();
-  session.json
-      ? print_row(counts)
-      : session.summary(to_text(
-            counts, options.target ? folder_of_properties(options.output) : options.output));
+  session.json ? print_row(counts)
+               : session.summary(to_text(
+                     counts, options.target ? folder_of_claims(options.output) : options.output));
   if (counts.files_unread > 0) return session.exit_code(kBadInput);
   return session.exit_code(counts.tally.refuting > 0 ? kCheckFailed : kDone);
 }
@@ -275,7 +274,7 @@ void add_triage(CommandLine& line, const FindSuite& find_suite) {
       .required();
   Option target = command.text("--target NAME", options->target,
                                "The inputs are those of this other target, whose claims fail on "
-                               "them; they go to `properties` in the folder");
+                               "them; they go to `claims` in the folder");
   command.plugin_names();
   target.excludes(
       command.text("--methods LIST", options->methods, "Methods to run, separated by commas")
@@ -284,7 +283,7 @@ void add_triage(CommandLine& line, const FindSuite& find_suite) {
   command.text("-o,--output FOLDER", options->output, "Where to store counterexamples");
   command.text(
       "--known FOLDER", options->known,
-      "A corpus, whose failures are not stored again; with --target, those in its `properties`");
+      "A corpus, whose failures are not stored again; with --target, those in its `claims`");
   command.flag("--remove", options->remove, "Remove each input file that is done");
   command.json("One JSON object per find, and a summary");
   command.group("Limits");
