@@ -144,10 +144,9 @@ bool are_weights(const std::vector<double>& weights) {
     least = std::min(least, std::bit_cast<std::int64_t>(w));
     most = std::max(most, std::bit_cast<std::int64_t>(w));
   }
+  const auto top = [](std::int64_t bits) { return parts_of(std::bit_cast<double>(bits)).top(); };
   return least > 0 && is_finite(std::bit_cast<double>(most)) &&
-         (least == most || parts_of(std::bit_cast<double>(most)).top() -
-                                   parts_of(std::bit_cast<double>(least)).top() <=
-                               kWeightBits);
+         top(most) - top(least) <= kWeightBits;
 }
 
 std::string spread_of_weights() {
