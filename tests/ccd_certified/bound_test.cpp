@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 #include "bezier/exact_patch.hpp"
 #include "bezier/random_patch.hpp"
@@ -14,7 +15,8 @@ namespace {
 
 /// A double with all its bits in use and an exponent near `exponent`.
 double any_double(int exponent) {
-  const double mantissa = static_cast<double>(*rc::gen::arbitrary<std::int64_t>());
+  const auto whole = rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::int64_t>());
+  const double mantissa = static_cast<double>(*whole);
   return std::ldexp(mantissa, exponent - 63 + *rc::gen::inRange(-6, 1));
 }
 
@@ -33,14 +35,28 @@ MovingPatch<double> any_full_patch(int exponent, double translation) {
   return patch;
 }
 
+/// The same with two positions of each point, and with weights, of a chance of one in two each.
+void give_ends_or_weights(MovingPatch<double>& patch) {
+  if (*rc::gen::arbitrary<bool>()) {
+    patch.ends = std::exchange(patch.velocities, {});
+    for (size_t i = 0; i < patch.ends.size(); ++i) patch.ends[i] += patch.positions[i];
+  }
+  if (*rc::gen::arbitrary<bool>()) {
+    for (size_t i = 0; i < patch.positions.size(); ++i) {
+      patch.weights.push_back(std::ldexp(std::abs(any_double(0)) + 1, *rc::gen::inRange(-20, 21)));
+    }
+  }
+}
+
 std::string describe(const Query& query) {
   std::string text = fmt::format("t_max {:a}", query.t_max);
   for (const auto& patch : query.patches) {
     text += fmt::format("\n{}", to_text(patch.shape));
     for (size_t i = 0; i < patch.positions.size(); ++i) {
-      const Vec3<double>&p = patch.positions[i], &v = patch.velocities[i];
-      text +=
-          fmt::format("\n  {:a} {:a} {:a}  v {:a} {:a} {:a}", p[0], p[1], p[2], v[0], v[1], v[2]);
+      const Vec3<double>&p = patch.positions[i], &v = patch.moves()[i];
+      text += fmt::format("\n  {:a} {:a} {:a}  {} {:a} {:a} {:a}", p[0], p[1], p[2],
+                          patch.has_ends() ? "end" : "v", v[0], v[1], v[2]);
+      if (!patch.weights.empty()) text += fmt::format("  w {:a}", patch.weights[i]);
     }
   }
   return text;
@@ -70,6 +86,7 @@ RC_GTEST_PROP(LawC, TheBoundCoversEveryRoundingOfAGap, ()) {
                              std::ldexp(1.0, exponent > 900 ? 900 : exponent);
   Query query;
   query.patches = {any_full_patch(exponent, translation), any_full_patch(exponent, translation)};
+  for (MovingPatch<double>& patch : query.patches) give_ends_or_weights(patch);
   query.t_max = std::abs(any_double(0));
   RC_PRE(query.t_max > 0);
 
@@ -79,7 +96,7 @@ RC_GTEST_PROP(LawC, TheBoundCoversEveryRoundingOfAGap, ()) {
   CellTree::Node nodes[2] = {0, 0};
   const int depth = *rc::gen::inRange(0, 12);
   for (int s = 0; s < 2; ++s) {
-    trees[s].reset(n.shapes[s], n.controls[s]);
+    trees[s].reset(n.shapes[s], n.controls[s], n.weights[s]);
     for (int d = 0; d < depth; ++d) {
       const int c = *rc::gen::inRange(0, n.shapes[s].child_count());
       nodes[s] = trees[s].children(nodes[s]) + static_cast<CellTree::Node>(c);
@@ -87,8 +104,9 @@ RC_GTEST_PROP(LawC, TheBoundCoversEveryRoundingOfAGap, ()) {
   }
   const Axis l = {any_double(0), any_double(0), any_double(-3)};
   const double t = n.t_max * std::ldexp(*rc::gen::inRange(0, 1025), -10);
-  const HeightErrorBound bound(n.magnitude, n.absolute,
-                               std::max(trees[0].roundings(depth), trees[1].roundings(depth)));
+  const HeightErrorBound bound(
+      n.magnitude, n.absolute,
+      n.roundings + std::max(trees[0].roundings(depth), trees[1].roundings(depth)));
   // Heights of the points at t, and of the lines at t: both orders of operations.
   alignas(32) std::array<double, kPerPoint * kMaxControls> values[2];
   RangeBatch ranges[2];
@@ -121,42 +139,88 @@ RC_GTEST_PROP(LawC, TheBoundCoversEveryRoundingOfAGap, ()) {
   }
 }
 
-/// What two extents at both ends of a window prove, holds at every time between.
-RC_GTEST_PROP(LawA, SeparatedAtBothEndsIsSeparatedBetween, ()) {
+/// Two patches at the ends of a window, on an axis.
+struct SeenAtEnds {
   Query query;
-  query.patches = {any_full_patch(0, 0), any_full_patch(0, 0)};
-  const Axis l = {any_double(0), any_double(0), any_double(0)};
-  const double apart = *rc::gen::element(-8.0, -2.0, 2.0, 8.0);
-  for (Vec3<double>& p : query.patches[1].positions) {
-    for (int k = 0; k < 3; ++k) p[k] += apart * (l[static_cast<size_t>(k)] < 0 ? -1 : 1);
+  Axis l{};
+  NormalisedQuery normalised;
+  Window window;
+  std::array<RangeBatch, 2> ranges;
+  SeparatingAxes separating;
+  double bound = 0;
+
+  Gaps gaps() const { return {lane(ranges[0], 0), lane(ranges[1], 0)}; }
+  /// At `share` of a part of the window, exactly.
+  bool are_apart(const Window& part, double share) const {
+    const Rational t = exact(part.lo) + (exact(part.hi) - exact(part.lo)) * exact(share);
+    const Rational time = t * power_of_two(normalised.time);
+    const auto a = exact_extremes(query.patches[0], Cell{}, l, time);
+    const auto b = exact_extremes(query.patches[1], Cell{}, l, time);
+    return a.second < b.first || b.second < a.first;
   }
-  NormalisedQuery n;
-  normalise(query, n);
-  const Window w{n.t_max * std::ldexp(*rc::gen::inRange(0, 512), -10),
+};
+
+/// So far apart along the axis at 0, and moved towards each other by so much.
+SeenAtEnds any_seen_at_ends(double apart, double approach) {
+  SeenAtEnds seen;
+  seen.query.patches = {any_full_patch(0, 0), any_full_patch(0, 0)};
+  for (double& x : seen.l) x = any_double(0);
+  MovingPatch<double>& second = seen.query.patches[1];
+  for (size_t i = 0; i < second.positions.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double side = seen.l[static_cast<size_t>(k)] < 0 ? -1 : 1;
+      second.positions[i][k] += apart * side;
+      second.velocities[i][k] -= approach * side;
+    }
+  }
+  NormalisedQuery& n = seen.normalised;
+  normalise(seen.query, n);
+  seen.window = {n.t_max * std::ldexp(*rc::gen::inRange(0, 512), -10),
                  n.t_max * std::ldexp(*rc::gen::inRange(512, 1025), -10)};
   AxisBatch batch;
-  for (size_t k = 0; k < 3; ++k) batch.axes[k].fill(l[k]);
+  for (size_t k = 0; k < 3; ++k) batch.axes[k].fill(seen.l[k]);
   const HeightErrorBound error(n.magnitude, n.absolute, 0);
   std::array<CellTree, 2> trees;
   alignas(32) std::array<double, kPerPoint * kMaxControls> values[2];
   std::array<Snapshot, 2> nets;
   for (size_t s = 0; s < 2; ++s) {
     trees[s].reset(n.shapes[s], n.controls[s]);
-    take_snapshot(trees[s].net(0), trees[s].count(), w.lo, w.hi, values[s].data());
-    nets[s] = {values[s].data(), trees[s].count(), {w, 0}};
+    take_snapshot(trees[s].net(0), trees[s].count(), seen.window.lo, seen.window.hi,
+                  values[s].data());
+    nets[s] = {values[s].data(), trees[s].count(), {seen.window, 0}};
   }
-  std::array<RangeBatch, 2> ranges;
-  const SeparatingAxes found =
-      project_and_compare(nets[0], nets[1], batch, error.for_axes(batch), ranges);
-  const bool separated = Gaps(lane(ranges[0], 0), lane(ranges[1], 0)).separated(error.for_axis(l));
-  RC_ASSERT(separated == (found.throughout != 0));
+  seen.separating =
+      project_and_compare(nets[0], nets[1], batch, error.for_axes(batch), seen.ranges);
+  seen.bound = error.for_axis(seen.l);
+  return seen;
+}
+
+/// What two extents at both ends of a window prove, holds at every time between.
+RC_GTEST_PROP(LawA, SeparatedAtBothEndsIsSeparatedBetween, ()) {
+  const SeenAtEnds seen = any_seen_at_ends(*rc::gen::element(-2.0, -0.5, 0.5, 2.0), 0);
+  const bool separated = seen.gaps().separated(seen.bound);
+  RC_ASSERT(separated == (seen.separating.throughout != 0));
   RC_CLASSIFY(separated);
   if (!separated) return;
-  const double t = w.lo + (w.hi - w.lo) * std::ldexp(*rc::gen::inRange(0, 1025), -10);
-  const Rational time = exact(t) * power_of_two(n.time);
-  const auto a = exact_extremes(query.patches[0], Cell{}, l, time);
-  const auto b = exact_extremes(query.patches[1], Cell{}, l, time);
-  RC_ASSERT(a.second < b.first || b.second < a.first);
+  RC_ASSERT(seen.are_apart(seen.window, std::ldexp(*rc::gen::inRange(0, 1025), -10)));
+}
+
+/// What the chords of both ends drop.
+RC_GTEST_PROP(LawB, WhatTheChordsDropIsSeparated, ()) {
+  // Some pass each other in the window, and some overlap at its end.
+  const double side = *rc::gen::element(-1, 1);
+  const double approach =
+      std::ldexp(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange(4, 24)), -3);
+  const SeenAtEnds seen = any_seen_at_ends(side, approach * side);
+  const Gaps gaps = seen.gaps();
+  Window left = seen.window;
+  if (!gaps.separated(seen.bound)) trim_by_chord(gaps, seen.bound, left);
+  RC_CLASSIFY(left.lo > seen.window.lo, "from the start");
+  RC_CLASSIFY(left.hi < seen.window.hi, "to the end");
+  // From the end of the window on, up to but without the end of what is left.
+  const double share = std::ldexp(*rc::gen::inRange(0, 1024), -10);
+  if (left.lo > seen.window.lo) RC_ASSERT(seen.are_apart({seen.window.lo, left.lo}, share));
+  if (left.hi < seen.window.hi) RC_ASSERT(seen.are_apart({seen.window.hi, left.hi}, share));
 }
 
 }  // namespace

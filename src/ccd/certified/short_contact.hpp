@@ -16,10 +16,9 @@ struct ShortAnswer {
 inline constexpr int kShortLevel = 44;
 
 /// Decides most linear queries in integers of fixed length, and signs that are clear in doubles of
-/// these (DERIVATION.md, 7, L10). Returns nothing where numbers have more than 124 binary
-/// places. The same where the time of contact is not inside of the time step, or not the only root
-/// of the determinant there. Or where it leaves a sign 0 or unknown. Requires finite numbers, t_max
-/// ≥ 0 and is_linear_pair.
+/// these (DERIVATION.md, 7, L10). Returns nothing where numbers have more than 124 binary places.
+/// The same where the determinant is 0 throughout or its roots are too near each other, and where a
+/// sign stays 0 or unknown. Requires finite numbers, t_max ≥ 0 and is_linear_pair.
 std::optional<ShortAnswer> short_contact(const Query& query);
 
 }  // namespace ccdfuzz::certified

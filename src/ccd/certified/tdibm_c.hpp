@@ -14,10 +14,10 @@ namespace ccdfuzz {
 /// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries: linear_advance.hpp,
 /// then linear_contact.hpp.
 ///
-/// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis. On
-/// it the two control nets are apart by more than the error bound. They are so at both ends of the
-/// dropped time (Law A), or from one end up to the root of a chord (Law B). By convexity the axis
-/// then separates them throughout. So
+/// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis, or
+/// outside of a trim (below). On the axis the two control nets are apart by more than the error
+/// bound. They are so at both ends of the dropped time (Law A), or from one end up to the root of a
+/// chord (Law B). By convexity the axis then separates them throughout. So
 ///   miss       no contact in [0, t_max], for every valid query;
 ///   hit        a pair of cells no wider than `precision` could not be separated in its window,
 ///              which begins at toi or at most 2^-20·t_max later; every contact is at toi or later;
@@ -30,8 +30,8 @@ namespace ccdfuzz {
 /// A pair of a trimmed patch is dropped, too, where a cell has no point in the closed region of its
 /// loops, which is decided exactly. A hit's cells are not proven to be outside.
 /// Linear patches (is_linear_pair) that are not trimmed are decided exactly: a hit is a contact, at
-/// toi + precision·t_max at most. Where numbers differ by too many binary places
-/// (first_linear_contact), only what is said above holds, and the answer's note says so.
+/// toi + precision·t_max at most. Where numbers differ by too many binary places, or roots by too
+/// few (first_linear_contact), only what is said above holds. The answer's note says so then.
 /// With a separation d all of this is said of distances. A miss is a distance above d throughout.
 /// When its window begins, a hit's cells are no farther apart than d and both diameters. A hit on
 /// linear patches is decided only as far as doubles tell the distance from d. Keeps at most

@@ -43,10 +43,12 @@ struct Gaps {
 /// Where the chord through (t0, h0) and (t1, h1), h0 < 0 ≤ h1, reaches zero, rounded towards t0.
 /// Law B: if h0 and h1 are upper bounds of h, then h < 0 from t0 up to, but without, the result, as
 /// h is convex.
-/// The quotient is in [0, 1] with three roundings, the product and the sum add two; t1 may be < t0.
+/// The quotient is in [0, 1]. t1 may be < t0.
 inline double chord_root(double t0, double h0, double t1, double h1) {
   CCDFUZZ_ASSERT(h0 < 0 && 0 <= h1);
-  const double share = (-h0 / (h1 - h0)) * (1 - 0x1p-50);  // five roundings ≤ 5·2^-53 < 2^-50
+  const double share = (-h0 / (h1 - h0)) * (1 - 0x1p-50);
+  // Five roundings, ≤ 5·2^-53 < 2^-50: two of the quotient, and those of the factor, of t1 - t0 and
+  // of the product.
   const double t = t0 + (t1 - t0) * share;
   // The last sum rounds by half an ulp of t: one step back covers it.
   const double root = t0 < t1 ? std::max(t0, next_down(t)) : std::min(t0, next_up(t));
@@ -101,8 +103,8 @@ class HeightLines {
 /// Moves one end of w inward, to a time at which separation is certified again; Law A covers the
 /// time between. Newton's iteration looks for it from the other end of `seen`. sign: which side is
 /// below; both signs start from the same window, so exchanging the patches changes no result.
-/// Requires that separation is certified at the end that moves. Returns false if no step was
-/// certified.
+/// Requires that separation on the axis is certified at the end that moves, or at the one from
+/// which a chord on this axis moved it. Returns false if no step was certified.
 bool trim_by_newton(const HeightLines& lines, double bound, int sign, bool low_end,
                     const Window& seen, Window& w);
 
