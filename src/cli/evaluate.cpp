@@ -27,7 +27,6 @@ struct EvaluateArguments {
   std::vector<std::string> files;
   std::vector<std::string> methods = default_methods();
   std::vector<double> horizons;
-  std::string linear;
   SearchFlags search;
   std::string shard;
   std::string folder;
@@ -50,13 +49,6 @@ Result<std::vector<double>> parse_horizons(const std::string& where, const std::
     return input_error(where, fmt::format("{} stands there twice", *twice));
   }
   return factors;
-}
-
-Result<std::vector<std::string>> files_of(const EvaluateArguments& arguments) {
-  std::vector<std::string> given = arguments.files;
-  if (!arguments.linear.empty()) given.push_back(arguments.linear);
-  if (given.empty()) return input_error("dataset", "is required");
-  return case_files(given);
 }
 
 EvaluateOptions options_of(const EvaluateArguments& arguments, int threads) {
@@ -184,7 +176,7 @@ Kept open_kept(const std::string& folder, const RunHeader& header) {
 
 int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   EvaluateOptions options = options_of(arguments, session.threads);
-  const std::vector<std::string> files = need(files_of(arguments));
+  const std::vector<std::string> files = need(case_files(arguments.files));
   std::optional<Kept> kept;
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
     RunHeader header = need(header_of(arguments, options, files));
@@ -240,10 +232,11 @@ void add_evaluate(CommandLine& line) {
       "evaluate", "Measure the accuracy and time of methods on data sets", run_evaluate);
   command.example("two methods, late answers too",
                   "evaluate vv.jsonl --methods tdibm,tdibm-c --t-max-factors 1,1.5");
-  command.texts("dataset", options->files,
-                "Case files: .json, .jsonl, .jsonl.zst, .csv (judged by their exact truth where "
-                "they are linear), or folders of .csv");
-  command.text("--linear FILE", options->linear, "One more dataset, as it was once to be named");
+  command
+      .texts("dataset", options->files,
+             "Case files: .json, .jsonl, .jsonl.zst, .csv (judged by their exact truth where they "
+             "are linear), or folders of .csv")
+      .required();
   add_methods(command, options->methods, "Methods to run, separated by commas");
   command.parsed("--t-max-factors LIST", options->horizons,
                  "Ask positive cases up to these multiples of the contact's time instead of their "

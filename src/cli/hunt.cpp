@@ -201,24 +201,6 @@ void print_report_json(const HuntReport& report) {
                        count_of(report, false), report.seconds});
 }
 
-void write_hunt_page(const HuntReport& report, const HuntArguments& options,
-                     const HuntCourse& course, bool json) {
-  HuntRecord record{command_line(),
-                    options.corpus,
-                    "",
-                    report.seconds,
-                    report.cells,
-                    {},
-                    course,
-                    plugins_among(course.methods)};
-  for (const Find& find : report.finds) {
-    if (find.is_new && !find.path.empty()) record.finds.push_back(find.path);
-  }
-  need(write_hunt_record(options.page, record));
-  need(write_report(need(hunt_page(record)), options.page, options.hunt.threads));
-  if (!json) print_out(fmt::format("Page:         {}/index.html\n", options.page));
-}
-
 /// No draw is on the ground, or there was no time for any: then nothing was checked.
 bool asked_nothing(const HuntReport& report) {
   return query_count(report) == 0 && mutant_count(report.cells) == 0;
@@ -291,7 +273,11 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   finish_in_order();
   session.json ? print_report_json(report) : print_report(report, options);
   if (report.error) throw BadInput{*report.error};
-  if (!options.page.empty()) write_hunt_page(report, options, notes.course(), session.json);
+  if (!options.page.empty()) {
+    need(write_report(need(hunt_page(report, notes.course(), store)), options.page,
+                      options.hunt.threads));
+    if (!session.json) print_out(fmt::format("Page:         {}/index.html\n", options.page));
+  }
   if (!session.json) print_summary(report, options.corpus);
   if (interrupted) return session.exit_code(kDone);
   if (asked_nothing(report)) {

@@ -2,52 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <filesystem>
-#include <map>
+#include <algorithm>
+#include <set>
 
 #include "cli/common_options.hpp"
-#include "cli/output.hpp"
 #include "cli/reproduction.hpp"
 #include "eval/row_columns.hpp"
 #include "files/check_file.hpp"
-#include "finds/entries.hpp"
-#include "io/input_bytes.hpp"
-#include "io/output_file.hpp"
 #include "method/ask.hpp"
 
 namespace ccdfuzz {
-
-namespace {
-
-namespace fs = std::filesystem;
-
-/// A record has 200 samples and some thousand paths.
-constexpr std::size_t kMostRecordBytes = 256 << 20;
-
-/// The store and its finds as paths from here. They are as the command line gave them, unless the
-/// record has been moved and the store with it.
-void follow_store(const std::string& folder, HuntRecord& record) {
-  std::error_code error;
-  const fs::path beside = fs::canonical(fs::path(folder) / record.store_from, error);
-  if (error || fs::equivalent(beside, record.store, error)) return;
-  for (std::string& path : record.finds) {
-    path = (beside / fs::path(path).lexically_relative(record.store)).string();
-  }
-  record.store = beside.string();
-}
-
-/// A page without its finds says where they were.
-void add_absent_finds(const HuntRecord& record, ReportPage& report) {
-  print_err(fmt::format("ccdfuzz: {}: the store of the hunt is not there; the page shows no find\n",
-                        record.store));
-  ReportTable table{
-      "finds", "New counterexamples, not at hand: their store is not there", {"path"}, {}};
-  for (const std::string& path : record.finds) table.rows.push_back({path});
-  report.tables.push_back(std::move(table));
-}
-
-}  // namespace
 
 Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
   const SearchOptions search = SearchFlags().options_for(entry.value);
@@ -72,27 +36,6 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
   reported.reproduce = reproduction(entry.id, entry.value.expect);
   reported.value = std::move(entry.value);
   return reported;
-}
-
-std::string hunt_record_path(const std::string& folder) {
-  return folder + "/hunt.jsonl";
-}
-
-Result<void> write_hunt_record(const std::string& folder, HuntRecord record) {
-  if (auto made = make_folder(folder); !made) return made;
-  std::error_code error;
-  record.store_from = fs::proximate(record.store, folder, error).string();
-  return write_file(hunt_record_path(folder), to_json(record) + "\n");
-}
-
-Result<HuntRecord> read_hunt_record(const std::string& folder) {
-  const std::string path = hunt_record_path(folder);
-  return read_file(path, kMostRecordBytes)
-      .and_then([&](const std::string& json) { return from_json<HuntRecord>(json, path); })
-      .map([&](HuntRecord record) {
-        if (!record.store_from.empty()) follow_store(folder, record);
-        return record;
-      });
 }
 
 Column<HuntCell> mean_column() {
@@ -139,46 +82,35 @@ Table hunt_table(const std::vector<HuntCell>& cells) {
                   [](const HuntCell& a, const HuntCell& b) { return a.contact == b.contact; });
 }
 
-Result<ReportPage> hunt_page(const HuntRecord& record) {
+Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
+                             const Store& store) {
   ReportPage report;
-  report.title = fmt::format("Hunt of {:.0f} s", record.seconds);
-  report.command = record.command;
-  report.course = record.course;
-  report.plugins = record.plugins;
-  for (const HuntCell& cell : record.cells) {
+  report.title = fmt::format("Hunt of {:.0f} s", hunted.seconds);
+  report.command = command_line();
+  report.course = course;
+  report.plugins = plugins_among(course.methods);
+  for (const HuntCell& cell : hunted.cells) {
     Row row{{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally};
-    row.tally.seconds = {};  // which the record of a hunt does not keep
+    row.tally.seconds = {};  // a hunt is no measurement of times
     report.rows.push_back(std::move(row));
   }
   report.tables.push_back(
-      report_table("hunt", "What the hunt asked, bred and lost", hunt_table(record.cells)));
-  if (std::error_code error; !fs::is_directory(record.store, error)) {
-    add_absent_finds(record, report);
-    return report;
+      report_table("hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells)));
+  Result<std::vector<NamedCase>> entries = store.load();
+  if (!entries) return tl::unexpected(entries.error());
+  std::set<std::string> found;
+  for (const Find& find : hunted.finds) {
+    if (find.is_new) found.insert(find.path);
   }
-  const Result<std::vector<std::string>> paths = list_entries(record.store);
-  if (!paths) return tl::unexpected(paths.error());
-  if (!paths->empty()) {
-    const Result<std::vector<NamedCase>> entries = load_corpus(record.store);
-    if (!entries) return tl::unexpected(entries.error());
-    std::map<std::string, const NamedCase*> known;
-    for (const NamedCase& entry : *entries) known.emplace(entry.id, &entry);
-    std::vector<std::pair<const NamedCase*, bool>> shown;  // and whether it is new
-    for (const std::string& path : record.finds) {
-      const auto found = known.find(path);
-      if (found == known.end()) continue;  // a later hunt has found a smaller one
-      shown.emplace_back(found->second, true);
-      known.erase(found);
-    }
-    for (const auto& [path, entry] : known) shown.emplace_back(entry, false);
-    MethodSet methods;
-    for (const auto& [entry, is_new] : shown) {
-      Result<ReportedCase> reported = reported_entry(*entry, methods);
-      if (!reported) return tl::unexpected(reported.error());
-      reported->is_new = is_new;
-      report.cases.push_back(std::move(*reported));
-    }
+  MethodSet methods;
+  for (NamedCase& entry : *entries) {
+    const bool is_new = found.contains(entry.id);
+    Result<ReportedCase> reported = reported_entry(std::move(entry), methods);
+    if (!reported) return tl::unexpected(reported.error());
+    reported->is_new = is_new;
+    report.cases.push_back(std::move(*reported));
   }
+  std::ranges::stable_partition(report.cases, [](const ReportedCase& c) { return *c.is_new; });
   keep_most_telling(report);
   return report;
 }

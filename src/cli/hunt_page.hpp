@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "eval/columns.hpp"
@@ -16,7 +14,7 @@ namespace ccdfuzz {
 /// repeats exactly.
 class CourseNotes {
  public:
-  explicit CourseNotes(std::vector<std::string> methods) : course_{std::move(methods), {}} {}
+  explicit CourseNotes(const std::vector<std::string>& methods) : course_{methods, {}} {}
 
   void note(double seconds, const HuntProgress& progress) {
     if (progress.share < next_ && progress.share < 1) return;
@@ -30,41 +28,6 @@ class CourseNotes {
   HuntCourse course_;
   double next_ = 0;
 };
-
-/// The record that a hunt leaves beside its page, so that `ccdfuzz report` can make the page again.
-struct HuntRecord {
-  std::string command;     ///< that hunted
-  std::string store;       ///< folder of the counterexamples, as the command line gave it
-  std::string store_from;  ///< the way to it from the folder of the record; empty: there is none
-  double seconds = 0;
-  std::vector<HuntCell> cells;
-  std::vector<std::string> finds;  ///< paths of the new counterexamples
-  HuntCourse course;
-  std::vector<MethodInfo> plugins;  ///< among the methods
-
-  static void fields(auto& archive, auto& record) {
-    archive.format("ccdfuzz-hunt", 2, 2);
-    archive("command", record.command);
-    archive("store", record.store);
-    archive.optional("store_from_here", record.store_from);
-    archive("seconds", record.seconds, not_negative);
-    archive("cells", record.cells);
-    archive("finds", record.finds);
-    archive("course", record.course);
-    archive("plugins", record.plugins);
-  }
-};
-
-/// FOLDER/hunt.jsonl: the record as one line. Not .json, so that a folder that is a corpus, too,
-/// has no entry more.
-std::string hunt_record_path(const std::string& folder);
-
-/// Makes the folder if need be. Errors: of the system, naming the path.
-Result<void> write_hunt_record(const std::string& folder, HuntRecord record);
-
-/// Runs no method, and needs none that it names. A store that has been moved along with the record
-/// is found beside it. Errors: naming file, field and value.
-Result<HuntRecord> read_hunt_record(const std::string& folder);
 
 /// The mean time of an answer.
 Column<HuntCell> mean_column();
@@ -83,7 +46,8 @@ Table hunt_table(const std::vector<HuntCell>& cells);
 Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods);
 
 /// The data of a hunt's page: its cells, its course, its finds, and the earlier ones of its store.
-/// If the store is not there, only that, which stderr says, too. Errors: the store cannot be read.
-Result<ReportPage> hunt_page(const HuntRecord& record);
+/// Errors: the store cannot be read.
+Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
+                             const Store& store);
 
 }  // namespace ccdfuzz

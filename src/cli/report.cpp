@@ -121,9 +121,6 @@ Result<ReportPage> report_source(const ReportArguments& options, Session& sessio
   if (std::filesystem::exists(answers_path(options.source), error)) {
     return report_run(options, session);
   }
-  if (std::filesystem::exists(hunt_record_path(options.source), error)) {
-    return read_hunt_record(options.source).and_then(hunt_page);
-  }
   return report_corpus(options, session.threads, interrupted);
 }
 
@@ -166,8 +163,8 @@ void add_report(CommandLine& line) {
   command.example("a corpus", "report corpus -o page");
   command.text(
       "source", options->source,
-      "A corpus (its entries and what they expect), or the folder of an `evaluate -o` or of a "
-      "`hunt --report`, whose numbers are taken as they are");
+      "A corpus (its entries and what they expect), or the folder of an `evaluate -o`, whose "
+      "numbers are taken as they are");
   command.plugin_names();
   command.allow_plugins();
   command.group("Results");

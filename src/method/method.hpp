@@ -86,14 +86,6 @@ struct MethodInfo {
   std::vector<std::string> switches = {};
   Features features = {};
   Domain domain = {};
-
-  /// The fields for a plug-in, as records of hunts have them.
-  static void fields(auto& archive, auto& info) {
-    archive("method", info.spec);
-    archive("source", info.source);
-    archive("description", info.description);
-    archive("claims_no_false_negative", info.claims_no_false_negative);
-  }
 };
 
 /// A switch of the methods of the paper: the form without any optimisation, for comparison.

@@ -7,7 +7,6 @@
 
 #include "case/case.hpp"
 #include "eval/rows.hpp"
-#include "io/fields.hpp"
 #include "io/table.hpp"
 #include "method/method.hpp"
 
@@ -52,28 +51,12 @@ struct HuntSample {
   /// For each method of the course the least number of ulps by which a contact survived its tests;
   /// nothing while none was traced.
   std::vector<std::optional<std::uint64_t>> margins;
-
-  static void fields(auto& archive, auto& sample) {
-    archive("seconds", sample.seconds);
-    archive("queries", sample.queries);
-    archive("mutants", sample.mutants);
-    archive("finds", sample.finds);
-    archive("margins", sample.margins);
-  }
 };
 
 /// How a hunt went.
 struct HuntCourse {
   std::vector<std::string> methods;
   std::vector<HuntSample> samples;  ///< in order
-
-  static void fields(auto& archive, auto& course) {
-    archive("methods", course.methods);
-    archive("samples", course.samples, Each{[&](const HuntSample& sample) {
-              const bool is_whole = sample.margins.size() == course.methods.size();
-              return std::string(is_whole ? "" : "has not one margin for each method");
-            }});
-  }
 };
 
 /// Everything that a page shows. Parts that are empty have no tab in it.

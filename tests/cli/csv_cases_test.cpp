@@ -53,7 +53,7 @@ TEST(CsvCases, AFolderIsEvaluatedByTheTruthOfItsQueries) {
   EXPECT_EQ(rows[0]["correct"], 3);
 }
 
-TEST(CsvCases, LinearIsAnotherNameOfTheDataSet) {
+TEST(CsvCases, AFolderIsTheFilesInIt) {
   const ScratchFolder folder;
   write_scene(folder);
   const auto rows = [&](std::vector<std::string> files) {
@@ -63,7 +63,6 @@ TEST(CsvCases, LinearIsAnotherNameOfTheDataSet) {
     return untimed(done.out);
   };
   const std::string scene = folder / "scene";
-  EXPECT_EQ(rows({"--linear", scene}), rows({scene}));
   EXPECT_EQ(rows({scene + "/vertex-face/0.csv", scene + "/1vf.csv"}), rows({scene}));
   EXPECT_EQ(ccdfuzz({"evaluate"}).code, 2);
 }

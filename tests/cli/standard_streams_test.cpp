@@ -59,7 +59,7 @@ TEST(OddFiles, AreErrorsInWords) {
     EXPECT_EQ(finished.code, 2) << finished.err;
     EXPECT_THAT(finished.err, testing::Not(HasSubstr("internal error")));
   }
-  const Finished linear = shell("timeout 60 \"$ccdfuzz\" evaluate --linear /proc");
+  const Finished linear = shell("timeout 60 \"$ccdfuzz\" evaluate /proc");
   EXPECT_EQ(linear.code, 2) << linear.err;
   EXPECT_THAT(linear.err, testing::Not(HasSubstr("internal error")));
 }
