@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "drivers.hpp"
-#include "io/csv.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -213,7 +212,7 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
 }
 
 Result<void> probe_tables(const std::string& prefix) {
-  for (const char* ending : {".csv", ".md", ".json"}) {
+  for (const char* ending : {".md", ".json"}) {
     if (auto file = OutputFile::create(prefix + ending); !file) {
       return tl::unexpected(file.error());
     }
@@ -224,9 +223,6 @@ Result<void> probe_tables(const std::string& prefix) {
 Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records) {
   const std::vector<Row> rows = rows_of(faults, records);
-  std::string csv = csv_header<Row>() + '\n';
-  for (const Row& row : rows) csv += csv_row(row) + '\n';
-  if (auto r = write_file(prefix + ".csv", csv); !r) return r;
   if (auto r = write_file(prefix + ".md", markdown(faults, rows)); !r) return r;
   const Board board{driver_rows(rows), rows};
   return write_file(prefix + ".json", readable_json(to_json(board)) + '\n');

@@ -85,8 +85,8 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows);
 /// "3.5 ms".
 std::string seconds_text(double seconds);
 
-/// Writes PREFIX.csv, the fields of a Row a line. Writes PREFIX.md, the drivers and then a line a
-/// fault with the median time of each driver. Writes PREFIX.json:
+/// Writes PREFIX.md, the drivers and then a line a fault with the median time of each driver.
+/// Writes PREFIX.json:
 ///   {"format": "ccdfuzz-scoreboard", "version": 1, "drivers": [DriverRow, …], "rows": [Row, …]}
 /// Each appears complete or not at all.
 Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,

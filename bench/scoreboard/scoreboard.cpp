@@ -136,7 +136,7 @@ void add_options(CLI::App& app, Options& options) {
       ->excludes(app.get_option("--weak-seeds"));
   of_runs.push_back(app.add_flag("--verbose", options.verbose, "A line a run"));
   app.add_option("--tables", options.tables,
-                 "Writes what the records say to PREFIX.csv, PREFIX.md and PREFIX.json")
+                 "Writes what the records say to PREFIX.md and PREFIX.json")
       ->type_name("PREFIX");
   CLI::Option* const records =
       app.add_option("--records", options.records,

@@ -11,10 +11,9 @@
 //     }
 //   };
 //
-// JSON out and in, and the header and rows of CSV follow from that: to_json, from_json, csv_header,
-// csv_row. Fields may be numbers, texts, truths and records, and optionals, vectors, arrays and
-// maps of these. They may also be enumerations that have name_of(E) and all_of(E), and types with a
-// JsonForm.
+// JSON out and in follow from that: to_json, from_json. Fields may be numbers, texts, truths and
+// records, and optionals, vectors, arrays and maps of these. They may also be enumerations that
+// have name_of(E) and all_of(E), and types with a JsonForm.
 
 #include <algorithm>
 #include <array>

@@ -17,7 +17,7 @@ struct TableCell {
   Emphasis emphasis = Emphasis::kPlain;
 };
 
-/// A table of texts: people read it aligned, programs as CSV, documents as Markdown.
+/// A table of texts: people read it aligned, documents have it as Markdown.
 class Table {
  public:
   struct Column {
@@ -78,9 +78,6 @@ class Table {
   size_t rows_shown_ = 0;
   size_t rows_taken_ = 0;
 };
-
-/// RFC 4180: a text with a comma, a quote or a line break is quoted.
-std::string csv_field(const std::string& text);
 
 /// A time with three digits in the unit that fits it: "1.23 ms".
 std::string duration_text(double seconds);

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/csv.hpp"
-
 namespace ccdfuzz {
 namespace {
 
@@ -128,27 +126,6 @@ TEST(Fields, MayIgnoreWhatTheyDoNotKnow) {
       from_json<Inner>(R"({"level":1,"more":[],"colour":"red"})", "f", Unknown::kIgnore);
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->level, 1);
-}
-
-struct Line {
-  std::string name = "a,\"b\"";
-  std::optional<double> absent;
-  std::optional<Colour> tint = Colour::kBlue;
-  Inner inner{7, Colour::kRed};
-  bool last = false;
-
-  static void fields(auto& archive, auto& line) {
-    archive("name", line.name);
-    archive("absent", line.absent);
-    archive.optional("tint", line.tint);
-    archive("inner", line.inner);
-    archive("last", line.last);
-  }
-};
-
-TEST(Fields, MakeCsvWithTheFieldsOfRecordsInsideInTheirPlace) {
-  EXPECT_EQ(csv_header<Line>(), "name,absent,tint,level,colour,last");
-  EXPECT_EQ(csv_row(Line{}), "\"a,\"\"b\"\"\",,blue,7,red,false");
 }
 
 TEST(ReadableJson, BreaksLinesOfOver100ColumnsAtTheirMembers) {

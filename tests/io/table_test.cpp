@@ -77,13 +77,6 @@ TEST(Table, ColourOnlyAddsEscapes) {
   EXPECT_EQ(coloured, sample().to_text(false));
 }
 
-TEST(CsvField, QuotesWhatNeedsIt) {
-  EXPECT_EQ(csv_field("1,5"), "\"1,5\"");
-  EXPECT_EQ(csv_field("say \"x\""), "\"say \"\"x\"\"\"");
-  EXPECT_EQ(csv_field("two\nlines"), "\"two\nlines\"");
-  EXPECT_EQ(csv_field("plain"), "plain");
-}
-
 TEST(Table, MarkdownKeepsBarsInsideTheirCell) {
   Table table({{"a", Align::kLeft}, {"b"}});
   table.add_row({{"x|y"}, {"2"}});

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/killed_run.hpp"
 
 namespace ccdfuzz {
@@ -30,7 +32,7 @@ TEST(ScoreboardCommand, RefusesWhatItCannotRun) {
       {{"--seconds", "-1"}, "--seconds: -1 is not in (0, 1000000000]"},
       {{"--weak-seconds", "0"}, "--weak-seconds: 0 is not in (0, 1000000000]"},
       {{"--seconds", "1e300"}, "--seconds: 1e300 is not in (0, 1000000000]"},
-      {{"--tables", "/nosuch/t"}, "/nosuch/t.csv: cannot write: "},
+      {{"--tables", "/nosuch/t"}, "/nosuch/t.md: cannot write: "},
       {{"--records", "/nosuch/r"}, "/nosuch/r: cannot write: "},
       {{"--no-runs"}, "--no-runs requires --records"},
       {{"--no-runs", "--records", "/nosuch/r"}, "/nosuch/r: cannot read: "},
@@ -126,8 +128,8 @@ TEST(ScoreboardCommand, TellsOfTheFaultsThatWereAskedForAlone) {
   }
   EXPECT_GE(runs, 2) << done.out;
   EXPECT_THAT(done.out, testing::ContainsRegex("\ntraces +1 ")) << done.out;
-  const std::string csv = read_text(folder / "t.csv");
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 3) << csv;
+  const auto tables = nlohmann::json::parse(read_text(folder / "t.json"));
+  EXPECT_EQ(tables["rows"].size(), 2U) << tables;
 }
 
 TEST(ScoreboardCommand, RunsOnTheRightSourcesAlone) {
