@@ -151,7 +151,7 @@ class Run {
       return;
     }
     bool lost = false;  // the same contact, up to it and past it
-    for (const CheckedCase& known : draws_.at(cell.contact, cell.next_draw++).asked) {
+    for (const CheckedCase& known : draws_.at(cell.contact, cell.next_draw++)) {
       const Case& asked = known.value();
       if (asks_) {
         note(ask(methods_[quarry_.method], known, budget()));

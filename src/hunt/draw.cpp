@@ -1,7 +1,6 @@
 #include "hunt/draw.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/verify.hpp"
 #include "case/horizons.hpp"
@@ -90,7 +89,7 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& featu
 }
 
 void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
-                       const std::optional<ShapePair>& shapes, Family family, const Features& needs,
+                       const std::optional<ShapePair>& shapes, Family family,
                        Construction construction) const {
   if (ground_.ordinary && std::ranges::find(kNotOrdinary, family) != kNotOrdinary.end()) return;
   Source source;
@@ -102,7 +101,6 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
   options.bodies = ground_.body_kinds;
   options.plane = ground_.plane;
   options.seed = seed_;
-  source.needs = needs;
   for (const CaseKind kind : kCaseKinds) {
     options.kind = kind;
     if (validate(options)) source.kinds.push_back(kind);
@@ -113,7 +111,7 @@ void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
 void Draws::add_not_plain(std::vector<Source>& sources, ContactClass contact,
                           const std::optional<ShapePair>& shapes) const {
   for (const auto& [family, needs] : kNotPlain) {
-    if (has_all(features_, needs)) add_source(sources, contact, shapes, family, needs);
+    if (has_all(features_, needs)) add_source(sources, contact, shapes, family);
   }
 }
 
@@ -128,14 +126,12 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   if (ground_.bodies) {
     add_source(sources, contact, std::nullopt, Family::kBodies);
     const Features needs = {.turns = !ground_.plane, .angles = ground_.plane};
-    if (has_all(features_, needs)) {
-      add_source(sources, contact, std::nullopt, Family::kTurning, needs);
-    }
+    if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, Family::kTurning);
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {
     for (const Construction construction : kConstructions) {
-      add_source(sources, contact, shapes, Family::kRegular, {}, construction);
+      add_source(sources, contact, shapes, Family::kRegular, construction);
     }
     for (const Family family : kFamilies) {
       if (family != Family::kRegular) add_source(sources, contact, shapes, family);
@@ -166,59 +162,11 @@ Case Draws::drawn_case(ContactClass contact, std::uint64_t index) const {
   return generated(contact, index);
 }
 
-std::vector<size_t> Draws::places_of(ContactClass contact, const Features& taken) const {
-  const std::vector<Source>& around = sources_[static_cast<size_t>(contact)];
-  std::vector<size_t> places;
-  for (size_t i = 0; i < around.size(); ++i) {
-    if (has_all(taken, around[i].needs)) places.push_back(i);
-  }
-  return places;
-}
-
-std::uint64_t Draws::index_of(ContactClass contact, const Features& taken, std::uint64_t n) const {
-  const std::vector<size_t> places = places_of(contact, taken);
-  if (places.empty()) return n;
-  const std::uint64_t round = n / places.size();
-  return round * sources_[static_cast<size_t>(contact)].size() + places[n % places.size()];
-}
-
-std::uint64_t Draws::count_different(ContactClass contact, const std::vector<Begun>& begun) const {
-  // Of each source, or of all draws, what some method has most of.
-  std::vector<std::uint64_t> most(
-      std::max(sources_[static_cast<size_t>(contact)].size(), size_t{1}));
-  for (const auto& [taken, count] : begun) {
-    const std::vector<size_t> places = places_of(contact, taken);
-    if (places.empty()) most[0] = std::max(most[0], count);
-    for (size_t i = 0; i < places.size(); ++i) {
-      const std::uint64_t rounds = (count + places.size() - 1 - i) / places.size();
-      most[places[i]] = std::max(most[places[i]], rounds);
-    }
-  }
-  return std::accumulate(most.begin(), most.end(), std::uint64_t{0});
-}
-
-HuntDraw Draws::at(ContactClass contact, std::uint64_t index) const {
-  HuntDraw drawn;
+std::vector<CheckedCase> Draws::at(ContactClass contact, std::uint64_t index) const {
   const CheckedCase made = checked(ground_.fitted(drawn_case(contact, index)));
-  drawn.asked = are_by_shapes() ? std::vector{made} : forms_of(made);
-  std::erase_if(drawn.asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
-  return drawn;
-}
-
-std::shared_ptr<const HuntDraw> DrawCache::get(ContactClass contact, std::uint64_t index) {
-  std::vector<Slot>& slots = slots_[static_cast<size_t>(contact)];
-  {
-    const std::lock_guard lock(mutex_);
-    slots.resize(kKept);
-    const Slot& slot = slots[index % kKept];
-    if (slot.draw && slot.index == index) return slot.draw;
-  }
-  // Made outside the lock: two threads may make the same draw, and then it is the same draw.
-  auto made = std::make_shared<const HuntDraw>(draws_.at(contact, index));
-  const std::lock_guard lock(mutex_);
-  // A straggler's old draw must not evict the one that the others are about to need.
-  if (Slot& slot = slots[index % kKept]; !slot.draw || slot.index < index) slot = {index, made};
-  return made;
+  std::vector<CheckedCase> asked = are_by_shapes() ? std::vector{made} : forms_of(made);
+  std::erase_if(asked, [&](const CheckedCase& c) { return !ground_.has(c.value()); });
+  return asked;
 }
 
 }  // namespace ccdfuzz

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -54,8 +55,10 @@ struct Done {
 /// The contacts of one cell that are bred, and how many of its draws have joined them.
 struct Nursery {
   Breeder breeder;
-  Features taken;  ///< by the method
+  Draws draws;
   std::uint64_t founded = 0;
+  /// Draws that were asked about and have not joined yet, by index.
+  std::map<std::uint64_t, std::vector<CheckedCase>> waiting = {};
 };
 
 /// A hunt by time depends on the clock anyway. A plug-in is asked nothing more about a query after
@@ -68,25 +71,6 @@ HuntOptions within_its_time(HuntOptions options) {
   return options;
 }
 
-Features features_of(const std::string& method) {
-  return value_or_throw(method_info(method)).features;
-}
-
-/// What any of the methods takes.
-Features features_of_any(const std::vector<std::string>& methods) {
-  Features any;
-  for (const std::string& method : methods) {
-    const Features one = features_of(method);
-    any.ends |= one.ends;
-    any.separation |= one.separation;
-    any.weights |= one.weights;
-    any.trims |= one.trims;
-    any.turns |= one.turns;
-    any.angles |= one.angles;
-  }
-  return any;
-}
-
 class Hunt {
  public:
   Hunt(const HuntOptions& options, Store& store,
@@ -97,16 +81,7 @@ class Hunt {
         intake_(
             store, [this] { return Asker(options_.search); },
             [this] { return Asker(confirming(), MethodSet(make_served_method)); }),
-        draws_(options.seed, options.ground, features_of_any(options.methods)),
-        schedule_(draws_.classes().size() * options.methods.size(), options.cases) {
-    for (const ContactClass contact : draws_.classes()) {
-      for (const std::string& method : options.methods) {
-        const std::uint64_t seed = Random::keyed({options.seed, report_.cells.size()}).next();
-        nurseries_.push_back({Breeder(method, seed, options.ground), features_of(method)});
-        report_.cells.push_back({method, contact, {}, 0, {}});
-      }
-    }
-  }
+        schedule_(make_cells(), options.cases) {}
 
   HuntReport run() {
     const FpGuard guard;
@@ -126,7 +101,30 @@ class Hunt {
   }
 
  private:
-  size_t method_count() const { return options_.methods.size(); }
+  /// A cell for each class that there are draws of, and each method that they are for. Returns how
+  /// many.
+  size_t make_cells() {
+    std::vector<Draws> draws;
+    std::vector<ContactClass> classes;
+    for (const std::string& method : options_.methods) {
+      const Features taken = value_or_throw(method_info(method)).features;
+      draws.emplace_back(options_.seed, options_.ground, taken);
+      std::ranges::copy_if(draws.back().classes(), std::back_inserter(classes), [&](auto contact) {
+        return std::ranges::find(classes, contact) == classes.end();
+      });
+    }
+    for (const ContactClass contact : classes) {
+      for (size_t m = 0; m < draws.size(); ++m) {
+        const std::string& method = options_.methods[m];
+        const auto& own = draws[m].classes();
+        if (std::ranges::find(own, contact) == own.end()) continue;
+        const std::uint64_t seed = Random::keyed({options_.seed, report_.cells.size()}).next();
+        nurseries_.push_back({Breeder(method, seed, options_.ground), draws[m]});
+        report_.cells.push_back({method, contact, {}, 0, {}});
+      }
+    }
+    return report_.cells.size();
+  }
 
   double elapsed() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -174,10 +172,21 @@ class Hunt {
     return stop_ || failed_ || met_ || (!options_.cases && elapsed() >= options_.seconds);
   }
 
-  /// Draw n of those that the method of the cell takes.
-  std::shared_ptr<const HuntDraw> drawn_for(size_t cell, std::uint64_t n) {
-    const ContactClass contact = report_.cells[cell].contact;
-    return latest_.get(contact, draws_.index_of(contact, nurseries_[cell].taken, n));
+  /// How many draws of a cell are bred of, of so many begun.
+  std::uint64_t founders_of(std::uint64_t begun) const {
+    if (options_.ground.uniform) return 0;
+    return options_.cases ? std::min(begun, kFounders) : begun;
+  }
+
+  /// A draw of the cell that joins its population: the one that was asked about, unless another
+  /// thread is still at it.
+  std::vector<CheckedCase> founder(size_t cell, std::uint64_t index) {
+    Nursery& nursery = nurseries_[cell];
+    {
+      const std::lock_guard lock(mutex_);
+      if (auto drawn = nursery.waiting.extract(index)) return std::move(drawn.mapped());
+    }
+    return nursery.draws.at(report_.cells[cell].contact, index);
   }
 
   /// Asks the method of the cell about one draw.
@@ -185,10 +194,11 @@ class Hunt {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
     const double start = thread_cpu_seconds();
-    const std::shared_ptr<const HuntDraw> drawn = drawn_for(turn.cell, turn.draw);
+    Nursery& nursery = nurseries_[turn.cell];
+    std::vector<CheckedCase> drawn = nursery.draws.at(cell.contact, turn.draw);
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
     Method& method = tools.methods[cell.method];
-    for (const CheckedCase& asked : drawn->asked) {
+    for (const CheckedCase& asked : drawn) {
       if (stop_) break;
       const double begin = clock_of(method);
       const Judged judged = ask(method, asked, options_.search);
@@ -197,6 +207,10 @@ class Hunt {
       if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
       done.tally.add(judged.answer, judged.outcome, asked.collides());
       note_failure(cell.method, asked.value(), judged, tools, done);
+    }
+    if (turn.draw < founders_of(turn.draw + 1)) {
+      const std::lock_guard lock(mutex_);
+      nursery.waiting.emplace(turn.draw, std::move(drawn));
     }
     return done;
   }
@@ -217,15 +231,13 @@ class Hunt {
   Done breed(const Turn& turn, Tools& tools) {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
-    auto& [breeder, taken, founded] = nurseries_[turn.cell];
+    auto& [breeder, draws, founded, waiting] = nurseries_[turn.cell];
     const Method& method = tools.methods[cell.method];
     const double start = clock_of(method);
-    const std::uint64_t founders = options_.ground.uniform ? 0
-                                   : options_.cases        ? std::min(turn.draw, kFounders)
-                                                           : turn.draw;
-    for (; founded < founders && !stop_; ++founded) {
-      const std::shared_ptr<const HuntDraw> drawn = drawn_for(turn.cell, founded);
-      for (const CheckedCase& asked : drawn->asked) breeder.add(asked.value(), tools.tracers);
+    for (const std::uint64_t all = founders_of(turn.draw); founded < all && !stop_; ++founded) {
+      for (const CheckedCase& asked : founder(turn.cell, founded)) {
+        breeder.add(asked.value(), tools.tracers);
+      }
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
     const auto goes_on = [&] {
@@ -277,25 +289,24 @@ class Hunt {
   void show(double share, const std::vector<Failure>& met = {}) const {
     HuntProgress now{std::min(share, 1.0), queries_, 0, intake_.count(), {},
                      intake_.trouble(),    met};
-    now.margins.resize(method_count());
-    for (size_t c = 0; c < report_.cells.size(); ++c) {
-      const BreedTally& bred = report_.cells[c].bred;
-      std::optional<std::uint64_t>& least = now.margins[c % method_count()];
+    now.margins.resize(options_.methods.size());
+    for (const auto& [method, contact, tally, cpu_seconds, bred] : report_.cells) {
+      const auto m = std::ranges::find(options_.methods, method) - options_.methods.begin();
+      std::optional<std::uint64_t>& least = now.margins[static_cast<size_t>(m)];
       now.mutants += bred.mutants;
       if (bred.margin && (!least || *bred.margin < *least)) least = bred.margin;
     }
     on_progress_(now);
   }
 
-  /// The draws of each class that were put to any method.
+  /// The draws of each class, as many as any method was put to.
   void count_cases() {
-    for (size_t c = 0; c < report_.cells.size(); c += method_count()) {
-      std::vector<Draws::Begun> begun;
-      for (size_t m = 0; m < method_count(); ++m) {
-        begun.push_back({nurseries_[c + m].taken, schedule_.draws_begun(c + m)});
-      }
-      report_.cases += draws_.count_different(report_.cells[c].contact, begun);
+    std::map<ContactClass, std::uint64_t> most;
+    for (size_t c = 0; c < report_.cells.size(); ++c) {
+      std::uint64_t& draws = most[report_.cells[c].contact];
+      draws = std::max(draws, schedule_.draws_begun(c));
     }
+    for (const auto& [contact, draws] : most) report_.cases += draws;
   }
 
   /// Shrinks the new finds, in a hunt by time for at most as long again but at least 20 s. Then
@@ -320,15 +331,13 @@ class Hunt {
   const std::atomic<bool>& stop_;
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Intake intake_;
-  const Draws draws_;
-  DrawCache latest_{draws_};
-  std::vector<Nursery> nurseries_;  ///< one a cell; each is used by one thread at a time
+  HuntReport report_;
+  std::vector<Nursery> nurseries_;  ///< one a cell; each is bred by one thread at a time
 
-  std::mutex mutex_;  ///< guards all below, while workers run
+  std::mutex mutex_;  ///< guards all below, the report and what waits, while workers run
   Schedule schedule_;
   std::map<std::uint64_t, std::pair<Turn, Done>> waiting_;  ///< by number, for those before them
   std::uint64_t recorded_ = 0;                              ///< turns before which none waits
-  HuntReport report_;
   std::uint64_t queries_ = 0;
   std::exception_ptr failure_;
   std::atomic<bool> failed_ = false;

@@ -70,7 +70,7 @@ bool breaks_claim(const Failure& failure);
 struct HuntReport {
   std::vector<HuntCell> cells;  ///< class by class, within it method by method
   std::vector<Find> finds;      ///< one for every failure that was met, known ones among them
-  std::uint64_t cases = 0;      ///< different draws
+  std::uint64_t cases = 0;      ///< draws of each class, of the method that had most
   double seconds = 0;
   double draw_cpu_seconds = 0;  ///< spent on making cases
   /// The store cannot be read or written at the end of the hunt. finds then holds all the same what
@@ -96,8 +96,8 @@ struct HuntProgress {
 /// all six contact classes, runs the methods on them, judges, and breeds mutants that a method
 /// nearly loses (Breeder). (A mutant is asked about only if it is smaller than every failure of the
 /// method before.) By time, each cell of a class and a method gets an equal share of CPU time, half
-/// of it for mutants. All methods of a class walk the same sequence of draws (Schedule). stop ends
-/// the hunt early, with what it has. Requires at least one method.
+/// of it for mutants (Schedule). stop ends the hunt early, with what it has. Requires at least one
+/// method.
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,
                 const std::atomic<bool>& stop);

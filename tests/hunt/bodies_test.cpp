@@ -30,12 +30,12 @@ TEST(HuntBodies, DrawsAreOfBodiesInFloatsAndAskedAsTheyStand) {
   int contacts = 0;
   for (const ContactClass contact : draws.classes()) {
     for (std::uint64_t index = 0; index < 12; ++index) {
-      const HuntDraw drawn = draws.at(contact, index);
-      ASSERT_EQ(drawn.asked.size(), 1U);
-      const Case& value = drawn.asked[0].value();
+      const std::vector<CheckedCase> drawn = draws.at(contact, index);
+      ASSERT_EQ(drawn.size(), 1U);
+      const Case& value = drawn[0].value();
       EXPECT_TRUE(is_of_bodies(value.query) && is_binary32(value.query));
-      EXPECT_TRUE(drawn.asked[0].collides());
-      contacts += *drawn.asked[0].collides() ? 1 : 0;
+      EXPECT_TRUE(drawn[0].collides());
+      contacts += *drawn[0].collides() ? 1 : 0;
       // The oracle finds the class that was planted, where the normal of a contact is unique.
       const std::optional<Case> decided = case_of_bodies(value.query);
       ASSERT_TRUE(decided);
@@ -53,7 +53,7 @@ TEST(HuntBodies, ClassesAreThoseThatTheKindsOfBodiesHave) {
   ground.body_kinds = {{1, 1, RadiusRule::kPositive}};
   const Draws balls(1, ground);
   EXPECT_EQ(balls.classes(), std::vector{ContactClass::kVV});
-  EXPECT_FALSE(balls.at(ContactClass::kVV, 0).asked.empty());
+  EXPECT_FALSE(balls.at(ContactClass::kVV, 0).empty());
   ground.body_kinds = {{1, 2, RadiusRule::kPositive}};  // and capsules
   EXPECT_EQ(Draws(1, ground).classes().size(), 3U);
   ground.body_kinds = {{1, 1, RadiusRule::kZero}};
@@ -63,8 +63,8 @@ TEST(HuntBodies, ClassesAreThoseThatTheKindsOfBodiesHave) {
 TEST(HuntBodies, MutantsAreValidFloatsAndSomeTouch) {
   const Draws draws(1, ground_of_bodies());
   Draw choices{Random(1)};
-  Query query = draws.at(ContactClass::kVF, 0).asked[0].query();
-  const Query other = draws.at(ContactClass::kEE, 1).asked[0].query();
+  Query query = draws.at(ContactClass::kVF, 0)[0].query();
+  const Query other = draws.at(ContactClass::kEE, 1)[0].query();
   std::array<int, 2> count{};
   for (int i = 0; i < 300; ++i) {
     const Query mutant = mutate_query(query, other, choices);
@@ -88,7 +88,7 @@ TEST(HuntBodies, DrawsAndMutantsStayInThePlaneThatA2dEngineAsksFor) {
   int asked = 0, polygons = 0;
   for (const ContactClass contact : draws.classes()) {
     for (std::uint64_t index = 0; index < 60; ++index) {
-      for (const CheckedCase& drawn : draws.at(contact, index).asked) {
+      for (const CheckedCase& drawn : draws.at(contact, index)) {
         ++asked;
         const Case& value = drawn.value();
         EXPECT_TRUE(is_in_plane(value.query) && drawn.collides());

@@ -13,27 +13,27 @@ namespace {
 
 TEST(Draw, DependsOnItsArgumentsAlone) {
   for (const ContactClass contact : kContactClasses) {
-    const HuntDraw a = Draws(3).at(contact, 8), b = Draws(3).at(contact, 8);
-    EXPECT_EQ(a.asked, b.asked);
-    EXPECT_NE(a.asked, Draws(4).at(contact, 8).asked) << "another seed";
+    const std::vector<CheckedCase> a = Draws(3).at(contact, 8), b = Draws(3).at(contact, 8);
+    EXPECT_EQ(a, b);
+    EXPECT_NE(a, Draws(4).at(contact, 8)) << "another seed";
   }
 }
 
 TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
   for (const ContactClass contact : kContactClasses) {
     for (std::uint64_t index = 0; index < 40; index += 3 * kOneIn) {
-      const HuntDraw drawn = Draws(1).at(contact, index);
-      ASSERT_FALSE(drawn.asked.empty());
-      for (const CheckedCase& asked : drawn.asked) {
+      const std::vector<CheckedCase> drawn = Draws(1).at(contact, index);
+      ASSERT_FALSE(drawn.empty());
+      for (const CheckedCase& asked : drawn) {
         const Result<void> checked = check_truth(asked.value());
         EXPECT_TRUE(checked) << name_of(contact) << " " << index << ": "
                              << checked.error().message();
         ASSERT_TRUE(asked.value().truth.collides.has_value());
       }
-      const bool positive = *drawn.asked[0].value().truth.collides;
-      EXPECT_EQ(drawn.asked.size(), positive ? kHorizonFactors.size() : 1U);
-      for (size_t i = 1; i < drawn.asked.size(); ++i) {
-        EXPECT_LT(drawn.asked[i - 1].query().t_max, drawn.asked[i].query().t_max);
+      const bool positive = *drawn[0].value().truth.collides;
+      EXPECT_EQ(drawn.size(), positive ? kHorizonFactors.size() : 1U);
+      for (size_t i = 1; i < drawn.size(); ++i) {
+        EXPECT_LT(drawn[i - 1].query().t_max, drawn[i].query().t_max);
       }
     }
   }
@@ -42,7 +42,7 @@ TEST(Draw, TruthsHoldAndPositiveCasesAreAskedAtEveryHorizon) {
 TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   std::set<std::string> seen, wanted;
   for (std::uint64_t index = 0; index < 80; ++index) {
-    const Origin origin = Draws(1).at(ContactClass::kVV, index).asked[0].value().origin;
+    const Origin origin = Draws(1).at(ContactClass::kVV, index)[0].value().origin;
     seen.insert(origin.generator + " " + origin.kind);
   }
   for (const CaseKind kind : kCaseKinds) {
@@ -61,17 +61,17 @@ TEST(Draw, GoesRoundAllConstructionsAndFamiliesWithAllTheKindsThatTheyHave) {
   EXPECT_FALSE(seen.contains("ruled RP")) << "there is none of VV";
 }
 
-/// The families of weights, loops, ends and separations among the draws that such a method takes.
-std::set<std::string> not_plain_draws(const Draws& draws, const Features& taken) {
+/// The families of weights, loops, ends and separations among the draws for such a method.
+std::set<std::string> not_plain_draws(const Features& taken) {
+  const Draws draws(1, {}, taken);
   const std::set<std::string> not_plain = {"weighted", "round", "apart",
                                            "trimmed",  "ends",  "separated"};
   std::set<std::string> seen;
   for (std::uint64_t n = 0; n < 30; ++n) {
-    const std::uint64_t index = draws.index_of(ContactClass::kFF, taken, n);
-    const HuntDraw drawn = draws.at(ContactClass::kFF, index);
-    EXPECT_FALSE(drawn.asked.empty()) << index;
-    for (const CheckedCase& asked : drawn.asked) {
-      EXPECT_NE(TakenQuery(asked.query(), taken).query(), nullptr) << index;
+    const std::vector<CheckedCase> drawn = draws.at(ContactClass::kFF, n);
+    EXPECT_FALSE(drawn.empty()) << n;
+    for (const CheckedCase& asked : drawn) {
+      EXPECT_NE(TakenQuery(asked.query(), taken).query(), nullptr) << n;
       const std::string& family = asked.value().origin.generator;
       if (not_plain.contains(family)) seen.insert(family);
     }
@@ -80,8 +80,7 @@ std::set<std::string> not_plain_draws(const Draws& draws, const Features& taken)
 }
 
 TEST(Draw, OffersAMethodTheKindsThatItTakesAndNoOthers) {
-  const Draws draws(1, {}, kAllFeatures);
-  const auto seen = [&](const Features& taken) { return not_plain_draws(draws, taken); };
+  const auto seen = not_plain_draws;
   using Families = std::set<std::string>;
   EXPECT_EQ(seen({}), Families());
   EXPECT_EQ(seen({.ends = true}), Families{"ends"});
@@ -99,8 +98,7 @@ TEST(Draw, OffersLinearCodesEndsAndSeparations) {
   const Draws draws(1, ground, taken);
   std::set<std::string> seen;
   for (std::uint64_t n = 0; n < 6; ++n) {
-    const std::uint64_t index = draws.index_of(ContactClass::kVF, taken, n);
-    for (const CheckedCase& asked : draws.at(ContactClass::kVF, index).asked) {
+    for (const CheckedCase& asked : draws.at(ContactClass::kVF, n)) {
       EXPECT_TRUE(ground.has(asked.value()));
       seen.insert(asked.value().origin.generator);
     }
@@ -115,13 +113,11 @@ TEST(Draw, OffersBodiesThatTurnToWhoTakesThem) {
     ground.plane = plane;
     Features taken{.bodies = true};
     (plane ? taken.angles : taken.turns) = true;
-    const Draws draws(1, ground, taken);
-    const ContactClass contact = draws.classes().front();
     const auto turning_of = [&](const Features& features) {
+      const Draws draws(1, ground, features);
       int turning = 0;
       for (std::uint64_t n = 0; n < 8; ++n) {
-        const std::uint64_t index = draws.index_of(contact, features, n);
-        for (const CheckedCase& asked : draws.at(contact, index).asked) {
+        for (const CheckedCase& asked : draws.at(draws.classes().front(), n)) {
           turning += has_turns(asked.query()) ? 1 : 0;
         }
       }
@@ -129,27 +125,6 @@ TEST(Draw, OffersBodiesThatTurnToWhoTakesThem) {
     };
     EXPECT_GE(turning_of(taken), 2) << plane;
     EXPECT_EQ(turning_of({.bodies = true}), 0) << plane;
-  }
-}
-
-TEST(Draw, WhatAMethodIsAskedDoesNotDependOnWhatOthersTake) {
-  const Draws alone(1), together(1, {}, kAllFeatures);
-  for (std::uint64_t n = 0; n < 60; n += kOneIn) {
-    const std::uint64_t index = together.index_of(ContactClass::kVV, {}, n);
-    EXPECT_EQ(together.at(ContactClass::kVV, index).asked, alone.at(ContactClass::kVV, n).asked);
-  }
-}
-
-TEST(Draw, CountsADrawOfSeveralMethodsOnce) {
-  const Draws draws(1, {}, kAllFeatures);
-  constexpr auto kClass = ContactClass::kFF;
-  std::set<std::uint64_t> indices;
-  std::vector<Draws::Begun> begun;
-  const Features weights{.weights = true}, trims{.trims = true};
-  for (const auto& [taken, count] : {Draws::Begun{weights, 50}, {trims, 31}, {trims, 30}}) {
-    begun.push_back({taken, count});
-    for (std::uint64_t n = 0; n < count; ++n) indices.insert(draws.index_of(kClass, taken, n));
-    EXPECT_EQ(draws.count_different(kClass, begun), indices.size());
   }
 }
 
@@ -173,7 +148,7 @@ TEST(Draw, CyclesThroughTheClassesAndFamiliesOfItsShapes) {
     for (const ContactClass contact : draws.classes()) {
       std::set<std::string> seen;
       for (std::uint64_t index = 0; index < 18; index += kOneIn) {
-        for (const CheckedCase& asked : draws.at(contact, index).asked) {
+        for (const CheckedCase& asked : draws.at(contact, index)) {
           EXPECT_EQ(asked.query().patches[0].shape, shapes[0]);
           EXPECT_EQ(asked.query().patches[1].shape, shapes[1]);
           EXPECT_TRUE(check_truth(asked.value()));
@@ -185,17 +160,8 @@ TEST(Draw, CyclesThroughTheClassesAndFamiliesOfItsShapes) {
   }
 }
 
-TEST(DrawCache, GivesWhatDrawGivesForOldAndNewIndices) {
-  const Draws draws(5);
-  DrawCache cache(draws);
-  for (const std::uint64_t index : {0U, 600U, 88U, 600U, 0U}) {
-    EXPECT_EQ(cache.get(ContactClass::kVE, index)->asked, draws.at(ContactClass::kVE, index).asked)
-        << index;
-  }
-}
-
 TEST(Horizon, QueriesOfEndsGoOnToTheirEndsAtMost) {
-  Case known = Draws(1).at(ContactClass::kVV, 1).asked[0].value();
+  Case known = Draws(1).at(ContactClass::kVV, 1)[0].value();
   ASSERT_EQ(known.truth.witness->t, 1);
   for (MovingPatch<double>& patch : known.query.patches) give_rounded_ends(patch);
   EXPECT_TRUE(at_horizon(known, 1));
@@ -203,7 +169,7 @@ TEST(Horizon, QueriesOfEndsGoOnToTheirEndsAtMost) {
 }
 
 TEST(Horizon, ATimePastTheContactKeepsTheTruth) {
-  const Case known = Draws(1).at(ContactClass::kVV, 1).asked[0].value();
+  const Case known = Draws(1).at(ContactClass::kVV, 1)[0].value();
   const auto later = at_horizon(known, 1.5);
   ASSERT_TRUE(later);
   EXPECT_EQ(exact(later->query.t_max), known.truth.witness->t * Rational(3, 2));

@@ -39,10 +39,10 @@ double share_used(const HuntGround& ground, const Features& features = {}) {
   double used = 0, all = 0;
   for (const ContactClass contact : draws.classes()) {
     for (std::uint64_t index = 0; index < 240 / kOneIn; ++index) {
-      const HuntDraw drawn = draws.at(contact, index);
+      const std::vector<CheckedCase> drawn = draws.at(contact, index);
       ++all;
-      used += drawn.asked.empty() ? 0 : 1;
-      for (const CheckedCase& asked : drawn.asked) {
+      used += drawn.empty() ? 0 : 1;
+      for (const CheckedCase& asked : drawn) {
         EXPECT_TRUE(ground.has(asked.value()));
         EXPECT_TRUE(check_case(asked.value(), ""));
         EXPECT_TRUE(asked.value().truth.collides.has_value());
@@ -91,7 +91,7 @@ TEST(Ground, UniformDrawsAreDecidedAndSomeTouch) {
     EXPECT_EQ(draws.classes().size(), ground.bodies ? 6U : 2U) << "classes by shapes";
     int touching = 0, all = 0;
     for (std::uint64_t index = 0; index < 200; ++index) {
-      for (const CheckedCase& asked : draws.at(draws.classes()[0], index).asked) {
+      for (const CheckedCase& asked : draws.at(draws.classes()[0], index)) {
         EXPECT_TRUE(ground.has(asked.value()));
         ++all;
         touching += asked.collides().value() ? 1 : 0;

@@ -68,7 +68,7 @@ Contact scaled(const Contact& q, double space, int time) {
 std::vector<Contact> drawn_contacts(ContactClass contact, std::uint64_t draws) {
   std::vector<Contact> found;
   for (std::uint64_t i = 0; i < draws; ++i) {
-    for (const CheckedCase& asked : Draws(1).at(contact, i).asked) {
+    for (const CheckedCase& asked : Draws(1).at(contact, i)) {
       if (std::optional<Contact> q = contact_of(asked.value())) found.push_back(*std::move(q));
     }
   }

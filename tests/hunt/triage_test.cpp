@@ -33,7 +33,7 @@ TriageOptions quick_options() {
 std::vector<Case> raw_finds() {
   std::vector<Case> finds;
   for (std::uint64_t i = 0; i < 4; ++i) {
-    for (const CheckedCase& asked : Draws(3).at(ContactClass::kVV, i).asked) {
+    for (const CheckedCase& asked : Draws(3).at(ContactClass::kVV, i)) {
       if (const auto q = contact_of(asked.value())) finds.push_back(case_of(*q));
     }
   }
