@@ -2,25 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <iterator>
 
 #include "base/number_text.hpp"
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "cli/triage_files.hpp"
 #include "files/check_file.hpp"
 #include "finds/entries.hpp"
 #include "fuzz/mutator/case_bytes.hpp"
 #include "hunt/served_claim.hpp"
 #include "io/input_bytes.hpp"
+#include "io/output_file.hpp"
 #include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
 
 namespace {
+
+namespace fs = std::filesystem;
 
 struct TriageArguments {
   FindSuite find_suite;
@@ -31,9 +35,41 @@ struct TriageArguments {
   std::string methods = fmt::format("{},trad", fmt::join(default_methods(), ","));
   double seconds = 60;
   SearchFlags search;
-  bool json = false;  ///< whether the session prints JSON
   bool remove = false;
 };
+
+/// The files that the arguments name, in order; folders stand for what is in them, but for what is
+/// still being written (OutputFile). Errors: one that is not there or cannot be read.
+Result<std::vector<std::string>> triage_files(const std::vector<std::string>& inputs) {
+  std::vector<std::string> files;
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (!fs::exists(input, error)) return input_error(input, "no such file or folder");
+    if (!fs::is_directory(input, error)) {
+      files.push_back(input);
+      continue;
+    }
+    std::vector<std::string> inside;
+    fs::recursive_directory_iterator at(input, error), end;
+    for (; !error && at != end; at.increment(error)) {
+      std::error_code gone;  // meanwhile
+      const bool is_being_written = temporary_writer(at->path().filename().string()).has_value();
+      if (!is_being_written && at->is_regular_file(gone)) inside.push_back(at->path());
+    }
+    if (error) return input_error(input, "cannot be read: " + error.message());
+    std::ranges::sort(inside);
+    std::ranges::move(inside, std::back_inserter(files));
+  }
+  return files;
+}
+
+/// An input of a fuzz target. Errors: as read_file; it is larger than any.
+Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
+  constexpr std::size_t kMostInputBytes = 1 << 20;  // of libFuzzer by default (-max_len)
+  return read_file(path, kMostInputBytes).map([](const std::string& bytes) {
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  });
+}
 
 /// The cases of a file: a case file or a query CSV, or an input of a fuzz target. Errors: it is
 /// none.
@@ -69,44 +105,6 @@ struct TriagedRow {
   }
 };
 
-void triage_cases(const TriageArguments& arguments, const std::function<bool()>& stop,
-                  const std::vector<std::string>& files, TriageWalk& walk) {
-  TriageOptions options;
-  options.methods = need(parse_method_list(arguments.methods));
-  Store store = need(Store::open(arguments.output));
-  options.search = arguments.search.options();
-  options.stop = stop;
-  std::string at;  // what is worked on
-  options.warn = [&](const std::string& warning) {
-    walk.note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
-  };
-  Triage triage(store, options);
-  if (!arguments.known.empty()) {
-    for (const NamedCase& entry : need(load_corpus(arguments.known))) triage.know(entry);
-  }
-  const auto tell = [&](const Failure& failure, const Case&) {
-    walk.note_find();
-    const std::string path = store.path_of(failure);
-    arguments.json ? print_row(TriagedRow{at, failure, path})
-                   : print_out(fmt::format("{}: {}\n", to_text(failure), path));
-  };
-  const auto work = [&](const std::vector<NamedCase>& cases) {
-    const std::uint64_t refuting = triage.tally().refuting;
-    for (const NamedCase& input : cases) {
-      if (stop()) break;
-      at = input.id;
-      need(triage.add(input.value, tell));
-    }
-    return !stop() && triage.tally().refuting == refuting;
-  };
-  walk.go(files, [&](const std::string& file) {
-    return cases_of_file(file).map([&](std::vector<NamedCase> cases) -> TriageWalk::Work {
-      return [&work, cases = std::move(cases)] { return work(cases); };
-    });
-  });
-  walk.counts().tally = triage.tally();
-}
-
 /// Where `ccdfuzz check` has what fails, under the folder of counterexamples.
 std::string folder_of_claims(const std::string& folder) {
   return fmt::format("{}/{}", folder, kClaims);
@@ -135,74 +133,192 @@ struct ClaimFindRow {
   }
 };
 
-/// Confirms the inputs of one target, each in a process apart, and shrinks and stores what is new.
-/// That is one counterexample of each claim, and one of each error that putting an input to it ends
-/// in. One that could not be shrunk to the end is stored until there is a better. Prints each.
-/// Throws BadInput: of the folder or a file.
-class ClaimTriage {
+/// The results for the files that fuzzers left, and for the inputs in them.
+struct TriageCounts {
+  std::uint64_t files = 0, files_done = 0, files_unread = 0;
+  TriageTally tally;
+  std::uint64_t finds = 0;
+
+  static void fields(auto& archive, auto& counts) {
+    archive.constant("row", "summary");
+    archive("files", counts.files);
+    archive("files_done", counts.files_done);
+    archive("files_unread", counts.files_unread);
+    TriageTally::fields(archive, counts.tally);
+    archive("finds", counts.finds);
+  }
+};
+
+/// "3 of 3 files: …". folder: where finds are.
+std::string to_text(const TriageCounts& counts, const std::string& folder) {
+  const TriageTally& tally = counts.tally;
+  std::string text = fmt::format(
+      "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
+      "no full run fails; {} new in {}",
+      counts.files_done, counts.files, tally.failures, tally.known, tally.harmless, counts.finds,
+      folder);
+  if (tally.refuting == 0) return text;
+  return fmt::format("{}\n{} refute a claim by no full run (see above), and stay", text,
+                     tally.refuting);
+}
+
+class TriageRun {
  public:
-  /// suite: the target's. folder: of finds of claims. known: one more such folder; may be empty, or
-  /// not there. stop: true ends shrinking.
-  ClaimTriage(Suite suite, std::string folder, std::string known, std::function<bool()> stop,
-              bool json, TriageWalk& walk)
-      : suite_(std::move(suite)),
-        folder_(std::move(folder)),
-        known_(std::move(known)),
-        stop_(std::move(stop)),
-        json_(json),
-        walk_(walk) {}
+  TriageRun(const TriageArguments& arguments, Session& session)
+      : arguments_(arguments), session_(session) {}
+
+  int run() {
+    const std::vector<std::string> files = need(triage_files(arguments_.inputs));
+    counts_.files = files.size();
+    arguments_.target ? triage_claims(files) : triage_cases(files);
+    session_.progress().clear();
+    if (session_.json) print_row(counts_);
+    session_.summary(to_text(
+        counts_, arguments_.target ? folder_of_claims(arguments_.output) : arguments_.output));
+    if (counts_.files_unread > 0) return session_.exit_code(kBadInput);
+    return session_.exit_code(counts_.tally.refuting > 0 ? kCheckFailed : kDone);
+  }
+
+ private:
+  bool is_over() const {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    return session_.interrupted() || passed.count() > arguments_.seconds;
+  }
+
+  void note(const std::string& line) {
+    session_.progress().clear();
+    print_err(line);
+  }
+
+  /// work(file) returns a Result<bool>, which is false if the file is not done, or is to stay. Its
+  /// error says that the file is no input: it is left as it is. A file that is no more is passed
+  /// over: somebody else may work on the same folder. Throws BadInput: of the work; a file that
+  /// cannot be removed.
+  template <class Work>
+  void go(const std::vector<std::string>& files, const Work& work) {
+    for (const std::string& file : files) {
+      if (is_over()) return;
+      const Result<bool> done = work(file);
+      std::error_code error;
+      if (!done && !fs::exists(file, error)) continue;
+      if (!done) {
+        note(fmt::format("ccdfuzz: triage: {}; it is left as it is\n", done.error().message()));
+        ++counts_.files_unread;
+        continue;
+      }
+      // Work that was done in spite of that counts.
+      if (!*done && is_over()) return;
+      ++counts_.files_done;
+      if (*done && arguments_.remove) fs::remove(file, error);
+      if (error) throw BadInput{{file, "cannot be removed: " + error.message()}};
+      session_.progress().show(
+          static_cast<double>(counts_.files_done) / static_cast<double>(counts_.files),
+          fmt::format("{} new", counts_.finds), counts_.files_done, "inputs");
+    }
+  }
+
+  void triage_cases(const std::vector<std::string>& files) {
+    TriageOptions options;
+    options.methods = need(parse_method_list(arguments_.methods));
+    Store store = need(Store::open(arguments_.output));
+    options.search = arguments_.search.options();
+    options.stop = [this] { return is_over(); };
+    std::string at;  // what is worked on
+    options.warn = [&](const std::string& warning) {
+      note(fmt::format("ccdfuzz: {}: {}\n", at, warning));
+    };
+    Triage triage(store, options);
+    if (!arguments_.known.empty()) {
+      for (const NamedCase& entry : need(load_corpus(arguments_.known))) triage.know(entry);
+    }
+    const auto tell = [&](const Failure& failure, const Case&) {
+      session_.progress().clear();
+      ++counts_.finds;
+      const std::string path = store.path_of(failure);
+      session_.json ? print_row(TriagedRow{at, failure, path})
+                    : print_out(fmt::format("{}: {}\n", to_text(failure), path));
+    };
+    go(files, [&](const std::string& file) {
+      return cases_of_file(file).map([&](const std::vector<NamedCase>& cases) {
+        const std::uint64_t refuting = triage.tally().refuting;
+        for (const NamedCase& input : cases) {
+          if (is_over()) return false;
+          at = input.id;
+          need(triage.add(input.value, tell));
+        }
+        return !is_over() && triage.tally().refuting == refuting;
+      });
+    });
+    counts_.tally = triage.tally();
+  }
+
+  /// Confirms the inputs of one target, each in a process apart, and shrinks and stores what is
+  /// new. That is one counterexample of each claim, and one of each error that putting an input to
+  /// it ends in. One that could not be shrunk to the end is stored until there is a better.
+  void triage_claims(const std::vector<std::string>& files) {
+    const std::string& name = *arguments_.target;
+    if (name == "query" || name == "witnessed") {
+      throw BadInput{{"--target", "inputs of " + name + " are read without it"}};
+    }
+    const Result<Suite> suite = arguments_.find_suite(name);
+    if (!suite) throw BadInput{{"--target", suite.error().message()}};
+    const std::string& known = arguments_.known;
+    if (std::error_code error; !known.empty() && !fs::is_directory(known, error)) {
+      throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
+    }
+    need(make_find_folder(folder_of_claims(arguments_.output)));
+    go(files, [&](const std::string& file) {
+      return read_bytes(file).map([&](const std::vector<std::uint8_t>& bytes) {
+        ++counts_.tally.inputs;
+        const auto input = claim_input(*suite, bytes);
+        return !input || triage_claim(file, *input);
+      });
+    });
+    TriageTally& tally = counts_.tally;
+    tally.harmless = tally.inputs - tally.failures;
+  }
 
   /// Whether there is nothing left to do with it.
-  bool add(const std::string& file, std::span<const std::uint8_t> bytes) {
-    TriageTally& tally = walk_.counts().tally;
-    ++tally.inputs;
-    const auto input = claim_input(suite_, bytes);
-    if (!input) {
-      ++tally.harmless;
-      return true;
-    }
-    const Property& property = input->property;
+  bool triage_claim(const std::string& file, const ClaimInput& input) {
+    TriageTally& tally = counts_.tally;
+    const Property& property = input.property;
     ServedClaim served(property);
-    const InputRun run = served.on(input->choices);
-    if (!run.fails()) {
-      ++tally.harmless;
-      return true;
-    }
+    const InputRun run = served.on(input.choices);
+    if (!run.fails()) return true;
     ++tally.failures;
     ClaimFind find(property, run.error, run.check.text,
-                   check_command(property.name, input->choices));
+                   check_command(property.name, input.choices));
     const std::optional<ClaimFind> known = known_find(find);
     if (known && known->is_complete()) {
       ++tally.known;
       return true;
     }
-    if (const auto least = served.least(run, {kShrinkTries, stop_})) {
-      find.set_least(*least);
-    }
+    const auto least = served.least(run, {kShrinkTries, [this] { return is_over(); }});
+    if (least) find.set_least(*least);
     if (known && !find.replaces(*known)) {
       ++tally.known;
-      return !stop_();
+      return !is_over();
     }
-    const std::string path = need(save_find(folder_, find));
-    walk_.note_find();
+    const std::string path = need(save_find(folder_of_claims(arguments_.output), find));
+    session_.progress().clear();
+    ++counts_.finds;
     tell({file, find, path});
-    return find.is_complete() || !stop_();
+    return find.is_complete() || !is_over();
   }
 
- private:
   /// The find in the folder, or a complete one elsewhere. (An incomplete one hides nothing here.)
   std::optional<ClaimFind> known_find(const ClaimFind& find) const {
     const auto in = [&](const std::string& folder) {
-      return need(saved_find(folder, find.property, find.error));
+      return need(saved_find(folder_of_claims(folder), find.property, find.error));
     };
-    std::optional<ClaimFind> here = in(folder_);
-    if ((here && here->is_complete()) || known_.empty()) return here;
-    std::optional<ClaimFind> elsewhere = in(known_);
+    std::optional<ClaimFind> here = in(arguments_.output);
+    if ((here && here->is_complete()) || arguments_.known.empty()) return here;
+    std::optional<ClaimFind> elsewhere = in(arguments_.known);
     return elsewhere && elsewhere->is_complete() ? elsewhere : here;
   }
 
   void tell(const ClaimFindRow& row) const {
-    if (json_) return print_row(row);
+    if (session_.json) return print_row(row);
     const Shrunk shrunk = row.find.shrunk;
     const char* state = shrunk == Shrunk::kToTheEnd   ? ""
                         : shrunk == Shrunk::kCutShort ? ", not shrunk to the end"
@@ -210,54 +326,14 @@ class ClaimTriage {
     print_out(fmt::format("{}: {}{}: {}\n", row.outcome(), row.find.property, state, row.path));
   }
 
-  Suite suite_;
-  std::string folder_, known_;
-  std::function<bool()> stop_;
-  bool json_;
-  TriageWalk& walk_;
+  const TriageArguments& arguments_;
+  Session& session_;
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  TriageCounts counts_;
 };
 
-void triage_target(const TriageArguments& arguments, const std::function<bool()>& stop,
-                   const std::vector<std::string>& files, TriageWalk& walk) {
-  if (*arguments.target == "query" || *arguments.target == "witnessed") {
-    throw BadInput{{"--target", "inputs of " + *arguments.target + " are read without it"}};
-  }
-  const Result<Suite> target = arguments.find_suite(*arguments.target);
-  if (!target) throw BadInput{{"--target", target.error().message()}};
-  const std::string& known = arguments.known;
-  std::error_code error;
-  if (!known.empty() && !std::filesystem::is_directory(known, error)) {
-    throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
-  }
-  const std::string folder = folder_of_claims(arguments.output);
-  need(make_find_folder(folder));
-  ClaimTriage triage(*target, folder, known.empty() ? "" : folder_of_claims(known), stop,
-                     arguments.json, walk);
-  walk.go(files, [&](const std::string& file) {
-    return read_bytes(file).map([&](std::vector<std::uint8_t> bytes) -> TriageWalk::Work {
-      return [&triage, file, bytes = std::move(bytes)] { return triage.add(file, bytes); };
-    });
-  });
-}
-
 int run_triage(const TriageArguments& arguments, Session& session) {
-  TriageArguments options = arguments;
-  options.json = session.json;
-  const std::vector<std::string> files = need(triage_files(options.inputs));
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  const auto start = std::chrono::steady_clock::now();
-  const auto is_over = [&] {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    return interrupted || passed.count() > options.seconds;
-  };
-  TriageWalk walk(is_over, options.remove);
-  (options.target ? triage_target : triage_cases)(options, is_over, files, walk);
-  const TriageCounts& counts = walk.counts();
-  session.json ? print_row(counts)
-               : session.summary(to_text(
-                     counts, options.target ? folder_of_claims(options.output) : options.output));
-  if (counts.files_unread > 0) return session.exit_code(kBadInput);
-  return session.exit_code(counts.tally.refuting > 0 ? kCheckFailed : kDone);
+  return TriageRun(arguments, session).run();
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // triage and merge: what fuzzers found becomes entries of a corpus.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -54,6 +55,22 @@ TEST(Triage, RemovesWhatIsDoneAlone) {
   EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 1);
   EXPECT_FALSE(std::filesystem::exists(drawn));
   EXPECT_GT(entries_of(finds), 0U);
+}
+
+TEST(Triage, LeavesWhatIsNoInputOrIsBeingWritten) {
+  const ScratchFolder folder;
+  std::filesystem::create_directories(folder / "in");
+  const std::string unread = folder / "in/unread.json";
+  const std::string written = folder / fmt::format("in/.ccdfuzz-tmp-{}-7", ::getpid());
+  write_text(unread, "");
+  write_text(written, "");
+  const Finished run = ccdfuzz({"triage", folder / "in", "-o", folder / "finds", "--methods",
+                                "tdibm", "--remove", "--json"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("it is left as it is"));
+  EXPECT_EQ(json_lines(run.out).back()["files"], 1);
+  EXPECT_EQ(json_lines(run.out).back()["files_unread"], 1);
+  EXPECT_TRUE(std::filesystem::exists(unread) && std::filesystem::exists(written));
 }
 
 TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
