@@ -65,7 +65,6 @@ struct CheckedProperty {
       archive.when(fails_again, "shrunk", find.text);
       archive.when(fails_again, "cut_short", find.shrunk == Shrunk::kCutShort);
       archive.when(fails_again, "reproduce_shrunk", find.reproduce());
-      archive.when(fails_again, "test", find.test_text());
     }
     archive.optional("saved", checked.saved);
     archive.optional("not_saved", checked.not_saved);
@@ -149,7 +148,7 @@ class PropertyCheck {
     progress_.clear();
     if (!session_.json && is_shown()) {
       table.add_row(cells_of(checked_));
-      print_next_rows(table);
+      print_last_rows(table);
     }
     if (checked_.find) {
       need(flush_stdout());
@@ -368,7 +367,7 @@ void add_check(CommandLine& line, const std::vector<Property>& known) {
                fmt::format("Folder for what fails that should hold, as found and then shrunk; by "
                            "default {}, and none with --choices",
                            kFolder));
-  command.json("One JSON object per property, with all numbers and a GoogleTest of a failure");
+  command.json("One JSON object per property, with all numbers");
   const Option threads = command.threads();
   for (const Option& other : {count, seconds, seed, first, threads}) choices.excludes(other);
 }

@@ -1,10 +1,8 @@
 #include "cli/check_find.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -19,18 +17,6 @@
 namespace ccdfuzz {
 
 namespace {
-
-/// "tdibm-e.safe_roots" → "TdibmESafeRoots".
-std::string test_name(std::string_view property) {
-  std::string name;
-  bool starts = true;
-  for (const char c : property) {
-    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
-    if (letter) name += starts ? static_cast<char>(std::toupper(c)) : c;
-    starts = !letter;
-  }
-  return name;
-}
 
 /// The inputs of fuzz targets end at 1 MiB, each byte of which may be a choice.
 constexpr std::size_t kMostFindBytes = 16 << 20;
@@ -90,21 +76,6 @@ std::string ClaimFind::stem() const {
 
 std::string ClaimFind::reproduce() const {
   return shrunk == Shrunk::kNot ? as_found : check_command(property, choices);
-}
-
-std::string ClaimFind::test_text() const {
-  if (shrunk == Shrunk::kNot) return "";
-  return fmt::format(R"(#include <gtest/gtest.h>
-
-#include "properties/suites.hpp"
-
-TEST(Found, {}) {{
-  ccdfuzz::Draw choices = ccdfuzz::Draw::from_numbers({{{}}});
-  const auto check = ccdfuzz::run(*ccdfuzz::property_named("{}"), choices);
-  EXPECT_EQ(check.status, ccdfuzz::Check::Status::kHolds) << check.text;
-}}
-)",
-                     test_name(property), fmt::join(choices, ", "), property);
 }
 
 bool ClaimFind::replaces(const ClaimFind& other) const {

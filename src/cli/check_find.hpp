@@ -65,8 +65,6 @@ struct ClaimFind {
   std::string stem() const;
   /// One command that shows what it was shrunk to, or what failed first.
   std::string reproduce() const;
-  /// A GoogleTest test that fails as the property does; empty before.
-  std::string test_text() const;
 
   /// Sets what it was shrunk to.
   void set_least(const Counterexample& least);

@@ -4,23 +4,27 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
-#include <mutex>
+#include <memory>
 #include <set>
 #include <utility>
 
 #include "cli/answer_row.hpp"
+#include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
-#include "cli/replay_claims.hpp"
 #include "cli/session.hpp"
 #include "cli/shared_case.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"
+#include "hunt/served_claim.hpp"
 #include "io/folder_lock.hpp"
+#include "io/json_write.hpp"
 #include "io/output_file.hpp"
+#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -146,6 +150,42 @@ std::string changes_text(const std::array<std::uint64_t, kAllChanges.size()>& ch
   return text + (written > 0 ? "; " + counted(written, "entry written", "entries written") : "");
 }
 
+/// A claim that was put to its input again, as a row of the table and of the JSON output.
+struct ClaimRow {
+  const std::string& path;
+  const ClaimFind& find;
+  const Check& got;
+
+  Change change() const {
+    if (got.status == find.expect) return Change::kNone;
+    if (got.status == Check::Status::kDiscarded) return Change::kOther;
+    return got.status == Check::Status::kFails ? Change::kRegression : Change::kImprovement;
+  }
+
+  static void fields(auto& archive, auto& row) {
+    archive("claim", row.path);
+    archive("property", row.find.property);
+    archive("expected", row.find.expect);
+    archive("got", row.got.status);
+    archive("change", row.change());
+    archive.optional("text", row.got.text);
+  }
+};
+
+std::vector<TableCell> claim_cells(const ClaimRow& row) {
+  const bool is_good = row.change() == Change::kImprovement;
+  return {{row.find.property},
+          {std::string(name_of(row.find.expect))},
+          {std::string(name_of(row.got.status)), is_good ? Emphasis::kPlain : Emphasis::kBad},
+          {std::string(name_of(row.change()))}};
+}
+
+/// How many claims of a corpus became what.
+struct ReplayedClaims {
+  std::uint64_t claims = 0, updated = 0;
+  std::array<std::uint64_t, kAllChanges.size()> changes{};
+};
+
 class Replay {
  public:
   Replay(const ReplayOptions& options, Session& session) : options_(options), session_(session) {}
@@ -155,9 +195,7 @@ class Replay {
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Replayer> replayers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
-    if (!of_methods) {
-      claims_ = replay_claims(options_.corpus, options_.known, options_.update, session_);
-    }
+    if (!of_methods) replay_claims();
     session_.each_case<SharedCase, Replayed>(
         CaseStream(claims_.claims > 0 ? need(list_entries(options_.corpus))
                                       : need(corpus_files(options_.corpus))),
@@ -172,6 +210,33 @@ class Replay {
   }
 
  private:
+  /// Runs the property of each file of CORPUS/claims on its choices, in a child. Does nothing where
+  /// there is no such folder. Throws BadInput for a file that is no claim, or is of a property that
+  /// is not known.
+  void replay_claims() {
+    const std::string folder = fmt::format("{}/{}", options_.corpus, kClaims);
+    if (!std::filesystem::is_directory(folder)) return;
+    std::unique_ptr<ServedClaim> served;
+    for (const std::string& path : need(list_entries(folder))) {
+      if (session_.interrupted()) break;
+      ClaimFind find = need(read_find(path));
+      const Result<Property> property = property_named(find.property, options_.known);
+      if (!property) throw BadInput{{path + ": property", property.error().what}};
+      if (!served) served = std::make_unique<ServedClaim>(*property, &catch_interrupts());
+      served->turn_to(*property);
+      const InputRun run = served->on(find.choices);
+      if (run.error == "interrupted") break;
+      const ClaimRow row{path, find, run.check};
+      ++claims_.claims;
+      ++claims_.changes[static_cast<size_t>(row.change())];
+      if (session_.json || row.change() != Change::kNone) session_.show(row, path, claim_cells);
+      if (!options_.update || row.change() == Change::kNone) continue;
+      find.expect = run.check.status;
+      need(write_file(path, readable_json(to_json(find)) + "\n"));
+      ++claims_.updated;
+    }
+  }
+
   void add(const SharedCase& shared, const Replayed& done) {
     const NamedCase& entry = shared.named();
     if (options_.search.max_pops == 0 && budget_.is_spent()) {

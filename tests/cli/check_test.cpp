@@ -25,8 +25,6 @@ TEST(Check, ShrinksANamedPropertyAndRepeatsItsFailureFromItsChoices) {
   EXPECT_TRUE(shell(rows[0].at("reproduce_shrunk").get<std::string>())
                   .out.starts_with("tdibm.separation fails as expected: "));
   EXPECT_EQ(repeated[0].at("text"), rows[0].at("shrunk"));
-  const std::string test = rows[0].at("test");
-  EXPECT_THAT(test, testing::HasSubstr("TEST(Found, TdibmSeparation)"));
 }
 
 TEST(Check, EffortMultipliesTheInputs) {
