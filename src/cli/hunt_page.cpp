@@ -13,7 +13,9 @@
 
 namespace ccdfuzz {
 
-Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
+Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) {
+  const Result<CheckedCase> known = check_case(entry);
+  if (!known) return tl::unexpected(known.error());
   const SearchOptions search = SearchFlags().options_for(entry.value);
   ReportedCase reported;
   for (const auto& [method, expected] : entry.value.expect) {
@@ -24,8 +26,6 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
     }
     ReportedAnswer answer{method, outcome, std::nullopt};
     if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
-      const Result<CheckedCase> known = check_case(entry);
-      if (!known) return tl::unexpected(known.error());
       const Judged judged = ask(methods[method], *known, search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
     }
@@ -34,7 +34,7 @@ Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods) {
   reported.id = entry.id;
   reported.precision = search.precision;
   reported.reproduce = reproduction(entry.id, entry.value.expect);
-  reported.value = std::move(entry.value);
+  reported.value = entry.value;
   return reported;
 }
 
@@ -94,20 +94,18 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
     row.tally.seconds = {};  // a hunt is no measurement of times
     report.rows.push_back(std::move(row));
   }
-  report.tables.push_back(
-      report_table("hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells)));
-  Result<std::vector<NamedCase>> entries = store.load();
+  report.tables.push_back({"hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells)});
+  const Result<std::vector<NamedCase>> entries = store.load();
   if (!entries) return tl::unexpected(entries.error());
   std::set<std::string> found;
   for (const Find& find : hunted.finds) {
     if (find.is_new) found.insert(find.path);
   }
   MethodSet methods;
-  for (NamedCase& entry : *entries) {
-    const bool is_new = found.contains(entry.id);
-    Result<ReportedCase> reported = reported_entry(std::move(entry), methods);
+  for (const NamedCase& entry : *entries) {
+    Result<ReportedCase> reported = reported_entry(entry, methods);
     if (!reported) return tl::unexpected(reported.error());
-    reported->is_new = is_new;
+    reported->is_new = found.contains(entry.id);
     report.cases.push_back(std::move(*reported));
   }
   std::ranges::stable_partition(report.cases, [](const ReportedCase& c) { return *c.is_new; });

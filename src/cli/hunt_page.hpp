@@ -42,8 +42,9 @@ void add_mutant_columns(std::vector<Column<HuntCell>>& columns, const std::vecto
 Table hunt_table(const std::vector<HuntCell>& cells);
 
 /// An entry as its expectations say. Where those are of a time that a method reported, a method
-/// that may be started (is_admitted) is asked for it again.
-Result<ReportedCase> reported_entry(NamedCase entry, MethodSet& methods);
+/// that may be started (is_admitted) is asked for it again. Errors: its truth is refuted; a method
+/// that there is not.
+Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods);
 
 /// The data of a hunt's page: its cells, its course, its finds, and the earlier ones of its store.
 /// Errors: the store cannot be read.

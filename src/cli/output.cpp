@@ -32,10 +32,6 @@ void print_table(const Table& table) {
   write_out(table.to_text(wants_colour(stdout)));
 }
 
-void print_next_rows(Table& table) {
-  write_out(table.next_text(wants_colour(stdout)));
-}
-
 void print_full_rows(Table& table) {
   write_out(table.take_text(wants_colour(stdout), 1000));
 }

@@ -14,7 +14,6 @@ void print_out(const std::string& text);
 
 /// The same of a table, in colour where that is wanted.
 void print_table(const Table& table);
-void print_next_rows(Table& table);
 
 /// For a table of any length: prints its rows so far and forgets them, once there are 1,000, so
 /// that columns are as wide as 1,000 rows need.

@@ -16,7 +16,6 @@
 #include "eval/evaluation_folder.hpp"
 #include "finds/entries.hpp"
 #include "io/fields.hpp"
-#include "io/in_order.hpp"
 #include "io/input_bytes.hpp"
 #include "io/line_reader.hpp"
 #include "io/run_file.hpp"
@@ -33,40 +32,22 @@ struct ReportArguments {
   std::string folder;
 };
 
-Result<ReportPage> report_corpus(const ReportArguments& options, int threads,
-                                 const std::atomic<bool>& interrupted) {
-  Result<std::vector<NamedCase>> entries = load_corpus(options.source);
-  if (!entries) return tl::unexpected(entries.error());
-  NotAllowed left_out;
-  for (const NamedCase& entry : *entries) {
-    for (const auto& [method, outcome] : entry.value.expect) {
-      if (!is_admitted(method)) ++left_out[method];
-    }
-  }
+ReportPage report_corpus(const ReportArguments& options, Session& session) {
   ReportPage report;
   report.title = fmt::format("Corpus {}", options.source);
-  Result<void> read;
-  Progress progress;
-  const size_t total = entries->size();
-  tbb::enumerable_thread_specific<MethodSet> methods;
-  run_in_order<Result<ReportedCase>>(
-      total, threads,
-      [&](size_t i) { return reported_entry(std::move((*entries)[i]), methods.local()); },
-      [&](Result<ReportedCase> reported) {
-        if (!reported) {
-          if (read) read = tl::unexpected(reported.error());
-          return;
-        }
-        progress.show(static_cast<double>(report.cases.size()) / static_cast<double>(total),
-                      reported->id, report.cases.size(), "cases");
-        report.cases.push_back(std::move(*reported));
-      },
-      &interrupted);
-  if (!read) return tl::unexpected(read.error());
+  NotAllowed left_out;
   std::set<std::string> expected;
-  for (const ReportedCase& reported : report.cases) {
-    for (const ReportedAnswer& answer : reported.answers) expected.insert(answer.method);
-  }
+  tbb::enumerable_thread_specific<MethodSet> methods;
+  session.each_case<NamedCase, ReportedCase>(
+      CaseStream(need(corpus_files(options.source))), 1, "cases",
+      [&](const NamedCase& entry, size_t) { return need(reported_entry(entry, methods.local())); },
+      [&](const NamedCase&, size_t, ReportedCase reported) {
+        for (const ReportedAnswer& answer : reported.answers) {
+          expected.insert(answer.method);
+          if (!is_admitted(answer.method)) ++left_out[answer.method];
+        }
+        report.cases.push_back(std::move(reported));
+      });
   report.plugins = plugins_among({expected.begin(), expected.end()});
   if (!left_out.empty()) print_err(fmt::format("ccdfuzz: report: {}\n", to_text(left_out)));
   keep_most_telling(report);
@@ -111,17 +92,15 @@ ReportPage report_run(const ReportArguments& options, Session& session) {
   return report;
 }
 
-Result<ReportPage> report_source(const ReportArguments& options, Session& session,
-                                 const std::atomic<bool>& interrupted) {
+ReportPage report_source(const ReportArguments& options, Session& session) {
   std::error_code error;
   if (!std::filesystem::is_directory(options.source, error)) {
-    return input_error(options.source,
-                       "is no folder; `evaluate FILE --report DIR` shows a file of cases");
+    throw BadInput{
+        {options.source, "is no folder; `evaluate FILE --report DIR` shows a file of cases"}};
   }
-  if (std::filesystem::exists(answers_path(options.source), error)) {
-    return report_run(options, session);
-  }
-  return report_corpus(options, session.threads, interrupted);
+  return std::filesystem::exists(answers_path(options.source), error)
+             ? report_run(options, session)
+             : report_corpus(options, session);
 }
 
 /// The text of a PREFIX.json of ccdfuzz-scoreboard. Errors: naming the file and the field.
@@ -143,12 +122,11 @@ Result<std::string> read_scoreboard(const std::string& path) {
 int run_report(const ReportArguments& options, Session& session) {
   std::string scoreboard;
   if (!options.scoreboard.empty()) scoreboard = need(read_scoreboard(options.scoreboard));
-  const std::atomic<bool>& interrupted = catch_interrupts();
-  ReportPage report = need(report_source(options, session, interrupted));
+  ReportPage report = report_source(options, session);
   report.scoreboard = std::move(scoreboard);
   if (report.command.empty()) report.command = command_line();
   need(write_report(report, options.folder, session.threads));
-  if (interrupted)
+  if (session.interrupted())
     print_err("ccdfuzz: report: interrupted; the page shows only what was read until then\n");
   print_out(fmt::format("{}/index.html: {}\n", options.folder,
                         counted(report.cases.size(), "case", "cases")));

@@ -105,6 +105,14 @@ struct Store::State {
   std::map<Failure, Named> named;
 
   Result<FolderLock> enter();
+  /// The result of work(), one at a time, in the locked folder.
+  template <class Work>
+  auto locked(const Work& work) -> decltype(work()) {
+    const std::lock_guard one_at_a_time(mutex);
+    const auto lock = enter();
+    if (!lock) return tl::unexpected(lock.error());
+    return work();
+  }
   Result<void> read_named();
   void note_named(const NamedCase& entry);
   std::string path_of(const Failure& failure) const {
@@ -245,68 +253,61 @@ Result<Store::Put> Store::put(const Failure& failure, const Case& find, const st
                               const AskAgain& again) {
   CCDFUZZ_VERIFY(shows(find, failure));
   if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
-  const std::lock_guard one_at_a_time(state_->mutex);
-  const auto lock = state_->enter();
-  if (!lock) return tl::unexpected(lock.error());
-  return state_->put(failure, find, trees, again);
+  return state_->locked([&] { return state_->put(failure, find, trees, again); });
 }
 
 Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
                                     const std::string& trees, const AskAgain& again) {
   if (auto checked = check_truth(entry); !checked) return tl::unexpected(checked.error());
   if (auto named = check_name(name); !named) return tl::unexpected(named.error());
-  const std::lock_guard one_at_a_time(state_->mutex);
-  const auto lock = state_->enter();
-  if (!lock) return tl::unexpected(lock.error());
-  const std::string address = content_address(entry.query);
-  constexpr size_t kLongest = 240;  // with ".trees.zst" as long as a file's name may be
-  std::string path =
-      fmt::format("{}/{}.json", state_->home, name.size() <= kLongest ? name : address);
-  auto standing = entry_at(path);
-  if (standing && *standing && content_address((*standing)->value.query) != address) {
-    path = fmt::format("{}/{}.json", state_->home, address);
-    standing = entry_at(path);
-  }
-  if (!standing) return tl::unexpected(standing.error());
-  if (*standing) return rewrite_entry(**standing, unite(**standing, entry, trees, again));
-  return write_entry(path, entry, trees).map([&] {
-    state_->note_named({path, entry});
-    return Put::kNew;
+  return state_->locked([&]() -> Result<Put> {
+    const std::string address = content_address(entry.query);
+    constexpr size_t kLongest = 240;  // with ".trees.zst" as long as a file's name may be
+    std::string path =
+        fmt::format("{}/{}.json", state_->home, name.size() <= kLongest ? name : address);
+    auto standing = entry_at(path);
+    if (standing && *standing && content_address((*standing)->value.query) != address) {
+      path = fmt::format("{}/{}.json", state_->home, address);
+      standing = entry_at(path);
+    }
+    if (!standing) return tl::unexpected(standing.error());
+    if (*standing) return rewrite_entry(**standing, unite(**standing, entry, trees, again));
+    return write_entry(path, entry, trees).map([&] {
+      state_->note_named({path, entry});
+      return Put::kNew;
+    });
   });
 }
 
 Result<std::optional<NamedCase>> Store::standing(const Failure& failure) {
-  const std::lock_guard one_at_a_time(state_->mutex);
-  const auto lock = state_->enter();
-  if (!lock) return tl::unexpected(lock.error());
-  Result<std::optional<NamedCase>> own = entry_at(state_->path_of(failure));
-  if (!own) return own;
-  if (*own && !shows((*own)->value, failure)) own->reset();
-  const auto named = state_->named.find(failure);
-  if (named == state_->named.end()) return own;
-  if (*own && rank_of((*own)->value.query) < named->second.rank) return own;
-  return entry_at(named->second.path);
+  return state_->locked([&]() -> Result<std::optional<NamedCase>> {
+    Result<std::optional<NamedCase>> own = entry_at(state_->path_of(failure));
+    if (!own) return own;
+    if (*own && !shows((*own)->value, failure)) own->reset();
+    const auto named = state_->named.find(failure);
+    if (named == state_->named.end()) return own;
+    if (*own && rank_of((*own)->value.query) < named->second.rank) return own;
+    return entry_at(named->second.path);
+  });
 }
 
 Result<void> Store::disown(const Failure& failure, const std::string& path) {
-  const std::lock_guard one_at_a_time(state_->mutex);
-  const auto lock = state_->enter();
-  if (!lock) return tl::unexpected(lock.error());
-  const auto named = state_->named.find(failure);
-  if (named != state_->named.end() && named->second.path == path) state_->named.erase(named);
-  if (path != state_->path_of(failure)) return {};
-  const auto standing = entry_at(path);
-  if (!standing || !*standing) return standing.map([](const auto&) {});
-  return state_->move_aside(**standing).map([](const auto&) {});
+  return state_->locked([&]() -> Result<void> {
+    const auto named = state_->named.find(failure);
+    if (named != state_->named.end() && named->second.path == path) state_->named.erase(named);
+    if (path != state_->path_of(failure)) return {};
+    const auto standing = entry_at(path);
+    if (!standing || !*standing) return standing.map([](const auto&) {});
+    return state_->move_aside(**standing).map([](const auto&) {});
+  });
 }
 
 Result<std::vector<NamedCase>> Store::load() const {
-  const std::lock_guard one_at_a_time(state_->mutex);
-  const auto lock = state_->enter();
-  if (!lock) return tl::unexpected(lock.error());
-  std::vector<NamedCase> entries;
-  return for_each_entry(state_->folder, [&](const NamedCase& entry) { entries.push_back(entry); })
-      .map([&] { return std::move(entries); });
+  return state_->locked([&]() -> Result<std::vector<NamedCase>> {
+    std::vector<NamedCase> entries;
+    return for_each_entry(state_->folder, [&](const NamedCase& entry) { entries.push_back(entry); })
+        .map([&] { return std::move(entries); });
+  });
 }
 
 std::string Store::path_of(const Failure& failure) const {

@@ -86,20 +86,20 @@ std::string Table::cell_text(const Row& row, size_t column) const {
   return "…" + text.substr(at);
 }
 
-Table::Layout Table::layout_from(size_t row) const {
+Table::Layout Table::full_layout() const {
   Layout layout;
   for (size_t c = 0; c < columns_.size(); ++c) {
     layout.columns.push_back(c);
     layout.widths.push_back(std::max(width(columns_[c].title), columns_[c].least_width));
-    for (size_t r = row; r < rows_.size(); ++r) {
-      layout.widths[c] = std::max(layout.widths[c], width(cell_text(rows_[r], c)));
+    for (const Row& row : rows_) {
+      layout.widths[c] = std::max(layout.widths[c], width(cell_text(row, c)));
     }
   }
   return layout;
 }
 
 std::vector<Table::Layout> Table::parts() const {
-  const Layout all = layout_from(0);
+  const Layout all = full_layout();
   Layout keys;
   size_t keys_width = 0, used = 0;
   std::vector<Layout> parts;
@@ -157,19 +157,9 @@ std::string Table::to_text(bool colour) const {
   return out;
 }
 
-std::string Table::next_text(bool colour) {
-  std::string out;
-  if (!std::exchange(header_shown_, true)) out = header_text(layout_from(rows_.size()), colour);
-  while (rows_shown_ < rows_.size()) {
-    const Row& row = rows_[rows_shown_++];
-    out += row_text(row, layout_from(rows_.size()), colour);
-  }
-  return out;
-}
-
 std::string Table::take_text(bool colour, size_t least) {
   if (rows_.size() < least) return "";
-  const Layout layout = layout_from(0);
+  const Layout layout = full_layout();
   std::string out = header_shown_ ? "" : header_text(layout, colour);
   header_shown_ = true;
   for (const Row& row : rows_) out += row_text(row, layout, colour);

@@ -46,9 +46,6 @@ class Table {
   /// characters are shown (shown_line), in Markdown, too. A table wider than kTextWidth is shown in
   /// parts, one below the other, each with the texts to the left that its rows begin with.
   std::string to_text(bool colour) const;
-  /// The text of to_text since the last call, for a table that is read while it grows. A text
-  /// wider than its column's title and least_width moves its own row only.
-  std::string next_text(bool colour);
   /// to_text of the rows added since the last call, which are forgotten: for a table of any length.
   /// Columns stay at least as wide as they were. Empty if there are fewer such rows than `least`.
   std::string take_text(bool colour, size_t least);
@@ -67,15 +64,14 @@ class Table {
   std::string header_text(const Layout& layout, bool colour) const;
   std::string row_text(const Row& row, const Layout& layout, bool colour) const;
   std::string cell_text(const Row& row, size_t column) const;
-  /// All columns, as wide as the rows from this one on need.
-  Layout layout_from(size_t row) const;
+  /// All columns, as wide as the rows need.
+  Layout full_layout() const;
   std::vector<Layout> parts() const;
 
   std::vector<Column> columns_;
   std::vector<Row> rows_;
   std::optional<std::string> group_pending_;
   bool header_shown_ = false;
-  size_t rows_shown_ = 0;
   size_t rows_taken_ = 0;
 };
 

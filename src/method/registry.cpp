@@ -250,11 +250,6 @@ struct Found {
 Result<Found> find_family(const std::string& text) {
   Found found{nullptr, split_switches(text)};
   const std::string name = split_spec(found.spec.spec).name;
-  if (name == "tdibm-h-rel") {
-    return input_error("--methods", fmt::format("\"{}\": what was tdibm-h-rel:F is tdibm-h:F; what "
-                                                "was tdibm-h:F is tdibm-h:F@absolute",
-                                                text));
-  }
   for (const Family& f : families()) {
     if (f.info.spec == found.spec.spec || f.info.spec == name + ":F") found.family = &f;
   }

@@ -168,8 +168,8 @@ std::string report_page(const ReportPage& report, int threads) {
   for (const ReportTable& table : report.tables) {
     tables.push_back({{"id", table.id},
                       {"title", table.title},
-                      {"columns", table.columns},
-                      {"rows", table.rows}});
+                      {"columns", table.table.titles()},
+                      {"rows", table.table.texts()}});
   }
   const Histogram curvature = log_bins(report.curvatures);
   const Json data = {{"format", "ccdfuzz-report"},

@@ -32,10 +32,6 @@ std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods) {
   return infos;
 }
 
-ReportTable report_table(const std::string& id, const std::string& title, const Table& table) {
-  return {id, title, table.titles(), table.texts()};
-}
-
 void keep_most_telling(ReportPage& report, std::size_t most) {
   if (report.cases.size() <= most) return;
   // Turn by turn: the n-th case of every sort before the (n+1)-th of any.

@@ -12,18 +12,15 @@
 
 namespace ccdfuzz {
 
-/// A table of texts, shown as it is.
+/// A table, shown as it is.
 struct ReportTable {
   std::string id;     ///< unique in its page: what its CSV is called
   std::string title;  ///< one line
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;  ///< each as long as columns
+  Table table;
 };
 
 /// The descriptions of the plug-ins among the methods; starts those that were not started.
 std::vector<MethodInfo> plugins_among(const std::vector<std::string>& methods);
-
-ReportTable report_table(const std::string& id, const std::string& title, const Table& table);
 
 /// How one method did on a case.
 struct ReportedAnswer {

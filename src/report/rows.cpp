@@ -59,11 +59,11 @@ void ReportRows::finish(ReportPage& report, const std::vector<GenerationCost>& c
   report.rows = rows_.in_order();
   if (Table linear = paper_table_3(rows_); linear.row_count() > 0) {
     report.tables.push_back(
-        report_table("table-3", "Table 3. Linear queries, beside the paper's", linear));
+        {"table-3", "Table 3. Linear queries, beside the paper's", std::move(linear)});
   }
   if (!costs.empty()) {
     report.tables.push_back(
-        report_table("table-4", "Table 4. How the cases were made", generation_table(costs)));
+        {"table-4", "Table 4. How the cases were made", generation_table(costs)});
   }
   report.curvatures = std::move(curvatures_);
   report.cases = std::move(failed_.empty() ? samples_ : failed_);

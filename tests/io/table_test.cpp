@@ -25,20 +25,6 @@ TEST(Table, TextAlignsByCodePointsAndLeavesNoTrailingBlanks) {
             "long name  1000  x\n");
 }
 
-TEST(Table, NextTextIsTheHeaderAndThenEachRowOnceAligned) {
-  Table table({{"name", Align::kLeft, 9}, {"n", Align::kRight, 4}, {"", Align::kLeft}});
-  EXPECT_EQ(table.next_text(false), "name          n\n");
-  EXPECT_EQ(table.next_text(false), "");
-  table.add_row({{"a"}, {"1"}, {""}});
-  EXPECT_EQ(table.next_text(false), "a             1\n");
-  table.add_row({{"long name"}, {"1000"}, {"x"}});
-  table.add_row({{"too long name"}, {"10"}, {"y"}});
-  EXPECT_EQ(table.next_text(false),
-            "long name  1000  x\n"
-            "too long name    10  y\n");
-  EXPECT_EQ(table.row_count(), 3U);
-}
-
 TEST(Table, WiderThanATerminalIsShownInPartsThatBeginWithTheTextsToTheLeft) {
   const std::string wide(40, '=');
   Table table({{"name", Align::kLeft}, {wide}, {"n"}, {wide + "="}, {"m"}});

@@ -87,11 +87,6 @@ TEST(Registry, SwitchesAreTakenInAnyOrder) {
   }
 }
 
-TEST(Registry, NamesTheNewNameOfARenamedMethod) {
-  const std::string message = make_method("tdibm-h-rel:1e-12").error().message();
-  EXPECT_NE(message.find("tdibm-h:F@absolute"), std::string::npos) << message;
-}
-
 /// Three intercepts of 2^-40, 1 and 2^40: F of each, or F.
 TEST(PullApart, IsAShareOfTheInterceptOrALength) {
   const PullApart share(0x1p-10), length(0x1p-10, PullUnit::kLength);

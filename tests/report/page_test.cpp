@@ -128,7 +128,8 @@ TEST(ReportPage, TakesTheCauseFromTheTraceWhenACaseExpectsNone) {
 TEST(ReportPage, IsTheOnlyFileOfItsFolder) {
   ReportPage report;
   report.scoreboard = "{}";
-  report.tables = {{"table-3", "Linear queries", {"a"}, {{"b"}}}};
+  report.tables.push_back({"table-3", "Linear queries", Table({{"a"}})});
+  report.tables.back().table.add_row({{"b"}});
   report.cases = {reported("VV", Outcome::kMissed)};
   const ScratchFolder folder;
   ASSERT_TRUE(write_report(report, folder / "page", 1));
