@@ -14,84 +14,27 @@ namespace ccdfuzz {
 
 namespace {
 
-std::array<double, 3> coordinates(const Vec3<double>& v) {
-  return {v[0], v[1], v[2]};
-}
+/// The axis that lost a contact, or came nearest to that; a page (report) has its cells, too.
+struct AxisRow {
+  int level, axis, below;
+  std::optional<std::array<double, 2>> excluded = {};  ///< the times, where it excludes any
+  std::optional<std::uint64_t> ulps = {};              ///< for a margin
+  std::optional<double> slack = {};
 
-struct TimesJson {
-  const SeparatedInterval<double>& times;
+  AxisRow(const TracePlace& place, const auto& by)
+      : level(place.level), axis(by.axis), below(by.below) {
+    if constexpr (requires { by.times; }) excluded = {by.times.lo, by.times.hi};
+  }
 
-  static void fields(auto& archive, auto& json) {
-    archive("from", json.times.lo);
-    archive("to", json.times.hi);
-    archive("has_from", json.times.has_lo);
-    archive("has_to", json.times.has_hi);
+  static void fields(auto& archive, auto& row) {
+    archive("level", row.level);
+    archive("axis", row.axis);
+    archive("below", row.below);
+    archive.optional("excluded", row.excluded);
+    archive.optional("ulps", row.ulps);
+    archive.optional("slack", row.slack);
   }
 };
-
-void place_fields(JsonWriter& archive, const TracePlace& place) {
-  archive("level", place.level);
-  archive("cells", place.cells);
-  archive("window", std::array{place.window.lo, place.window.hi});
-}
-
-/// The fields of an axis that excluded something (ExcludedInterval), or how far it is from that
-/// (SignedGap).
-void axis_fields(JsonWriter& archive, const auto& by) {
-  archive("axis", by.axis);
-  archive("direction", coordinates(by.direction));
-  archive("below", by.below);
-}
-
-void exclusion_fields(JsonWriter& archive, const ExcludedInterval& by) {
-  axis_fields(archive, by);
-  archive("excluded", TimesJson{by.times});
-}
-
-}  // namespace
-
-template <>
-struct JsonForm<Cell> {
-  static void fields(auto& archive, auto& cell) {
-    archive("i", cell.i);
-    archive("j", cell.j);
-    archive("depth", cell.depth);
-    archive("inverted", cell.inverted);
-  }
-};
-
-template <>
-struct JsonForm<Trace::Loss> {
-  static void fields(auto& archive, auto& loss) {
-    place_fields(archive, loss.place);
-    exclusion_fields(archive, loss.by);
-    std::optional<std::array<double, 2>> left;
-    if (loss.left) left = {loss.left->lo, loss.left->hi};
-    archive("left", left);
-  }
-};
-
-template <>
-struct JsonForm<Trace::Margin> {
-  static void fields(auto& archive, auto& margin) {
-    archive("ulps", margin.ulps);
-    place_fields(archive, margin.place);
-    exclusion_fields(archive, margin.by);
-  }
-};
-
-template <>
-struct JsonForm<Trace::Slack> {
-  static void fields(auto& archive, auto& slack) {
-    archive("value", slack.value);
-    place_fields(archive, slack.place);
-    axis_fields(archive, slack.gap);
-    archive("gap", std::array{slack.gap.at_lo, slack.gap.at_hi});
-    archive("unit", slack.gap.in_units_of);
-  }
-};
-
-namespace {
 
 /// How a method's tests treated the witness of a case.
 struct TraceRow {
@@ -99,10 +42,14 @@ struct TraceRow {
   const std::string& method;
   const Trace& trace;
 
-  /// All that Trace holds, under its own names. loss, margin and slack are null where there is
-  /// none.
+  /// loss, margin and slack are null where there is none.
   static void fields(auto& archive, auto& row) {
     const Trace& trace = row.trace;
+    std::optional<AxisRow> loss, margin, slack;
+    if (trace.loss) loss.emplace(trace.loss->place, trace.loss->by);
+    if (trace.margin)
+      margin.emplace(trace.margin->place, trace.margin->by).ulps = trace.margin->ulps;
+    if (trace.slack) slack.emplace(trace.slack->place, trace.slack->gap).slack = trace.slack->value;
     archive("case", row.id);
     archive("method", row.method);
     archive("lost", trace.lost);
@@ -110,9 +57,9 @@ struct TraceRow {
     archive("lost_pairs", trace.lost_pairs);
     archive("false_claims", trace.false_claims);
     archive("levels", trace.levels);
-    archive("loss", trace.loss);
-    archive("margin", trace.margin);
-    archive("slack", trace.slack);
+    archive("loss", loss);
+    archive("margin", margin);
+    archive("slack", slack);
   }
 };
 
@@ -233,7 +180,7 @@ void add_trace(CommandLine& line) {
                "Follow all pairs of boxes that contain the witness, not the lowest alone");
   command.max_work();
   command.threads();
-  command.json("One JSON object per trace and line, with all details");
+  command.json("One JSON object per trace and line");
 }
 
 }  // namespace ccdfuzz
