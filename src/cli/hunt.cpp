@@ -1,19 +1,22 @@
 #include "hunt/hunt.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/number_text.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
-#include "cli/hunt_finds.hpp"
 #include "cli/hunt_page.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
@@ -53,6 +56,64 @@ struct HuntArguments {
   bool by_class = false;
   SearchFlags search;
 };
+
+/// The command that shows the failure again.
+std::string command_of(const Find& find) {
+  const std::string& method = find.failure.who;
+  return reproduction(find.path, {{method, find.value.expect.at(method)}});
+}
+
+/// The most convincing first: those that break a claim, then false negatives, then by setting, the
+/// deepest first.
+std::vector<const Find*> new_finds(const HuntReport& report, bool stored) {
+  std::vector<const Find*> finds;
+  for (const Find& find : report.finds) {
+    if (find.is_new && find.path.empty() != stored) finds.push_back(&find);
+  }
+  // Those alike in the report's order, in which they lie.
+  std::ranges::sort(finds, {}, [](const Find* find) {
+    const Failure& failure = find->failure;
+    return std::tuple(!breaks_claim(failure), failure.outcome == Outcome::kFalsePositive,
+                      failure.setting, -find->depth, find);
+  });
+  return finds;
+}
+
+/// Prints one line for the finds of one method that differ in the class of their contact alone. It
+/// names the file of the first, and the classes of the others.
+void print_finds(const std::vector<const Find*>& finds, const std::string& folder) {
+  constexpr size_t kMost = 10;
+  const auto alike = [](const Find& find) {
+    Failure failure = find.failure;
+    failure.contact.clear();
+    return failure;
+  };
+  std::map<Failure, std::vector<std::string>> others;
+  std::vector<const Find*> first;
+  for (const Find* find : finds) {
+    const auto [known, is_first] = others.try_emplace(alike(*find));
+    if (is_first) first.push_back(find);
+    if (!is_first) known->second.push_back(find->failure.contact);
+  }
+  std::optional<bool> group;
+  for (size_t i = 0; i < std::min(first.size(), kMost); ++i) {
+    const Find& find = *first[i];
+    const bool breaks = breaks_claim(find.failure);
+    if (group != breaks) {
+      print_out(fmt::format("New in {}, breaking {} guarantee:\n", folder, breaks ? "a" : "no"));
+    }
+    group = breaks;
+    std::string text = std::filesystem::path(find.path).filename().string();
+    if (find.depth > 0) text += fmt::format(", {:.2g} deep", find.depth);
+    const std::vector<std::string>& classes = others.at(alike(find));
+    if (!classes.empty()) {
+      text += fmt::format("; {} more: {}", classes.size(), fmt::join(classes, ", "));
+    }
+    print_out(wrapped("  " + text, 4) + "\n");
+  }
+  if (first.size() > kMost) print_out(fmt::format("  and {} more\n", first.size() - kMost));
+  if (!finds.empty()) print_out("\n");
+}
 
 /// A find, as a row of the JSON output.
 struct HuntFindRow {
@@ -105,50 +166,6 @@ std::uint64_t count_of(const HuntReport& report, bool is_new) {
   return static_cast<std::uint64_t>(std::ranges::count(report.finds, is_new, &Find::is_new));
 }
 
-/// A cell for each method, over all classes.
-std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
-  std::vector<HuntCell> sums;
-  for (const HuntCell& cell : cells) {
-    const auto sum = std::ranges::find(sums, cell.method, &HuntCell::method);
-    if (sum == sums.end()) {
-      sums.push_back(cell);
-      continue;
-    }
-    sum->tally.merge(cell.tally);
-    sum->cpu_seconds += cell.cpu_seconds;
-    sum->bred.mutants += cell.bred.mutants;
-    sum->bred.lost += cell.bred.lost;
-    const auto& margin = cell.bred.margin;
-    if (margin) sum->bred.margin = std::min(*margin, sum->bred.margin.value_or(*margin));
-  }
-  return sums;
-}
-
-Table method_table(const std::vector<HuntCell>& cells) {
-  std::vector<Column<HuntCell>> columns = {
-      text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
-      {"drawn", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
-  columns.front().most_width = method_column().most_width;
-  const auto add = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
-    columns.push_back({title, [=](const HuntCell& cell) {
-                         return outcome_cell(cell.tally, outcome, cell.tally.*of);
-                       }});
-  };
-  const auto add_if_met = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
-    const auto meets = [&](const HuntCell& cell) { return cell.tally.count(outcome) > 0; };
-    if (std::ranges::any_of(cells, meets)) add(title, outcome, of);
-  };
-  add("missed", Outcome::kMissed, &Tally::positives);
-  add("late", Outcome::kLate, &Tally::positives);
-  add("undecided", Outcome::kUndecided, &Tally::n);
-  add_if_met("error", Outcome::kError, &Tally::n);
-  add_if_met("FP", Outcome::kFalsePositive, &Tally::negatives);
-  add_refused_column(columns, cells);
-  columns.push_back(mean_column());
-  add_mutant_columns(columns, cells);
-  return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
-}
-
 /// Below the table: what its columns count.
 std::string hunt_notes(const std::vector<HuntCell>& cells) {
   const auto is_plugin = [](const HuntCell& cell) { return names_plugin(cell.method); };
@@ -172,7 +189,7 @@ void print_report(const HuntReport& report, const HuntArguments& options) {
                           to_json(find->value)));
   }
   print_finds(stored, options.corpus);
-  print_table(options.by_class ? hunt_table(report.cells) : method_table(by_method(report.cells)));
+  print_table(options.by_class ? hunt_table(report.cells) : method_table(report.cells));
   print_out("\n" + (options.by_class ? "" : mark_note(options.hunt.methods)) +
             column_notes(report.cells) + hunt_notes(report.cells));
   if (stored.empty()) return;

@@ -38,6 +38,9 @@ Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) 
   return reported;
 }
 
+namespace {
+
+/// The mean time of an answer.
 Column<HuntCell> mean_column() {
   Column<HuntCell> column = measured_column<HuntCell>("mean", [](const HuntCell& cell) {
     return duration_text(cell.cpu_seconds / static_cast<double>(cell.tally.n));
@@ -46,12 +49,7 @@ Column<HuntCell> mean_column() {
   return column;
 }
 
-bool any_is_traced(const std::vector<HuntCell>& cells) {
-  return std::ranges::any_of(cells, [](const HuntCell& cell) {
-    return !names_plugin(cell.method) && (cell.bred.lost > 0 || cell.bred.margin);
-  });
-}
-
+/// How many mutants each method was asked, and how many of them its tests lost, if any is traced.
 void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
                         const std::vector<HuntCell>& cells) {
   columns.push_back({"mutants", [](const HuntCell& cell) {
@@ -63,6 +61,59 @@ void add_mutant_columns(std::vector<Column<HuntCell>>& columns,
                                   ? TableCell{"-", Emphasis::kFaint}
                                   : count_cell(cell.bred.lost, cell.bred.mutants, true);
                      }});
+}
+
+/// A cell for each method, over all classes.
+std::vector<HuntCell> by_method(const std::vector<HuntCell>& cells) {
+  std::vector<HuntCell> sums;
+  for (const HuntCell& cell : cells) {
+    const auto sum = std::ranges::find(sums, cell.method, &HuntCell::method);
+    if (sum == sums.end()) {
+      sums.push_back(cell);
+      continue;
+    }
+    sum->tally.merge(cell.tally);
+    sum->cpu_seconds += cell.cpu_seconds;
+    sum->bred.mutants += cell.bred.mutants;
+    sum->bred.lost += cell.bred.lost;
+    const auto& margin = cell.bred.margin;
+    if (margin) sum->bred.margin = std::min(*margin, sum->bred.margin.value_or(*margin));
+  }
+  return sums;
+}
+
+}  // namespace
+
+bool any_is_traced(const std::vector<HuntCell>& cells) {
+  return std::ranges::any_of(cells, [](const HuntCell& cell) {
+    return !names_plugin(cell.method) && (cell.bred.lost > 0 || cell.bred.margin);
+  });
+}
+
+Table method_table(const std::vector<HuntCell>& of_classes) {
+  const std::vector<HuntCell> cells = by_method(of_classes);
+  std::vector<Column<HuntCell>> columns = {
+      text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
+      {"drawn", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
+  columns.front().most_width = method_column().most_width;
+  const auto add = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
+    columns.push_back({title, [=](const HuntCell& cell) {
+                         return outcome_cell(cell.tally, outcome, cell.tally.*of);
+                       }});
+  };
+  const auto add_if_met = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
+    const auto meets = [&](const HuntCell& cell) { return cell.tally.count(outcome) > 0; };
+    if (std::ranges::any_of(cells, meets)) add(title, outcome, of);
+  };
+  add("missed", Outcome::kMissed, &Tally::positives);
+  add("late", Outcome::kLate, &Tally::positives);
+  add("undecided", Outcome::kUndecided, &Tally::n);
+  add_if_met("error", Outcome::kError, &Tally::n);
+  add_if_met("FP", Outcome::kFalsePositive, &Tally::negatives);
+  add_refused_column(columns, cells);
+  columns.push_back(mean_column());
+  add_mutant_columns(columns, cells);
+  return table_of(cells, columns, [](const HuntCell&, const HuntCell&) { return true; });
 }
 
 Table hunt_table(const std::vector<HuntCell>& cells) {

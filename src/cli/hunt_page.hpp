@@ -29,14 +29,11 @@ class CourseNotes {
   double next_ = 0;
 };
 
-/// The mean time of an answer.
-Column<HuntCell> mean_column();
-
 /// False for plug-ins and bodies, which are not traced: none of their mutants is known to be lost.
 bool any_is_traced(const std::vector<HuntCell>& cells);
 
-/// How many mutants each method was asked, and how many of them its tests lost, if any is traced.
-void add_mutant_columns(std::vector<Column<HuntCell>>& columns, const std::vector<HuntCell>& cells);
+/// The results of each method.
+Table method_table(const std::vector<HuntCell>& cells);
 
 /// The results of each method in each class.
 Table hunt_table(const std::vector<HuntCell>& cells);
