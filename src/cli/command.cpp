@@ -72,26 +72,15 @@ void occupy_standard_descriptors() {
 
 /// "-o,--output FILE" in its two parts.
 struct Named {
-  explicit Named(const std::string& text, const std::string& otherwise = "TEXT")
+  explicit Named(const std::string& text)
       : name(text.substr(0, text.find(' '))),
-        value(name.size() < text.size() ? text.substr(name.size() + 1) : otherwise) {}
+        value(name.size() < text.size() ? text.substr(name.size() + 1) : "TEXT") {}
   std::string name, value;
 };
 
 CLI::Validator not_empty() {
   return {[](const std::string& text) -> std::string { return text.empty() ? "is empty" : ""; },
           ""};
-}
-
-/// CLI11's own conversion takes "010" for 8 and "-1" for 2^64 - 1.
-CLI::Validator whole_number_in(std::uint64_t least, std::uint64_t most) {
-  const auto check = [least, most](const std::string& text) -> std::string {
-    const Result<std::uint64_t> number = parse_whole("", text);
-    if (!number) return number.error().what;
-    if (least <= *number && *number <= most) return "";
-    return fmt::format("{} is not in [{}, {}]", text, least, most);
-  };
-  return {check, ""};
 }
 
 }  // namespace
@@ -102,6 +91,14 @@ const std::string& program_name() {
 
 const std::string& command_line() {
   return typed;
+}
+
+Result<std::uint64_t> parse_whole_in(const std::string& where, const std::string& text,
+                                     std::uint64_t least, std::uint64_t most) {
+  return parse_whole(where, text).and_then([&](std::uint64_t number) -> Result<std::uint64_t> {
+    if (least <= number && number <= most) return number;
+    return input_error(where, fmt::format("{} is not in [{}, {}]", text, least, most));
+  });
 }
 
 Option& Option::required() {
@@ -161,25 +158,6 @@ Option Command::texts(const std::string& name, std::vector<std::string>& values,
 
 Option Command::flag(const std::string& name, bool& value, const std::string& description) {
   return Option(app_->add_flag(name, value, description));
-}
-
-Option Command::whole(const std::string& name, std::uint64_t& value, const std::string& description,
-                      std::uint64_t least, std::uint64_t most) {
-  const Named named(name, "N");
-  return Option(app_->add_option(named.name, value, description)
-                    ->check(whole_number_in(least, most))
-                    ->type_name(named.value)
-                    ->capture_default_str());
-}
-
-Option Command::whole(const std::string& name, int& value, const std::string& description,
-                      int least, int most) {
-  const Named named(name, "N");
-  return Option(app_->add_option(named.name, value, description)
-                    ->check(whole_number_in(static_cast<std::uint64_t>(least),
-                                            static_cast<std::uint64_t>(most)))
-                    ->type_name(named.value)
-                    ->capture_default_str());
 }
 
 Option Command::add_text(

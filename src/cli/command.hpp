@@ -46,6 +46,10 @@ Result<E> parse_choice(const std::string& where, const std::string& text) {
   return input_error(where, fmt::format("\"{}\" is not one of {}", text, enum_names<E>()));
 }
 
+/// A whole number of [least, most]. Errors: anything else.
+Result<std::uint64_t> parse_whole_in(const std::string& where, const std::string& text,
+                                     std::uint64_t least, std::uint64_t most);
+
 /// One option of a command, for what more is to be said of it.
 class Option {
  public:
@@ -82,11 +86,17 @@ class Command {
                const std::string& description);
   Option flag(const std::string& name, bool& value, const std::string& description);
   /// A whole number of [least, most], in decimal (parse_whole).
-  Option whole(const std::string& name, std::uint64_t& value, const std::string& description,
-               std::uint64_t least = 0,
-               std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
-  Option whole(const std::string& name, int& value, const std::string& description, int least,
-               int most);
+  template <class N>
+  Option whole(const std::string& name, N& value, const std::string& description,
+               std::uint64_t least = 0, std::uint64_t most = std::numeric_limits<N>::max()) {
+    return add_text(
+        name + " N", description, std::to_string(value),
+        [&value, least, most](const std::string& where, const std::string& text) {
+          return parse_whole_in(where, text, least, most).map([&](std::uint64_t number) {
+            value = static_cast<N>(number);
+          });
+        });
+  }
 
   /// The value that parse(where, text) makes of the text; where is the option's name.
   template <class Value, class T>

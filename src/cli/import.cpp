@@ -5,7 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "eval/decide_rows.hpp"
+#include "eval/evaluate.hpp"
 #include "files/case_files.hpp"
 
 namespace ccdfuzz {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "eval/decide_rows.hpp"
+#include "eval/evaluate.hpp"
 #include "files/check_file.hpp"
 
 namespace ccdfuzz {

@@ -3,7 +3,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include "case/horizons.hpp"
-#include "eval/decide_rows.hpp"
+#include "certify/oracle/oracle.hpp"
 #include "eval/stream_cases.hpp"
 #include "files/check_file.hpp"
 #include "io/fields.hpp"
@@ -81,6 +81,11 @@ Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
 }
 
 }  // namespace
+
+void decide_rows(NamedCase& named) {
+  if (!named.rows || named.rows->layout == CsvLayout::kCurved) return;
+  named.value.truth = decide(named.value.query).truth;
+}
 
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
                       EarlierAnswers* earlier, const OnEvaluated& on_case,

@@ -13,6 +13,10 @@
 
 namespace ccdfuzz {
 
+/// Gives a linear query of a CSV its exact truth with certificates (decide). Every other case stays
+/// as it is.
+void decide_rows(NamedCase& named);
+
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
   /// Multiples ≥ 1 of the contact's time to ask positive cases up to; negative cases are asked
