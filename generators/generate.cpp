@@ -68,8 +68,7 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--shape",
                        fmt::format("the family {} has shapes of its own", name_of(options.family)));
   }
-  const bool is_of_hulls = options.family == Family::kBodies || options.family == Family::kTurning;
-  if (is_of_hulls && !has_bodies(options.bodies, options.contact)) {
+  if (is_of_bodies(options.family) && !has_bodies(options.bodies, options.contact)) {
     return input_error("--contact", fmt::format("bodies of the kinds that are taken have no {}",
                                                 name_of(options.contact)));
   }
@@ -86,6 +85,9 @@ Result<void> validate(const GeneratorOptions& options) {
   if (options.plane && std::ranges::find(features, Feature::kFace) != features.end()) {
     return input_error("--contact",
                        fmt::format("bodies in a plane have no {}", name_of(options.contact)));
+  }
+  if (options.plane && options.family == Family::kSpinning) {
+    return input_error("--family", "none of spinning is in a plane");
   }
   return {};
 }
@@ -189,6 +191,8 @@ auto attempt_of(const GeneratorOptions& options) {
       return separated_case;
     case Family::kTurning:
       return turning_case;
+    case Family::kSpinning:
+      return spinning_case;
     default:
       return is_shaped(options) ? shaped_case : quadratic_case;
   }

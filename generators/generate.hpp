@@ -33,7 +33,7 @@ std::string_view name_of(Construction construction);
 /// prove by a moving plane that nothing touches before t*, except where the row says otherwise. The
 /// last ones are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp),
 /// surfaces of revolution (round.hpp), loops (trimmed.hpp), ends (ends.hpp), separations
-/// (separated.hpp), and of bodies that turn (turning.hpp).
+/// (separated.hpp), and of bodies that turn or spin (turning.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -63,7 +63,12 @@ enum class Family : std::uint8_t {
   kEnds,
   kSeparated,
   kTurning,
+  kSpinning,
 };
+/// Those of bodies.
+constexpr bool is_of_bodies(Family family) {
+  return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning;
+}
 /// Those of plain patches.
 inline constexpr auto kFamilies = [] {
   std::array<Family, static_cast<size_t>(Family::kAnywhere) + 1> all{};
@@ -71,7 +76,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kTurning) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kSpinning) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
@@ -101,9 +106,9 @@ struct GeneratorOptions {
   /// The shapes of patches 1 and 2; by default both are quadratic triangles up to kInteriorTime,
   /// and random in the others. Other shapes are made one-sided only.
   std::optional<std::array<Shape, 2>> shapes;
-  /// The kinds of bodies of the families bodies and turning; empty: all.
+  /// The kinds of bodies of the families bodies, turning and spinning; empty: all.
   BodyKinds bodies = {};
-  /// Whether those of these families lie and move in the plane z = 0.
+  /// Whether those of bodies and turning lie and move in the plane z = 0.
   bool plane = false;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.

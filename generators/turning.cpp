@@ -1,20 +1,23 @@
 #include "generators/turning.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "base/verify.hpp"
 #include "case/scale.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "certify/oracle/rational_roots.hpp"
+#include "certify/oracle/turned_points.hpp"
 #include "generators/bodies.hpp"
 
 namespace ccdfuzz {
 
 namespace {
 
-/// A turn that is the identity at `t`, and whose two ends have lengths of about 1.
-BodyTurn turn_about(const Vec3<double>& centre, double t, bool in_plane, Draw& draw) {
+/// A vector of eighths, not 0, whose square is below most.
+Vec3<double> draw_axis(bool in_plane, double most, Draw& draw) {
   constexpr int kEighths = 8;
-  const Vec3<double> d = draw.until(
+  return draw.until(
       [&] {
         const auto part = [&] {
           return static_cast<double>(draw.integer(1 - kEighths, kEighths - 1)) / kEighths;
@@ -24,8 +27,12 @@ BodyTurn turn_about(const Vec3<double>& centre, double t, bool in_plane, Draw& d
         const double x = part();
         return Vec3<double>(x, part(), z);
       },
-      // Then from·to > 0.
-      [](const Vec3<double>& v) { return v.squaredNorm() > 0 && v.squaredNorm() < 0.8; });
+      [&](const Vec3<double>& v) { return v.squaredNorm() > 0 && v.squaredNorm() < most; });
+}
+
+/// A turn that is the identity at `t`, and whose two ends have lengths of about 1.
+BodyTurn turn_about(const Vec3<double>& centre, double t, bool in_plane, Draw& draw) {
+  const Vec3<double> d = draw_axis(in_plane, 0.8, draw);  // then from·to > 0
   const double slower = draw.coin() ? 1 : 0.5;
   BodyTurn turn{{}, {}, centre};
   for (const auto& [numbers, share] : {std::pair(&turn.from, -t), std::pair(&turn.to, 1 - t)}) {
@@ -46,30 +53,75 @@ Vec3<double> draw_centre(const Points<double>& points, bool in_plane, Draw& draw
   return centre;
 }
 
-}  // namespace
-
-tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                         Draw& draw) {
+/// Bodies that do not turn and touch at t* < 1, until a time after that. Then change(body) of one
+/// of them, or of both.
+template <class Change>
+tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, const Dyadic& eps_t,
+                                              Draw& draw, const Change& change) {
   GeneratorOptions plain = options;
   plain.kind = CaseKind::kRP;
   tl::expected<Case, Discard> made = bodies_case(plain, eps_t, draw);
   if (!made) return made;
-  Case& out = *made;
-  Query& query = out.query;
-  Witness witness = *out.truth.witness;
-  if (witness.t == 1) {  // twice as fast
-    witness.t /= 2;
+  Query& query = made->query;
+  Rational& t = made->truth.witness->t;
+  if (t == 1) {  // twice as fast
+    t /= 2;
     for (MovingPatch<double>& body : query.patches) body.velocities[0] *= 2;
   }
-  const double t = round_down(witness.t);
-  query.t_max = draw.coin() ? 1 : (1 + t) / 2;
+  query.t_max = draw.coin() ? 1 : (1 + round_down(t)) / 2;
   const std::uint64_t which = draw.below(3);  // the first, the second or both
   for (size_t s = 0; s < 2; ++s) {
-    if (which == 1 - s) continue;
-    const Vec3<double> centre = draw_centre(query.patches[s].positions, options.plane, draw);
-    query.patches[s].turn = turn_about(centre, t, options.plane, draw);
+    if (which != 1 - s) change(query.patches[s], round_down(t));
   }
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
+  return made;
+}
+
+/// Without a conversion: GCC 12 loses that of double to float and back in a loop over coordinates.
+double nearest_float(double x) {
+  constexpr int kBits = std::numeric_limits<float>::digits;
+  int exponent = 0;
+  const double part = std::frexp(x, &exponent);
+  return std::ldexp(std::round(std::ldexp(part, kBits)), exponent - kBits);
+}
+
+/// A body spins, and its points are where they come to its places at t from.
+void spin_back(MovingPatch<double>& body, double t, Draw& draw) {
+  const Vec3<double> axis = draw_axis(false, 1, draw);
+  const Vec3<double> w = static_cast<double>(draw.integer(1, 3)) * axis;
+  MovingPatch<double> back = body;
+  back.velocities[0] = {0, 0, 0};
+  const Vec3<double> centre = draw_centre(body.positions, false, draw);
+  back.turn = BodyTurn{{}, {}, centre, {-w[0], -w[1], -w[2]}};
+  body.turn = BodyTurn{{}, {}, centre, {w[0], w[1], w[2]}};
+  const Points<Rational> before = points_at(back, exact(t)).points;
+  for (size_t i = 0; i < before.size(); ++i) {
+    for (int k = 0; k < 3; ++k) body.positions[i][k] = nearest_float(before[i][k].get_d());
+  }
+}
+
+/// The negative case of a positive one that is clear until its end, t_max.
+void end_before_contact(Case& known, double t_max) {
+  known.query.t_max = t_max;
+  known.truth.collides = false;
+  known.truth.witness.reset();
+  known.truth.proof = proof_word(*known.truth.clearance);
+  CCDFUZZ_VERIFY(covers(*known.truth.clearance, exact(t_max)));
+}
+
+}  // namespace
+
+tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                         Draw& draw) {
+  tl::expected<Case, Discard> made =
+      bodies_before_one(options, eps_t, draw, [&](MovingPatch<double>& body, double t) {
+        const Vec3<double> centre = draw_centre(body.positions, options.plane, draw);
+        body.turn = turn_about(centre, t, options.plane, draw);
+      });
+  if (!made) return made;
+  Case& out = *made;
+  const Query& query = out.query;
+  const Witness witness = *out.truth.witness;
   OracleOptions limits;
   limits.known = witness;
   out.truth = decide(query, limits).truth;
@@ -78,11 +130,26 @@ tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const 
                         witness.t - *out.truth.clear_until <= eps_t.rational();
   if (!is_first) return tl::unexpected(Discard::kFirstContact);
   if (options.kind == CaseKind::kRP) return made;
-  query.t_max = t - *eps_t.to_double_exactly();
-  out.truth.collides = false;
-  out.truth.witness.reset();
-  out.truth.proof = proof_word(*out.truth.clearance);
-  CCDFUZZ_VERIFY(covers(*out.truth.clearance, exact(query.t_max)));
+  end_before_contact(out, round_down(witness.t) - *eps_t.to_double_exactly());
+  return made;
+}
+
+tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                          Draw& draw) {
+  tl::expected<Case, Discard> made = bodies_before_one(
+      options, eps_t, draw, [&](MovingPatch<double>& body, double t) { spin_back(body, t, draw); });
+  if (!made) return made;
+  const Rational t = made->truth.witness->t;
+  made->truth = decide(made->query).truth;
+  const Truth& truth = made->truth;
+  constexpr long kNearBits = 10;
+  const bool is_near = truth.witness && truth.clear_until &&
+                       abs(truth.witness->t - t) <= power_of_two(-kNearBits) &&
+                       truth.witness->t - *truth.clear_until <= eps_t.rational();
+  if (!is_near) return tl::unexpected(Discard::kFirstContact);
+  if (options.kind == CaseKind::kRP) return made;
+  const Rational step = eps_t.rational();
+  end_before_contact(*made, round_down(rounded_down(*truth.clear_until, step) - step));
   return made;
 }
 

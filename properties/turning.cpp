@@ -3,6 +3,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_turning.hpp"
+#include "certify/checker/spin.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
@@ -19,12 +20,13 @@ namespace {
 
 Case draw_turning(Draw& d, CaseKind kind) {
   GeneratorOptions options;
-  options.plane = d.coin();
+  const bool spins = d.below(3) == 0;
+  options.plane = !spins && d.coin();
   options.contact =
       options.plane ? d.pick(std::array{ContactClass::kEE, ContactClass::kVE, ContactClass::kVV})
                     : d.pick(kContactClasses);
   options.kind = kind;
-  options.family = Family::kTurning;
+  options.family = spins ? Family::kSpinning : Family::kTurning;
   const Case made = generate(options, d).value;
   show(d, "planted", made);
   return made;
@@ -64,7 +66,14 @@ void check_clear_time(Draw& d) {
   const Rational reach =
       exact(known.query.patches[0].radius) + exact(known.query.patches[1].radius);
   CLAIM(found.squared > reach * reach);
-  const bool is_accepted = check_body_contact(known.query, {t, {}, found.weights}).has_value();
+  // Nor are points deeper in each body, about which it holds larger balls.
+  const Rational share = Rational(d.integer(0, kSteps)) / kSteps;
+  Witness forged{t, {}, found.weights};
+  for (std::vector<Rational>& weights : forged.weights) {
+    const auto count = static_cast<long>(weights.size());
+    for (Rational& w : weights) w = (1 - share) * w + share / count;
+  }
+  const bool is_accepted = check_body_contact(known.query, forged).has_value();
   CLAIM(!is_accepted);
 }
 
@@ -98,13 +107,54 @@ void check_same_turning(Draw& d) {
     const int length = static_cast<int>(d.integer(-8, 8));
     const double sign = d.coin() ? 1 : -1;
     const bool is_quaternion = body.turn && body.turn->is_quaternion();
-    for_each_turn_number(body,
-                         [&](double& x) { x = std::ldexp(is_quaternion ? sign * x : x, length); });
+    if (body.turn && !body.turn->is_spin()) {
+      for_each_turn_number(
+          body, [&](double& x) { x = std::ldexp(is_quaternion ? sign * x : x, length); });
+    }
     for_each_coordinate(body, [&](double& x) { x = std::ldexp(x, in_space); });
     std::reverse(body.positions.begin(), body.positions.end());
   }
+  if (has_spins(same)) {
+    // The axes in another order, whose handedness is the same.
+    const int by = static_cast<int>(d.integer(0, 2));
+    const auto permute = [&](auto& v) { std::rotate(v.begin(), v.begin() + by, v.end()); };
+    for (MovingPatch<double>& body : same.patches) {
+      for (auto* points : {&body.positions, &body.velocities}) {
+        for (Vec3<double>& p : *points) permute(p);
+      }
+      if (body.turn) permute(body.turn->centre), permute(body.turn->spin);
+    }
+  }
   show(d, "same", same);
   claim_same_contact(known.truth, decide(same).truth);
+}
+
+/// The quaternion of a spin is the square of that of half of the time. At a short time it is (1,
+/// u), u half of its angle along its axis, but for |u|².
+void check_quaternion_of_spin(Draw& d) {
+  std::vector<double> spin;
+  for (int k = 0; k < 3; ++k) spin.push_back(*d.dyadic(24, -22).to_double_exactly());
+  suppose(!fault_of(BodyTurn{{}, {}, {0, 0, 0}, spin}));
+  constexpr long kSteps = 1 << 20;
+  const Rational t = Rational(d.integer(0, kSteps)) / kSteps;
+  show(d, "spin", spin);
+  show(d, "t", t);
+  Work work(kMostWork);
+  const auto at = [&](const Rational& time) { return quaternion_of_spin(spin, time, work); };
+  const auto [w, x, y, z] = at(t);
+  const auto [cosine, a, b, c] = at(t / 2);
+  const Rational off = 8 * spin_error();
+  CLAIM(abs(w - (cosine * cosine - a * a - b * b - c * c)) <= off);
+  CLAIM(abs(x - 2 * cosine * a) <= off);
+  CLAIM(abs(y - 2 * cosine * b) <= off);
+  CLAIM(abs(z - 2 * cosine * c) <= off);
+  const Rational shortly = power_of_two(-40);
+  const auto start = at(shortly);
+  const Rational square = power_of_two(-76);  // |u| ≤ 8/2 · 2^-40
+  CLAIM(abs(start[0] - 1) <= square);
+  for (size_t k = 0; k < 3; ++k) {
+    CLAIM(abs(start[k + 1] - exact(spin[k]) * shortly / 2) <= square * power_of_two(-38));
+  }
 }
 
 /// A turn that goes nowhere is none.
@@ -118,8 +168,9 @@ void check_no_turn(Draw& d) {
   const Truth plain = decide(query).truth;
   MovingPatch<double>& body = query.patches[d.below(2)];
   const double length = static_cast<double>(d.integer(1, 8));
-  body.turn = BodyTurn{{length, 0, 0, 0}, {1, 0, 0, 0}};
-  if (d.coin()) body.turn = BodyTurn{{length, 0}, {1, 0}};
+  body.turn =
+      d.pick(std::array{BodyTurn{{length, 0, 0, 0}, {1, 0, 0, 0}}, BodyTurn{{length, 0}, {1, 0}},
+                        BodyTurn{{}, {}, {0, 0, 0}, {0, 0, 0}}});
   for (int k = 0; k < 3; ++k) body.turn->centre[k] = static_cast<double>(d.integer(-8, 8));
   show(d, "query", query);
   claim_same_contact(plain, decide(query).truth);
@@ -258,9 +309,13 @@ std::vector<Property> turning_claims() {
        "The oracle brackets the planted first contact of bodies that turn within 2^-38 of its time",
        kDeciding, check_oracle_finds_turning},
       {"turning.same_contact",
-       "Bodies that turn touch at the same time if they are swapped, scaled, or given quaternions "
-       "of other lengths",
+       "Bodies that turn touch at the same time if they are swapped, scaled, given quaternions "
+       "of other lengths, or, where they spin, other axes",
        kDeciding, check_same_turning},
+      {"turning.quaternion_of_spin",
+       "The quaternion of a spin is enclosed: it is the square of that of half of the time, and "
+       "begins as its angle does",
+       "src/certify/checker/spin.hpp", check_quaternion_of_spin},
       {"turning.no_turn", "Bodies whose turn is the identity touch when they do without it",
        kDeciding, check_no_turn},
       {"turning.planes_with_room",

@@ -85,6 +85,7 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kSeparated, "separated", "regular contacts at a separation; witness only", kAll,
      kNone},
     {Family::kTurning, "turning", "convex bodies of which one turns, or both", kAll, kAll},
+    {Family::kSpinning, "spinning", "the same by an angular velocity", kAll, kAll},
 }};
 
 constexpr bool are_in_order() {

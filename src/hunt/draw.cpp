@@ -127,6 +127,7 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     add_source(sources, contact, std::nullopt, Family::kBodies);
     const Features needs = {.turns = !ground_.plane, .angles = ground_.plane};
     if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, Family::kTurning);
+    if (features_.spins) add_source(sources, contact, std::nullopt, Family::kSpinning);
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {
