@@ -88,7 +88,8 @@ double nearest_float(double x) {
 /// A body spins, and its points are where they come to its places at t from.
 void spin_back(MovingPatch<double>& body, double t, Draw& draw) {
   const Vec3<double> axis = draw_axis(false, 1, draw);
-  const Vec3<double> w = static_cast<double>(draw.integer(1, 3)) * axis;
+  // Some engines take a quarter of a half turn at most.
+  const Vec3<double> w = draw.pick(std::array{0.25, 0.5, 1.0, 2.0, 3.0}) * axis;
   MovingPatch<double> back = body;
   back.velocities[0] = {0, 0, 0};
   const Vec3<double> centre = draw_centre(body.positions, false, draw);

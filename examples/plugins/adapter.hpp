@@ -32,6 +32,16 @@ inline float of_unit(const double* q, std::uint64_t count, std::size_t place) {
   return as_float(q[place]);
 }
 
+/// w, x, y, z of the quaternion of a body that spins until t; it may do so by `most` radians.
+inline std::array<double, 4> spun(const ccdfuzz_patch& body, double t, double most) {
+  if (body.turn_count != 3) return {1, 0, 0, 0};
+  const double* v = body.turn_from;
+  const double speed = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), half = speed * t / 2;
+  if (2 * half > most) throw Refusal("it turns by too much in the step");
+  const double part = speed > 0 ? std::sin(half) / speed : 0;
+  return {std::cos(half), part * v[0], part * v[1], part * v[2]};
+}
+
 inline ccd::Answer refused(const Refusal& refusal) {
   ccd::Answer answer;
   answer.verdict = CCDFUZZ_REFUSED;

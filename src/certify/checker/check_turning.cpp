@@ -71,20 +71,30 @@ class Charged {
   Work& work_;
 };
 
-/// The entry of the matrix p ↦ q p q* of a quaternion.
-Polynomial entry(const Quaternion& q, size_t row, size_t column, Charged& with) {
-  const auto signed_product = [&](int sign, size_t i, size_t j) {
-    return with.times(sign, with.product(q[i], q[j]));
-  };
-  if (row != column) {
-    // 2(q_i q_j ± q_0 q_k), with + where k follows i and j in the cycle in reverse.
-    const size_t i = row + 1, j = column + 1, k = 6 - i - j;
-    return with.sum(signed_product(2, i, j),
-                    signed_product((row + 1) % 3 == column ? -2 : 2, 0, k));
+/// The matrix p ↦ q p q* of a quaternion.
+std::array<std::array<Polynomial, 3>, 3> matrix_of(const Quaternion& q, Charged& with) {
+  std::array<Quaternion, 4> products;
+  for (size_t i = 0; i < 4; ++i) {
+    for (size_t j = 0; j <= i; ++j) products[i][j] = products[j][i] = with.product(q[i], q[j]);
   }
-  Polynomial sum = with.product(q[0], q[0]);
-  for (size_t i = 1; i < 4; ++i) sum = with.sum(sum, signed_product(i == row + 1 ? 1 : -1, i, i));
-  return sum;
+  std::array<std::array<Polynomial, 3>, 3> out;
+  for (size_t row = 0; row < 3; ++row) {
+    for (size_t column = 0; column < 3; ++column) {
+      Polynomial& sum = out[row][column];
+      if (row == column) {
+        sum = products[0][0];
+        for (size_t i = 1; i < 4; ++i) {
+          sum = with.sum(sum, with.times(i == row + 1 ? 1 : -1, products[i][i]));
+        }
+      } else {
+        // 2(q_i q_j ± q_0 q_k), with + where k follows i and j in the cycle in reverse.
+        const size_t i = row + 1, j = column + 1, k = 6 - i - j;
+        const int sign = (row + 1) % 3 == column ? -1 : 1;
+        sum = with.times(2, with.sum(products[i][j], with.times(sign, products[0][k])));
+      }
+    }
+  }
+  return out;
 }
 
 /// The product of two quaternions.
@@ -158,11 +168,12 @@ class HeightCheck {
 
  private:
   void turn_by(const Quaternion& q) {
+    const auto matrix = matrix_of(q, with_);
     for (size_t column = 0; column < 3; ++column) {
       rows_[column] = {0};
       for (size_t row = 0; row < 3; ++row) {
-        rows_[column] = with_.sum(rows_[column],
-                                  with_.product(piece_.normal[row], entry(q, row, column, with_)));
+        rows_[column] =
+            with_.sum(rows_[column], with_.product(piece_.normal[row], matrix[row][column]));
       }
     }
   }
@@ -183,15 +194,13 @@ class HeightCheck {
     const std::vector<double>& spin = body_.turn->spin;
     const auto start = quaternion_of_spin(spin, piece_.from, work_);
     // With v = w·(until − from)/2 and x = |v|², the rest turns by the series of (cos |v|s, sin |v|s
-    // / |v| · v) up to s^4.
+    // / |v| · v) up to s².
     Numbers v;
-    for (const double w : spin)
+    for (const double w : spin) {
       v.push_back(with_.product(exact(w) / 2, piece_.until - piece_.from));
-    const Rational x = with_.dot(v, v), square = with_.product(x, x);
-    Quaternion rest;
-    rest[0] = with_.sum(with_.sum({1}, {0, 0, Rational(-x / 2)}), {0, 0, 0, 0, square / 24});
-    const Polynomial sine = with_.sum({0, 1}, {0, 0, 0, Rational(-x / 6)});
-    for (size_t i = 0; i < 3; ++i) rest[i + 1] = with_.times(v[i], sine);
+    }
+    const Rational x = with_.dot(v, v);
+    Quaternion rest = {with_.sum({1}, {0, 0, Rational(-x / 2)}), {0, v[0]}, {0, v[1]}, {0, v[2]}};
     Quaternion first;
     for (size_t i = 0; i < 4; ++i) first[i] = {start[i]};
     Quaternion q = product(first, rest, with_);
@@ -199,7 +208,7 @@ class HeightCheck {
       for (Rational& c : part) c = rounded(c);
     }
     turn_by(q);
-    margin_ = margin_of_spin(with_.product(square, root_above(x, work_)) / 120);
+    margin_ = margin_of_spin(with_.product(x, root_above(x, work_)) / 6);
   }
 
   /// Towards 0, by less than spin_error.
@@ -322,13 +331,11 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
       out.error = with.product(with.product(spin_error(), 2 + spin_error()), length);
     }
     if (q.size() == 4) {
-      Quaternion constant;
-      for (size_t i = 0; i < 4; ++i) constant[i] = {q[i]};
+      const auto matrix = matrix_of({Polynomial{q[0]}, {q[1]}, {q[2]}, {q[3]}}, with);
       for (size_t row = 0; row < 3; ++row) {
         Rational sum = 0;
         for (size_t column = 0; column < 3; ++column) {
-          with.add(sum, with.product(entry(constant, row, column, with)[0],
-                                     way[static_cast<int>(column)]));
+          with.add(sum, with.product(matrix[row][column][0], way[static_cast<int>(column)]));
         }
         out.point[static_cast<int>(row)] = sum;
       }

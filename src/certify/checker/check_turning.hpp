@@ -33,8 +33,8 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
 /// apart, and |n| is largest at an end, as n changes linearly.
 ///
 /// The quaternion q of a spin is no polynomial. From its value at the piece's start (spin.hpp) on
-/// it turns about one axis, as a complex number exp(i|v|s) does. So its series up to s^4 leaves out
-/// at most |v|^5/120. With r the product of both series, |q p q* − r p r*| is no larger than
+/// it turns about one axis, as a complex number exp(i|v|s) does. So its series up to s² leaves out
+/// at most |v|³/6. With r the product of both series, |q p q* − r p r*| is no larger than
 /// |q − r|·(2 + |q − r|)·|p|. A height is off by no more than |n| times that, and is to be > 0 by
 /// so much.
 Result<void> check_body_planes(const Query& query, const BodyPlanes& clearance,
