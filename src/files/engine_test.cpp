@@ -11,6 +11,7 @@
 #include "base/read_double.hpp"
 #include "base/verify.hpp"
 #include "case/scale.hpp"
+#include "certify/checker/check_turning.hpp"
 #include "numeric/exact_scalars.hpp"
 
 namespace ccdfuzz {
@@ -168,6 +169,18 @@ std::string with_checks(const Template& engine, const std::string& text,
                  : "  EXPECT_FALSE(touches) << \"at \" << share << \" of the way\";\n}\n");
 }
 
+/// The point of a body that a witness has, at time t. Requires a witness of bodies.
+Vec3<Rational> point_of(const Case& value, size_t side, const Rational& t) {
+  const MovingPatch<double>& body = value.query.patches[side];
+  Vec3<Rational> sum{Rational(0), Rational(0), Rational(0)};
+  for (size_t i = 0; i < body.positions.size(); ++i) {
+    sum += value.truth.witness->weights[side][i] * exact(body.positions[i]);
+  }
+  Work work(kMostWork);
+  const auto moved = moved_point(body, sum, t, work);
+  return moved ? moved->point : sum;
+}
+
 /// How much later than the contact the engine may be, as a part of the way. That is its own
 /// tolerance in time, or the time in which bodies come as deep as its tolerance in space allows.
 /// The direction that keeps them apart until the contact tells how fast that is.
@@ -191,6 +204,19 @@ double allowed_delay(const Case& value, const Template& engine) {
                                 apart->normal[2].get_d());
       speed = std::abs(normal.dot(way)) / normal.norm();
     }
+    const auto* planes = std::get_if<BodyPlanes>(&*clear);
+    if (planes != nullptr && value.truth.witness) {
+      const Rational& t = value.truth.witness->t;
+      const Rational shortly = t * power_of_two(-20);
+      Rational towards = 0, square = 0;
+      for (const int k : kAxes) {
+        const Rational& n = planes->planes.back().normals[1][static_cast<size_t>(k)];
+        towards += n * (point_of(value, 0, t)[k] - point_of(value, 0, t - shortly)[k]);
+        towards -= n * (point_of(value, 1, t)[k] - point_of(value, 1, t - shortly)[k]);
+        square += n * n;
+      }
+      speed = Rational(abs(towards) / shortly).get_d() / std::sqrt(square.get_d());
+    }
   }
   return speed > depth ? depth / speed : 1;
 }
@@ -206,15 +232,8 @@ std::string proof_text(const Case& value) {
   }
   std::vector<std::string> points;
   for (const size_t side : {size_t{0}, size_t{1}}) {
-    const MovingPatch<double>& patch = value.query.patches[side];
-    if (patch.shape.kind != ShapeKind::kHull) continue;
-    Vec3<Rational> sum{Rational(0), Rational(0), Rational(0)};
-    for (size_t i = 0; i < patch.positions.size(); ++i) {
-      for (const int k : kAxes) {
-        sum[k] += witness->weights[side][i] *
-                  (exact(patch.positions[i][k]) + witness->t * exact(patch.velocity(i)[k]));
-      }
-    }
+    if (!is_of_bodies(value.query)) continue;
+    const Vec3<Rational> sum = point_of(value, side, witness->t);
     points.push_back(
         fmt::format("({}, {}, {})", to_text(sum[0]), to_text(sum[1]), to_text(sum[2])));
   }
@@ -290,6 +309,24 @@ Result<std::string> features_text(const NamedCase& named, const Template& engine
                               {kUntil, fmt::format("{}", query.t_max / step)}});
 }
 
+/// The engine's words for how a body moves in a step of this length.
+std::string sweep_text(const Template& engine, const MovingPatch<double>& body, double step) {
+  if (!engine.has("still")) return "";
+  const Vec3<double> way = step * body.velocities[0];
+  if (!body.turn) return filled(engine.names.at("still"), {{"__END__", engine.list({way})}});
+  const auto rotation = [&](const std::vector<double>& q) {
+    std::string text = engine.names.at("rotation");
+    for (size_t i = 0; i < q.size(); ++i) {
+      text = filled(text, {{fmt::format("__{}__", i), fmt::format("{}", q[i])}});
+    }
+    return text;
+  };
+  return filled(engine.names.at("turn"), {{"__CENTRE__", engine.list({body.turn->centre})},
+                                          {"__END__", engine.list({body.turn->centre + way})},
+                                          {"__FROM__", rotation(body.turn->from)},
+                                          {"__TO__", rotation(body.turn->to)}});
+}
+
 Result<std::string> bodies_text(const NamedCase& named, const Template& engine) {
   const Query& query = named.value.query;
   if (!is_of_bodies(query)) {
@@ -298,9 +335,9 @@ Result<std::string> bodies_text(const NamedCase& named, const Template& engine) 
   if (engine.has("plane") && !is_in_plane(query)) {
     return input_error(named.id, "is not in the plane z = 0");
   }
-  if (has_turns(query)) {
+  if (has_spins(query) || (has_turns(query) && !engine.has("turn"))) {
     return input_error(named.id,
-                       fmt::format("{} has tests of bodies that do not turn", engine.engine));
+                       fmt::format("{} has no tests of bodies that turn so", engine.engine));
   }
   std::array<EngineBody, 2> bodies = {engine_body(query.patches[0]), engine_body(query.patches[1])};
   std::array<std::string, 2> shapes;
@@ -316,14 +353,16 @@ Result<std::string> bodies_text(const NamedCase& named, const Template& engine) 
   }
   const Vec3<double> way =
       (query.patches[0].velocities[0] - query.patches[1].velocities[0]) * query.t_max;
+  const double fraction = has_turns(query) ? query.t_max : 1;  // turns are of a step of 1
   return filled(engine.text,
                 {{"__A__", shapes[0]},
                  {"__B__", shapes[1]},
                  {"__CENTRE_A__", list(bodies[0].centre)},
                  {"__CENTRE_B__", list(bodies[1].centre)},
                  {"__WAY__", list(way)},
-                 {"__WAY_A__", engine.list({query.t_max * query.patches[0].velocities[0]})},
-                 {"__WAY_B__", engine.list({query.t_max * query.patches[1].velocities[0]})}});
+                 {"__SWEEP_A__", sweep_text(engine, query.patches[0], query.t_max / fraction)},
+                 {"__SWEEP_B__", sweep_text(engine, query.patches[1], query.t_max / fraction)},
+                 {"__FRACTION__", fmt::format("{}", fraction)}});
 }
 
 }  // namespace
@@ -342,7 +381,9 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   }
   const Template engine(*of_engine);
   const bool is_of_features = engine.has(kVertexFace);
-  const double step = is_of_features ? step_of(value.query, engine) : value.query.t_max;
+  const double step = is_of_features           ? step_of(value.query, engine)
+                      : has_turns(value.query) ? 1
+                                               : value.query.t_max;
   std::optional<double> latest;
   if (touches) latest = round_up(Rational(*contact / exact(step))) + allowed_delay(value, engine);
   if (!latest && engine.has("touches") && !engine.has("clear")) {

@@ -12,10 +12,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 GENERATED = {"hulls": ["--family", "bodies", "--contact", "VF"],
+             "turning": ["--family", "turning", "--contact", "VF"],
              "vertex-face": ["--construction", "one-sided", "--contact", "VF", "--shape", "point,triangle:1"],
              "edge-edge": ["--construction", "one-sided", "--contact", "EE", "--shape", "curve:1,curve:1"]}
 FLAT = ROOT / "corpus/engines/rapier2d/late-EE.json"
-ENGINES = {"box2d": [FLAT], "box3d": ["hulls"], "tight-inclusion": ["vertex-face", "edge-edge"],
+ENGINES = {"box2d": [FLAT], "box3d": ["hulls", "turning"], "tight-inclusion": ["vertex-face", "edge-edge"],
            "ipc-toolkit": ["vertex-face", "edge-edge"]}
 
 
