@@ -133,7 +133,8 @@ const sum = (list) => list.reduce(add, [0n, 1n]);
 export function localBodies(known, { uv, t, witness }) {
   const bodies = known.patches.map((patch, s) => {
     const v = patch.velocities[0].map(exact);
-    const turned = patch.turn ? turnedAt(patch.turn, t) : (point) => point;
+    const turn = patch.turn ?? patch.spin;
+    const turned = turn ? turnedAt(turn, t) : (point) => point;
     const points = patch.positions.map((row) => turned(row.map(exact)).map((x, k) => add(x, multiply(t, v[k]))));
     const share = witness ? known.truth.witness.weights[s].map(parseFraction) : points.map(() => [1n, BigInt(points.length)]);
     const place = [0, 1, 2].map((k) => sum(points.map((p, i) => multiply(share[i], p[k]))));

@@ -1,4 +1,4 @@
-// Turns of bodies, in fractions: by a quaternion, or by a cosine and a sine about the z axis.
+// Turns of bodies, in fractions: by a quaternion, by a cosine and a sine about the z axis, or by an angular velocity.
 import { add, fractionOf, multiply, subtract } from './exact.js';
 import { real } from './local.js';
 
@@ -20,10 +20,17 @@ function rootOf([p, q]) {
   return [integerRoot((p * q) << (2n * bits)), q << bits];
 }
 
-/** Where a turn brings a point at t, before the body moves. */
-export function turnedAt({ from, to, centre = [0, 0, 0] }, t) {
+/** The quaternion of a spin at t: of doubles, and a little off. */
+function quaternionOf(spin, t) {
+  const u = spin.map((x) => (real(x) * Number(t[0] * 2n ** 64n / t[1])) / 2 ** 65);
+  const angle = Math.hypot(...u);
+  return [Math.cos(angle), ...u.map((x) => (angle > 0 ? (x * Math.sin(angle)) / angle : 0))].map(fractionOf);
+}
+
+/** Where a turn, or a spin of this velocity, brings a point at t, before the body moves. */
+export function turnedAt({ from, to, velocity, centre = [0, 0, 0] }, t) {
   const middle = centre.map(exact);
-  const q = from.map((x, i) => add(multiply(subtract([1n, 1n], t), exact(x)), multiply(t, exact(to[i]))));
+  const q = velocity ? quaternionOf(velocity, t) : from.map((x, i) => add(multiply(subtract([1n, 1n], t), exact(x)), multiply(t, exact(to[i]))));
   const squared = sum(q.map((x) => multiply(x, x)));
   const [w, x, y, z] = q;
   const twice = (a, b) => multiply([2n, 1n], multiply(a, b));

@@ -125,6 +125,13 @@ for (const [change, said] of [
 claim('refused: no case named', run('-o', join(work, 'bad.gltf')).status === 2);
 claim('refused: no such file', run(join(work, 'nothing.json'), '-o', join(work, 'bad.gltf')).status === 2);
 
+// A spin is drawn in doubles.
+{
+  const spin = { velocity: [0, 0, Math.PI], centre: [1, 0, 0] };
+  const hulls = [[5, 0, 0], [1, 4, 0]].map((place, s) => ({ shape: 'hull', positions: [place], velocities: [[0, 0, 0]], ...(s === 0 ? { spin } : {}) }));
+  const { origin } = localBodies({ patches: hulls, truth: { witness: { t: '1/2', weights: [['1'], ['1']] } } }, { uv: [], t: [1n, 2n], witness: true });
+  claim('a body that spins is drawn where it touches', origin.every((x, k) => Math.abs(x - [1, 4, 0][k]) < 1e-14), origin);
+}
 // The far end of a segment, which turns about the near one, meets a point at t = 1.
 for (const [what, turn, place] of [
   ['a quaternion', { from: [1, 0, 0, 0], to: [1, 0, 0, 1] }, [0, 5, 0]],
