@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "eval/columns.hpp"
 #include "files/case_files.hpp"
 #include "hunt/hunt.hpp"
+#include "io/table.hpp"
 #include "method/by_spec.hpp"
 #include "report/report.hpp"
 

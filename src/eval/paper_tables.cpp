@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "eval/columns.hpp"
 #include "eval/paper_rates.hpp"
 #include "eval/row_columns.hpp"
 #include "files/query_csv.hpp"

@@ -9,7 +9,6 @@
 #include "files/test_snippet.hpp"
 #include "finds/content_address.hpp"
 #include "finds/failure.hpp"
-#include "io/json_text.hpp"
 #include "report/loss.hpp"
 
 namespace ccdfuzz {
@@ -117,6 +116,10 @@ void share_cells(Json& traces, Json& cells) {
 }
 
 }  // namespace
+
+std::string json_text(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 char letter_of(Outcome outcome) {
   constexpr std::string_view kLetters = "cmlfu?e-";

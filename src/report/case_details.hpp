@@ -9,6 +9,10 @@
 
 namespace ccdfuzz {
 
+/// The value as one line of JSON, without its end. Bytes that are not UTF-8, as file names may
+/// have them, become U+FFFD: whatever they are is shown, not refused.
+std::string json_text(const nlohmann::ordered_json& value);
+
 /// One case on the page: a short row for lists, and the details that its viewer reads
 /// when the case is opened.
 struct CaseText {

@@ -9,7 +9,6 @@
 #include "eval/paper_rates.hpp"
 #include "io/fields.hpp"
 #include "io/in_order.hpp"
-#include "io/json_text.hpp"
 #include "method/plugin/plugin_spec.hpp"
 #include "report/case_details.hpp"
 #include "report/histogram.hpp"
