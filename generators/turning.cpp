@@ -1,8 +1,8 @@
 #include "generators/turning.hpp"
 
 #include <cmath>
-#include <limits>
 
+#include "base/nearest_float.hpp"
 #include "base/verify.hpp"
 #include "case/scale.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -37,7 +37,7 @@ BodyTurn turn_about(const Vec3<double>& centre, double t, bool in_plane, Draw& d
   BodyTurn turn{{}, {}, centre};
   for (const auto& [numbers, share] : {std::pair(&turn.from, -t), std::pair(&turn.to, 1 - t)}) {
     const Vec3<double> part = slower * share * d;
-    const auto rest = static_cast<double>(static_cast<float>(std::sqrt(1 - part.squaredNorm())));
+    const auto rest = nearest_float(std::sqrt(1 - part.squaredNorm()));
     *numbers = in_plane ? std::vector{rest, part[2]} : std::vector{rest, part[0], part[1], part[2]};
   }
   return turn;
@@ -75,14 +75,6 @@ tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, c
   }
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
   return made;
-}
-
-/// Without a conversion: GCC 12 loses that of double to float and back in a loop over coordinates.
-double nearest_float(double x) {
-  constexpr int kBits = std::numeric_limits<float>::digits;
-  int exponent = 0;
-  const double part = std::frexp(x, &exponent);
-  return std::ldexp(std::round(std::ldexp(part, kBits)), exponent - kBits);
 }
 
 /// A body spins, and its points are where they come to its places at t from.

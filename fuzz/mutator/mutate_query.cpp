@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/nearest_float.hpp"
 #include "base/verify.hpp"
 
 namespace ccdfuzz {
@@ -156,10 +157,6 @@ void change_once(Query& mutant, const Query& other, Draw& draw) {
 double within_floats(double x) {
   constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
   return std::clamp(x, -kMost, kMost);
-}
-
-double nearest_float(double x) {
-  return static_cast<double>(static_cast<float>(x));
 }
 
 template <class Change>

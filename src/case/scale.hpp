@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nearest_float.hpp"
 #include "case/query.hpp"
 
 namespace ccdfuzz {
@@ -28,7 +29,7 @@ inline bool is_within_scale(const Query& query, int bits) {
 /// True iff each number of the query is a finite float (binary32), as engines have them.
 inline bool is_binary32(const Query& query) {
   const auto is_float = [](double x) {
-    return std::abs(x) <= 0x1.fffffep127 && static_cast<double>(static_cast<float>(x)) == x;
+    return std::abs(x) <= 0x1.fffffep127 && nearest_float(x) == x;
   };
   bool all_are = is_float(query.t_max) && is_float(query.separation);
   for (const MovingPatch<double>& patch : query.patches) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/nearest_float.hpp"
 #include "base/read_double.hpp"
 #include "base/verify.hpp"
 #include "case/scale.hpp"
@@ -33,7 +34,7 @@ struct EngineBody {
 };
 
 bool is_float(double x) {
-  return static_cast<double>(static_cast<float>(x)) == x;
+  return nearest_float(x) == x;
 }
 
 EngineBody engine_body(const MovingPatch<double>& patch) {

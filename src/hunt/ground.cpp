@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/nearest_float.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/bodies.hpp"
@@ -152,7 +153,7 @@ Case HuntGround::fitted(Case value) const {
   const auto fit = [&](double& x) {
     if (std::abs(x) < least) x = 0;
     constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
-    if (binary32) x = static_cast<double>(static_cast<float>(std::clamp(x, -kMost, kMost)));
+    if (binary32) x = nearest_float(std::clamp(x, -kMost, kMost));
   };
   for (MovingPatch<double>& patch : query.patches) {
     for_each_coordinate(patch, fit);
