@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/verify.hpp"
+#include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -328,6 +329,9 @@ std::optional<Case> case_of_bodies(const Query& query) {
   const auto& clearance = out.truth.clearance;
   if (const auto* apart = clearance ? std::get_if<BodyClearance>(&*clearance) : nullptr) {
     out.origin.contact = name_of(class_of_bodies(query, apart->normal));
+  }
+  if (const auto touched = touched_face(out)) {
+    out.origin.contact = name_of(class_of_bodies(touched->query, touched->clearance.normal));
   }
   out.origin.kind = name_of(*out.truth.collides ? CaseKind::kRP : CaseKind::kRN);
   out.origin.generator = "mutant";

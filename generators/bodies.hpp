@@ -36,7 +36,8 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
 ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal);
 
 /// A query of bodies as a case whose truth is decided, with the class of its contact. Where they
-/// miss, it is the class of what is nearest. A contact at t = 0, or of bodies that turn, has none.
+/// miss, it is the class of what is nearest. A contact at t = 0, or of bodies that turn, has none,
+/// nor has a mesh that is missed.
 /// nullopt if it is not decided.
 std::optional<Case> case_of_bodies(const Query& query);
 

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "case/mesh.hpp"
 #include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {
@@ -114,7 +115,7 @@ std::optional<CaseParts> parts_of(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> to_bytes(const Contact& q, std::uint8_t method) {
-  if (has_turns(q.query)) return std::nullopt;
+  if (has_turns(q.query) || has_mesh(q.query)) return std::nullopt;
   ByteWriter out;
   out.byte(method);
   for (const MovingPatch<double>& patch : q.query.patches) {

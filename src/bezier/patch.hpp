@@ -25,6 +25,10 @@ using Points = std::vector<Vec3<S>>;
 /// Closed polygons in a patch's domain, the last vertex joined to the first.
 using Trim = std::vector<std::vector<Uv<double>>>;
 
+/// A triangle of a mesh: the places of its corners among the points. Seen from its front they are
+/// counter-clockwise.
+using Face = std::array<int, 3>;
+
 /// A Bézier patch whose control points move linearly (Eq. 2). At time t control point i stands at
 /// positions[i] + t·velocities[i]; or, where `ends` are given, at
 /// positions[i] + t·(ends[i] − positions[i]), with a difference that need be no double.
@@ -35,7 +39,8 @@ using Trim = std::vector<std::vector<Uv<double>>>;
 /// parameter is in it if it lies on a loop, or if an odd number of loops go around it. Only
 /// triangles and tensors are trimmed. A hull is a body: all that is within `radius` of the convex
 /// hull of its points. It has one velocity for all of its points, no ends and no weights. It may
-/// turn, too. Other patches have the radius 0, and do not turn.
+/// turn, too. With faces it is a mesh (case/mesh.hpp). Other patches have the radius 0, do not turn
+/// and have no faces.
 template <class S>
 struct MovingPatch {
   Shape shape;
@@ -46,6 +51,8 @@ struct MovingPatch {
   S radius = S(0);
   Trim trim = {};  ///< empty: all of the shape's domain
   std::optional<BodyTurn> turn = {};
+  std::vector<Face> faces = {};  ///< empty: the body is its points' hull
+  bool one_sided = false;        ///< a mesh that has fronts alone
 
   bool has_ends() const { return !ends.empty(); }
   /// The ends or, without them, the velocities.

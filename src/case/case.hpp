@@ -28,9 +28,10 @@ struct Witness {
 
 /// The proofs of absence of contact: a moving plane (P), a tree of separating axes (T), or a run of
 /// the rational method that `ccdfuzz verify` repeats. Also the checker's own decision of linear
-/// patches (L), a direction that keeps bodies apart (K), and planes between bodies (N).
-inline constexpr std::array<std::string_view, 6> kProofWords = {"P", "T", "rational-tdibm",
-                                                                "L", "K", "N"};
+/// patches (L), a direction that keeps bodies apart (K), planes between bodies (N), and directions
+/// for the faces of a mesh (F).
+inline constexpr std::array<std::string_view, 7> kProofWords = {
+    "P", "T", "rational-tdibm", "L", "K", "N", "F"};
 constexpr bool is_proof_word(std::string_view word) {
   return std::find(kProofWords.begin(), kProofWords.end(), word) != kProofWords.end();
 }
@@ -45,7 +46,7 @@ struct Truth {
   std::optional<ContactBox> contact_box;
   std::optional<ContactRoot> contact_root;
   std::optional<Clearance>
-      clearance;  ///< needed if proof is "P", "T", "L", "K" or "N", and of that kind
+      clearance;  ///< needed if proof is "P", "T", "L", "K", "N" or "F", and of that kind
 
   /// The earliest time by which a contact is known to have come, whatever t_max is.
   std::optional<Rational> contact_by() const {
@@ -80,7 +81,7 @@ struct Origin {
 
 /// The proof word of a clearance.
 inline std::string_view proof_word(const Clearance& clearance) {
-  constexpr std::array<size_t, 5> kWords = {0, 1, 3, 4, 5};
+  constexpr std::array<size_t, 6> kWords = {0, 1, 3, 4, 5, 6};
   return kProofWords[kWords[clearance.index()]];
 }
 

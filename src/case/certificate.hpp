@@ -116,8 +116,19 @@ struct BodyPlanes {
   friend bool operator==(const BodyPlanes&, const BodyPlanes&) = default;
 };
 
+/// Certificate F: certificate K of each face of a mesh that is there (mesh.hpp), in their order.
+/// Its normals are towards patch 2, one per face.
+struct MeshClearance {
+  Rational until;
+  std::vector<std::array<Rational, 3>> normals;
+  bool closed = false;
+
+  friend bool operator==(const MeshClearance&, const MeshClearance&) = default;
+};
+
 /// Proof that nothing touches for a time.
-using Clearance = std::variant<MovingPlane, MissTree, LinearClearance, BodyClearance, BodyPlanes>;
+using Clearance =
+    std::variant<MovingPlane, MissTree, LinearClearance, BodyClearance, BodyPlanes, MeshClearance>;
 
 inline const Rational& until_of(const Clearance& clearance) {
   return std::visit([](const auto& c) -> const Rational& { return c.until; }, clearance);
@@ -130,6 +141,7 @@ inline bool covers(const Clearance& clearance, const Rational& t) {
       std::holds_alternative<MissTree>(clearance) || std::holds_alternative<BodyPlanes>(clearance);
   if (const auto* linear = std::get_if<LinearClearance>(&clearance)) closed = linear->closed;
   if (const auto* bodies = std::get_if<BodyClearance>(&clearance)) closed = bodies->closed;
+  if (const auto* mesh = std::get_if<MeshClearance>(&clearance)) closed = mesh->closed;
   return closed ? t <= until : t < until;
 }
 

@@ -21,6 +21,8 @@ class CheckedCase {
   bool is_clear() const;
   /// The checked direction that keeps two bodies apart; null if there is none.
   const BodyClearance* direction() const;
+  /// The checked directions of the faces of a mesh; null if there are none.
+  const MeshClearance* directions() const;
   /// Whether the patches touch in [0, t_max], as far as it is proven.
   std::optional<bool> collides() const;
   /// The same two patches asked up to another t_max ≥ 0, as with_t_max; what was proven stays so.

@@ -7,6 +7,7 @@
 #include "bezier/blossom.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/trim_region.hpp"
+#include "case/mesh.hpp"
 
 namespace ccdfuzz {
 
@@ -110,6 +111,16 @@ bool are_far(const Query& query, const BodyClearance& clearance, const Rational&
   return gap > 0 && gap * gap > beyond * beyond * squared;
 }
 
+/// The same of each face of a mesh that is there.
+bool are_all_far(const Query& query, const MeshClearance& clearance, const Rational& t,
+                 double tolerance) {
+  const std::vector<size_t> there = faces_there(query);
+  for (size_t n = 0; n < there.size(); ++n) {
+    if (!are_far(of_face(query, there[n]), nth_of(clearance, n), t, tolerance)) return false;
+  }
+  return true;
+}
+
 /// Whether the patches are proven to come nearer than the separation that is kept, before a time.
 /// The points of the witness prove it: their distance falls linearly, to 0 at the witness's time.
 bool comes_nearer(const CheckedCase& known, const AnswerTerms& terms, const Rational& before) {
@@ -150,6 +161,10 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
       const bool is_far = are_far(query, *apart, exact(*answer.toi), terms.space_tolerance);
       return is_far ? Outcome::kFalsePositive : Outcome::kUnknown;
     }
+    if (const auto* faces = known.directions()) {
+      const bool is_far = are_all_far(query, *faces, exact(*answer.toi), terms.space_tolerance);
+      return is_far ? Outcome::kFalsePositive : Outcome::kUnknown;
+    }
     if (!answer.has_uv) return Outcome::kUnknown;
     if (is_near(query, answer, terms.space_tolerance)) return Outcome::kCorrect;
   }
@@ -183,6 +198,10 @@ bool CheckedCase::is_clear() const {
 
 const BodyClearance* CheckedCase::direction() const {
   return clearance_holds_ ? std::get_if<BodyClearance>(&*value_.truth.clearance) : nullptr;
+}
+
+const MeshClearance* CheckedCase::directions() const {
+  return clearance_holds_ ? std::get_if<MeshClearance>(&*value_.truth.clearance) : nullptr;
 }
 
 std::optional<bool> CheckedCase::collides() const {

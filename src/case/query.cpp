@@ -12,6 +12,7 @@
 
 #include "base/double_parts.hpp"
 #include "bezier/trim.hpp"
+#include "case/mesh.hpp"
 #include "numeric/dyadic.hpp"
 
 namespace ccdfuzz {
@@ -63,7 +64,7 @@ bool is_hull(const MovingPatch<double>& patch) {
   FiniteScan scan;
   scan.add(patch.velocities[0]);
   for (const Vec3<double>& p : patch.positions) scan.add(p);
-  return scan.all_finite() && !(patch.turn && fault_of(*patch.turn));
+  return scan.all_finite() && !(patch.turn && fault_of(*patch.turn)) && !fault_of_faces(patch);
 }
 
 /// Two bodies, or none.
@@ -169,13 +170,13 @@ bool is_valid(const Query& query) {
       scan.add(patch.positions[i]);
       scan.add(moves[i]);
     }
-    return scan.all_finite() && is_zero(patch.radius) && !patch.turn &&
+    return scan.all_finite() && is_zero(patch.radius) && !patch.turn && !fault_of_faces(patch) &&
            !fault_of(patch.trim, patch.shape);
   };
   return is_patch(query.patches[0]) && is_patch(query.patches[1]) && are_alike(query) &&
          is_not_negative(query.t_max) && is_not_negative(query.separation) &&
          !(has_ends(query) && compare(query.t_max, 1) > 0) &&
-         !(has_turns(query) && compare(query.t_max, 1) > 0);
+         !(has_turns(query) && compare(query.t_max, 1) > 0) && !fault_of_mesh(query.patches);
 }
 
 bool has_ends(const Query& query) {
@@ -270,6 +271,7 @@ Result<void> validate(const Query& query, const std::string& where) {
     if (const auto fault = patch.turn ? fault_of(*patch.turn) : std::nullopt) {
       return input_error(fmt::format("{}{}.{}", path, turn, fault->field), fault->what);
     }
+    if (const auto fault = fault_of_faces(patch)) return input_error(path + ".faces", *fault);
     if (is_hull && !patch.weights.empty()) {
       return input_error(path + ".weights", "a hull has none");
     }
@@ -287,6 +289,8 @@ Result<void> validate(const Query& query, const std::string& where) {
   if (!are_alike(query)) {
     return input_error(where + "patches", "one is a hull, and the other is not");
   }
+  if (const auto fault = fault_of_mesh(query.patches))
+    return input_error(where + "patches", *fault);
   const auto refuse = [&](const char* field, double x) {
     return input_error(where + field, fmt::format("{} is not a finite number ≥ 0", x));
   };

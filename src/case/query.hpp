@@ -15,6 +15,7 @@ namespace ccdfuzz {
 /// the other; with 0, where they touch. All numbers finite, t_max ≥ 0, and ≤ 1 where a patch has
 /// ends or turns; separation ≥ 0, radius ≥ 0; weights as kWeightBits says; loops as fault_of
 /// (trim.hpp) says. Both patches are hulls, or neither is.
+/// One hull may be a mesh (mesh.hpp), beside one that does not turn.
 struct Query {
   std::array<MovingPatch<double>, 2> patches;
   double t_max = 1;

@@ -8,6 +8,7 @@
 
 #include "base/verify.hpp"
 #include "bezier/trim.hpp"
+#include "case/mesh.hpp"
 #include "files/expected_json.hpp"
 #include "files/query_json.hpp"
 #include "files/turn_json.hpp"
@@ -126,6 +127,15 @@ struct JsonForm<MovingPatch<double>> {
     });
     archive.optional("radius", patch.radius, 0, not_negative);
     turn_fields(archive, patch.turn);
+    archive.optional("faces", patch.faces);
+    int sides = patch.one_sided ? 1 : 2;
+    archive.optional("sides", sides, 2, within(1, 2));
+    if constexpr (kReads<decltype(archive)>) {
+      patch.one_sided = sides == 1;
+      if (const auto fault = fault_of_faces(patch)) {
+        archive.object().at(patch.faces.empty() ? "sides" : "faces").refuse(*fault);
+      }
+    }
   }
 };
 
@@ -185,14 +195,16 @@ struct JsonForm<Clearance> {
   static void fields(auto& archive, auto& clearance) {
     std::string kind(proof_word(clearance));
     archive("kind", kind, [](const std::string& word) {
-      const bool known = word == "P" || word == "T" || word == "L" || word == "K" || word == "N";
-      return std::string(known ? "" : "is not a certificate of absence (P, T, L, K, N)");
+      const bool known =
+          word == "P" || word == "T" || word == "L" || word == "K" || word == "N" || word == "F";
+      return std::string(known ? "" : "is not a certificate of absence (P, T, L, K, N, F)");
     });
     if constexpr (kReads<decltype(archive)>) {
       if (kind == "T") clearance = MissTree{};
       if (kind == "L") clearance = LinearClearance{};
       if (kind == "K") clearance.template emplace<BodyClearance>();
       if (kind == "N") clearance.template emplace<BodyPlanes>();
+      if (kind == "F") clearance.template emplace<MeshClearance>();
     }
     std::visit([&](auto& certificate) { of(archive, certificate); }, clearance);
   }
@@ -204,6 +216,9 @@ struct JsonForm<Clearance> {
       archive("tree", certificate.tree);
     } else if constexpr (requires { certificate.planes; }) {
       archive("planes", certificate.planes);
+    } else if constexpr (requires { certificate.normals; }) {
+      archive("closed", certificate.closed);
+      archive("normals", certificate.normals);
     } else {
       if constexpr (requires { certificate.closed; }) archive("closed", certificate.closed);
       if constexpr (requires { certificate.normal; }) archive("normal", certificate.normal);
@@ -321,7 +336,7 @@ void query_fields(auto& archive, auto& query) {
   archive("patches", query.patches, [](const auto& patches) {
     const bool is_one =
         (patches[0].shape.kind == ShapeKind::kHull) != (patches[1].shape.kind == ShapeKind::kHull);
-    return std::string(is_one ? "has one hull; both are, or neither" : "");
+    return is_one ? "has one hull; both are, or neither" : fault_of_mesh(patches).value_or("");
   });
   archive("t_max", query.t_max, not_negative, [&](double t_max) {
     const bool is_past = ends_at_one(query) && compare(t_max, 1) > 0;

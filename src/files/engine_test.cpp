@@ -11,6 +11,7 @@
 #include "base/nearest_float.hpp"
 #include "base/read_double.hpp"
 #include "base/verify.hpp"
+#include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "numeric/exact_scalars.hpp"
@@ -335,6 +336,9 @@ Result<std::string> bodies_text(const NamedCase& named, const Template& engine) 
   }
   if (engine.has("plane") && !is_in_plane(query)) {
     return input_error(named.id, "is not in the plane z = 0");
+  }
+  if (has_mesh(query)) {
+    return input_error(named.id, fmt::format("{} has tests of convex bodies alone", engine.engine));
   }
   if (has_spins(query) || (has_turns(query) && !engine.has("turn"))) {
     return input_error(named.id,

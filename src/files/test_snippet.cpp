@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "case/mesh.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -194,6 +196,7 @@ std::string test_preamble(TestFramework framework) {
 std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
   const Case& value = named.value;
   if (is_trimmed(value.query)) return "\n// A trim has no place in these tests.\n";
+  if (has_mesh(value.query)) return "\n// A mesh has no place in these tests.\n";
   if (has_turns(value.query)) return "\n// A turn has no place in these tests.\n";
   const Query moving = with_velocities(value.query).value_or(value.query);
   const Query query = without_weights(moving).value_or(moving);

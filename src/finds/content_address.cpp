@@ -25,10 +25,11 @@ std::string content_address(const Query& query) {
     // Kind, degrees and these flags fix how many numbers follow and what they are, so that no two
     // queries have equal bytes.
     constexpr int kHasWeights = 128, kHasTrim = 64, kIsQuaternion = 32, kIsAngle = 16, kIsSpin = 48;
-    constexpr int kHasEnds = 8;
+    constexpr int kHasEnds = 8, kHasFaces = 8;  // a hull has no ends
     bytes += static_cast<char>(
         static_cast<int>(patch.shape.kind) | (patch.has_ends() ? kHasEnds : 0) |
-        (patch.weights.empty() ? 0 : kHasWeights) | (patch.trim.empty() ? 0 : kHasTrim) |
+        (patch.faces.empty() ? 0 : kHasFaces) | (patch.weights.empty() ? 0 : kHasWeights) |
+        (patch.trim.empty() ? 0 : kHasTrim) |
         (!patch.turn                   ? 0
          : patch.turn->is_quaternion() ? kIsQuaternion
          : patch.turn->is_spin()       ? kIsSpin
@@ -38,6 +39,10 @@ std::string content_address(const Query& query) {
     for_each_coordinate(patch, [&](double x) { append_bits(bytes, x); });
     for_each_turn_number(patch, [&](double x) { append_bits(bytes, x); });
     for (const double w : patch.weights) append_bits(bytes, w);
+    if (!patch.faces.empty()) bytes += static_cast<char>(2 * patch.faces.size() + patch.one_sided);
+    for (const Face& face : patch.faces) {
+      for (const int corner : face) bytes += static_cast<char>(corner);
+    }
     if (patch.trim.empty()) continue;
     // The number of loops, and of vertices of each, as numbers fix how many bytes follow.
     append_bits(bytes, static_cast<double>(patch.trim.size()));

@@ -58,7 +58,8 @@ std::optional<bool> Domain::order_of(const Query& query) const {
 bool Domain::has_bodies_of(const Query& query) const {
   return !is_of_bodies(query) ||
          std::ranges::all_of(query.patches, [&](const MovingPatch<double>& body) {
-           return is_one_of(body_kinds, body.positions.size(), body.radius > 0);
+           return !body.faces.empty() ||
+                  is_one_of(body_kinds, body.positions.size(), body.radius > 0);
          });
 }
 

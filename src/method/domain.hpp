@@ -33,7 +33,7 @@ struct Domain {
 
   /// Whether the patches of a query must be swapped to be one of the pairs; absent: they are none.
   std::optional<bool> order_of(const Query& query) const;
-  /// Whether a query is of those bodies, if of any.
+  /// Whether a query is of those bodies, if of any. A mesh is none of the kinds.
   bool has_bodies_of(const Query& query) const;
   /// Whether the numbers of a query are of that scale and width, and bodies in that plane.
   bool has_numbers_of(const Query& query) const;

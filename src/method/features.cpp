@@ -17,9 +17,12 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
                           : body.turn->is_spin()     ? features.spins
                                                      : features.angles);
   });
+  const bool has_meshes = std::ranges::any_of(query.patches, [&](const MovingPatch<double>& body) {
+    return !body.faces.empty() && !(body.one_sided ? features.one_sided : features.meshes);
+  });
   const bool has_trims = is_trimmed(query) && !features.trims;
-  const bool is_taken =
-      !is_apart && !is_of_ends && !is_weighted && !has_bodies && !has_turning && !has_trims;
+  const bool is_taken = !is_apart && !is_of_ends && !is_weighted && !has_bodies && !has_turning &&
+                        !has_meshes && !has_trims;
   if (is_taken || !is_valid(query)) return;
   const auto refuse = [this](const char* why) {
     query_ = nullptr;
@@ -42,6 +45,7 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   if (is_apart) refuse("knows touching alone, and this query has a separation");
   if (has_bodies) refuse(kNoBodies);
   if (has_turning) refuse("takes no bodies that turn so");
+  if (has_meshes) refuse("takes no such meshes");
   if (has_trims) refuse("takes whole patches, and one of this query is trimmed");
 }
 

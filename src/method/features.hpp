@@ -18,6 +18,8 @@ struct Features {
   bool bodies = false;
   /// Bodies that turn by quaternions, by cosine and sine, and by an angular velocity.
   bool turns = false, angles = false, spins = false;
+  /// Meshes, and meshes that are one-sided.
+  bool meshes = false, one_sided = false;
   /// Patches with a trim.
   bool trims = false;
 };
@@ -29,6 +31,8 @@ inline constexpr Features kAllFeatures = {.ends = true,
                                           .turns = true,
                                           .angles = true,
                                           .spins = true,
+                                          .meshes = true,
+                                          .one_sided = true,
                                           .trims = true};
 
 /// Makes of a query one that a method takes: with velocities, where it does not take ends, and

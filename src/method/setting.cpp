@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bezier/bernstein.hpp"
+#include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/feature_depth.hpp"
@@ -85,13 +86,24 @@ bool is_flat_body(const MovingPatch<double>& hull, size_t dimensions) {
   return span.dimension() < std::min(dimensions, hull.positions.size() - 1);
 }
 
+bool has_flat_face(const Query& query) {
+  const auto& faces = query.patches[mesh_side(query)].faces;
+  for (size_t f = 0; f < faces.size(); ++f) {
+    const Query part = of_face(query, f);
+    if (is_flat_body(part.patches[mesh_side(query)], 2)) return true;
+  }
+  return false;
+}
+
 bool is_degenerate(const Case& value) {
   if (is_of_bodies(value.query)) {
     const size_t dimensions = is_in_plane(value.query) ? 2 : 3;
     return is_at_rest(value.query) ||
-           std::ranges::any_of(value.query.patches, [&](const MovingPatch<double>& hull) {
-             return is_flat_body(hull, dimensions);
-           });
+           std::ranges::any_of(value.query.patches,
+                               [&](const MovingPatch<double>& hull) {
+                                 return hull.faces.empty() && is_flat_body(hull, dimensions);
+                               }) ||
+           (has_mesh(value.query) && has_flat_face(value.query));
   }
   const std::optional<Rational> contact = value.truth.contact_by();
   return is_at_rest(value.query) ||
@@ -145,7 +157,27 @@ bool slides_along(const BodyClearance& clearance, const Query& query) {
   return -normal.dot(velocity) <= kThinnest * normal.norm() * velocity.norm();
 }
 
+/// Whether a face of a one-sided mesh is all but along the motion, so that rounding turns it round.
+bool slides_along_a_face(const Query& query) {
+  const size_t side = mesh_side(query);
+  const MovingPatch<double>& mesh = query.patches[side];
+  const Vec3<double> velocity = query.patches[1 - side].velocities[0] - mesh.velocities[0];
+  return mesh.one_sided && std::ranges::any_of(mesh.faces, [&](const Face& face) {
+           const auto corner = [&](size_t i) {
+             return mesh.positions[static_cast<size_t>(face[i])];
+           };
+           const Vec3<double> one = corner(1) - corner(0), two = corner(2) - corner(0);
+           const Vec3<double> normal = one.cross(two);
+           return std::abs(normal.dot(velocity)) <= kThinnest * normal.norm() * velocity.norm();
+         });
+}
+
 bool slides(const Case& value) {
+  if (has_mesh(value.query)) {
+    const std::optional<TouchedFace> touched = touched_face(value);
+    return slides_along_a_face(value.query) ||
+           (touched && slides_along(touched->clearance, touched->query));
+  }
   if (is_of_bodies(value.query)) {
     const auto& clearance = value.truth.clearance;
     const auto* apart = clearance ? std::get_if<BodyClearance>(&*clearance) : nullptr;
@@ -182,7 +214,7 @@ Setting setting_of(const Case& value) {
 bool has_flat_body(const Query& query) {
   return is_of_bodies(query) &&
          std::ranges::any_of(query.patches, [](const MovingPatch<double>& hull) {
-           return hull.positions.size() > 3 && is_flat_body(hull, 3);
+           return hull.faces.empty() && hull.positions.size() > 3 && is_flat_body(hull, 3);
          });
 }
 

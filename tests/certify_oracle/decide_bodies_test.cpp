@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "certify/checker/check_case.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "generators/bodies.hpp"
 #include "generators/draw/draw.hpp"
@@ -107,6 +108,40 @@ TEST(NearestPoints, OfHullsThatMeetAreAtNoDistance) {
   const NearestPoints::Found& crossed = nearest(square, {{1, 1, -1}, {1, 1, 5}});
   EXPECT_EQ(crossed.squared, 0);
   EXPECT_EQ(crossed.weights[1], (std::vector<Rational>{Rational(5, 6), Rational(1, 6)}));
+}
+
+/// A ball of radius 1 falls into a valley of two triangles, y = 3|x|/4, above the first.
+TEST(DecideMesh, TheFirstFaceThatIsThereIsFound) {
+  Query query;
+  auto& [mesh, ball] = query.patches;
+  mesh = {Shape::hull(4), {{0, 0, -8}, {0, 0, 8}, {4, 3, 0}, {-4, 3, 0}}, {{0, 0, 0}}};
+  mesh.faces = {{1, 0, 3}, {0, 1, 2}};
+  ball = {Shape::hull(1), {{2, 3.75, 0}}, {{0, -1, 0}}};
+  ball.radius = 1;
+  query.t_max = 4;
+  for (const bool is_one_sided : {false, true}) {
+    mesh.one_sided = is_one_sided;
+    const Truth truth = decide(query).truth;
+    ASSERT_EQ(truth.collides, true);
+    EXPECT_EQ(truth.witness->t, 1);
+    EXPECT_EQ(truth.clear_until, Rational(1));
+    EXPECT_EQ(truth.witness->weights[0],
+              (std::vector<Rational>{Rational(7, 40), Rational(7, 40), Rational(13, 20), 0}));
+    EXPECT_TRUE(check_case({query, truth, {}, {}, {}}));
+  }
+  // Through the first from behind, the other comes later.
+  std::swap(mesh.faces[1][1], mesh.faces[1][2]);
+  ball.velocities[0] = {-1, -1, 0};
+  const Truth truth = decide(query).truth;
+  ASSERT_EQ(truth.collides, true);
+  EXPECT_EQ(truth.witness->weights[0][2], 0);
+  EXPECT_GT(truth.witness->t, 1);
+  EXPECT_TRUE(check_case({query, truth, {}, {}, {}}));
+  // From behind both there is nothing.
+  std::swap(mesh.faces[0][1], mesh.faces[0][2]);
+  const Truth none = decide(query).truth;
+  EXPECT_EQ(none.collides, false);
+  EXPECT_TRUE(check_case({query, none, {}, {}, {}}));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/check_turning.hpp"
@@ -91,6 +92,43 @@ Result<MovedPoint> point_of(const MovingPatch<double>& hull, const Rational& t,
       fmt::format("{}, at which the turned points are not rational", abbreviated(t)));
 }
 
+/// The corners of a face, as points of a hull.
+Points<double> corners_of(const MovingPatch<double>& mesh, const Face& face) {
+  Points<double> corners;
+  for (const int corner : face) corners.push_back(mesh.positions[static_cast<size_t>(corner)]);
+  return corners;
+}
+
+/// Whether a face of one body counts against the other: one-sided it does only if that moves
+/// against its normal.
+bool is_there(const MovingPatch<double>& mesh, const Face& face, const Vec3<double>& other_velocity,
+              Work& work) {
+  if (!mesh.one_sided) return true;
+  constexpr std::uint64_t kOperations = 32;
+  charge_for(kOperations, 0, work);
+  const Points<double> corners = corners_of(mesh, face);
+  Rational height = 0;
+  for (const int k : {0, 1, 2}) {
+    const auto side = [&](size_t corner, int axis) {
+      return Rational(exact(corners[corner][axis % 3]) - exact(corners[0][axis % 3]));
+    };
+    const Rational normal = side(1, k + 1) * side(2, k + 2) - side(1, k + 2) * side(2, k + 1);
+    height += normal * (exact(other_velocity[k]) - exact(mesh.velocities[0][k]));
+  }
+  return height < 0;
+}
+
+/// Whether the weights > 0 are all of one face that counts, or the body has no faces.
+bool are_of_a_face(const MovingPatch<double>& body, const std::vector<Rational>& weights,
+                   const Vec3<double>& other_velocity, Work& work) {
+  return body.faces.empty() || std::ranges::any_of(body.faces, [&](const Face& face) {
+           for (size_t i = 0; i < weights.size(); ++i) {
+             if (weights[i] > 0 && !std::ranges::count(face, static_cast<int>(i))) return false;
+           }
+           return is_there(body, face, other_velocity, work);
+         });
+}
+
 Result<void> check_contact_within(const Query& query, const Witness& witness, Work& work) {
   if (witness.t < 0) {
     return input_error(fmt::format("{}.t", kWitness),
@@ -104,6 +142,11 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
   if (!first) return tl::unexpected(first.error());
   const auto second = point_of(query.patches[1], witness.t, witness.weights[1], work);
   if (!second) return tl::unexpected(second.error());
+  for (const size_t s : {size_t{0}, size_t{1}}) {
+    const Vec3<double>& velocity = query.patches[1 - s].velocities[0];
+    if (are_of_a_face(query.patches[s], witness.weights[s], velocity, work)) continue;
+    return input_error(fmt::format("{}.weights", kWitness), "are of no one face that is there");
+  }
   Rational squared = 0;
   for (int k = 0; k < 3; ++k) {
     const Rational way = second->point[k] - first->point[k];
@@ -129,20 +172,22 @@ Rational height(const std::array<Rational, 3>& normal, const Vec3<double>& p) {
   return sum;
 }
 
-Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& clearance,
-                                       Work& work) {
+/// Certificate K of the hulls of such points in place of the bodies'.
+Result<void> check_direction(const Query& query, const Points<double>& first,
+                             const Points<double>& second, const BodyClearance& clearance,
+                             Work& work) {
   const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
   const auto& [until, normal, closed] = clearance;
   if (has_turns(query)) return refuse("one direction proves nothing of bodies that turn");
   if (until < 0) return refuse(fmt::format("until: {} is negative", abbreviated(until)));
   const auto& [a, b] = query.patches;
   constexpr std::uint64_t kOperations = 8;
-  charge_for(kOperations * (a.positions.size() + b.positions.size() + 4),
+  charge_for(kOperations * (first.size() + second.size() + 4),
              words_of(normal[0]) + words_of(normal[1]) + words_of(normal[2]) + words_of(until),
              work);
-  Rational highest = height(normal, a.positions[0]), lowest = height(normal, b.positions[0]);
-  for (const Vec3<double>& p : a.positions) highest = std::max(highest, height(normal, p));
-  for (const Vec3<double>& p : b.positions) lowest = std::min(lowest, height(normal, p));
+  Rational highest = height(normal, first[0]), lowest = height(normal, second[0]);
+  for (const Vec3<double>& p : first) highest = std::max(highest, height(normal, p));
+  for (const Vec3<double>& p : second) lowest = std::min(lowest, height(normal, p));
   const auto rate = Rational(height(normal, b.velocities[0]) - height(normal, a.velocities[0]));
   const Rational reach = reach_of(query);
   const Rational kept =
@@ -158,6 +203,29 @@ Result<void> check_clearance_of_bodies(const Query& query, const BodyClearance& 
   return {};
 }
 
+/// Certificate F: certificate K of each face that counts, in their order.
+Result<void> check_faces(const Query& query, const MeshClearance& clearance, Work& work) {
+  const auto refuse = [](std::string what) { return input_error(kBodyClear, std::move(what)); };
+  const size_t side = query.patches[0].faces.empty() ? 1 : 0;
+  const MovingPatch<double>&mesh = query.patches[side], &other = query.patches[1 - side];
+  if (mesh.faces.empty()) return refuse("directions of faces prove nothing where there is no mesh");
+  if (clearance.until < 0) {
+    return refuse(fmt::format("until: {} is negative", abbreviated(clearance.until)));
+  }
+  size_t next = 0;
+  for (const Face& face : mesh.faces) {
+    if (!is_there(mesh, face, other.velocities[0], work)) continue;
+    if (next == clearance.normals.size()) return refuse("a face that is there has no normal");
+    const Points<double> corners = corners_of(mesh, face);
+    const BodyClearance apart{clearance.until, clearance.normals[next++], clearance.closed};
+    const auto& [first, second] =
+        side == 0 ? std::tie(corners, other.positions) : std::tie(other.positions, corners);
+    if (auto checked = check_direction(query, first, second, apart, work); !checked) return checked;
+  }
+  if (next == clearance.normals.size()) return {};
+  return refuse(fmt::format("has {} normals for {} faces", clearance.normals.size(), next));
+}
+
 }  // namespace
 
 Result<void> check_body_contact(const Query& query, const Witness& witness,
@@ -168,8 +236,16 @@ Result<void> check_body_contact(const Query& query, const Witness& witness,
 
 Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
                                   std::uint64_t most_work) {
+  return within_work(kBodyClear, most_work, [&](Work& work) {
+    const auto& [a, b] = query.patches;
+    return check_direction(query, a.positions, b.positions, clearance, work);
+  });
+}
+
+Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance,
+                                  std::uint64_t most_work) {
   return within_work(kBodyClear, most_work,
-                     [&](Work& work) { return check_clearance_of_bodies(query, clearance, work); });
+                     [&](Work& work) { return check_faces(query, clearance, work); });
 }
 
 }  // namespace ccdfuzz

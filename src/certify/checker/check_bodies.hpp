@@ -10,8 +10,9 @@ namespace ccdfuzz {
 // from a point of the other. All is checked in exact rationals, lengths by their squares.
 
 /// Certificate W of bodies. Checks that the weights are ≥ 0 and sum to 1, and that t ≥ 0, which may
-/// lie past t_max, and is at most 1 where a body turns. They make a point of each hull; these may
-/// be no farther apart at t than the reach. Requires a valid query. Errors: what is wrong, naming
+/// lie past t_max, and is at most 1 where a body turns. They make a point of each hull, or of one
+/// face of a mesh that is there (case/mesh.hpp). These points may be no farther apart at t than the
+/// reach. Requires a valid query. Errors: what is wrong, naming
 /// the field; more than most_work.
 ///
 /// Where a body spins, its point is known but for an error, and the reach is less by that. But each
@@ -28,6 +29,12 @@ Result<void> check_body_contact(const Query& query, const Witness& witness,
 /// no nearer than g/|normal|. Each body moves by one velocity, so g is linear in t. What holds
 /// strictly at 0, and at `until` strictly or (half-open) not strictly, holds between them.
 Result<void> check_body_clearance(const Query& query, const BodyClearance& clearance,
+                                  std::uint64_t most_work = kMostWork);
+
+/// Certificate F: checks certificate K of each face of a mesh that is there (case/mesh.hpp), as the
+/// hull of its corners. Requires a valid query of bodies. Errors: there are more normals than such
+/// faces, or fewer; as of certificate K.
+Result<void> check_mesh_clearance(const Query& query, const MeshClearance& clearance,
                                   std::uint64_t most_work = kMostWork);
 
 }  // namespace ccdfuzz

@@ -67,12 +67,14 @@ Result<void> check_clearance(const Query& query, const Clearance& clearance,
                              std::string_view tree) {
   const auto* bodies = std::get_if<BodyClearance>(&clearance);
   const auto* planes = std::get_if<BodyPlanes>(&clearance);
-  const bool is_about_bodies = bodies != nullptr || planes != nullptr;
+  const auto* faces = std::get_if<MeshClearance>(&clearance);
+  const bool is_about_bodies = bodies != nullptr || planes != nullptr || faces != nullptr;
   if (is_of_bodies(query) != is_about_bodies) {
     return input_error("truth.certificate.clear",
                        is_about_bodies ? "is about bodies alone" : "proves nothing of bodies");
   }
   if (planes != nullptr) return check_body_planes(query, *planes);
+  if (faces != nullptr) return check_mesh_clearance(query, *faces);
   if (bodies != nullptr) return check_body_clearance(query, *bodies);
   if (const auto* plane = std::get_if<MovingPlane>(&clearance)) return check_plane(query, *plane);
   if (const auto* linear = std::get_if<LinearClearance>(&clearance)) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "case/mesh.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
@@ -142,6 +143,15 @@ std::optional<double> depth_of_turning(const Query& query, double until, bool in
 
 std::optional<double> depth_until(const Query& query, double until, bool in_plane) {
   if (has_turns(query)) return depth_of_turning(query, until, in_plane);
+  if (has_mesh(query)) {
+    double deepest = 0;
+    for (const size_t face : faces_there(query)) {
+      const auto depth = depth_until(of_face(query, face), until, in_plane);
+      if (!depth) return std::nullopt;
+      deepest = std::max(deepest, *depth);
+    }
+    return deepest;
+  }
   const auto& [a, b] = query.patches;
   const Hull first = points_of(a), rest = points_of(b);
   const Vec3<Dyadic> way =

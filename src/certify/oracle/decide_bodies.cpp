@@ -5,6 +5,7 @@
 
 #include "base/verify.hpp"
 #include "bezier/exact_patch.hpp"
+#include "case/mesh.hpp"
 #include "certify/oracle/decide_turning.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "certify/oracle/rational_roots.hpp"
@@ -170,9 +171,50 @@ class DecidingBodies {
   Decision out_;
 };
 
+/// The least over the faces of a mesh that are there.
+Decision decide_mesh(const Query& query, const OracleOptions& options) {
+  const size_t side = mesh_side(query);
+  Decision out;
+  out.truth.collides = false;
+  MeshClearance clear{exact(query.t_max), {}, true};
+  bool are_clear = true;
+  std::optional<Witness>& first = out.truth.witness;
+  for (const size_t face : faces_there(query)) {
+    const Query part = of_face(query, face);
+    Decision found = DecidingBodies(part, {}).run();
+    out.pops += found.pops;
+    if (const auto& clearance = found.truth.clearance) {
+      const auto& [until, normal, closed] = std::get<BodyClearance>(*clearance);
+      clear.normals.push_back(normal);
+      if (until < clear.until || !closed) clear.until = std::min(clear.until, until);
+      clear.closed = clear.closed && closed;
+    } else {
+      are_clear = false;
+    }
+    std::optional<Witness>& witness = found.truth.witness;
+    if (!witness || (first && first->t <= witness->t)) continue;
+    out.truth.collides = true;
+    std::vector<Rational> weights(query.patches[side].positions.size());
+    for (size_t i = 0; i < 3; ++i) {
+      const int corner = query.patches[side].faces[face][i];
+      weights[static_cast<size_t>(corner)] = witness->weights[side][i];
+    }
+    witness->weights[side] = std::move(weights);
+    first = std::move(witness);
+  }
+  if (options.known && first && options.known->t < first->t) first = options.known;
+  if (are_clear) {
+    out.truth.clear_until = clear.until;
+    out.truth.clearance = std::move(clear);
+    if (!*out.truth.collides) out.truth.proof = proof_word(*out.truth.clearance);
+  }
+  return out;
+}
+
 }  // namespace
 
 Decision decide_bodies(const Query& query, const OracleOptions& options) {
+  if (has_mesh(query)) return decide_mesh(query, options);
   if (has_turns(query)) return decide_turning(query, options);
   return DecidingBodies(query, options).run();
 }

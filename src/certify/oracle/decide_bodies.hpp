@@ -14,6 +14,8 @@ namespace ccdfuzz {
 /// only touching is asked. Else w changes linearly while the nearest features stay the same, and a
 /// rational time at which it is as long as the reach is tried. So the witness is at clear_until
 /// where that time is rational; where it is not, it comes at most 2^-40 of it later.
+///
+/// For a mesh it is the least over the faces that are there, and certificate F.
 Decision decide_bodies(const Query& query, const OracleOptions& options);
 
 }  // namespace ccdfuzz

@@ -1,0 +1,172 @@
+// Certificates W and F of meshes, by hand, so that each number is known to be right.
+#include <gtest/gtest.h>
+
+#include "case/judge.hpp"
+#include "case/mesh.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/checker/check_witness.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+/// A ball of radius 1 falls at speed 1 into a valley between two triangles, y = |x|, that share the
+/// edge x = y = 0. Their fronts look up. It starts above the first, and touches that at t = 1.
+Query ball_into_valley() {
+  Query query;
+  auto& [mesh, ball] = query.patches;
+  mesh = {Shape::hull(4), {{0, 0, -8}, {0, 0, 8}, {4, 3, 0}, {-4, 3, 0}}, {{0, 0, 0}}};
+  mesh.faces = {{0, 1, 2}, {1, 0, 3}};
+  ball = {Shape::hull(1), {{2, 3.75, 0}}, {{0, -1, 0}}};
+  ball.radius = 1;
+  query.t_max = 4;
+  return query;
+}
+
+/// The ball's centre is at (2, 2.75, 0), and the foot on the line along (4, 3) is 1 away, at 13/20
+/// of its way.
+Witness valley_witness() {
+  Witness witness{1, {}};
+  witness.weights[0] = {Rational(7, 40), Rational(7, 40), Rational(13, 20), 0};
+  witness.weights[1] = {1};
+  return witness;
+}
+
+MeshClearance valley_clearance() {
+  return {1, {{{-3, 4, 0}}, {{3, 4, 0}}}, false};
+}
+
+template <class Change>
+bool mesh_contact_holds(const Change& change) {
+  Query query = ball_into_valley();
+  Witness witness = valley_witness();
+  change(query, witness);
+  EXPECT_TRUE(validate(query, ""));
+  return check_contact(query, witness).has_value();
+}
+
+template <class Change>
+bool mesh_clearance_holds(const Change& change) {
+  Query query = ball_into_valley();
+  MeshClearance clearance = valley_clearance();
+  change(query, clearance);
+  EXPECT_TRUE(validate(query, ""));
+  return check_clearance(query, clearance, "").has_value();
+}
+
+void turn_round(Face& face) {
+  std::swap(face[1], face[2]);
+}
+
+TEST(CheckMesh, AContactIsOfOneFaceThatIsThere) {
+  EXPECT_TRUE(mesh_contact_holds([](Query&, Witness&) {}));
+  EXPECT_FALSE(mesh_contact_holds(
+      [](Query& q, Witness&) { q.patches[0].faces.erase(q.patches[0].faces.begin()); }));
+  EXPECT_TRUE(mesh_contact_holds([](Query& q, Witness&) { q.patches[0].one_sided = true; }));
+  EXPECT_FALSE(mesh_contact_holds([](Query& q, Witness&) {
+    q.patches[0].one_sided = true;
+    turn_round(q.patches[0].faces[0]);
+  }));
+  EXPECT_TRUE(mesh_contact_holds([](Query& q, Witness&) { turn_round(q.patches[0].faces[0]); }));
+  // The middle of the hull is in no face.
+  EXPECT_FALSE(mesh_contact_holds([](Query& q, Witness& w) {
+    w.weights[0] = {0, 0, Rational(1, 2), Rational(1, 2)};
+    q.patches[1].positions[0] = {0, 4, 0};
+  }));
+}
+
+TEST(CheckMesh, AFaceAlongTheMotionIsNotThereWhereOneSided) {
+  Query query = ball_into_valley();
+  query.patches[0].one_sided = true;
+  EXPECT_EQ(faces_there(query), (std::vector<size_t>{0, 1}));
+  query.patches[1].velocities[0] = {-4, -3, 0};
+  EXPECT_EQ(faces_there(query), (std::vector<size_t>{1}));
+  query.patches[0].velocities[0] = {-4, -3, 0};
+  EXPECT_TRUE(faces_there(query).empty());
+  query.patches[0].one_sided = false;
+  EXPECT_EQ(faces_there(query), (std::vector<size_t>{0, 1}));
+}
+
+TEST(CheckMesh, ANormalForEachFaceThatIsThereProvesAbsence) {
+  EXPECT_TRUE(mesh_clearance_holds([](Query&, MeshClearance&) {}));
+  EXPECT_TRUE(
+      mesh_clearance_holds([](Query& q, MeshClearance&) { q.patches[0].one_sided = true; }));
+  EXPECT_TRUE(mesh_clearance_holds([](Query& q, MeshClearance& c) {
+    q.patches[0].one_sided = true;
+    turn_round(q.patches[0].faces[0]);
+    c.normals.erase(c.normals.begin());
+    c.until = 1 + Rational(1, 1000);
+  }));
+  EXPECT_TRUE(mesh_clearance_holds([](Query& q, MeshClearance& c) {
+    q.patches[0].one_sided = true;
+    for (Face& face : q.patches[0].faces) turn_round(face);
+    c = {4, {}, true};
+  })) << "it comes from behind";
+  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c.closed = true; }));
+  EXPECT_FALSE(
+      mesh_clearance_holds([](Query&, MeshClearance& c) { c.until = Rational(101, 100); }));
+  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c.until = -1; }));
+  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c.normals.pop_back(); }));
+  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) {
+    c.normals.push_back({3, 4, 0});
+  }));
+  EXPECT_FALSE(mesh_clearance_holds(
+      [](Query&, MeshClearance& c) { std::swap(c.normals[0], c.normals[1]); }));
+  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c = {0, {}, true}; }));
+  EXPECT_FALSE(mesh_clearance_holds(
+      [](Query& q, MeshClearance&) { std::swap(q.patches[0], q.patches[1]); }));
+  EXPECT_FALSE(mesh_clearance_holds([](Query& q, MeshClearance&) { q.patches[0].faces.clear(); }))
+      << "faces prove nothing of a hull";
+}
+
+TEST(CheckMesh, AHitIsFalseOnlyFarFromEveryFace) {
+  Case known{ball_into_valley(), {}, {}, {}, {}};
+  known.query.t_max = 0.5;
+  known.truth.collides = false;
+  known.truth.proof = "F";
+  known.truth.clearance = valley_clearance();
+  const auto checked = check_case(known);
+  ASSERT_TRUE(checked);
+  Answer hit;
+  hit.verdict = Verdict::kHit;
+  hit.toi = 0.25;
+  AnswerTerms terms;
+  terms.space_tolerance = 0.125;
+  EXPECT_EQ(judge(*checked, hit, terms), Outcome::kFalsePositive);
+  terms.space_tolerance = 1;
+  EXPECT_EQ(judge(*checked, hit, terms), Outcome::kUnknown);
+}
+
+TEST(CheckMesh, WhatIsNoMeshIsInvalid) {
+  const auto fault_of = [](const auto& change) {
+    Query query = ball_into_valley();
+    change(query);
+    EXPECT_FALSE(is_valid(query));
+    const auto checked = validate(query, "");
+    return checked ? "" : checked.error().message();
+  };
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[1][0] = 4; }).find("the corner 4 in [1]"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[1][0] = -1; }).find("the corner -1"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[0][0] = 1; }).find("twice in [0]"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) {
+              q.patches[0].faces.resize(9, {0, 1, 2});
+            }).find("9 triangles"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].radius = 1; }).find("radius must be 0"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) { q.patches[1].one_sided = true; }).find("no faces"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) { q.patches[1] = q.patches[0]; }).find("two meshes"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) {
+              q.t_max = 1;
+              q.patches[1].turn = BodyTurn{{1, 0}, {1, 0}, {0, 0, 0}};
+            }).find("a turn beside a mesh"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ccdfuzz
