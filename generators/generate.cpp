@@ -11,6 +11,7 @@
 #include "generators/finalize.hpp"
 #include "generators/first_contact.hpp"
 #include "generators/grazing.hpp"
+#include "generators/mesh.hpp"
 #include "generators/paper.hpp"
 #include "generators/planted.hpp"
 #include "generators/prescribe.hpp"
@@ -53,7 +54,7 @@ int eps_t_exponent(const GeneratorOptions& options) {
 
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   if (family == Family::kRegular) return true;
-  if (family == Family::kBodies) return is_made_of_bodies(kind);
+  if (family == Family::kBodies || is_of_a_mesh(family)) return is_made_of_bodies(kind);
   if (family == Family::kTurning) return kind == CaseKind::kRP || kind == CaseKind::kRN;
   if (family == Family::kTwins) return kind == CaseKind::kRP;
   return is_made_of_shapes(family, contact, kind);
@@ -80,6 +81,9 @@ Result<void> validate(const GeneratorOptions& options) {
   if (!is_made(options.family, options.contact, options.kind)) {
     return input_error("--kind", fmt::format("{} is not generated in the family {}",
                                              name_of(options.kind), name_of(options.family)));
+  }
+  if (options.plane && is_of_a_mesh(options.family)) {
+    return input_error("--plane", "there are no meshes in a plane");
   }
   const auto features = features_of(options.contact);
   if (options.plane && std::ranges::find(features, Feature::kFace) != features.end()) {
@@ -193,6 +197,9 @@ auto attempt_of(const GeneratorOptions& options) {
       return turning_case;
     case Family::kSpinning:
       return spinning_case;
+    case Family::kMesh:
+    case Family::kMeshOneSided:
+      return mesh_case;
     default:
       return is_shaped(options) ? shaped_case : quadratic_case;
   }

@@ -32,8 +32,8 @@ std::string_view name_of(Construction construction);
 /// positives of quadratic triangles, and claim nothing of the time before the contact. The others
 /// prove by a moving plane that nothing touches before t*, except where the row says otherwise. The
 /// last ones are not of plain patches. They are of bodies (bodies.hpp), weights (weighted.hpp),
-/// surfaces of revolution (round.hpp), loops (trimmed.hpp), ends (ends.hpp), separations
-/// (separated.hpp), and of bodies that turn or spin (turning.hpp).
+/// surfaces of revolution (round.hpp), loops (trimmed.hpp), ends (ends.hpp) and separations
+/// (separated.hpp). Others are of bodies that turn or spin (turning.hpp), and of a mesh (mesh.hpp).
 enum class Family : std::uint8_t {
   kRegular,
   kFlatGrazing,
@@ -64,10 +64,16 @@ enum class Family : std::uint8_t {
   kSeparated,
   kTurning,
   kSpinning,
+  kMesh,
+  kMeshOneSided,
 };
+constexpr bool is_of_a_mesh(Family family) {
+  return family == Family::kMesh || family == Family::kMeshOneSided;
+}
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
-  return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning;
+  return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning ||
+         is_of_a_mesh(family);
 }
 /// Those of plain patches.
 inline constexpr auto kFamilies = [] {
@@ -76,7 +82,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kSpinning) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kMeshOneSided) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
@@ -106,7 +112,7 @@ struct GeneratorOptions {
   /// The shapes of patches 1 and 2; by default both are quadratic triangles up to kInteriorTime,
   /// and random in the others. Other shapes are made one-sided only.
   std::optional<std::array<Shape, 2>> shapes;
-  /// The kinds of bodies of the families bodies, turning and spinning; empty: all.
+  /// The kinds of bodies of the families from bodies on that have them; empty: all.
   BodyKinds bodies = {};
   /// Whether those of bodies and turning lie and move in the plane z = 0.
   bool plane = false;

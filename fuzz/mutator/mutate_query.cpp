@@ -6,6 +6,7 @@
 
 #include "base/nearest_float.hpp"
 #include "base/verify.hpp"
+#include "case/mesh.hpp"
 
 namespace ccdfuzz {
 
@@ -72,7 +73,7 @@ void change_radius(const BodyChange& c) {
 
 void drop_point(const BodyChange& c) {
   if (!c.is_body() || c.hull.positions.size() == 1) return;
-  c.hull.positions.erase(c.hull.positions.begin() + static_cast<long>(c.point));
+  ccdfuzz::drop_point(c.hull, c.point);
 }
 
 void add_point(const BodyChange& c) {
@@ -105,6 +106,8 @@ void splice_body(const BodyChange& c) {
   if (!c.is_body()) return;
   const Vec3<double> by = c.hull.positions[c.point] - c.other_point();
   c.hull.positions = c.donor.positions;
+  c.hull.faces = c.donor.faces;
+  c.hull.one_sided = c.donor.one_sided;
   for (Vec3<double>& p : c.hull.positions) p += by;
 }
 
@@ -139,6 +142,37 @@ void change_turn(const BodyChange& c) {
   if (turn && fault_of(*turn)) turn = before;
 }
 
+/// A mesh loses a face, gets another, or one of its faces turns round or gets another corner.
+void change_faces(const BodyChange& c) {
+  std::vector<Face>& faces = c.hull.faces;
+  const auto any_corner = [&] { return static_cast<int>(c.draw.below(c.hull.positions.size())); };
+  const size_t f = c.draw.below(faces.size());
+  const std::uint64_t way = c.draw.below(4);
+  Face face = faces[f];
+  if (way == 0) {
+    if (faces.size() > 1) faces.erase(faces.begin() + static_cast<long>(f));
+  } else if (way == 1) {
+    std::swap(faces[f][1], faces[f][2]);
+  } else {
+    face[static_cast<size_t>(c.k)] = any_corner();
+    if (face[0] == face[1] || face[1] == face[2] || face[2] == face[0]) return;
+    if (way == 2) faces[f] = face;
+    if (way == 3 && faces.size() < kMaxFaces) faces.push_back(face);
+  }
+}
+
+/// One mesh at most, without a radius, and nothing that turns beside it.
+void settle_meshes(Query& query) {
+  if (!has_mesh(query)) return;
+  MovingPatch<double>&mesh = query.patches[mesh_side(query)],
+  &other = query.patches[1 - mesh_side(query)];
+  other.faces.clear();
+  other.one_sided = false;
+  mesh.radius = 0;
+  mesh.turn.reset();
+  other.turn.reset();
+}
+
 constexpr std::array kBodyChanges = {nudge,          shift_number,  align,      simplify_number,
                                      scale_velocity, change_radius, drop_point, add_point,
                                      stretch,        shift_body,    shift_all,  splice_body,
@@ -149,7 +183,10 @@ void change_once(Query& mutant, const Query& other, Draw& draw) {
   const MovingPatch<double>& donor = other.patches[draw.below(2)];
   const size_t point = draw.below(hull.positions.size());
   const bool is_of_turn = hull.turn && draw.below(4) == 0;  // what does not turn draws as before
-  const auto change = is_of_turn ? change_turn : draw.pick(kBodyChanges);
+  const bool is_of_faces = !hull.faces.empty() && draw.below(4) == 0;
+  const auto change = is_of_turn    ? change_turn
+                      : is_of_faces ? change_faces
+                                    : draw.pick(kBodyChanges);
   change({mutant, hull, donor, draw, point, static_cast<int>(draw.below(3))});
 }
 
@@ -181,6 +218,7 @@ Query mutate_query(const Query& query, const Query& other, Draw& draw) {
     if (patch.shape.kind != ShapeKind::kHull) continue;
     patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
   }
+  settle_meshes(mutant);
   if (ends_at_one(mutant)) mutant.t_max = std::min(mutant.t_max, 1.0);
   change_numbers(mutant, nearest_float);
   for (MovingPatch<double>& hull : mutant.patches) {

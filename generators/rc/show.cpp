@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <ostream>
 
@@ -44,6 +45,10 @@ void show_query(const Query& query, std::ostream& out) {
     }
   }
   for (const MovingPatch<double>& patch : query.patches) {
+    if (!patch.faces.empty()) {
+      out << fmt::format("{} is a mesh with {}: {}\n", to_text(patch.shape),
+                         patch.one_sided ? "fronts alone" : "two sides", patch.faces);
+    }
     if (!patch.turn) continue;
     const auto& [from, to, centre, spin] = *patch.turn;
     out << (spin.empty()

@@ -86,6 +86,8 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
      kNone},
     {Family::kTurning, "turning", "convex bodies of which one turns, or both", kAll, kAll},
     {Family::kSpinning, "spinning", "the same by an angular velocity", kAll, kAll},
+    {Family::kMesh, "mesh", "a convex body against 1 to 8 triangles", kAll, kAll},
+    {Family::kMeshOneSided, "mesh-one-sided", "the same with fronts alone", kAll, kAll},
 }};
 
 constexpr bool are_in_order() {
@@ -107,8 +109,7 @@ bool families::have_a_surface(ContactClass, const ShapePair& shapes) {
 }
 
 bool has_own_shapes(Family family) {
-  return family == Family::kBodies || family == Family::kTurning || family == Family::kRound ||
-         family == Family::kApart;
+  return is_of_bodies(family) || family == Family::kRound || family == Family::kApart;
 }
 
 const FamilyRow& row_of(Family family) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/double_parts.hpp"
 #include "numeric/dyadic.hpp"
 
@@ -73,6 +75,29 @@ Query of_face(const Query& query, size_t face) {
   mesh.faces.clear();
   mesh.one_sided = false;
   return out;
+}
+
+void drop_point(MovingPatch<double>& body, size_t i) {
+  const auto place = static_cast<int>(i);
+  std::vector<Face> left;
+  for (Face face : body.faces) {
+    if (std::ranges::find(face, place) != face.end()) continue;
+    for (int& corner : face) corner -= corner > place ? 1 : 0;
+    left.push_back(face);
+  }
+  if (left.empty() != body.faces.empty()) return;
+  body.faces = std::move(left);
+  body.positions.erase(body.positions.begin() + place);
+  body.shape = Shape::hull(static_cast<int>(body.positions.size()));
+}
+
+void drop_unused_points(MovingPatch<double>& mesh) {
+  for (size_t i = mesh.positions.size(); i-- > 0;) {
+    const bool is_used = std::ranges::any_of(mesh.faces, [&](const Face& face) {
+      return std::ranges::find(face, static_cast<int>(i)) != face.end();
+    });
+    if (!is_used) drop_point(mesh, i);
+  }
 }
 
 std::optional<TouchedFace> touched_face(const Case& value) {

@@ -35,6 +35,12 @@ std::vector<size_t> faces_there(const Query& query);
 /// The query about one face, as the hull of its corners.
 Query of_face(const Query& query, size_t face);
 
+/// Takes point i away, and with it the faces that have it as a corner; nothing of a mesh that would
+/// have no face left.
+void drop_point(MovingPatch<double>& body, size_t i);
+/// Takes the points away that are no corners.
+void drop_unused_points(MovingPatch<double>& mesh);
+
 /// The first face that is there and has the point of a mesh's witness. nullopt where
 /// the truth has no witness, or no certificate F.
 struct TouchedFace {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "finds/content_address.hpp"
 #include "finds/failure.hpp"
@@ -28,6 +29,7 @@ class BodyMinimiser {
     if (!is_failure(failure_)) return best_;
     for (bool goes_on = true; goes_on && !ended();) {
       const std::uint64_t before = taken_;
+      drop_faces();
       drop_points();
       offer_turns();
       offer_resting();
@@ -41,10 +43,13 @@ class BodyMinimiser {
   bool ended() const { return best_.trials >= options_.max_trials || options_.stop(); }
   const Query& query() const { return best_.value.query; }
 
-  /// Points count first: a body of fewer is simpler to a reader.
+  /// Points and faces count first: a body of fewer is simpler to a reader.
   static auto rank_of_bodies(const Query& query) {
-    const size_t points = query.patches[0].positions.size() + query.patches[1].positions.size();
-    return std::pair(points, size_of(query));
+    size_t parts = 0;
+    for (const MovingPatch<double>& body : query.patches) {
+      parts += body.positions.size() + body.faces.size() + (body.one_sided ? 1 : 0);
+    }
+    return std::pair(parts, size_of(query));
   }
 
   template <class Change>
@@ -76,12 +81,23 @@ class BodyMinimiser {
     for (size_t s = 0; s < 2; ++s) {
       for (size_t i = query().patches[s].positions.size(); i-- > 0;) {
         if (query().patches[s].positions.size() == 1) break;
+        offer([&](Query& q) { drop_point(q.patches[s], i); });
+      }
+    }
+  }
+
+  /// Without a face, and the points that only this one had; or with two sides.
+  void drop_faces() {
+    for (const size_t s : {0, 1}) {
+      for (size_t f = query().patches[s].faces.size();
+           f-- > 0 && query().patches[s].faces.size() > 1;) {
         offer([&](Query& q) {
-          MovingPatch<double>& hull = q.patches[s];
-          hull.positions.erase(hull.positions.begin() + static_cast<long>(i));
-          hull.shape = Shape::hull(static_cast<int>(hull.positions.size()));
+          MovingPatch<double>& mesh = q.patches[s];
+          mesh.faces.erase(mesh.faces.begin() + static_cast<long>(f));
+          drop_unused_points(mesh);
         });
       }
+      if (query().patches[s].one_sided) offer([&](Query& q) { q.patches[s].one_sided = false; });
     }
   }
 

@@ -186,7 +186,7 @@ Decision decide_mesh(const Query& query, const OracleOptions& options) {
     if (const auto& clearance = found.truth.clearance) {
       const auto& [until, normal, closed] = std::get<BodyClearance>(*clearance);
       clear.normals.push_back(normal);
-      if (until < clear.until || !closed) clear.until = std::min(clear.until, until);
+      clear.until = std::min(clear.until, until);
       clear.closed = clear.closed && closed;
     } else {
       are_clear = false;

@@ -1,0 +1,212 @@
+#include "generators/mesh.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "case/mesh.hpp"
+#include "case/scale.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "generators/bodies.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Turns points of a body into a mesh.
+class MeshMaker {
+ public:
+  /// up: towards the other body, at right angles to the contact plane.
+  MeshMaker(Query& query, size_t side, const Vec3<double>& up, Draw& draw)
+      : mesh_(query.patches[side]), other_(query.patches[1 - side]), up_(up), draw_(draw) {
+    way_ = other_.velocities[0] - mesh_.velocities[0];
+    top_ = height(mesh_.positions[0]);
+    double size = way_.cwiseAbs().maxCoeff() * query.t_max;
+    for (const Vec3<double>& p : mesh_.positions) {
+      top_ = std::max(top_, height(p));
+      size = std::max(size, (p - mesh_.positions[0]).cwiseAbs().maxCoeff());
+    }
+    constexpr int kSteps = 8;
+    unit_ = std::ldexp(1.0, std::ilogb(size)) / kSteps;
+  }
+
+  /// How many of the faces are in the contact.
+  size_t make() {
+    add_touched();
+    const size_t touched = faces().size();
+    if (draw_.below(4) == 0) add_grazed();
+    const std::uint64_t most = touched + draw_.below(kMaxFaces + 1 - touched);
+    if (draw_.below(4) == 0 && most >= touched + 3) close_tetrahedron();
+    while (faces().size() < most) add_neighbour();
+    drop_unused_points(mesh_);
+    return touched;
+  }
+
+ private:
+  std::vector<Face>& faces() const { return mesh_.faces; }
+  double height(const Vec3<double>& p) const { return up_.dot(p); }
+  const Vec3<double>& at(int i) const { return mesh_.positions[static_cast<size_t>(i)]; }
+
+  int added(const Vec3<double>& p) const {
+    Vec3<double> rounded;
+    for (int k = 0; k < 3; ++k) rounded[k] = static_cast<double>(static_cast<float>(p[k]));
+    mesh_.positions.push_back(rounded);
+    mesh_.shape = Shape::hull(static_cast<int>(mesh_.positions.size()));
+    return mesh_.shape.n - 1;
+  }
+
+  bool has_area(const Vec3<double>& a, const Vec3<double>& b, const Vec3<double>& c) const {
+    return (b - a).cross(Vec3<double>(c - a)).norm() > unit_ * unit_ * 0x1p-20;
+  }
+
+  /// Anywhere, and mostly behind the contact plane.
+  Vec3<double> anywhere_from(const Vec3<double>& from) const {
+    Vec3<double> step;
+    for (int k = 0; k < 3; ++k) step[k] = static_cast<double>(draw_.integer(-8, 8)) * unit_;
+    const bool is_in_front = height(from + step) > top_;
+    return is_in_front && draw_.below(8) > 0 ? Vec3<double>(from - step)
+                                             : Vec3<double>(from + step);
+  }
+
+  /// A point that makes a triangle with an edge: one that there is, or one that `draw_new` draws.
+  template <class DrawNew>
+  int third_corner(int a, int b, const DrawNew& draw_new) const {
+    const std::uint64_t tries = draw_.below(3);
+    for (std::uint64_t i = 0; i < tries; ++i) {
+      const auto c = static_cast<int>(draw_.below(mesh_.positions.size()));
+      if (has_area(at(a), at(b), at(c))) return c;
+    }
+    return added(
+        draw_.until(draw_new, [&](const Vec3<double>& p) { return has_area(at(a), at(b), p); }));
+  }
+
+  int new_corner(int a, int b) const {
+    return third_corner(a, b, [&] { return anywhere_from(at(a)); });
+  }
+
+  /// Faces of the points in the contact plane.
+  void add_touched() const {
+    std::vector<int> top;
+    for (size_t i = 0; i < mesh_.positions.size(); ++i) {
+      if (height(mesh_.positions[i]) == top_) top.push_back(static_cast<int>(i));
+    }
+    if (top.size() >= 3) {
+      faces().push_back({top[0], top[1], top[2]});
+      if (top.size() > 3) faces().push_back({top[1], top[2], top[3]});
+      return;
+    }
+    if (top.size() == 2) {
+      for (std::uint64_t left = draw_.integer(1, 2); left > 0; --left) {
+        faces().push_back({top[0], top[1], new_corner(top[0], top[1])});
+      }
+      return;
+    }
+    const Vec3<double> first = draw_.until([&] { return anywhere_from(at(top[0])); },
+                                           [&](const Vec3<double>& p) { return p != at(top[0]); });
+    int last = added(first);
+    for (std::uint64_t left = draw_.integer(1, 4); left > 0; --left) {
+      const int next = new_corner(top[0], last);
+      faces().push_back({top[0], last, next});
+      last = next;
+    }
+  }
+
+  void add_neighbour() const {
+    const Face face = faces()[draw_.below(faces().size())];
+    const size_t k = draw_.below(3);
+    const int a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+    const Vec3<double> opposite = at(a) + at(b) - at(c);
+    const Vec3<double> far =
+        at(c) + std::ldexp(1.0, static_cast<int>(draw_.integer(1, 6))) * (at(b) - at(a));
+    const std::uint64_t way = draw_.below(4);
+    const int third = third_corner(b, a, [&] {
+      return way == 0 ? opposite : way == 1 ? far : anywhere_from(at(a));
+    });
+    faces().push_back({b, a, third});
+  }
+
+  void close_tetrahedron() const {
+    const Face base = faces()[0];
+    const int a = base[0], b = base[1], c = base[2];
+    const Vec3<double> normal = (at(b) - at(a)).cross(Vec3<double>(at(c) - at(a)));
+    const int apex = added(
+        draw_.until([&] { return anywhere_from(at(a)); },
+                    [&](const Vec3<double>& p) { return std::abs(normal.dot(p - at(a))) > 0; }));
+    faces().insert(faces().end(), {{b, a, apex}, {c, b, apex}, {a, c, apex}});
+  }
+
+  /// A face along the way of the other body, a little outside of what that sweeps over.
+  void add_grazed() const {
+    const Vec3<double> out = way_.cross(anywhere_from({0, 0, 0}));
+    if (!(out.norm() > 0)) return;
+    const Vec3<double> beside = out / out.norm();
+    const auto& points = other_.positions;
+    const Vec3<double> last =
+        *std::ranges::max_element(points, {}, [&](const Vec3<double>& p) { return beside.dot(p); });
+    const double gap = std::ldexp(unit_, -static_cast<int>(draw_.integer(0, 12)));
+    const Vec3<double> near = last + (other_.radius + gap) * beside;
+    const auto share = [&] { return static_cast<double>(draw_.integer(-4, 8)) / 8; };
+    const double from = share(), middle = share();
+    const Vec3<double> ways = way_ * std::ldexp(1.0, static_cast<int>(draw_.integer(0, 4)));
+    const int a = added(near + from * way_), b = added(near + from * way_ + ways);
+    faces().push_back({a, b, added(near + middle * way_ + 8 * unit_ * beside)});
+  }
+
+  MovingPatch<double>& mesh_;
+  const MovingPatch<double>& other_;
+  Vec3<double> up_, way_;
+  double top_, unit_;
+  Draw& draw_;
+};
+
+/// Turns faces so that they are there, or not: the touched ones are if wanted, the others mostly.
+void turn_faces(Query& query, size_t side, size_t touched, bool wanted, Draw& draw) {
+  MovingPatch<double>& mesh = query.patches[side];
+  const std::vector<size_t> there = faces_there(query);
+  for (size_t f = 0; f < mesh.faces.size(); ++f) {
+    const bool is_there = std::ranges::find(there, f) != there.end();
+    const bool is_wanted = f < touched || draw.below(4) > 0 ? wanted : !wanted;
+    if (is_there != is_wanted) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+  }
+}
+
+}  // namespace
+
+tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                      Draw& draw) {
+  const bool is_one_sided = options.family == Family::kMeshOneSided;
+  const bool is_behind = is_one_sided && options.kind == CaseKind::kRN && draw.coin();
+  GeneratorOptions plain = options;
+  if (is_behind) plain.kind = CaseKind::kRP;
+  if (!plain.bodies.empty()) plain.bodies.push_back({1, kMaxControls, RadiusRule::kZero});
+  const size_t side = draw.below(2);
+  tl::expected<Case, Discard> made =
+      draw.until([&] { return bodies_case(plain, eps_t, draw); },
+                 [&](const tl::expected<Case, Discard>& tried) {
+                   if (!tried) return true;
+                   const MovingPatch<double>& other = tried->query.patches[1 - side];
+                   return tried->query.patches[side].radius == 0 &&
+                          is_one_of(options.bodies, other.positions.size(), other.radius > 0);
+                 });
+  if (!made) return made;
+  Query& query = made->query;
+  Vec3<double> up;
+  for (int k = 0; k < 3; ++k) {
+    const auto& normal = std::get<BodyClearance>(*made->truth.clearance).normal;
+    up[k] = (side == 0 ? 1 : -1) * normal[static_cast<size_t>(k)].get_d();
+  }
+  const size_t touched = MeshMaker(query, side, up, draw).make();
+  query.patches[side].one_sided = is_one_sided;
+  if (is_one_sided) turn_faces(query, side, touched, !is_behind, draw);
+  if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
+  const std::optional<Witness> planted = made->truth.witness;
+  made->truth = decide(query).truth;
+  const bool touches = options.kind == CaseKind::kRP;
+  const auto& found = made->truth.witness;
+  if (made->truth.collides != touches || (touches && found->t != planted->t)) {
+    return tl::unexpected(Discard::kFirstContact);
+  }
+  return made;
+}
+
+}  // namespace ccdfuzz

@@ -1,0 +1,245 @@
+#include "case/mesh.hpp"
+
+#include <algorithm>
+
+#include "case/scale.hpp"
+#include "certify/checker/check_bodies.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/checker/check_truth.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "files/case_json.hpp"
+#include "fuzz/mutator/mutate_query.hpp"
+#include "generators/generate.hpp"
+#include "method/method.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+Case draw_mesh(Draw& d, CaseKind kind) {
+  GeneratorOptions options;
+  options.contact = d.pick(kContactClasses);
+  options.kind = kind;
+  options.family = d.coin() ? Family::kMesh : Family::kMeshOneSided;
+  const Case made = generate(options, d).value;
+  show(d, "planted", made);
+  return made;
+}
+
+CaseKind draw_kind_of_mesh(Draw& d) {
+  return d.pick(std::array{CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN});
+}
+
+/// A mutant that is a mesh still, whose faces may have no area or be missed.
+Query draw_any_mesh(Draw& d) {
+  const Query first = draw_mesh(d, draw_kind_of_mesh(d)).query;
+  const Query other = draw_mesh(d, CaseKind::kRP).query;
+  Query query = mutate_query(first, other, d);
+  suppose(has_mesh(query));
+  if (d.coin()) query.separation = std::ldexp(1.0, -static_cast<int>(d.integer(0, 20)));
+  show(d, "query", query);
+  return query;
+}
+
+/// A query without its mesh's windings: n and −n are of one plane.
+void turn_all_round(Query& query) {
+  for (Face& face : query.patches[mesh_side(query)].faces) std::swap(face[1], face[2]);
+}
+
+/// The planted truth holds, survives a file, and is not asked of who does not take it.
+void check_mesh_truth(Draw& d) {
+  const CaseKind kind = draw_kind_of_mesh(d);
+  const Case known = draw_mesh(d, kind);
+  const auto checked = check_case(known);
+  CLAIM(checked.has_value());
+  CLAIM(checked->collides() == (kind == CaseKind::kRP));
+  CLAIM(is_binary32(known.query) && has_mesh(known.query));
+  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
+  CLAIM(read && *read == known);
+  for (const MethodInfo& info : registered_methods()) {
+    CLAIM(check_taken(info.spec, known.query).has_value() ==
+          (info.features.meshes && info.features.one_sided));
+  }
+}
+
+/// First of all faces that are there, by the truth of each as a hull.
+void check_least_of_faces(Draw& d) {
+  const Query query = draw_any_mesh(d);
+  const Truth truth = decide(query).truth;
+  show(d, "found", Case{query, truth, {}, {}});
+  CLAIM(check_case({query, truth, {}, {}}).has_value());
+  std::optional<Rational> first;
+  for (const size_t face : faces_there(query)) {
+    const Truth part = decide(of_face(query, face)).truth;
+    if (*part.collides && (!first || part.witness->t < *first)) first = part.witness->t;
+  }
+  CLAIM(truth.collides == first.has_value());
+  if (first) CLAIM(truth.witness->t == *first);
+}
+
+/// The checker takes a point of a face for a witness if, and only if, the face is there.
+void check_who_is_there(Draw& d) {
+  Query query = draw_any_mesh(d);
+  query.separation = 0x1p60;  // everything is near enough
+  const size_t side = mesh_side(query);
+  const MovingPatch<double>& mesh = query.patches[side];
+  const size_t face = d.below(mesh.faces.size());
+  Witness witness{0, {}};
+  witness.weights[side].assign(mesh.positions.size(), 0);
+  witness.weights[1 - side].assign(query.patches[1 - side].positions.size(), 0);
+  witness.weights[1 - side][0] = 1;
+  for (const int corner : mesh.faces[face]) {
+    witness.weights[side][static_cast<size_t>(corner)] = Rational(1, 3);
+  }
+  const std::vector<size_t> there = faces_there(query);
+  const auto is_same = [&](size_t other) {
+    Face one = mesh.faces[face], two = mesh.faces[other];
+    std::ranges::sort(one);
+    std::ranges::sort(two);
+    return one == two;
+  };
+  const bool is_there = std::ranges::any_of(there, is_same);
+  CLAIM(check_body_contact(query, witness).has_value() == is_there);
+  // A fourth point is of another face.
+  suppose(mesh.positions.size() > 3);
+  const size_t point = d.below(mesh.positions.size());
+  suppose(witness.weights[side][point] == 0);
+  for (Rational& w : witness.weights[side]) w /= 2;
+  witness.weights[side][point] = Rational(1, 2);
+  const bool is_accepted = check_body_contact(query, witness).has_value();
+  CLAIM(!is_accepted);
+}
+
+void claim_same_time(const Truth& one, const Truth& other) {
+  CLAIM(one.collides == other.collides);
+  if (!*one.collides) return;
+  CLAIM(one.witness->t >= other.clear_until.value_or(0));
+  CLAIM(other.witness->t >= one.clear_until.value_or(0));
+}
+
+/// Swapped, with points and faces in another order, a face twice or a point more, it is the same.
+void check_same_mesh(Draw& d) {
+  const Query query = draw_any_mesh(d);
+  Query same = query;
+  if (d.coin()) std::swap(same.patches[0], same.patches[1]);
+  MovingPatch<double>& mesh = same.patches[mesh_side(same)];
+  const int last = mesh.shape.n - 1;
+  std::ranges::reverse(mesh.positions);
+  for (Face& face : mesh.faces) {
+    for (int& corner : face) corner = last - corner;
+    std::ranges::rotate(face, face.begin() + static_cast<long>(d.below(3)));
+  }
+  std::ranges::reverse(mesh.faces);
+  const Face again = mesh.faces[d.below(mesh.faces.size())];
+  if (mesh.faces.size() < kMaxFaces) mesh.faces.push_back(again);
+  if (last + 1 < kMaxControls) {
+    mesh.positions.push_back(same.patches[1 - mesh_side(same)].positions[0]);
+    mesh.shape = Shape::hull(last + 2);
+  }
+  if (d.coin()) drop_unused_points(mesh);
+  show(d, "same", same);
+  claim_same_time(decide(query).truth, decide(same).truth);
+}
+
+/// A face that is farther than the first contact changes nothing if it is taken away.
+void check_unused_face(Draw& d) {
+  const Case known = draw_mesh(d, CaseKind::kRP);
+  Query less = known.query;
+  std::vector<Face>& faces = less.patches[mesh_side(less)].faces;
+  suppose(faces.size() > 1);
+  const size_t face = d.below(faces.size());
+  const std::vector<size_t> there = faces_there(known.query);
+  if (std::ranges::find(there, face) != there.end()) {
+    const Truth part = decide(of_face(known.query, face)).truth;
+    suppose(!*part.collides || part.witness->t > known.truth.witness->t);
+  }
+  faces.erase(faces.begin() + static_cast<long>(face));
+  const Truth truth = decide(less).truth;
+  CLAIM(truth.collides == true && truth.witness->t == known.truth.witness->t);
+}
+
+/// The first contact of two sides is the first of that with the fronts and that with the backs.
+/// Faces along the motion have neither.
+void check_windings(Draw& d) {
+  Query query = draw_any_mesh(d);
+  MovingPatch<double>& mesh = query.patches[mesh_side(query)];
+  mesh.one_sided = true;
+  const Truth front = decide(query).truth;
+  const size_t count = faces_there(query).size();
+  turn_all_round(query);
+  const Truth back = decide(query).truth;
+  suppose(count + faces_there(query).size() == mesh.faces.size());
+  mesh.one_sided = false;
+  const Truth both = decide(query).truth;
+  CLAIM(*both.collides == (*front.collides || *back.collides));
+  turn_all_round(query);
+  const Truth again = decide(query).truth;
+  CLAIM(both.collides == again.collides);
+  if (!*both.collides) return;
+  CLAIM(both.witness->t == again.witness->t);
+  const Truth& first = !*front.collides                                         ? back
+                       : !*back.collides || front.witness->t <= back.witness->t ? front
+                                                                                : back;
+  CLAIM(both.witness->t == first.witness->t);
+}
+
+/// No directions of faces are a proof at their contact or past it, nor with one that is missing,
+/// too many, or of another face.
+void check_forged_faces(Draw& d) {
+  const Case known = draw_mesh(d, CaseKind::kRP);
+  MeshClearance clear = std::get<MeshClearance>(*known.truth.clearance);
+  CLAIM(check_mesh_clearance(known.query, clear).has_value());
+  const size_t n = d.below(clear.normals.size());
+  switch (d.below(4)) {
+    case 0:
+      clear.until += power_of_two(-static_cast<long>(d.integer(0, 100)));
+      break;
+    case 1:
+      clear.closed = true;
+      break;
+    case 2:
+      clear.normals.push_back(clear.normals[n]);
+      break;
+    default:
+      clear.normals.erase(clear.normals.begin() + static_cast<long>(n));
+      clear.until = 0;
+      clear.closed = true;
+  }
+  const bool is_accepted = check_clearance(known.query, clear, "").has_value();
+  CLAIM(!is_accepted);
+}
+
+}  // namespace
+
+std::vector<Property> mesh_claims() {
+  constexpr auto kMeshes = "src/case/mesh.hpp";
+  constexpr auto kChecker = "src/certify/checker/check_bodies.hpp";
+  constexpr auto kDeciding = "src/certify/oracle/decide_bodies.hpp";
+  return {
+      {"mesh.truth_holds",
+       "The planted truth of a mesh is accepted and survives a file, and methods that do not take "
+       "meshes say so",
+       "generators/mesh.hpp", check_mesh_truth},
+      {"mesh.is_least_of_faces",
+       "Any mesh is decided, and touched when the first of its faces is that is there", kDeciding,
+       check_least_of_faces},
+      {"mesh.same_contact",
+       "A mesh is touched at the same time in another order, with a face twice or a point more",
+       kMeshes, check_same_mesh},
+      {"mesh.unused_face", "A face that is touched later or never changes no first contact",
+       kDeciding, check_unused_face},
+      {"mesh.windings",
+       "The first contact of a mesh of two sides is the first of those of its fronts and its backs",
+       kMeshes, check_windings},
+      {"checker.knows_faces_there",
+       "A point is a witness only of a face that is there, and of one face", kChecker,
+       check_who_is_there},
+      {"checker.refuses_forged_faces",
+       "Directions of faces that are too many, too few or too late are refused", kChecker,
+       check_forged_faces},
+  };
+}
+
+}  // namespace ccdfuzz
