@@ -28,7 +28,7 @@ ccdfuzz_patch make_patch(std::uint32_t shape, std::uint32_t degree_u, std::uint3
                          const double* weights = nullptr, double radius = 0) {{
   return {{sizeof(ccdfuzz_patch), shape, degree_u, degree_v, count,
           positions, velocities, ends, weights, radius,
-          0, nullptr, nullptr, 0, nullptr, nullptr, {{}}}};
+          0, nullptr, nullptr, 0, nullptr, nullptr, {{}}, 0, nullptr, 0}};
 }}
 
 /// The plug-in that this is linked with.

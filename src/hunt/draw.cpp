@@ -185,6 +185,8 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     const Features needs = {.turns = !ground_.plane, .angles = ground_.plane};
     if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, Family::kTurning);
     if (features_.spins) add_source(sources, contact, std::nullopt, Family::kSpinning);
+    if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMesh);
+    if (features_.one_sided) add_source(sources, contact, std::nullopt, Family::kMeshOneSided);
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {

@@ -130,6 +130,28 @@ TEST(Draw, OffersBodiesThatTurnToWhoTakesThem) {
   }
 }
 
+TEST(Draw, OffersMeshesToWhoTakesThem) {
+  HuntGround ground;
+  ground.bodies = true;
+  const auto meshes_of = [&](const Features& features) {
+    const Draws draws(1, ground, features);
+    std::set<bool> sides;
+    for (std::uint64_t n = 0; n < 8; ++n) {
+      for (const CheckedCase& asked : draws.at(draws.classes().front(), n)) {
+        for (const MovingPatch<double>& body : asked.query().patches) {
+          if (!body.faces.empty()) sides.insert(body.one_sided);
+        }
+      }
+    }
+    return sides;
+  };
+  EXPECT_EQ(meshes_of({.bodies = true}), (std::set<bool>{}));
+  EXPECT_EQ(meshes_of({.bodies = true, .meshes = true}), (std::set<bool>{false}));
+  EXPECT_EQ(meshes_of({.bodies = true, .one_sided = true}), (std::set<bool>{true}));
+  EXPECT_EQ(meshes_of({.bodies = true, .meshes = true, .one_sided = true}),
+            (std::set<bool>{false, true}));
+}
+
 TEST(Draw, CyclesThroughTheClassesAndFamiliesOfItsShapes) {
   struct Expected {
     std::array<Shape, 2> shapes;

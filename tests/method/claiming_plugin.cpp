@@ -70,6 +70,12 @@ struct Claiming {
       if (!is_known) throw std::logic_error("other loops");
       answer.verdict = CCDFUZZ_HIT;
     }
+    if (first.face_count != 0) {
+      const bool is_known = first.face_count == 2 && first.faces[0][2] == 2 &&
+                            first.faces[1][2] == 3 && first.count == 4;
+      if (!is_known) throw std::logic_error("other faces");
+      answer.verdict = first.one_sided == 1 ? CCDFUZZ_HIT : CCDFUZZ_INCONCLUSIVE;
+    }
     answer.toi_lower = number("toi", 0);
     if (answer.toi_lower > query.t_max()) answer.toi_lower = query.t_max();
     answer.tolerance = number("achieved", ccd::kUnknown);

@@ -123,6 +123,23 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   EXPECT_EQ(outcome_of(kMiss + ":claims=70:points=1", known), "not_asked");
 }
 
+TEST(PluginClaims, MeshesAreAskedOfWhomTakesThem) {
+  Case known;
+  auto& [mesh, ball] = known.query.patches;
+  mesh = {Shape::hull(4), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 0, 0}}};
+  mesh.faces = {{0, 1, 2}, {2, 1, 3}};
+  ball = {Shape::hull(1), {{0, 0, 8}}, {{0, 0, -1}}};
+  const std::string bodies_alone = kMiss + ":claims=70";
+  EXPECT_EQ(outcome_of(bodies_alone, known), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=16454", known), "undecided") << "of two sides";
+  EXPECT_EQ(outcome_of(kMiss + ":claims=32838", known), "not_asked") << "of fronts alone";
+  mesh.one_sided = true;
+  EXPECT_EQ(outcome_of(kMiss + ":claims=16454", known), "not_asked");
+  EXPECT_EQ(outcome_of(kMiss + ":claims=32838", known), "unknown") << "a hit";
+  // Its points are not counted as those of a hull.
+  EXPECT_EQ(outcome_of(kMiss + ":claims=32838:points=1", known), "unknown");
+}
+
 TEST(PluginClaims, WeightsAreAskedOfWhomTakesThem) {
   Case known = meeting_at(0.5, 1);
   MovingPatch<double>& edge = known.query.patches[0];

@@ -42,6 +42,9 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   if (shape.kind == ShapeKind::kHull) {
     out += fmt::format(",\"radius\":{}", json_number(patch.radius));
   }
+  if (!patch.faces.empty()) {
+    out += fmt::format(",\"faces\":{},\"sides\":{}", to_json(patch.faces), patch.one_sided ? 1 : 2);
+  }
   if (patch.turn) {
     out += patch.turn->is_spin()
                ? fmt::format(",\"spin\":{{\"velocity\":{}", to_json(patch.turn->spin))
@@ -108,6 +111,8 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
       .and_then([&] { return read_flag(object, "takes_turns", out.features.turns); })
       .and_then([&] { return read_flag(object, "takes_angles", out.features.angles); })
       .and_then([&] { return read_flag(object, "takes_spins", out.features.spins); })
+      .and_then([&] { return read_flag(object, "takes_meshes", out.features.meshes); })
+      .and_then([&] { return read_flag(object, "takes_one_sided", out.features.one_sided); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
@@ -125,11 +130,12 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
 /// A field that a description does not have: misspelt, it would claim nothing.
 std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
   constexpr std::array kFields = {
-      "protocol",         "name",         "version",      "promise",      "accepts",
-      "bodies",           "conservative", "closed_t_max", "takes_ends",   "takes_trims",
-      "takes_weights",    "takes_bodies", "tolerance",    "nan_policy",   "tolerance_kind",
-      "takes_separation", "ordinary",     "numbers",      "within",       "minimum_separation",
-      "contact_at_zero",  "plane",        "takes_turns",  "takes_angles", "takes_spins"};
+      "protocol",         "name",           "version",      "promise",      "accepts",
+      "bodies",           "conservative",   "closed_t_max", "takes_ends",   "takes_trims",
+      "takes_weights",    "takes_bodies",   "tolerance",    "nan_policy",   "tolerance_kind",
+      "takes_separation", "ordinary",       "numbers",      "within",       "minimum_separation",
+      "contact_at_zero",  "plane",          "takes_turns",  "takes_angles", "takes_spins",
+      "takes_meshes",     "takes_one_sided"};
   for (const std::string& key : object.keys) {
     if (std::ranges::find(kFields, key) == kFields.end()) {
       return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};

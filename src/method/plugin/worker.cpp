@@ -205,6 +205,8 @@ class Plugin {
             {"takes_turns", (d.claims & CCDFUZZ_TAKES_TURNS) != 0},
             {"takes_angles", (d.claims & CCDFUZZ_TAKES_ANGLES) != 0},
             {"takes_spins", (d.claims & CCDFUZZ_TAKES_SPINS) != 0},
+            {"takes_meshes", (d.claims & CCDFUZZ_TAKES_MESHES) != 0},
+            {"takes_one_sided", (d.claims & CCDFUZZ_ONE_SIDED) != 0},
             {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
             {"tolerance_kind", kKinds[d.tolerance_kind]},
             {"tolerance", real(d.tolerance)},
@@ -232,6 +234,7 @@ class Plugin {
     const auto points_before = points_;
     const auto weights_before = weights_;
     const auto turns_before = turns_;
+    const auto faces_before = faces_;
 
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     Fenced<ccdfuzz_answer> out;
@@ -250,7 +253,7 @@ class Plugin {
         fault("sizes", "wrote into the query");
       }
     }
-    if (weights_ != weights_before || turns_ != turns_before) {
+    if (weights_ != weights_before || turns_ != turns_before || faces_ != faces_before) {
       fault("sizes", "wrote into the query");
     }
     a.message[sizeof a.message - 1] = '\0';
@@ -326,6 +329,12 @@ class Plugin {
       }
       for (size_t k = 0; k < 3; ++k) out.turn_centre[k] = turn.at("centre")[k].get<double>();
     }
+    faces_[side] = patch.value("faces", std::vector<std::array<std::uint32_t, 3>>());
+    out.face_count = faces_[side].size();
+    if (out.face_count > 0) {
+      out.faces = reinterpret_cast<const std::uint32_t(*)[3]>(faces_[side].data());
+    }
+    out.one_sided = patch.value("sides", 2) == 1 ? 1 : 0;
     sizes_[side].clear();
     vertices_[side].clear();
     for (const auto& loop : patch.value("trim", std::vector<std::vector<Vertex>>())) {
@@ -344,6 +353,7 @@ class Plugin {
   std::array<Coordinates, 4> points_;
   std::array<std::vector<double>, 2> weights_;
   std::array<std::vector<double>, 4> turns_;  ///< from and to of each side, or a spin
+  std::array<std::vector<std::array<std::uint32_t, 3>>, 2> faces_;
   using Vertex = std::array<double, 2>;
   std::array<std::vector<Vertex>, 2> vertices_;  ///< those of all loops
   std::array<std::vector<std::uint64_t>, 2> sizes_;
