@@ -91,10 +91,10 @@ const sphere = (() => {
 /**
  * A body's surface, {at, faces, normals, net}: its points, triangles and normals (null where sides are flat), and
  * the edges of the hull. Every point is on the surface. Sides and edges are as they are; the round rest is
- * finer the nearer to `normal`, a unit vector or null. A point or a segment without a radius has no triangles.
+ * finer the nearer to `normal`, a unit vector or null. The triangles of a mesh are `given`. A point or a segment without a radius has no triangles.
  */
-export function bodyMesh(points, radius, normal) {
-  const faces = hullFaces(points);
+export function bodyMesh(points, radius, normal, given) {
+  const faces = given ?? hullFaces(points);
   const net = edgesOf(points, faces);
   const sharp = { at: faces.length > 0 ? points : (net[0] ?? [0]).map((i) => points[i]), faces: faces.flat(), normals: null, net };
   if (radius === 0) return sharp;
@@ -158,7 +158,7 @@ export function localBodies(known, { uv, t, witness }) {
       return {
         shape: { kind: 'hull', n: 0, m: 0 },
         terms: [{ a: 0, b: 0, p: s === 0 ? [0, 0, 0] : along1(length), v: v.map((x, k) => toNumber(subtract(x, mean[k]))), w: 1 }],
-        points: local, radius: toNumber(radius), normal: outward, mesh: bodyMesh(local, toNumber(radius), outward),
+        points: local, radius: toNumber(radius), normal: outward, mesh: bodyMesh(local, toNumber(radius), outward, known.patches[s].faces),
       };
     }),
     origin: one.place.map((x, k) => toNumber(x) + inner[k]),
