@@ -1,5 +1,6 @@
 // What the adapters of physics engines share: the loop of a plug-in by lines of JSON, and bodies.
-// A body is the hull of `points` about `centre`, with a ball of `radius` around each of its points.
+// A body is the hull of `points` about `centre`, with a ball of `radius` around each of its points; or
+// its `mesh` has `faces`, the triples of places of their corners, and may be `oneSided`.
 import { createInterface } from 'node:readline';
 
 /// Thrown where an engine promises nothing of a query.
@@ -27,7 +28,7 @@ const allFloats = (points) => points.every((p) => p.every((x) => Math.fround(x) 
 /// The points as the engine gets them: about the middle where these differences are floats, and
 /// else as they are.
 function body(patch, { plane, numbers }) {
-  const { positions, radius = 0, velocities } = patch;
+  const { positions, radius = 0, velocities, faces, sides } = patch;
   const middle = axes.map((k) => (low(positions, k) + high(positions, k)) / 2);
   const about = differences(positions, middle);
   const exact = allFloats([middle]) && allFloats(about) &&
@@ -36,7 +37,8 @@ function body(patch, { plane, numbers }) {
   const points = exact ? about : positions;
   if (numbers === 'binary32') points.concat([[radius]]).flat().forEach((x) => float32(x, 'a number'));
   const half = exact ? halfExtents(points, plane ? 2 : 3) : undefined;
-  return { centre, points, radius, half, velocity: velocities[0] };
+  const mesh = faces && { faces, oneSided: sides === 1 };
+  return { centre, points, radius, half: mesh ? undefined : half, velocity: velocities[0], mesh };
 }
 
 /// Of a box, or rectangle, about 0 whose edges are along the axes; undefined of others.
@@ -67,16 +69,21 @@ export function capsule({ points: [p, q] }, axis) {
 /// floats or outside of 1/128 to 128, nor of overlaps less deep than `tolerance`. `bodies` are
 /// those that it has shapes for; `plane`: they are in the plane z = 0. It may have doubles for
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
-/// exactly.
+/// exactly. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
+/// the second then. A `meshTolerance` is for what the engine rounds of meshes.
 export async function serve(adapter, cast) {
-  const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32' } = adapter;
+  const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
+  const { meshTolerance = tolerance } = adapter;
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
-    const any = asked.options === 'any-numbers=1';
+    const any = (asked.options ?? '').includes('any-numbers=1');
+    const meshes = (asked.options ?? '').includes('mesh=1');
     const reply = asked.ask === 'describe'
       ? { protocol: 1, name, version, promise, accepts: [[hull, hull]], takes_bodies: true,
+          takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
           bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : 7, ordinary: true,
-          closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space', tolerance }
+          closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space',
+          tolerance: meshes ? meshTolerance : tolerance }
       : { id: asked.id, ...answer(asked, { plane, numbers }, cast) };
     process.stdout.write(JSON.stringify(reply) + '\n');
   }
@@ -85,7 +92,8 @@ export async function serve(adapter, cast) {
 function answer({ patches, t_max: tMax }, domain, cast) {
   const float = domain.numbers === 'binary32' ? float32 : (x) => x;
   try {
-    const [a, b] = patches.map((patch) => body(patch, domain));
+    const bodies = patches.map((patch) => body(patch, domain));
+    const [a, b] = bodies[0].mesh ? bodies.reverse() : bodies;
     const way = axes.map((k) => float((a.velocity[k] - b.velocity[k]) * tMax, 'the relative motion'));
     const share = cast(a, b, way);
     return share === undefined ? { verdict: 'miss' } : { verdict: 'hit', toi: share * tMax };

@@ -331,15 +331,10 @@ std::string sweep_text(const Template& engine, const MovingPatch<double>& body, 
 
 Result<std::string> bodies_text(const NamedCase& named, const Template& engine) {
   const Query& query = named.value.query;
-  if (!is_of_bodies(query)) {
-    return input_error(named.id, fmt::format("{} is asked about bodies", engine.engine));
-  }
-  if (engine.has("plane") && !is_in_plane(query)) {
+  if (!is_of_bodies(query) || has_mesh(query))
+    return input_error(named.id, fmt::format("{} is asked about convex bodies", engine.engine));
+  if (engine.has("plane") && !is_in_plane(query))
     return input_error(named.id, "is not in the plane z = 0");
-  }
-  if (has_mesh(query)) {
-    return input_error(named.id, fmt::format("{} has tests of convex bodies alone", engine.engine));
-  }
   if (has_spins(query) || (has_turns(query) && !engine.has("turn"))) {
     return input_error(named.id,
                        fmt::format("{} has no tests of bodies that turn so", engine.engine));

@@ -4,20 +4,11 @@ import { createRequire } from 'node:module';
 import initJolt from 'jolt-physics/wasm-compat';
 
 import { Refusal, ball, capsule, serve, solid, stick } from '../bodies.mjs';
+import { meshRounding, registerShapes, triangles } from './shapes.mjs';
 
 const { version } = createRequire(import.meta.url)('jolt-physics/package.json');
 const Jolt = await initJolt();
-registerShapes();
-
-/// A physics system registers the kinds of shapes; nothing else is asked of this one.
-function registerShapes() {
-  const settings = new Jolt.JoltSettings();
-  settings.mObjectLayerPairFilter = new Jolt.ObjectLayerPairFilterTable(1);
-  settings.mBroadPhaseLayerInterface = new Jolt.BroadPhaseLayerInterfaceTable(1, 1);
-  settings.mObjectVsBroadPhaseLayerFilter = new Jolt.ObjectVsBroadPhaseLayerFilterTable(
-    settings.mBroadPhaseLayerInterface, 1, settings.mObjectLayerPairFilter, 1);
-  new Jolt.JoltInterface(settings);
-}
+registerShapes(Jolt);
 
 /// Frees what the steps of a query have made, when it is over.
 let made = [];
@@ -29,7 +20,8 @@ const isCapsule = ({ points, radius }) => points.length === 2 && radius > 0;
 const turn = (body) => keep(new Jolt.Quat(...(isCapsule(body) ? capsule(body, 1).turn : [0, 0, 0, 1])));
 
 function shape(body) {
-  const { points, radius, half } = body;
+  const { points, radius, half, mesh } = body;
+  if (mesh) return triangles(Jolt, body, vector, keep);
   if (points.length === 1) {
     if (!(radius > 0)) throw new Refusal('has no sphere without a radius');
     return new Jolt.SphereShape(radius);
@@ -61,6 +53,7 @@ function cast(a, b, way) {
   const one = vector([1, 1, 1]);
   const settings = keep(new Jolt.ShapeCastSettings());
   settings.mBackFaceModeTriangles = settings.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
+  if (b.mesh?.oneSided) settings.mBackFaceModeTriangles = Jolt.EBackFaceMode_IgnoreBackFaces;
   const collector = keep(new Jolt.CastShapeClosestHitCollisionCollector());
   target.CastShape(keep(new Jolt.RShapeCast(first, one, start, vector(way))), settings,
                    place([0, 0, 0]), collector, keep(new Jolt.ShapeFilter()));
@@ -70,7 +63,9 @@ function cast(a, b, way) {
 const promise = 'CastShape finds the first hit of a shape that moves along a way: ' +
   'https://jrouwe.github.io/JoltPhysics/class_narrow_phase_query.html';
 const tolerance = keep(new Jolt.ShapeCastSettings()).mCollisionTolerance;
-await serve({ name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, stick, solid] }, (...query) => {
+const hello = { name: 'Jolt Physics', version, promise, tolerance, bodies: [ball, stick, solid],
+                sides: [1, 2], meshTolerance: tolerance + meshRounding };
+await serve(hello, (...query) => {
   try {
     return cast(...query);
   } finally {

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
 import { Refusal, ball, capsule, serve, solid, stick } from '../bodies.mjs';
+import { triangles } from './mesh.mjs';
 
 const require = createRequire(import.meta.url);
 const folder = require.resolve('physx-js-webidl/package.json');
@@ -32,7 +33,8 @@ const isCapsule = ({ points, radius }) => points.length === 2 && radius > 0;
 const turn = (body) => keep(new physx.PxQuat(...(isCapsule(body) ? capsule(body, 0).turn : [0, 0, 0, 1])));
 
 function shape(body) {
-  const { points, radius, half } = body;
+  const { points, radius, half, mesh: isMesh } = body;
+  if (isMesh) return triangles(physx, top, cooking, body, vector, keep);
   if (points.length === 1 && radius > 0) return keep(new physx.PxSphereGeometry(radius));
   if (isCapsule(body)) return keep(new physx.PxCapsuleGeometry(radius, capsule(body, 0).half));
   if (half && radius === 0) return keep(new physx.PxBoxGeometry(...half));
@@ -54,7 +56,8 @@ function sweep(a, b, way) {
   if (!(length > 0 && length <= 128)) throw new Refusal('is asked about ways of at most 128');
   const [poseA, poseB] = [a, b].map((body) => keep(new physx.PxTransform(vector(body.centre), turn(body))));
   const hit = keep(new physx.PxSweepHit());
-  const flags = keep(new physx.PxHitFlags(physx._emscripten_enum_PxHitFlagEnum_eDEFAULT()));
+  const sides = b.mesh && !b.mesh.oneSided ? physx._emscripten_enum_PxHitFlagEnum_eMESH_BOTH_SIDES() : 0;
+  const flags = keep(new physx.PxHitFlags(physx._emscripten_enum_PxHitFlagEnum_eDEFAULT() | sides));
   const touches = physx.PxGeometryQuery.prototype.sweep(
     vector(way.map((x) => x / length)), length, shape(a), poseA, shape(b), poseB, hit, flags);
   return touches ? hit.distance / length : undefined;
@@ -64,7 +67,7 @@ function sweep(a, b, way) {
 const promise = 'a sweep gives the distance at which a moving shape touches another: ' +
   'https://nvidia-omniverse.github.io/PhysX/physx/5.6.1/docs/GeometryQueries.html';
 const hello = { name: 'PhysX', version: `5 (physx-js-webidl ${version})`, promise, tolerance: 1e-4,
-                bodies: [ball, stick, solid] };
+                bodies: [ball, stick, solid], sides: [1, 2] };
 await serve(hello, (...query) => {
   try {
     return sweep(...query);

@@ -16,7 +16,8 @@ function turn(body) {
 }
 
 function shape(body) {
-  const { points, radius, half } = body;
+  const { points, radius, half, mesh } = body;
+  if (mesh) return new RAPIER.TriMesh(new Float32Array(points.flat()), new Uint32Array(mesh.faces.flat()));
   const corners = points.map(vector);
   if (points.length === 1) {
     if (!(radius > 0)) throw new Refusal('has no shape of one point without a radius');
@@ -39,7 +40,7 @@ const distance = RAPIER.Shape.prototype.castShape.length < 10 ? [] : [0];
 const promise = 'casting a shape gives the first time of impact: ' +
   'https://rapier.rs/docs/user_guides/javascript/scene_queries#shape-casting';
 const bodies = [ball, { least_points: 2, most_points: 12 }];
-const hello = { name: 'Rapier', version: RAPIER.version(), promise, tolerance: 1e-4, bodies };
+const hello = { name: 'Rapier', version: RAPIER.version(), promise, tolerance: 1e-4, bodies, sides: [2] };
 await serve(hello, (a, b, way) => {
   const hit = shape(a).castShape(vector(a.centre), turn(a), vector(way), shape(b), vector(b.centre),
                                  turn(b), still, ...distance, 1, true);

@@ -18,6 +18,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "io/process_limits.hpp"
@@ -232,10 +233,7 @@ class Plugin {
     query.max_seconds = asked.at("max_seconds").get<double>();
     query.separation = asked.value("separation", 0.0);
     const auto points_before = points_;
-    const auto weights_before = weights_;
-    const auto turns_before = turns_;
-    const auto faces_before = faces_;
-
+    const auto before = std::tuple(weights_, turns_, faces_);
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     Fenced<ccdfuzz_answer> out;
     ccdfuzz_answer& a = out.value;
@@ -247,15 +245,11 @@ class Plugin {
     const int status = guarded([&] { return table_->answer(state_, &query, &a); });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     out.check("answer");
-    for (size_t i = 0; i < points_.size(); ++i) {
-      if (std::memcmp(points_before[i].data(), points_[i].data(),
-                      points_[i].size() * sizeof points_[i].front()) != 0) {
-        fault("sizes", "wrote into the query");
-      }
-    }
-    if (weights_ != weights_before || turns_ != turns_before || faces_ != faces_before) {
-      fault("sizes", "wrote into the query");
-    }
+    bool is_same = before == std::tie(weights_, turns_, faces_);
+    for (size_t i = 0; i < points_.size(); ++i)
+      is_same = is_same && std::memcmp(points_before[i].data(), points_[i].data(),
+                                       points_[i].size() * sizeof points_[i].front()) == 0;
+    if (!is_same) fault("sizes", "wrote into the query");
     a.message[sizeof a.message - 1] = '\0';
     if (status != 0 || a.verdict == CCDFUZZ_ERROR) {
       return {{"verdict", "error"},
@@ -284,14 +278,13 @@ class Plugin {
 
   static Coordinates coordinates(const Json& points) {
     Coordinates out(points.size());
-    for (size_t i = 0; i < out.size(); ++i) {
+    for (size_t i = 0; i < out.size(); ++i)
       for (size_t k = 0; k < 3; ++k) {
         const Json& x = points[i][k];
         // "nan", "inf" or "-inf".
         out[i][k] = x.is_string() ? std::strtod(x.get_ref<const std::string&>().c_str(), nullptr)
                                   : x.get<double>();
       }
-    }
     return out;
   }
 
@@ -331,9 +324,7 @@ class Plugin {
     }
     faces_[side] = patch.value("faces", std::vector<std::array<std::uint32_t, 3>>());
     out.face_count = faces_[side].size();
-    if (out.face_count > 0) {
-      out.faces = reinterpret_cast<const std::uint32_t(*)[3]>(faces_[side].data());
-    }
+    out.faces = reinterpret_cast<const std::uint32_t(*)[3]>(faces_[side].data());
     out.one_sided = patch.value("sides", 2) == 1 ? 1 : 0;
     sizes_[side].clear();
     vertices_[side].clear();
