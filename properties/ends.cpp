@@ -115,9 +115,9 @@ std::vector<Property> ends_claims() {
       {"ends.meaning", "Ends mean (1 − t)·position + t·end to generator, checker and files",
        "src/bezier/patch.hpp", check_meaning},
       {"ends.same_motion", "Ends whose ways are doubles are answered as these velocities are",
-       "src/method/features.hpp", check_same_motion},
+       "src/method/taken_query.hpp", check_same_motion},
       {"ends.refused", "The paper's methods refuse ends whose ways are no doubles",
-       "src/method/features.hpp", check_refusal},
+       "src/method/taken_query.hpp", check_refusal},
       {"ends.decision_is_proven", "What the oracle says of ends, the checker accepts",
        "src/certify/oracle/oracle.hpp", check_decision_on_ends},
   };

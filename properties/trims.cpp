@@ -10,7 +10,7 @@
 #include "fuzz/mutator/case_bytes.hpp"
 #include "generators/draw_patch.hpp"
 #include "generators/draw_trim.hpp"
-#include "method/features.hpp"
+#include "method/taken_query.hpp"
 #include "properties/draw_trimmed.hpp"
 #include "properties/show.hpp"
 

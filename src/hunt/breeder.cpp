@@ -8,6 +8,7 @@
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
+#include "method/taken_query.hpp"
 
 namespace ccdfuzz {
 
@@ -99,7 +100,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   if (drifting_.empty()) return;
   const Contact& first = mother();
   const bool takes_all =
-      features_.ends && features_.separation && features_.weights && features_.trims;
+      has_all(features_, {.ends = true, .separation = true, .weights = true, .trims = true});
   Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_,
                           takes_all ? QueryRange::kAll : QueryRange::kPlain);
   if (!is_for_it(mutant.query)) return;

@@ -117,12 +117,6 @@ constexpr std::array<NotPlain, kNotPlainFamilies.size()> kNotPlain = {
      {Family::kSeparated, {.separation = true}}}};
 static_assert(std::ranges::equal(kNotPlain, kNotPlainFamilies, {}, &NotPlain::family));
 
-bool has_all(const Features& taken, const Features& needs) {
-  return (taken.ends || !needs.ends) && (taken.separation || !needs.separation) &&
-         (taken.weights || !needs.weights) && (taken.trims || !needs.trims) &&
-         (taken.turns || !needs.turns) && (taken.angles || !needs.angles);
-}
-
 }  // namespace
 
 Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& features)

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <optional>
+#include <algorithm>
+#include <array>
+#include <cstdint>
 
-#include "case/query.hpp"
+#include "method/plugin/ccdfuzz_plugin.h"
 
 namespace ccdfuzz {
 
@@ -24,32 +26,35 @@ struct Features {
   bool trims = false;
 };
 
-inline constexpr Features kAllFeatures = {.ends = true,
-                                          .separation = true,
-                                          .weights = true,
-                                          .bodies = true,
-                                          .turns = true,
-                                          .angles = true,
-                                          .spins = true,
-                                          .meshes = true,
-                                          .one_sided = true,
-                                          .trims = true};
-
-/// Makes of a query one that a method takes: with velocities, where it does not take ends, and
-/// without weights, where it does not take those. Where the query is taken as it is, or is not
-/// valid, it is not copied.
-class TakenQuery {
- public:
-  TakenQuery(const Query& query, const Features& features);
-
-  /// nullptr: not taken, and why() says why.
-  const Query* query() const { return query_; }
-  const char* why() const { return why_; }
-
- private:
-  std::optional<Query> converted_;
-  const Query* query_;
-  const char* why_ = "";
+/// How a plug-in claims a feature: by a field of its description, in C by a bit of its claims.
+struct FeatureClaim {
+  bool Features::*feature;
+  const char* field;
+  std::uint64_t bit;
 };
+inline constexpr auto kFeatureClaims = std::to_array<FeatureClaim>({
+    {&Features::ends, "takes_ends", CCDFUZZ_TAKES_ENDS},
+    {&Features::separation, "takes_separation", CCDFUZZ_TAKES_SEPARATION},
+    {&Features::weights, "takes_weights", CCDFUZZ_TAKES_WEIGHTS},
+    {&Features::bodies, "takes_bodies", CCDFUZZ_TAKES_BODIES},
+    {&Features::turns, "takes_turns", CCDFUZZ_TAKES_TURNS},
+    {&Features::angles, "takes_angles", CCDFUZZ_TAKES_ANGLES},
+    {&Features::spins, "takes_spins", CCDFUZZ_TAKES_SPINS},
+    {&Features::meshes, "takes_meshes", CCDFUZZ_TAKES_MESHES},
+    {&Features::one_sided, "takes_one_sided", CCDFUZZ_ONE_SIDED},
+    {&Features::trims, "takes_trims", CCDFUZZ_TAKES_TRIMS},
+});
+
+inline constexpr Features kAllFeatures = [] {
+  Features all;
+  for (const FeatureClaim& claim : kFeatureClaims) all.*claim.feature = true;
+  return all;
+}();
+
+constexpr bool has_all(const Features& taken, const Features& needs) {
+  return std::ranges::all_of(kFeatureClaims, [&](const FeatureClaim& claim) {
+    return taken.*claim.feature || !(needs.*claim.feature);
+  });
+}
 
 }  // namespace ccdfuzz

@@ -19,6 +19,7 @@
 #include "method/method.hpp"
 #include "method/parameter.hpp"
 #include "method/plugin/plugin_method.hpp"
+#include "method/taken_query.hpp"
 
 namespace ccdfuzz {
 

@@ -119,14 +119,6 @@ TEST(FilesAreData, RecordsOfRunsStartNothing) {
   expect_data(trap, {"report", run, "-o", trap / "page"});
   expect_data(trap, {"merge", run, "-o", trap / "merged"});
   expect_data(trap, {"evaluate", trap / "cases.jsonl", "--methods", "tdibm-c", "-o", run});
-
-  const std::string finds = trap / "finds", hunt = trap / "hunt";
-  expect_data(trap, {"hunt", "--cases", "1", "--max-pops", "1000", "--methods", "tdibm", "--corpus",
-                     finds, "--report", hunt});
-  for (const auto& file : std::filesystem::directory_iterator(hunt)) {
-    replace_all(file.path(), "\"tdibm\"", "\"" + trap.spec() + "\"");
-  }
-  expect_data(trap, {"report", hunt, "-o", trap / "again"});
 }
 
 // The second hunt adds its failures to the entries of the first and shrinks them.

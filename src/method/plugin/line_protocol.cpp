@@ -100,19 +100,12 @@ constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit"
 tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription& out) {
   constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
   std::uint64_t scale = 0;
+  for (const FeatureClaim& claim : kFeatureClaims) {
+    if (auto read = read_flag(object, claim.field, out.features.*claim.feature); !read) return read;
+  }
   return read_flag(object, "conservative", out.conservative)
       .and_then([&] { return read_flag(object, "closed_t_max", out.closed_t_max); })
       .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
-      .and_then([&] { return read_flag(object, "takes_ends", out.features.ends); })
-      .and_then([&] { return read_flag(object, "takes_separation", out.features.separation); })
-      .and_then([&] { return read_flag(object, "takes_weights", out.features.weights); })
-      .and_then([&] { return read_flag(object, "takes_bodies", out.features.bodies); })
-      .and_then([&] { return read_flag(object, "takes_trims", out.features.trims); })
-      .and_then([&] { return read_flag(object, "takes_turns", out.features.turns); })
-      .and_then([&] { return read_flag(object, "takes_angles", out.features.angles); })
-      .and_then([&] { return read_flag(object, "takes_spins", out.features.spins); })
-      .and_then([&] { return read_flag(object, "takes_meshes", out.features.meshes); })
-      .and_then([&] { return read_flag(object, "takes_one_sided", out.features.one_sided); })
       .and_then(
           [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
       .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
@@ -129,15 +122,26 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
 
 /// A field that a description does not have: misspelt, it would claim nothing.
 std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
-  constexpr std::array kFields = {
-      "protocol",         "name",           "version",      "promise",      "accepts",
-      "bodies",           "conservative",   "closed_t_max", "takes_ends",   "takes_trims",
-      "takes_weights",    "takes_bodies",   "tolerance",    "nan_policy",   "tolerance_kind",
-      "takes_separation", "ordinary",       "numbers",      "within",       "minimum_separation",
-      "contact_at_zero",  "plane",          "takes_turns",  "takes_angles", "takes_spins",
-      "takes_meshes",     "takes_one_sided"};
+  constexpr std::array kFields = {"protocol",
+                                  "name",
+                                  "version",
+                                  "promise",
+                                  "accepts",
+                                  "bodies",
+                                  "numbers",
+                                  "conservative",
+                                  "closed_t_max",
+                                  "contact_at_zero",
+                                  "plane",
+                                  "ordinary",
+                                  "within",
+                                  "tolerance_kind",
+                                  "tolerance",
+                                  "nan_policy",
+                                  "minimum_separation"};
   for (const std::string& key : object.keys) {
-    if (std::ranges::find(kFields, key) == kFields.end()) {
+    if (std::ranges::find(kFields, key) == kFields.end() &&
+        std::ranges::find(kFeatureClaims, key, &FeatureClaim::field) == kFeatureClaims.end()) {
       return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};
     }
   }

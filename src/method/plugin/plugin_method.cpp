@@ -10,6 +10,7 @@
 
 #include "method/plugin/plugin_terms.hpp"
 #include "method/plugin/probes.hpp"
+#include "method/taken_query.hpp"
 
 namespace ccdfuzz {
 

@@ -23,6 +23,7 @@
 
 #include "io/process_limits.hpp"
 #include "io/supervise.hpp"
+#include "method/features.hpp"
 #include "method/plugin/ccdfuzz_plugin.h"
 
 namespace {
@@ -192,33 +193,27 @@ class Plugin {
     if (d.tolerance_kind >= kKinds.size()) fault("sizes", "describes an unknown tolerance");
     constexpr std::array kPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
     if (d.nan_policy >= kPolicies.size()) fault("sizes", "describes an unknown NaN policy");
-    return {{"protocol", 1},
-            {"name", d.name == nullptr ? "" : d.name},
-            {"version", d.version == nullptr ? "" : d.version},
-            {"accepts", accepts},
-            {"conservative", (d.claims & CCDFUZZ_CONSERVATIVE) != 0},
-            {"closed_t_max", (d.claims & CCDFUZZ_CLOSED_T_MAX) != 0},
-            {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
-            {"takes_ends", (d.claims & CCDFUZZ_TAKES_ENDS) != 0},
-            {"takes_separation", (d.claims & CCDFUZZ_TAKES_SEPARATION) != 0},
-            {"takes_weights", (d.claims & CCDFUZZ_TAKES_WEIGHTS) != 0},
-            {"takes_trims", (d.claims & CCDFUZZ_TAKES_TRIMS) != 0},
-            {"takes_turns", (d.claims & CCDFUZZ_TAKES_TURNS) != 0},
-            {"takes_angles", (d.claims & CCDFUZZ_TAKES_ANGLES) != 0},
-            {"takes_spins", (d.claims & CCDFUZZ_TAKES_SPINS) != 0},
-            {"takes_meshes", (d.claims & CCDFUZZ_TAKES_MESHES) != 0},
-            {"takes_one_sided", (d.claims & CCDFUZZ_ONE_SIDED) != 0},
-            {"takes_bodies", (d.claims & CCDFUZZ_TAKES_BODIES) != 0},
-            {"tolerance_kind", kKinds[d.tolerance_kind]},
-            {"tolerance", real(d.tolerance)},
-            {"minimum_separation", real(d.minimum_separation)},
-            {"nan_policy", kPolicies[d.nan_policy]},
-            {"promise", d.promise == nullptr ? "" : d.promise},
-            {"numbers", (d.claims & CCDFUZZ_BINARY32) != 0 ? "binary32" : "binary64"},
-            {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
-            {"plane", (d.claims & CCDFUZZ_PLANE) != 0},
-            {"within", d.within},
-            {"bodies", bodies}};
+    Json description = {{"protocol", 1},
+                        {"name", d.name == nullptr ? "" : d.name},
+                        {"version", d.version == nullptr ? "" : d.version},
+                        {"accepts", accepts},
+                        {"conservative", (d.claims & CCDFUZZ_CONSERVATIVE) != 0},
+                        {"closed_t_max", (d.claims & CCDFUZZ_CLOSED_T_MAX) != 0},
+                        {"contact_at_zero", (d.claims & CCDFUZZ_CONTACT_AT_ZERO) != 0},
+                        {"tolerance_kind", kKinds[d.tolerance_kind]},
+                        {"tolerance", real(d.tolerance)},
+                        {"minimum_separation", real(d.minimum_separation)},
+                        {"nan_policy", kPolicies[d.nan_policy]},
+                        {"promise", d.promise == nullptr ? "" : d.promise},
+                        {"numbers", (d.claims & CCDFUZZ_BINARY32) != 0 ? "binary32" : "binary64"},
+                        {"ordinary", (d.claims & CCDFUZZ_ORDINARY) != 0},
+                        {"plane", (d.claims & CCDFUZZ_PLANE) != 0},
+                        {"within", d.within},
+                        {"bodies", bodies}};
+    for (const ccdfuzz::FeatureClaim& claim : ccdfuzz::kFeatureClaims) {
+      description[claim.field] = (d.claims & claim.bit) != 0;
+    }
+    return description;
   }
 
   Json answer(const Json& asked) {

@@ -1,4 +1,4 @@
-#include "method/features.hpp"
+#include "method/taken_query.hpp"
 
 #include <algorithm>
 
