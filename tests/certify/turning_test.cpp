@@ -214,6 +214,20 @@ TEST(CheckSpin, AboutAnyAxisAThirdOfATurnPermutesTheOthers) {
   EXPECT_TRUE(check_contact(query, witness));
 }
 
+TEST(CheckSpin, WhatHasNotTurnedIsExactlyWhereItWas) {
+  Query query = rod_to_ball(1, 1, 0);
+  query.patches[1].radius = 0;
+  Witness witness{0, {}, {{{Rational(1, 2), Rational(1, 2)}, {1}}}};
+  EXPECT_TRUE(check_contact(query, witness));
+  query.patches[0].turn = spin_of(0, -0.0, 0);
+  witness.t = 1;
+  EXPECT_TRUE(check_contact(query, witness));
+  // A rotation by any other angle is rounded.
+  query.patches[0].turn = spin_of(0x1p-1000, 0, 0);
+  EXPECT_EQ(check_contact(query, witness).error().what,
+            "are not seen to touch: the error of a spin exceeds the reach and both radii inside");
+}
+
 /// A box and a point in it. The middle of the box, as its corners make it, has the ball of the
 /// radius 1/8·2/√3 = 0.1443 in the simplex of the first corners that span a volume.
 TEST(CheckSpin, HullsTouchWhereOneHasABallAboutItsPoint) {

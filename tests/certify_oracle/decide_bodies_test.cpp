@@ -99,6 +99,16 @@ TEST(DecideBodies, AreDecidedWhateverTheyAre) {
   EXPECT_GT(count[1], 30);
 }
 
+TEST(DecideTurning, DistancesWhoseSquaresAreNoDoublesAreDecided) {
+  for (const double scale : {0x1p-1060, 0x1p-600, 0x1p600, 0x1p1000}) {
+    Query query = {{body({{0, 0, 0}}, {0, 0, 0}), body({{scale, 0, 0}}, {0, 0, 0})}, 1};
+    query.patches[0].turn = BodyTurn{{}, {}, {0, 0, 0}, {1, 0, 0}};
+    EXPECT_EQ(decide(query).truth.collides, false) << scale;
+    query.patches[1].positions[0][0] = 0;
+    EXPECT_EQ(decide(query).truth.collides, true) << scale;
+  }
+}
+
 TEST(NearestPoints, OfHullsThatMeetAreAtNoDistance) {
   NearestPoints nearest;
   const Points<Rational> square = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {2, 2, 0}};

@@ -160,7 +160,12 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
       reach += radius_within(query.patches[s], witness.weights[s], work);
     }
   }
-  if (reach >= 0 && squared <= reach * reach) return {};
+  if (reach < 0) {
+    return input_error(fmt::format("{}.weights", kWitness),
+                       "are not seen to touch: the error of a spin exceeds the reach and both "
+                       "radii inside");
+  }
+  if (squared <= reach * reach) return {};
   return input_error(fmt::format("{}.weights", kWitness),
                      fmt::format("the points are farther apart than {}: {} squared",
                                  abbreviated(reach), abbreviated(squared)));
@@ -223,7 +228,8 @@ Result<void> check_faces(const Query& query, const MeshClearance& clearance, Wor
     if (auto checked = check_direction(query, first, second, apart, work); !checked) return checked;
   }
   if (next == clearance.normals.size()) return {};
-  return refuse(fmt::format("has {} normals for {} faces", clearance.normals.size(), next));
+  return refuse(fmt::format("number of normals: {}; of faces that are there: {}",
+                            clearance.normals.size(), next));
 }
 
 }  // namespace

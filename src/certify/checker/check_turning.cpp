@@ -329,6 +329,9 @@ std::optional<MovedPoint> moved_point(const MovingPatch<double>& body, const Vec
       // |q p q* − r p r*| ≤ |q − r|·(|q| + |r|)·|p|, and |p| ≤ |x| + |y| + |z|.
       const Rational length = abs(way[0]) + abs(way[1]) + abs(way[2]);
       out.error = with.product(with.product(spin_error(), 2 + spin_error()), length);
+      // If w·t = 0, the quaternion is exactly 1.
+      const auto is_zero = [](double w) { return exact(w) == 0; };
+      if (t == 0 || std::ranges::all_of(turn.spin, is_zero)) out.error = 0;
     }
     if (q.size() == 4) {
       const auto matrix = matrix_of({Polynomial{q[0]}, {q[1]}, {q[2]}, {q[3]}}, with);

@@ -74,11 +74,13 @@ class DecidingTurning {
     const NearestPoints::Found& found = nearest(first, second);
     if (found.squared <= reach_ * reach_) return out;
     constexpr int kBits = 56;
-    const double length = std::sqrt(found.squared.get_d());
+    // The way is scaled exactly, since its square need not be within the range of doubles.
+    const Rational size = power_below(abs(found.way[0]) + abs(found.way[1]) + abs(found.way[2]));
+    const double length = std::sqrt(Rational(found.squared / (size * size)).get_d());
     Vec3<Rational> normal;
     for (int k = 0; k < 3; ++k) {
-      normal[k] =
-          exact(std::ldexp(std::round(std::ldexp(found.way[k].get_d() / length, kBits)), -kBits));
+      const double part = Rational(found.way[k] / size).get_d() / length;
+      normal[k] = exact(std::ldexp(std::round(std::ldexp(part, kBits)), -kBits));
     }
     out.heights = {dot_of(normal, first[0]), dot_of(normal, second[0])};
     for (const Vec3<Rational>& p : first) {
