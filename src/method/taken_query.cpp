@@ -45,7 +45,11 @@ TakenQuery::TakenQuery(const Query& query, const Features& features) : query_(&q
   if (is_apart) refuse("knows touching alone, and this query has a separation");
   if (has_bodies) refuse(kNoBodies);
   if (has_turning) refuse("takes no bodies that turn so");
-  if (has_meshes) refuse("takes no such meshes");
+  if (has_meshes) {
+    refuse(features.meshes      ? "takes no one-sided meshes"
+           : features.one_sided ? "takes one-sided meshes alone"
+                                : "takes no meshes");
+  }
   if (has_trims) refuse("takes whole patches, and one of this query is trimmed");
 }
 

@@ -369,6 +369,17 @@ TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
             "0.5, NaN: hit");
 }
 
+TEST(PluginClaims, OfBodiesAreRefusedOfWhomTakesNone) {
+  for (const std::string field :
+       {"takes_turns", "takes_angles", "takes_spins", "takes_meshes", "takes_one_sided"}) {
+    const std::string claim = R"({"protocol":1,")" + field + R"(":true)";
+    EXPECT_EQ(std::get<PluginRefusal>(read_description(claim + '}').error()).what,
+              "claims " + field + " without takes_bodies");
+    EXPECT_TRUE(read_description(claim + R"(,"takes_bodies":true})"));
+  }
+  EXPECT_TRUE(read_description(R"({"protocol":1,"takes_ends":true,"takes_trims":true})"));
+}
+
 TEST(PluginClaims, AreRefusedWhenTheyCannotBeReadOrAreOfNoKnownField) {
   EXPECT_TRUE(read_description(R"({"protocol":1})"));
   EXPECT_TRUE(read_description(R"({"protocol":1,"nan_policy":"hit","tolerance_kind":"space"})"));

@@ -148,6 +148,17 @@ std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
   return std::nullopt;
 }
 
+/// A claim about bodies, of which it takes none: it would claim nothing.
+std::optional<PluginRefusal> idle_claim(const Features& claimed) {
+  constexpr Features kOfPatches = {
+      .ends = true, .separation = true, .weights = true, .trims = true};
+  for (const FeatureClaim& claim : kFeatureClaims) {
+    if (claimed.bodies || kOfPatches.*claim.feature || !(claimed.*claim.feature)) continue;
+    return PluginRefusal{fmt::format("claims {} without takes_bodies", claim.field)};
+  }
+  return std::nullopt;
+}
+
 /// A claim so loose that it would excuse any answer.
 std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
   const bool relative = d.tolerance_kind == ToleranceKind::kTimeRelative ||
@@ -335,6 +346,7 @@ Described read_description(const std::string& line) {
           .and_then([&] { return read_claims(*object, out); });
   if (!read) return tl::unexpected(PluginRefusal{read.error().note});
   if (auto refusal = unknown_field(*object)) return tl::unexpected(*std::move(refusal));
+  if (auto refusal = idle_claim(out.features)) return tl::unexpected(*std::move(refusal));
   if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
   return out;
 }
