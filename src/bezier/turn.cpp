@@ -1,6 +1,7 @@
 #include "bezier/turn.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/double_parts.hpp"
 #include "numeric/dyadic.hpp"
@@ -33,7 +34,8 @@ std::optional<TurnFault> fault_of_spin(const std::vector<double>& spin) {
   if (auto fault = fault_of_numbers("velocity", spin)) return fault;
   const Dyadic fastest = Dyadic::exact(kFastestSpin);
   if (product_of(spin, spin) <= fastest * fastest) return std::nullopt;
-  return TurnFault{"velocity", fmt::format("is of more than {} radians in [0, 1]", kFastestSpin)};
+  return TurnFault{"velocity", fmt::format("[{}] is of more than {} radians in [0, 1]",
+                                           fmt::join(spin, ", "), kFastestSpin)};
 }
 
 }  // namespace

@@ -23,9 +23,13 @@ std::optional<std::string> fault_of_faces(const MovingPatch<double>& patch) {
       if (0 <= corner && corner < count) continue;
       return fmt::format("has the corner {} in [{}]; the points are 0..{}", corner, f, count - 1);
     }
-    if (a == b || b == c || c == a) return fmt::format("has a corner twice in [{}]", f);
+    if (a == b || b == c || c == a) {
+      return fmt::format("has the corner {} twice in [{}]", b == c ? b : a, f);
+    }
   }
-  if (compare(patch.radius, 0) != 0) return "are of a mesh, whose radius must be 0";
+  if (compare(patch.radius, 0) != 0) {
+    return fmt::format("are of a mesh, whose radius must be 0, not {}", patch.radius);
+  }
   return std::nullopt;
 }
 
@@ -33,7 +37,9 @@ std::optional<std::string> fault_of_mesh(const std::array<MovingPatch<double>, 2
   const auto& [a, b] = patches;
   if (!a.faces.empty() && !b.faces.empty()) return "has two meshes; one of them may have faces";
   if ((!a.faces.empty() || !b.faces.empty()) && (a.turn || b.turn)) {
-    return "has a turn beside a mesh, which is not supported";
+    const size_t side = a.turn ? 0 : 1;
+    return fmt::format("has a {} in [{}] beside a mesh, which is not supported",
+                       patches[side].turn->is_spin() ? "spin" : "turn", side);
   }
   return std::nullopt;
 }

@@ -8,8 +8,8 @@
 
 #include "base/verify.hpp"
 #include "bezier/trim.hpp"
-#include "case/mesh.hpp"
 #include "files/expected_json.hpp"
+#include "files/mesh_json.hpp"
 #include "files/query_json.hpp"
 #include "files/turn_json.hpp"
 #include "io/fields.hpp"
@@ -127,7 +127,7 @@ struct JsonForm<MovingPatch<double>> {
     });
     archive.optional("radius", patch.radius, 0, not_negative);
     turn_fields(archive, patch.turn);
-    archive.optional("faces", patch.faces);
+    face_fields(archive, patch);
     int sides = patch.one_sided ? 1 : 2;
     archive.optional("sides", sides, 2, within(1, 2));
     if constexpr (kReads<decltype(archive)>) {

@@ -30,8 +30,8 @@ struct SpinInFiles {
     archive.optional("centre", spin.turn.centre, Vec3<double>(0, 0, 0));
     if constexpr (kReads<decltype(archive)>) {
       // Of no number it would be no spin.
-      const auto fault =
-          spin.turn.is_spin() ? fault_of(spin.turn) : TurnFault{"velocity", "is empty"};
+      const auto fault = spin.turn.is_spin() ? fault_of(spin.turn)
+                                             : TurnFault{"velocity", "has 0 numbers, and needs 3"};
       if (fault) archive.object().refuse(fmt::format("{} {}", fault->field, fault->what));
     }
   }

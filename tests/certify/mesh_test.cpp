@@ -149,13 +149,14 @@ TEST(CheckMesh, WhatIsNoMeshIsInvalid) {
             std::string::npos);
   EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[1][0] = -1; }).find("the corner -1"),
             std::string::npos);
-  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[0][0] = 1; }).find("twice in [0]"),
-            std::string::npos);
+  EXPECT_NE(
+      fault_of([](Query& q) { q.patches[0].faces[0][0] = 1; }).find("the corner 1 twice in [0]"),
+      std::string::npos);
   EXPECT_NE(fault_of([](Query& q) {
               q.patches[0].faces.resize(9, {0, 1, 2});
             }).find("9 triangles"),
             std::string::npos);
-  EXPECT_NE(fault_of([](Query& q) { q.patches[0].radius = 1; }).find("radius must be 0"),
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].radius = 1; }).find("radius must be 0, not 1"),
             std::string::npos);
   EXPECT_NE(fault_of([](Query& q) { q.patches[1].one_sided = true; }).find("no faces"),
             std::string::npos);
@@ -164,7 +165,7 @@ TEST(CheckMesh, WhatIsNoMeshIsInvalid) {
   EXPECT_NE(fault_of([](Query& q) {
               q.t_max = 1;
               q.patches[1].turn = BodyTurn{{1, 0}, {1, 0}, {0, 0, 0}};
-            }).find("a turn beside a mesh"),
+            }).find("a turn in [1] beside a mesh"),
             std::string::npos);
 }
 

@@ -282,7 +282,8 @@ TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
   EXPECT_TRUE(is_valid(query));
   query.patches[0].turn->spin[0] = 0x1p-40;
   EXPECT_EQ(validate(query, "").error().message(),
-            "patches[0].spin.velocity: is of more than 8 radians in [0, 1]");
+            "patches[0].spin.velocity: [9.094947017729282e-13, 8, 0] is of more than 8 radians in "
+            "[0, 1]");
   query.patches[0].turn->spin = {1, 2};
   EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity");
   query.patches[0].turn->spin = {1, 2, HUGE_VAL};

@@ -104,46 +104,6 @@ const std::vector<Row> kTable = {
      "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
      "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]]",
      "patches: has one hull; both are, or neither"},
-    {"NegativeRadius",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], \"radius\": -1",
-     "patches[0].radius: -1 is negative"},
-    {"TurnThroughZero",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], "
-     "\"turn\": {\"from\": [1,0], \"to\": [0,1]}",
-     "patches[0].turn: to from·to is not > 0: give -to, which is the same rotation of a "
-     "quaternion"},
-    {"SpinTooFast",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], "
-     "\"spin\": {\"velocity\": [8,0,1]}",
-     "patches[0].spin: velocity is of more than 8 radians in [0, 1]"},
-    {"SpinOfNothing",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], "
-     "\"spin\": {\"velocity\": []}",
-     "patches[0].spin: velocity is empty"},
-    {"SpinBesideTurn",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], "
-     "\"turn\": {\"from\": [1,0], \"to\": [1,1]}, \"spin\": {\"velocity\": [0,0,1]}",
-     "patches[0].spin: stands beside a turn; a body has one of them"},
-    {"FaceOfNoPoint",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], \"faces\": [[0,1,2]]",
-     "patches[0].faces: has the corner 1 in [0]; the points are 0..0"},
-    {"OneSidedHull",
-     "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
-     "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
-     "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]], \"sides\": 1",
-     "patches[0].sides: is 1, and there are no faces"},
     {"EndsBesideVelocities", "\"degree\": 1,", "\"degree\": 1, \"ends\": [],",
      "patches[0].ends: stands beside velocities; a patch has one of them"},
     {"EndsPastOne", "\"velocities\": [[0,0,0]", "\"ends\": [[0,0,0]",
