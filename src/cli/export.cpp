@@ -56,10 +56,9 @@ int export_tests(const ExportOptions& options, OutputFile& out) {
   std::uint64_t count = 0;
   need(out.write(test_preamble(framework)));
   need(for_each_checked_case(options.files, [&](const NamedCase& named) -> Result<void> {
-    if (is_trimmed(named.value.query)) {
-      return input_error(named.id, "has a trim, for which these tests have no place");
-    }
-    return out.write(test_snippet(named, ++count, framework));
+    return test_snippet(named, ++count, framework).and_then([&](const std::string& text) {
+      return out.write(text);
+    });
   }));
   need(out.commit());
   print_out(counted(count, "test", "tests") + "\n");

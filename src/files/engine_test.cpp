@@ -273,10 +273,9 @@ Result<std::string> features_text(const NamedCase& named, const Template& engine
   const std::string kind = kind_of(query);
   if (!engine.has(kind) || is_trimmed(query) || (has_ends(query) && !engine.is_exact()) ||
       (query.separation > 0 && !engine.takes_separation())) {
-    return input_error(named.id,
-                       fmt::format("{} is not asked about such a pair of shapes, or such a motion "
-                                   "or separation of them",
-                                   engine.engine));
+    const char* why = is_of_bodies(query) ? "has no tests of bodies"
+                                          : "has no tests of such shapes, motions or separations";
+    return input_error(named.id, fmt::format("{} {}", engine.engine, why));
   }
   const double step = step_of(query, engine);
   std::array<Points<double>, 2> points;  // at 0 and after the step
@@ -331,14 +330,14 @@ std::string sweep_text(const Template& engine, const MovingPatch<double>& body, 
 
 Result<std::string> bodies_text(const NamedCase& named, const Template& engine) {
   const Query& query = named.value.query;
-  if (!is_of_bodies(query) || has_mesh(query))
-    return input_error(named.id, fmt::format("{} is asked about convex bodies", engine.engine));
+  if (!is_of_bodies(query) || has_mesh(query)) {
+    const char* why = has_mesh(query) ? "has no tests of meshes" : "is asked about convex bodies";
+    return input_error(named.id, fmt::format("{} {}", engine.engine, why));
+  }
   if (engine.has("plane") && !is_in_plane(query))
     return input_error(named.id, "is not in the plane z = 0");
-  if (has_spins(query) || (has_turns(query) && !engine.has("turn"))) {
-    return input_error(named.id,
-                       fmt::format("{} has no tests of bodies that turn so", engine.engine));
-  }
+  if (has_spins(query) || (has_turns(query) && !engine.has("turn")))
+    return input_error(named.id, fmt::format("{} has no tests of such turns", engine.engine));
   std::array<EngineBody, 2> bodies = {engine_body(query.patches[0]), engine_body(query.patches[1])};
   std::array<std::string, 2> shapes;
   for (size_t side = 0; side < 2; ++side) {

@@ -4,8 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-
-#include "case/mesh.hpp"
+#include <optional>
 
 namespace ccdfuzz {
 
@@ -181,6 +180,20 @@ std::string truth_text(const Case& value) {
   return "nothing is proven of contacts: an answer is all that is wanted";
 }
 
+/// What these tests have no place for; nothing if a query has none of it.
+std::optional<std::string> without_place(const Query& query) {
+  for (size_t side = 0; side < 2; ++side) {
+    const MovingPatch<double>& patch = query.patches[side];
+    const char* field = !patch.trim.empty()     ? "trim"
+                        : !patch.faces.empty()  ? "faces"
+                        : !patch.turn           ? nullptr
+                        : patch.turn->is_spin() ? "spin"
+                                                : "turn";
+    if (field != nullptr) return fmt::format("patches[{}].{}", side, field);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string test_preamble(TestFramework framework) {
@@ -193,11 +206,12 @@ std::string test_preamble(TestFramework framework) {
   return out + fmt::format(fmt::runtime(kPreamble), google ? kGoogleTestHeader : kCatch2Header);
 }
 
-std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
+Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFramework framework) {
   const Case& value = named.value;
-  if (is_trimmed(value.query)) return "\n// A trim has no place in these tests.\n";
-  if (has_mesh(value.query)) return "\n// A mesh has no place in these tests.\n";
-  if (has_turns(value.query)) return "\n// A turn has no place in these tests.\n";
+  if (const auto field = without_place(value.query)) {
+    return input_error(fmt::format("{}: {}", named.id, *field),
+                       "has no place in tests of a plug-in; replay asks the plug-in itself");
+  }
   const Query moving = with_velocities(value.query).value_or(value.query);
   const Query query = without_weights(moving).value_or(moving);
   std::string id = named.id;

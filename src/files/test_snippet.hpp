@@ -15,8 +15,9 @@ std::string test_preamble(TestFramework framework);
 
 /// A test in it of a case, the number-th from 1 on. It asks the plug-in the very query, with every
 /// number as a hex float. It checks that the answer is one. A hit must be no later than the proven
-/// contact. No hit may come where nothing touches in [0, t_max]. A case with a trim gets a comment
-/// instead: these tests have no place for it. Requires a valid, checked case.
-std::string test_snippet(const NamedCase& named, size_t number, TestFramework framework);
+/// contact. No hit may come where nothing touches in [0, t_max]. Requires a valid, checked
+/// case. Errors, naming case and field: a trim, faces, a turn or a spin has no place in these
+/// tests.
+Result<std::string> test_snippet(const NamedCase& named, size_t number, TestFramework framework);
 
 }  // namespace ccdfuzz

@@ -164,10 +164,11 @@ CaseText describe(const ReportedCase& reported, const std::vector<std::string>& 
   }
   Json cells = Json::array();
   share_cells(traces, cells);
+  constexpr TestFramework kGoogleTest = TestFramework::kGoogleTest;
+  const Result<std::string> test = test_snippet({reported.id, known}, 1, kGoogleTest);
   const Json details = {
       {"reproduce", reported.reproduce},
-      {"gtest", test_preamble(TestFramework::kGoogleTest) +
-                    test_snippet({reported.id, known}, 1, TestFramework::kGoogleTest)},
+      {"gtest", test ? test_preamble(kGoogleTest) + *test : "// " + test.error().message() + "\n"},
       {"answers", answers},
       {"cells", cells},
       {"traces", traces}};

@@ -80,5 +80,13 @@ TEST(BodyDepth, OfWhatHasNoInsideIsNothing) {
   expect_depth(query, 1, 0);
 }
 
+TEST(BodyDepth, IsALowerBoundWhereTheCentreOfASpinIsFarAway) {
+  Query query{{ball({0, 0, 0}, 1, {0, 0, 0}), ball({0, 1.5, 0}, 1, {0, 0, 0})}, 1};
+  BodyTurn& turn = query.patches[0].turn.emplace();
+  turn.spin = {0, 0, -0x1.8p-143};
+  turn.centre = {0x1p100, 0, 0};
+  EXPECT_LE(depth_until(query, 1).value(), 0.5 + 0x1.8p-43) << "it moves no farther than that";
+}
+
 }  // namespace
 }  // namespace ccdfuzz

@@ -81,7 +81,12 @@ TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
   for (const char* engine : {"rapier", "jolt", "bullet"}) {
     EXPECT_FALSE(engine_test(vertex_through_face(), engine)) << engine;
   }
-  EXPECT_FALSE(engine_test(falling_ball(), "fcl"));
+  EXPECT_EQ(engine_test(falling_ball(), "fcl").error().message(),
+            "ball.json: fcl has no tests of bodies");
+  NamedCase mesh = falling_ball();
+  mesh.value.query.patches[1].faces = {{0, 1, 2}};
+  EXPECT_EQ(engine_test(mesh, "rapier").error().message(),
+            "ball.json: rapier has no tests of meshes");
   NamedCase round = falling_ball();
   Points<double>& points = round.value.query.patches[0].positions;
   std::vector<Rational>& weights = round.value.truth.witness->weights[0];

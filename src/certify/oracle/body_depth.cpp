@@ -97,18 +97,23 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
 std::optional<double> depth_at(const Query& query, const Rational& t, bool in_plane) {
   std::array<Points<Rational>, 2> points;
   Rational largest = power_of_two(-1000);
-  Rational reach = exact(query.separation);
+  Rational reach = exact(query.separation), far = 0;
   for (size_t s = 0; s < 2; ++s) {
-    points[s] = points_at(query.patches[s], t).points;
+    PointsAt at = points_at(query.patches[s], t);
+    points[s] = std::move(at.points);
     reach += exact(query.patches[s].radius);
+    if (!at.are_exact) {
+      far = std::max(far, exact(query.patches[s].turn->centre.cwiseAbs().maxCoeff()));
+    }
     for (const Vec3<Rational>& p : points[s]) {
       for (int k = 0; k < 3; ++k) largest = std::max(largest, Rational(abs(p[k])));
     }
   }
-  // Each coordinate of both moves by less than the unit, and by what points_at rounds.
-  constexpr int kBits = 60;
+  // Each coordinate of both moves by less than the unit. points_at is off by 2^-96 of a distance
+  // from a centre, at most 2 (largest + far). 2^-90 of far covers the centres' part of that.
+  constexpr int kBits = 60, kTurnBits = 90;
   const Rational unit = power_below(largest) * power_of_two(-kBits);
-  const double rounding = round_up(8 * unit);
+  const double rounding = round_up(8 * unit + far * power_of_two(-kTurnBits));
   std::array<Hull, 2> hulls;
   for (size_t s = 0; s < 2; ++s) {
     for (Vec3<Rational>& p : points[s]) {

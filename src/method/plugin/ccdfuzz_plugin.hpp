@@ -29,7 +29,7 @@ struct Patch {
   const ccdfuzz_patch& raw;
 
   std::size_t count() const { return static_cast<std::size_t>(raw.count); }
-  /// Coordinate k of control point i at time t.
+  /// Coordinate k of control point i at time t. It ignores a turn or a spin of a body.
   double at(std::size_t i, int k, double t) const {
     const double p = raw.positions[i][k];
     if (raw.ends != nullptr) return p + t * (raw.ends[i][k] - p);
