@@ -153,13 +153,15 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
     if (find.is_new) found.insert(find.path);
   }
   MethodSet methods;
-  for (const NamedCase& entry : *entries) {
-    Result<ReportedCase> reported = reported_entry(entry, methods);
-    if (!reported) return tl::unexpected(reported.error());
-    reported->is_new = found.contains(entry.id);
-    report.cases.push_back(std::move(*reported));
+  for (const bool is_new : {true, false}) {
+    for (const NamedCase& entry : *entries) {
+      if (found.contains(entry.id) != is_new) continue;
+      Result<ReportedCase> reported = reported_entry(entry, methods);
+      if (!reported) return tl::unexpected(reported.error());
+      reported->is_new = is_new;
+      report.cases.push_back(std::move(*reported));
+    }
   }
-  std::ranges::stable_partition(report.cases, [](const ReportedCase& c) { return *c.is_new; });
   keep_most_telling(report);
   return report;
 }
