@@ -243,6 +243,40 @@ void check_planes_with_room(Draw& d) {
   CLAIM(!is_accepted);
 }
 
+/// A plane beside a body that spins is accepted for a short time, and refused where it cuts off a
+/// point of it then, or later.
+void check_plane_beside(Draw& d) {
+  const auto eighths = [&](long most) {
+    Vec3<double> v;
+    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(d.integer(-most, most)) / 8;
+    return v;
+  };
+  Query query;
+  auto& [body, far] = query.patches;
+  body = {Shape::hull(2), {eighths(8), eighths(8)}, {{0, 0, 0}}};
+  const Vec3<double> w = eighths(16);
+  body.turn = BodyTurn{{}, {}, {0, 0, 0}, {w[0], w[1], w[2]}};
+  const Vec3<double> normal = eighths(8);
+  suppose(normal != Vec3<double>(0, 0, 0));
+  far = {Shape::hull(1), {1024 * normal}, {{0, 0, 0}}};
+  BodyPlanes::Plane plane;
+  plane.from = Rational(d.integer(0, 32)) / 64;
+  const Rational later = plane.from + Rational(d.integer(1, 32)) / 64;
+  for (auto& end : plane.normals) end = {exact(normal[0]), exact(normal[1]), exact(normal[2])};
+  show(d, "query", query);
+  // In 2^-24 of the step no point goes so far.
+  const Rational room = plane.gap = power_of_two(-10);
+  const Rational highest = heights_at(query, exact(normal), plane.from)[0];
+  const Rational highest_later = heights_at(query, exact(normal), later)[0];
+  const auto is_accepted = [&](const Rational& offset, const Rational& until) {
+    plane.offsets.fill(offset);
+    return check_body_plane(query, plane, until).has_value();
+  };
+  CLAIM(is_accepted(highest + room, plane.from + power_of_two(-24)));
+  CLAIM(!is_accepted(highest - room, plane.from + power_of_two(-24)));
+  CLAIM(highest_later <= highest + room || !is_accepted(highest + room, later));
+}
+
 /// A plane that touches the bodies at both of its ends is accepted only if they are on their sides
 /// of it in between.
 void check_planes_between(Draw& d) {
@@ -323,6 +357,10 @@ std::vector<Property> turning_claims() {
        "refused "
        "with too small a gap",
        kChecker, check_planes_with_room},
+      {"turning.plane_beside_a_spin",
+       "A plane beside a body that spins is accepted for a short time, and refused where it cuts "
+       "off a point of the body",
+       kChecker, check_plane_beside},
       {"turning.planes_hold_between",
        "Planes that are accepted have bodies that turn on their sides between their ends, too",
        kChecker, check_planes_between},
