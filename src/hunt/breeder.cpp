@@ -8,6 +8,7 @@
 #include "finds/store.hpp"
 #include "fuzz/mutator/mutate.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "method/taken_query.hpp"
 
 namespace ccdfuzz {

@@ -8,6 +8,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/bodies.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "properties/draw_linear.hpp"
 
 namespace ccdfuzz {

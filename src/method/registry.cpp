@@ -18,6 +18,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_method.hpp"
 #include "method/taken_query.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "case/horizons.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "method/taken_query.hpp"
 #include "share.hpp"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "io/fields.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "method/plugin/line_values.hpp"
 
 namespace ccdfuzz {

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_terms.hpp"
 #include "method/plugin/probes.hpp"
 #include "method/taken_query.hpp"

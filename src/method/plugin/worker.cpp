@@ -23,8 +23,7 @@
 
 #include "io/process_limits.hpp"
 #include "io/supervise.hpp"
-#include "method/features.hpp"
-#include "method/plugin/ccdfuzz_plugin.h"
+#include "method/plugin/feature_claims.hpp"
 
 namespace {
 
