@@ -100,8 +100,7 @@ void Breeder::step(MethodSet& methods, TracerSet& tracers, const SearchOptions& 
   }
   if (drifting_.empty()) return;
   const Contact& first = mother();
-  const bool takes_all =
-      has_all(features_, {.ends = true, .separation = true, .weights = true, .trims = true});
+  const bool takes_all = has_all(features_, kPatchFeatures);
   Contact mutant = mutate(first, drifting_[random_.below(drifting_.size())], random_,
                           takes_all ? QueryRange::kAll : QueryRange::kPlain);
   if (!is_for_it(mutant.query)) return;

@@ -167,8 +167,6 @@ const std::vector<Family>& families() {
   // paper are those of polynomials.
   constexpr Features kDivided = {.weights = true, .trims = true};
   constexpr Features kBounded = {.trims = true};
-  constexpr Features kOfPatches = {
-      .ends = true, .separation = true, .weights = true, .trims = true};
   static const std::vector<Family> all = {
       traditional_family(
           {"trad",
@@ -208,13 +206,13 @@ const std::vector<Family>& families() {
            "tdibm decided in exact arithmetic, rounded only outward",
            true,
            {},
-           kOfPatches}),
+           kPatchFeatures}),
       family<TdibmC, CertifiedTracer>({"tdibm-c",
                                        "src/ccd/certified/DERIVATION.md",
                                        "ours: separation certified at both ends of a window",
                                        true,
                                        {},
-                                       kOfPatches}),
+                                       kPatchFeatures}),
       // What it searches with is tdibm-c, so that is what a witness is followed through.
       family<Oracle, CertifiedTracer>(
           {"oracle",

@@ -34,6 +34,10 @@ inline constexpr Features kAllFeatures = [] {
   return all;
 }();
 
+/// Those of patches; the others are of bodies.
+inline constexpr Features kPatchFeatures = {
+    .ends = true, .separation = true, .weights = true, .trims = true};
+
 constexpr bool has_all(const Features& taken, const Features& needs) {
   return std::ranges::all_of(kFeatureClaims, [&](const FeatureClaim& claim) {
     return taken.*claim.feature || !(needs.*claim.feature);

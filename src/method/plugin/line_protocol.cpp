@@ -151,10 +151,8 @@ std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
 
 /// A claim about bodies, of which it takes none: it would claim nothing.
 std::optional<PluginRefusal> idle_claim(const Features& claimed) {
-  constexpr Features kOfPatches = {
-      .ends = true, .separation = true, .weights = true, .trims = true};
   for (const FeatureClaim& claim : kFeatureClaims) {
-    if (claimed.bodies || kOfPatches.*claim.feature || !(claimed.*claim.feature)) continue;
+    if (claimed.bodies || kPatchFeatures.*claim.feature || !(claimed.*claim.feature)) continue;
     return PluginRefusal{fmt::format("claims {} without takes_bodies", claim.field)};
   }
   return std::nullopt;
