@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/nearest_float.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -49,7 +50,7 @@ class MeshMaker {
 
   int added(const Vec3<double>& p) const {
     Vec3<double> rounded;
-    for (int k = 0; k < 3; ++k) rounded[k] = static_cast<double>(static_cast<float>(p[k]));
+    for (int k = 0; k < 3; ++k) rounded[k] = nearest_float(p[k]);
     mesh_.positions.push_back(rounded);
     mesh_.shape = Shape::hull(static_cast<int>(mesh_.positions.size()));
     return mesh_.shape.n - 1;
