@@ -5,6 +5,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
+#include "changed.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -35,13 +36,9 @@ Witness ball_witness() {
 
 const Rational kLittle(1, 1000000);
 
-template <class Change>
-bool contact_holds(const Change& change) {
-  Query query = ball_on_box();
-  Witness witness = ball_witness();
-  change(query, witness);
-  EXPECT_TRUE(validate(query, ""));
-  return check_contact(query, witness).has_value();
+bool contact_holds(const auto& change) {
+  const auto check = [](const auto&... given) { return check_contact(given...); };
+  return holds_changed(ball_on_box(), ball_witness(), check, change);
 }
 
 TEST(CheckBodies, AContactIsTwoPointsOfTheHullsWithinTheReach) {
@@ -74,12 +71,9 @@ TEST(CheckBodies, ForgedWeightsAreRefused) {
   })) << "weights are of bodies alone";
 }
 
-template <class Change>
-bool clearance_holds(const Change& change) {
-  Query query = ball_on_box();
-  BodyClearance clearance{1, {0, 1, 0}, false};
-  change(query, clearance);
-  return check_clearance(query, clearance, "").has_value();
+bool clearance_holds(const auto& change) {
+  const auto check = [](const auto&... given) { return check_clearance(given..., ""); };
+  return holds_changed(ball_on_box(), BodyClearance{1, {0, 1, 0}, false}, check, change);
 }
 
 TEST(CheckBodies, ADirectionThatKeepsThemApartProvesAbsence) {

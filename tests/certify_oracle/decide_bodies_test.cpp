@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ball_into_valley.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/nearest_points.hpp"
 #include "generators/bodies.hpp"
@@ -120,15 +121,10 @@ TEST(NearestPoints, OfHullsThatMeetAreAtNoDistance) {
   EXPECT_EQ(crossed.weights[1], (std::vector<Rational>{Rational(5, 6), Rational(1, 6)}));
 }
 
-/// A ball of radius 1 falls into a valley of two triangles, y = 3|x|/4, above the first.
 TEST(DecideMesh, TheFirstFaceThatIsThereIsFound) {
-  Query query;
+  Query query = ball_into_valley();
   auto& [mesh, ball] = query.patches;
-  mesh = {Shape::hull(4), {{0, 0, -8}, {0, 0, 8}, {4, 3, 0}, {-4, 3, 0}}, {{0, 0, 0}}};
-  mesh.faces = {{1, 0, 3}, {0, 1, 2}};
-  ball = {Shape::hull(1), {{2, 3.75, 0}}, {{0, -1, 0}}};
-  ball.radius = 1;
-  query.t_max = 4;
+  std::swap(mesh.faces[0], mesh.faces[1]);
   for (const bool is_one_sided : {false, true}) {
     mesh.one_sided = is_one_sided;
     const Truth truth = decide(query).truth;
