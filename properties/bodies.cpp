@@ -1,13 +1,11 @@
 #include "generators/bodies.hpp"
-#include "case/scale.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
-#include "files/case_json.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/draw_patch.hpp"
-#include "method/method.hpp"
+#include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -54,16 +52,7 @@ std::vector<Rational> draw_weights(Draw& d, size_t count) {
 /// The truth of planted cases holds, survives a file, and binds what is a little more.
 void check_truth_of_bodies(Draw& d) {
   const CaseKind kind = d.pick(kBodyCaseKinds);
-  Case known = draw_planted(d, kind);
-  const auto checked = check_case(known);
-  CLAIM(checked.has_value());
-  CLAIM(checked->collides() == (kind == CaseKind::kRP));
-  CLAIM(is_binary32(known.query));
-  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
-  CLAIM(read && *read == known);
-  for (const MethodInfo& info : registered_methods()) {
-    CLAIM(check_taken(info.spec, known.query).has_value() == info.features.bodies);
-  }
+  claim_planted_truth(draw_planted(d, kind), kind, {.bodies = true});
 }
 
 /// The oracle says the same of planted bodies, whose first contact it finds exactly.

@@ -1,4 +1,3 @@
-#include "case/scale.hpp"
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
@@ -8,9 +7,8 @@
 #include "certify/oracle/oracle.hpp"
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
-#include "files/case_json.hpp"
 #include "generators/generate.hpp"
-#include "method/method.hpp"
+#include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -40,15 +38,8 @@ CaseKind draw_kind_of_turning(Draw& d) {
 void check_turning_truth(Draw& d) {
   const CaseKind kind = draw_kind_of_turning(d);
   const Case known = draw_turning(d, kind);
-  const auto checked = check_case(known);
-  CLAIM(checked.has_value());
-  CLAIM(checked->collides() == (kind == CaseKind::kRP));
-  CLAIM(is_binary32(known.query) && has_turns(known.query));
-  const auto read = parse_case(to_json(known, JsonLayout::kOneLine), "drawn");
-  CLAIM(read && *read == known);
-  for (const MethodInfo& info : registered_methods()) {
-    CLAIM(check_taken(info.spec, known.query).has_value() == info.features.bodies);
-  }
+  CLAIM(has_turns(known.query));
+  claim_planted_truth(known, kind, {.bodies = true});
 }
 
 /// Nearest points in exact arithmetic are no contact at any time that is said to be clear.
