@@ -120,12 +120,8 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
       const Vec3<Dyadic> p = contact + in_frame(frame, side.local[i]) - v * t;
       Vec3<double> position, velocity;
       for (int k = 0; k < 3; ++k) {
-        const auto x = as_double(p[k].scaled(scale));
-        const auto dx = as_double(v[k].scaled(scale));
-        if (!x) return tl::unexpected(x.error());
-        if (!dx) return tl::unexpected(dx.error());
-        position[k] = *x;
-        velocity[k] = *dx;
+        CCDFUZZ_TRY(position[k], as_double(p[k].scaled(scale)));
+        CCDFUZZ_TRY(velocity[k], as_double(v[k].scaled(scale)));
       }
       patch.positions.push_back(position);
       patch.velocities.push_back(velocity);

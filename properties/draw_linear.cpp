@@ -150,12 +150,8 @@ Result<Query> draw_linear(Draw& choices) {
   for (std::size_t s = 0; s < 2; ++s) {
     MovingPatch<double>& patch = query.patches[s];
     patch.shape = shape_with(counts[s]);
-    auto positions = as_doubles(scene[s].corners, scale);
-    auto velocities = as_doubles(scene[s].velocities, scale);
-    if (!positions) return tl::unexpected(positions.error());
-    if (!velocities) return tl::unexpected(velocities.error());
-    patch.positions = *std::move(positions);
-    patch.velocities = *std::move(velocities);
+    CCDFUZZ_TRY(patch.positions, as_doubles(scene[s].corners, scale));
+    CCDFUZZ_TRY(patch.velocities, as_doubles(scene[s].velocities, scale));
   }
   if (choices.coin()) {
     for (MovingPatch<double>& patch : query.patches) {

@@ -40,17 +40,17 @@ class Course {
         records_(records) {}
 
   Result<void> run() {
-    if (auto r = run_one(planted::kNone, limit_); !r) return r;
+    CCDFUZZ_TRY_VOID(run_one(planted::kNone, limit_));
     const Record clean = *known(kNoFault, limit_);
     if (clean.detected) return {};
     if (is_watch_missing()) {
-      if (auto r = watch(clean.executions); !r) return r;
+      CCDFUZZ_TRY_VOID(watch(clean.executions));
     }
     const Record* const watched = known(kWatchedFaults, limit_);
     if (watched != nullptr && watched->detected) return {};
     for (std::size_t f = 0; f < faults_.size(); ++f) {
       if (!missing()(faults_[f])) continue;
-      if (auto r = run_one(static_cast<int>(f + 1), limit_of(faults_[f])); !r) return r;
+      CCDFUZZ_TRY_VOID(run_one(static_cast<int>(f + 1), limit_of(faults_[f])));
     }
     return {};
   }
@@ -111,7 +111,7 @@ class Course {
       decided.reached = seen.faults.reached[number] ? 1 : 0;
       decided.triggered = 0;
       decided.seconds = limit_;
-      if (auto r = add(faults_[f].name, limit_, decided, true); !r) return r;
+      CCDFUZZ_TRY_VOID(add(faults_[f].name, limit_, decided, true));
     }
     return add(kWatchedFaults, limit_, seen.report);
   }
@@ -169,7 +169,7 @@ Result<void> run_campaign(const CampaignOptions& options, const std::vector<Plan
       if (!options.only_seed && seed > seeds) continue;
       if (!is_drawn(driver) && seed > first) continue;
       const std::uint64_t its_seed = is_drawn(driver) ? seed : 1;
-      if (auto run = Course(driver, its_seed, options, faults, records).run(); !run) return run;
+      CCDFUZZ_TRY_VOID(Course(driver, its_seed, options, faults, records).run());
     }
   }
   return {};

@@ -20,26 +20,22 @@ const RunHeader kHeader = {"scoreboard", "", {}, {}, 0, {}};
 
 /// The lines of the run file at the path, which a campaign may be writing.
 Result<std::vector<std::string>> lines_of_run(const std::string& path) {
-  Result<RunLines> run = RunLines::open(path);
-  if (!run) return tl::unexpected(run.error());
-  if (const auto other = kHeader.difference(run->header())) return input_error(path, *other);
+  CCDFUZZ_TRY(RunLines run, RunLines::open(path));
+  if (const auto other = kHeader.difference(run.header())) return input_error(path, *other);
   std::vector<std::string> lines;
   for (;;) {
-    const auto line = run->next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line) return lines;
-    lines.emplace_back(**line);
+    CCDFUZZ_TRY(const auto line, run.next());
+    if (!line) return lines;
+    lines.emplace_back(*line);
   }
 }
 
 /// All that a file of records holds, each line ended, except one that was being written when its
 /// writer ended.
 Result<std::string> text_of(const std::string& path) {
-  auto file = LineReader::open(path, false, std::numeric_limits<std::size_t>::max());
-  if (!file) return tl::unexpected(file.error());
-  const auto whole = file->next(true);
-  if (!whole) return tl::unexpected(whole.error());
-  std::string text(whole->value_or(""));
+  CCDFUZZ_TRY(auto file, LineReader::open(path, false, std::numeric_limits<std::size_t>::max()));
+  CCDFUZZ_TRY(const auto whole, file.next(true));
+  std::string text(whole.value_or(""));
   if (text.empty() || text.ends_with('\n')) return text;
   const std::size_t last = text.rfind('\n') + 1;  // npos + 1 is 0
   const bool finished = parse_json(std::string_view(text).substr(last), path).has_value();
@@ -75,20 +71,19 @@ Result<Records> Records::open(const std::string& path, const std::vector<Planted
       return tl::unexpected(read.error());
     }
   }
-  if (auto taken = records.take_lines(*journal); !taken) return tl::unexpected(taken.error());
+  CCDFUZZ_TRY_VOID(records.take_lines(*journal));
   return records;
 }
 
 Result<void> Records::read_file() {
-  const Result<std::string> text = text_of(path_);
-  if (!text) return tl::unexpected(text.error());
+  CCDFUZZ_TRY(const std::string text, text_of(path_));
   int number = 0;
-  for (std::size_t begin = 0; begin < text->size();) {
-    const std::size_t end = text->find('\n', begin);
-    const std::string_view line = std::string_view(*text).substr(begin, end - begin);
-    const auto record = parse_record(line, fmt::format("{}:{}", path_, ++number), *faults_);
-    if (!record) return tl::unexpected(record.error());
-    take(*record);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    const std::string_view line = std::string_view(text).substr(begin, end - begin);
+    CCDFUZZ_TRY(const auto record,
+                parse_record(line, fmt::format("{}:{}", path_, ++number), *faults_));
+    take(record);
     lines_.emplace(line);
     begin = end + 1;
   }
@@ -97,20 +92,16 @@ Result<void> Records::read_file() {
 
 Result<std::vector<std::string>> Records::begin_journal() {
   // That it can be written is asked now, and not when the campaign is over.
-  if (const auto probed = OutputFile::create(path_); !probed) {
-    return tl::unexpected(probed.error());
-  }
-  auto journal = RunFile::open(RunFile::path_for(path_), kHeader);
-  if (!journal) return tl::unexpected(journal.error());
-  journal_.emplace(*std::move(journal));
+  CCDFUZZ_TRY_VOID(OutputFile::create(path_));
+  CCDFUZZ_TRY(auto journal, RunFile::open(RunFile::path_for(path_), kHeader));
+  journal_.emplace(std::move(journal));
   return lines_of_run(RunFile::path_for(path_));
 }
 
 Result<void> Records::take_lines(const std::vector<std::string>& journal) {
   for (const std::string& line : journal) {
-    const auto record = parse_record(line, RunFile::path_for(path_), *faults_);
-    if (!record) return tl::unexpected(record.error());
-    take(*record);
+    CCDFUZZ_TRY(const auto record, parse_record(line, RunFile::path_for(path_), *faults_));
+    take(record);
     // Both have it where a campaign was interrupted between write_file and remove.
     if (!lines_.contains(line)) added_.append(line) += '\n';
   }
@@ -151,10 +142,9 @@ Result<void> Records::finish() {
   if (!journal_) return {};
   if (!added_.empty()) {
     // What others may have put there meanwhile stays.
-    Result<std::string> text =
-        std::filesystem::exists(path_) ? text_of(path_) : Result<std::string>("");
-    if (!text) return tl::unexpected(text.error());
-    if (auto written = write_file(path_, *text + added_); !written) return written;
+    CCDFUZZ_TRY(std::string text,
+                std::filesystem::exists(path_) ? text_of(path_) : Result<std::string>(""));
+    CCDFUZZ_TRY_VOID(write_file(path_, text + added_));
   }
   auto removed = journal_->remove();
   journal_.reset();

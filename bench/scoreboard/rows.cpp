@@ -213,9 +213,7 @@ std::vector<DriverRow> driver_rows(const std::vector<Row>& rows) {
 
 Result<void> probe_tables(const std::string& prefix) {
   for (const char* ending : {".md", ".json"}) {
-    if (auto file = OutputFile::create(prefix + ending); !file) {
-      return tl::unexpected(file.error());
-    }
+    CCDFUZZ_TRY_VOID(OutputFile::create(prefix + ending));
   }
   return {};
 }
@@ -223,7 +221,7 @@ Result<void> probe_tables(const std::string& prefix) {
 Result<void> write_tables(const std::string& prefix, const std::vector<PlantedFault>& faults,
                           const Records& records) {
   const std::vector<Row> rows = rows_of(faults, records);
-  if (auto r = write_file(prefix + ".md", markdown(faults, rows)); !r) return r;
+  CCDFUZZ_TRY_VOID(write_file(prefix + ".md", markdown(faults, rows)));
   const Board board{driver_rows(rows), rows};
   return write_file(prefix + ".json", readable_json(to_json(board)) + '\n');
 }

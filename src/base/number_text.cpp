@@ -90,9 +90,8 @@ Result<double> parse_seconds(const std::string& where, const std::string& text) 
 Result<std::vector<double>> parse_numbers(const std::string& where, const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& one : texts_between_commas(text)) {
-    const Result<double> number = parse_number(where, one);
-    if (!number) return tl::unexpected(number.error());
-    numbers.push_back(*number);
+    CCDFUZZ_TRY(const double number, parse_number(where, one));
+    numbers.push_back(number);
   }
   return numbers;
 }

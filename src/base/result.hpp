@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
+#include <utility>
 
 namespace ccdfuzz {
 
@@ -23,6 +24,22 @@ using Result = tl::expected<T, InputError>;
 inline tl::unexpected<InputError> input_error(std::string where, std::string what) {
   return tl::unexpected<InputError>({std::move(where), std::move(what)});
 }
+
+/// Declares a variable for what a Result holds, or assigns it to one; if it holds an error, returns
+/// that from the function: CCDFUZZ_TRY(const auto line, lines.next());
+#define CCDFUZZ_TRY(declaration, ...) \
+  CCDFUZZ_TRY_AS(CCDFUZZ_RESULT_OF_LINE(__LINE__), declaration, __VA_ARGS__)
+/// The same where what it holds is not needed.
+#define CCDFUZZ_TRY_VOID(...)                           \
+  if (auto result_to_try = __VA_ARGS__; !result_to_try) \
+  return tl::unexpected(std::move(result_to_try).error())
+
+#define CCDFUZZ_RESULT_OF_LINE(line) CCDFUZZ_RESULT_OF(line)
+#define CCDFUZZ_RESULT_OF(line) result_of_line_##line
+#define CCDFUZZ_TRY_AS(result, declaration, ...)                 \
+  auto result = __VA_ARGS__;                                     \
+  if (!result) return tl::unexpected(std::move(result).error()); \
+  declaration = *std::move(result)
 
 /// The value of the result, where no caller can take an error. Throws the error's message.
 template <class T>

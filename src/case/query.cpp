@@ -248,11 +248,9 @@ Result<void> validate(const Query& query, const std::string& where) {
   for (size_t p = 0; p < 2; ++p) {
     const MovingPatch<double>& patch = query.patches[p];
     const std::string path = fmt::format("{}patches[{}]", where, p);
-    if (auto r = validate_shape(patch.shape, path); !r) return r;
+    CCDFUZZ_TRY_VOID(validate_shape(patch.shape, path));
     const auto count = static_cast<size_t>(patch.shape.control_count());
-    if (auto r = validate_points(patch.positions, patch.shape, count, path + ".positions"); !r) {
-      return r;
-    }
+    CCDFUZZ_TRY_VOID(validate_points(patch.positions, patch.shape, count, path + ".positions"));
     if (patch.has_ends() && !patch.velocities.empty()) {
       return input_error(path, "has velocities and ends, and may have one of them");
     }

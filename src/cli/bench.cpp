@@ -31,12 +31,11 @@ struct BenchOptions {
 Result<std::vector<ContactClass>> parse_classes(const std::string& where, const std::string& list) {
   std::vector<ContactClass> classes;
   for (const std::string& text : texts_between_commas(list)) {
-    const auto one = parse_choice<ContactClass>(where, text);
-    if (!one) return tl::unexpected(one.error());
-    if (std::ranges::find(classes, *one) != classes.end()) {
-      return input_error(where, fmt::format("{} stands there twice", name_of(*one)));
+    CCDFUZZ_TRY(const auto one, parse_choice<ContactClass>(where, text));
+    if (std::ranges::find(classes, one) != classes.end()) {
+      return input_error(where, fmt::format("{} stands there twice", name_of(one)));
     }
-    classes.push_back(*one);
+    classes.push_back(one);
   }
   return classes;
 }

@@ -98,13 +98,11 @@ Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std
 }
 
 Result<std::string> save_find(const std::string& folder, const ClaimFind& find) {
-  if (const auto made = make_find_folder(folder); !made) return tl::unexpected(made.error());
-  const auto lock = FolderLock::take(folder);
-  if (!lock) return tl::unexpected(lock.error());
+  CCDFUZZ_TRY_VOID(make_find_folder(folder));
+  CCDFUZZ_TRY(const auto lock, FolderLock::take(folder));
   std::string path = path_of(folder, find.property, find.error);
-  const auto standing = saved_find(folder, find.property, find.error);
-  if (!standing) return tl::unexpected(standing.error());
-  if (*standing && !find.replaces(**standing)) return path;
+  CCDFUZZ_TRY(const auto standing, saved_find(folder, find.property, find.error));
+  if (standing && !find.replaces(*standing)) return path;
   return write_file(path, readable_json(to_json(find)) + "\n").map([&] { return std::move(path); });
 }
 

@@ -47,11 +47,10 @@ Result<Shape> parse_shape(const std::string& where, const std::string& text) {
 
 Result<std::array<Shape, 2>> parse_shapes(const std::string& where, const std::string& text) {
   const size_t comma = text.find(',');
-  const Result<Shape> first = parse_shape(where, text.substr(0, comma));
-  if (!first) return tl::unexpected(first.error());
-  if (comma == std::string::npos) return std::array{*first, *first};
+  CCDFUZZ_TRY(const Shape first, parse_shape(where, text.substr(0, comma)));
+  if (comma == std::string::npos) return std::array{first, first};
   return parse_shape(where, text.substr(comma + 1)).map([&](const Shape& second) {
-    return std::array{*first, second};
+    return std::array{first, second};
   });
 }
 

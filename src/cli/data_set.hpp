@@ -22,9 +22,7 @@ class DataSetWriter {
   Result<void> write(Case value, const std::string& tree) {
     if (value.truth.clearance) {
       if (auto* of_tree = std::get_if<MissTree>(&*value.truth.clearance)) {
-        auto written = trees_.write(tree);
-        if (!written) return tl::unexpected(written.error());
-        of_tree->tree = *written;
+        CCDFUZZ_TRY(of_tree->tree, trees_.write(tree));
       }
     }
     return cases_.write(value);

@@ -72,16 +72,15 @@ Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOp
   header.version = CCDFUZZ_VERSION;
   header.inputs = files;
   for (const std::string& file : files) {
-    if (auto regular = refuse_irregular(file); !regular) return tl::unexpected(regular.error());
+    CCDFUZZ_TRY_VOID(refuse_irregular(file));
   }
   std::string address;
   CaseStream cases(files);
   for (;;) {
-    const Result<std::optional<NamedCase>> next = cases.next();
-    if (!next) return tl::unexpected(next.error());
-    if (!*next) break;
+    CCDFUZZ_TRY(const std::optional<NamedCase> next, cases.next());
+    if (!next) break;
     ++header.items;
-    address = hash_name(address + to_json((*next)->value));
+    address = hash_name(address + to_json(next->value));
   }
   const SearchOptions& search = options.search;
   header.asked = {{"cases", address},

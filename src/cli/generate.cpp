@@ -174,11 +174,9 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
 
 Result<void> add_earlier(Target& target) {
   for (std::uint64_t i = 0; target.set && i < target.before; ++i) {
-    const auto line = target.earlier->next();
-    if (!line) return tl::unexpected(line.error());
-    Result<MadeCases> made = from_json<MadeCases>(line->value_or(""), target.earlier->where());
-    if (!made) return tl::unexpected(made.error());
-    if (auto added = target.set->add(*std::move(made)); !added) return added;
+    CCDFUZZ_TRY(const auto line, target.earlier->next());
+    CCDFUZZ_TRY(MadeCases made, from_json<MadeCases>(line.value_or(""), target.earlier->where()));
+    CCDFUZZ_TRY_VOID(target.set->add(std::move(made)));
   }
   return {};
 }

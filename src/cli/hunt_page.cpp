@@ -14,8 +14,7 @@
 namespace ccdfuzz {
 
 Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) {
-  const Result<CheckedCase> known = check_case(entry);
-  if (!known) return tl::unexpected(known.error());
+  CCDFUZZ_TRY(const CheckedCase known, check_case(entry));
   const SearchOptions search = SearchFlags().options_for(entry.value);
   ReportedCase reported;
   for (const auto& [method, expected] : entry.value.expect) {
@@ -26,7 +25,7 @@ Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods) 
     }
     ReportedAnswer answer{method, outcome, std::nullopt};
     if (allowed && (outcome == Outcome::kLate || outcome == Outcome::kFalsePositive)) {
-      const Judged judged = ask(methods[method], *known, search);
+      const Judged judged = ask(methods[method], known, search);
       if (judged.answer.verdict == Verdict::kHit) answer.toi = judged.answer.toi;
     }
     reported.answers.push_back(std::move(answer));
@@ -146,20 +145,18 @@ Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
     report.rows.push_back(std::move(row));
   }
   report.tables.push_back({"hunt", "What the hunt asked, bred and lost", hunt_table(hunted.cells)});
-  const Result<std::vector<NamedCase>> entries = store.load();
-  if (!entries) return tl::unexpected(entries.error());
+  CCDFUZZ_TRY(const std::vector<NamedCase> entries, store.load());
   std::set<std::string> found;
   for (const Find& find : hunted.finds) {
     if (find.is_new) found.insert(find.path);
   }
   MethodSet methods;
   for (const bool is_new : {true, false}) {
-    for (const NamedCase& entry : *entries) {
+    for (const NamedCase& entry : entries) {
       if (found.contains(entry.id) != is_new) continue;
-      Result<ReportedCase> reported = reported_entry(entry, methods);
-      if (!reported) return tl::unexpected(reported.error());
-      reported->is_new = is_new;
-      report.cases.push_back(std::move(*reported));
+      CCDFUZZ_TRY(ReportedCase reported, reported_entry(entry, methods));
+      reported.is_new = is_new;
+      report.cases.push_back(std::move(reported));
     }
   }
   keep_most_telling(report);

@@ -20,10 +20,9 @@ void JsonForm<HexBytes>::read(const JsonCursor& from, HexBytes& hex) {
 Result<MadeSet> MadeSet::open(const std::string& path) {
   MadeSet set;
   if (path.empty() || path == "-") return set;
-  Result<DataSetWriter> writer = DataSetWriter::open(path);
-  if (!writer) return tl::unexpected(writer.error());
+  CCDFUZZ_TRY(DataSetWriter writer, DataSetWriter::open(path));
   set.path_ = path;
-  set.writer_ = std::move(*writer);
+  set.writer_ = std::move(writer);
   return set;
 }
 

@@ -106,11 +106,9 @@ ReportPage report_source(const ReportArguments& options, Session& session) {
 /// The text of a PREFIX.json of ccdfuzz-scoreboard. Errors: naming the file and the field.
 Result<std::string> read_scoreboard(const std::string& path) {
   constexpr size_t kLongest = 16 << 20;  // a run of 200 faults has 0.2 MB
-  auto file = LineReader::open(path, false, kLongest);
-  if (!file) return tl::unexpected(file.error());
-  const auto text = file->next(true);
-  if (!text) return tl::unexpected(text.error());
-  std::string json(text->value_or(""));
+  CCDFUZZ_TRY(auto file, LineReader::open(path, false, kLongest));
+  CCDFUZZ_TRY(const auto text, file.next(true));
+  std::string json(text.value_or(""));
   return read_json_text(json, path,
                         [](const JsonCursor& top) {
                           JsonReader(top).format("ccdfuzz-scoreboard", 1, 1);

@@ -75,10 +75,9 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::string& path) {
 /// none.
 Result<std::vector<NamedCase>> cases_of_file(const std::string& path) {
   if (case_file_kind(path) || path.ends_with(".csv")) return read_checked_cases(path);
-  const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
-  if (!bytes) return tl::unexpected(bytes.error());
+  CCDFUZZ_TRY(const std::vector<std::uint8_t> bytes, read_bytes(path));
   std::vector<NamedCase> cases;
-  for (Case& value : cases_of(*bytes)) {
+  for (Case& value : cases_of(bytes)) {
     value.origin.generator = "mutant";
     value.origin.note = "by fuzzing";
     cases.push_back({path, std::move(value)});

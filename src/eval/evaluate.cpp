@@ -100,17 +100,15 @@ Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptio
         if (index % options.shard.of != options.shard.index) return nullptr;
         auto item = std::make_shared<ToEvaluate>(ToEvaluate{std::move(named), index, {}});
         if (earlier == nullptr || earlier->left == 0) return item;
-        const auto line = earlier->lines.next();
-        if (!line) return tl::unexpected(line.error());
-        earlier->left = *line ? earlier->left - 1 : 0;
-        if (*line) item->line = {earlier->lines.where(), std::string(**line)};
+        CCDFUZZ_TRY(const auto line, earlier->lines.next());
+        earlier->left = line ? earlier->left - 1 : 0;
+        if (line) item->line = {earlier->lines.where(), std::string(*line)};
         return item;
       },
       [&](ToEvaluate& item, size_t) -> Result<EvaluatedCase> {
         decide_rows(item.of);
-        const Result<CheckedCase> known = check_case(item.of);
-        if (!known) return tl::unexpected(known.error());
-        return item.line ? read_answers(item) : ask_all(item, *known, options, methods.local());
+        CCDFUZZ_TRY(const CheckedCase known, check_case(item.of));
+        return item.line ? read_answers(item) : ask_all(item, known, options, methods.local());
       },
       [&](const ToEvaluate& item, size_t, const EvaluatedCase& evaluated, double share) {
         if (done) done = on_case(item.of, evaluated, !item.line, share);

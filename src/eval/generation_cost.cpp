@@ -53,24 +53,21 @@ Result<std::vector<GenerationCost>> read_costs(const std::string& case_path) {
   const std::string path = costs_path(case_path);
   std::vector<GenerationCost> costs;
   if (!std::filesystem::is_regular_file(path)) return costs;
-  auto lines = LineReader::open(path, false, kLongestCost);
-  if (!lines) return tl::unexpected(lines.error());
+  CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestCost));
   for (;;) {
-    const auto line = lines->next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line) return costs;
-    const auto cost = from_json<GenerationCost>(**line, fmt::format("{}:{}", path, lines->line()));
-    if (!cost) return tl::unexpected(cost.error());
-    add_cost(costs, *cost);
+    CCDFUZZ_TRY(const auto line, lines.next());
+    if (!line) return costs;
+    CCDFUZZ_TRY(const auto cost,
+                from_json<GenerationCost>(*line, fmt::format("{}:{}", path, lines.line())));
+    add_cost(costs, cost);
   }
 }
 
 Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths) {
   std::vector<GenerationCost> costs;
   for (const std::string& path : case_paths) {
-    const auto of_file = read_costs(path);
-    if (!of_file) return tl::unexpected(of_file.error());
-    for (const GenerationCost& cost : *of_file) add_cost(costs, cost);
+    CCDFUZZ_TRY(const auto of_file, read_costs(path));
+    for (const GenerationCost& cost : of_file) add_cost(costs, cost);
   }
   return costs;
 }

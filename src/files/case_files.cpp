@@ -36,10 +36,9 @@ class JsonCases : public CaseFile {
     const bool whole = kind_ == CaseFileKind::kJson;
     if (whole && any_) return std::nullopt;
     for (;;) {
-      const auto text = lines_.next(whole);
-      if (!text) return tl::unexpected(text.error());
-      const bool blank = !*text || trimmed(**text).empty();
-      if (blank && (whole || !*text)) {
+      CCDFUZZ_TRY(const auto text, lines_.next(whole));
+      const bool blank = !text || trimmed(*text).empty();
+      if (blank && (whole || !text)) {
         if (any_) return std::nullopt;
         const bool is_empty = lines_.line() == 0 || whole;
         return input_error(lines_.path(), fmt::format("{}; JSON with cases is accepted",
@@ -52,10 +51,9 @@ class JsonCases : public CaseFile {
       }
       const std::string id =
           whole ? lines_.path() : fmt::format("{}:{}", lines_.path(), lines_.line());
-      auto value = parse_case(**text, id);
-      if (!value) return tl::unexpected(value.error());
+      CCDFUZZ_TRY(auto value, parse_case(*text, id));
       any_ = true;
-      return NamedCase{id, *std::move(value), lines_.path(), nullptr, (*text)->size()};
+      return NamedCase{id, std::move(value), lines_.path(), nullptr, text->size()};
     }
   }
   std::uint64_t position() const override { return lines_.position(); }
@@ -77,14 +75,12 @@ class CsvCases : public CaseFile {
 
   Result<std::optional<NamedCase>> next() override {
     const std::uint64_t before = reader_.position();
-    auto rows = reader_.next();
-    if (!rows) return tl::unexpected(rows.error());
-    if (!*rows) return std::nullopt;
-    auto value = to_case(**rows, round_, index_++);
-    if (!value) return tl::unexpected(value.error());
-    const CsvQuery& query = **rows;
-    return NamedCase{query.id(), *std::move(value), query.path,
-                     std::make_shared<const CsvQuery>(**std::move(rows)),
+    CCDFUZZ_TRY(auto rows, reader_.next());
+    if (!rows) return std::nullopt;
+    CCDFUZZ_TRY(auto value, to_case(*rows, round_, index_++));
+    const CsvQuery& query = *rows;
+    return NamedCase{query.id(), std::move(value), query.path,
+                     std::make_shared<const CsvQuery>(*std::move(rows)),
                      reader_.position() - before};
   }
   std::uint64_t position() const override { return reader_.position(); }
@@ -130,16 +126,14 @@ std::uint64_t SourceBytes::times(std::uint64_t each) const {
 
 Result<std::unique_ptr<CaseFile>> CaseFile::open(const std::string& path, const CsvOptions& csv) {
   if (csv.any_name || path.ends_with(".csv")) {
-    auto reader = CsvReader::open(path, csv);
-    if (!reader) return tl::unexpected(reader.error());
-    return std::make_unique<CsvCases>(*std::move(reader), csv.round);
+    CCDFUZZ_TRY(auto reader, CsvReader::open(path, csv));
+    return std::make_unique<CsvCases>(std::move(reader), csv.round);
   }
   // A wrong name is told as such before a wrong ending.
-  auto lines = LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes);
-  if (!lines) return tl::unexpected(lines.error());
+  CCDFUZZ_TRY(auto lines, LineReader::open(path, path.ends_with(".zst"), kMaxCaseBytes));
   const auto kind = case_file_kind(path);
   if (!kind) return input_error(path, "ends in none of .json, .jsonl, .jsonl.zst, .csv");
-  return std::make_unique<JsonCases>(*std::move(lines), *kind);
+  return std::make_unique<JsonCases>(std::move(lines), *kind);
 }
 
 Result<std::vector<std::string>> case_files(const std::vector<std::string>& paths) {
@@ -168,9 +162,7 @@ Result<std::optional<NamedCase>> CaseStream::next() {
   for (; index_ < paths_->size(); ++index_) {
     const std::string& path = (*paths_)[index_];
     if (!file_) {
-      auto opened = CaseFile::open(path, csv_);
-      if (!opened) return tl::unexpected(opened.error());
-      file_ = *std::move(opened);
+      CCDFUZZ_TRY(file_, CaseFile::open(path, csv_));
     }
     auto given = file_->next();
     if (!given || *given) return given;
@@ -187,12 +179,10 @@ double CaseStream::share() const {
 
 Result<NamedCase> read_case(const std::string& path) {
   CaseStream stream({path});
-  auto first = stream.next();
-  if (!first) return tl::unexpected(first.error());
-  const auto second = stream.next();
-  if (!second) return tl::unexpected(second.error());
-  if (*second) return input_error(path, "holds more than one case");
-  return **std::move(first);
+  CCDFUZZ_TRY(auto first, stream.next());
+  CCDFUZZ_TRY(const auto second, stream.next());
+  if (second) return input_error(path, "holds more than one case");
+  return *std::move(first);
 }
 
 Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths) {
@@ -200,17 +190,16 @@ Result<std::vector<NamedCase>> read_cases(const std::vector<std::string>& paths)
   CaseStream stream(paths);
   std::uint64_t bytes = 0;
   for (;;) {
-    auto next = stream.next();
-    if (!next) return tl::unexpected(next.error());
-    if (!*next) return cases;
-    bytes += (*next)->bytes;
+    CCDFUZZ_TRY(auto next, stream.next());
+    if (!next) return cases;
+    bytes += next->bytes;
     if (bytes + cases.size() * sizeof(NamedCase) > kMostBytesHeld) {
-      return input_error((*next)->id,
+      return input_error(next->id,
                          fmt::format("the cases so far take more than {} bytes, the most that this "
                                      "command holds in memory",
                                      kMostBytesHeld));
     }
-    cases.push_back(**std::move(next));
+    cases.push_back(*std::move(next));
     cases.back().rows.reset();
   }
 }
@@ -245,7 +234,7 @@ struct CaseWriter::State {
       const size_t left =
           ZSTD_compressStream2(zstd.get(), &packed, &in, last ? ZSTD_e_end : ZSTD_e_continue);
       CCDFUZZ_VERIFY(ZSTD_isError(left) == 0);
-      if (auto r = file.write(std::string_view(out).substr(0, packed.pos)); !r) return r;
+      CCDFUZZ_TRY_VOID(file.write(std::string_view(out).substr(0, packed.pos)));
       done = last ? left == 0 : in.pos == in.size;
     }
     pending.clear();
@@ -259,12 +248,10 @@ CaseWriter& CaseWriter::operator=(CaseWriter&&) noexcept = default;
 CaseWriter::~CaseWriter() = default;
 
 Result<CaseWriter> CaseWriter::open(const std::string& path) {
-  const auto kind = case_file_kind(path);
-  if (!kind) return tl::unexpected(kind.error());
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  auto state = std::make_unique<State>(State{path, *kind, *std::move(file), {}, 0, {}});
-  if (*kind == CaseFileKind::kJsonLinesZstd) {
+  CCDFUZZ_TRY(const auto kind, case_file_kind(path));
+  CCDFUZZ_TRY(auto file, OutputFile::create(path));
+  auto state = std::make_unique<State>(State{path, kind, std::move(file), {}, 0, {}});
+  if (kind == CaseFileKind::kJsonLinesZstd) {
     state->zstd.reset(ZSTD_createCCtx());
     CCDFUZZ_VERIFY(state->zstd != nullptr);
     ZSTD_CCtx_setParameter(state->zstd.get(), ZSTD_c_checksumFlag, 1);
@@ -289,7 +276,7 @@ Result<void> CaseWriter::finish() {
   if (s.kind == CaseFileKind::kJson && s.written == 0) {
     return input_error(s.path, "no case to write");
   }
-  if (auto flushed = s.flush(true); !flushed) return flushed;
+  CCDFUZZ_TRY_VOID(s.flush(true));
   return s.file.commit();
 }
 

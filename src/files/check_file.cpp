@@ -10,9 +10,8 @@
 namespace ccdfuzz {
 
 Result<CheckedCase> check_with_trees(Case value, const std::string& trees) {
-  const auto tree = tree_of(value.truth, trees);
-  if (!tree) return tl::unexpected(tree.error());
-  return check_case(std::move(value), *tree);
+  CCDFUZZ_TRY(const auto tree, tree_of(value.truth, trees));
+  return check_case(std::move(value), tree);
 }
 
 Result<CheckedCase> check_case(const NamedCase& named) {
@@ -35,11 +34,10 @@ Result<void> for_each_checked_case(const std::vector<std::string>& paths,
                                    const std::function<Result<void>(const NamedCase&)>& visit) {
   CaseStream cases(paths);
   for (;;) {
-    const auto next = cases.next();
-    if (!next) return tl::unexpected(next.error());
-    if (!*next) return {};
-    if (auto checked = check_in_run(**next); !checked) return checked;
-    if (auto visited = visit(**next); !visited) return visited;
+    CCDFUZZ_TRY(const auto next, cases.next());
+    if (!next) return {};
+    CCDFUZZ_TRY_VOID(check_in_run(*next));
+    CCDFUZZ_TRY_VOID(visit(*next));
   }
 }
 
@@ -47,7 +45,7 @@ Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
   auto cases = read_cases(path);
   if (!cases) return cases;
   for (const NamedCase& named : *cases) {
-    if (auto checked = check_in_run(named); !checked) return tl::unexpected(checked.error());
+    CCDFUZZ_TRY_VOID(check_in_run(named));
   }
   return cases;
 }

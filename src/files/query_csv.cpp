@@ -69,16 +69,13 @@ Result<Integer> parse_integer(std::string_view text) {
 }
 
 Result<std::vector<bool>> read_truths(const std::string& path) {
-  auto lines = LineReader::open(path, false, kLongestTruthList);
-  if (!lines) return tl::unexpected(lines.error());
-  const auto text = lines->next(true);
-  if (!text) return tl::unexpected(text.error());
-  const auto tree = parse_json(text->value_or(""), path);
-  if (!tree) return tl::unexpected(tree.error());
-  if (tree->kind != JsonKind::kArray) return input_error(path, "is not a JSON list of truths");
+  CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestTruthList));
+  CCDFUZZ_TRY(const auto text, lines.next(true));
+  CCDFUZZ_TRY(const auto tree, parse_json(text.value_or(""), path));
+  if (tree.kind != JsonKind::kArray) return input_error(path, "is not a JSON list of truths");
   std::vector<bool> truths;
-  for (size_t i = 0; i < tree->items.size(); ++i) {
-    const JsonValue& item = tree->items[i];
+  for (size_t i = 0; i < tree.items.size(); ++i) {
+    const JsonValue& item = tree.items[i];
     const bool is_truth = item.kind == JsonKind::kBool || item.text == "0" || item.text == "1";
     if (!is_truth) {
       return input_error(fmt::format("{}: [{}]", path, i),
@@ -186,10 +183,9 @@ struct CsvReader::State {
   /// The fields of the next row; none at the end.
   Result<std::vector<std::string_view>> next_row() {
     for (;;) {
-      const auto text = lines.next();
-      if (!text) return tl::unexpected(text.error());
-      if (!*text) return std::vector<std::string_view>();
-      std::string_view row = **text;
+      CCDFUZZ_TRY(const auto text, lines.next());
+      if (!text) return std::vector<std::string_view>();
+      std::string_view row = *text;
       // Spreadsheets begin files with a byte order mark.
       if (lines.line() == 1 && row.starts_with("\xEF\xBB\xBF")) row.remove_prefix(3);
       row = trimmed(row);
@@ -225,26 +221,21 @@ struct CsvReader::State {
     for (auto* points : {&query.start, &query.end}) {
       for (size_t s = 0; s < 2; ++s) {
         for (size_t i = 0; i < counts[s]; ++i) {
-          const auto fields = next_row();
-          if (!fields) return tl::unexpected(fields.error());
-          if (fields->empty()) {
-            if (auto ended = end_of_file(query.lines.size(), rows); !ended) {
-              return tl::unexpected(ended.error());
-            }
+          CCDFUZZ_TRY(const auto fields, next_row());
+          if (fields.empty()) {
+            CCDFUZZ_TRY_VOID(end_of_file(query.lines.size(), rows));
             return std::nullopt;
           }
-          auto point = point_of(*fields);
-          if (!point) return tl::unexpected(point.error());
-          const auto label = label_of(*fields);
-          if (!label) return tl::unexpected(label.error());
-          if (!query.lines.empty() && query.label != *label) {
+          CCDFUZZ_TRY(auto point, point_of(fields));
+          CCDFUZZ_TRY(const auto label, label_of(fields));
+          if (!query.lines.empty() && query.label != label) {
             return input_error(here(),
                                "column 7 (truth): differs from that of the query's row in line " +
                                    std::to_string(query.lines.front()));
           }
-          query.label = *label;
+          query.label = label;
           query.lines.push_back(lines.line());
-          (*points)[s].push_back(*std::move(point));
+          (*points)[s].push_back(std::move(point));
         }
       }
     }
@@ -255,7 +246,7 @@ struct CsvReader::State {
       }
       query.label = (*truths)[given];
     }
-    if (auto fits = check_denominator(query); !fits) return tl::unexpected(fits.error());
+    CCDFUZZ_TRY_VOID(check_denominator(query));
     ++given;
     return query;
   }
@@ -267,8 +258,7 @@ CsvReader& CsvReader::operator=(CsvReader&&) noexcept = default;
 CsvReader::~CsvReader() = default;
 
 Result<CsvReader> CsvReader::open(const std::string& path, const CsvOptions& options) {
-  auto lines = LineReader::open(path, false, kLongestCsvLine);
-  if (!lines) return tl::unexpected(lines.error());
+  CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestCsvLine));
   const auto layout = options.layout ? options.layout : csv_layout_of_path(path);
   if (!layout) {
     return input_error(
@@ -277,11 +267,9 @@ Result<CsvReader> CsvReader::open(const std::string& path, const CsvOptions& opt
         "or its folder's, or `ccdfuzz import --as`");
   }
   auto state =
-      std::make_unique<State>(State{*std::move(lines), *layout, std::nullopt, options.truths, 0});
+      std::make_unique<State>(State{std::move(lines), *layout, std::nullopt, options.truths, 0});
   if (!options.truths.empty()) {
-    auto list = read_truths(options.truths);
-    if (!list) return tl::unexpected(list.error());
-    state->truths = *std::move(list);
+    CCDFUZZ_TRY(state->truths, read_truths(options.truths));
   }
   return CsvReader(std::move(state));
 }

@@ -73,10 +73,8 @@ Result<Query> to_query(const CsvQuery& from, bool round, std::uint64_t& rounded)
 
 Result<Case> to_case(const CsvQuery& from, bool round, std::uint64_t index) {
   std::uint64_t rounded = 0;
-  auto query = to_query(from, round, rounded);
-  if (!query) return tl::unexpected(query.error());
   Case value;
-  value.query = *std::move(query);
+  CCDFUZZ_TRY(value.query, to_query(from, round, rounded));
   Origin& origin = value.origin;
   origin.generator = "import";
   origin.index = index;
@@ -105,10 +103,9 @@ Result<CsvQuery> to_csv_query(const Query& query, const std::string& where, bool
       for (int k = 0; k < 3; ++k) {
         const std::string what =
             fmt::format("patches[{}], control point {}: {} at t_max =", side, i, "xyz"[k]);
-        const auto x = as_double(ends[i][k], round, rounded, where, what);
-        if (!x) return tl::unexpected(x.error());
+        CCDFUZZ_TRY(const auto x, as_double(ends[i][k], round, rounded, where, what));
         start[k] = exact(patch.positions[i][k]);
-        end[k] = exact(*x);
+        end[k] = exact(x);
       }
       out.start[s].push_back(start);
       out.end[s].push_back(end);

@@ -17,7 +17,7 @@ namespace {
 
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
-  if (auto regular = refuse_irregular(path); !regular) return tl::unexpected(regular.error());
+  CCDFUZZ_TRY_VOID(refuse_irregular(path));
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return system_error(path, "read", errno);
   std::string bytes(length, '\0');
@@ -102,21 +102,16 @@ Result<void> carry_tree(Truth& truth, const std::string& trees, const std::strin
   if (trees.empty()) drop_tree(truth);
   auto* const miss = truth.clearance ? std::get_if<MissTree>(&*truth.clearance) : nullptr;
   if (miss == nullptr) return {};
-  const auto bytes = read_tree(trees, miss->tree);
-  if (!bytes) return tl::unexpected(bytes.error());
+  CCDFUZZ_TRY(const auto bytes, read_tree(trees, miss->tree));
   TreeWriter writer(case_path);
-  const auto tree = writer.write(*bytes);
-  if (!tree) return tl::unexpected(tree.error());
-  miss->tree = *tree;
+  CCDFUZZ_TRY(miss->tree, writer.write(bytes));
   return writer.finish();
 }
 
 Result<TreeRef> TreeWriter::write(std::string_view bytes) {
   CCDFUZZ_VERIFY(bytes.size() <= kMaxTreeBytes);
   if (!file_) {
-    auto file = OutputFile::create(path_);
-    if (!file) return tl::unexpected(file.error());
-    file_ = *std::move(file);
+    CCDFUZZ_TRY(file_, OutputFile::create(path_));
   }
   constexpr int kLevel = 9;
   std::string frame(ZSTD_compressBound(bytes.size()), '\0');
@@ -125,7 +120,7 @@ Result<TreeRef> TreeWriter::write(std::string_view bytes) {
   CCDFUZZ_VERIFY(ZSTD_isError(length) == 0);
   frame.resize(length);
   const TreeRef tree{offset_, length, hash_name(bytes)};
-  if (auto written = file_->write(frame); !written) return tl::unexpected(written.error());
+  CCDFUZZ_TRY_VOID(file_->write(frame));
   offset_ += length;
   return tree;
 }

@@ -22,7 +22,7 @@ Result<std::vector<std::string>> list_entries(const std::string& folder) {
     if (hidden) it.disable_recursion_pending();
     if (hidden || it->path().extension() != ".json" || it->is_directory(vanished)) continue;
     paths.push_back(it->path().string());
-    if (auto file = refuse_irregular(paths.back()); !file) return tl::unexpected(file.error());
+    CCDFUZZ_TRY_VOID(refuse_irregular(paths.back()));
   }
   if (error) return system_error(folder, "read", error.value());
   std::sort(paths.begin(), paths.end());

@@ -70,11 +70,10 @@ Result<Store::Put> Intake::take(const NamedCase& entry) {
 /// method refuted it.
 Result<Store::Put> Intake::put_aside(const NamedCase& entry, const Failure& failure) {
   const std::string trees = trees_path(entry.file);
-  const Result<std::optional<NamedCase>> standing = store_.standing(failure);
-  if (!standing) return tl::unexpected(standing.error());
+  CCDFUZZ_TRY(const std::optional<NamedCase> standing, store_.standing(failure));
   const std::string address = content_address(entry.value.query);
-  const bool is_there = *standing && content_address((*standing)->value.query) == address;
-  const bool may_stand = is_there || (!*standing && !can_be_asked(failure.who));
+  const bool is_there = standing && content_address(standing->value.query) == address;
+  const bool may_stand = is_there || (!standing && !can_be_asked(failure.who));
   return may_stand ? store_.put(failure, entry.value, trees, again())
                    : store_.put_named(address, entry.value, trees, again());
 }
@@ -83,14 +82,12 @@ Result<std::uint64_t> Intake::take_doubtful() {
   const std::lock_guard lock(mutex_);
   std::uint64_t changed = 0;
   for (const std::string& path : std::exchange(doubtful_, {})) {
-    const Result<std::vector<NamedCase>> read = read_checked_cases(path);
-    if (!read) return tl::unexpected(read.error());
-    for (const NamedCase& entry : *read) {
+    CCDFUZZ_TRY(const std::vector<NamedCase> read, read_checked_cases(path));
+    for (const NamedCase& entry : read) {
       const std::optional<Failure> failure = named_by_failure(entry);
       if (!failure) continue;  // changed since
-      const Result<Store::Put> done = put_aside(entry, *failure);
-      if (!done) return tl::unexpected(done.error());
-      if (*done != Store::Put::kKnown) ++changed;
+      CCDFUZZ_TRY(const Store::Put done, put_aside(entry, *failure));
+      if (done != Store::Put::kKnown) ++changed;
     }
   }
   return changed;
@@ -122,18 +119,16 @@ bool Intake::shows(const NamedCase& entry, const Failure& failure) {
 /// Whether the smallest entry that says that it shows the failure does when its method is asked
 /// again; one that does not is disowned. Nothing where there is no such entry.
 Result<std::optional<bool>> Intake::confirm_standing(const Failure& failure) {
-  const Result<std::optional<NamedCase>> entry = store_.standing(failure);
-  if (!entry) return tl::unexpected(entry.error());
-  if (!*entry) return std::nullopt;
-  if (shows(**entry, failure)) return true;
-  return store_.disown(failure, (*entry)->id).map([] { return std::optional(false); });
+  CCDFUZZ_TRY(const std::optional<NamedCase> entry, store_.standing(failure));
+  if (!entry) return std::nullopt;
+  if (shows(*entry, failure)) return true;
+  return store_.disown(failure, entry->id).map([] { return std::optional(false); });
 }
 
 Result<bool> Intake::is_shown_in_store(const Failure& failure) {
   for (;;) {
-    const auto shown = confirm_standing(failure);
-    if (!shown) return tl::unexpected(shown.error());
-    if (!*shown || **shown) return shown->has_value();
+    CCDFUZZ_TRY(const auto shown, confirm_standing(failure));
+    if (!shown || *shown) return shown.has_value();
   }
 }
 
@@ -144,9 +139,8 @@ Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const s
     if (!done) return done;
     if (*done != Store::Put::kKnown) confirmed_.insert(failure);
     if (confirmed_.contains(failure)) return done;
-    const auto shown = confirm_standing(failure);
-    if (!shown) return tl::unexpected(shown.error());
-    if (!*shown || **shown) return done;
+    CCDFUZZ_TRY(const auto shown, confirm_standing(failure));
+    if (!shown || *shown) return done;
   }
 }
 

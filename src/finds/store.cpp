@@ -109,8 +109,7 @@ struct Store::State {
   template <class Work>
   auto locked(const Work& work) -> decltype(work()) {
     const std::lock_guard one_at_a_time(mutex);
-    const auto lock = enter();
-    if (!lock) return tl::unexpected(lock.error());
+    CCDFUZZ_TRY(const auto lock, enter());
     return work();
   }
   Result<void> read_named();
@@ -138,13 +137,13 @@ Result<std::optional<NamedCase>> entry_at(const std::string& path) {
 
 /// Locks the folder, which is made again if it was removed.
 Result<FolderLock> Store::State::enter() {
-  if (auto made = make_folder(home); !made) return tl::unexpected(made.error());
+  CCDFUZZ_TRY_VOID(make_folder(home));
   auto lock = FolderLock::take(home);
   if (!lock) return lock;
   if (OpenFolder now = lock->folder(); !(now == home_folder)) {
     home_folder = std::move(now);
     ++times_replaced;
-    if (const auto read = read_named(); !read) return tl::unexpected(read.error());
+    CCDFUZZ_TRY_VOID(read_named());
   }
   return lock;
 }
@@ -168,15 +167,14 @@ void Store::State::note_named(const NamedCase& entry) {
 /// and says of it what both do. Returns its new path, or nothing if it was there.
 Result<std::optional<std::string>> Store::State::move_aside(const NamedCase& entry) const {
   const std::string aside = fmt::format("{}/{}.json", home, content_address(entry.value.query));
-  const auto standing = entry_at(aside);
-  if (!standing) return tl::unexpected(standing.error());
+  CCDFUZZ_TRY(const auto standing, entry_at(aside));
   const Result<void> kept =
-      *standing
-          ? rewrite_entry(**standing, unite(**standing, entry.value, trees_path(entry.id), nullptr))
+      standing
+          ? rewrite_entry(*standing, unite(*standing, entry.value, trees_path(entry.id), nullptr))
                 .map([](Put) {})
           : write_entry(aside, entry.value, trees_path(entry.id));
   return kept.and_then([&] { return remove_entry(entry.id); }).map([&] {
-    return *standing ? std::nullopt : std::optional(aside);
+    return standing ? std::nullopt : std::optional(aside);
   });
 }
 
@@ -187,32 +185,29 @@ Result<Store::Put> Store::State::put(const Failure& failure, const Case& find,
   if (const auto known = named.find(failure);
       known != named.end() && !(rank < known->second.rank)) {
     if (!again || known->second.rank < rank) return Put::kKnown;
-    const auto twin = entry_at(known->second.path);
-    if (!twin) return tl::unexpected(twin.error());
-    if (*twin) return rewrite_entry(**twin, unite(**twin, find, trees, again));
+    CCDFUZZ_TRY(const auto twin, entry_at(known->second.path));
+    if (twin) return rewrite_entry(*twin, unite(*twin, find, trees, again));
   }
-  const auto standing = entry_at(path);
-  if (!standing) return tl::unexpected(standing.error());
-  if (!*standing) return write_entry(path, find, trees).map([] { return Put::kNew; });
+  CCDFUZZ_TRY(const auto standing, entry_at(path));
+  if (!standing) return write_entry(path, find, trees).map([] { return Put::kNew; });
 
-  const Case& old = (*standing)->value;
+  const Case& old = standing->value;
   const bool is_of_failure = shows(old, failure);
   const Rank old_rank = rank_of(old.query);
   if (is_of_failure && old_rank < rank) return Put::kKnown;
   if (old_rank == rank) {
-    United united = unite(**standing, find, trees, again);
-    if (shows(united.value, failure)) return rewrite_entry(**standing, std::move(united));
+    United united = unite(*standing, find, trees, again);
+    if (shows(united.value, failure)) return rewrite_entry(*standing, std::move(united));
     if (is_of_failure) return Put::kKnown;
   }
   if (is_of_failure && !has_tree(old) && !has_tree(find)) {
     return write_entry(path, find, trees).map([] { return Put::kSmaller; });
   }
   // The name of a tree follows from that of its entry: both cannot be replaced at one moment.
-  const auto aside = move_aside(**standing);
-  if (!aside) return tl::unexpected(aside.error());
+  CCDFUZZ_TRY(const auto aside, move_aside(*standing));
   return write_entry(path, find, trees).and_then([&]() -> Result<Put> {
     if (!is_of_failure) return Put::kNew;
-    const Result<void> removed = *aside ? remove_entry(**aside) : Result<void>();
+    const Result<void> removed = aside ? remove_entry(*aside) : Result<void>();
     return removed.map([] { return Put::kSmaller; });
   });
 }
@@ -223,7 +218,7 @@ Result<Store> Store::open(const std::string& folder) {
   state->folder = fs::path(folder).lexically_normal().string();
   if (state->folder.size() > 1 && state->folder.ends_with('/')) state->folder.pop_back();
   if (state->folder.empty()) return input_error("", "the name of the folder of finds is empty");
-  if (auto made = make_folder(state->folder); !made) return tl::unexpected(made.error());
+  CCDFUZZ_TRY_VOID(make_folder(state->folder));
   std::error_code error;
   state->home = state->folder + "/cases";
   if (!fs::is_directory(state->home, error)) {
@@ -232,15 +227,14 @@ Result<Store> Store::open(const std::string& folder) {
     state->home = state->folder;
   }
 
-  const auto lock = FolderLock::take(state->home);
-  if (!lock) return tl::unexpected(lock.error());
-  state->home_folder = lock->folder();
+  CCDFUZZ_TRY(const auto lock, FolderLock::take(state->home));
+  state->home_folder = lock.folder();
   remove_leftovers(state->home);
   // Whoever cannot write should learn it now, and not when the first find is to be kept.
   if (auto probe = OutputFile::create(state->home + "/.probe"); !probe) {
     return input_error(state->home, probe.error().what);
   }
-  if (auto read = state->read_named(); !read) return tl::unexpected(read.error());
+  CCDFUZZ_TRY_VOID(state->read_named());
   return Store(std::move(state));
 }
 
@@ -252,14 +246,14 @@ Store::~Store() = default;
 Result<Store::Put> Store::put(const Failure& failure, const Case& find, const std::string& trees,
                               const AskAgain& again) {
   CCDFUZZ_VERIFY(shows(find, failure));
-  if (auto checked = check_truth(find); !checked) return tl::unexpected(checked.error());
+  CCDFUZZ_TRY_VOID(check_truth(find));
   return state_->locked([&] { return state_->put(failure, find, trees, again); });
 }
 
 Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
                                     const std::string& trees, const AskAgain& again) {
-  if (auto checked = check_truth(entry); !checked) return tl::unexpected(checked.error());
-  if (auto named = check_name(name); !named) return tl::unexpected(named.error());
+  CCDFUZZ_TRY_VOID(check_truth(entry));
+  CCDFUZZ_TRY_VOID(check_name(name));
   return state_->locked([&]() -> Result<Put> {
     const std::string address = content_address(entry.query);
     constexpr size_t kLongest = 240;  // with ".trees.zst" as long as a file's name may be

@@ -205,14 +205,13 @@ Result<HuntGround> narrowed(HuntGround ground, const std::vector<std::string>& m
   };
   bool take_bodies = true, take_patches = true;
   for (const std::string& method : methods) {
-    const Result<MethodInfo> info = method_info(method);
-    if (!info) return tl::unexpected(info.error());
-    const Domain& domain = info->domain;
+    CCDFUZZ_TRY(const MethodInfo info, method_info(method));
+    const Domain& domain = info.domain;
     std::optional<Domain> both = ground.with(domain);
     if (!both) return nothing();
     static_cast<Domain&>(ground) = *std::move(both);
     const auto& pairs = domain.pairs;
-    take_bodies = take_bodies && info->features.bodies &&
+    take_bodies = take_bodies && info.features.bodies &&
                   (pairs.empty() || std::ranges::any_of(pairs, is_pair_of_hulls));
     take_patches = take_patches && (pairs.empty() || !std::ranges::all_of(pairs, is_pair_of_hulls));
   }

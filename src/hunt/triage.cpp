@@ -109,15 +109,13 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
     sound_fails = sound_fails || method == kOracle ||
                   std::ranges::find(kMissNothing, method) != kMissNothing.end();
     ++tally_.failures;
-    const Result<bool> is_known = intake_.has(confirmed->failure);
-    if (!is_known) return tl::unexpected(is_known.error());
-    if (*is_known) {
+    CCDFUZZ_TRY(const bool is_known, intake_.has(confirmed->failure));
+    if (is_known) {
       ++tally_.known;
       continue;
     }
-    const Result<std::optional<Case>> find = take_in(*confirmed);
-    if (!find) return tl::unexpected(find.error());
-    if (*find) found(confirmed->failure, **find);
+    CCDFUZZ_TRY(const std::optional<Case> find, take_in(*confirmed));
+    if (find) found(confirmed->failure, *find);
   }
   if (!fails) ++tally_.harmless;
   if (sound_fails) return {};

@@ -126,12 +126,11 @@ Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zst
 
 Result<std::string> read_file(const std::string& path, size_t most) {
   constexpr size_t kPiece = 1 << 16;
-  if (auto regular = refuse_irregular(path); !regular) return tl::unexpected(regular.error());
-  auto file = open_input(path, false);
-  if (!file) return tl::unexpected(file.error());
+  CCDFUZZ_TRY_VOID(refuse_irregular(path));
+  CCDFUZZ_TRY(auto file, open_input(path, false));
   std::string bytes;
   for (;;) {
-    const Result<std::string> piece = (*file)->read(kPiece);
+    const Result<std::string> piece = file->read(kPiece);
     if (!piece || piece->empty()) return piece.map([&](const auto&) { return std::move(bytes); });
     bytes += *piece;
     if (bytes.size() > most) {

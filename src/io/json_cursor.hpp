@@ -79,10 +79,9 @@ class JsonCursor {
 /// refused a value of it.
 template <class Read>
 Result<void> read_json_text(std::string_view text, const std::string& file, const Read& read) {
-  const Result<JsonValue> value = parse_json(text, file);
-  if (!value) return tl::unexpected(value.error());
+  CCDFUZZ_TRY(const JsonValue value, parse_json(text, file));
   try {
-    read(JsonCursor(*value, file));
+    read(JsonCursor(value, file));
   } catch (const JsonCursor::Refusal& refusal) {
     return tl::unexpected(refusal.error);
   }

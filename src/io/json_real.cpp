@@ -115,9 +115,7 @@ Result<double> parse_hex(const JsonValue& value) {
   text.remove_prefix(2);
 
   const size_t mark = std::min(text.find_first_of("pP"), text.size());
-  const Result<long> power = parse_power(value, text.substr(mark));
-  if (!power) return tl::unexpected(power.error());
-  long exponent = *power;
+  CCDFUZZ_TRY(long exponent, parse_power(value, text.substr(mark)));
   std::string digits(text.substr(0, mark));
   if (const size_t point = digits.find('.'); point != std::string::npos) {
     exponent -= 4 * static_cast<long>(digits.size() - point - 1);

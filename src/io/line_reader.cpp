@@ -13,11 +13,10 @@ constexpr size_t kBytesAtOnce = 1 << 16;
 }  // namespace
 
 Result<LineReader> LineReader::open(const std::string& path, bool zstd, size_t longest) {
-  auto bytes = open_input(path, zstd);
-  if (!bytes) return tl::unexpected(bytes.error());
+  CCDFUZZ_TRY(auto bytes, open_input(path, zstd));
   LineReader reader;
   reader.path_ = path;
-  reader.bytes_ = *std::move(bytes);
+  reader.bytes_ = std::move(bytes);
   reader.longest_ = longest;
   return reader;
 }
@@ -42,10 +41,9 @@ Result<std::optional<std::string_view>> LineReader::next(bool whole) {
     buffer_.erase(0, at_);
     at_ = 0;
     searched = buffer_.size();
-    auto more = bytes_->read(kBytesAtOnce);
-    if (!more) return tl::unexpected(more.error());
-    ended_ = more->empty();
-    buffer_ += *more;
+    CCDFUZZ_TRY(auto more, bytes_->read(kBytesAtOnce));
+    ended_ = more.empty();
+    buffer_ += more;
   }
 }
 

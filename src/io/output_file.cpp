@@ -185,10 +185,9 @@ Result<void> make_folder(const std::string& folder) {
 }
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  if (auto written = file->write(bytes); !written) return written;
-  return file->commit();
+  CCDFUZZ_TRY(auto file, OutputFile::create(path));
+  CCDFUZZ_TRY_VOID(file.write(bytes));
+  return file.commit();
 }
 
 }  // namespace ccdfuzz

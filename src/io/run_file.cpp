@@ -63,14 +63,12 @@ std::optional<std::string> RunHeader::difference(const RunHeader& other) const {
 }
 
 Result<RunLines> RunLines::open(const std::string& path) {
-  auto lines =
-      refuse_irregular(path).and_then([&] { return LineReader::open(path, false, kLongestLine); });
-  if (!lines) return tl::unexpected(lines.error());
-  RunLines run(*std::move(lines));
-  const auto first = run.next_whole();
-  if (!first) return tl::unexpected(first.error());
-  if (!*first) return input_error(path, "is not the file of a run");
-  Result<RunHeader> header = from_json<RunHeader>(**first, path);
+  CCDFUZZ_TRY_VOID(refuse_irregular(path));
+  CCDFUZZ_TRY(LineReader lines, LineReader::open(path, false, kLongestLine));
+  RunLines run(std::move(lines));
+  CCDFUZZ_TRY(const auto first, run.next_whole());
+  if (!first) return input_error(path, "is not the file of a run");
+  Result<RunHeader> header = from_json<RunHeader>(*first, path);
   if (!header) {
     return input_error(header.error().where,
                        header.error().what +
@@ -129,7 +127,7 @@ Result<RunFile> RunFile::open(const std::string& path, const RunHeader& header) 
     }
     // The one who held it before may have finished and taken it away.
     if (!stands_at(path, descriptor)) continue;
-    if (auto resumed = file.resume(header); !resumed) return tl::unexpected(resumed.error());
+    CCDFUZZ_TRY_VOID(file.resume(header));
     return file;
   }
 }
@@ -162,9 +160,8 @@ Result<void> RunFile::resume(const RunHeader& header) {
         path_, fmt::format("belongs to a run with {}; take the file away to begin anew", *other));
   }
   for (;;) {
-    const auto line = lines->next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line) break;
+    CCDFUZZ_TRY(const auto line, lines->next());
+    if (!line) break;
     ++size_;
   }
   if (::ftruncate(descriptor_, static_cast<off_t>(lines->bytes())) == 0) return {};
@@ -200,9 +197,8 @@ Result<MergedRun> MergedRun::open(const std::vector<std::string>& paths) {
   std::map<std::uint64_t, RunLines> shares;
   MergedRun merged;
   for (const std::string& path : paths) {
-    Result<RunLines> lines = RunLines::open(path);
-    if (!lines) return tl::unexpected(lines.error());
-    const RunHeader& header = lines->header();
+    CCDFUZZ_TRY(RunLines lines, RunLines::open(path));
+    const RunHeader& header = lines.header();
     const Shard shard = header.shard;
     if (shares.empty()) merged.header_ = header;
     if (const auto other = merged.header_.difference(header)) {
@@ -212,7 +208,7 @@ Result<MergedRun> MergedRun::open(const std::vector<std::string>& paths) {
       return input_error(path, fmt::format("is one of {} shares, and {} of {}", shard.of, paths[0],
                                            merged.header_.shard.of));
     }
-    if (!shares.emplace(shard.index, *std::move(lines)).second) {
+    if (!shares.emplace(shard.index, std::move(lines)).second) {
       return input_error(path, fmt::format("share {} is there twice", text_of(shard)));
     }
   }
@@ -239,7 +235,7 @@ Result<std::optional<std::string_view>> MergedRun::next() {
     return line;
   }
   for (RunLines& share : shares_) {
-    if (const auto more = share.next(); !more) return more;
+    CCDFUZZ_TRY_VOID(share.next());
   }
   return line;
 }

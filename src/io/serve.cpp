@@ -103,11 +103,10 @@ void serve_by_this_program() {
 Result<ChildProgram> served_child(const std::vector<std::string>& arguments,
                                   const ChildLimits& limits) {
   std::error_code none;
-  const Result<std::string> program =
-      this_program_serves ? std::filesystem::read_symlink("/proc/self/exe", none).string()
-                          : find_program("ccdfuzz", "CCDFUZZ_PROGRAM");
-  if (!program) return tl::unexpected(program.error());
-  ChildProgram child{{"run", *program, "serve"}, limits};
+  CCDFUZZ_TRY(const std::string program,
+              this_program_serves ? std::filesystem::read_symlink("/proc/self/exe", none).string()
+                                  : find_program("ccdfuzz", "CCDFUZZ_PROGRAM"));
+  ChildProgram child{{"run", program, "serve"}, limits};
   if (limits.cpu_seconds > 0) {
     child.command.insert(child.command.end(),
                          {"--cpu-seconds", fmt::format("{}", limits.cpu_seconds)});

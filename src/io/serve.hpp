@@ -29,12 +29,11 @@ template <HasFields Reply>
 tl::expected<Reply, Fault> ask_served(Child& child, const std::string& line) {
   const bool is_new = !child.has_answered();
   const auto once = [&]() -> tl::expected<Reply, Fault> {
-    const auto answer = child.ask(line);
-    if (!answer) return tl::unexpected(answer.error());
-    Result<Reply> reply = from_json<Reply>(*answer, "its answer", Unknown::kIgnore);
+    CCDFUZZ_TRY(const auto answer, child.ask(line));
+    Result<Reply> reply = from_json<Reply>(answer, "its answer", Unknown::kIgnore);
     if (reply) return *std::move(reply);
     child.kill();
-    const Result<Fault> told = from_json<Fault>(*answer, "its answer");
+    const Result<Fault> told = from_json<Fault>(answer, "its answer");
     return tl::unexpected(told ? *told : Fault{"garbage", reply.error().message()});
   };
   auto reply = once();

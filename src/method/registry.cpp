@@ -360,8 +360,8 @@ Result<std::unique_ptr<Tracer>> make_tracer(const std::string& spec) {
 Result<std::vector<std::string>> parse_method_list(const std::string& list) {
   std::vector<std::string> specs;
   for (const std::string& spec : texts_between_commas(list)) {
-    const auto method = admit_plugin(spec).and_then([&] { return make_method(spec); });
-    if (!method) return tl::unexpected(method.error());
+    CCDFUZZ_TRY_VOID(admit_plugin(spec));
+    CCDFUZZ_TRY_VOID(make_method(spec));
     if (std::ranges::find(specs, spec) != specs.end()) {
       return input_error("--methods", fmt::format("\"{}\" is named twice", spec));
     }

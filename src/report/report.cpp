@@ -52,7 +52,7 @@ void keep_most_telling(ReportPage& report, std::size_t most) {
 
 Result<void> write_report(ReportPage report, const std::string& folder, int threads,
                           std::size_t most_bytes) {
-  if (auto made = make_folder(folder); !made) return made;
+  CCDFUZZ_TRY_VOID(make_folder(folder));
   std::string page = report_page(report, threads);
   while (page.size() > most_bytes && !report.cases.empty()) {
     // Cases are most of what a page can have too much of; the tenth is for those that are larger.

@@ -138,10 +138,8 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
     return input_error(fmt::format("{}.t", kWitness),
                        fmt::format("{} is past 1, where {}", abbreviated(witness.t), kEndOfMotion));
   }
-  const auto first = point_of(query.patches[0], witness.t, witness.weights[0], work);
-  if (!first) return tl::unexpected(first.error());
-  const auto second = point_of(query.patches[1], witness.t, witness.weights[1], work);
-  if (!second) return tl::unexpected(second.error());
+  CCDFUZZ_TRY(const auto first, point_of(query.patches[0], witness.t, witness.weights[0], work));
+  CCDFUZZ_TRY(const auto second, point_of(query.patches[1], witness.t, witness.weights[1], work));
   for (const size_t s : {size_t{0}, size_t{1}}) {
     const Vec3<double>& velocity = query.patches[1 - s].velocities[0];
     if (are_of_a_face(query.patches[s], witness.weights[s], velocity, work)) continue;
@@ -149,13 +147,13 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
   }
   Rational squared = 0;
   for (int k = 0; k < 3; ++k) {
-    const Rational way = second->point[k] - first->point[k];
+    const Rational way = second.point[k] - first.point[k];
     charge_for(2, 2 * words_of(way), work);
     squared += way * way;
   }
   Rational reach = reach_of(query);
   if (has_spins(query)) {
-    reach -= first->error + second->error;
+    reach -= first.error + second.error;
     for (size_t s = 0; s < 2; ++s) {
       reach += radius_within(query.patches[s], witness.weights[s], work);
     }
@@ -225,7 +223,7 @@ Result<void> check_faces(const Query& query, const MeshClearance& clearance, Wor
     const BodyClearance apart{clearance.until, clearance.normals[next++], clearance.closed};
     const auto& [first, second] =
         side == 0 ? std::tie(corners, other.positions) : std::tie(other.positions, corners);
-    if (auto checked = check_direction(query, first, second, apart, work); !checked) return checked;
+    CCDFUZZ_TRY_VOID(check_direction(query, first, second, apart, work));
   }
   if (next == clearance.normals.size()) return {};
   return refuse(fmt::format("number of normals: {}; of faces that are there: {}",

@@ -27,7 +27,7 @@ Result<void> check_absence(const Case& value, std::string_view tree) {
 class CaseCheck {
  public:
   static Result<CheckedCase> check(Case value, std::string_view tree) {
-    if (auto checked = check_truth(value); !checked) return tl::unexpected(checked.error());
+    CCDFUZZ_TRY_VOID(check_truth(value));
     const bool has_clearance = value.truth.clearance.has_value();
     if (has_clearance) {
       if (auto absent = check_absence(value, tree); !absent) {

@@ -289,7 +289,7 @@ constexpr const char* kRoot = "truth.certificate.root";
 Result<void> check_clearance_within(const Query& query, const LinearClearance& clearance,
                                     Work& work) {
   constexpr int kMostHalvings = 4000;
-  if (auto linear = refuse_unless_linear(query, kClear); !linear) return linear;
+  CCDFUZZ_TRY_VOID(refuse_unless_linear(query, kClear));
   if (query.separation > 0) {
     return input_error(kClear, fmt::format("is no proof of distances above {}", query.separation));
   }
@@ -321,7 +321,7 @@ Result<void> check_clearance_within(const Query& query, const LinearClearance& c
 }
 
 Result<void> check_root_within(const Query& query, const ContactRoot& root, Work& work) {
-  if (auto linear = refuse_unless_linear(query, kRoot); !linear) return linear;
+  CCDFUZZ_TRY_VOID(refuse_unless_linear(query, kRoot));
   if (is_trimmed(query)) return input_error(kRoot, "does not show that the contact is in a trim");
   const Form& p = root.polynomial;
   if (root.from < 0 || root.by <= root.from) {

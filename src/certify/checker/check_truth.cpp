@@ -15,7 +15,7 @@ namespace ccdfuzz {
 
 Result<void> check_truth(const Case& value) {
   const Truth& truth = value.truth;
-  if (auto valid = validate(value.query, ""); !valid) return valid;
+  CCDFUZZ_TRY_VOID(validate(value.query, ""));
   if (is_of_bodies(value.query) && (truth.contact_box || truth.contact_root)) {
     return input_error("truth.certificate", "proves nothing of bodies");
   }
@@ -29,7 +29,7 @@ Result<void> check_truth(const Case& value) {
     if (!checked) return checked;
   }
   if (truth.contact_box) {
-    if (auto checked = check_box(value.query, *truth.contact_box); !checked) return checked;
+    CCDFUZZ_TRY_VOID(check_box(value.query, *truth.contact_box));
   }
   if (truth.contact_root) {
     auto checked = check_contact_root(value.query, *truth.contact_root);

@@ -293,7 +293,7 @@ Result<void> check_planes_of_bodies(const Query& query, const BodyPlanes& cleara
   if (planes.empty() || planes[0].from != 0) return input_error(kPlanes, "no plane begins at 0");
   for (size_t i = 0; i < planes.size(); ++i) {
     const Rational& end = i + 1 < planes.size() ? planes[i + 1].from : until;
-    if (auto checked = check_between(query, planes[i], end, work); !checked) return checked;
+    CCDFUZZ_TRY_VOID(check_between(query, planes[i], end, work));
   }
   return {};
 }

@@ -102,23 +102,21 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
   constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
   std::uint64_t scale = 0;
   for (const FeatureClaim& claim : kFeatureClaims) {
-    if (auto read = read_flag(object, claim.field, out.features.*claim.feature); !read) return read;
+    CCDFUZZ_TRY_VOID(read_flag(object, claim.field, out.features.*claim.feature));
   }
-  return read_flag(object, "conservative", out.conservative)
-      .and_then([&] { return read_flag(object, "closed_t_max", out.closed_t_max); })
-      .and_then([&] { return read_flag(object, "contact_at_zero", out.contact_at_zero); })
-      .and_then(
-          [&] { return read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind); })
-      .and_then([&] { return read_length(object, "tolerance", out.tolerance); })
-      .and_then([&] { return read_length(object, "minimum_separation", out.minimum_separation); })
-      .and_then([&] { return read_word(object, "nan_policy", kNanPolicies, out.nan_policy); })
-      .and_then([&] { return read_flag(object, "ordinary", out.domain.ordinary); })
-      .and_then([&] { return read_flag(object, "plane", out.domain.plane); })
-      .and_then([&] { return read_word(object, "numbers", kNumbers, out.domain.binary32); })
-      .and_then([&] { return read_count(object, "within", scale); })
-      .map([&] {
-        if (scale > 0) out.domain.scale = static_cast<int>(std::min(scale, kWidestScale));
-      });
+  CCDFUZZ_TRY_VOID(read_flag(object, "conservative", out.conservative));
+  CCDFUZZ_TRY_VOID(read_flag(object, "closed_t_max", out.closed_t_max));
+  CCDFUZZ_TRY_VOID(read_flag(object, "contact_at_zero", out.contact_at_zero));
+  CCDFUZZ_TRY_VOID(read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind));
+  CCDFUZZ_TRY_VOID(read_length(object, "tolerance", out.tolerance));
+  CCDFUZZ_TRY_VOID(read_length(object, "minimum_separation", out.minimum_separation));
+  CCDFUZZ_TRY_VOID(read_word(object, "nan_policy", kNanPolicies, out.nan_policy));
+  CCDFUZZ_TRY_VOID(read_flag(object, "ordinary", out.domain.ordinary));
+  CCDFUZZ_TRY_VOID(read_flag(object, "plane", out.domain.plane));
+  CCDFUZZ_TRY_VOID(read_word(object, "numbers", kNumbers, out.domain.binary32));
+  CCDFUZZ_TRY_VOID(read_count(object, "within", scale));
+  if (scale > 0) out.domain.scale = static_cast<int>(std::min(scale, kWidestScale));
+  return {};
 }
 
 /// A field that a description does not have: misspelt, it would claim nothing.
@@ -187,9 +185,7 @@ tl::expected<Domain::Pair, Fault> read_pair(const JsonValue& value) {
     pair.shapes[side] = *kind;
     const std::uint64_t most = *kind == ShapeKind::kHull ? kMaxControls : kMaxDegree;
     std::uint64_t degree = most;
-    if (auto read = read_count(value.items[side], "max_degree", degree); !read) {
-      return tl::unexpected(read.error());
-    }
+    CCDFUZZ_TRY_VOID(read_count(value.items[side], "max_degree", degree));
     pair.max_degrees[side] = static_cast<int>(std::min(degree, most));
   }
   return pair;
@@ -199,11 +195,9 @@ tl::expected<BodyKind, Fault> read_body_kind(const JsonValue& value) {
   if (value.kind != JsonKind::kObject) return garbage_answer("takes bodies that are no kind");
   BodyKind kind;
   std::uint64_t least = kind.least_points, most = kind.most_points;
-  const auto read =
-      read_count(value, "least_points", least)
-          .and_then([&] { return read_count(value, "most_points", most); })
-          .and_then([&] { return read_word(value, "radius", kRadiusRules, kind.radius); });
-  if (!read) return tl::unexpected(read.error());
+  CCDFUZZ_TRY_VOID(read_count(value, "least_points", least));
+  CCDFUZZ_TRY_VOID(read_count(value, "most_points", most));
+  CCDFUZZ_TRY_VOID(read_word(value, "radius", kRadiusRules, kind.radius));
   if (least < 1 || least > most || least > kMaxControls) {
     return garbage_answer(fmt::format("takes bodies of {} to {} points", least, most));
   }
@@ -219,9 +213,8 @@ tl::expected<void, Fault> read_items(const JsonValue& object, std::string_view k
   const JsonValue* items = object.find(key);
   if (items == nullptr || items->kind != JsonKind::kArray) return {};
   for (const JsonValue& value : items->items) {
-    const auto item = read(value);
-    if (!item) return tl::unexpected(item.error());
-    out.push_back(*item);
+    CCDFUZZ_TRY(const auto item, read(value));
+    out.push_back(item);
   }
   return {};
 }
@@ -322,29 +315,28 @@ std::string query_request(const Query& query, const SearchOptions& options, doub
 }
 
 Described read_description(const std::string& line) {
-  const auto object = parse_object(line);
-  if (!object) return tl::unexpected(object.error());
-  if (const JsonValue* refused = object->find("refused"); refused != nullptr) {
-    return tl::unexpected(PluginRefusal{text_of(*object, "message")});
+  CCDFUZZ_TRY(const auto object, parse_object(line));
+  if (const JsonValue* refused = object.find("refused"); refused != nullptr) {
+    return tl::unexpected(PluginRefusal{text_of(object, "message")});
   }
-  if (const JsonValue* named = object->find("fault"); named != nullptr) {
-    return tl::unexpected(Fault{named->text, text_of(*object, "message")});
+  if (const JsonValue* named = object.find("fault"); named != nullptr) {
+    return tl::unexpected(Fault{named->text, text_of(object, "message")});
   }
-  if (const auto version = number_of(object->find("protocol")); version != 1.0) {
+  if (const auto version = number_of(object.find("protocol")); version != 1.0) {
     return tl::unexpected(
         Fault{"garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
   }
   PluginDescription out;
-  out.name = text_of(*object, "name");
-  out.version = text_of(*object, "version");
-  out.promise = text_of(*object, "promise");
+  out.name = text_of(object, "name");
+  out.version = text_of(object, "version");
+  out.promise = text_of(object, "promise");
   const auto read =
-      read_items(*object, "accepts", read_pair, out.domain.pairs)
+      read_items(object, "accepts", read_pair, out.domain.pairs)
           .and_then(
-              [&] { return read_items(*object, "bodies", read_body_kind, out.domain.body_kinds); })
-          .and_then([&] { return read_claims(*object, out); });
+              [&] { return read_items(object, "bodies", read_body_kind, out.domain.body_kinds); })
+          .and_then([&] { return read_claims(object, out); });
   if (!read) return tl::unexpected(PluginRefusal{read.error().note});
-  if (auto refusal = unknown_field(*object)) return tl::unexpected(*std::move(refusal));
+  if (auto refusal = unknown_field(object)) return tl::unexpected(*std::move(refusal));
   if (auto refusal = idle_claim(out.features)) return tl::unexpected(*std::move(refusal));
   if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
   return out;
@@ -352,13 +344,12 @@ Described read_description(const std::string& line) {
 
 tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,
                                               double t_max) {
-  const auto object = parse_object(line);
-  if (!object) return tl::unexpected(object.error());
-  const std::string message = text_of(*object, "message");
-  if (const JsonValue* named = object->find("fault"); named != nullptr) {
+  CCDFUZZ_TRY(const auto object, parse_object(line));
+  const std::string message = text_of(object, "message");
+  if (const JsonValue* named = object.find("fault"); named != nullptr) {
     return answer_fault(named->text, message);
   }
-  if (const JsonValue* echoed = object->find("id"); whole_of(echoed) != id) {
+  if (const JsonValue* echoed = object.find("id"); whole_of(echoed) != id) {
     return answer_fault("stale", fmt::format("answered question {} when asked question {}",
                                              echoed == nullptr ? "none" : shown(*echoed), id));
   }
@@ -366,17 +357,11 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
   out.answer.note = message;
   constexpr double kAnyTolerance = std::numeric_limits<double>::infinity();
   constexpr double kMostSeconds = 1e9;
-  const auto costs =
-      read_count(*object, "iterations", out.answer.pops)
-          .and_then([&] { return read_count(*object, "bytes", out.answer.bytes); })
-          .and_then(
-              [&] { return read_measure(*object, "tolerance", kAnyTolerance, out.tolerance); })
-          .and_then([&](bool) {
-            return read_measure(*object, "seconds", kMostSeconds, out.answer.seconds);
-          });
-  if (!costs) return tl::unexpected(costs.error());
-  out.has_seconds = *costs;
-  const std::string verdict = text_of(*object, "verdict");
+  CCDFUZZ_TRY_VOID(read_count(object, "iterations", out.answer.pops));
+  CCDFUZZ_TRY_VOID(read_count(object, "bytes", out.answer.bytes));
+  CCDFUZZ_TRY_VOID(read_measure(object, "tolerance", kAnyTolerance, out.tolerance));
+  CCDFUZZ_TRY(out.has_seconds, read_measure(object, "seconds", kMostSeconds, out.answer.seconds));
+  const std::string verdict = text_of(object, "verdict");
   if (verdict == "error") return answer_fault("error", "says that it failed: " + message);
   if (verdict == "miss") {
     out.answer.verdict = Verdict::kMiss;
@@ -384,13 +369,11 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
     out.answer.verdict = Verdict::kRefused;
   } else if (verdict == "hit") {
     out.answer.verdict = Verdict::kHit;
-    if (auto read = read_toi(object->find("toi"), t_max, out); !read) {
-      return tl::unexpected(read.error());
-    }
-    if (auto read = read_uv(object->find("uv"), out); !read) return tl::unexpected(read.error());
+    CCDFUZZ_TRY_VOID(read_toi(object.find("toi"), t_max, out));
+    CCDFUZZ_TRY_VOID(read_uv(object.find("uv"), out));
   } else if (verdict != "inconclusive") {
     return garbage_answer(fmt::format("gives no verdict that there is: {}", line.substr(0, 80)));
-  } else if (const auto toi = number_of(object->find("toi")); toi && *toi >= 0 && *toi <= t_max) {
+  } else if (const auto toi = number_of(object.find("toi")); toi && *toi >= 0 && *toi <= t_max) {
     out.answer.toi = *toi;
   }
   return out;

@@ -229,18 +229,17 @@ class PluginMethod : public Method {
 };
 
 Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text) {
-  Result<PluginSpec> spec = parse_plugin_spec(text);
-  if (!spec) return tl::unexpected(spec.error());
+  CCDFUZZ_TRY(PluginSpec spec, parse_plugin_spec(text));
   if (const auto worker = find_worker_program(); !worker) {
     return input_error("--methods", worker.error().message());
   }
-  const ChildProgram program = {{spec->is_program ? "run" : "load", spec->path},
-                                {.seconds = spec->seconds, .megabytes = spec->megabytes}};
+  const ChildProgram program = {{spec.is_program ? "run" : "load", spec.path},
+                                {.seconds = spec.seconds, .megabytes = spec.megabytes}};
   const auto known = [&](auto description) {
-    return std::make_shared<const KnownPlugin>(KnownPlugin{*spec, std::move(description), program});
+    return std::make_shared<const KnownPlugin>(KnownPlugin{spec, std::move(description), program});
   };
   Child worker(program);
-  const auto line = worker.ask(describe_request(spec->options));
+  const auto line = worker.ask(describe_request(spec.options));
   if (!line) return known(tl::expected<PluginDescription, Fault>(tl::unexpect, line.error()));
   Described described = read_description(*line);
   if (described) {

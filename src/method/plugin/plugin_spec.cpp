@@ -86,9 +86,8 @@ Result<PluginSpec> parse_plugin_spec(const std::string& spec) {
   for (size_t begin = path_end + 1; begin <= spec.size();) {
     const size_t end = std::min(spec.find(':', begin), spec.size());
     const std::string option = spec.substr(begin, end - begin);
-    const Result<bool> taken = take_host_option(option, parsed);
-    if (!taken) return tl::unexpected(taken.error());
-    if (!*taken) parsed.options += (parsed.options.empty() ? "" : ":") + option;
+    CCDFUZZ_TRY(const bool taken, take_host_option(option, parsed));
+    if (!taken) parsed.options += (parsed.options.empty() ? "" : ":") + option;
     begin = end + 1;
   }
   return parsed;
