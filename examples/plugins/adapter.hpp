@@ -13,10 +13,7 @@ namespace adapter {
 
 namespace ccd = ccdfuzz_plugin_cpp;
 
-/// Thrown where a code cannot be given a query exactly.
-struct Refusal : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using ccd::Refusal;
 
 inline float as_float(double x) {
   const auto narrow = static_cast<float>(x);
@@ -40,13 +37,6 @@ inline std::array<double, 4> spun(const ccdfuzz_patch& body, double t, double mo
   if (2 * half > most) throw Refusal("it turns by too much in the step");
   const double part = speed > 0 ? std::sin(half) / speed : 0;
   return {std::cos(half), part * v[0], part * v[1], part * v[2]};
-}
-
-inline ccd::Answer refused(const Refusal& refusal) {
-  ccd::Answer answer;
-  answer.verdict = CCDFUZZ_REFUSED;
-  answer.message = refusal.what();
-  return answer;
 }
 
 /// "key=number:key=number".

@@ -56,6 +56,7 @@ struct Claiming {
   ccd::Answer answer(const ccd::Query& query) const {
     ccd::Answer answer;
     answer.verdict = whole("verdict", CCDFUZZ_MISS);
+    if (answer.verdict == CCDFUZZ_REFUSED) throw ccd::Refusal("as the options say");
     const bool has_ends = query.patch(0).raw.ends != nullptr;
     if (has_ends == (query.patch(0).raw.velocities != nullptr)) throw std::logic_error("not one");
     if (has_ends) answer.verdict = CCDFUZZ_HIT;

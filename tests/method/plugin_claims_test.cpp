@@ -297,6 +297,8 @@ TEST(PluginClaims, DoNotApplyToRefusedQueries) {
     EXPECT_EQ(outcome_of(":verdict=5", known), "not_asked");
     EXPECT_EQ(outcome_of(std::string(":verdict=5:nan=1") + kConservative, known), "not_asked");
     EXPECT_EQ(outcome_of(":verdict=5:repeat=no", known), "not_asked");
+    EXPECT_EQ(ask(**admitted(kClaiming + ":verdict=5"), known, {}).answer.note,
+              "as the options say");
   }
 }
 

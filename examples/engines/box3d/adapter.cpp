@@ -1,40 +1,27 @@
-// Box3D: the time of impact of two shapes that do not turn, or with the option turns=1 of those
-// that do, by b3TimeOfImpact.
+// Box3D: b3TimeOfImpact.
 #include <box3d/collision.h>
 
-#include "../../plugins/adapter.hpp"
-
-namespace ccd = adapter::ccd;
+#include "../sweeps.hpp"
 
 struct Box3d {
-  explicit Box3d(const std::string& text) : options(text) {
-    turns = options.number("turns", 0) != 0;
-    options.check_all_known();
-  }
+  using Input = b3TOIInput;
+  static constexpr std::uint32_t kClaims = 0, kTurns = CCDFUZZ_TAKES_TURNS;
+  static constexpr auto kFailed = b3_toiStateFailed, kSeparated = b3_toiStateSeparated;
+  static constexpr b3Quat kNoRotation = {{0, 0, 0}, 1};
+  static constexpr auto time_of_impact = b3TimeOfImpact;
 
-  ccd::Description describe() const {
-    ccd::Description d{"Box3D", ENGINE_VERSION};
-    // Neither a contact at 0 nor one at the end.
-    d.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;
-    d.within = 7;
-    d.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+  static adapter::ccd::Description describe() {
+    adapter::ccd::Description d{"Box3D"};
+    d.pairs = adapter::ccd::body_pairs();
     d.bodies = {{1, 12, CCDFUZZ_ANY_RADIUS}};  // overlaps of these are measured
     d.promise =
         "finds the earliest time at which two swept shapes touch: "
         "https://github.com/erincatto/box3d/blob/main/docs/collision.md#time-of-impact";
-    // It stops where shapes overlap by its slop, 0.005, and a quarter of that is its tolerance.
-    d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
-    d.tolerance = 1.25 * 0.005;
-    if (turns) {
-      d.claims |= CCDFUZZ_TAKES_TURNS;
-      d.promise = "none of bodies that turn: its header says that it may miss collisions";
-    }
     return d;
   }
 
-  static b3Vec3 vector(const double (&x)[3], double factor = 1) {
-    using adapter::as_float;
-    return {as_float(factor * x[0]), as_float(factor * x[1]), as_float(factor * x[2])};
+  static b3Vec3 vector(const double (&x)[3]) {
+    return {adapter::as_float(x[0]), adapter::as_float(x[1]), adapter::as_float(x[2])};
   }
 
   static b3Quat rotation(const double* q) {
@@ -42,43 +29,9 @@ struct Box3d {
             adapter::of_unit(q, 4, 0)};
   }
 
-  static ccd::Answer answer(const ccd::Query& query) {
-    b3TOIInput input{};
-    const bool turned =
-        query.raw.patches[0]->turn_count > 0 || query.raw.patches[1]->turn_count > 0;
-    const double way = turned ? 1 : query.t_max();  // at fraction 1
-    input.maxFraction = turned ? static_cast<float>(query.t_max()) : 1;
-    std::vector<b3Vec3> points[2];
-    try {
-      for (int side = 0; side < 2; ++side) {
-        const ccdfuzz_patch& body = *query.raw.patches[side];
-        std::vector<b3Vec3>& cloud = points[side];
-        for (std::uint64_t i = 0; i < body.count; ++i) cloud.push_back(vector(body.positions[i]));
-        (side == 0 ? input.proxyA : input.proxyB) = {cloud.data(), static_cast<int>(cloud.size()),
-                                                     adapter::as_float(body.radius)};
-        b3Sweep& sweep = side == 0 ? input.sweepA : input.sweepB;
-        sweep.c2 = vector(body.velocities[0], way);
-        sweep.q1 = sweep.q2 = b3Quat_identity;
-        if (body.turn_count == 0) continue;
-        sweep.localCenter = sweep.c1 = vector(body.turn_centre);
-        double end[3];
-        for (int k = 0; k < 3; ++k) end[k] = body.turn_centre[k] + body.velocities[0][k];
-        sweep.c2 = vector(end);
-        sweep.q1 = rotation(body.turn_from);
-        sweep.q2 = rotation(body.turn_to);
-      }
-    } catch (const adapter::Refusal& refusal) {
-      return adapter::refused(refusal);
-    }
-    const b3TOIOutput output = b3TimeOfImpact(&input);
-    if (output.state == b3_toiStateFailed) return {};
-    return output.state == b3_toiStateSeparated
-               ? ccd::Answer::miss()
-               : ccd::Answer::hit(adapter::scaled_toi(double{output.fraction}, way));
+  static b3ShapeProxy proxy(const std::vector<b3Vec3>& points, float radius) {
+    return {points.data(), static_cast<int>(points.size()), radius};
   }
-
-  adapter::Options options;
-  bool turns = false;
 };
 
-CCDFUZZ_PLUGIN(Box3d)
+CCDFUZZ_PLUGIN(adapter::Sweeps<Box3d>)

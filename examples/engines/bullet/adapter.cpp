@@ -2,17 +2,17 @@
 // btContinuousConvexCollision. Points and radii are floats; the margin of a hull is its radius.
 // With least-margin=0.04 it is asked only about margins of so much or more, as it recommends.
 // With spins=1 it is asked about bodies that spin by up to π/4, too: it turns none by more.
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
-#include "../../plugins/adapter.hpp"
+#include "shapes.hpp"
 
 namespace ccd = adapter::ccd;
 
 struct Bullet {
-  explicit Bullet(const std::string& text) : options(text) {
+  explicit Bullet(const std::string& text) {
+    adapter::Options options(text);
     least_margin = options.number("least-margin", 0);
     spins = options.number("spins", 0) != 0;
     options.check_all_known();
@@ -21,11 +21,11 @@ struct Bullet {
   ccd::Description describe() const {
     ccd::Description description{"Bullet", std::to_string(btGetVersion())};
     description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;  // open ends
+    if (spins) description.claims |= CCDFUZZ_TAKES_SPINS;
     description.within = 7;
-    description.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+    description.pairs = ccd::body_pairs();
     const bool has_margin = least_margin > 0;  // overlaps of up to 12 points are measured
     description.bodies = {{1, 12, has_margin ? CCDFUZZ_POSITIVE_RADIUS : CCDFUZZ_ANY_RADIUS}};
-    if (spins) description.claims |= CCDFUZZ_TAKES_SPINS;
     description.promise =
         "calculates the angular and linear time of impact of two convex shapes: "
         "https://github.com/bulletphysics/"
@@ -36,60 +36,28 @@ struct Bullet {
     return description;
   }
 
-  static btVector3 vector(const double (&x)[3]) {
-    btVector3 v(0, 0, 0);
-    for (int k = 0; k < 3; ++k) v[k] = adapter::as_float(x[k]);
-    return v;
-  }
-
-  /// The point that a body turns about.
-  static btVector3 middle(const ccdfuzz_patch& body) {
-    return body.turn_count > 0 ? vector(body.turn_centre) : btVector3(0, 0, 0);
-  }
-
-  static btQuaternion turned(const ccdfuzz_patch& body, double t_max) {
-    btScalar q[4];
-    const auto exact = adapter::spun(body, t_max, SIMD_PI / 4);
-    for (int i = 0; i < 4; ++i) q[i] = static_cast<btScalar>(exact[i]);
-    return {q[1], q[2], q[3], q[0]};
-  }
-
-  std::unique_ptr<btConvexShape> shape(const ccdfuzz_patch& body) const {
-    if (body.radius < least_margin) throw adapter::Refusal("the margin is too small");
-    auto hull = std::make_unique<btConvexHullShape>();
-    for (std::uint64_t i = 0; i < body.count; ++i) {
-      hull->addPoint(vector(body.positions[i]) - middle(body), false);
-    }
-    hull->recalcLocalAabb();
-    hull->setMargin(adapter::as_float(body.radius));
-    return hull;
-  }
-
   ccd::Answer answer(const ccd::Query& query) const {
-    std::unique_ptr<btConvexShape> shapes[2];
-    btTransform from[2], to[2];
-    try {
-      for (int side = 0; side < 2; ++side) {
-        const ccdfuzz_patch& body = *query.raw.patches[side];
-        shapes[side] = shape(body);
-        double way[3];
-        for (int k = 0; k < 3; ++k) way[k] = body.velocities[0][k] * query.t_max();
-        from[side] = btTransform(btQuaternion::getIdentity(), middle(body));
-        to[side] = btTransform(turned(body, query.t_max()), middle(body) + vector(way));
-      }
-    } catch (const adapter::Refusal& refusal) {
-      return adapter::refused(refusal);
+    const auto& [a, b] = query.raw.patches;
+    for (const ccdfuzz_patch* body : {a, b}) {
+      if (body->radius < least_margin) throw ccd::Refusal("the margin is too small");
     }
+    const double share = of_impact(*a, *b, query.t_max());
+    return share < 0 ? ccd::Answer::miss()
+                     : ccd::Answer::hit(adapter::scaled_toi(share, query.t_max()));
+  }
+
+  /// The share of the step after which two hulls touch; below 0: they do not.
+  static double of_impact(const ccdfuzz_patch& a, const ccdfuzz_patch& b, double t_max) {
+    const btConvexHullShape first = hull(a), second = hull(b);
     btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth;
-    btContinuousConvexCollision cast(shapes[0].get(), shapes[1].get(), &simplex, &depth);
     btConvexCast::CastResult result;
-    const bool touches = cast.calcTimeOfImpact(from[0], to[0], from[1], to[1], result);
-    return touches ? ccd::Answer::hit(adapter::scaled_toi(double{result.m_fraction}, query.t_max()))
-                   : ccd::Answer::miss();
+    const bool touches =
+        btContinuousConvexCollision(&first, &second, &simplex, &depth)
+            .calcTimeOfImpact(place(a, 0), place(a, t_max), place(b, 0), place(b, t_max), result);
+    return touches ? double{result.m_fraction} : -1;
   }
 
-  adapter::Options options;
   double least_margin = 0;
   bool spins = false;
 };

@@ -20,7 +20,7 @@ struct FclBodies {
     description.claims =
         CCDFUZZ_TAKES_BODIES | CCDFUZZ_TAKES_SPINS | CCDFUZZ_ORDINARY;  // open ends
     description.within = 7;
-    description.pairs = {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+    description.pairs = ccd::body_pairs();
     description.bodies = {{1, 1, CCDFUZZ_POSITIVE_RADIUS}, {4, 4, CCDFUZZ_NO_RADIUS}};
     description.promise =
         "continuous collision checking, each motion of constant linear and angular velocity: "
@@ -56,18 +56,14 @@ struct FclBodies {
 
   static ccd::Answer answer(const ccd::Query& query) {
     const auto& [a, b] = query.raw.patches;
-    try {
-      const auto first = shape(*a), second = shape(*b);
-      const Motion way = motion(*a, query.t_max()), other = motion(*b, query.t_max());
-      const fcl::ContinuousCollisionRequestd request(
-          10, kTimeError, fcl::CCDM_LINEAR, fcl::GST_LIBCCD, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
-      fcl::ContinuousCollisionResultd result;
-      fcl::continuousCollide(first.get(), &way, second.get(), &other, request, result);
-      if (!result.is_collide) return ccd::Answer::miss();
-      return ccd::Answer::hit(adapter::scaled_toi(result.time_of_contact, query.t_max()));
-    } catch (const adapter::Refusal& refusal) {
-      return adapter::refused(refusal);
-    }
+    const auto first = shape(*a), second = shape(*b);
+    const Motion way = motion(*a, query.t_max()), other = motion(*b, query.t_max());
+    const fcl::ContinuousCollisionRequestd request(
+        10, kTimeError, fcl::CCDM_LINEAR, fcl::GST_LIBCCD, fcl::CCDC_CONSERVATIVE_ADVANCEMENT);
+    fcl::ContinuousCollisionResultd result;
+    fcl::continuousCollide(first.get(), &way, second.get(), &other, request, result);
+    if (!result.is_collide) return ccd::Answer::miss();
+    return ccd::Answer::hit(adapter::scaled_toi(result.time_of_contact, query.t_max()));
   }
 
   static constexpr double kTimeError = 1e-4;  // toc_err of a request, by default

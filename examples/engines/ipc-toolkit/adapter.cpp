@@ -35,14 +35,10 @@ struct IpcToolkit {
   }
 
   ccd::Answer answer(const ccd::Query& query) const {
-    try {
-      const adapter::ExactEnds<Eigen::Vector3d> ends(query);
-      double toi = 0;
-      const bool hit = test(query, ends.points, toi, query.t_max() / ends.step);
-      return hit ? ccd::Answer::hit(ends.step * toi) : ccd::Answer::miss();
-    } catch (const adapter::Refusal& refusal) {
-      return adapter::refused(refusal);
-    }
+    const adapter::ExactEnds<Eigen::Vector3d> ends(query);
+    double toi = 0;
+    const bool hit = test(query, ends.points, toi, query.t_max() / ends.step);
+    return hit ? ccd::Answer::hit(ends.step * toi) : ccd::Answer::miss();
   }
 
   bool test(const ccd::Query& query, const std::array<Eigen::Vector3d, 8>& p, double& toi,

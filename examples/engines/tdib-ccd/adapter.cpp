@@ -2,12 +2,11 @@
 // Options: precision=1e-5 (the width of parameters and of time at which it stops).
 #include <solverTD.h>
 
+#include "control_points.hpp"
 #include "recBezier.h"
 #include "recRatBezier.h"
 #include "triBezier.h"
 #include "triRatBezier.h"
-
-#include "../../plugins/adapter.hpp"
 
 namespace ccd = adapter::ccd;
 
@@ -49,7 +48,7 @@ struct TdibCcd {
       if (kind == 112) return asked<TriQuadRatBezier, TriParamBound>(query);
       if (kind == 113) return asked<TriCubicRatBezier, TriParamBound>(query);
     }
-    return adapter::refused(adapter::Refusal("these are not two patches of one of its classes"));
+    throw ccd::Refusal("these are not two patches of one of its classes");
   }
 
   template <class Patch, class Bound>
@@ -66,21 +65,6 @@ struct TdibCcd {
     ccd::Answer answer = toi == -1 ? ccd::Answer::miss() : ccd::Answer::hit(toi);
     for (int side = 0; side < 2; ++side) std::copy_n(uv[side].data(), 2, answer.uv[side]);
     return answer;
-  }
-
-  /// The control points of its triangles come by rising power of v, and within it of u.
-  template <class Patch>
-  static void fill(Patch& out, const ccdfuzz_patch& raw, const double (*points)[3]) {
-    const std::size_t n = raw.degree_u;
-    const bool is_triangle = raw.shape == CCDFUZZ_TRIANGLE;
-    for (std::size_t i = 0, from = 0; i <= n; ++i) {
-      for (std::size_t j = 0; j <= (is_triangle ? n - i : n); ++j, ++from) {
-        auto& point = out.ctrlp[is_triangle ? j * (2 * n + 3 - j) / 2 + i : from];
-        const double weight = raw.weights != nullptr ? raw.weights[from] : 1;
-        for (int k = 0; k < 3; ++k) point[k] = weight * points[from][k];
-        if constexpr (std::decay_t<decltype(point)>::RowsAtCompileTime == 4) point[3] = weight;
-      }
-    }
   }
 
   adapter::Options options;

@@ -31,15 +31,7 @@ struct TightInclusion {
   }
 
   ccd::Answer answer(const ccd::Query& query) const {
-    try {
-      return answer(query, adapter::ExactEnds<ticcd::Vector3>(query));
-    } catch (const adapter::Refusal& refusal) {
-      return adapter::refused(refusal);
-    }
-  }
-
-  ccd::Answer answer(const ccd::Query& query,
-                     const adapter::ExactEnds<ticcd::Vector3>& ends) const {
+    const adapter::ExactEnds<ticcd::Vector3> ends(query);
     const auto& p = ends.points;
     const ticcd::Array3 no_scene = ticcd::Array3::Constant(-1);
     double toi = 0, achieved = 0;

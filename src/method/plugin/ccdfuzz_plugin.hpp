@@ -7,7 +7,8 @@
 //   };
 //   CCDFUZZ_PLUGIN(Mine)
 //
-// What an answer or a constructor throws becomes an error with the exception's text.
+// A Refusal that an answer throws says that it does not take the query. Anything else that an
+// answer or a constructor throws becomes an error with the exception's text.
 #pragma once
 
 #include <algorithm>
@@ -43,6 +44,11 @@ struct Query {
 
   Patch patch(int side) const { return {*raw.patches[side]}; }
   double t_max() const { return raw.t_max; }
+};
+
+/// Thrown by an answer to a query that it does not promise to answer (CCDFUZZ_REFUSED).
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// How each field is meant: ccdfuzz_answer.
@@ -88,6 +94,11 @@ inline std::vector<ccdfuzz_pair> linear_pairs() {
   return {{{CCDFUZZ_POINT, CCDFUZZ_TRIANGLE}, {0, 1}}, {{CCDFUZZ_CURVE, CCDFUZZ_CURVE}, {1, 1}}};
 }
 
+/// Two bodies, of as many points as there may be.
+inline std::vector<ccdfuzz_pair> body_pairs() {
+  return {{{CCDFUZZ_HULL, CCDFUZZ_HULL}, {81, 81}}};
+}
+
 /// The C functions around a Solver.
 template <class Solver>
 struct Wrapped {
@@ -131,10 +142,10 @@ struct Wrapped {
     Answer answer;
     try {
       answer = static_cast<Wrapped*>(state)->solver.answer(Query{*query});
-    } catch (const std::exception& error) {
-      answer = Answer();
-      answer.verdict = CCDFUZZ_ERROR;
-      answer.message = error.what();
+    } catch (const std::exception& thrown) {
+      const bool is_refusal = dynamic_cast<const Refusal*>(&thrown) != nullptr;
+      answer.verdict = is_refusal ? CCDFUZZ_REFUSED : CCDFUZZ_ERROR;
+      answer.message = thrown.what();
     } catch (...) {
       return 1;
     }

@@ -1,0 +1,35 @@
+// Convex bodies as Bullet has them: about the point that they turn about, with their radius as the
+// margin.
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+
+#include "../../plugins/adapter.hpp"
+
+inline btVector3 vector(const double (&x)[3]) {
+  return {adapter::as_float(x[0]), adapter::as_float(x[1]), adapter::as_float(x[2])};
+}
+
+inline btVector3 middle(const ccdfuzz_patch& body) {
+  return body.turn_count > 0 ? vector(body.turn_centre) : btVector3(0, 0, 0);
+}
+
+inline btConvexHullShape hull(const ccdfuzz_patch& body) {
+  btConvexHullShape shape;
+  for (std::uint64_t i = 0; i < body.count; ++i) {
+    shape.addPoint(vector(body.positions[i]) - middle(body), false);
+  }
+  shape.recalcLocalAabb();
+  shape.setMargin(adapter::as_float(body.radius));
+  return shape;
+}
+
+/// Where a body is at time t. It may turn by π/4 until then.
+inline btTransform place(const ccdfuzz_patch& body, double t) {
+  const auto [w, x, y, z] = adapter::spun(body, t, SIMD_PI / 4);
+  double way[3];
+  for (int k = 0; k < 3; ++k) way[k] = t * body.velocities[0][k];
+  const btQuaternion turn(static_cast<btScalar>(x), static_cast<btScalar>(y),
+                          static_cast<btScalar>(z), static_cast<btScalar>(w));
+  return btTransform(turn, middle(body) + vector(way));
+}
