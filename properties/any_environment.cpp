@@ -160,11 +160,14 @@ WildClaims draw_wild_claims(Draw& choices, const Case& about) {
   out.box.radius = {0x1p-4, 0x1p-4, choices.coin() ? 0x1p-4 : kLeastDouble};
   for (std::size_t i = 0; i < 3; ++i) out.box.inverse[i][i] = draw_tiny_or_any(choices);
   out.root = {{Integer(-t.get_num()), t.get_den()}, t / 2, Rational(t + power_of_two(-4))};
-  // Up to the contact itself takes a second where numbers have a thousand bits: rarely.
   out.linear = {choices.choose(15) == 15 ? t : Rational(t / 2), choices.coin()};
   out.tree = build_miss_tree(about.query, t / 2, 40).value_or("");
   return out;
 }
+
+/// A proof up to a contact takes a second where numbers have a thousand bits. A limit is a
+/// statement, too.
+constexpr std::uint64_t kLittleWork = kMostWork / 64;
 
 /// All that the checker and the judge say.
 std::string judgement(const Case& value, const WildClaims& claims) {
@@ -180,7 +183,7 @@ std::string judgement(const Case& value, const WildClaims& claims) {
   add("plane", check_plane(query, claims.plane).has_value());
   add("box", check_box(query, claims.box).has_value());
   add("root", check_contact_root(query, claims.root).has_value());
-  add("linear", check_linear_clearance(query, claims.linear).has_value());
+  add("linear", check_linear_clearance(query, claims.linear, kLittleWork).has_value());
   add("tree", check_tree(query, t / 2, claims.tree).has_value());
   const CheckedCase known = checked_contact(value);
   for (const double toi : {0.0, -kLeastDouble, kLeastDouble, query.t_max, next_up(query.t_max)}) {

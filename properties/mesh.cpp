@@ -8,6 +8,7 @@
 #include "certify/oracle/oracle.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/generate.hpp"
+#include "method/taken_query.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
@@ -52,6 +53,15 @@ void check_mesh_truth(Draw& d) {
   const Case known = draw_mesh(d, kind);
   CLAIM(has_mesh(known.query));
   claim_planted_truth(known, kind, {.meshes = true, .one_sided = true});
+  const bool one_sided = known.query.patches[mesh_side(known.query)].one_sided;
+  const auto is_taken_with = [&](bool of_its_sides, bool of_others) {
+    Features features{.bodies = true};
+    (one_sided ? features.one_sided : features.meshes) = of_its_sides;
+    (one_sided ? features.meshes : features.one_sided) = of_others;
+    return TakenQuery(known.query, features).query() != nullptr;
+  };
+  CLAIM(is_taken_with(true, false));
+  CLAIM(!is_taken_with(false, true));
 }
 
 /// First of all faces that are there, by the truth of each as a hull.

@@ -25,9 +25,11 @@ Case draw_turning(Draw& d, CaseKind kind) {
                     : d.pick(kContactClasses);
   options.kind = kind;
   options.family = spins ? Family::kSpinning : Family::kTurning;
-  const Case made = generate(options, d).value;
-  show(d, "planted", made);
-  return made;
+  const Generated made = generate(options, d);
+  show(d, "planted", made.value);
+  // An attempt is thrown away with a probability of at most a half: all of so many never are.
+  CLAIM(made.discards.attempts <= Draw::kMostTries);
+  return made.value;
 }
 
 CaseKind draw_kind_of_turning(Draw& d) {
