@@ -77,7 +77,17 @@ tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, c
   return made;
 }
 
-/// A body spins, and its points are where they come to its places at t from.
+/// The negative case of a positive one that is clear until its end, t_max.
+void end_before_contact(Case& known, double t_max) {
+  known.query.t_max = t_max;
+  known.truth.collides = false;
+  known.truth.witness.reset();
+  known.truth.proof = proof_word(*known.truth.clearance);
+  CCDFUZZ_VERIFY(covers(*known.truth.clearance, exact(t_max)));
+}
+
+}  // namespace
+
 void spin_back(MovingPatch<double>& body, double t, Draw& draw) {
   const Vec3<double> axis = draw_axis(false, 1, draw);
   // Some engines take a quarter of a half turn at most.
@@ -92,17 +102,6 @@ void spin_back(MovingPatch<double>& body, double t, Draw& draw) {
     for (int k = 0; k < 3; ++k) body.positions[i][k] = nearest_float(before[i][k].get_d());
   }
 }
-
-/// The negative case of a positive one that is clear until its end, t_max.
-void end_before_contact(Case& known, double t_max) {
-  known.query.t_max = t_max;
-  known.truth.collides = false;
-  known.truth.witness.reset();
-  known.truth.proof = proof_word(*known.truth.clearance);
-  CCDFUZZ_VERIFY(covers(*known.truth.clearance, exact(t_max)));
-}
-
-}  // namespace
 
 tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                          Draw& draw) {

@@ -25,11 +25,9 @@ Case draw_turning(Draw& d, CaseKind kind) {
                     : d.pick(kContactClasses);
   options.kind = kind;
   options.family = spins ? Family::kSpinning : Family::kTurning;
-  const Generated made = generate(options, d);
-  show(d, "planted", made.value);
-  // An attempt is thrown away with a probability of at most a half: all of so many never are.
-  CLAIM(made.discards.attempts <= Draw::kMostTries);
-  return made.value;
+  const Case made = generate(options, d).value;
+  show(d, "planted", made);
+  return made;
 }
 
 CaseKind draw_kind_of_turning(Draw& d) {
@@ -122,34 +120,6 @@ void check_same_turning(Draw& d) {
   claim_same_contact(known.truth, decide(same).truth);
 }
 
-/// The quaternion of a spin is the square of that of half of the time. At a short time it is (1,
-/// u), u half of its angle along its axis, but for |u|².
-void check_quaternion_of_spin(Draw& d) {
-  std::vector<double> spin;
-  for (int k = 0; k < 3; ++k) spin.push_back(*d.dyadic(24, -22).to_double_exactly());
-  suppose(!fault_of(BodyTurn{{}, {}, {0, 0, 0}, spin}));
-  constexpr long kSteps = 1 << 20;
-  const Rational t = Rational(d.integer(0, kSteps)) / kSteps;
-  show(d, "spin", spin);
-  show(d, "t", t);
-  Work work(kMostWork);
-  const auto at = [&](const Rational& time) { return quaternion_of_spin(spin, time, work); };
-  const auto [w, x, y, z] = at(t);
-  const auto [cosine, a, b, c] = at(t / 2);
-  const Rational off = 8 * spin_error();
-  CLAIM(abs(w - (cosine * cosine - a * a - b * b - c * c)) <= off);
-  CLAIM(abs(x - 2 * cosine * a) <= off);
-  CLAIM(abs(y - 2 * cosine * b) <= off);
-  CLAIM(abs(z - 2 * cosine * c) <= off);
-  const Rational shortly = power_of_two(-40);
-  const auto start = at(shortly);
-  const Rational square = power_of_two(-76);  // |u| ≤ 8/2 · 2^-40
-  CLAIM(abs(start[0] - 1) <= square);
-  for (size_t k = 0; k < 3; ++k) {
-    CLAIM(abs(start[k + 1] - exact(spin[k]) * shortly / 2) <= square * power_of_two(-38));
-  }
-}
-
 /// A turn that goes nowhere is none.
 void check_no_turn(Draw& d) {
   GeneratorOptions options;
@@ -236,40 +206,6 @@ void check_planes_with_room(Draw& d) {
   CLAIM(!is_accepted);
 }
 
-/// A plane beside a body that spins is accepted for a short time, and refused where it cuts off a
-/// point of it then, or later.
-void check_plane_beside(Draw& d) {
-  const auto eighths = [&](long most) {
-    Vec3<double> v;
-    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(d.integer(-most, most)) / 8;
-    return v;
-  };
-  Query query;
-  auto& [body, far] = query.patches;
-  body = {Shape::hull(2), {eighths(8), eighths(8)}, {{0, 0, 0}}};
-  const Vec3<double> w = eighths(16);
-  body.turn = BodyTurn{{}, {}, {0, 0, 0}, {w[0], w[1], w[2]}};
-  const Vec3<double> normal = eighths(8);
-  suppose(normal != Vec3<double>(0, 0, 0));
-  far = {Shape::hull(1), {1024 * normal}, {{0, 0, 0}}};
-  BodyPlanes::Plane plane;
-  plane.from = Rational(d.integer(0, 32)) / 64;
-  const Rational later = plane.from + Rational(d.integer(1, 32)) / 64;
-  for (auto& end : plane.normals) end = {exact(normal[0]), exact(normal[1]), exact(normal[2])};
-  show(d, "query", query);
-  // In 2^-24 of the step no point goes so far.
-  const Rational room = plane.gap = power_of_two(-10);
-  const Rational highest = heights_at(query, exact(normal), plane.from)[0];
-  const Rational highest_later = heights_at(query, exact(normal), later)[0];
-  const auto is_accepted = [&](const Rational& offset, const Rational& until) {
-    plane.offsets.fill(offset);
-    return check_body_plane(query, plane, until).has_value();
-  };
-  CLAIM(is_accepted(highest + room, plane.from + power_of_two(-24)));
-  CLAIM(!is_accepted(highest - room, plane.from + power_of_two(-24)));
-  CLAIM(highest_later <= highest + room || !is_accepted(highest + room, later));
-}
-
 /// A plane that touches the bodies at both of its ends is accepted only if they are on their sides
 /// of it in between.
 void check_planes_between(Draw& d) {
@@ -339,10 +275,6 @@ std::vector<Property> turning_claims() {
        "Bodies that turn touch at the same time if they are swapped, scaled, given quaternions "
        "of other lengths, or, where they spin, other axes",
        kDeciding, check_same_turning},
-      {"turning.quaternion_of_spin",
-       "The quaternion of a spin is enclosed: it is the square of that of half of the time, and "
-       "begins as its angle does",
-       "src/certify/checker/spin.hpp", check_quaternion_of_spin},
       {"turning.no_turn", "Bodies whose turn is the identity touch when they do without it",
        kDeciding, check_no_turn},
       {"turning.planes_with_room",
@@ -350,10 +282,6 @@ std::vector<Property> turning_claims() {
        "refused "
        "with too small a gap",
        kChecker, check_planes_with_room},
-      {"turning.plane_beside_a_spin",
-       "A plane beside a body that spins is accepted for a short time, and refused where it cuts "
-       "off a point of the body",
-       kChecker, check_plane_beside},
       {"turning.planes_hold_between",
        "Planes that are accepted have bodies that turn on their sides between their ends, too",
        kChecker, check_planes_between},
