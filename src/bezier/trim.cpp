@@ -71,17 +71,19 @@ bool has_both_sides(const Loop& vertices, const Loop& loop) {
   return inside && outside;
 }
 
-std::optional<TrimFault> fault_of_loop(const Loop& loop, size_t place, const Shape& shape) {
-  const auto fault = [&](std::string what) { return TrimFault{place, {}, std::move(what)}; };
+std::optional<InputError> fault_of_loop(const Loop& loop, size_t place, const Shape& shape) {
+  const std::string path = fmt::format("trim[{}]", place);
+  const auto fault = [&](std::string what) { return InputError{path, std::move(what)}; };
   if (loop.size() < 3) return fault(fmt::format("has {} vertices, and needs 3", loop.size()));
   for (size_t i = 0; i < loop.size(); ++i) {
     const auto& [u, v] = loop[i];
     if (!is_finite(u) || !is_finite(v)) {
-      return TrimFault{place, i, fmt::format("({}, {}) is not finite", u, v)};
+      return InputError{fmt::format("{}[{}]", path, i),
+                        fmt::format("({}, {}) is not finite", u, v)};
     }
     if (!is_in_domain(shape, loop[i])) {
-      return TrimFault{
-          place, i,
+      return InputError{
+          fmt::format("{}[{}]", path, i),
           fmt::format("({}, {}) lies outside the domain of a {}", u, v, name_of(shape.kind))};
     }
   }
@@ -118,9 +120,9 @@ int place_of(const Uv<double>& p, const Loop& loop) {
   return odd ? 1 : -1;
 }
 
-std::optional<TrimFault> fault_of(const Trim& trim, const Shape& shape) {
+std::optional<InputError> fault_of(const Trim& trim, const Shape& shape) {
   if (trim.empty()) return std::nullopt;
-  const auto fault = [](std::string what) { return TrimFault{{}, {}, std::move(what)}; };
+  const auto fault = [](std::string what) { return InputError{"trim", std::move(what)}; };
   if (shape.kind != ShapeKind::kTensor && shape.kind != ShapeKind::kTriangle) {
     return fault(
         fmt::format("only a triangle or a tensor is trimmed, not a {}", name_of(shape.kind)));
@@ -136,7 +138,7 @@ std::optional<TrimFault> fault_of(const Trim& trim, const Shape& shape) {
   for (size_t i = 0; i < trim.size(); ++i) {
     for (size_t j = i + 1; j < trim.size(); ++j) {
       if (have_crossing(trim[i], trim[j])) {
-        return TrimFault{j, {}, fmt::format("crosses loop {}", i)};
+        return InputError{fmt::format("trim[{}]", j), fmt::format("crosses loop {}", i)};
       }
     }
   }

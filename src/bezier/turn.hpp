@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "base/result.hpp"
 #include "numeric/vec3.hpp"
 
 namespace ccdfuzz {
@@ -32,11 +32,8 @@ struct BodyTurn {
 inline constexpr double kFastestSpin = 8;
 
 /// What is wrong with a turn: numbers that are not four or two, or not finite; or from·to ≤ 0,
-/// without which no q(t) of [0, 1] is 0. A spin has three, and is no faster than kFastestSpin. The
-/// field, and what is wrong with it.
-struct TurnFault {
-  std::string field, what;
-};
-std::optional<TurnFault> fault_of(const BodyTurn& turn);
+/// without which no q(t) of [0, 1] is 0. A spin has three, and is no faster than kFastestSpin. It
+/// says in which field.
+std::optional<InputError> fault_of(const BodyTurn& turn);
 
 }  // namespace ccdfuzz

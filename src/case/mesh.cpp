@@ -9,37 +9,53 @@
 
 namespace ccdfuzz {
 
-std::optional<std::string> fault_of_faces(const MovingPatch<double>& patch) {
-  if (patch.faces.empty() && patch.one_sided) return "is 1, and there are no faces";
-  if (patch.faces.empty()) return std::nullopt;
-  if (patch.shape.kind != ShapeKind::kHull) return "are of a hull alone";
+std::optional<InputError> fault_of_faces(const MovingPatch<double>& patch) {
+  if (patch.faces.empty()) {
+    if (!patch.one_sided) return std::nullopt;
+    return InputError{"sides", "1 is of a mesh, and there are no faces"};
+  }
+  if (patch.shape.kind != ShapeKind::kHull) return InputError{"faces", "are of a hull alone"};
   if (patch.faces.size() > kMaxFaces) {
-    return fmt::format("has {} triangles; a mesh has 1..{}", patch.faces.size(), kMaxFaces);
+    return InputError{
+        "faces", fmt::format("has {} triangles; a mesh has 1..{}", patch.faces.size(), kMaxFaces)};
   }
   const auto count = static_cast<int>(patch.positions.size());
   for (size_t f = 0; f < patch.faces.size(); ++f) {
-    const auto [a, b, c] = patch.faces[f];
-    for (const int corner : patch.faces[f]) {
-      if (0 <= corner && corner < count) continue;
-      return fmt::format("has the corner {} in [{}]; the points are 0..{}", corner, f, count - 1);
-    }
-    if (a == b || b == c || c == a) {
-      return fmt::format("has the corner {} twice in [{}]", b == c ? b : a, f);
+    const Face& face = patch.faces[f];
+    for (size_t i = 0; i < face.size(); ++i) {
+      const auto fault = [&](const std::string& why) {
+        return InputError{fmt::format("faces[{}][{}]", f, i), fmt::format("{} {}", face[i], why)};
+      };
+      if (face[i] < 0 || count <= face[i]) return fault(fmt::format("is outside 0..{}", count - 1));
+      if (std::find(face.begin(), face.begin() + i, face[i]) != face.begin() + i) {
+        return fault("is in the face twice");
+      }
     }
   }
-  if (compare(patch.radius, 0) != 0) {
-    return fmt::format("are of a mesh, whose radius must be 0, not {}", patch.radius);
-  }
-  return std::nullopt;
+  if (compare(patch.radius, 0) == 0) return std::nullopt;
+  return InputError{"radius", fmt::format("{} is not 0, as a mesh needs", patch.radius)};
 }
 
-std::optional<std::string> fault_of_mesh(const std::array<MovingPatch<double>, 2>& patches) {
-  const auto& [a, b] = patches;
-  if (!a.faces.empty() && !b.faces.empty()) return "has two meshes; one of them may have faces";
-  if ((!a.faces.empty() || !b.faces.empty()) && (a.turn || b.turn)) {
-    const size_t side = a.turn ? 0 : 1;
-    return fmt::format("has a {} in [{}] beside a mesh, which is not supported",
-                       patches[side].turn->is_spin() ? "spin" : "turn", side);
+std::optional<InputError> fault_of_pair(const std::array<MovingPatch<double>, 2>& patches) {
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    const MovingPatch<double>&patch = patches[side], &other = patches[1 - side];
+    const auto fault = [&](std::string_view field, std::string what) {
+      return InputError{fmt::format("patches[{}].{}", side, field), std::move(what)};
+    };
+    const bool is_hull = patch.shape.kind == ShapeKind::kHull;
+    if (is_hull && other.shape.kind != ShapeKind::kHull) {
+      return fault("shape", fmt::format("hull stands beside a {}; both patches are hulls, or none",
+                                        name_of(other.shape.kind)));
+    }
+    if (side == 1 && !patch.faces.empty() && !other.faces.empty()) {
+      return fault("faces", "stand beside patches[0].faces; one body of two may have them");
+    }
+    if (patch.turn && !(patch.faces.empty() && other.faces.empty())) {
+      return fault(patch.turn->is_spin() ? "spin" : "turn",
+                   fmt::format("stands beside patches[{}].faces; neither a mesh nor the other "
+                               "body may have one",
+                               patch.faces.empty() ? 1 - side : side));
+    }
   }
   return std::nullopt;
 }

@@ -17,11 +17,13 @@ namespace ccdfuzz {
 
 inline constexpr size_t kMaxFaces = 8;
 
-/// What is wrong with the faces of one patch: too many; a corner that is no point, or twice in a
-/// face; a radius; no hull. nullopt: nothing, or no faces.
-std::optional<std::string> fault_of_faces(const MovingPatch<double>& patch);
-/// What is wrong with meshes in a query: two of them, or a body that turns beside one.
-std::optional<std::string> fault_of_mesh(const std::array<MovingPatch<double>, 2>& patches);
+/// What is wrong with the faces of one patch, and in which of its fields. They are too many; a
+/// corner is no point, or twice in a face; there is a radius, or no hull. nullopt: nothing, or no
+/// faces.
+std::optional<InputError> fault_of_faces(const MovingPatch<double>& patch);
+/// What is wrong with two patches beside each other, in which field of a query: one hull alone; two
+/// meshes; or a body that turns beside one.
+std::optional<InputError> fault_of_pair(const std::array<MovingPatch<double>, 2>& patches);
 
 /// One of its bodies is a mesh.
 bool has_mesh(const Query& query);

@@ -67,14 +67,6 @@ bool is_hull(const MovingPatch<double>& patch) {
   return scan.all_finite() && !(patch.turn && fault_of(*patch.turn)) && !fault_of_faces(patch);
 }
 
-/// Two bodies, or none.
-bool are_alike(const Query& query) {
-  const auto is_hull = [](const MovingPatch<double>& p) {
-    return p.shape.kind == ShapeKind::kHull;
-  };
-  return is_hull(query.patches[0]) == is_hull(query.patches[1]);
-}
-
 Result<void> validate_weights(const MovingPatch<double>& patch, const std::string& where) {
   if (patch.weights.size() != patch.positions.size()) {
     return input_error(where, fmt::format("{} needs {} weights, not {}", to_text(patch.shape),
@@ -173,10 +165,9 @@ bool is_valid(const Query& query) {
     return scan.all_finite() && is_zero(patch.radius) && !patch.turn && !fault_of_faces(patch) &&
            !fault_of(patch.trim, patch.shape);
   };
-  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && are_alike(query) &&
-         is_not_negative(query.t_max) && is_not_negative(query.separation) &&
-         !(has_ends(query) && compare(query.t_max, 1) > 0) &&
-         !(has_turns(query) && compare(query.t_max, 1) > 0) && !fault_of_mesh(query.patches);
+  return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_not_negative(query.t_max) &&
+         is_not_negative(query.separation) && !(has_ends(query) && compare(query.t_max, 1) > 0) &&
+         !(has_turns(query) && compare(query.t_max, 1) > 0) && !fault_of_pair(query.patches);
 }
 
 bool has_ends(const Query& query) {
@@ -191,6 +182,11 @@ bool has_spins(const Query& query) {
   return std::ranges::any_of(query.patches, [](const MovingPatch<double>& body) {
     return body.turn && body.turn->is_spin();
   });
+}
+
+std::string_view end_of_motion(const Query& query) {
+  if (has_ends(query)) return "the ends of a patch are";
+  return has_spins(query) ? "a spin ends" : "a turn ends";
 }
 
 bool is_rational(const Query& query) {
@@ -267,9 +263,11 @@ Result<void> validate(const Query& query, const std::string& where) {
     const char* const turn = patch.turn && patch.turn->is_spin() ? ".spin" : ".turn";
     if (patch.turn && !is_hull) return input_error(path + turn, "only a hull turns");
     if (const auto fault = patch.turn ? fault_of(*patch.turn) : std::nullopt) {
-      return input_error(fmt::format("{}{}.{}", path, turn, fault->field), fault->what);
+      return input_error(fmt::format("{}{}.{}", path, turn, fault->where), fault->what);
     }
-    if (const auto fault = fault_of_faces(patch)) return input_error(path + ".faces", *fault);
+    if (const auto fault = fault_of_faces(patch)) {
+      return input_error(fmt::format("{}.{}", path, fault->where), fault->what);
+    }
     if (is_hull && !patch.weights.empty()) {
       return input_error(path + ".weights", "a hull has none");
     }
@@ -278,17 +276,12 @@ Result<void> validate(const Query& query, const std::string& where) {
       return validate_weights(patch, path + ".weights");
     }
     if (const auto fault = fault_of(patch.trim, patch.shape)) {
-      std::string place = path + ".trim";
-      if (fault->loop) place += fmt::format("[{}]", *fault->loop);
-      if (fault->vertex) place += fmt::format("[{}]", *fault->vertex);
-      return input_error(std::move(place), fault->what);
+      return input_error(fmt::format("{}.{}", path, fault->where), fault->what);
     }
   }
-  if (!are_alike(query)) {
-    return input_error(where + "patches", "one is a hull, and the other is not");
+  if (const auto fault = fault_of_pair(query.patches)) {
+    return input_error(where + fault->where, fault->what);
   }
-  if (const auto fault = fault_of_mesh(query.patches))
-    return input_error(where + "patches", *fault);
   const auto refuse = [&](const char* field, double x) {
     return input_error(where + field, fmt::format("{} is not a finite number ≥ 0", x));
   };
@@ -296,7 +289,7 @@ Result<void> validate(const Query& query, const std::string& where) {
   if (!is_not_negative(query.separation)) return refuse("separation", query.separation);
   if (ends_at_one(query) && compare(query.t_max, 1) > 0) {
     return input_error(where + "t_max",
-                       fmt::format("{} is past 1, where {}", query.t_max, kEndOfMotion));
+                       fmt::format("{} is past 1, where {}", query.t_max, end_of_motion(query)));
   }
   return {};
 }

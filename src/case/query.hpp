@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -70,6 +71,8 @@ bool has_spins(const Query& query);
 inline bool ends_at_one(const Query& query) {
   return has_ends(query) || has_turns(query);
 }
+/// What is at t = 1 of such a query.
+std::string_view end_of_motion(const Query& query);
 /// A patch has weights that are not all equal.
 bool is_rational(const Query& query);
 
@@ -102,9 +105,6 @@ inline Vec3<double> rounded_velocity(const MovingPatch<double>& patch, size_t i)
 
 /// Gives a patch with velocities the ends positions + velocities, each rounded, in their place.
 void give_rounded_ends(MovingPatch<double>& patch);
-
-/// What is at t = 1 of such a query.
-inline constexpr const char* kEndOfMotion = "the ends of a patch or of a turn are";
 
 /// Checks shapes, counts, finiteness and t_max; `where` is the path of the query in its file.
 /// Errors: the field that is wrong, its value, and what it may be.

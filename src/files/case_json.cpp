@@ -102,11 +102,7 @@ struct JsonForm<MovingPatch<double>> {
       return trim.empty() ? "has no loop; a patch that is whole has no such key" : "";
     });
     if constexpr (kReads<decltype(archive)>) {
-      if (const auto fault = fault_of(patch.trim, shape)) {
-        JsonCursor at = archive.object().at("trim");
-        if (fault->loop) at = at.item(*fault->loop);
-        fault->vertex ? at.item(*fault->vertex).refuse(fault->what) : at.refuse(fault->what);
-      }
+      if (const auto fault = fault_of(patch.trim, shape)) archive.object().refuse_below(*fault);
     }
   }
 
@@ -132,9 +128,7 @@ struct JsonForm<MovingPatch<double>> {
     archive.optional("sides", sides, 2, within(1, 2));
     if constexpr (kReads<decltype(archive)>) {
       patch.one_sided = sides == 1;
-      if (const auto fault = fault_of_faces(patch)) {
-        archive.object().at(patch.faces.empty() ? "sides" : "faces").refuse(*fault);
-      }
+      if (const auto fault = fault_of_faces(patch)) archive.object().refuse_below(*fault);
     }
   }
 };
@@ -333,14 +327,13 @@ void carry_over_version_1(const JsonCursor& from, Case& value) {
 }
 
 void query_fields(auto& archive, auto& query) {
-  archive("patches", query.patches, [](const auto& patches) {
-    const bool is_one =
-        (patches[0].shape.kind == ShapeKind::kHull) != (patches[1].shape.kind == ShapeKind::kHull);
-    return is_one ? "has one hull; both are, or neither" : fault_of_mesh(patches).value_or("");
-  });
+  archive("patches", query.patches);
+  if constexpr (kReads<decltype(archive)>) {
+    if (const auto fault = fault_of_pair(query.patches)) archive.object().refuse_below(*fault);
+  }
   archive("t_max", query.t_max, not_negative, [&](double t_max) {
     const bool is_past = ends_at_one(query) && compare(t_max, 1) > 0;
-    return is_past ? fmt::format("is past 1, where {}", kEndOfMotion) : "";
+    return is_past ? fmt::format("is past 1, where {}", end_of_motion(query)) : "";
   });
   archive.optional("separation", query.separation, 0, not_negative);
 }

@@ -15,8 +15,7 @@ struct JsonForm<BodyTurn> {
     archive("to", turn.to);
     archive.optional("centre", turn.centre, Vec3<double>(0, 0, 0));
     if constexpr (kReads<decltype(archive)>) {
-      const auto fault = fault_of(turn);
-      if (fault) archive.object().refuse(fmt::format("{} {}", fault->field, fault->what));
+      if (const auto fault = fault_of(turn)) archive.object().refuse_below(*fault);
     }
   }
 };
@@ -31,8 +30,8 @@ struct SpinInFiles {
     if constexpr (kReads<decltype(archive)>) {
       // Of no number it would be no spin.
       const auto fault = spin.turn.is_spin() ? fault_of(spin.turn)
-                                             : TurnFault{"velocity", "has 0 numbers, and needs 3"};
-      if (fault) archive.object().refuse(fmt::format("{} {}", fault->field, fault->what));
+                                             : InputError{"velocity", "has 0 numbers, and needs 3"};
+      if (fault) archive.object().refuse_below(*fault);
     }
   }
 };

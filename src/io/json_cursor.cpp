@@ -8,6 +8,11 @@ void JsonCursor::refuse(std::string what) const {
   throw Refusal{{path_.empty() ? *file_ : fmt::format("{}: {}", *file_, path_), std::move(what)}};
 }
 
+void JsonCursor::refuse_below(const InputError& fault) const {
+  const std::string path = path_.empty() ? fault.where : fmt::format("{}.{}", path_, fault.where);
+  JsonCursor(*value_, file_, path).refuse(fault.what);
+}
+
 void JsonCursor::refuse_value(std::string_view why) const {
   refuse(fmt::format("{} {}", shown(*value_), why));
 }

@@ -26,6 +26,8 @@ class JsonCursor {
 
   /// Refuses with "file: path: what".
   [[noreturn]] void refuse(std::string what) const;
+  /// Refuses with a fault of a member, of which it says where in this value it is.
+  [[noreturn]] void refuse_below(const InputError& fault) const;
   /// Refuses with "file: path: VALUE why".
   [[noreturn]] void refuse_value(std::string_view why) const;
 

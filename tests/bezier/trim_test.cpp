@@ -19,11 +19,7 @@ constexpr double kTiny = 0x1p-1074;
 
 std::string fault(const Trim& trim, const Shape& shape = Shape::tensor(1, 1)) {
   const auto found = fault_of(trim, shape);
-  if (!found) return "";
-  std::string place;
-  if (found->loop) place += fmt::format("[{}]", *found->loop);
-  if (found->vertex) place += fmt::format("[{}]", *found->vertex);
-  return place + ": " + found->what;
+  return found ? found->message() : "";
 }
 
 const std::vector<Uv<double>> kOuter = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -51,30 +47,30 @@ TEST(Trim, MayTouchAndBeNested) {
 
 TEST(Trim, IsRefusedNamingTheField) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(fault({kOuter, {{0, 0}, {1, 1}}}), "[1]: has 2 vertices, and needs 3");
+  EXPECT_EQ(fault({kOuter, {{0, 0}, {1, 1}}}), "trim[1]: has 2 vertices, and needs 3");
   EXPECT_EQ(fault({{{0, 0}, {1, 0}, {0, std::nextafter(1, 2)}}}),
-            "[0][2]: (0, 1.0000000000000002) lies outside the domain of a tensor");
+            "trim[0][2]: (0, 1.0000000000000002) lies outside the domain of a tensor");
   EXPECT_EQ(fault({{{0, 0}, {1, kTiny}, {0, 1}}}, Shape::triangle(1)),
-            "[0][1]: (1, 5e-324) lies outside the domain of a triangle");
+            "trim[0][1]: (1, 5e-324) lies outside the domain of a triangle");
   EXPECT_EQ(fault({{{0, 0}, {1, 0}, {-kTiny, 1}}}),
-            "[0][2]: (-5e-324, 1) lies outside the domain of a tensor");
-  EXPECT_EQ(fault({{{0, 0}, {nan, 0}, {0, 1}}}), "[0][1]: (nan, 0) is not finite");
-  EXPECT_EQ(fault({{{0, 0}, {0.5, 0.5}, {1, 1}}}), "[0]: has no area");
+            "trim[0][2]: (-5e-324, 1) lies outside the domain of a tensor");
+  EXPECT_EQ(fault({{{0, 0}, {nan, 0}, {0, 1}}}), "trim[0][1]: (nan, 0) is not finite");
+  EXPECT_EQ(fault({{{0, 0}, {0.5, 0.5}, {1, 1}}}), "trim[0]: has no area");
   EXPECT_EQ(fault({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}),
-            "[0]: crosses or touches itself at the edges from vertices 0 and 2");
+            "trim[0]: crosses or touches itself at the edges from vertices 0 and 2");
   EXPECT_EQ(fault({{{0, 0}, {1, 0}, {0.5, 0}, {0, 1}}}),
-            "[0]: crosses or touches itself at the edges from vertices 0 and 1")
+            "trim[0]: crosses or touches itself at the edges from vertices 0 and 1")
       << "a spike";
   EXPECT_EQ(fault({{{0, 0}, {1, 0}, {0, 1}, {0, 0}}}),
-            "[0]: crosses or touches itself at the edges from vertices 0 and 2")
+            "trim[0]: crosses or touches itself at the edges from vertices 0 and 2")
       << "closed twice";
-  EXPECT_EQ(fault({kHole, {{0, 0.5}, {1, 0.5}, {1, 0.6}}}), "[1]: crosses loop 0");
+  EXPECT_EQ(fault({kHole, {{0, 0.5}, {1, 0.5}, {1, 0.6}}}), "trim[1]: crosses loop 0");
   EXPECT_EQ(fault({kHole, {{0.5, 0.5}, {0.25, 0.25}, {0, 0.1}, {0.25, 0.75}}}),
-            "[1]: crosses loop 0")
+            "trim[1]: crosses loop 0")
       << "through vertices";
   EXPECT_EQ(fault({kOuter}, Shape::curve(2)),
-            ": only a triangle or a tensor is trimmed, not a curve");
-  EXPECT_EQ(fault({std::vector<Uv<double>>(513)}), ": has 513 vertices, and may have 512");
+            "trim: only a triangle or a tensor is trimmed, not a curve");
+  EXPECT_EQ(fault({std::vector<Uv<double>>(513)}), "trim: has 513 vertices, and may have 512");
 }
 
 TEST(Trim, OfAsManyVerticesAsMayBeTakesLittleTime) {

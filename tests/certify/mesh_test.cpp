@@ -126,27 +126,31 @@ TEST(CheckMesh, WhatIsNoMeshIsInvalid) {
     const auto checked = validate(query, "");
     return checked ? "" : checked.error().message();
   };
-  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[1][0] = 4; }).find("the corner 4 in [1]"),
-            std::string::npos);
-  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[1][0] = -1; }).find("the corner -1"),
-            std::string::npos);
   EXPECT_NE(
-      fault_of([](Query& q) { q.patches[0].faces[0][0] = 1; }).find("the corner 1 twice in [0]"),
+      fault_of([](Query& q) { q.patches[0].faces[1][0] = 4; }).find("[1][0]: 4 is outside 0..3"),
       std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].faces[1][0] = -1; }).find("[1][0]: -1 is outside"),
+            std::string::npos);
+  EXPECT_NE(fault_of([](Query& q) {
+              q.patches[0].faces[0][0] = 1;
+            }).find("[0][1]: 1 is in the face twice"),
+            std::string::npos);
   EXPECT_NE(fault_of([](Query& q) {
               q.patches[0].faces.resize(9, {0, 1, 2});
             }).find("9 triangles"),
             std::string::npos);
-  EXPECT_NE(fault_of([](Query& q) { q.patches[0].radius = 1; }).find("radius must be 0, not 1"),
+  EXPECT_NE(fault_of([](Query& q) { q.patches[0].radius = 1; }).find("radius: 1 is not 0"),
             std::string::npos);
   EXPECT_NE(fault_of([](Query& q) { q.patches[1].one_sided = true; }).find("no faces"),
             std::string::npos);
-  EXPECT_NE(fault_of([](Query& q) { q.patches[1] = q.patches[0]; }).find("two meshes"),
+  EXPECT_NE(fault_of([](Query& q) {
+              q.patches[1] = q.patches[0];
+            }).find("patches[1].faces: stand beside"),
             std::string::npos);
   EXPECT_NE(fault_of([](Query& q) {
               q.t_max = 1;
               q.patches[1].turn = BodyTurn{{1, 0}, {1, 0}, {0, 0, 0}};
-            }).find("a turn in [1] beside a mesh"),
+            }).find("patches[1].turn: stands beside patches[0].faces"),
             std::string::npos);
 }
 

@@ -280,6 +280,9 @@ TEST(CheckSpin, PlanesBetweenThemProveAbsence) {
 TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
   Query query = rod_to_point(spin_of(0, 8, 0));
   EXPECT_TRUE(is_valid(query));
+  query.t_max = 2;
+  EXPECT_EQ(validate(query, "").error().message(), "t_max: 2 is past 1, where a spin ends");
+  query.t_max = 1;
   query.patches[0].turn->spin[0] = 0x1p-40;
   EXPECT_EQ(validate(query, "").error().message(),
             "patches[0].spin.velocity: [9.094947017729282e-13, 8, 0] is of more than 8 radians in "

@@ -27,12 +27,13 @@ const std::vector<Bodies> kBodyTable = {
     {"NegativeRadius", R"(,"radius":-1)", "", "patches[0].radius: -1 is negative"},
     {"Turn", kTurn, "", ""},
     {"TurnThroughZero", R"(,"turn":{"from":[1,0],"to":[0,1]})", "",
-     "patches[0].turn: to from·to is not > 0: give -to, which is the same rotation of a "
-     "quaternion"},
+     "patches[0].turn.to: from·to is not > 0"},
+    {"TurnOfTheOtherQuaternion", R"(,"turn":{"from":[1,0,0,0],"to":[-1,0,0,1]})", "",
+     "patches[0].turn.to: from·to is not > 0: give -to, the same rotation"},
     {"SpinTooFast", R"(,"spin":{"velocity":[8,0,1.5]})", "",
-     "patches[0].spin: velocity [8, 0, 1.5] is of more than 8 radians in [0, 1]"},
+     "patches[0].spin.velocity: [8, 0, 1.5] is of more than 8 radians in [0, 1]"},
     {"SpinOfNothing", R"(,"spin":{"velocity":[]})", "",
-     "patches[0].spin: velocity has 0 numbers, and needs 3"},
+     "patches[0].spin.velocity: has 0 numbers, and needs 3"},
     {"SpinBesideTurn", R"(,"turn":{"from":[1,0],"to":[1,1]},"spin":{"velocity":[0,0,1]})", "",
      "patches[0].spin: stands beside a turn; a body has one of them"},
     {"Mesh", kFaces, "", ""},
@@ -49,17 +50,22 @@ const std::vector<Bodies> kBodyTable = {
      "patches[0].faces[0][0]: 4294967298 is outside 0..3"},
     {"FaceOfTwoPoints", R"(,"faces":[[0,1]])", "", "patches[0].faces[0]: needs 3 items, not 2"},
     {"FaceOfTheSamePoint", R"(,"faces":[[0,1,2],[0,1,1]])", "",
-     "patches[0].faces: has the corner 1 twice in [1]"},
+     "patches[0].faces[1][2]: 1 is in the face twice"},
     {"RadiusOfAMesh", R"(,"radius":0.5,"faces":[[0,1,2]])", "",
-     "patches[0].faces: are of a mesh, whose radius must be 0, not 0.5"},
-    {"OneSidedHull", R"(,"sides":1)", "", "patches[0].sides: is 1, and there are no faces"},
-    {"TwoMeshes", kFaces, kFaces, "patches: has two meshes; one of them may have faces"},
+     "patches[0].radius: 0.5 is not 0, as a mesh needs"},
+    {"OneSidedHull", R"(,"sides":1)", "",
+     "patches[0].sides: 1 is of a mesh, and there are no faces"},
+    {"TwoMeshes", kFaces, kFaces,
+     "patches[1].faces: stand beside patches[0].faces; one body of two may have them"},
     {"MeshThatTurns", R"(,"turn":{"from":[1,0],"to":[1,1]},"faces":[[0,1,2]])", "",
-     "patches: has a turn in [0] beside a mesh, which is not supported"},
+     "patches[0].turn: stands beside patches[0].faces; neither a mesh nor the other body may have "
+     "one"},
     {"TurnBesideAMesh", kFaces, kTurn,
-     "patches: has a turn in [1] beside a mesh, which is not supported"},
+     "patches[1].turn: stands beside patches[0].faces; neither a mesh nor the other body may have "
+     "one"},
     {"SpinBesideAMesh", R"(,"spin":{"velocity":[0,0,1]})", kFaces,
-     "patches: has a spin in [0] beside a mesh, which is not supported"},
+     "patches[0].spin: stands beside patches[1].faces; neither a mesh nor the other body may have "
+     "one"},
 };
 
 class MalformedBody : public testing::TestWithParam<Bodies> {};

@@ -103,11 +103,11 @@ const std::vector<Row> kTable = {
      "\"triangle\", \"degree\": 1, \"positions\": [[0,0,0],[1,0,0],[0,1,0]],\n     "
      "\"velocities\": [[0,0,1],[0,0,1],[0,0,1]]",
      "\"hull\", \"positions\": [[0,0,0]], \"velocities\": [[0,0,1]]",
-     "patches: has one hull; both are, or neither"},
+     "patches[0].shape: hull stands beside a tensor; both patches are hulls, or none"},
     {"EndsBesideVelocities", "\"degree\": 1,", "\"degree\": 1, \"ends\": [],",
      "patches[0].ends: stands beside velocities; a patch has one of them"},
     {"EndsPastOne", "\"velocities\": [[0,0,0]", "\"ends\": [[0,0,0]",
-     "t_max: 2.0 is past 1, where the ends of a patch or of a turn are"},
+     "t_max: 2.0 is past 1, where the ends of a patch are"},
     {"NegativeSeparation", "\"t_max\"", "\"separation\": -1, \"t_max\"",
      "separation: -1 is negative"},
     // What later versions will have.

@@ -135,8 +135,9 @@ Result<void> check_contact_within(const Query& query, const Witness& witness, Wo
                        fmt::format("{} is negative", abbreviated(witness.t)));
   }
   if (has_turns(query) && witness.t > 1) {
-    return input_error(fmt::format("{}.t", kWitness),
-                       fmt::format("{} is past 1, where {}", abbreviated(witness.t), kEndOfMotion));
+    return input_error(
+        fmt::format("{}.t", kWitness),
+        fmt::format("{} is past 1, where {}", abbreviated(witness.t), end_of_motion(query)));
   }
   CCDFUZZ_TRY(const auto first, point_of(query.patches[0], witness.t, witness.weights[0], work));
   CCDFUZZ_TRY(const auto second, point_of(query.patches[1], witness.t, witness.weights[1], work));

@@ -268,7 +268,8 @@ Result<void> check_between(const Query& query, const BodyPlanes::Plane& plane,
   Piece piece{plane.from, until, {}, {}};
   if (piece.until < piece.from) return refuse("a plane ends before it begins");
   if (has_turns(query) && until > 1) {
-    return refuse(fmt::format("until: {} is past 1, where {}", abbreviated(until), kEndOfMotion));
+    return refuse(
+        fmt::format("until: {} is past 1, where {}", abbreviated(until), end_of_motion(query)));
   }
   const Rational reach =
       exact(query.separation) + exact(query.patches[0].radius) + exact(query.patches[1].radius);
