@@ -44,6 +44,12 @@ struct Claiming {
   static bool is_finite(const ccd::Query& query) {
     for (int side = 0; side < 2; ++side) {
       const ccd::Patch patch = query.patch(side);
+      const ccdfuzz_patch& raw = patch.raw;
+      if (!std::isfinite(raw.radius)) return false;
+      for (std::size_t i = 0; i < raw.turn_count; ++i) {
+        if (!std::isfinite(raw.turn_from[i])) return false;
+        if (raw.turn_to != nullptr && !std::isfinite(raw.turn_to[i])) return false;
+      }
       for (std::size_t i = 0; i < patch.count(); ++i) {
         for (int k = 0; k < 3; ++k) {
           if (!std::isfinite(patch.at(i, k, 1))) return false;

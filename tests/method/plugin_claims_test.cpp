@@ -359,6 +359,29 @@ TEST(PluginClaims, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
   EXPECT_EQ(where.size(), 36U);  // 2 patches, 2 kinds, 3 coordinates, 3 values
 }
 
+TEST(PluginClaims, RadiiTurnsAndSpinsArePoisonedAndReachThePlugIn) {
+  Case known;
+  known.query.patches[0] = {Shape::hull(1), {{0, 0, 8}}, {{0, 0, -1}}};
+  known.query.patches[1] = {Shape::hull(2), {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}}};
+  known.query.patches[0].radius = 1;
+  known.query.patches[1].turn = BodyTurn{{1, 0}, {1, 0.5}, {0, 0, 0}};
+  std::set<std::string> fields;
+  for (int i = 1; i <= 60; ++i) {
+    known.query.t_max = 1.0 / i;
+    auto& spun = known.query.patches[0].turn;
+    if (i == 31) spun = BodyTurn{{}, {}, {0, 0, 8}, {0.5, 0, 1}};
+    ASSERT_TRUE(is_valid(known.query));
+    const std::string where = poisoned_query(known.query).where;
+    fields.insert(where.substr(0, where.find(" = ")));
+    // Of bodies that turn by angles and spin; a NaN is an error, and this one answers so.
+    EXPECT_EQ(outcome_of(kMiss + ":claims=12359:nan=1:poisoned=4", known), "unknown") << where;
+  }
+  for (const char* field : {"patches[0].radius", "patches[0].spin.velocity[1]",
+                            "patches[1].turn.from[0]", "patches[1].turn.to[1]"}) {
+    EXPECT_TRUE(fields.contains(field)) << field;
+  }
+}
+
 TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
   const std::string spec = kClaiming + ":claims=1:tolerance=0.25:kind=2:separation=0.5:nan=3";
   ASSERT_TRUE(admit_plugin(kClaiming));

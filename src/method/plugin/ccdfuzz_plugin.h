@@ -78,7 +78,7 @@ typedef struct ccdfuzz_patch {
    * face has the places of its corners among the positions, counter-clockwise as seen from its
    * front. If one_sided is 1, a face is there only if n . v < 0, in exact arithmetic: n = (b-a) x
    * (c-a) of its corners, v the other body's velocity less the mesh's. 0 and NULL: no mesh, as
-   * always for a plug-in that claims neither CCDFUZZ_TAKES_MESHES nor CCDFUZZ_ONE_SIDED. */
+   * always for a plug-in that claims neither CCDFUZZ_TAKES_MESHES nor CCDFUZZ_TAKES_ONE_SIDED. */
   uint64_t face_count;
   const uint32_t (*faces)[3];
   uint32_t one_sided;
@@ -140,8 +140,8 @@ enum {
   CCDFUZZ_TAKES_ANGLES = 4096, /* by cosine and sine */
   CCDFUZZ_TAKES_SPINS = 8192,  /* by an angular velocity */
   /* And it answers a convex body against a mesh: */
-  CCDFUZZ_TAKES_MESHES = 16384, /* whose faces have two sides */
-  CCDFUZZ_ONE_SIDED = 32768     /* whose faces have fronts alone */
+  CCDFUZZ_TAKES_MESHES = 16384,   /* whose faces have two sides */
+  CCDFUZZ_TAKES_ONE_SIDED = 32768 /* whose faces have fronts alone */
 };
 
 /* ccdfuzz_description.tolerance_kind; how a claimed tolerance > 0 is counted in its favour:

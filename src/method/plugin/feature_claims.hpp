@@ -24,7 +24,7 @@ inline constexpr auto kFeatureClaims = std::to_array<FeatureClaim>({
     {&Features::angles, "takes_angles", CCDFUZZ_TAKES_ANGLES},
     {&Features::spins, "takes_spins", CCDFUZZ_TAKES_SPINS},
     {&Features::meshes, "takes_meshes", CCDFUZZ_TAKES_MESHES},
-    {&Features::one_sided, "takes_one_sided", CCDFUZZ_ONE_SIDED},
+    {&Features::one_sided, "takes_one_sided", CCDFUZZ_TAKES_ONE_SIDED},
     {&Features::trims, "takes_trims", CCDFUZZ_TAKES_TRIMS},
 });
 

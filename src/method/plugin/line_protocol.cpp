@@ -13,16 +13,16 @@ namespace ccdfuzz {
 
 namespace {
 
+std::string any_numbers(const auto& numbers) {
+  std::string out = "[";
+  for (const double x : numbers) out += (out.size() == 1 ? "" : ",") + any_number(x);
+  return out + ']';
+}
+
 void append_points(std::string& out, const char* name, const Points<double>& points) {
   out += fmt::format(",\"{}\":[", name);
   for (size_t i = 0; i < points.size(); ++i) {
-    out += i == 0 ? "[" : ",[";
-    for (int k = 0; k < 3; ++k) {
-      if (k > 0) out += ',';
-      const double x = points[i][k];
-      out += std::isfinite(x) ? json_number(x) : fmt::format("\"{}\"", x);
-    }
-    out += ']';
+    out += (i == 0 ? "" : ",") + any_numbers(points[i]);
   }
   out += ']';
 }
@@ -41,18 +41,17 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   if (!patch.weights.empty()) out += ",\"weights\":" + to_json(patch.weights);
   if (!patch.trim.empty()) out += ",\"trim\":" + to_json(patch.trim);
   if (shape.kind == ShapeKind::kHull) {
-    out += fmt::format(",\"radius\":{}", json_number(patch.radius));
+    out += fmt::format(",\"radius\":{}", any_number(patch.radius));
   }
   if (!patch.faces.empty()) {
     out += fmt::format(",\"faces\":{},\"sides\":{}", to_json(patch.faces), patch.one_sided ? 1 : 2);
   }
   if (patch.turn) {
     out += patch.turn->is_spin()
-               ? fmt::format(",\"spin\":{{\"velocity\":{}", to_json(patch.turn->spin))
-               : fmt::format(",\"turn\":{{\"from\":{},\"to\":{}", to_json(patch.turn->from),
-                             to_json(patch.turn->to));
-    const Vec3<double>& centre = patch.turn->centre;
-    out += ",\"centre\":" + to_json(std::vector{centre[0], centre[1], centre[2]}) + '}';
+               ? fmt::format(",\"spin\":{{\"velocity\":{}", any_numbers(patch.turn->spin))
+               : fmt::format(",\"turn\":{{\"from\":{},\"to\":{}", any_numbers(patch.turn->from),
+                             any_numbers(patch.turn->to));
+    out += ",\"centre\":" + any_numbers(patch.turn->centre) + '}';
   }
   out += '}';
 }

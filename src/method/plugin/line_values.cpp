@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "io/json_real.hpp"
+#include "io/json_write.hpp"
 
 namespace ccdfuzz {
 
@@ -79,6 +80,10 @@ std::optional<std::uint64_t> whole_of(const JsonValue* value) {
   if (!number || !(*number >= 0 && *number < 0x1p63)) return std::nullopt;
   const auto whole = static_cast<std::uint64_t>(*number);
   return static_cast<double>(whole) == *number ? std::optional(whole) : std::nullopt;
+}
+
+std::string any_number(double x) {
+  return std::isfinite(x) ? json_number(x) : fmt::format("\"{}\"", x);
 }
 
 bool is_given(const JsonValue* value) {

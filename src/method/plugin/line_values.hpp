@@ -22,6 +22,8 @@ tl::expected<JsonValue, Fault> parse_object(const std::string& line);
 
 /// The text at the key; "" for none.
 std::string text_of(const JsonValue& object, std::string_view key);
+/// A number as a question has it: one that is not finite is "nan", "inf" or "-inf".
+std::string any_number(double x);
 /// False for null and for what is left out.
 bool is_given(const JsonValue* value);
 /// A number that need not be finite; absent for null, for nothing and for what is none.

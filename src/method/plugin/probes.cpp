@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace ccdfuzz {
 
@@ -20,10 +21,46 @@ std::uint64_t mixed_bits(const Query& query) {
       mix ^= mix >> 32;
     };
     for_each_coordinate(patch, mix_in);
+    for_each_turn_number(patch, mix_in);
     for (const double w : patch.weights) mix_in(w);
     for_each_vertex(patch, mix_in);
   }
   return mix;
+}
+
+/// A number of a patch, and where it is.
+struct Number {
+  std::string path;
+  double* at;
+};
+using Numbers = std::vector<Number>;
+
+Numbers listed(const std::string& path, auto& numbers) {
+  Numbers out;
+  for (double& x : numbers) out.push_back({fmt::format("{}[{}]", path, out.size()), &x});
+  return out;
+}
+
+/// The numbers of a patch that a NaN may be among, each list of its own field.
+std::vector<Numbers> numbers_of(MovingPatch<double>& patch) {
+  const auto of_points = [](const char* field, Points<double>& points) {
+    Numbers out;
+    for (size_t i = 0; i < points.size(); ++i) {
+      for (Number& x : listed(fmt::format("{}[{}]", field, i), points[i])) out.push_back(x);
+    }
+    return out;
+  };
+  std::vector all = {of_points("positions", patch.positions),
+                     of_points(patch.has_ends() ? "ends" : "velocities", patch.moves())};
+  if (patch.shape.kind != ShapeKind::kHull) return all;
+  if (patch.faces.empty()) all.push_back({{"radius", &patch.radius}});
+  if (!patch.turn) return all;
+  BodyTurn& turn = *patch.turn;
+  for (const auto& [path, numbers] :
+       {std::pair("spin.velocity", &turn.spin), {"turn.from", &turn.from}, {"turn.to", &turn.to}}) {
+    if (!numbers->empty()) all.push_back(listed(path, *numbers));
+  }
+  return all;
 }
 
 }  // namespace
@@ -59,16 +96,12 @@ PoisonedQuery poisoned_query(const Query& query) {
   constexpr std::array kPoisons = {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity};
   PoisonedQuery out{query, ""};
   const size_t side = take(2);
-  const bool in_moves = take(2) == 1;
-  MovingPatch<double>& patch = out.query.patches[side];
-  Points<double>& moves = patch.moves();
-  Points<double>& poisoned = in_moves ? moves : patch.positions;
-  const size_t point = take(poisoned.size());
-  const size_t k = take(3);
+  const std::vector<Numbers> all = numbers_of(out.query.patches[side]);
+  const Numbers& taken = all[take(all.size())];
+  const size_t i = take(taken.size());
   const double poison = kPoisons[take(kPoisons.size())];
-  poisoned[point][static_cast<int>(k)] = poison;
-  const char* const name = !in_moves ? "positions" : patch.has_ends() ? "ends" : "velocities";
-  out.where = fmt::format("patches[{}].{}[{}][{}] = {}", side, name, point, k, poison);
+  *taken[i].at = poison;
+  out.where = fmt::format("patches[{}].{} = {}", side, taken[i].path, poison);
   return out;
 }
 

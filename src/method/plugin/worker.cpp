@@ -18,7 +18,6 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "io/process_limits.hpp"
@@ -91,28 +90,19 @@ struct Fenced {
   }
 };
 
+/// The names of CCDFUZZ_POINT to CCDFUZZ_HULL.
+constexpr std::array kShapes = {"point", "curve", "triangle", "tensor", "hull"};
+
 const char* shape_name(std::uint32_t shape) {
-  switch (shape) {
-    case CCDFUZZ_POINT:
-      return "point";
-    case CCDFUZZ_CURVE:
-      return "curve";
-    case CCDFUZZ_TRIANGLE:
-      return "triangle";
-    case CCDFUZZ_TENSOR:
-      return "tensor";
-    case CCDFUZZ_HULL:
-      return "hull";
-    default:
-      fault("sizes", "describes a shape " + std::to_string(shape) + " that there is not");
-  }
+  if (shape < kShapes.size()) return kShapes[shape];
+  fault("sizes", "describes a shape " + std::to_string(shape) + " that there is not");
 }
 
+/// Requires one of the names.
 std::uint32_t shape_named(const std::string& name) {
-  if (name == "point") return CCDFUZZ_POINT;
-  if (name == "curve") return CCDFUZZ_CURVE;
-  if (name == "hull") return CCDFUZZ_HULL;
-  return name == "triangle" ? CCDFUZZ_TRIANGLE : CCDFUZZ_TENSOR;
+  std::uint32_t shape = 0;
+  while (name != kShapes.at(shape)) ++shape;
+  return shape;
 }
 
 Json real(double x) {
@@ -226,8 +216,7 @@ class Plugin {
     query.max_iterations = asked.at("max_iterations").get<std::uint64_t>();
     query.max_seconds = asked.at("max_seconds").get<double>();
     query.separation = asked.value("separation", 0.0);
-    const auto points_before = points_;
-    const auto before = std::tuple(weights_, turns_, faces_);
+    const std::string before = given_bytes();
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     Fenced<ccdfuzz_answer> out;
     ccdfuzz_answer& a = out.value;
@@ -239,11 +228,7 @@ class Plugin {
     const int status = guarded([&] { return table_->answer(state_, &query, &a); });
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     out.check("answer");
-    bool is_same = before == std::tie(weights_, turns_, faces_);
-    for (size_t i = 0; i < points_.size(); ++i)
-      is_same = is_same && std::memcmp(points_before[i].data(), points_[i].data(),
-                                       points_[i].size() * sizeof points_[i].front()) == 0;
-    if (!is_same) fault("sizes", "wrote into the query");
+    if (given_bytes() != before) fault("sizes", "wrote into the query");
     a.message[sizeof a.message - 1] = '\0';
     if (status != 0 || a.verdict == CCDFUZZ_ERROR) {
       return {{"verdict", "error"},
@@ -270,15 +255,22 @@ class Plugin {
  private:
   using Coordinates = std::vector<std::array<double, 3>>;
 
+  /// The value of a number, or of "nan", "inf" or "-inf".
+  static double any_real(const Json& x) {
+    return x.is_string() ? std::strtod(x.get_ref<const std::string&>().c_str(), nullptr)
+                         : x.get<double>();
+  }
+
+  static std::vector<double> any_reals(const Json& numbers) {
+    std::vector<double> out;
+    for (const Json& x : numbers) out.push_back(any_real(x));
+    return out;
+  }
+
   static Coordinates coordinates(const Json& points) {
     Coordinates out(points.size());
     for (size_t i = 0; i < out.size(); ++i)
-      for (size_t k = 0; k < 3; ++k) {
-        const Json& x = points[i][k];
-        // "nan", "inf" or "-inf".
-        out[i][k] = x.is_string() ? std::strtod(x.get_ref<const std::string&>().c_str(), nullptr)
-                                  : x.get<double>();
-      }
+      for (size_t k = 0; k < 3; ++k) out[i][k] = any_real(points[i][k]);
     return out;
   }
 
@@ -299,7 +291,7 @@ class Plugin {
     positions = coordinates(patch.at("positions"));
     moves = coordinates(patch.at(has_ends ? "ends" : "velocities"));
     out.count = positions.size();
-    out.radius = patch.value("radius", 0.0);
+    out.radius = patch.contains("radius") ? any_real(patch.at("radius")) : 0;
     out.positions = reinterpret_cast<const double(*)[3]>(positions.data());
     (has_ends ? out.ends : out.velocities) = reinterpret_cast<const double(*)[3]>(moves.data());
     weights_[side] = patch.value("weights", std::vector<double>());
@@ -307,14 +299,14 @@ class Plugin {
     const bool spins = patch.contains("spin");
     if (spins || patch.contains("turn")) {
       const Json& turn = patch.at(spins ? "spin" : "turn");
-      turns_[2 * side] = turn.at(spins ? "velocity" : "from").get<std::vector<double>>();
+      turns_[2 * side] = any_reals(turn.at(spins ? "velocity" : "from"));
       out.turn_count = turns_[2 * side].size();
       out.turn_from = turns_[2 * side].data();
       if (!spins) {
-        turns_[2 * side + 1] = turn.at("to").get<std::vector<double>>();
+        turns_[2 * side + 1] = any_reals(turn.at("to"));
         out.turn_to = turns_[2 * side + 1].data();
       }
-      for (size_t k = 0; k < 3; ++k) out.turn_centre[k] = turn.at("centre")[k].get<double>();
+      for (size_t k = 0; k < 3; ++k) out.turn_centre[k] = any_real(turn.at("centre")[k]);
     }
     faces_[side] = patch.value("faces", std::vector<std::array<std::uint32_t, 3>>());
     out.face_count = faces_[side].size();
@@ -330,6 +322,18 @@ class Plugin {
     out.loop_count = sizes_[side].size();
     out.loop_sizes = sizes_[side].data();
     out.loop_vertices = reinterpret_cast<const double(*)[2]>(vertices_[side].data());
+  }
+
+  /// The bytes of all lists that the plug-in reads; NaN is not equal to itself.
+  std::string given_bytes() const {
+    std::string bytes;
+    const auto add = [&](const auto& lists) {
+      for (const auto& list : lists) {
+        bytes.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof list[0]);
+      }
+    };
+    add(points_), add(weights_), add(turns_), add(faces_), add(vertices_), add(sizes_);
+    return bytes;
   }
 
   const ccdfuzz_plugin* table_ = nullptr;
