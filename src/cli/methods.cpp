@@ -7,6 +7,7 @@
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
 #include "method/method.hpp"
+#include "method/plugin/feature_claims.hpp"
 
 namespace ccdfuzz {
 
@@ -16,9 +17,10 @@ struct MethodsOptions {
   std::vector<std::string> specs;
 };
 
-/// A method, as a row of the JSON output.
+/// A method, as a row of the JSON output; `takes` is what it takes beyond plain patches.
 struct MethodRow {
   const MethodInfo& info;
+  std::vector<std::string> takes = words_of(info.features);
 
   static void fields(auto& archive, auto& row) {
     archive("method", row.info.spec);
@@ -26,6 +28,7 @@ struct MethodRow {
     archive("description", row.info.description);
     archive("claims_no_false_negative", row.info.claims_no_false_negative);
     archive("switches", row.info.switches);
+    archive("takes", row.takes);
   }
 };
 
@@ -76,6 +79,10 @@ int run_methods(const MethodsOptions& options, Session& session) {
     const bool claims = info.claims_no_false_negative;
     print_entry(fmt::format("{}{} ({})", info.spec, claims ? " *" : "", info.source),
                 info.description);
+    if (const std::vector<std::string> words = words_of(info.features); !words.empty()) {
+      print_out(fmt::format("    takes {}\n",
+                            wrapped(fmt::format("{}", fmt::join(words, ", ")), 10, 10)));
+    }
     if (claims) marked.push_back(info.spec);
   }
   print_switches(infos);

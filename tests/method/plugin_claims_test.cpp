@@ -7,6 +7,7 @@
 
 #include "admitted.hpp"
 #include "method/ask.hpp"
+#include "method/plugin/feature_claims.hpp"
 #include "method/plugin/line_protocol.hpp"
 #include "method/plugin/probes.hpp"
 
@@ -389,6 +390,10 @@ TEST(PluginClaims, AreShownToWhoeverAsksWhatItIs) {
   EXPECT_EQ(method_info(kClaiming)->description, "claiming 1");
   const auto info = method_info(spec);
   EXPECT_TRUE(info->claims_no_false_negative);
+  EXPECT_TRUE(words_of(info->features).empty());
+  ASSERT_TRUE(admit_plugin(kClaiming + ":claims=41031"));
+  EXPECT_EQ(words_of(method_info(kClaiming + ":claims=41031")->features),
+            (std::vector<std::string>{"bodies", "spins", "one-sided"}));
   EXPECT_EQ(info->description,
             "claiming 1; open t_max, no contact at 0, tolerance 0.25 (space), minimum separation "
             "0.5, NaN: hit");

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "method/features.hpp"
 #include "method/plugin/ccdfuzz_plugin.h"
@@ -37,6 +40,17 @@ inline constexpr Features kAllFeatures = [] {
 /// Those of patches; the others are of bodies.
 inline constexpr Features kPatchFeatures = {
     .ends = true, .separation = true, .weights = true, .trims = true};
+
+/// The kinds of queries beyond plain patches that are taken, as words: "ends", "one-sided".
+inline std::vector<std::string> words_of(const Features& taken) {
+  std::vector<std::string> words;
+  for (const FeatureClaim& claim : kFeatureClaims) {
+    if (!(taken.*claim.feature)) continue;
+    std::string& word = words.emplace_back(std::string_view(claim.field).substr(6));  // "takes_"
+    std::ranges::replace(word, '_', '-');
+  }
+  return words;
+}
 
 constexpr bool has_all(const Features& taken, const Features& needs) {
   return std::ranges::all_of(kFeatureClaims, [&](const FeatureClaim& claim) {
