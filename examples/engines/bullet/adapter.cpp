@@ -2,11 +2,12 @@
 // btContinuousConvexCollision. Points and radii are floats; the margin of a hull is its radius.
 // With least-margin=0.04 it is asked only about margins of so much or more, as it recommends.
 // With spins=1 it is asked about bodies that spin by up to π/4, too: it turns none by more.
+// With mesh=1 it is asked about meshes, too, by what btCollisionWorld::convexSweepTest calls.
 #include <BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
-#include "shapes.hpp"
+#include "mesh.hpp"
 
 namespace ccd = adapter::ccd;
 
@@ -15,6 +16,7 @@ struct Bullet {
     adapter::Options options(text);
     least_margin = options.number("least-margin", 0);
     spins = options.number("spins", 0) != 0;
+    meshes = options.number("mesh", 0) != 0;
     options.check_all_known();
   }
 
@@ -22,6 +24,7 @@ struct Bullet {
     ccd::Description description{"Bullet", std::to_string(btGetVersion())};
     description.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY;  // open ends
     if (spins) description.claims |= CCDFUZZ_TAKES_SPINS;
+    if (meshes) description.claims |= CCDFUZZ_TAKES_MESHES;
     description.within = 7;
     description.pairs = ccd::body_pairs();
     const bool has_margin = least_margin > 0;  // overlaps of up to 12 points are measured
@@ -39,9 +42,12 @@ struct Bullet {
   ccd::Answer answer(const ccd::Query& query) const {
     const auto& [a, b] = query.raw.patches;
     for (const ccdfuzz_patch* body : {a, b}) {
-      if (body->radius < least_margin) throw ccd::Refusal("the margin is too small");
+      const bool is_convex = body->face_count == 0;
+      if (is_convex && body->radius < least_margin) throw ccd::Refusal("the margin is too small");
     }
-    const double share = of_impact(*a, *b, query.t_max());
+    const double share = a->face_count > 0   ? swept(*b, *a, query.t_max())
+                         : b->face_count > 0 ? swept(*a, *b, query.t_max())
+                                             : of_impact(*a, *b, query.t_max());
     return share < 0 ? ccd::Answer::miss()
                      : ccd::Answer::hit(adapter::scaled_toi(share, query.t_max()));
   }
@@ -59,7 +65,7 @@ struct Bullet {
   }
 
   double least_margin = 0;
-  bool spins = false;
+  bool spins = false, meshes = false;
 };
 
 CCDFUZZ_PLUGIN(Bullet)
