@@ -10,18 +10,26 @@ namespace ccdfuzz {
 
 /// The file find.mjs.in, find.cpp.in or find.c.in of an engine's folder in examples/engines. It is
 /// a test of the engine alone, with words that stand for the numbers of a case. Its first lines,
-/// "//= NAME: TEXT", say how the engine writes things. "point" is a point, whose coordinates stand
-/// for *, or the first two for __X__ and __Y__. "box", "flat box", "segment", "triangle" and "hull"
-/// are bodies, and "round point", "round box" and so on those with a radius. Others are "any" where
-/// it takes them. It is asked of features by "vertex-face", "edge-edge", "vertex-edge" and
-/// "vertex-vertex"; "vertex-first" says that a vertex comes before the face. "plane" says that
-/// bodies are those of the plane z = 0. The test allows its own tolerance: "depth", or "late" as a
-/// part of the way. What __CHECKS__ stands for is "touches" where there is a contact and "clear"
-/// where there is none, in a framework of the engine's own. Without "clear" it may be early.
+/// "//= NAME: TEXT", say how the engine writes things:
+/// - "point" is a point, whose coordinates stand for *, or the first two for __X__ and __Y__.
+/// - "box", "flat box", "segment", "triangle" and "hull" are bodies, and "round point", "round box"
+///   and so on those with a radius, about their middle. "mesh" and "one-sided mesh" are these.
+///   Others are "any" or "4 points" (of that many) as they are, and "turned any" where they turn.
+/// - "still", "turn" and "spin" are how bodies move; a "rotation" is of cosine and sine, or of four
+///   numbers.
+/// - "vertex-face", "edge-edge", "vertex-edge" and "vertex-vertex" are calls about features;
+///   "vertex-first" says that a vertex comes before the face.
+/// - "plane" says that bodies are those of the plane z = 0.
+/// - "depth" is the tolerance, or "late" as a part of the way. "mesh depth" and "spin depth" are
+///   those of meshes and of bodies that spin, where they differ.
+/// - What __CHECKS__ stands for is "touches" where there is a contact and "clear" where there is
+///   none, in a framework of the engine's own. Without "clear" it may be early.
+/// A helper between the lines "//: NAME" and "//:" is left out where nothing calls it.
 struct EngineTemplate {
   std::string_view engine;
   std::string_view ending;  ///< .mjs, .cpp or .c
   std::string_view text;
+  std::string_view mesh_text;  ///< find-mesh.cpp.in, a test about meshes alone, or empty
 };
 /// As they were when this program was built.
 std::span<const EngineTemplate> engine_templates();

@@ -10,13 +10,13 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-CPP = ("fcl", "bullet")
+CPP = {"fcl": "fcl", "fcl-bodies": "fcl", "bullet": "bullet"}
 
 
 def runs_of(name, test, folder):
     """The commands that run a test; None where the engine is not installed."""
     if name in CPP:
-        flags = subprocess.run(["pkg-config", "--cflags", "--libs", name], capture_output=True, text=True)
+        flags = subprocess.run(["pkg-config", "--cflags", "--libs", CPP[name]], capture_output=True, text=True)
         if flags.returncode != 0:
             return None
         options = [flag for flag in flags.stdout.split() if not flag.startswith("-std=")]

@@ -83,10 +83,6 @@ TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
   }
   EXPECT_EQ(engine_test(falling_ball(), "fcl").error().message(),
             "ball.json: fcl has no tests of bodies");
-  NamedCase mesh = falling_ball();
-  mesh.value.query.patches[1].faces = {{0, 1, 2}};
-  EXPECT_EQ(engine_test(mesh, "rapier").error().message(),
-            "ball.json: rapier has no tests of meshes");
   NamedCase round = falling_ball();
   Points<double>& points = round.value.query.patches[0].positions;
   std::vector<Rational>& weights = round.value.truth.witness->weights[0];
@@ -98,6 +94,74 @@ TEST(EngineTest, RefusesShapesThatTheEngineHasNot) {
   weights.emplace_back(0);
   round.value.query.patches[0].shape = Shape::hull(3);
   EXPECT_FALSE(engine_test(round, "jolt")) << "a rounded triangle";
+}
+
+TEST(EngineTest, GivesAMeshSecondAndWithItsSides) {
+  NamedCase named = falling_ball();
+  Query& query = named.value.query;
+  query.patches[1].faces = {{0, 2, 1}, {1, 2, 3}};
+  std::swap(query.patches[0], query.patches[1]);
+  std::swap(named.value.truth.witness->weights[0], named.value.truth.witness->weights[1]);
+  const std::string ball = "const a = new RAPIER.Ball(1);\n",
+                    faces = "Uint32Array([0, 2, 1, 1, 2, 3])";
+  EXPECT_THAT(*engine_test(named, "rapier"),
+              testing::AllOf(testing::HasSubstr(ball), testing::HasSubstr(faces),
+                             testing::HasSubstr("vector(0, -2, 0), b")));
+  EXPECT_THAT(*engine_test(named, "bullet"),
+              testing::AllOf(testing::HasSubstr("convexSweepTest"),
+                             testing::HasSubstr("{0, 2, 1, 1, 2, 3});")));
+  EXPECT_THAT(*engine_test(named, "physx"), testing::HasSubstr("eMESH_BOTH_SIDES"));
+  EXPECT_EQ(engine_test(named, "box3d").error().message(),
+            "ball.json: box3d has no tests of meshes");
+  query.patches[0].one_sided = true;
+  EXPECT_THAT(*engine_test(named, "jolt"), testing::HasSubstr("{ isOneSided: true }"));
+  EXPECT_THAT(*engine_test(named, "physx"), testing::Not(testing::HasSubstr("eMESH_BOTH_SIDES")));
+  for (const std::string engine : {"rapier", "bullet"}) {
+    EXPECT_EQ(engine_test(named, engine).error().message(),
+              "ball.json: " + engine + " has no tests of one-sided meshes");
+  }
+}
+
+TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
+  NamedCase named = falling_ball();
+  Query& query = named.value.query;
+  query.t_max = 1;
+  query.patches[1].positions.resize(4);
+  named.value.truth.witness->weights[1].resize(4);
+  const auto refused = [&](const std::string& engine) {
+    return engine_test(named, engine).error().message() ==
+           "ball.json: " + engine + " has no tests of such turns";
+  };
+  query.patches[1].turn = BodyTurn{{}, {}, {1, 0, 0}, {0, 0, 0.25}};
+  EXPECT_THAT(*engine_test(named, "bullet"),
+              testing::AllOf(testing::HasSubstr("0, btVector3(1, 0, 0));"),
+                             testing::HasSubstr("btQuaternion(btVector3(0, 0, 0.25), 0.25)")));
+  EXPECT_THAT(
+      *engine_test(named, "fcl-bodies"),
+      testing::AllOf(testing::HasSubstr("V(1, 0, 0), V(1, 0, 0), 0.25, V(0, 0, 0.25))"),
+                     testing::HasSubstr("motion(V(-4, 3, 0.5), V(-4, 3, 0.5), V(-4, 3, 0.5)")));
+  EXPECT_TRUE(refused("rapier"));
+  EXPECT_TRUE(refused("box3d"));
+  query.patches[1].turn = BodyTurn{{1, 0, 0, 0}, {0.6, 0, 0, 0.8}};
+  EXPECT_THAT(*engine_test(named, "box3d"), testing::HasSubstr(".q2 = { { 0, 0, 0.8 }, 0.6 }"));
+  EXPECT_TRUE(refused("bullet"));
+  query.patches[1].turn->to = {1, 0, 0, 1};
+  EXPECT_TRUE(refused("box3d")) << "it needs quaternions of unit length";
+  query.patches[1].turn = BodyTurn{{1, 0}, {0.6, 0.8}};
+  EXPECT_TRUE(refused("box3d"));
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Vec3<double>& p : patch.positions) p[2] = 0;
+  }
+  EXPECT_THAT(*engine_test(named, "box2d"), testing::HasSubstr(".q2 = { 0.6, 0.8 }"));
+}
+
+TEST(EngineTest, HasNoHelperThatNothingCalls) {
+  for (const char* engine : {"rapier", "jolt", "physx", "havok"}) {
+    const std::string text = *engine_test(falling_ball(), engine);
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("//:"))) << engine;
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("hull"))) << engine;
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("capsule"))) << engine;
+  }
 }
 
 TEST(EngineTest, GivesEndsExactly) {
