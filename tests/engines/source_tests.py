@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """source_tests.py CCDFUZZ FOLDER: a test that is exported for an engine of a source tree builds and passes there.
 
-It fails where the contact is said to come before it does. FOLDER is that of script/engines. The trees are in the folder that CCDFUZZ_ENGINE_SOURCES
+It fails where the contact is said to come before it does, and those of stored finds fail. FOLDER is that of script/engines. The trees are in the folder that CCDFUZZ_ENGINE_SOURCES
 names; where none is, the exit code is 77.
 """
 import os
@@ -37,6 +37,10 @@ def main():
     for name in there:
         own = folder / name
         own.mkdir(parents=True, exist_ok=True)
+        for find in sorted((ROOT / "corpus/engines" / name).glob("*.json")):
+            test = own / f"{find.stem}.c"
+            subprocess.run([ccdfuzz, "export", find, "--as", name, "-o", test], check=True)
+            assert not is_passing(name, trees / name, test, own / "build"), test
         for case in ENGINES[name]:
             if case in GENERATED:
                 options, case = GENERATED[case], own / f"{case}.jsonl"
