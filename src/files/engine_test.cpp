@@ -122,8 +122,10 @@ std::string proof_text(const Case& value) {
     if (!is_of_bodies(value.query)) continue;
     points.push_back(point_text(point_of(value, side, witness->t), has_spins(value.query)));
   }
-  const std::string at =
-      fmt::format("At t = {} of t_max = {}", to_text(witness->t), value.query.t_max);
+  constexpr size_t kReadable = 24;  // digits, of which a double has 17
+  std::string t = to_text(witness->t);
+  if (t.size() > kReadable) t += fmt::format(" (about {:.9g})", witness->t.get_d());
+  const std::string at = fmt::format("At t = {} of t_max = {}", t, value.query.t_max);
   if (points.empty()) return at + " they have a point in common.";
   return fmt::format(
       "{} the cores have the points{}\n// {} and {},\n// no farther apart than the "

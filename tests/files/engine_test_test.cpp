@@ -155,6 +155,13 @@ TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
   EXPECT_THAT(*engine_test(named, "box2d"), testing::HasSubstr(".q2 = { 0.6, 0.8 }"));
 }
 
+TEST(EngineTest, RoundsATimeThatIsLongToRead) {
+  NamedCase named = falling_ball();
+  named.value.truth.witness->t = Rational("100000000000000000001/100000000000000000000");
+  EXPECT_THAT(*engine_test(named, "rapier"),
+              testing::HasSubstr("000001/100000000000000000000 (about 1) of t_max = 2"));
+}
+
 TEST(EngineTest, HasNoHelperThatNothingCalls) {
   for (const char* engine : {"rapier", "jolt", "physx", "havok"}) {
     const std::string text = *engine_test(falling_ball(), engine);
