@@ -244,6 +244,7 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
   const std::uint64_t mover = draw.below(2);
   const bool is_far = draw.below(8) == 7;
   Whole place = draw_whole(options.plane, 16, draw);
+  if (options.plane) std::swap(place[1], place[2]);  // it is not along the frame's axes
   const int unit = static_cast<int>(draw.integer(-7, 0));
   if (is_far) place = (std::int64_t{1} << (draw.integer(10, 16) - unit - 5)) * place;
 

@@ -90,9 +90,6 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--contact",
                        fmt::format("bodies in a plane have no {}", name_of(options.contact)));
   }
-  if (options.plane && options.family == Family::kSpinning) {
-    return input_error("--family", "none of spinning is in a plane");
-  }
   return {};
 }
 

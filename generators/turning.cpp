@@ -88,13 +88,13 @@ void end_before_contact(Case& known, double t_max) {
 
 }  // namespace
 
-void spin_back(MovingPatch<double>& body, double t, Draw& draw) {
-  const Vec3<double> axis = draw_axis(false, 1, draw);
+void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
+  const Vec3<double> axis = draw_axis(in_plane, 1, draw);
   // Some engines take a quarter of a half turn at most.
   const Vec3<double> w = draw.pick(std::array{0.25, 0.5, 1.0, 2.0, 3.0}) * axis;
   MovingPatch<double> back = body;
   back.velocities[0] = {0, 0, 0};
-  const Vec3<double> centre = draw_centre(body.positions, false, draw);
+  const Vec3<double> centre = draw_centre(body.positions, in_plane, draw);
   back.turn = BodyTurn{{}, {}, centre, {-w[0], -w[1], -w[2]}};
   body.turn = BodyTurn{{}, {}, centre, {w[0], w[1], w[2]}};
   const Points<Rational> before = points_at(back, exact(t)).points;
@@ -129,7 +129,8 @@ tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const 
 tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                           Draw& draw) {
   tl::expected<Case, Discard> made = bodies_before_one(
-      options, eps_t, draw, [&](MovingPatch<double>& body, double t) { spin_back(body, t, draw); });
+      options, eps_t, draw,
+      [&](MovingPatch<double>& body, double t) { spin_back(body, t, options.plane, draw); });
   if (!made) return made;
   const Rational t = made->truth.witness->t;
   made->truth = decide(made->query).truth;

@@ -17,13 +17,14 @@ tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const 
                                          Draw& draw);
 
 /// Gives a body a spin of up to 3 radians in [0, 1], about a point in or near it. Its points are
-/// turned back from their places, so that they come to them at t, but for a rounding to floats.
-void spin_back(MovingPatch<double>& body, double t, Draw& draw);
+/// turned back from their places, so that they come to them at t, but for a rounding to floats. In
+/// a plane, z = 0, it is about the z axis.
+void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw);
 
 /// The same of bodies that spin: as spin_back says, from where those of bodies_case touch at t*. So
 /// they touch near t*, and as the class says but for that rounding. Kept is what the oracle proves
 /// to touch within 2^-10 of t* first. RP: t* < t_max ≤ 1. RN: t_max is eps_t or a little more
-/// before the contact. None is in a plane.
+/// before the contact.
 tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                           Draw& draw);
 

@@ -162,6 +162,7 @@ Case HuntGround::fitted(Case value) const {
       for (Vec3<double>& v : *points) v[2] = plane && are_bodies ? 0 : v[2];
     }
     if (patch.turn && plane) patch.turn->centre[2] = 0;
+    if (patch.turn && plane && patch.turn->is_spin()) patch.turn->spin[0] = patch.turn->spin[1] = 0;
     if (patch.turn && fault_of(*patch.turn)) patch.turn.reset();  // what is left of it is none
   }
   fit(query.t_max);
