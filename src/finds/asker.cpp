@@ -18,8 +18,17 @@ std::string cause_of_loss(const std::string& method, const Case& value, TracerSe
   return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *witness, {}));
 }
 
+std::string kind_of_bodies(const Query& query) {
+  for (const MovingPatch<double>& body : query.patches) {
+    if (!body.faces.empty()) return body.one_sided ? "one-sided mesh" : "mesh";
+  }
+  return has_spins(query) ? "spin" : has_turns(query) ? "turn" : "";
+}
+
 Expected Asker::expected(const std::string& method, const Case& value, const Judged& judged) {
   if (judged.outcome == Outcome::kError) return {judged.outcome, judged.error};
+  if (!is_failure(judged.outcome)) return judged.outcome;
+  if (is_of_bodies(value.query)) return {judged.outcome, kind_of_bodies(value.query)};
   if (!is_false_negative(judged.outcome)) return judged.outcome;
   return {judged.outcome, cause_ ? cause_(method, value) : cause_of_loss(method, value, tracers_)};
 }

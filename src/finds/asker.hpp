@@ -25,6 +25,9 @@ Asked asked_with(const SearchOptions& search);
 /// Empty where no contact by t_max is known, or the method cannot be traced.
 std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
 
+/// "mesh", "one-sided mesh", "spin" or "turn"; empty for other bodies.
+std::string kind_of_bodies(const Query& query);
+
 /// Asks methods about cases and says how they fail. For one thread.
 class Asker {
  public:
@@ -41,8 +44,8 @@ class Asker {
     return ccdfuzz::ask(methods_[method], known, search);
   }
 
-  /// What an entry expects of a method that answered so about its case: the outcome, and the name
-  /// of an error or the cause of a loss.
+  /// What an entry expects of a method that answered so about its case. It is the outcome with its
+  /// cause: the name of an error, the kind of bodies, or what lost a contact.
   Expected expected(const std::string& method, const Case& value, const Judged& judged);
 
   /// How the method fails; nothing where it does not.

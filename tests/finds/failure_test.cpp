@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "finds/asker.hpp"
 #include "finds/finds.hpp"
 
 namespace ccdfuzz {
@@ -132,6 +133,31 @@ TEST(FileStem, TellsFailuresApartInCharactersThatEveryFolderTakes) {
     }
   }
   EXPECT_EQ(stems.size(), count);
+}
+
+TEST(Failure, OfBodiesHasTheirKindAsItsCause) {
+  Asker asker{SearchOptions()};
+  Case value;
+  for (MovingPatch<double>& body : value.query.patches) {
+    body = {Shape::hull(3), {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}}};
+  }
+  MovingPatch<double>& first = value.query.patches[0];
+  const auto cause = [&](Outcome outcome) {
+    Judged judged;
+    judged.outcome = outcome;
+    return asker.expected("tdibm", value, judged).cause;
+  };
+  EXPECT_EQ(cause(Outcome::kMissed), "");
+  first.turn = BodyTurn{{1, 0}, {1, 1}, {0, 0, 0}};
+  EXPECT_EQ(cause(Outcome::kMissed), "turn");
+  first.turn = BodyTurn{{}, {}, {0, 0, 0}, {0, 0, 1}};
+  EXPECT_EQ(cause(Outcome::kLate), "spin");
+  EXPECT_EQ(cause(Outcome::kCorrect), "");
+  first.turn.reset();
+  first.faces = {{0, 1, 2}};
+  EXPECT_EQ(cause(Outcome::kFalsePositive), "mesh");
+  first.one_sided = true;
+  EXPECT_EQ(cause(Outcome::kMissed), "one-sided mesh");
 }
 
 }  // namespace
