@@ -225,8 +225,8 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact) {
   return is_drawn[0] && is_drawn[1] && (is_more[0] || is_more[1]);
 }
 
-tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
-                                        Draw& draw) {
+tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const Dyadic& eps_t,
+                                          Draw& draw) {
   const std::array<Feature, 2> features = features_of(options.contact);
   const auto [bodies, frame, lift, radius] = draw.until(
       [&] { return draw_framed_pair(features, options.plane, draw); },
@@ -239,7 +239,7 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
   const std::int64_t gap = is_miss ? draw.integer(1, kParts) : 0;
   const std::int64_t eighths = draw.integer(1, 8);
   Whole approach = draw_whole(options.plane, 16, draw);
-  approach[2] = is_miss ? 0 : -draw.integer(1, 16);
+  approach[2] = is_miss || is_grazing(options.family) ? 0 : -draw.integer(1, 16);
   const Whole common = draw.coin() ? Whole{} : draw_whole(options.plane, 8, draw);
   const std::uint64_t mover = draw.below(2);
   const bool is_far = draw.below(8) == 7;
@@ -281,6 +281,8 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
   if (options.kind == CaseKind::kRP && exact(query.t_max) == witness.t) query.t_max *= 2;
   if (options.kind == CaseKind::kRN) query.t_max = *(t - eps_t).to_double_exactly();
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
+  const bool is_still = is_grazing(options.family) && approach == Whole{};
+  if (is_still) return tl::unexpected(Discard::kFirstContact);
 
   Whole normal = frame.normal();
   if (draw.coin()) {
@@ -297,9 +299,25 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
   truth.clearance = clear;
   if (touches) truth.witness = witness;
   if (!touches) truth.proof = proof_word(*truth.clearance);
-  CCDFUZZ_VERIFY(check_truth(out));
-  CCDFUZZ_VERIFY(check_clearance(query, *truth.clearance, ""));
   return out;
+}
+
+tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
+                                        Draw& draw) {
+  tl::expected<Case, Discard> made = framed_bodies(options, eps_t, draw);
+  CCDFUZZ_VERIFY(!made || check_truth(*made));
+  CCDFUZZ_VERIFY(!made || check_clearance(made->query, *made->truth.clearance, ""));
+  return made;
+}
+
+tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
+                                                const Dyadic& eps_t, Draw& draw) {
+  tl::expected<Case, Discard> made = framed_bodies(options, eps_t, draw);
+  if (!made) return made;
+  made->truth = decide(made->query).truth;
+  const auto& first = made->truth.witness;
+  if (!first || first->t == 0) return tl::unexpected(Discard::kFirstContact);
+  return made;
 }
 
 ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal) {

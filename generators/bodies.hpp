@@ -31,6 +31,19 @@ bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                         Draw& draw);
 
+/// The same, before its truth is checked. In the families that graze, the bodies move along the
+/// plane and stay on its two sides.
+/// Certificate K has the plane's normal then, and does not hold.
+tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const Dyadic& eps_t,
+                                          Draw& draw);
+
+/// One attempt at a case of two bodies that touch without depth, by t* at the latest: they move
+/// along the plane that is between them. So a vertex passes exactly through another, or along a
+/// face. A ball touches an edge or a vertex for one instant, as it passes by. The oracle decides.
+/// Kept is what is apart at 0 and touches; RP alone.
+tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
+                                                const Dyadic& eps_t, Draw& draw);
+
 /// The class of a contact of bodies: what of each lies on its support plane of this normal, which
 /// is towards the second; 1 point, 2, or more.
 ContactClass class_of_bodies(const Query& query, const std::array<Rational, 3>& normal);

@@ -54,6 +54,7 @@ int eps_t_exponent(const GeneratorOptions& options) {
 
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   if (family == Family::kRegular) return true;
+  if (is_grazing(family)) return kind == CaseKind::kRP;
   if (family == Family::kBodies || is_of_a_mesh(family)) return is_made_of_bodies(kind);
   if (family == Family::kTurning) return kind == CaseKind::kRP || kind == CaseKind::kRN;
   if (family == Family::kTwins) return kind == CaseKind::kRP;
@@ -196,7 +197,10 @@ auto attempt_of(const GeneratorOptions& options) {
       return spinning_case;
     case Family::kMesh:
     case Family::kMeshOneSided:
+    case Family::kMeshGrazing:
       return mesh_case;
+    case Family::kBodiesGrazing:
+      return grazing_bodies_case;
     default:
       return is_shaped(options) ? shaped_case : quadratic_case;
   }

@@ -66,14 +66,21 @@ enum class Family : std::uint8_t {
   kSpinning,
   kMesh,
   kMeshOneSided,
+  kBodiesGrazing,
+  kMeshGrazing,
 };
 constexpr bool is_of_a_mesh(Family family) {
-  return family == Family::kMesh || family == Family::kMeshOneSided;
+  return family == Family::kMesh || family == Family::kMeshOneSided ||
+         family == Family::kMeshGrazing;
+}
+/// Those of bodies whose first contact has no depth.
+constexpr bool is_grazing(Family family) {
+  return family == Family::kBodiesGrazing || family == Family::kMeshGrazing;
 }
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
   return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning ||
-         is_of_a_mesh(family);
+         family == Family::kBodiesGrazing || is_of_a_mesh(family);
 }
 /// Those of plain patches.
 inline constexpr auto kFamilies = [] {
@@ -82,7 +89,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kMeshOneSided) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kMeshGrazing) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
@@ -114,7 +121,7 @@ struct GeneratorOptions {
   std::optional<std::array<Shape, 2>> shapes;
   /// The kinds of bodies of the families from bodies on that have them; empty: all.
   BodyKinds bodies = {};
-  /// Whether those of bodies and turning lie and move in the plane z = 0.
+  /// Whether bodies lie and move in the plane z = 0: those of all families but meshes.
   bool plane = false;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.

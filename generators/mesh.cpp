@@ -7,6 +7,7 @@
 #include "base/nearest_float.hpp"
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
+#include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/bodies.hpp"
 
@@ -21,6 +22,7 @@ class MeshMaker {
   MeshMaker(Query& query, size_t side, const Vec3<double>& up, Draw& draw)
       : mesh_(query.patches[side]), other_(query.patches[1 - side]), up_(up), draw_(draw) {
     way_ = other_.velocities[0] - mesh_.velocities[0];
+    t_max_ = query.t_max;
     top_ = height(mesh_.positions[0]);
     double size = way_.cwiseAbs().maxCoeff() * query.t_max;
     for (const Vec3<double>& p : mesh_.positions) {
@@ -31,10 +33,15 @@ class MeshMaker {
     unit_ = std::ldexp(1.0, std::ilogb(size)) / kSteps;
   }
 
-  /// How many of the faces are in the contact.
-  size_t make() {
+  /// How many of the faces are in the contact. Those behind a contact that grazes are one.
+  size_t make(bool grazes) {
     add_touched();
     const size_t touched = faces().size();
+    if (grazes) {
+      add_wall();
+      drop_unused_points(mesh_);
+      return touched;
+    }
     if (draw_.below(4) == 0) add_grazed();
     const std::uint64_t most = touched + draw_.below(kMaxFaces + 1 - touched);
     if (draw_.below(4) == 0 && most >= touched + 3) close_tetrahedron();
@@ -153,10 +160,32 @@ class MeshMaker {
     faces().push_back({a, b, added(near + middle * way_ + 8 * unit_ * beside)});
   }
 
+  /// A face around a place where a point of the other body comes late.
+  void add_wall() const {
+    const Vec3<double> p = other_.positions[draw_.below(other_.positions.size())];
+    const Vec3<double> middle = p + t_max_ * static_cast<double>(draw_.integer(12, 14)) / 16 * way_;
+    const auto step = [&] {
+      const auto part = [&] { return static_cast<double>(draw_.integer(-8, 8)) * unit_; };
+      const double x = part(), y = part();
+      return Vec3<double>(x, y, part());
+    };
+    const auto [a, b] = draw_.until(
+        [&] {
+          const Vec3<double> first = step();
+          return std::pair(first, step());
+        },
+        [&](const auto& sides) {
+          const Vec3<double> normal = sides.first.cross(sides.second);
+          return std::abs(normal.dot(way_)) > normal.norm() * way_.norm() / 4;
+        });
+    const int first = added(middle + a), second = added(middle + b);
+    faces().push_back({first, second, added(middle - a - b)});
+  }
+
   MovingPatch<double>& mesh_;
   const MovingPatch<double>& other_;
   Vec3<double> up_, way_;
-  double top_, unit_;
+  double t_max_, top_, unit_;
   Draw& draw_;
 };
 
@@ -171,6 +200,23 @@ void turn_faces(Query& query, size_t side, size_t touched, bool wanted, Draw& dr
   }
 }
 
+/// Whether the first contact is of the first faces, without depth, and not at 0.
+/// And the body passes by a thousandth of its way or more through the last face.
+bool is_hidden_by_a_graze(const Query& query, const Witness& first, size_t side, size_t touched) {
+  Query grazed = query;
+  grazed.patches[side].faces.resize(touched);
+  Rational sum = 0;
+  for (size_t i = 0; i < first.weights[side].size(); ++i) {
+    const bool is_touched = std::ranges::any_of(grazed.patches[side].faces, [&](const Face& face) {
+      return std::ranges::count(face, static_cast<int>(i)) > 0;
+    });
+    if (is_touched) sum += first.weights[side][i];
+  }
+  const Vec3<double> way = query.patches[0].velocities[0] - query.patches[1].velocities[0];
+  return first.t > 0 && sum == 1 && depth_until(grazed, query.t_max) == 0.0 &&
+         depth_until(query, query.t_max) >= 0x1p-10 * query.t_max * way.norm();
+}
+
 }  // namespace
 
 tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dyadic& eps_t,
@@ -182,7 +228,7 @@ tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dya
   if (!plain.bodies.empty()) plain.bodies.push_back({1, kMaxControls, RadiusRule::kZero});
   const size_t side = draw.below(2);
   tl::expected<Case, Discard> made =
-      draw.until([&] { return bodies_case(plain, eps_t, draw); },
+      draw.until([&] { return framed_bodies(plain, eps_t, draw); },
                  [&](const tl::expected<Case, Discard>& tried) {
                    if (!tried) return true;
                    const MovingPatch<double>& other = tried->query.patches[1 - side];
@@ -196,7 +242,8 @@ tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dya
     const auto& normal = std::get<BodyClearance>(*made->truth.clearance).normal;
     up[k] = (side == 0 ? 1 : -1) * normal[static_cast<size_t>(k)].get_d();
   }
-  const size_t touched = MeshMaker(query, side, up, draw).make();
+  const bool grazes = is_grazing(options.family);
+  const size_t touched = MeshMaker(query, side, up, draw).make(grazes);
   query.patches[side].one_sided = is_one_sided;
   if (is_one_sided) turn_faces(query, side, touched, !is_behind, draw);
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
@@ -204,6 +251,10 @@ tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dya
   made->truth = decide(query).truth;
   const bool touches = options.kind == CaseKind::kRP;
   const auto& found = made->truth.witness;
+  if (grazes) {
+    if (found && is_hidden_by_a_graze(query, *found, side, touched)) return made;
+    return tl::unexpected(Discard::kFirstContact);
+  }
   if (made->truth.collides != touches || (touches && found->t != planted->t)) {
     return tl::unexpected(Discard::kFirstContact);
   }

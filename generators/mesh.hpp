@@ -17,6 +17,10 @@ namespace ccdfuzz {
 ///
 /// The oracle decides. Kept is what touches at t* first, or does not. One-sided, the faces that are
 /// touched are fronts. In half of the cases RN, which end after t*, the body comes from behind.
+///
+/// Those of mesh-grazing touch as bodies of grazing_bodies_case do. A last face is across the way
+/// of the body. Kept is what touches another face first, without depth, and then passes well
+/// through the last. Whoever stops at the face that is touched first misses that.
 tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                       Draw& draw);
 

@@ -88,6 +88,9 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kSpinning, "spinning", "the same by an angular velocity", kAll, kAll},
     {Family::kMesh, "mesh", "a convex body against 1 to 8 triangles", kAll, kAll},
     {Family::kMeshOneSided, "mesh-one-sided", "the same with fronts alone", kAll, kAll},
+    {Family::kBodiesGrazing, "bodies-grazing", "convex bodies that touch without depth", kAll,
+     kNone},
+    {Family::kMeshGrazing, "mesh-grazing", "a body grazes a mesh, and hits it later", kAll, kNone},
 }};
 
 constexpr bool are_in_order() {

@@ -102,8 +102,9 @@ Case uniform_case(const HuntGround& ground, ContactClass contact, Draw& draw) {
 
 /// Families whose cases are rarely ordinary or never.
 constexpr std::array kNotOrdinary = {
-    Family::kAtStart,     Family::kResting,    Family::kSliding, Family::kFlatGrazing,
-    Family::kMixedScales, Family::kDegenerate, Family::kSliver,  Family::kAnywhere};
+    Family::kAtStart,     Family::kResting,     Family::kSliding,
+    Family::kFlatGrazing, Family::kMixedScales, Family::kDegenerate,
+    Family::kSliver,      Family::kAnywhere,    Family::kBodiesGrazing};
 
 struct NotPlain {
   Family family;
@@ -181,7 +182,9 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, Family::kTurning);
     if (features_.spins) add_source(sources, contact, std::nullopt, Family::kSpinning);
     if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMesh);
+    if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMeshGrazing);
     if (features_.one_sided) add_source(sources, contact, std::nullopt, Family::kMeshOneSided);
+    add_source(sources, contact, std::nullopt, Family::kBodiesGrazing);
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {

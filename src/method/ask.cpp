@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "case/mesh.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
@@ -17,13 +18,20 @@ Judged failed(const std::exception& error, std::string name) {
 }
 
 /// What a miss or a late hit of bodies is under a tolerance in space. It is correct where they
-/// overlap no deeper in the time that it overlooks, and unknown where that is not measured.
-Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome) {
+/// overlap no deeper in the time that it overlooks, and unknown where that is not measured. Who is
+/// asked ordinary queries alone may overlook a contact of a mesh that has no depth.
+Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome,
+                  bool is_ordinary) {
   const Query& query = known.query();
-  const double tolerance = answer.terms.space_tolerance;
-  if (!(tolerance > 0) || !is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
+  double tolerance = answer.terms.space_tolerance;
+  if (!is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
+  // A graze before a deep contact of a mesh is not ordinary, and hits of the deep one may be so
+  // late.
+  const bool may_graze = is_ordinary && has_mesh(query);
+  if (!(tolerance > 0) && !may_graze) return outcome;
   const double overlooked = outcome == Outcome::kLate ? delay_of(known, answer) : query.t_max;
   const Vec3<double> velocity = query.patches[0].velocities[0] - query.patches[1].velocities[0];
+  if (may_graze) tolerance += answer.terms.time_tolerance * velocity.norm();
   // Moved back by so much, they would not touch: no overlap is deeper than the way. Rounding adds
   // less than a part in 2^50, and the tolerance is no exact number.
   if (!has_turns(query) && velocity.norm() * overlooked <= tolerance) return Outcome::kCorrect;
@@ -46,7 +54,8 @@ std::optional<double> depth_of(const CheckedCase& known, const Judged& judged) {
 
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {
   Answered answer;
-  if (const Domain* domain = method.domain()) {
+  const Domain* const domain = method.domain();
+  if (domain != nullptr) {
     answer.note = domain->broken_by(known.value());
     answer.verdict = Verdict::kRefused;
     if (!answer.note.empty()) return {std::move(answer), Outcome::kNotAsked, ""};
@@ -59,7 +68,8 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
     return failed(error, "exception");
   }
   // What throws here is no fault of the method.
-  const Outcome outcome = tolerated(known, answer, judge(known, answer));
+  const Outcome outcome =
+      tolerated(known, answer, judge(known, answer), domain != nullptr && domain->ordinary);
   // A wrong answer to the query itself weighs more.
   const bool wrong = is_false_negative(outcome) || outcome == Outcome::kFalsePositive;
   if (answer.broken_claim && !wrong) {

@@ -9,6 +9,7 @@
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
+#include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
 
 namespace ccdfuzz {
@@ -172,11 +173,23 @@ bool slides_along_a_face(const Query& query) {
          });
 }
 
+/// The largest distance of a point of a patch from its first one.
+double size_of(const Query& query) {
+  double size = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      size = std::max(size, (p - patch.positions[0]).norm());
+    }
+  }
+  return size;
+}
+
 bool slides(const Case& value) {
   if (has_mesh(value.query)) {
     const std::optional<TouchedFace> touched = touched_face(value);
     return slides_along_a_face(value.query) ||
-           (touched && slides_along(touched->clearance, touched->query));
+           (touched && slides_along(touched->clearance, touched->query) &&
+            !(depth_until(value.query, value.query.t_max) >= kThinnest * size_of(value.query)));
   }
   if (is_of_bodies(value.query)) {
     const auto& clearance = value.truth.clearance;
@@ -220,13 +233,7 @@ bool has_flat_body(const Query& query) {
 
 bool is_shallow(const Case& value) {
   if (value.truth.collides != true || !is_linear_query(value.query)) return false;
-  double size = 0;
-  for (const MovingPatch<double>& patch : value.query.patches) {
-    for (const Vec3<double>& p : patch.positions) {
-      size = std::max(size, (p - patch.positions[0]).norm());
-    }
-  }
-  return feature_depth(value, value.query.t_max) < kThinnest * size;
+  return feature_depth(value, value.query.t_max) < kThinnest * size_of(value.query);
 }
 
 }  // namespace ccdfuzz

@@ -13,7 +13,8 @@ namespace ccdfuzz {
 enum class Setting : std::uint8_t {
   kOrdinary,
   kAtAnEnd,   ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
-  kSliding,   ///< bodies that approach by less than kThinnest of their way. Or linear patches whose
+  kSliding,   ///< bodies that approach by less than kThinnest of their way, unless a mesh is passed
+              ///< through by as much of the size later on. Or linear patches whose
               ///< touching points move along the surfaces: but for kThinnest of their way they stay
               ///< in the plane or line of both
   kTouching,  ///< linear patches that touch at t = 0 already

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <set>
 
 #include "case/scale.hpp"
 #include "certify/checker/check_case.hpp"
@@ -40,12 +41,33 @@ TEST(HuntBodies, DrawsAreOfBodiesInFloatsAndAskedAsTheyStand) {
       const std::optional<Case> decided = case_of_bodies(value.query);
       ASSERT_TRUE(decided);
       const bool is_unique = contact <= ContactClass::kEF || contact == ContactClass::kVF;
-      if (value.truth.collides == true && is_unique) {
+      if (value.truth.collides == true && is_unique && value.origin.generator == "bodies") {
         EXPECT_EQ(decided->origin.contact, name_of(contact));
       }
     }
   }
-  EXPECT_EQ(contacts, 24) << "of three kinds one has a contact";
+  EXPECT_EQ(contacts, 48) << "of three kinds one has a contact; and every other draw, which grazes";
+}
+
+TEST(HuntBodies, OrdinaryDrawsHaveGrazesThatHideADeepContactAndInAPlaneSpins) {
+  HuntGround ground = ground_of_bodies();
+  ground.ordinary = true;
+  const auto drawn = [&](const Features& features) {
+    std::set<std::string> generators;
+    const Draws draws(1, ground, features);
+    for (const ContactClass contact : draws.classes()) {
+      for (std::uint64_t index = 0; index < 12; ++index) {
+        for (const CheckedCase& c : draws.at(contact, index)) {
+          generators.insert(c.value().origin.generator);
+        }
+      }
+    }
+    return generators;
+  };
+  using Generators = std::set<std::string>;
+  EXPECT_EQ(drawn({.meshes = true}), (Generators{"bodies", "mesh", "mesh-grazing"}));
+  ground.plane = true;
+  EXPECT_EQ(drawn({.spins = true, .meshes = true}), (Generators{"bodies", "spinning"}));
 }
 
 TEST(HuntBodies, ClassesAreThoseThatTheKindsOfBodiesHave) {

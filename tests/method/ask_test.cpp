@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "case/checked_case.hpp"
+#include "certify/oracle/oracle.hpp"
+#include "method/setting.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -10,7 +12,11 @@ namespace {
 /// Says the same of every query, with a tolerance in space.
 class Says : public Method {
  public:
-  Says(std::optional<double> toi, double tolerance) : toi_(toi), tolerance_(tolerance) {}
+  Says(std::optional<double> toi, double tolerance, bool ordinary = false)
+      : toi_(toi), tolerance_(tolerance) {
+    domain_.ordinary = ordinary;
+  }
+  const Domain* domain() const override { return &domain_; }
   Answered answer(const Query&, const SearchOptions&) override {
     Answered answered;
     answered.verdict = toi_ ? Verdict::kHit : Verdict::kMiss;
@@ -22,6 +28,7 @@ class Says : public Method {
  private:
   std::optional<double> toi_;
   double tolerance_;
+  Domain domain_;
 };
 
 /// A ball of radius 1 falls by 1 in each unit of time; it touches a wide box at t = 1.
@@ -67,6 +74,40 @@ Case falling_points(size_t count) {
     witness.weights[s].resize(value.query.patches[s].positions.size(), Rational(0));
   }
   return value;
+}
+
+TEST(Ask, HoldsAGrazeOfAMeshAgainstNobodyWhoPromisesOrdinaryQueriesButTheDeepContactBehindIt) {
+  // A ball moves along the first triangle, whose edge it touches at t = 4, into the second at 10.
+  Case value;
+  auto& [mesh, ball] = value.query.patches;
+  mesh = {Shape::hull(6),
+          {{2, -4, 0}, {2, 4, 0}, {6, 0, 0}, {9, -9, -9}, {9, 9, -9}, {9, 0, 9}},
+          {{0, 0, 0}}};
+  mesh.faces = {{0, 1, 2}, {3, 4, 5}};
+  ball = {Shape::hull(1), {{-2, 0, 1}}, {{1, 0, 0}}, {}, {}, 1};
+  value.query.t_max = 16;
+  value.truth = decide(value.query).truth;
+  ASSERT_EQ(value.truth.witness->t, 4);
+  const auto outcome = [&](std::optional<double> toi, double tolerance, bool ordinary) {
+    Says method(toi, tolerance, ordinary);
+    return ask(method, value, {}).outcome;
+  };
+  EXPECT_EQ(outcome(10, 0, false), Outcome::kLate);
+  EXPECT_EQ(outcome(10, 0.25, false), Outcome::kCorrect);
+  EXPECT_EQ(outcome(10, 0, true), Outcome::kCorrect);
+  EXPECT_EQ(outcome(4, 0, true), Outcome::kCorrect);
+  EXPECT_EQ(outcome(10.5, 0, true), Outcome::kLate);
+  EXPECT_EQ(outcome({}, 0, true), Outcome::kMissed);
+  EXPECT_EQ(outcome({}, 0.25, true), Outcome::kMissed);
+  EXPECT_EQ(setting_of(value), Setting::kOrdinary);
+  mesh.faces.pop_back();
+  mesh.positions.resize(3);
+  mesh.shape = Shape::hull(3);
+  value.truth = decide(value.query).truth;
+  EXPECT_EQ(setting_of(value), Setting::kSliding);
+  EXPECT_EQ(outcome({}, 0, true), Outcome::kNotAsked);
+  EXPECT_EQ(outcome({}, 0.25, false), Outcome::kCorrect);
+  EXPECT_EQ(outcome({}, 0, false), Outcome::kMissed);
 }
 
 TEST(Ask, HoldsNoOverlapOfBodiesWithinTheToleranceAgainstAMethod) {

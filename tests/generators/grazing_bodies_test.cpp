@@ -1,0 +1,70 @@
+// Bodies that touch without depth, and bodies in the plane z = 0.
+#include <gtest/gtest.h>
+
+#include "case/mesh.hpp"
+#include "case/scale.hpp"
+#include "certify/checker/check_case.hpp"
+#include "certify/oracle/body_depth.hpp"
+#include "generators/generate.hpp"
+
+namespace ccdfuzz {
+namespace {
+
+Case made(Family family, ContactClass contact, std::uint64_t index, bool plane = false,
+          std::uint64_t seed = 0) {
+  GeneratorOptions options;
+  options.family = family;
+  options.contact = contact;
+  options.plane = plane;
+  options.seed = seed;
+  Case value = generate(options, index).value;
+  EXPECT_TRUE(check_case(value)) << name_of(contact) << ' ' << index;
+  EXPECT_TRUE(is_binary32(value.query));
+  EXPECT_EQ(is_in_plane(value.query), plane);
+  return value;
+}
+
+constexpr std::array kPlaneClasses = {ContactClass::kEE, ContactClass::kVE, ContactClass::kVV};
+
+TEST(GrazingBodies, TouchAfterTheStartAndNeverDeeper) {
+  const auto expect_graze = [](const Case& value, bool plane) {
+    EXPECT_EQ(value.truth.collides, true);
+    EXPECT_GT(value.truth.witness->t, 0);
+    EXPECT_EQ(depth_until(value.query, value.query.t_max, plane), 0.0);
+  };
+  for (std::uint64_t index = 0; index < 4; ++index) {
+    for (const ContactClass contact : kContactClasses) {
+      expect_graze(made(Family::kBodiesGrazing, contact, index), false);
+    }
+    for (const ContactClass contact : kPlaneClasses) {
+      expect_graze(made(Family::kBodiesGrazing, contact, index, true), true);
+    }
+  }
+}
+
+TEST(GrazingBodies, OfAMeshHideADeepContactWithItsLastFace) {
+  for (const ContactClass contact : kContactClasses) {
+    for (std::uint64_t index = 0; index < 4; ++index) {
+      const Query query = made(Family::kMeshGrazing, contact, index).query;
+      EXPECT_GT(depth_until(query, query.t_max), 0.0);
+      Query grazed = query;
+      grazed.patches[mesh_side(query)].faces.pop_back();
+      EXPECT_EQ(depth_until(grazed, query.t_max), 0.0);
+      EXPECT_FALSE(grazed.patches[mesh_side(query)].faces.empty());
+    }
+  }
+}
+
+TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {
+  made(Family::kMeshGrazing, ContactClass::kFF, 53, false, 3);
+}
+
+TEST(BodiesInAPlane, LieAndMoveInItAndSpinAboutItsNormal) {
+  for (const ContactClass contact : kPlaneClasses) {
+    for (std::uint64_t index = 0; index < 4; ++index) made(Family::kBodies, contact, index, true);
+    EXPECT_TRUE(has_spins(made(Family::kSpinning, contact, 0, true).query));
+  }
+}
+
+}  // namespace
+}  // namespace ccdfuzz
