@@ -30,7 +30,7 @@ std::string with_checks(const EngineWords& engine, const std::string& text,
   const std::string by = latest ? fmt::format("{}", *latest) : "";
   if (engine.has("touches")) {
     const std::string& own = engine.names.at(latest ? "touches" : "clear");
-    return filled(text, {{kChecks, filled(own, {{"__LATEST__", by}, {"\\n", "\n"}})}});
+    return filled(text, {{kChecks, filled(own, {{"__LATEST__", by}})}});
   }
   if (engine.ending == ".mjs") {
     return text + "import assert from 'node:assert';\n" +

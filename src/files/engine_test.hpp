@@ -10,7 +10,7 @@ namespace ccdfuzz {
 
 /// The file find.mjs.in, find.cpp.in or find.c.in of an engine's folder in examples/engines. It is
 /// a test of the engine alone, with words that stand for the numbers of a case. Its first lines,
-/// "//= NAME: TEXT", say how the engine writes things:
+/// "//= NAME: TEXT", say how the engine writes things, where \n stands for the end of a line:
 /// - "point" is a point, whose coordinates stand for *, or the first two for __X__ and __Y__.
 /// - "box", "flat box", "segment", "triangle" and "hull" are bodies, and "round point", "round box"
 ///   and so on those with a radius, about their middle. "mesh" and "one-sided mesh" are these.

@@ -97,7 +97,8 @@ EngineWords::EngineWords(const EngineTemplate& of, bool of_meshes)
   while (file.starts_with(kMark)) {
     const std::string_view line = file.substr(kMark.size(), file.find('\n') - kMark.size());
     const size_t colon = line.find(": ");
-    names.emplace(line.substr(0, colon), line.substr(colon + 2));
+    names.emplace(line.substr(0, colon),
+                  filled(std::string(line.substr(colon + 2)), {{"\\n", "\n"}}));
     file.remove_prefix(kMark.size() + line.size() + 1);
   }
   text = file;
@@ -141,6 +142,7 @@ std::optional<EngineWords::Shaped> EngineWords::shape(const std::string& name,
                                    {"__RADIUS__", fmt::format("{}", body.radius)},
                                    {"__HALF__", ccdfuzz::list(half)},
                                    {"__SIZE__", ccdfuzz::list(Vec3<double>(2 * half))},
+                                   {"__FACE_COUNT__", fmt::format("{}", body.faces.size())},
                                    {"__FACES__", fmt::format("{}", fmt::join(corners, ", "))},
                                    {"__CENTRE__", list({centre})}})};
 }
