@@ -2,6 +2,7 @@
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/draw_patch.hpp"
@@ -15,11 +16,11 @@ namespace {
 
 constexpr std::array kBodyCaseKinds = {CaseKind::kRP, CaseKind::kRN, CaseKind::kNMN};
 
-Case draw_planted(Draw& d, CaseKind kind) {
+Case draw_planted(Draw& d, CaseKind kind, Family family = Family::kBodies) {
   GeneratorOptions options;
   options.contact = d.pick(kContactClasses);
   options.kind = kind;
-  options.family = Family::kBodies;
+  options.family = family;
   const Case made = generate(options, d).value;
   show(d, "planted", made);
   return made;
@@ -52,7 +53,10 @@ std::vector<Rational> draw_weights(Draw& d, size_t count) {
 /// The truth of planted cases holds, survives a file, and binds what is a little more.
 void check_truth_of_bodies(Draw& d) {
   const CaseKind kind = d.pick(kBodyCaseKinds);
-  claim_planted_truth(draw_planted(d, kind), kind, {.bodies = true});
+  const bool grazes = kind == CaseKind::kRP && d.coin();
+  const Case known = draw_planted(d, kind, grazes ? Family::kBodiesGrazing : Family::kBodies);
+  claim_planted_truth(known, kind, {.bodies = true});
+  if (grazes) CLAIM(depth_until(known.query, known.query.t_max) == 0.0);
 }
 
 /// The oracle says the same of planted bodies, whose first contact it finds exactly.
