@@ -26,12 +26,6 @@
 
 namespace ccdfuzz {
 
-std::string_view name_of(Discard reason) {
-  constexpr std::array<std::string_view, kDiscards.size()> names = {"static check", "first contact",
-                                                                    "round trip"};
-  return names.at(static_cast<size_t>(reason));
-}
-
 std::string_view name_of(Family family) {
   return row_of(family).name;
 }
@@ -92,10 +86,6 @@ Result<void> validate(const GeneratorOptions& options) {
                        fmt::format("bodies in a plane have no {}", name_of(options.contact)));
   }
   return {};
-}
-
-std::string_view name_of(Construction construction) {
-  return construction == Construction::kPaper ? "paper" : "one-sided";
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/enum_names.hpp"
 #include "case/body_kind.hpp"
 #include "case/case.hpp"
 #include "case/taxonomy.hpp"
@@ -20,11 +21,10 @@ enum class Construction : std::uint8_t {
               ///< of any shapes
 };
 
-inline constexpr std::array kConstructions = {Construction::kPaper, Construction::kOneSided};
-constexpr const auto& all_of(Construction) {
-  return kConstructions;
+constexpr std::array<std::string_view, 2> names_of(Construction) {
+  return {"paper", "one-sided"};
 }
-std::string_view name_of(Construction construction);
+inline constexpr auto kConstructions = all_of(Construction{});
 
 /// The family of the cases, beyond contact class and kind; shaped/families.cpp has a row for each.
 /// All but the first are stress families. Each has an exact witness, whatever the construction
@@ -139,9 +139,10 @@ enum class Discard : std::uint8_t {
   kFirstContact,  ///< Step V: no proof that nothing touches before t* − eps_T
   kRoundTrip,     ///< Section 5.4: a number is not a double
 };
-inline constexpr std::array kDiscards = {Discard::kStaticCheck, Discard::kFirstContact,
-                                         Discard::kRoundTrip};
-std::string_view name_of(Discard reason);
+constexpr std::array<std::string_view, 3> names_of(Discard) {
+  return {"static check", "first contact", "round trip"};
+}
+inline constexpr auto kDiscards = all_of(Discard{});
 
 /// How often a construction was begun, and why some were thrown away.
 struct DiscardCounts {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/enum_names.hpp"
 #include "generators/draw/draw.hpp"
 
 namespace ccdfuzz {
@@ -29,16 +30,9 @@ struct Check {
   static Check fails(std::string text) { return {Status::kFails, std::move(text)}; }
 };
 
-inline constexpr std::array kCheckStatuses = {Check::Status::kHolds, Check::Status::kFails,
-                                              Check::Status::kDiscarded};
-constexpr const auto& all_of(Check::Status) {
-  return kCheckStatuses;
-}
 /// The result as a verb: the property "holds", "fails" or "is discarded".
-constexpr std::string_view name_of(Check::Status status) {
-  constexpr std::array<std::string_view, kCheckStatuses.size()> kNames = {"holds", "fails",
-                                                                          "is discarded"};
-  return kNames[static_cast<std::size_t>(status)];
+constexpr std::array<std::string_view, 3> names_of(Check::Status) {
+  return {"holds", "fails", "is discarded"};
 }
 
 /// Whether a claim is expected to hold. A claim that is false stays as it was made, and is marked.

@@ -168,13 +168,6 @@ std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, c
       restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape))));
 }
 
-std::string_view name_of(Symmetry symmetry) {
-  constexpr std::array<std::string_view, kSymmetries.size()> kNames = {
-      "swap_patches", "reverse_parameters", "permute_axes", "mirror",  "scale", "scale_time",
-      "translate",    "common_velocity",    "reverse_time", "elevate", "part"};
-  return kNames[static_cast<std::size_t>(symmetry)];
-}
-
 std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choices) {
   Case out = value;
   out.truth = Truth();

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/enum_names.hpp"
 #include "bezier/cell.hpp"
 #include "case/case.hpp"
 #include "generators/draw/draw.hpp"
@@ -23,14 +24,11 @@ enum class Symmetry : std::uint8_t {
   kElevate,            ///< one patch with higher degrees, both larger by the factor that takes
   kPart,               ///< one patch cut down to a cell that holds its contact point
 };
-inline constexpr std::array kSymmetries = {Symmetry::kSwapPatches, Symmetry::kReverseParameters,
-                                           Symmetry::kPermuteAxes, Symmetry::kMirror,
-                                           Symmetry::kScale,       Symmetry::kScaleTime,
-                                           Symmetry::kTranslate,   Symmetry::kCommonVelocity,
-                                           Symmetry::kReverseTime, Symmetry::kElevate,
-                                           Symmetry::kPart};
-
-std::string_view name_of(Symmetry symmetry);
+constexpr std::array<std::string_view, 11> names_of(Symmetry) {
+  return {"swap_patches", "reverse_parameters", "permute_axes", "mirror",  "scale", "scale_time",
+          "translate",    "common_velocity",    "reverse_time", "elevate", "part"};
+}
+inline constexpr auto kSymmetries = all_of(Symmetry{});
 
 /// The sub-patch over a cell, exactly; nothing if a number of it is not a double.
 std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, const Cell& cell);

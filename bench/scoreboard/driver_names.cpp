@@ -6,12 +6,6 @@
 
 namespace ccdfuzz {
 
-std::string_view name_of(Driver driver) {
-  constexpr std::array<std::string_view, kDrivers.size()> kNames = {
-      "random", "rapidcheck", "contacts", "traces", "corpus", "by-chance", "properties", "hunt"};
-  return kNames[static_cast<std::size_t>(driver)];
-}
-
 Result<Driver> driver_named(std::string_view name) {
   const auto found = std::ranges::find(kDrivers, name, [](Driver d) { return name_of(d); });
   if (found != kDrivers.end()) return *found;

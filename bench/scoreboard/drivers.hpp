@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/enum_names.hpp"
 #include "base/result.hpp"
 #include "run_apart.hpp"
 
@@ -23,10 +24,11 @@ enum class Driver : std::uint8_t {
   kProperties,  ///< every property that holds, on choices of its own draw
   kHunt,        ///< generated witnesses, traced and asked, and mutants bred towards being lost
 };
-inline constexpr std::array kDrivers = {Driver::kRandom,     Driver::kRapidCheck, Driver::kContacts,
-                                        Driver::kTraces,     Driver::kCorpus,     Driver::kChance,
-                                        Driver::kProperties, Driver::kHunt};
-std::string_view name_of(Driver driver);
+constexpr std::array<std::string_view, 8> names_of(Driver) {
+  return {"random", "rapidcheck", "contacts",   "traces",
+          "corpus", "by-chance",  "properties", "hunt"};
+}
+inline constexpr auto kDrivers = all_of(Driver{});
 /// Errors: an unknown name, with the names that there are.
 Result<Driver> driver_named(std::string_view name);
 

@@ -6,22 +6,6 @@
 
 namespace ccdfuzz {
 
-const char* name_of(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kPoint:
-      return "point";
-    case ShapeKind::kCurve:
-      return "curve";
-    case ShapeKind::kTriangle:
-      return "triangle";
-    case ShapeKind::kTensor:
-      return "tensor";
-    case ShapeKind::kHull:
-      return "hull";
-  }
-  return "?";
-}
-
 std::string to_text(const Shape& shape) {
   switch (shape.kind) {
     case ShapeKind::kPoint:

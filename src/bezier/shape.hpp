@@ -3,6 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
+
+#include "base/enum_names.hpp"
 
 namespace ccdfuzz {
 
@@ -102,14 +105,9 @@ struct Shape {
   friend constexpr bool operator==(const Shape&, const Shape&) = default;
 };
 
-inline constexpr std::array kShapeKinds = {ShapeKind::kPoint, ShapeKind::kCurve,
-                                           ShapeKind::kTriangle, ShapeKind::kTensor,
-                                           ShapeKind::kHull};
-constexpr const auto& all_of(ShapeKind) {
-  return kShapeKinds;
+constexpr std::array<std::string_view, 5> names_of(ShapeKind) {
+  return {"point", "curve", "triangle", "tensor", "hull"};
 }
-/// "point", "curve", "triangle", "tensor", "hull".
-const char* name_of(ShapeKind kind);
 /// "triangle(2)", "tensor(3,2)", …
 std::string to_text(const Shape& shape);
 /// For what is done with patches alone. Errors: throws InternalError.

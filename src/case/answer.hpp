@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/enum_names.hpp"
 #include "bezier/patch.hpp"
 
 namespace ccdfuzz {
@@ -17,13 +18,9 @@ enum class Verdict : std::uint8_t {
   kRefused,  ///< the query or an option is outside of what the method takes: it did not look at it
 };
 
-inline constexpr std::array kVerdicts = {Verdict::kHit, Verdict::kMiss, Verdict::kUndecided,
-                                         Verdict::kRefused};
-constexpr const auto& all_of(Verdict) {
-  return kVerdicts;
+constexpr std::array<std::string_view, 4> names_of(Verdict) {
+  return {"hit", "miss", "undecided", "refused"};
 }
-/// "hit", "miss", "undecided", "refused".
-std::string_view name_of(Verdict verdict);
 
 /// What a method says of a query.
 struct Answer {

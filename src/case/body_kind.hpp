@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "case/query.hpp"
 
 namespace ccdfuzz {
 
 /// Which radii a kind of bodies has.
 enum class RadiusRule : std::uint8_t { kAny, kZero, kPositive };
+constexpr std::array<std::string_view, 3> names_of(RadiusRule) {
+  return {"any", "zero", "positive"};
+}
 
 /// Bodies that an engine has a shape for: hulls of so many points, with such a radius.
 struct BodyKind {

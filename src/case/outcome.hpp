@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "base/enum_names.hpp"
+
 namespace ccdfuzz {
 
 /// How an answer stands against a truth.
@@ -19,15 +21,11 @@ enum class Outcome : std::uint8_t {
   kNotAsked,       ///< refused the query; counted apart, in no number of queries and in no rate
 };
 
-inline constexpr std::array kAllOutcomes = {
-    Outcome::kCorrect,   Outcome::kMissed,  Outcome::kLate,  Outcome::kFalsePositive,
-    Outcome::kUndecided, Outcome::kUnknown, Outcome::kError, Outcome::kNotAsked};
-
-/// "correct", "missed", "late", "false_positive", "undecided", "unknown", "error", "not_asked".
-std::string_view name_of(Outcome outcome);
-constexpr const auto& all_of(Outcome) {
-  return kAllOutcomes;
+constexpr std::array<std::string_view, 8> names_of(Outcome) {
+  return {"correct",   "missed",  "late",  "false_positive",
+          "undecided", "unknown", "error", "not_asked"};
 }
+inline constexpr auto kAllOutcomes = all_of(Outcome{});
 
 /// A false negative of either kind.
 constexpr bool is_false_negative(Outcome o) {

@@ -50,11 +50,6 @@ Result<void> make_find_folder(const std::string& folder) {
       .map([](const OutputFile&) {});
 }
 
-std::string_view name_of(Shrunk shrunk) {
-  constexpr std::array<std::string_view, 3> kNames = {"not", "cut short", "to the end"};
-  return kNames[static_cast<size_t>(shrunk)];
-}
-
 ClaimFind::ClaimFind(const Property& of, std::string ended_in, std::string first_text,
                      std::string command)
     : property(of.name),

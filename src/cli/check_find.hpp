@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "io/fields.hpp"
 #include "properties/shrink.hpp"
 
@@ -27,11 +28,8 @@ enum class Shrunk : std::uint8_t {
   kCutShort,  ///< not to the end
   kToTheEnd,  ///< nothing is left to do
 };
-inline constexpr std::array kAllShrunk = {Shrunk::kNot, Shrunk::kCutShort, Shrunk::kToTheEnd};
-/// "not", "cut short", "to the end".
-std::string_view name_of(Shrunk shrunk);
-constexpr const auto& all_of(Shrunk) {
-  return kAllShrunk;
+constexpr std::array<std::string_view, 3> names_of(Shrunk) {
+  return {"not", "cut short", "to the end"};
 }
 
 /// An input of a property that is worth keeping, as its file has it: a find, or an entry of a

@@ -21,8 +21,8 @@ namespace {
 enum class ExportForm { kCsv, kGoogleTest, kCatch2, kEngine };
 constexpr std::array kExportForms = {ExportForm::kCsv, ExportForm::kGoogleTest,
                                      ExportForm::kCatch2};
-std::string_view name_of(ExportForm form) {
-  return std::array{"csv", "gtest", "catch2", "engine"}[static_cast<size_t>(form)];
+constexpr std::array<std::string_view, 4> names_of(ExportForm) {
+  return {"csv", "gtest", "catch2", "engine"};
 }
 
 struct Form {

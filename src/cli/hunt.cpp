@@ -37,13 +37,8 @@ constexpr std::uint64_t kMostCases = 1'000'000'000'000'000'000;
 
 /// After which finds the command fails.
 enum class FailOn : std::uint8_t { kNone, kClaims, kAny };
-constexpr std::array kAllFailOn = {FailOn::kNone, FailOn::kClaims, FailOn::kAny};
-constexpr const auto& all_of(FailOn) {
-  return kAllFailOn;
-}
-constexpr std::string_view name_of(FailOn fail_on) {
-  constexpr std::array<std::string_view, 3> kNames = {"none", "claims", "any"};
-  return kNames[static_cast<size_t>(fail_on)];
+constexpr std::array<std::string_view, 3> names_of(FailOn) {
+  return {"none", "claims", "any"};
 }
 
 struct HuntArguments {

@@ -25,15 +25,8 @@ enum class Standing {
   kNoClaim,        ///< the case says neither that there is a contact nor until when there is none
 };
 
-constexpr std::array kStandings = {Standing::kHolds, Standing::kHoldsByMethod, Standing::kRefuted,
-                                   Standing::kUnproven, Standing::kNoClaim};
-constexpr const auto& all_of(Standing) {
-  return kStandings;
-}
-std::string_view name_of(Standing standing) {
-  constexpr std::array<std::string_view, kStandings.size()> kNames = {
-      "holds", "holds by method", "refuted", "unproven", "no claim"};
-  return kNames[static_cast<size_t>(standing)];
+constexpr std::array<std::string_view, 5> names_of(Standing) {
+  return {"holds", "holds by method", "refuted", "unproven", "no claim"};
 }
 
 struct Verified {
@@ -94,7 +87,7 @@ Verified verify(const NamedCase& named) {
 }
 
 int run_verify(const VerifyOptions& options, Session& session) {
-  std::array<std::uint64_t, kStandings.size()> counts{};
+  std::array<std::uint64_t, all_of(Standing{}).size()> counts{};
   session.begin_table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
   session.each_case<NamedCase, Verified>(
       CaseStream(options.files), 1, "cases",

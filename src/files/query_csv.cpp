@@ -88,11 +88,6 @@ Result<std::vector<bool>> read_truths(const std::string& path) {
 
 }  // namespace
 
-const char* name_of(CsvLayout layout) {
-  constexpr std::array<const char*, 3> kNames = {"edge-edge", "vertex-face", "curved"};
-  return kNames[static_cast<size_t>(layout)];
-}
-
 std::array<Shape, 2> csv_shapes(CsvLayout layout) {
   switch (layout) {
     case CsvLayout::kEdgeEdge:

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "case/case.hpp"
 #include "numeric/exact_scalars.hpp"
 
@@ -20,14 +21,10 @@ namespace ccdfuzz {
 ///   curved       24 rows: the 6 control points of two quadratic triangles, each in Shape's order
 enum class CsvLayout { kEdgeEdge, kVertexFace, kCurved };
 
-inline constexpr std::array kAllCsvLayouts = {CsvLayout::kEdgeEdge, CsvLayout::kVertexFace,
-                                              CsvLayout::kCurved};
-constexpr const auto& all_of(CsvLayout) {
-  return kAllCsvLayouts;
+constexpr std::array<std::string_view, 3> names_of(CsvLayout) {
+  return {"edge-edge", "vertex-face", "curved"};
 }
-
-/// "edge-edge", "vertex-face", "curved".
-const char* name_of(CsvLayout layout);
+inline constexpr auto kAllCsvLayouts = all_of(CsvLayout{});
 
 /// The shapes of both patches.
 std::array<Shape, 2> csv_shapes(CsvLayout layout);

@@ -17,12 +17,6 @@ int badness(Outcome outcome) {
 
 }  // namespace
 
-std::string_view name_of(Change change) {
-  constexpr std::array<std::string_view, 4> kNames = {"as expected", "regression", "improvement",
-                                                      "changed"};
-  return kNames[static_cast<size_t>(change)];
-}
-
 Change change_of(const Expected& expected, const Expected& got) {
   if (expected.outcome == got.outcome) {
     const bool is_alike = expected.cause.empty() || expected.cause == got.cause;

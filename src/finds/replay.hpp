@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "files/case_files.hpp"
 #include "finds/asker.hpp"
 
@@ -18,13 +19,10 @@ enum class Change : std::uint8_t {
   kImprovement,  ///< the other way
   kOther,        ///< it fails in another way
 };
-inline constexpr std::array kAllChanges = {Change::kNone, Change::kRegression, Change::kImprovement,
-                                           Change::kOther};
-/// "as expected", "regression", "improvement", "changed".
-std::string_view name_of(Change change);
-constexpr const auto& all_of(Change) {
-  return kAllChanges;
+constexpr std::array<std::string_view, 4> names_of(Change) {
+  return {"as expected", "regression", "improvement", "changed"};
 }
+inline constexpr auto kAllChanges = all_of(Change{});
 
 /// By the outcome, and by the cause where the expectation says one.
 Change change_of(const Expected& expected, const Expected& got);

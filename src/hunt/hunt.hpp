@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/tally.hpp"
 #include "finds/intake.hpp"
@@ -18,13 +19,8 @@ namespace ccdfuzz {
 
 /// Whose counterexamples a hunt minimises before it ends.
 enum class Shrink : std::uint8_t { kNone, kPlugins, kAll };
-inline constexpr std::array kAllShrink = {Shrink::kNone, Shrink::kPlugins, Shrink::kAll};
-constexpr const auto& all_of(Shrink) {
-  return kAllShrink;
-}
-constexpr std::string_view name_of(Shrink shrink) {
-  constexpr std::array<std::string_view, 3> kNames = {"none", "plugins", "all"};
-  return kNames[static_cast<std::size_t>(shrink)];
+constexpr std::array<std::string_view, 3> names_of(Shrink) {
+  return {"none", "plugins", "all"};
 }
 
 struct HuntOptions {

@@ -210,12 +210,6 @@ bool is_at_an_end(const Case& value) {
 
 }  // namespace
 
-std::string_view name_of(Setting setting) {
-  constexpr std::array<std::string_view, 6> kNames = {"ordinary",      "at an end",  "sliding",
-                                                      "touching at 0", "degenerate", "extreme"};
-  return kNames[static_cast<size_t>(setting)];
-}
-
 Setting setting_of(const Case& value) {
   if (!is_within_scale(value.query, kOrdinaryBits)) return Setting::kExtreme;
   if (is_degenerate(value)) return Setting::kDegenerate;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/enum_names.hpp"
 #include "case/case.hpp"
 
 namespace ccdfuzz {
@@ -24,20 +25,16 @@ enum class Setting : std::uint8_t {
                 ///< has a point twice. Or nothing moves against the rest
   kExtreme,     ///< a number that is not 0 lies outside 2^±40
 };
-inline constexpr std::array kAllSettings = {Setting::kOrdinary,   Setting::kAtAnEnd,
-                                            Setting::kSliding,    Setting::kTouching,
-                                            Setting::kDegenerate, Setting::kExtreme};
+constexpr std::array<std::string_view, 6> names_of(Setting) {
+  return {"ordinary", "at an end", "sliding", "touching at 0", "degenerate", "extreme"};
+}
+inline constexpr auto kAllSettings = all_of(Setting{});
 /// What is taken for the end of a step: a thousandth of it, which no code that steps by time tells
 /// from the next step.
 inline constexpr double kEndShare = 0x1p-10;
 /// A surface that is narrower than this share of its length counts as a line: meshes that people
 /// simulate are wider.
 inline constexpr double kThinnest = 0x1p-10;
-/// "ordinary", "at an end", "sliding", "touching at 0", "degenerate", "extreme".
-std::string_view name_of(Setting setting);
-constexpr const auto& all_of(Setting) {
-  return kAllSettings;
-}
 
 Setting setting_of(const Case& value);
 

@@ -68,9 +68,9 @@ tl::expected<void, Fault> read_flag(const JsonValue& object, std::string_view ke
   return {};
 }
 
-template <class Enum, size_t kWords>
+template <class Value>
 tl::expected<void, Fault> read_word(const JsonValue& object, std::string_view key,
-                                    const std::array<const char*, kWords>& words, Enum& out) {
+                                    const auto& words, Value& out) {
   const JsonValue* value = object.find(key);
   if (value == nullptr) return {};
   const auto found =
@@ -79,7 +79,7 @@ tl::expected<void, Fault> read_word(const JsonValue& object, std::string_view ke
     return garbage_answer(fmt::format("claims {} {}, which is none of {}", key, shown(*value),
                                       fmt::join(words, ", ")));
   }
-  out = static_cast<Enum>(found - words.begin());
+  out = static_cast<Value>(found - words.begin());
   return {};
 }
 
@@ -91,10 +91,7 @@ tl::expected<void, Fault> read_length(const JsonValue& object, std::string_view 
   return garbage_answer(fmt::format("claims {} {}, which is no number >= 0", key, shown(*value)));
 }
 
-constexpr std::array kToleranceKinds = {"time", "time_relative", "space", "space_relative"};
-constexpr std::array kRadiusRules = {"any", "zero", "positive"};
-constexpr std::array kNumbers = {"binary64", "binary32"};
-constexpr std::array kNanPolicies = {"undefined", "error", "inconclusive", "hit", "refused"};
+constexpr std::array<std::string_view, 2> kNumbers = {"binary64", "binary32"};
 
 /// What decides how its answers are judged.
 tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription& out) {
@@ -106,10 +103,11 @@ tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription
   CCDFUZZ_TRY_VOID(read_flag(object, "conservative", out.conservative));
   CCDFUZZ_TRY_VOID(read_flag(object, "closed_t_max", out.closed_t_max));
   CCDFUZZ_TRY_VOID(read_flag(object, "contact_at_zero", out.contact_at_zero));
-  CCDFUZZ_TRY_VOID(read_word(object, "tolerance_kind", kToleranceKinds, out.tolerance_kind));
+  CCDFUZZ_TRY_VOID(
+      read_word(object, "tolerance_kind", names_of(out.tolerance_kind), out.tolerance_kind));
   CCDFUZZ_TRY_VOID(read_length(object, "tolerance", out.tolerance));
   CCDFUZZ_TRY_VOID(read_length(object, "minimum_separation", out.minimum_separation));
-  CCDFUZZ_TRY_VOID(read_word(object, "nan_policy", kNanPolicies, out.nan_policy));
+  CCDFUZZ_TRY_VOID(read_word(object, "nan_policy", names_of(out.nan_policy), out.nan_policy));
   CCDFUZZ_TRY_VOID(read_flag(object, "ordinary", out.domain.ordinary));
   CCDFUZZ_TRY_VOID(read_flag(object, "plane", out.domain.plane));
   CCDFUZZ_TRY_VOID(read_word(object, "numbers", kNumbers, out.domain.binary32));
@@ -196,7 +194,7 @@ tl::expected<BodyKind, Fault> read_body_kind(const JsonValue& value) {
   std::uint64_t least = kind.least_points, most = kind.most_points;
   CCDFUZZ_TRY_VOID(read_count(value, "least_points", least));
   CCDFUZZ_TRY_VOID(read_count(value, "most_points", most));
-  CCDFUZZ_TRY_VOID(read_word(value, "radius", kRadiusRules, kind.radius));
+  CCDFUZZ_TRY_VOID(read_word(value, "radius", names_of(kind.radius), kind.radius));
   if (least < 1 || least > most || least > kMaxControls) {
     return garbage_answer(fmt::format("takes bodies of {} to {} points", least, most));
   }
@@ -283,14 +281,6 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
   if (answer.verdict != other.answer.verdict) return false;
   if (answer.verdict != Verdict::kHit) return true;
   return same_bits(*answer.toi, *other.answer.toi) && answer.uv == other.answer.uv;
-}
-
-std::string_view name_of(ToleranceKind kind) {
-  return kToleranceKinds[static_cast<size_t>(kind)];
-}
-
-std::string_view name_of(NanPolicy policy) {
-  return kNanPolicies[static_cast<size_t>(policy)];
 }
 
 std::string describe_request(const std::string& options) {

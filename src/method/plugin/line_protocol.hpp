@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <variant>
 #include <vector>
 
+#include "base/enum_names.hpp"
 #include "case/judge.hpp"
 #include "ccd/search.hpp"
 #include "io/child.hpp"
@@ -16,11 +18,15 @@ namespace ccdfuzz {
 
 /// The unit of a claimed tolerance.
 enum class ToleranceKind : std::uint8_t { kTime, kTimeRelative, kSpace, kSpaceRelative };
+constexpr std::array<std::string_view, 4> names_of(ToleranceKind) {
+  return {"time", "time_relative", "space", "space_relative"};
+}
 
 /// What it says to a query that is not finite; undefined: anything, so that it is not asked.
 enum class NanPolicy : std::uint8_t { kUndefined, kError, kInconclusive, kHit, kRefused };
-std::string_view name_of(NanPolicy policy);
-std::string_view name_of(ToleranceKind kind);
+constexpr std::array<std::string_view, 5> names_of(NanPolicy) {
+  return {"undefined", "error", "inconclusive", "hit", "refused"};
+}
 
 /// The largest tolerance, in time or space, and minimum separation that may be claimed. Hunts at
 /// ordinary scales draw lengths up to 2^40, so with more any hit would be right there.
