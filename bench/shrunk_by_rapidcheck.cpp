@@ -6,10 +6,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <functional>
 
+#include "base/stopwatch.hpp"
 #include "bench/median.hpp"
 #include "finds/content_address.hpp"
 #include "generators/rc/rapidcheck.hpp"
@@ -101,7 +101,7 @@ std::optional<Found> find(const PlantedFault& fault, std::uint64_t seed) {
   Found found;
   rc::detail::TestParams parameters;
   parameters.seed = seed;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const rc::detail::TestResult result = rc::detail::checkTestable(
       [&] {
         const Case value = *gen::inverse();
@@ -114,8 +114,7 @@ std::optional<Found> find(const PlantedFault& fault, std::uint64_t seed) {
         RC_FAIL("missed");
       },
       rc::detail::TestMetadata{}, parameters);
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  found.seconds = passed.count();
+  found.seconds = watch.seconds();
   rc::detail::FailureResult failure;
   return result.match(failure) ? std::optional(found) : std::nullopt;
 }

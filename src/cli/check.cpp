@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <sstream>
 
 #include "base/number_text.hpp"
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "cli/check_find.hpp"
 #include "cli/check_inputs.hpp"
@@ -185,14 +185,13 @@ class PropertyCheck {
     const std::unique_ptr<ServedClaim> claim = children_.take(checked_.property);
     const InputRun failed = claim->on_draw(inputs.seed, checked_.tally.first_failure);
     if (!failed.fails_as({Check::fails(""), checked_.find->error, {}})) return;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     std::uint64_t runs = 0;
     const auto is_over = [&] {
       progress_.show(static_cast<double>(runs) / static_cast<double>(kShrinkTries),
                      fmt::format("{}: shrinking", checked_.property.name), runs, "runs");
       ++runs;
-      const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-      return session_.interrupted() || (inputs.seconds && spent.count() >= *inputs.seconds);
+      return session_.interrupted() || (inputs.seconds && watch.seconds() >= *inputs.seconds);
     };
     const auto least = claim->least(failed, {kShrinkTries, is_over});
     if (!least) return;

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.hpp"
 #include "io/in_order.hpp"
 
 namespace ccdfuzz {
@@ -24,12 +24,6 @@ constexpr std::uint64_t kRangesEach = 4;
 
 /// A property whose time is over is given up after this many inputs, if all were discarded.
 constexpr std::uint64_t kDiscardedInVain = 1000;
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -57,7 +51,7 @@ CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
     children.give_back(std::move(claim));
     return checked;
   };
-  const Clock::time_point start = Clock::now();
+  const Stopwatch watch;
   const std::uint64_t limit = inputs.seconds ? ~std::uint64_t{0} - inputs.first : inputs.count;
   const auto in_time = [&] {
     return !inputs.seconds || tally.seconds < *inputs.seconds ||
@@ -82,7 +76,7 @@ CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
                                if (is_first) on_failure(tally);
                              },
                              &stop);
-    tally.seconds = seconds_since(start);
+    tally.seconds = watch.seconds();
     if (tally.seconds - before < kShortRound) range = std::min(2 * range, kLargestRange);
     progress.show(
         inputs.seconds ? std::min(1.0, tally.seconds / *inputs.seconds)

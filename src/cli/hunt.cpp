@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <utility>
 
 #include "base/number_text.hpp"
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -259,14 +259,13 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
 
   const std::atomic<bool>& interrupted = catch_interrupts();
   CourseNotes notes(options.hunt.methods);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   bool told = false;
   std::set<std::string> failing;
   const HuntReport report = hunt(
       options.hunt, store,
       [&](const HuntProgress& p) {
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-        notes.note(seconds.count(), p);
+        notes.note(watch.seconds(), p);
         for (const Failure& failure : p.met) {
           if (!failing.insert(failure.who).second) continue;
           session.progress().note(fmt::format("ccdfuzz: hunt: found: {}\n", to_text(failure)));

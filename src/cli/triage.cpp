@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <iterator>
 
 #include "base/number_text.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -179,10 +179,7 @@ class TriageRun {
   }
 
  private:
-  bool is_over() const {
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    return session_.interrupted() || passed.count() > arguments_.seconds;
-  }
+  bool is_over() const { return session_.interrupted() || watch_.seconds() > arguments_.seconds; }
 
   void note(const std::string& line) {
     session_.progress().clear();
@@ -327,7 +324,7 @@ class TriageRun {
 
   const TriageArguments& arguments_;
   Session& session_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Stopwatch watch_;
   TriageCounts counts_;
 };
 

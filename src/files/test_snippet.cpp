@@ -113,20 +113,11 @@ constexpr const char* kCatch2Header = R"(#if __has_include(<catch2/catch_test_ma
 #endif
 )";
 
-const char* abi_name(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::kPoint:
-      return "CCDFUZZ_POINT";
-    case ShapeKind::kCurve:
-      return "CCDFUZZ_CURVE";
-    case ShapeKind::kTriangle:
-      return "CCDFUZZ_TRIANGLE";
-    case ShapeKind::kTensor:
-      return "CCDFUZZ_TENSOR";
-    case ShapeKind::kHull:
-      return "CCDFUZZ_HULL";
-  }
-  return "?";
+/// "CCDFUZZ_POINT".
+std::string abi_name(ShapeKind kind) {
+  std::string name = fmt::format("CCDFUZZ_{}", name_of(kind));
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
 }
 
 std::string points_text(const std::string& name, const Points<double>& points) {

@@ -1,7 +1,6 @@
 #include "hunt/hunt.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <iterator>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "base/fp_guard.hpp"
+#include "base/stopwatch.hpp"
 #include "base/verify.hpp"
 #include "hunt/draw.hpp"
 #include "hunt/schedule.hpp"
@@ -95,7 +95,7 @@ class Hunt {
     const Result<void> stored = stop_ ? intake_.store_all() : finish();
     if (!stored) report_.error = stored.error();
     report_.finds = intake_.finds();
-    report_.seconds = elapsed();
+    report_.seconds = watch_.seconds();
     show(1);
     return std::move(report_);
   }
@@ -126,13 +126,9 @@ class Hunt {
     return report_.cells.size();
   }
 
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
   /// A method in another process costs the time that we wait for it.
   double clock_of(const Method& method) const {
-    return method.runs_elsewhere() ? elapsed() : thread_cpu_seconds();
+    return method.runs_elsewhere() ? watch_.seconds() : thread_cpu_seconds();
   }
 
   /// Stored entries may have been met with any number of pops.
@@ -169,7 +165,7 @@ class Hunt {
   }
 
   bool is_over() const {
-    return stop_ || failed_ || met_ || (!options_.cases && elapsed() >= options_.seconds);
+    return stop_ || failed_ || met_ || (!options_.cases && watch_.seconds() >= options_.seconds);
   }
 
   /// How many draws of a cell are bred of, of so many begun.
@@ -283,7 +279,7 @@ class Hunt {
     queries_ += done.tally.n;
     for (const Failure& failure : done.met) met_ = met_ || failure.outcome == options_.until;
     if (turn.what == Turn::What::kBreed) cell.bred = done.population;
-    show(options_.cases ? schedule_.share_done() : elapsed() / options_.seconds, done.met);
+    show(options_.cases ? schedule_.share_done() : watch_.seconds() / options_.seconds, done.met);
   }
 
   void show(double share, const std::vector<Failure>& met = {}) const {
@@ -313,8 +309,8 @@ class Hunt {
   /// asks all methods about them.
   Result<void> finish() {
     const double until = options_.cases ? std::numeric_limits<double>::infinity()
-                                        : elapsed() + std::max(options_.seconds, 20.0);
-    const auto is_late = [this, until] { return stop_ || elapsed() > until; };
+                                        : watch_.seconds() + std::max(options_.seconds, 20.0);
+    const auto is_late = [this, until] { return stop_ || watch_.seconds() > until; };
     const auto shrinks = [&](const Failure& failure) {
       return !is_late() && (options_.shrink == Shrink::kAll ||
                             (options_.shrink == Shrink::kPlugins && names_plugin(failure.who)));
@@ -329,7 +325,7 @@ class Hunt {
   const HuntOptions options_;
   const std::function<void(const HuntProgress&)>& on_progress_;
   const std::atomic<bool>& stop_;
-  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Stopwatch watch_;
   Intake intake_;
   HuntReport report_;
   std::vector<Nursery> nurseries_;  ///< one a cell; each is bred by one thread at a time

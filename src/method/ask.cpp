@@ -53,13 +53,11 @@ std::optional<double> depth_of(const CheckedCase& known, const Judged& judged) {
 }
 
 Judged ask(Method& method, const CheckedCase& known, const SearchOptions& options) {
-  Answered answer;
   const Domain* const domain = method.domain();
-  if (domain != nullptr) {
-    answer.note = domain->broken_by(known.value());
-    answer.verdict = Verdict::kRefused;
-    if (!answer.note.empty()) return {std::move(answer), Outcome::kNotAsked, ""};
+  if (std::string why = domain ? domain->broken_by(known.value()) : ""; !why.empty()) {
+    return {no_answer(Verdict::kRefused, std::move(why)), Outcome::kNotAsked, ""};
   }
+  Answered answer;
   try {
     answer = timed_answer(method, known.query(), options);
   } catch (const MethodFault& fault) {

@@ -39,6 +39,14 @@ struct Answered : Answer {
   std::optional<MethodFault> broken_claim = std::nullopt;
 };
 
+/// No answer: a refusal, or undecided, and why.
+inline Answered no_answer(Verdict verdict, std::string why) {
+  Answered answer;
+  answer.verdict = verdict;
+  answer.note = std::move(why);
+  return answer;
+}
+
 /// By its own terms.
 inline Outcome judge(const CheckedCase& known, const Answered& answer) {
   return judge(known, answer, answer.terms);

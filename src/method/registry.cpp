@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <chrono>
 #include <functional>
 
+#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "base/verify.hpp"
 #include "ccd/certified/tdibm_c.hpp"
@@ -37,10 +37,7 @@ class BuiltIn : public Method {
   Answered answer(const Query& query, const SearchOptions& options) override {
     const TakenQuery taken(query, features_);
     if (taken.query() != nullptr) return {solver_.answer(*taken.query(), options)};
-    Answered refused;
-    refused.verdict = Verdict::kRefused;
-    refused.note = taken.why();
-    return refused;
+    return no_answer(Verdict::kRefused, taken.why());
   }
 
  private:
@@ -273,10 +270,10 @@ Result<Found> find_family(const std::string& text) {
 }  // namespace
 
 Answered timed_answer(Method& method, const Query& query, const SearchOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Answered answer = method.answer(query, options);
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-  if (answer.seconds == 0) answer.seconds = passed.count();
+  const double passed = watch.seconds();
+  if (answer.seconds == 0) answer.seconds = passed;
   return answer;
 }
 

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/stopwatch.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_terms.hpp"
 #include "method/plugin/probes.hpp"
@@ -66,9 +67,8 @@ class PluginMethod : public Method {
     broken_claim_.reset();
     if (!is_question(query, options)) return {refusal(query, options)};
     if (hangs_ >= kMostHangs && !plugin_->is_ours) {
-      Answered none;
-      none.note = fmt::format("is asked no more: hung {} times one after the other", hangs_);
-      return none;
+      return no_answer(Verdict::kUndecided,
+                       fmt::format("is asked no more: hung {} times one after the other", hangs_));
     }
     try {
       return answer_or_throw(query, options);
@@ -76,9 +76,7 @@ class PluginMethod : public Method {
       hangs_ = fault.name() == "hang" ? hangs_ + 1 : 0;
       throw;
     } catch (const std::system_error& refused) {
-      Answered none;  // that is no fault of the method
-      none.note = refused.what();
-      return none;
+      return no_answer(Verdict::kUndecided, refused.what());  // that is no fault of the method
     }
   }
 
@@ -92,18 +90,13 @@ class PluginMethod : public Method {
     if (!plugin_->description) throw_fault(plugin_->description.error());
     const std::optional<bool> swapped = plugin_->description->domain.order_of(query);
     if (!swapped) {
-      Answered none;
-      none.verdict = Verdict::kRefused;
-      none.note = fmt::format("does not take {} and {}", to_text(query.patches[0].shape),
-                              to_text(query.patches[1].shape));
-      return none;
+      return no_answer(Verdict::kRefused,
+                       fmt::format("does not take {} and {}", to_text(query.patches[0].shape),
+                                   to_text(query.patches[1].shape)));
     }
     const TakenQuery taken(query, plugin_->is_ours ? kAllFeatures : plugin_->description->features);
     if (taken.query() == nullptr) {
-      Answered none;
-      none.verdict = Verdict::kRefused;
-      none.note = taken.why();
-      return none;
+      return no_answer(Verdict::kRefused, taken.why());
     }
     Query asked = *taken.query();
     if (*swapped) std::swap(asked.patches[0], asked.patches[1]);
@@ -148,11 +141,8 @@ class PluginMethod : public Method {
 
   /// Where the time of a query is limited, nothing more is asked of it once that is over.
   PluginAnswer ask_and_repeat(const Query& query, const SearchOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
-    const auto is_over = [&] {
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
-      return elapsed.count() >= options.max_seconds;
-    };
+    const Stopwatch watch;
+    const auto is_over = [&] { return watch.seconds() >= options.max_seconds; };
     PluginAnswer given = ask_once(query, options);
     // What it refuses it is not held to.
     if (given.answer.verdict == Verdict::kRefused) return given;
@@ -168,11 +158,11 @@ class PluginMethod : public Method {
   }
 
   PluginAnswer ask_once(const Query& query, const SearchOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto given = ask_for_any(query, options);
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+    const double elapsed = watch.seconds();
     if (!given) throw_fault(given.error());
-    if (!given->has_seconds) given->answer.seconds = elapsed.count();
+    if (!given->has_seconds) given->answer.seconds = elapsed;
     return *std::move(given);
   }
 
@@ -235,18 +225,16 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
   }
   const ChildProgram program = {{spec.is_program ? "run" : "load", spec.path},
                                 {.seconds = spec.seconds, .megabytes = spec.megabytes}};
-  const auto known = [&](auto description) {
+  const auto known = [&](tl::expected<PluginDescription, Fault> description) {
     return std::make_shared<const KnownPlugin>(KnownPlugin{spec, std::move(description), program});
   };
   Child worker(program);
   const auto line = worker.ask(describe_request(spec.options));
-  if (!line) return known(tl::expected<PluginDescription, Fault>(tl::unexpect, line.error()));
+  if (!line) return known(tl::unexpected(line.error()));
   Described described = read_description(*line);
-  if (described) {
-    return known(tl::expected<PluginDescription, Fault>(*std::move(described)));
-  }
+  if (described) return known(*std::move(described));
   if (const auto* fault = std::get_if<Fault>(&described.error())) {
-    return known(tl::expected<PluginDescription, Fault>(tl::unexpect, *fault));
+    return known(tl::unexpected(*fault));
   }
   const std::string& why = std::get<PluginRefusal>(described.error()).what;
   return input_error("--methods", fmt::format("\"{}\": {}", text, why));

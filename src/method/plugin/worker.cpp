@@ -7,8 +7,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstddef>
@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+#include "base/stopwatch.hpp"
+#include "bezier/shape.hpp"
 #include "io/process_limits.hpp"
 #include "io/supervise.hpp"
 #include "method/plugin/feature_claims.hpp"
@@ -90,19 +92,12 @@ struct Fenced {
   }
 };
 
-/// The names of CCDFUZZ_POINT to CCDFUZZ_HULL.
-constexpr std::array kShapes = {"point", "curve", "triangle", "tensor", "hull"};
+constexpr auto kShapeNames = names_of(ccdfuzz::ShapeKind{});
+static_assert(CCDFUZZ_HULL == static_cast<int>(ccdfuzz::ShapeKind::kHull));
 
-const char* shape_name(std::uint32_t shape) {
-  if (shape < kShapes.size()) return kShapes[shape];
+std::string_view shape_name(std::uint32_t shape) {
+  if (shape < kShapeNames.size()) return kShapeNames[shape];
   fault("sizes", "describes a shape " + std::to_string(shape) + " that there is not");
-}
-
-/// Requires one of the names.
-std::uint32_t shape_named(const std::string& name) {
-  std::uint32_t shape = 0;
-  while (name != kShapes.at(shape)) ++shape;
-  return shape;
 }
 
 Json real(double x) {
@@ -224,9 +219,9 @@ class Plugin {
     a.toi_lower = a.toi_upper = a.tolerance = kNaN;
     for (auto& uv : a.uv) uv[0] = uv[1] = kNaN;
 
-    const auto start = std::chrono::steady_clock::now();
+    const ccdfuzz::Stopwatch watch;
     const int status = guarded([&] { return table_->answer(state_, &query, &a); });
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double seconds = watch.seconds();
     out.check("answer");
     if (given_bytes() != before) fault("sizes", "wrote into the query");
     a.message[sizeof a.message - 1] = '\0';
@@ -243,7 +238,7 @@ class Plugin {
     Json reply = {{"verdict", kVerdicts[a.verdict]},
                   {"iterations", a.iterations},
                   {"tolerance", real_or_null(a.tolerance)},
-                  {"seconds", seconds.count()},
+                  {"seconds", seconds},
                   {"message", a.message}};
     if (a.verdict == CCDFUZZ_HIT) {
       reply["toi"] = {real(a.toi_lower), real_or_null(a.toi_upper)};
@@ -278,7 +273,9 @@ class Plugin {
     ccdfuzz_patch& out = patches_[side];
     out = {};
     out.size = sizeof out;
-    out.shape = shape_named(patch.at("shape").get<std::string>());
+    out.shape = static_cast<std::uint32_t>(
+        std::ranges::find(kShapeNames, patch.at("shape").get_ref<const std::string&>()) -
+        kShapeNames.begin());
     if (patch.contains("degree")) {
       const Json& degree = patch.at("degree");
       out.degree_u =
