@@ -49,7 +49,7 @@ GenerationCost cost_of(ContactClass contact, std::string_view kind, std::uint64_
   GenerationCost cost{
       std::string(name_of(contact)), std::string(kind), cases, counts.attempts, {}, cpu_seconds};
   for (const Discard reason : kDiscards) {
-    cost.discarded.steps.emplace_back(name_of(reason), counts[reason]);
+    cost.discarded.emplace_back(name_of(reason), counts[reason]);
   }
   return cost;
 }
@@ -129,7 +129,7 @@ std::string summary(const GenerationCost& cost) {
                   cost.cases == 1 ? "case" : "cases",
                   duration_text(cost.cpu_seconds / static_cast<double>(cost.cases)), cost.begun);
   const char* separator = ", discarded: ";
-  for (const auto& [step, count] : cost.discarded.steps) {
+  for (const auto& [step, count] : cost.discarded) {
     text += fmt::format("{}{} {}", separator, step, count_text(count, cost.begun));
     separator = ", ";
   }

@@ -12,35 +12,23 @@
 
 namespace ccdfuzz {
 
-std::uint64_t StepCounts::of(std::string_view step) const {
-  const auto found = std::ranges::find_if(steps, [&](const auto& s) { return s.first == step; });
-  return found == steps.end() ? 0 : found->second;
-}
+namespace {
 
-void JsonForm<StepCounts>::write(std::string& json, const StepCounts& counts) {
-  json += '{';
-  JsonWriter writer(json);
-  for (const auto& [step, count] : counts.steps) writer(step, count);
-  json += '}';
-}
-
-void JsonForm<StepCounts>::read(const JsonCursor& from, StepCounts& counts) {
-  counts.steps.clear();
-  for (const std::string& step : from.object().value().keys) {
-    counts.steps.emplace_back(step, from.at(step).integer<std::uint64_t>());
+/// How often constructions were thrown away in a step, which comes last if it is not there yet.
+std::uint64_t& discarded_in(GenerationCost& cost, const std::string& step) {
+  for (auto& [known, count] : cost.discarded) {
+    if (known == step) return count;
   }
+  return cost.discarded.emplace_back(step, 0).second;
 }
+
+}  // namespace
 
 GenerationCost& GenerationCost::operator+=(const GenerationCost& o) {
   cases += o.cases;
   begun += o.begun;
   cpu_seconds += o.cpu_seconds;
-  auto& steps = discarded.steps;
-  for (const auto& [step, count] : o.discarded.steps) {
-    auto same = std::ranges::find_if(steps, [&](const auto& s) { return s.first == step; });
-    if (same == steps.end()) same = steps.insert(same, {step, 0});
-    same->second += count;
-  }
+  for (const auto& [step, count] : o.discarded) discarded_in(*this, step) += count;
   return *this;
 }
 
@@ -95,9 +83,9 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
   std::vector<Table::Column> columns = {
       {"class", Align::kLeft},    {"kind", Align::kLeft},        {"cases"},
       {"each", Align::kRight, 7}, {"paper's", Align::kRight, 7}, {"begun"}};
-  for (const auto& [step, count] : total.discarded.steps) columns.push_back({step});
+  for (const auto& [step, count] : total.discarded) columns.push_back({step});
   Table table(columns);
-  const auto add = [&table, &total](const GenerationCost& cost, const std::string& papers) {
+  const auto add = [&table, &total](GenerationCost cost, const std::string& papers) {
     std::vector<TableCell> cells = {
         {cost.contact},
         {cost.kind},
@@ -105,8 +93,8 @@ Table generation_table(const std::vector<GenerationCost>& costs) {
         {cost.cases == 0 ? "-" : duration_text(cost.cpu_seconds / static_cast<double>(cost.cases))},
         {papers},
         {fmt::format("{}", cost.begun)}};
-    for (const auto& [step, all] : total.discarded.steps) {
-      const std::uint64_t count = cost.discarded.of(step);
+    for (const auto& [step, all] : total.discarded) {
+      const std::uint64_t count = discarded_in(cost, step);
       cells.push_back(
           {count_text(count, cost.begun), count == 0 ? Emphasis::kFaint : Emphasis::kPlain});
     }

@@ -11,29 +11,15 @@
 
 namespace ccdfuzz {
 
-/// Counts by the name of a step, in the order of the steps.
-struct StepCounts {
-  std::vector<std::pair<std::string, std::uint64_t>> steps;
-
-  /// 0 if there is no such step.
-  std::uint64_t of(std::string_view step) const;
-
-  friend bool operator==(const StepCounts&, const StepCounts&) = default;
-};
-template <>
-struct JsonForm<StepCounts> {
-  static void write(std::string& json, const StepCounts& counts);
-  static void read(const JsonCursor& from, StepCounts& counts);
-};
-
 /// The cost of the cases of one class and kind.
 struct GenerationCost {
   std::string contact;
   std::string kind;         ///< "RP+RN" where both are made of one construction
   std::uint64_t cases = 0;  ///< accepted
   std::uint64_t begun = 0;  ///< constructions
-  StepCounts discarded;     ///< why constructions were thrown away
-  double cpu_seconds = 0;   ///< for all constructions, the discarded ones included
+  /// Why constructions were thrown away, and how often: by step, in the order of the steps.
+  std::vector<std::pair<std::string, std::uint64_t>> discarded;
+  double cpu_seconds = 0;  ///< for all constructions, the discarded ones included
 
   static void fields(auto& archive, auto& cost) {
     archive("contact", cost.contact);

@@ -12,8 +12,9 @@
 //   };
 //
 // JSON out and in follow from that: to_json, from_json. Fields may be numbers, texts, truths and
-// records, and optionals, vectors, arrays and maps of these. They may also be enumerations that
-// have name_of(E) and all_of(E), and types with a JsonForm.
+// records, and optionals, vectors, arrays and maps of these. A vector of pairs of a text and a
+// value is a map in its own order. They may also be enumerations that have name_of(E) and
+// all_of(E), and types with a JsonForm.
 
 #include <algorithm>
 #include <array>
@@ -274,6 +275,8 @@ template <class T>
 inline constexpr bool kIsMap = false;
 template <class T>
 inline constexpr bool kIsMap<std::map<std::string, T>> = true;
+template <class T>
+inline constexpr bool kIsMap<std::vector<std::pair<std::string, T>>> = true;
 
 template <class Items>
 void write_items(std::string& json, const Items& items) {
@@ -306,13 +309,13 @@ void write_json(std::string& json, const T& value) {
     json += '}';
   } else if constexpr (kIsOptional<T>) {
     value ? write_json(json, *value) : static_cast<void>(json += "null");
-  } else if constexpr (kIsVector<T> || kIsArray<T>) {
-    write_items(json, value);
   } else if constexpr (kIsMap<T>) {
     json += '{';
     JsonWriter writer(json);
     for (const auto& [key, item] : value) writer(key, item);
     json += '}';
+  } else if constexpr (kIsVector<T> || kIsArray<T>) {
+    write_items(json, value);
   } else if constexpr (std::same_as<T, RawJson>) {
     json += value.text;
   } else if constexpr (NamedEnum<T>) {
@@ -338,14 +341,17 @@ void read_json(const JsonCursor& from, T& value) {
   } else if constexpr (kIsOptional<T>) {
     if (from.is_null()) return value.reset();
     read_json(from, value.emplace());
+  } else if constexpr (kIsMap<T>) {
+    value.clear();
+    for (const std::string& key : from.object().value().keys) {
+      read_json(from.at(key), value.insert(value.end(), {key, {}})->second);
+    }
   } else if constexpr (kIsVector<T>) {
     value.clear();
     for (size_t i = 0; i < from.array().size(); ++i) read_json(from.item(i), value.emplace_back());
   } else if constexpr (kIsArray<T>) {
     from.array(value.size());
     for (size_t i = 0; i < value.size(); ++i) read_json(from.item(i), value[i]);
-  } else if constexpr (kIsMap<T>) {
-    for (const std::string& key : from.object().value().keys) read_json(from.at(key), value[key]);
   } else if constexpr (NamedEnum<T>) {
     const auto named = enum_named<T>(from.string());
     if (!named) from.refuse_value(fmt::format("is none of {}", enum_names<T>()));
