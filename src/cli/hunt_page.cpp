@@ -95,20 +95,8 @@ Table method_table(const std::vector<HuntCell>& of_classes) {
       text_column<HuntCell>("method", [](const HuntCell& cell) { return marked(cell.method); }),
       {"drawn", [](const HuntCell& cell) { return TableCell{fmt::format("{}", cell.tally.n)}; }}};
   columns.front().most_width = method_column().most_width;
-  const auto add = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
-    columns.push_back({title, [=](const HuntCell& cell) {
-                         return outcome_cell(cell.tally, outcome, cell.tally.*of);
-                       }});
-  };
-  const auto add_if_met = [&](const char* title, Outcome outcome, std::uint64_t Tally::*of) {
-    const auto meets = [&](const HuntCell& cell) { return cell.tally.count(outcome) > 0; };
-    if (std::ranges::any_of(cells, meets)) add(title, outcome, of);
-  };
-  add("missed", Outcome::kMissed, &Tally::positives);
-  add("late", Outcome::kLate, &Tally::positives);
-  add("undecided", Outcome::kUndecided, &Tally::n);
-  add_if_met("error", Outcome::kError, &Tally::n);
-  add_if_met("FP", Outcome::kFalsePositive, &Tally::negatives);
+  add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kUndecided}, false);
+  add_outcomes(columns, met_in(cells, {Outcome::kError, Outcome::kFalsePositive}), false);
   add_refused_column(columns, cells);
   columns.push_back(mean_column());
   add_mutant_columns(columns, cells);
@@ -119,13 +107,9 @@ Table hunt_table(const std::vector<HuntCell>& cells) {
   std::vector<Column<HuntCell>> columns = {
       text_column<HuntCell>("class", [](const HuntCell& cell) { return name_of(cell.contact); }),
       text_column<HuntCell>("method", [](const HuntCell& cell) { return cell.method; }),
-      asked_column<HuntCell>(),
-      mean_column(),
-      outcome_column<HuntCell>("missed", Outcome::kMissed, &Tally::positives),
-      outcome_column<HuntCell>("late", Outcome::kLate, &Tally::positives),
-      outcome_column<HuntCell>("FP", Outcome::kFalsePositive, &Tally::negatives),
-      outcome_column<HuntCell>("undecided", Outcome::kUndecided, &Tally::n),
-      outcome_column<HuntCell>("error", Outcome::kError, &Tally::n)};
+      asked_column<HuntCell>(), mean_column()};
+  add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive,
+                         Outcome::kUndecided, Outcome::kError});
   add_refused_column(columns, cells);
   add_mutant_columns(columns, cells);
   return table_of(cells, columns,

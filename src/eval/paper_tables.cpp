@@ -114,17 +114,9 @@ Table methods_table(const std::vector<Row>& rows) {
   std::vector<Column<Row>> columns = {
       text_column<Row>("method", [](const Row& row) { return row.key.method; })};
   columns.front().most_width = 17;
-  columns.insert(columns.end(),
-                 {outcome_column<Row>("missed", Outcome::kMissed, &Tally::positives),
-                  outcome_column<Row>("late", Outcome::kLate, &Tally::positives),
-                  outcome_column<Row>("FP", Outcome::kFalsePositive, &Tally::negatives),
-                  outcome_column<Row>("undecided", Outcome::kUndecided, &Tally::n)});
-  for (const auto& [outcome, title] :
-       {std::pair(Outcome::kUnknown, "unknown"), std::pair(Outcome::kError, "error")}) {
-    if (std::ranges::any_of(rows, [&](const Row& row) { return row.tally.count(outcome) > 0; })) {
-      columns.push_back(outcome_column<Row>(title, outcome, &Tally::n));
-    }
-  }
+  add_outcomes(columns,
+               {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive, Outcome::kUndecided});
+  add_outcomes(columns, met_in(rows, {Outcome::kUnknown, Outcome::kError}));
   add_refused_column(columns, rows);
   columns.insert(
       columns.end(),
@@ -143,13 +135,9 @@ Table performance_table(const std::vector<Row>& rows) {
       columns.end(),
       {asked_column<Row>(), time_column("mean", &LogHistogram::mean),
        time_column("median", &LogHistogram::median), time_column("p99", &LogHistogram::p99),
-       memory_column("memory", &LogHistogram::mean), memory_column("p99 mem", &LogHistogram::p99),
-       outcome_column<Row>("missed", Outcome::kMissed, &Tally::positives),
-       outcome_column<Row>("late", Outcome::kLate, &Tally::positives),
-       outcome_column<Row>("FP", Outcome::kFalsePositive, &Tally::negatives),
-       outcome_column<Row>("undecided", Outcome::kUndecided, &Tally::n),
-       outcome_column<Row>("unknown", Outcome::kUnknown, &Tally::n),
-       outcome_column<Row>("error", Outcome::kError, &Tally::n)});
+       memory_column("memory", &LogHistogram::mean), memory_column("p99 mem", &LogHistogram::p99)});
+  add_outcomes(columns, {Outcome::kMissed, Outcome::kLate, Outcome::kFalsePositive,
+                         Outcome::kUndecided, Outcome::kUnknown, Outcome::kError});
   add_refused_column(columns, rows);
   return table_of(rows, columns, &are_beside);
 }

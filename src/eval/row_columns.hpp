@@ -63,24 +63,31 @@ inline TableCell count_cell(std::uint64_t count, std::uint64_t of, bool is_bad) 
                                             : Emphasis::kPlain};
 }
 
-/// The same of an outcome, without the share: "-" where it may not be.
-inline TableCell outcome_cell(const Tally& tally, Outcome outcome, std::uint64_t of) {
-  if (of == 0) return {"-", Emphasis::kFaint};
-  const std::uint64_t count = tally.count(outcome);
-  const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
-  return {fmt::format("{}", count), count == 0 ? Emphasis::kFaint
-                                    : is_bad   ? Emphasis::kBad
-                                               : Emphasis::kPlain};
+/// Appends for each outcome how many answers had it, of those where it may be. "-" where it may not
+/// be. has_share: with its share of these.
+template <class Row>
+void add_outcomes(std::vector<Column<Row>>& columns, const std::vector<Outcome>& outcomes,
+                  bool has_share = true) {
+  for (const Outcome outcome : outcomes) {
+    const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
+    const std::string title(outcome == Outcome::kFalsePositive ? "FP" : name_of(outcome));
+    columns.push_back({title, [=](const Row& row) -> TableCell {
+                         const std::uint64_t of = row.tally.of_which(outcome);
+                         if (of == 0) return {"-", Emphasis::kFaint};
+                         TableCell cell = count_cell(row.tally.count(outcome), of, is_bad);
+                         if (!has_share) cell.text = fmt::format("{}", row.tally.count(outcome));
+                         return cell;
+                       }});
+  }
 }
 
-/// How many answers had an outcome, of those where it may be.
+/// Those of the outcomes that any row has.
 template <class Row>
-Column<Row> outcome_column(const char* title, Outcome outcome, std::uint64_t Tally::*of) {
-  const bool is_bad = is_false_negative(outcome) || outcome == Outcome::kError;
-  return {title, [=](const Row& row) {
-            return row.tally.*of == 0 ? TableCell{"-", Emphasis::kFaint}
-                                      : count_cell(row.tally.count(outcome), row.tally.*of, is_bad);
-          }};
+std::vector<Outcome> met_in(const std::vector<Row>& rows, std::vector<Outcome> outcomes) {
+  std::erase_if(outcomes, [&](Outcome outcome) {
+    return std::ranges::all_of(rows, [&](const Row& row) { return row.tally.count(outcome) == 0; });
+  });
+  return outcomes;
 }
 
 template <class Row>

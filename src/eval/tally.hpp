@@ -35,6 +35,11 @@ struct Tally {
   void merge(const Tally& other);
 
   std::uint64_t count(Outcome outcome) const { return by_outcome[static_cast<size_t>(outcome)]; }
+  /// Of how many answers an outcome may be one.
+  std::uint64_t of_which(Outcome outcome) const {
+    if (is_false_negative(outcome)) return positives;
+    return outcome == Outcome::kFalsePositive ? negatives : n;
+  }
   std::uint64_t not_asked() const { return count(Outcome::kNotAsked); }
   std::uint64_t false_negatives() const { return count(Outcome::kMissed) + count(Outcome::kLate); }
 };
