@@ -152,36 +152,19 @@ void write_evaluation_page(ReportRows& rows, const std::vector<GenerationCost>& 
   need(write_report(page, arguments.page, threads));
 }
 
-/// The run file of an evaluation that goes into a folder, and the lines that it already has.
-struct Kept {
-  std::string path;  ///< where the file ends
-  RunFile file;
-  EarlierAnswers earlier;
-};
-
-Kept open_kept(const std::string& folder, const RunHeader& header) {
-  need(make_folder(folder));
-  const std::string path = answers_path(folder), partial = RunFile::path_for(path);
-  // Whether the result can be written is to be known before the work is done.
-  need(OutputFile::create(path));
-  RunFile file = need(RunFile::open(partial, header));
-  const std::uint64_t before = file.size();
-  if (before > 0) {
-    print_err(fmt::format("ccdfuzz: evaluate: going on after {} of {} cases in {}\n", before,
-                          header.shard.size(header.items), partial));
-  }
-  return {path, std::move(file), {need(RunLines::open(partial)), before}};
-}
-
 int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   EvaluateOptions options = options_of(arguments, session.threads);
   const std::vector<std::string> files = need(case_files(arguments.files));
-  std::optional<Kept> kept;
+  std::optional<ResumedRun> kept;
+  const std::string answers = answers_path(arguments.folder);
   if (!arguments.folder.empty() || !arguments.shard.empty()) {
     RunHeader header = need(header_of(arguments, options, files));
     options.shard = need(parse_shard(arguments.shard, header.items, "cases"));
     header.shard = options.shard;
-    if (!arguments.folder.empty()) kept.emplace(open_kept(arguments.folder, header));
+    if (!arguments.folder.empty()) {
+      need(make_folder(arguments.folder));
+      kept.emplace(resumed_run(header, answers, "cases"));
+    }
   }
   if (!arguments.page.empty()) need(make_folder(arguments.page));
   const std::vector<GenerationCost> costs = need(read_costs(files));
@@ -212,7 +195,7 @@ int run_evaluate(const EvaluateArguments& arguments, Session& session) {
   counts.note("evaluate");
   if (kept) {
     need(write_tables(arguments.folder, rows, costs));
-    need(kept->file.rename(kept->path));
+    need(kept->file.rename(answers));
   }
   if (!arguments.page.empty())
     write_evaluation_page(page, costs, files, arguments, session.threads);

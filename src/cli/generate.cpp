@@ -149,8 +149,7 @@ void print_costs(const std::vector<GenerationCost>& costs, bool is_paper, bool j
 /// Where the constructions go: those of a share into its run file, others into a data set; those of
 /// the paper's complete set resume from a run file.
 struct Target {
-  std::optional<RunFile> file;
-  std::optional<RunLines> earlier;
+  std::optional<ResumedRun> run;
   std::optional<MadeSet> set;
   std::uint64_t before = 0;  ///< constructions of earlier runs
 };
@@ -159,26 +158,14 @@ Target open_target(const GenerateOptions& options, const RunHeader& header) {
   Target target;
   if (header.shard.is_whole()) target.set = need(MadeSet::open(options.output));
   if (header.shard.is_whole() && !options.paper) return target;
-  // Whether the result can be written is to be known before the work is done.
-  need(OutputFile::create(options.output));
-  const std::string path = RunFile::path_for(options.output);
-  target.file.emplace(need(RunFile::open(path, header)));
-  target.before = target.file->size();
-  if (target.set) target.earlier = need(RunLines::open(path));
-  if (target.before > 0) {
-    print_err(fmt::format("ccdfuzz: generate: going on after {} of {} constructions in {}\n",
-                          target.before, header.shard.size(header.items), path));
+  target.run.emplace(resumed_run(header, options.output, "constructions"));
+  auto& [lines, left] = target.run->earlier;
+  target.before = left;
+  for (; target.set && left > 0; --left) {
+    const auto line = need(lines.next());
+    need(target.set->add(need(from_json<MadeCases>(line.value_or(""), lines.where()))));
   }
   return target;
-}
-
-Result<void> add_earlier(Target& target) {
-  for (std::uint64_t i = 0; target.set && i < target.before; ++i) {
-    CCDFUZZ_TRY(const auto line, target.earlier->next());
-    CCDFUZZ_TRY(MadeCases made, from_json<MadeCases>(line.value_or(""), target.earlier->where()));
-    CCDFUZZ_TRY_VOID(target.set->add(std::move(made)));
-  }
-  return {};
 }
 
 /// Makes the constructions that are left. Returns how many were made.
@@ -198,9 +185,9 @@ std::uint64_t make_all(const Plan& plan, Target& target, Session& session) {
       },
       [&](MadeCases made) {
         if (session.interrupted() || !kept) stop = true;
-        if (!kept || (stop && !target.file)) return;
+        if (!kept || (stop && !target.run)) return;
         const std::string note = made.cost.contact + " " + made.cost.kind;
-        if (target.file) kept = target.file->append(to_json(made));
+        if (target.run) kept = target.run->file.append(to_json(made));
         if (kept && target.set) kept = target.set->add(std::move(made));
         const auto done = static_cast<double>(target.before + ++made_count);
         session.progress().show(done / static_cast<double>(total), note, made_count, plan.unit);
@@ -232,23 +219,22 @@ int run_generate(const GenerateOptions& options, Session& session) {
   }
   catch_interrupts();  // from here on a file may be left
   Target target = open_target(options, plan.header);
-  need(add_earlier(target));
   const std::uint64_t made = target.before + make_all(plan, target, session);
   if (session.interrupted()) {
     print_err(fmt::format("ccdfuzz: generate: interrupted after {} {}{}\n", made, plan.unit,
-                          target.file              ? "; the same command goes on from there"
+                          target.run               ? "; the same command goes on from there"
                           : options.is_to_stdout() ? ""
                                                    : "; " + options.output + " was not written"));
     return session.exit_code(kDone);
   }
   if (!target.set) {
-    need(target.file->rename(options.output));
+    need(target.run->file.rename(options.output));
     session.summary(fmt::format("share {}/{} in {}: `merge` puts the shares together", shard.index,
                                 shard.of, options.output));
     return kDone;
   }
   need(target.set->finish());
-  if (target.file) need(target.file->remove());
+  if (target.run) need(target.run->file.remove());
   print_costs(target.set->costs(), options.paper, session.json);
   if (options.paper) {
     session.summary(fmt::format("\n{} cases in {}, {} miss trees", target.set->cases(),

@@ -56,8 +56,8 @@ ReportPage report_corpus(const ReportArguments& options, Session& session) {
 
 /// The folder of `evaluate -o`: its cases and the answers to them, side by side.
 ReportPage report_run(const ReportArguments& options, Session& session) {
-  EarlierAnswers answers{need(RunLines::open(answers_path(options.source))),
-                         std::numeric_limits<std::uint64_t>::max()};
+  EarlierLines answers{need(RunLines::open(answers_path(options.source))),
+                       std::numeric_limits<std::uint64_t>::max()};
   const RunHeader header = answers.lines.header();
   SearchFlags search;
   const auto precision = header.asked.find("--precision");

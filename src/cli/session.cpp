@@ -1,6 +1,23 @@
 #include "cli/session.hpp"
 
+#include <fmt/format.h>
+
+#include "io/output_file.hpp"
+
 namespace ccdfuzz {
+
+ResumedRun resumed_run(const RunHeader& header, const std::string& output, const char* unit) {
+  // Whether the result can be written is to be known before the work is done.
+  need(OutputFile::create(output));
+  const std::string path = RunFile::path_for(output);
+  RunFile file = need(RunFile::open(path, header));
+  const std::uint64_t before = file.size();
+  if (before > 0) {
+    print_err(fmt::format("ccdfuzz: {}: going on after {} of {} {} in {}\n", header.run, before,
+                          header.shard.size(header.items), unit, path));
+  }
+  return {std::move(file), {need(RunLines::open(path)), before}};
+}
 
 void Session::end_table(bool text_follows) {
   progress_.clear();

@@ -13,6 +13,7 @@
 #include "cli/terminal.hpp"
 #include "eval/stream_cases.hpp"
 #include "io/fields.hpp"
+#include "io/run_file.hpp"
 #include "io/table.hpp"
 
 namespace ccdfuzz {
@@ -29,6 +30,16 @@ T need(Result<T> result) {
   if (!result) throw BadInput{std::move(result.error())};
   if constexpr (!std::is_void_v<T>) return *std::move(result);
 }
+
+/// A long run that an earlier process may have begun.
+struct ResumedRun {
+  RunFile file;
+  EarlierLines earlier;
+};
+
+/// Resumes the run whose result goes to `output`, or begins it, and says so. unit: of its items.
+/// Throws BadInput: as RunFile::open; the output cannot be written.
+ResumedRun resumed_run(const RunHeader& header, const std::string& output, const char* unit);
 
 /// The common part of commands: threads, --json, a table or rows on stdout, progress, interrupts.
 class Session {

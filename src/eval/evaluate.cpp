@@ -88,7 +88,7 @@ void decide_rows(NamedCase& named) {
 }
 
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      EarlierAnswers* earlier, const OnEvaluated& on_case,
+                      EarlierLines* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop) {
   tbb::enumerable_thread_specific<MethodSet> methods;
   std::uint64_t next = 0;

@@ -29,25 +29,19 @@ struct EvaluateOptions {
   int threads = 1;
 };
 
-/// The answers of an earlier run to the first cases of the share, a line each.
-struct EarlierAnswers {
-  RunLines lines;
-  std::uint64_t left = 0;  ///< lines to read still, at most
-};
-
 /// Sees a case and its answers. is_new: no earlier run gave them. share: how much of the files has
 /// been read.
 using OnEvaluated = std::function<Result<void>(
     const NamedCase& named, const EvaluatedCase& evaluated, bool is_new, double share)>;
 
-/// earlier: what need not be asked; null: nothing. Checks every case of the share (decide_rows,
-/// check_case) and asks every method about it. on_case sees the cases in their order, the answers
-/// by horizon and then by method, whatever the number of threads. Everything but times is the same
-/// in every run. Holds a few cases at a time. Once stop() is true no more is read, and what was
-/// begun still reaches on_case. Errors: of reading; the first case that is refuted, naming it; a
-/// line that is not of the next case; of on_case.
+/// earlier: the answers to the first cases of the share, which need not be asked; null: none.
+/// Checks every case of the share (decide_rows, check_case) and asks every method about it. on_case
+/// sees the cases in their order, the answers by horizon and then by method, whatever the number of
+/// threads. Everything but times is the same in every run. Holds a few cases at a time. Once stop()
+/// is true no more is read, and what was begun still reaches on_case. Errors: of reading; the first
+/// case that is refuted, naming it; a line that is not of the next case; of on_case.
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
-                      EarlierAnswers* earlier, const OnEvaluated& on_case,
+                      EarlierLines* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop);
 
 }  // namespace ccdfuzz

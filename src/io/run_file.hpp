@@ -66,6 +66,12 @@ class RunLines {
   std::uint64_t bytes_ = 0;
 };
 
+/// The items that an earlier process finished: the first lines of a run file.
+struct EarlierLines {
+  RunLines lines;
+  std::uint64_t left = 0;  ///< lines to read still, at most
+};
+
 /// The finished part of a long run: a line per item, in a file that is only appended to. A run
 /// that was killed, at any moment, resumes after the last complete line. A finished share is such a
 /// file, too: all its items, under the name of the output.
