@@ -64,19 +64,18 @@ tl::expected<Case, Discard> ends_case(const GeneratorOptions& options, const Dya
   plain.family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
   plain.kind = CaseKind::kRP;
   if (!plain.shapes) plain.shapes = shapes_of(options, draw);
-  tl::expected<Case, Discard> made = shaped_case(plain, eps_t, draw);
-  if (!made) return made;
-  for (MovingPatch<double>& patch : made->query.patches) {
+  CCDFUZZ_TRY(Case made, shaped_case(plain, eps_t, draw));
+  for (MovingPatch<double>& patch : made.query.patches) {
     if (!give_exact_ends(patch)) return tl::unexpected(Discard::kRoundTrip);
   }
   std::array<Similarity, 2> changes;
-  const std::optional<Query> query = parted(made->query, draw, &changes);
+  const std::optional<Query> query = parted(made.query, draw, &changes);
   if (!query || with_velocities(*query)) return tl::unexpected(Discard::kRoundTrip);
-  for (const Similarity& change : changes) made = *similar(*made, change);
-  CCDFUZZ_VERIFY(check_truth(*made));
-  CCDFUZZ_VERIFY(check_clearance(made->query, *made->truth.clearance, ""));
-  const Dyadic before = *Dyadic::from(made->truth.witness->t) - eps_t;
-  if (options.kind == CaseKind::kRN && !end_before_contact(*made, before)) {
+  for (const Similarity& change : changes) made = *similar(made, change);
+  CCDFUZZ_VERIFY(check_truth(made));
+  CCDFUZZ_VERIFY(check_clearance(made.query, *made.truth.clearance, ""));
+  const Dyadic before = *Dyadic::from(made.truth.witness->t) - eps_t;
+  if (options.kind == CaseKind::kRN && !end_before_contact(made, before)) {
     return tl::unexpected(Discard::kRoundTrip);
   }
   return made;

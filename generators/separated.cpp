@@ -56,13 +56,12 @@ tl::expected<Case, Discard> separated_case(const GeneratorOptions& options, cons
   GeneratorOptions plain = options;
   plain.family = draw.coin() ? Family::kInteriorTime : Family::kRegular;
   if (!plain.shapes) plain.shapes = shapes_of(options, draw);
-  tl::expected<Case, Discard> made = shaped_case(plain, eps_t, draw);
-  if (!made) return made;
-  const auto* plane = std::get_if<MovingPlane>(&*made->truth.clearance);
+  CCDFUZZ_TRY(Case made, shaped_case(plain, eps_t, draw));
+  const auto* plane = std::get_if<MovingPlane>(&*made.truth.clearance);
   CCDFUZZ_VERIFY(plane != nullptr);
   // From 2^-20 to 2^-8 of the size of the scene, as simulations keep meshes apart. The larger a
   // separation is, the more pairs of points are nearly as near as the nearest.
-  int exponent = exponent_of_size(made->query) - static_cast<int>(draw.integer(8, 20));
+  int exponent = exponent_of_size(made.query) - static_cast<int>(draw.integer(8, 20));
   Vec3<Dyadic> way;
   double longest = 0;
   for (int k = 0; k < 3; ++k) {
@@ -73,11 +72,11 @@ tl::expected<Case, Discard> separated_case(const GeneratorOptions& options, cons
   }
   exponent -= std::ilogb(longest);
   for (int k = 0; k < 3; ++k) way[k] = way[k].scaled(exponent);
-  if (!move_apart(made->query, way)) return tl::unexpected(Discard::kRoundTrip);
-  made->truth.clear_until.reset();
-  made->truth.clearance.reset();
-  made->truth.proof.reset();
-  CCDFUZZ_VERIFY(check_truth(*made));
+  if (!move_apart(made.query, way)) return tl::unexpected(Discard::kRoundTrip);
+  made.truth.clear_until.reset();
+  made.truth.clearance.reset();
+  made.truth.proof.reset();
+  CCDFUZZ_VERIFY(check_truth(made));
   return made;
 }
 

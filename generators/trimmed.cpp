@@ -160,9 +160,8 @@ tl::expected<Case, Discard> trimmed_case(const GeneratorOptions& options, const 
   whole.family = Family::kRegular;
   whole.kind = CaseKind::kRP;
   whole.shapes = shapes_of(options, draw);
-  const tl::expected<Case, Discard> regular = shaped_case(whole, eps_t, draw);
-  if (!regular) return regular;
-  Contact q = *contact_of(*regular);
+  CCDFUZZ_TRY(const Case regular, shaped_case(whole, eps_t, draw));
+  Contact q = *contact_of(regular);
   const auto is_surface = [&](std::size_t s) { return (*whole.shapes)[s].parameter_count() == 2; };
   const std::size_t first = is_surface(0) && (!is_surface(1) || draw.coin()) ? 0 : 1;
   const bool is_negative = options.kind == CaseKind::kRN;
@@ -179,7 +178,7 @@ tl::expected<Case, Discard> trimmed_case(const GeneratorOptions& options, const 
         return is_negative || draw.coin() ? Place::kInHole : Place::kFloatOutside;
       },
       draw);
-  Case out = *regular;
+  Case out = regular;
   if (is_outside && !is_negative && !touch_later(q, draw)) {
     return tl::unexpected(Discard::kRoundTrip);
   }

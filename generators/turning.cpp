@@ -60,10 +60,9 @@ tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, c
                                               Draw& draw, const Change& change) {
   GeneratorOptions plain = options;
   plain.kind = CaseKind::kRP;
-  tl::expected<Case, Discard> made = bodies_case(plain, eps_t, draw);
-  if (!made) return made;
-  Query& query = made->query;
-  Rational& t = made->truth.witness->t;
+  CCDFUZZ_TRY(Case made, bodies_case(plain, eps_t, draw));
+  Query& query = made.query;
+  Rational& t = made.truth.witness->t;
   if (t == 1) {  // twice as fast
     t /= 2;
     for (MovingPatch<double>& body : query.patches) body.velocities[0] *= 2;

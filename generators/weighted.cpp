@@ -146,9 +146,8 @@ tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const
     plain.family = Family::kRegular;
     plain.kind = CaseKind::kRP;
     if (!plain.shapes) plain.shapes = shapes_of(options, draw);
-    const tl::expected<Case, Discard> regular = shaped_case(plain, eps_t, draw);
-    if (!regular) return regular;
-    q = contact_of(*regular);
+    CCDFUZZ_TRY(const Case regular, shaped_case(plain, eps_t, draw));
+    q = contact_of(regular);
     for (std::size_t s = 0; s < 2 && q; ++s) {
       std::vector<int> exponents(q->query.patches[s].positions.size());
       for (int& e : exponents) e = static_cast<int>(draw.integer(-3, 3));
@@ -157,7 +156,7 @@ tl::expected<Case, Discard> weighted_case(const GeneratorOptions& options, const
         return tl::unexpected(Discard::kRoundTrip);
       draw_free_weights(draw, *q, s);
     }
-    out = *regular;
+    out = regular;
     if (q) out.query = q->query;
   }
   if (!q || !is_rational(q->query) || !is_valid(q->query)) {

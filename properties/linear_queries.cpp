@@ -46,15 +46,14 @@ namespace {
 /// A degenerate query, made different by as little as 2^-60 of its size, or with a coordinate of
 /// another scale than the others.
 Result<Query> draw_nearly_degenerate(Draw& choices) {
-  Result<Query> drawn = draw_linear(choices);
-  if (!drawn) return drawn;
+  CCDFUZZ_TRY(Query drawn, draw_linear(choices));
   double size = 0;
-  for (const MovingPatch<double>& patch : drawn->patches) {
+  for (const MovingPatch<double>& patch : drawn.patches) {
     for (const Vec3<double>& p : patch.positions) size = std::max(size, p.cwiseAbs().maxCoeff());
   }
   const auto k = static_cast<int>(choices.choose(2));
   if (choices.coin()) {
-    MovingPatch<double>& patch = drawn->patches[choices.choose(1)];
+    MovingPatch<double>& patch = drawn.patches[choices.choose(1)];
     const int exponent = -static_cast<int>(choices.integer(1, 60));
     const double gap = (choices.coin() ? -size : size) * std::ldexp(1, exponent);
     const bool one_corner = choices.coin();
@@ -65,7 +64,7 @@ Result<Query> draw_nearly_degenerate(Draw& choices) {
   }
   if (choices.coin()) {
     const int exponent = static_cast<int>(choices.integer(-60, 60));
-    for (MovingPatch<double>& patch : drawn->patches) {
+    for (MovingPatch<double>& patch : drawn.patches) {
       for (Points<double>* points : {&patch.positions, &patch.velocities}) {
         for (Vec3<double>& p : *points) p[k] = std::ldexp(p[k], exponent);
       }

@@ -35,15 +35,14 @@ struct EvaluateArguments {
 };
 
 Result<std::vector<double>> parse_horizons(const std::string& where, const std::string& text) {
-  Result<std::vector<double>> factors = parse_numbers(where, text);
-  if (!factors) return factors;
-  for (const double factor : *factors) {
+  CCDFUZZ_TRY(std::vector<double> factors, parse_numbers(where, text));
+  for (const double factor : factors) {
     if (factor < 1) {
       return input_error(where,
                          fmt::format("{} is below 1: the contact would be out of reach", factor));
     }
   }
-  std::vector<double> sorted = *factors;
+  std::vector<double> sorted = factors;
   std::ranges::sort(sorted);
   if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end()) {
     return input_error(where, fmt::format("{} stands there twice", *twice));

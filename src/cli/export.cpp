@@ -69,11 +69,10 @@ int export_tests(const ExportOptions& options, OutputFile& out) {
 Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t& rounded) {
   const Case& value = named.value;
   std::uint64_t own = 0;
-  Result<CsvQuery> rows = to_csv_query(value.query, named.id, round, own);
-  if (!rows) return rows;
+  CCDFUZZ_TRY(CsvQuery rows, to_csv_query(value.query, named.id, round, own));
   rounded += own;
-  if (rows->layout != CsvLayout::kCurved) {
-    rows->label = linear::first_contact(rows->patches(), 1).has_value();
+  if (rows.layout != CsvLayout::kCurved) {
+    rows.label = linear::first_contact(rows.patches(), 1).has_value();
     return rows;
   }
   if (own > 0) {
@@ -84,7 +83,7 @@ Result<CsvQuery> exported_rows(const NamedCase& named, bool round, std::uint64_t
   if (!value.truth.collides) {
     return input_error(named.id, "has no truth to write into its rows; see prove");
   }
-  rows->label = value.truth.collides;
+  rows.label = value.truth.collides;
   return rows;
 }
 

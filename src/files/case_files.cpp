@@ -144,9 +144,8 @@ Result<std::vector<std::string>> case_files(const std::vector<std::string>& path
       files.push_back(path);
       continue;
     }
-    const auto in_folder = csv_files_in(path);
-    if (!in_folder) return in_folder;
-    files.insert(files.end(), in_folder->begin(), in_folder->end());
+    CCDFUZZ_TRY(const auto in_folder, csv_files_in(path));
+    files.insert(files.end(), in_folder.begin(), in_folder.end());
   }
   return files;
 }

@@ -42,9 +42,8 @@ Result<void> for_each_checked_case(const std::vector<std::string>& paths,
 }
 
 Result<std::vector<NamedCase>> read_checked_cases(const std::string& path) {
-  auto cases = read_cases(path);
-  if (!cases) return cases;
-  for (const NamedCase& named : *cases) {
+  CCDFUZZ_TRY(auto cases, read_cases(path));
+  for (const NamedCase& named : cases) {
     CCDFUZZ_TRY_VOID(check_in_run(named));
   }
   return cases;

@@ -59,18 +59,17 @@ Result<std::string> read_tree(const std::string& path, const TreeRef& tree) {
   if (tree.length > ZSTD_compressBound(kMaxTreeBytes)) {
     return input_error(path, fmt::format("a tree of {} bytes is larger than any", tree.length));
   }
-  const auto frame = read_range(path, tree.offset, tree.length);
-  if (!frame) return frame;
-  const unsigned long long size = ZSTD_getFrameContentSize(frame->data(), frame->size());
+  CCDFUZZ_TRY(const auto frame, read_range(path, tree.offset, tree.length));
+  const unsigned long long size = ZSTD_getFrameContentSize(frame.data(), frame.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN ||
-      ZSTD_findFrameCompressedSize(frame->data(), frame->size()) != frame->size()) {
+      ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size()) {
     return input_error(path, fmt::format("holds no tree at byte {}", tree.offset));
   }
   if (size > kMaxTreeBytes) {
     return input_error(path, fmt::format("a tree of {} bytes is larger than any", size));
   }
   std::string bytes(size, '\0');
-  const size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame->data(), frame->size());
+  const size_t got = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
   if (ZSTD_isError(got) != 0 || got != bytes.size()) {
     return input_error(path,
                        fmt::format("the tree at byte {} is not sound zstd data", tree.offset));

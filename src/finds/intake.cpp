@@ -135,9 +135,8 @@ Result<bool> Intake::is_shown_in_store(const Failure& failure) {
 Result<Store::Put> Intake::put(const Failure& failure, const Case& find, const std::string& trees,
                                const AskAgain& again) {
   for (;;) {
-    const Result<Store::Put> done = store_.put(failure, find, trees, again);
-    if (!done) return done;
-    if (*done != Store::Put::kKnown) confirmed_.insert(failure);
+    CCDFUZZ_TRY(const Store::Put done, store_.put(failure, find, trees, again));
+    if (done != Store::Put::kKnown) confirmed_.insert(failure);
     if (confirmed_.contains(failure)) return done;
     CCDFUZZ_TRY(const auto shown, confirm_standing(failure));
     if (!shown || *shown) return done;

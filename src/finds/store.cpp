@@ -138,9 +138,8 @@ Result<std::optional<NamedCase>> entry_at(const std::string& path) {
 /// Locks the folder, which is made again if it was removed.
 Result<FolderLock> Store::State::enter() {
   CCDFUZZ_TRY_VOID(make_folder(home));
-  auto lock = FolderLock::take(home);
-  if (!lock) return lock;
-  if (OpenFolder now = lock->folder(); !(now == home_folder)) {
+  CCDFUZZ_TRY(auto lock, FolderLock::take(home));
+  if (OpenFolder now = lock.folder(); !(now == home_folder)) {
     home_folder = std::move(now);
     ++times_replaced;
     CCDFUZZ_TRY_VOID(read_named());
@@ -275,12 +274,11 @@ Result<Store::Put> Store::put_named(const std::string& name, const Case& entry,
 
 Result<std::optional<NamedCase>> Store::standing(const Failure& failure) {
   return state_->locked([&]() -> Result<std::optional<NamedCase>> {
-    Result<std::optional<NamedCase>> own = entry_at(state_->path_of(failure));
-    if (!own) return own;
-    if (*own && !shows((*own)->value, failure)) own->reset();
+    CCDFUZZ_TRY(std::optional<NamedCase> own, entry_at(state_->path_of(failure)));
+    if (own && !shows(own->value, failure)) own.reset();
     const auto named = state_->named.find(failure);
     if (named == state_->named.end()) return own;
-    if (*own && rank_of((*own)->value.query) < named->second.rank) return own;
+    if (own && rank_of(own->value.query) < named->second.rank) return own;
     return entry_at(named->second.path);
   });
 }

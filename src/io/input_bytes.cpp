@@ -55,9 +55,7 @@ class ZstdFile : public InputBytes {
     ZSTD_outBuffer out = {bytes.data(), bytes.size(), 0};
     while (out.pos == 0) {
       if (at_ == input_.size() && !ended_) {
-        auto more = packed_->read(ZSTD_DStreamInSize());
-        if (!more) return more;
-        input_ = *std::move(more);
+        CCDFUZZ_TRY(input_, packed_->read(ZSTD_DStreamInSize()));
         at_ = 0;
         ended_ = input_.empty();
       }

@@ -225,9 +225,8 @@ Result<MergedRun> MergedRun::open(const std::vector<std::string>& paths) {
 
 Result<std::optional<std::string_view>> MergedRun::next() {
   at_ = given_ % shares_.size();
-  auto line = shares_[at_].next();
-  if (!line) return line;
-  if (given_ < header_.items && !*line) {
+  CCDFUZZ_TRY(auto line, shares_[at_].next());
+  if (given_ < header_.items && !line) {
     return input_error(shares_[at_].where(), "the share is not complete: its run is to go on");
   }
   if (given_ < header_.items) {
