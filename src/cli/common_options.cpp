@@ -100,6 +100,12 @@ void SearchFlags::add_to(Command& command) {
   add_budget_to(command);
 }
 
+void SearchFlags::add_with_default_budget_to(Command& command) {
+  max_pops = 0;
+  add_precision_to(command);
+  add_budget_to(command).front().without_default();
+}
+
 std::vector<Option> SearchFlags::add_budget_to(Command& command) {
   Option pops = command.whole("--max-pops", max_pops,
                               "End a query as undecided after this many pairs of boxes", 1);

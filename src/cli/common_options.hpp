@@ -31,6 +31,8 @@ struct SearchFlags {
 
   void add_to(Command& command);
   void add_precision_to(Command& command);
+  /// The same with a DefaultBudget in place of a limit.
+  void add_with_default_budget_to(Command& command);
   /// Without --precision.
   std::vector<Option> add_budget_to(Command& command);
   SearchOptions options() const;

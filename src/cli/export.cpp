@@ -18,29 +18,24 @@ namespace ccdfuzz {
 
 namespace {
 
-enum class ExportForm { kCsv, kGoogleTest, kCatch2, kEngine };
-constexpr std::array kExportForms = {ExportForm::kCsv, ExportForm::kGoogleTest,
-                                     ExportForm::kCatch2};
-constexpr std::array<std::string_view, 4> names_of(ExportForm) {
-  return {"csv", "gtest", "catch2", "engine"};
+enum class ExportForm { kCsv, kGoogleTest, kCatch2 };
+constexpr std::array<std::string_view, 3> names_of(ExportForm) {
+  return {"csv", "gtest", "catch2"};
 }
 
 struct Form {
   ExportForm form = ExportForm::kCsv;
-  EngineTemplate engine{};  ///< for kEngine
+  std::optional<EngineTemplate> engine = {};  ///< in place of the form
 };
 
 Result<Form> parse_form(const std::string& where, const std::string& text) {
-  std::vector<std::string_view> names;
-  for (const ExportForm form : kExportForms) {
-    if (name_of(form) == text) return Form{form, {}};
-    names.push_back(name_of(form));
-  }
+  if (const auto form = enum_named<ExportForm>(text)) return Form{*form};
+  std::string names = enum_names<ExportForm>();
   for (const EngineTemplate& one : engine_templates()) {
-    if (one.engine == text) return Form{ExportForm::kEngine, one};
-    names.push_back(one.engine);
+    if (one.engine == text) return Form{ExportForm::kCsv, one};
+    names.append(", ").append(one.engine);
   }
-  return input_error(where, fmt::format("\"{}\" is none of {}", text, fmt::join(names, ", ")));
+  return input_error(where, fmt::format("\"{}\" is none of {}", text, names));
 }
 
 struct ExportOptions {
@@ -133,7 +128,7 @@ std::string test_path(const std::string& folder, const NamedCase& named, std::st
 }
 
 int export_engine_tests(const ExportOptions& options) {
-  const EngineTemplate& engine = options.as.engine;
+  const EngineTemplate& engine = *options.as.engine;
   const bool is_folder = options.output.ends_with('/');
   if (is_folder) need(make_folder(options.output));
   std::set<std::string> paths;
@@ -153,7 +148,7 @@ int export_engine_tests(const ExportOptions& options) {
 }
 
 int run_export(const ExportOptions& options, Session&) {
-  if (options.as.form == ExportForm::kEngine) return export_engine_tests(options);
+  if (options.as.engine) return export_engine_tests(options);
   OutputFile out = need(OutputFile::create(options.output));
   return options.as.form == ExportForm::kCsv ? export_csv(options, out)
                                              : export_tests(options, out);

@@ -195,9 +195,7 @@ void add_query(CommandLine& line) {
   command.texts("case", options->files, "Case files: .json, .jsonl, .jsonl.zst or .csv").required();
   add_methods(command, options->methods,
               "Methods to run, separated by commas; where it is left out, bodies are for oracle");
-  options->search.max_pops = 0;  // DefaultBudget
-  options->search.add_precision_to(command);
-  options->search.add_budget_to(command).front().without_default();
+  options->search.add_with_default_budget_to(command);
   command.max_work();
   command.threads();
   command.json("One JSON object per answer and line, with all numbers");

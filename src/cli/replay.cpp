@@ -389,9 +389,7 @@ void add_replay(CommandLine& line, const std::vector<Property>& known) {
                  "correct; by default what the entry says");
   command.flag("--update", options->update,
                "Write what methods show now into the entries, and exit with 0");
-  options->search.max_pops = 0;  // DefaultBudget
-  options->search.add_precision_to(command);
-  options->search.add_budget_to(command).front().without_default();
+  options->search.add_with_default_budget_to(command);
   command.max_work();
   command.threads();
   command.json("One JSON object per expectation");

@@ -222,19 +222,10 @@ const std::vector<Family>& families() {
   return all;
 }
 
-std::string known_specs() {
-  std::string specs;
-  for (const Family& f : families()) {
-    if (!specs.empty()) specs += ", ";
-    specs += f.info.spec;
-  }
-  return specs + ", plugin:PATH, plugin-exec:PATH";
-}
-
-std::string nearest_spec(const std::string& text) {
+std::vector<std::string> known_specs() {
   std::vector<std::string> specs;
   for (const Family& f : families()) specs.push_back(f.info.spec);
-  return did_you_mean(text, specs);
+  return specs;
 }
 
 struct Found {
@@ -251,8 +242,11 @@ Result<Found> find_family(const std::string& text) {
     if (f.info.spec == found.spec.spec || f.info.spec == name + ":F") found.family = &f;
   }
   if (found.family == nullptr) {
-    return input_error("--methods", fmt::format("unknown method \"{}\"{}; known are {}", text,
-                                                nearest_spec(text), known_specs()));
+    const std::vector<std::string> specs = known_specs();
+    return input_error("--methods",
+                       fmt::format("unknown method \"{}\"{}; known are {}, plugin:PATH, "
+                                   "plugin-exec:PATH",
+                                   text, did_you_mean(text, specs), fmt::join(specs, ", ")));
   }
   const std::vector<std::string>& known = found.family->info.switches;
   std::vector<std::string> left = known;
