@@ -56,8 +56,35 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   out += '}';
 }
 
+/// The fields of a description: those that are looked up are all that there are.
+class DescriptionFields {
+ public:
+  explicit DescriptionFields(const JsonValue& object) : object_(object) {}
+
+  /// The object, to look this field up in it.
+  const JsonValue& with(std::string_view key) {
+    known_.push_back(key);
+    return object_;
+  }
+  const JsonValue* find(std::string_view key) { return with(key).find(key); }
+  std::string text(std::string_view key) { return text_of(with(key), key); }
+
+  /// A field that was not looked up: misspelt, it would claim nothing.
+  std::optional<PluginRefusal> unknown() const {
+    for (const std::string& key : object_.keys) {
+      if (std::ranges::find(known_, key) != known_.end()) continue;
+      return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const JsonValue& object_;
+  std::vector<std::string_view> known_;
+};
+
 /// Reads a claim that may be left out. A claim that cannot be read is none that may be guessed at.
-tl::expected<void, Fault> read_flag(const JsonValue& object, std::string_view key, bool& out) {
+tl::expected<void, Fault> read_flag(DescriptionFields& object, std::string_view key, bool& out) {
   const JsonValue* found = object.find(key);
   if (found == nullptr) return {};
   if (found->kind != JsonKind::kBool) {
@@ -69,8 +96,8 @@ tl::expected<void, Fault> read_flag(const JsonValue& object, std::string_view ke
 }
 
 template <class Value>
-tl::expected<void, Fault> read_word(const JsonValue& object, std::string_view key,
-                                    const auto& words, Value& out) {
+tl::expected<void, Fault> read_word(auto& object, std::string_view key, const auto& words,
+                                    Value& out) {
   const JsonValue* value = object.find(key);
   if (value == nullptr) return {};
   const auto found =
@@ -83,65 +110,13 @@ tl::expected<void, Fault> read_word(const JsonValue& object, std::string_view ke
   return {};
 }
 
-tl::expected<void, Fault> read_length(const JsonValue& object, std::string_view key, double& out) {
+tl::expected<void, Fault> read_length(DescriptionFields& object, std::string_view key,
+                                      double& out) {
   const JsonValue* value = object.find(key);
   if (value == nullptr) return {};
   out = number_of(value).value_or(std::numeric_limits<double>::quiet_NaN());
   if (out >= 0 && std::isfinite(out)) return {};
   return garbage_answer(fmt::format("claims {} {}, which is no number >= 0", key, shown(*value)));
-}
-
-constexpr std::array<std::string_view, 2> kNumbers = {"binary64", "binary32"};
-
-/// What decides how its answers are judged.
-tl::expected<void, Fault> read_claims(const JsonValue& object, PluginDescription& out) {
-  constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
-  std::uint64_t scale = 0;
-  for (const FeatureClaim& claim : kFeatureClaims) {
-    CCDFUZZ_TRY_VOID(read_flag(object, claim.field, out.features.*claim.feature));
-  }
-  CCDFUZZ_TRY_VOID(read_flag(object, "conservative", out.conservative));
-  CCDFUZZ_TRY_VOID(read_flag(object, "closed_t_max", out.closed_t_max));
-  CCDFUZZ_TRY_VOID(read_flag(object, "contact_at_zero", out.contact_at_zero));
-  CCDFUZZ_TRY_VOID(
-      read_word(object, "tolerance_kind", names_of(out.tolerance_kind), out.tolerance_kind));
-  CCDFUZZ_TRY_VOID(read_length(object, "tolerance", out.tolerance));
-  CCDFUZZ_TRY_VOID(read_length(object, "minimum_separation", out.minimum_separation));
-  CCDFUZZ_TRY_VOID(read_word(object, "nan_policy", names_of(out.nan_policy), out.nan_policy));
-  CCDFUZZ_TRY_VOID(read_flag(object, "ordinary", out.domain.ordinary));
-  CCDFUZZ_TRY_VOID(read_flag(object, "plane", out.domain.plane));
-  CCDFUZZ_TRY_VOID(read_word(object, "numbers", kNumbers, out.domain.binary32));
-  CCDFUZZ_TRY_VOID(read_count(object, "within", scale));
-  if (scale > 0) out.domain.scale = static_cast<int>(std::min(scale, kWidestScale));
-  return {};
-}
-
-/// A field that a description does not have: misspelt, it would claim nothing.
-std::optional<PluginRefusal> unknown_field(const JsonValue& object) {
-  constexpr std::array kFields = {"protocol",
-                                  "name",
-                                  "version",
-                                  "promise",
-                                  "accepts",
-                                  "bodies",
-                                  "numbers",
-                                  "conservative",
-                                  "closed_t_max",
-                                  "contact_at_zero",
-                                  "plane",
-                                  "ordinary",
-                                  "within",
-                                  "tolerance_kind",
-                                  "tolerance",
-                                  "nan_policy",
-                                  "minimum_separation"};
-  for (const std::string& key : object.keys) {
-    if (std::ranges::find(kFields, key) == kFields.end() &&
-        std::ranges::find(kFeatureClaims, key, &FeatureClaim::field) == kFeatureClaims.end()) {
-      return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};
-    }
-  }
-  return std::nullopt;
 }
 
 /// A claim about bodies, of which it takes none: it would claim nothing.
@@ -205,7 +180,7 @@ tl::expected<BodyKind, Fault> read_body_kind(const JsonValue& value) {
 
 /// Calls read on each item of an array that may be left out, and adds what it gives.
 template <class Item, class Read>
-tl::expected<void, Fault> read_items(const JsonValue& object, std::string_view key,
+tl::expected<void, Fault> read_items(DescriptionFields& object, std::string_view key,
                                      const Read& read, std::vector<Item>& out) {
   const JsonValue* items = object.find(key);
   if (items == nullptr || items->kind != JsonKind::kArray) return {};
@@ -213,6 +188,32 @@ tl::expected<void, Fault> read_items(const JsonValue& object, std::string_view k
     CCDFUZZ_TRY(const auto item, read(value));
     out.push_back(item);
   }
+  return {};
+}
+
+/// What decides what it is asked, and how its answers are judged.
+tl::expected<void, Fault> read_claims(DescriptionFields& object, PluginDescription& out) {
+  constexpr std::array<std::string_view, 2> kNumbers = {"binary64", "binary32"};
+  constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
+  std::uint64_t scale = 0;
+  CCDFUZZ_TRY_VOID(read_items(object, "accepts", read_pair, out.domain.pairs));
+  CCDFUZZ_TRY_VOID(read_items(object, "bodies", read_body_kind, out.domain.body_kinds));
+  for (const FeatureClaim& claim : kFeatureClaims) {
+    CCDFUZZ_TRY_VOID(read_flag(object, claim.field, out.features.*claim.feature));
+  }
+  CCDFUZZ_TRY_VOID(read_flag(object, "conservative", out.conservative));
+  CCDFUZZ_TRY_VOID(read_flag(object, "closed_t_max", out.closed_t_max));
+  CCDFUZZ_TRY_VOID(read_flag(object, "contact_at_zero", out.contact_at_zero));
+  CCDFUZZ_TRY_VOID(
+      read_word(object, "tolerance_kind", names_of(out.tolerance_kind), out.tolerance_kind));
+  CCDFUZZ_TRY_VOID(read_length(object, "tolerance", out.tolerance));
+  CCDFUZZ_TRY_VOID(read_length(object, "minimum_separation", out.minimum_separation));
+  CCDFUZZ_TRY_VOID(read_word(object, "nan_policy", names_of(out.nan_policy), out.nan_policy));
+  CCDFUZZ_TRY_VOID(read_flag(object, "ordinary", out.domain.ordinary));
+  CCDFUZZ_TRY_VOID(read_flag(object, "plane", out.domain.plane));
+  CCDFUZZ_TRY_VOID(read_word(object, "numbers", kNumbers, out.domain.binary32));
+  CCDFUZZ_TRY_VOID(read_count(object.with("within"), "within", scale));
+  if (scale > 0) out.domain.scale = static_cast<int>(std::min(scale, kWidestScale));
   return {};
 }
 
@@ -311,21 +312,19 @@ Described read_description(const std::string& line) {
   if (const JsonValue* named = object.find("fault"); named != nullptr) {
     return tl::unexpected(Fault{named->text, text_of(object, "message")});
   }
-  if (const auto version = number_of(object.find("protocol")); version != 1.0) {
+  DescriptionFields fields(object);
+  if (const auto version = number_of(fields.find("protocol")); version != 1.0) {
     return tl::unexpected(
         Fault{"garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
   }
   PluginDescription out;
-  out.name = text_of(object, "name");
-  out.version = text_of(object, "version");
-  out.promise = text_of(object, "promise");
-  const auto read =
-      read_items(object, "accepts", read_pair, out.domain.pairs)
-          .and_then(
-              [&] { return read_items(object, "bodies", read_body_kind, out.domain.body_kinds); })
-          .and_then([&] { return read_claims(object, out); });
-  if (!read) return tl::unexpected(PluginRefusal{read.error().note});
-  if (auto refusal = unknown_field(object)) return tl::unexpected(*std::move(refusal));
+  out.name = fields.text("name");
+  out.version = fields.text("version");
+  out.promise = fields.text("promise");
+  if (const auto read = read_claims(fields, out); !read) {
+    return tl::unexpected(PluginRefusal{read.error().note});
+  }
+  if (auto refusal = fields.unknown()) return tl::unexpected(*std::move(refusal));
   if (auto refusal = idle_claim(out.features)) return tl::unexpected(*std::move(refusal));
   if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
   return out;
