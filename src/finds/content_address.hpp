@@ -1,8 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "case/query.hpp"
@@ -23,11 +23,7 @@ struct CaseSize {
   /// exponents.
   int exponent_spread = 0;
 
-  friend bool operator==(const CaseSize&, const CaseSize&) = default;
-  friend bool operator<(const CaseSize& a, const CaseSize& b) {
-    return std::tie(a.significant_bits, a.exponent_spread) <
-           std::tie(b.significant_bits, b.exponent_spread);
-  }
+  friend auto operator<=>(const CaseSize&, const CaseSize&) = default;
 };
 
 CaseSize size_of(const Query& query);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <compare>
 #include <functional>
-#include <tuple>
 
 #include "finds/content_address.hpp"
 #include "generators/contact.hpp"
@@ -15,10 +15,7 @@ struct Simplicity {
   std::uint64_t witness_bits = 0;      ///< in t and uv
   std::uint64_t different_points = 0;  ///< control points that differ in position or velocity
   std::uint64_t exponents = 0;         ///< sum of |exponent| of all coordinates
-  friend bool operator<(const Simplicity& a, const Simplicity& b) {
-    return std::tie(a.size, a.witness_bits, a.different_points, a.exponents) <
-           std::tie(b.size, b.witness_bits, b.different_points, b.exponents);
-  }
+  friend auto operator<=>(const Simplicity&, const Simplicity&) = default;
 };
 
 Simplicity simplicity_of(const Contact& q);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <vector>
 
 #include "ccd/witness_trace/trace.hpp"
@@ -24,10 +24,7 @@ struct Niche {
   std::int16_t level = 0;  ///< the pair's (TracePlace)
   std::int16_t axis = 0;   ///< among those that the method tries
 
-  friend bool operator==(const Niche&, const Niche&) = default;
-  friend bool operator<(const Niche& a, const Niche& b) {
-    return std::tie(a.by, a.level, a.axis) < std::tie(b.by, b.level, b.axis);
-  }
+  friend auto operator<=>(const Niche&, const Niche&) = default;
 };
 
 /// A contact's place in a population.
