@@ -8,6 +8,7 @@
 #include <cerrno>
 
 #include "base/verify.hpp"
+#include "io/descriptor.hpp"
 #include "io/hash_name.hpp"
 #include "io/input_bytes.hpp"
 
@@ -18,24 +19,19 @@ namespace {
 /// `length` bytes from `offset` on.
 Result<std::string> read_range(const std::string& path, std::uint64_t offset, size_t length) {
   CCDFUZZ_TRY_VOID(refuse_irregular(path));
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return system_error(path, "read", errno);
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (*descriptor < 0) return system_error(path, "read", errno);
   std::string bytes(length, '\0');
-  size_t done = 0;
-  int error = 0;
-  while (done < length) {
+  for (size_t done = 0; done < length;) {
     const ssize_t got =
-        ::pread(descriptor, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
+        ::pread(*descriptor, bytes.data() + done, length - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) error = errno;
-    if (got <= 0) break;
+    if (got < 0) return system_error(path, "read", errno);
+    if (got == 0) {
+      return input_error(path,
+                         fmt::format("ends before byte {}, where a tree ends", offset + length));
+    }
     done += static_cast<size_t>(got);
-  }
-  ::close(descriptor);
-  if (error != 0) return system_error(path, "read", error);
-  if (done < length) {
-    return input_error(path,
-                       fmt::format("ends before byte {}, where a tree ends", offset + length));
   }
   return bytes;
 }

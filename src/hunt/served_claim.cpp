@@ -118,23 +118,19 @@ std::string served_check(const std::vector<Property>& claims, const std::string&
 }
 
 MadeChoices::MadeChoices() : file_(::memfd_create("choices", MFD_CLOEXEC)) {
-  if (file_ < 0) {
+  if (*file_ < 0) {
     throw std::system_error(errno, std::generic_category(), "cannot share a file with a process");
   }
 }
 
-MadeChoices::~MadeChoices() {
-  ::close(file_);
-}
-
 void MadeChoices::clear() {
-  static_cast<void>(::ftruncate(file_, 0));
+  static_cast<void>(::ftruncate(*file_, 0));
 }
 
 void MadeChoices::read_into(InputRun& run) const {
-  const off_t size = ::lseek(file_, 0, SEEK_END);
+  const off_t size = ::lseek(*file_, 0, SEEK_END);
   std::vector<std::uint8_t> made(static_cast<std::size_t>(size));
-  if (::pread(file_, made.data(), made.size(), 0) == size) run.numbers = choices_of(made);
+  if (::pread(*file_, made.data(), made.size(), 0) == size) run.numbers = choices_of(made);
 }
 
 ServedClaim::ServedClaim(const Property& property, const std::atomic<bool>* interrupted)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/child.hpp"
+#include "io/descriptor.hpp"
 #include "properties/shrink.hpp"
 
 namespace ccdfuzz {
@@ -15,17 +16,14 @@ class MadeChoices {
  public:
   /// Errors: throws std::system_error where the system refuses a file.
   MadeChoices();
-  ~MadeChoices();
-  MadeChoices(const MadeChoices&) = delete;
-  MadeChoices& operator=(const MadeChoices&) = delete;
 
-  int descriptor() const { return file_; }
+  int descriptor() const { return *file_; }
   void clear();
   /// Sets run.numbers.
   void read_into(InputRun& run) const;
 
  private:
-  int file_;
+  Descriptor file_;
 };
 
 /// The results of one property on inputs.

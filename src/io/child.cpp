@@ -41,26 +41,21 @@ constexpr size_t kKeptPrintedBytes = 300;
 
 /// Two descriptors that no other child inherits.
 struct DescriptorPair {
-  std::array<int, 2> ends{-1, -1};
+  Descriptor ours, theirs;
 
   static DescriptorPair pipe() {
-    DescriptorPair pair;
-    if (::pipe2(pair.ends.data(), O_CLOEXEC) != 0) system_refused("make a pipe", errno);
-    return pair;
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) system_refused("make a pipe", errno);
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
   }
   static DescriptorPair sockets() {
-    DescriptorPair pair;
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.ends.data()) != 0) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
       system_refused("make a socket", errno);
     }
-    return pair;
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
   }
 };
-
-void close_descriptor(int& descriptor) {
-  if (descriptor >= 0) ::close(descriptor);
-  descriptor = -1;
-}
 
 std::string signal_name(int number) {
   const char* const name = ::sigabbrev_np(number);
@@ -146,13 +141,12 @@ void Child::start() {
   kill();
   const std::string program = value_or_throw(find_worker_program());
   let_ends_be_known();
-  const DescriptorPair questions = DescriptorPair::sockets();
-  const DescriptorPair replies = DescriptorPair::pipe();
-  const DescriptorPair printed = DescriptorPair::pipe();
-  questions_ = questions.ends[0];
-  replies_ = replies.ends[0];
-  printed_ = printed.ends[0];
-  for (const int ours : {questions_, replies_, printed_}) ::fcntl(ours, F_SETFL, O_NONBLOCK);
+  DescriptorPair questions = DescriptorPair::sockets(), replies = DescriptorPair::pipe(),
+                 printed = DescriptorPair::pipe();
+  questions_ = std::move(questions.ours);
+  replies_ = std::move(replies.ours);
+  printed_ = std::move(printed.ours);
+  for (const int ours : {*questions_, *replies_, *printed_}) ::fcntl(ours, F_SETFL, O_NONBLOCK);
 
   std::vector<std::string> words = {
       program, std::to_string(program_.limits.megabytes),
@@ -164,9 +158,9 @@ void Child::start() {
 
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, questions.ends[1], STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, replies.ends[1], STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, printed.ends[1], STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&files, *questions.theirs, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, *replies.theirs, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, *printed.theirs, STDERR_FILENO);
   if (program_.inherited >= 0) {
     posix_spawn_file_actions_adddup2(&files, program_.inherited, ChildProgram::kInherited);
   }
@@ -179,7 +173,6 @@ void Child::start() {
       ::posix_spawn(&pid_, program.c_str(), &files, &attributes, arguments.data(), environ);
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
-  for (const DescriptorPair& pair : {questions, replies, printed}) ::close(pair.ends[1]);
   if (failed != 0) {
     pid_ = -1;
     kill();
@@ -200,9 +193,7 @@ void Child::kill() {
     pid_ = -1;
   }
   has_answered_ = false;
-  close_descriptor(questions_);
-  close_descriptor(replies_);
-  close_descriptor(printed_);
+  for (Descriptor* one : {&questions_, &replies_, &printed_}) *one = Descriptor();
   reply_.clear();
   printed_text_.clear();
   printed_bytes_ = 0;
@@ -225,7 +216,7 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
   for (size_t sent = 0;;) {
     if (sent < question.size()) {
       const ssize_t n =
-          ::send(questions_, question.data() + sent, question.size() - sent, MSG_NOSIGNAL);
+          ::send(*questions_, question.data() + sent, question.size() - sent, MSG_NOSIGNAL);
       if (n > 0) sent += static_cast<size_t>(n);
       // It listens no more; what it said before it ended is still to be read.
       if (n < 0 && errno != EAGAIN && errno != EINTR) sent = question.size();
@@ -241,9 +232,9 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
         taken.count() >= ChildProgram::kPatience) {
       return tl::unexpected(stopped("interrupted", "no answer when it was interrupted"));
     }
-    std::array<pollfd, 3> watched = {{{replies_, POLLIN, 0},
-                                      {printed_, POLLIN, 0},
-                                      {sent == question.size() ? -1 : questions_, POLLOUT, 0}}};
+    std::array<pollfd, 3> watched = {{{*replies_, POLLIN, 0},
+                                      {*printed_, POLLIN, 0},
+                                      {sent == question.size() ? -1 : *questions_, POLLOUT, 0}}};
     const auto wait = static_cast<int>(std::min<long>(left, kMostBetweenLooks));
     const int ready = ::poll(watched.data(), watched.size(), wait);
     if (ready < 0 && errno != EINTR) system_refused("wait for a process", errno);
@@ -272,7 +263,7 @@ tl::expected<std::string, Fault> Child::await_reply(const std::string& question,
 bool Child::read_reply() {
   std::array<char, 4096> buffer;
   while (reply_.size() <= program_.limits.reply_bytes) {
-    const ssize_t n = ::read(replies_, buffer.data(), buffer.size());
+    const ssize_t n = ::read(*replies_, buffer.data(), buffer.size());
     if (n == 0) return false;
     if (n < 0) return errno == EAGAIN || errno == EINTR;
     reply_.append(buffer.data(), static_cast<size_t>(n));
@@ -284,8 +275,8 @@ bool Child::read_reply() {
 bool Child::read_printed() {
   std::array<char, 4096> buffer;
   while (printed_bytes_ <= kMostPrintedBytes) {
-    const ssize_t n = printed_ < 0 ? 0 : ::read(printed_, buffer.data(), buffer.size());
-    if (n == 0) close_descriptor(printed_);
+    const ssize_t n = *printed_ < 0 ? 0 : ::read(*printed_, buffer.data(), buffer.size());
+    if (n == 0) printed_ = Descriptor();
     if (n <= 0) return true;
     printed_bytes_ += static_cast<size_t>(n);
     printed_text_.append(buffer.data(), static_cast<size_t>(n));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "io/descriptor.hpp"
 
 namespace ccdfuzz {
 
@@ -89,7 +90,7 @@ class Child {
   ChildProgram program_;
   pid_t pid_ = -1;
   bool has_answered_ = false;
-  int questions_ = -1, replies_ = -1, printed_ = -1;
+  Descriptor questions_, replies_, printed_;
   std::string reply_;                ///< received and not yet taken
   std::string printed_text_;         ///< the end of what it wrote to stderr
   std::uint64_t own_kibibytes_ = 0;  ///< the most that this process had when it was started

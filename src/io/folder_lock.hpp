@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/result.hpp"
+#include "io/descriptor.hpp"
 
 namespace ccdfuzz {
 
@@ -15,12 +16,6 @@ class OpenFolder {
  public:
   OpenFolder() = default;
   explicit OpenFolder(int descriptor) : descriptor_(descriptor) {}
-  OpenFolder(OpenFolder&& other) noexcept { *this = std::move(other); }
-  OpenFolder& operator=(OpenFolder&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-  }
-  ~OpenFolder();
 
   /// True iff both are the same folder.
   bool operator==(const OpenFolder& other) const;
@@ -28,7 +23,7 @@ class OpenFolder {
  private:
   std::pair<dev_t, ino_t> inode() const;
 
-  int descriptor_ = -1;
+  Descriptor descriptor_;
 };
 
 /// Keeps other threads and processes that lock the same folder waiting. The system drops the lock
@@ -37,16 +32,13 @@ class FolderLock {
  public:
   /// Waits for the lock. Errors: the folder cannot be opened or locked, naming it.
   static Result<FolderLock> take(const std::string& folder);
-  FolderLock(FolderLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  FolderLock& operator=(FolderLock&&) = delete;
-  ~FolderLock();
 
   /// The folder that is locked. Stays open when the lock is released.
   OpenFolder folder() const;
 
  private:
-  explicit FolderLock(int descriptor) : descriptor_(descriptor) {}
-  int descriptor_;
+  explicit FolderLock(Descriptor descriptor) : descriptor_(std::move(descriptor)) {}
+  Descriptor descriptor_;
 };
 
 }  // namespace ccdfuzz

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "base/verify.hpp"
+#include "io/descriptor.hpp"
 #include "io/output_file.hpp"
 
 namespace ccdfuzz {
@@ -19,16 +20,14 @@ namespace fs = std::filesystem;
 
 class PlainFile : public InputBytes {
  public:
-  PlainFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
-  ~PlainFile() override { ::close(descriptor_); }
-  PlainFile(const PlainFile&) = delete;
-  PlainFile& operator=(const PlainFile&) = delete;
+  PlainFile(std::string path, Descriptor descriptor)
+      : path_(std::move(path)), descriptor_(std::move(descriptor)) {}
 
   Result<std::string> read(size_t most) override {
     std::string bytes(most, '\0');
     ssize_t got = 0;
     do {
-      got = ::read(descriptor_, bytes.data(), bytes.size());
+      got = ::read(*descriptor_, bytes.data(), bytes.size());
     } while (got < 0 && errno == EINTR);
     if (got < 0) return system_error(path_, "read", errno);
     bytes.resize(static_cast<size_t>(got));
@@ -39,7 +38,7 @@ class PlainFile : public InputBytes {
 
  private:
   std::string path_;
-  int descriptor_;
+  Descriptor descriptor_;
   std::uint64_t position_ = 0;
 };
 
@@ -115,9 +114,9 @@ Result<void> refuse_irregular(const std::string& path) {
 Result<std::unique_ptr<InputBytes>> open_input(const std::string& path, bool zstd) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return system_error(path, "read", EISDIR);
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return system_error(path, "read", errno);
-  std::unique_ptr<InputBytes> file = std::make_unique<PlainFile>(path, descriptor);
+  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (*descriptor < 0) return system_error(path, "read", errno);
+  std::unique_ptr<InputBytes> file = std::make_unique<PlainFile>(path, std::move(descriptor));
   if (zstd) file = std::make_unique<ZstdFile>(path, std::move(file));
   return file;
 }

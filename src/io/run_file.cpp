@@ -107,20 +107,12 @@ std::string RunLines::where() const {
   return fmt::format("{}:{}", lines_.path(), lines_.line());
 }
 
-RunFile::RunFile(RunFile&& other) noexcept
-    : path_(std::move(other.path_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      size_(other.size_) {}
-
-RunFile::~RunFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
-}
-
 Result<RunFile> RunFile::open(const std::string& path, const RunHeader& header) {
   for (;;) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    RunFile file(path,
+                 Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666)));
+    const int descriptor = *file.descriptor_;
     if (descriptor < 0) return system_error(path, "write", errno);
-    RunFile file(path, descriptor);
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && !is_without_locks(errno)) {
       if (errno == EWOULDBLOCK) return input_error(path, "another process is at this run");
       return system_error(path, "lock", errno);
@@ -133,7 +125,7 @@ Result<RunFile> RunFile::open(const std::string& path, const RunHeader& header) 
 }
 
 Result<void> RunFile::begin(const RunHeader& header) {
-  if (::ftruncate(descriptor_, 0) != 0) return system_error(path_, "write", errno);
+  if (::ftruncate(*descriptor_, 0) != 0) return system_error(path_, "write", errno);
   return write(to_json(header) + "\n");
 }
 
@@ -141,7 +133,7 @@ Result<void> RunFile::resume(const RunHeader& header) {
   // A run that was killed at once leaves a part of the header's line.
   const std::string first = to_json(header) + "\n";
   std::string begun(first.size(), '\0');
-  const ssize_t got = ::pread(descriptor_, begun.data(), begun.size(), 0);
+  const ssize_t got = ::pread(*descriptor_, begun.data(), begun.size(), 0);
   if (got < 0) return system_error(path_, "read", errno);
   begun.resize(static_cast<size_t>(got));
   if (begun.size() < first.size() && first.starts_with(begun)) return begin(header);
@@ -164,7 +156,7 @@ Result<void> RunFile::resume(const RunHeader& header) {
     if (!line) break;
     ++size_;
   }
-  if (::ftruncate(descriptor_, static_cast<off_t>(lines->bytes())) == 0) return {};
+  if (::ftruncate(*descriptor_, static_cast<off_t>(lines->bytes())) == 0) return {};
   return system_error(path_, "write", errno);
 }
 
@@ -174,7 +166,7 @@ Result<void> RunFile::append(std::string_view line) {
 
 Result<void> RunFile::write(std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t written = ::write(*descriptor_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return system_error(path_, "write", errno);
     bytes.remove_prefix(static_cast<size_t>(written));
@@ -183,7 +175,7 @@ Result<void> RunFile::write(std::string_view bytes) {
 }
 
 Result<void> RunFile::rename(const std::string& output) {
-  if (::fsync(descriptor_) != 0) return system_error(path_, "write", errno);
+  if (::fsync(*descriptor_) != 0) return system_error(path_, "write", errno);
   if (::rename(path_.c_str(), output.c_str()) != 0) return system_error(output, "write", errno);
   return {};
 }

@@ -9,6 +9,7 @@
 
 #include "base/result.hpp"
 #include "base/shard.hpp"
+#include "io/descriptor.hpp"
 #include "io/line_reader.hpp"
 
 namespace ccdfuzz {
@@ -84,9 +85,6 @@ class RunFile {
   /// other options, naming them. Another process has it (where the file system has locks). It is no
   /// run file. What the system says. After an error the file is unchanged.
   static Result<RunFile> open(const std::string& path, const RunHeader& header);
-  RunFile(RunFile&& other) noexcept;
-  RunFile& operator=(RunFile&&) = delete;
-  ~RunFile();
 
   /// How many items are done.
   std::uint64_t size() const { return size_; }
@@ -101,13 +99,14 @@ class RunFile {
   Result<void> remove();
 
  private:
-  RunFile(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  RunFile(std::string path, Descriptor descriptor)
+      : path_(std::move(path)), descriptor_(std::move(descriptor)) {}
   Result<void> resume(const RunHeader& header);
   Result<void> begin(const RunHeader& header);
   Result<void> write(std::string_view bytes);
 
   std::string path_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0;
 };
 
