@@ -51,7 +51,7 @@ struct Tally {
   }
 
   std::uint64_t count(Outcome outcome) const { return by_outcome[static_cast<size_t>(outcome)]; }
-  /// Of how many answers an outcome may be one.
+  /// How many answers may have the outcome.
   std::uint64_t of_which(Outcome outcome) const {
     if (is_false_negative(outcome)) return positives;
     return outcome == Outcome::kFalsePositive ? negatives : n;
