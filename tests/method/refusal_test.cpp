@@ -127,7 +127,7 @@ std::vector<Spoilt> spoilt_structures() {
       {"patches[0]: 82, 0: a hull has 1..81 points, and no second number",
        relabel(Shape::hull(82))},
       {"patches[0].velocities: hull(3) needs 1 control points, not 3", relabel(Shape::hull(3))},
-      {"patches: one is a hull, and the other is not",
+      {"patches[0].shape: hull stands beside a triangle; both patches are hulls, or none",
        [](Query& q, SearchOptions&) {
          q.patches[0].shape = Shape::hull(3);
          q.patches[0].velocities.resize(1);
