@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -44,16 +45,42 @@ std::string with_checks(const EngineWords& engine, const std::string& text,
                  : "  EXPECT_FALSE(touches) << \"at \" << share << \" of the way\";\n}\n");
 }
 
-/// The point of a body that a witness has, at time t. Requires a witness of bodies.
-Vec3<Rational> point_of(const Case& value, size_t side, const Rational& t) {
+/// The point of a body that a witness has, at its time. Requires a witness of bodies.
+Vec3<Rational> touched_point(const Case& value, size_t side) {
   const MovingPatch<double>& body = value.query.patches[side];
+  const Witness& witness = *value.truth.witness;
   Vec3<Rational> sum{Rational(0), Rational(0), Rational(0)};
   for (size_t i = 0; i < body.positions.size(); ++i) {
-    sum += value.truth.witness->weights[side][i] * exact(body.positions[i]);
+    sum += witness.weights[side][i] * exact(body.positions[i]);
   }
   Work work(kMostWork);
-  const auto moved = moved_point(body, sum, t, work);
+  const auto moved = moved_point(body, sum, witness.t, work);
   return moved ? moved->point : sum;
+}
+
+/// The angular velocity of a body at time t. For q of cosine and sine it is (c s' − s c')/|q|², for
+/// a quaternion the vector of 2 q' q*/|q|². So it is rational where |q| is not.
+Vec3<Rational> angular_velocity(const BodyTurn& turn, const Rational& t) {
+  if (turn.is_spin()) return {exact(turn.spin[0]), exact(turn.spin[1]), exact(turn.spin[2])};
+  std::vector<Rational> q, change;
+  Rational square = 0;
+  for (size_t i = 0; i < turn.from.size(); ++i) {
+    change.push_back(exact(turn.to[i]) - exact(turn.from[i]));
+    q.push_back(exact(turn.from[i]) + t * change[i]);
+    square += q[i] * q[i];
+  }
+  if (!turn.is_quaternion()) return {0, 0, Rational(q[0] * change[1] - q[1] * change[0]) / square};
+  const Vec3<Rational> v{q[1], q[2], q[3]}, to{change[1], change[2], change[3]};
+  return Rational(2 / square) * (q[0] * to - change[0] * v + v.cross(to));
+}
+
+/// The velocity of a body's point, which is there at time t.
+Vec3<Rational> velocity_at(const MovingPatch<double>& body, const Vec3<Rational>& point,
+                           const Rational& t) {
+  const Vec3<Rational> velocity = exact(body.velocities[0]);
+  if (!body.turn) return velocity;
+  const Vec3<Rational> centre = exact(body.turn->centre) + t * velocity;
+  return velocity + angular_velocity(*body.turn, t).cross(point - centre);
 }
 
 /// How long the step is in which a share of 1 ends: turns are given for a step of 1.
@@ -85,52 +112,65 @@ double allowed_delay(const Case& value, const EngineWords& engine) {
     const auto* planes = std::get_if<BodyPlanes>(&*clear);
     if (planes != nullptr && value.truth.witness) {
       const Rational& t = value.truth.witness->t;
-      const Rational shortly = t * power_of_two(-20);
+      const Vec3<Rational> way_of_points = velocity_at(patches[0], touched_point(value, 0), t) -
+                                           velocity_at(patches[1], touched_point(value, 1), t);
       Rational towards = 0, square = 0;
       for (const int k : kAxes) {
         const Rational& n = planes->planes.back().normals[1][static_cast<size_t>(k)];
-        towards += n * (point_of(value, 0, t)[k] - point_of(value, 0, t - shortly)[k]);
-        towards -= n * (point_of(value, 1, t)[k] - point_of(value, 1, t - shortly)[k]);
+        towards += n * way_of_points[k];
         square += n * n;
       }
-      speed = Rational(abs(towards) / shortly).get_d() / std::sqrt(square.get_d()) *
+      speed = Rational(abs(towards)).get_d() / std::sqrt(square.get_d()) *
               step_of_bodies(value.query, engine);
     }
   }
   return speed > depth ? depth / speed : 1;
 }
 
-/// Exactly, or rounded: a point of a body that spins is known to many digits.
-std::string point_text(const Vec3<Rational>& p, bool is_rounded) {
-  const auto text = [&](const Rational& x) {
-    return is_rounded ? fmt::format("{}", x.get_d()) : to_text(x);
-  };
-  return fmt::format("({}, {}, {})", text(p[0]), text(p[1]), text(p[2]));
+/// Exactly, or rounded where a number is long: a point of a body that spins has many digits.
+std::string readable(const std::vector<Rational>& numbers) {
+  constexpr size_t kReadable = 12;
+  std::vector<std::string> exactly, nearly;
+  for (const Rational& x : numbers) {
+    exactly.push_back(to_text(x));
+    nearly.push_back(fmt::format("{:.9g}", x.get_d()));
+  }
+  const bool is_long =
+      std::ranges::any_of(exactly, [](const std::string& text) { return text.size() > kReadable; });
+  const std::string joined = fmt::format("{}", fmt::join(is_long ? nearly : exactly, ", "));
+  const std::string text = numbers.size() > 1 ? fmt::format("({})", joined) : joined;
+  return is_long ? "about " + text : text;
 }
 
-/// What is proven, in a line that a person can check.
-std::string proof_text(const Case& value) {
+/// The place of the body that the test has first: a mesh is the second.
+size_t first_body(const Query& query) {
+  return has_mesh(query) ? 1 - mesh_side(query) : 0;
+}
+
+/// What is proven, in a line that a person can check. Points are where the test has them: it may
+/// move the first body alone, as the second sees it.
+std::string proof_text(const Case& value, const EngineWords& engine) {
+  const Query& query = value.query;
   const auto& witness = value.truth.witness;
   if (!witness) {
     const auto contact = value.truth.contact_by();
     return contact ? fmt::format("They touch by t = {:.17g} of t_max = {}.", contact->get_d(),
-                                 value.query.t_max)
-                   : fmt::format("Nothing touches in [0, {}].", value.query.t_max);
+                                 query.t_max)
+                   : fmt::format("Nothing touches in [0, {}].", query.t_max);
   }
-  std::vector<std::string> points;
-  for (const size_t side : {size_t{0}, size_t{1}}) {
-    if (!is_of_bodies(value.query)) continue;
-    points.push_back(point_text(point_of(value, side, witness->t), has_spins(value.query)));
+  const std::string at =
+      fmt::format("At t = {} of t_max = {}", readable({witness->t}), query.t_max);
+  if (!is_of_bodies(query)) return at + " they have a point in common.";
+  const size_t first = first_body(query), second = 1 - first;
+  std::array<std::string, 2> points;
+  for (const size_t side : {first, second}) {
+    Vec3<Rational> p = touched_point(value, side);
+    if (engine.moves_one()) p -= witness->t * exact(query.patches[second].velocities[0]);
+    points[side] = readable({p[0], p[1], p[2]});
   }
-  constexpr size_t kReadable = 24;  // digits, of which a double has 17
-  std::string t = to_text(witness->t);
-  if (t.size() > kReadable) t += fmt::format(" (about {:.9g})", witness->t.get_d());
-  const std::string at = fmt::format("At t = {} of t_max = {}", t, value.query.t_max);
-  if (points.empty()) return at + " they have a point in common.";
   return fmt::format(
-      "{} the cores have the points{}\n// {} and {},\n// no farther apart than the "
-      "radii together.",
-      at, has_spins(value.query) ? " (rounded)" : "", points[0], points[1]);
+      "{} the cores have the points\n// {} and {},\n// no farther apart than the radii together.",
+      at, points[first], points[second]);
 }
 
 /// The name in a template of a pair of linear shapes, the smaller first; "" if there is none.
@@ -203,9 +243,8 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
   if (!is_of_bodies(query)) return refused("is asked about bodies");
   if (engine.has("plane") && !is_in_plane(query))
     return input_error(named.id, "is not in the plane z = 0");
-  // A mesh is the second.
   const bool has_one = has_mesh(query);
-  const size_t first = has_one ? 1 - mesh_side(query) : 0;
+  const size_t first = first_body(query);
   const std::array bodies = {&query.patches[first], &query.patches[1 - first]};
   if (has_one && !engine.has(bodies[1]->one_sided ? "one-sided mesh" : "mesh"))
     return refused(bodies[1]->one_sided ? "has no tests of one-sided meshes"
@@ -231,7 +270,7 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                            {"__B__", shapes[1].text},
                            {"__CENTRE_A__", list(shapes[0].body.centre)},
                            {"__CENTRE_B__", list(shapes[1].body.centre)},
-                           {"__WAY__", list(way)},
+                           {kWay, list(way)},
                            {"__SWEEP_A__", sweeps[0]},
                            {"__SWEEP_B__", sweeps[1]},
                            {"__FRACTION__", fmt::format("{}", query.t_max / step)}}));
@@ -264,7 +303,7 @@ Result<std::string> engine_test(const NamedCase& named, std::string_view name) {
   const Result<std::string> asked =
       is_of_features ? features_text(named, engine) : bodies_text(named, engine);
   return asked.map([&](const std::string& text) {
-    return fmt::format("// {}\n{}", proof_text(value), with_checks(engine, text, latest));
+    return fmt::format("// {}\n{}", proof_text(value, engine), with_checks(engine, text, latest));
   });
 }
 

@@ -31,7 +31,8 @@ std::string filled(std::string text, const std::map<std::string_view, std::strin
 /// NAME" and "//:".
 std::string without_idle_helpers(std::string text);
 
-constexpr const char *kUntil = "__UNTIL__", *kApart = "__APART__", *kChecks = "__CHECKS__";
+constexpr const char *kUntil = "__UNTIL__", *kApart = "__APART__", *kChecks = "__CHECKS__",
+                     *kWay = "__WAY__";
 
 /// The test of an engine (EngineTemplate): what it calls things, and the text.
 struct EngineWords {
@@ -49,6 +50,8 @@ struct EngineWords {
   double number(std::string_view name) const;
   /// Whether it is given ends after a step that is a power of two, and exactly.
   bool is_exact() const { return text.find(kUntil) != text.npos; }
+  /// Whether it moves the first body alone, by the way of both.
+  bool moves_one() const { return text.find(kWay) != text.npos; }
   bool takes_separation() const { return text.find(kApart) != text.npos; }
 
   /// Points as the engine's words for one have them.
