@@ -1,5 +1,5 @@
 // FCL 0.7 (Debian libfcl-dev): continuousCollide of balls and tetrahedra by conservative
-// advancement. With spins=1 they turn by InterpMotion, whose angular velocity is constant.
+// advancement. Some turn, by InterpMotion, whose angular velocity is constant.
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/sphere.h>
 #include <fcl/math/motion/interp_motion.h>
