@@ -7,6 +7,8 @@
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
+#include <optional>
+
 #include "mesh.hpp"
 
 namespace ccd = adapter::ccd;
@@ -45,23 +47,30 @@ struct Bullet {
       const bool is_convex = body->face_count == 0;
       if (is_convex && body->radius < least_margin) throw ccd::Refusal("the margin is too small");
     }
-    const double share = a->face_count > 0   ? swept(*b, *a, query.t_max())
-                         : b->face_count > 0 ? swept(*a, *b, query.t_max())
-                                             : of_impact(*a, *b, query.t_max());
-    return share < 0 ? ccd::Answer::miss()
-                     : ccd::Answer::hit(adapter::scaled_toi(share, query.t_max()));
+    const std::optional<double> share = a->face_count > 0   ? swept(*b, *a, query.t_max())
+                                        : b->face_count > 0 ? swept(*a, *b, query.t_max())
+                                                            : of_impact(*a, *b, query.t_max());
+    if (!share) return {};
+    return *share < 0 ? ccd::Answer::miss()
+                      : ccd::Answer::hit(adapter::scaled_toi(*share, query.t_max()));
   }
 
-  /// The share of the step after which two hulls touch; below 0: they do not.
-  static double of_impact(const ccdfuzz_patch& a, const ccdfuzz_patch& b, double t_max) {
+  struct Result : btConvexCast::CastResult {
+    void reportFailure(int /*error*/, int /*rounds*/) override { gave_up = true; }
+    bool gave_up = false;
+  };
+
+  /// The share after which two hulls touch; below 0: they do not. Nothing: Bullet gave up.
+  static std::optional<double> of_impact(const ccdfuzz_patch& a, const ccdfuzz_patch& b,
+                                         double t_max) {
     const btConvexHullShape first = hull(a), second = hull(b);
     btVoronoiSimplexSolver simplex;
     btGjkEpaPenetrationDepthSolver depth;
-    btConvexCast::CastResult result;
+    Result result;
+    btContinuousConvexCollision test(&first, &second, &simplex, &depth);
     const bool touches =
-        btContinuousConvexCollision(&first, &second, &simplex, &depth)
-            .calcTimeOfImpact(place(a, 0), place(a, t_max), place(b, 0), place(b, t_max), result);
-    return touches ? double{result.m_fraction} : -1;
+        test.calcTimeOfImpact(place(a, 0), place(a, t_max), place(b, 0), place(b, t_max), result);
+    return result.gave_up ? std::nullopt : std::optional(touches ? double{result.m_fraction} : -1);
   }
 
   double least_margin = 0;
