@@ -1,5 +1,9 @@
 #include "generators/ends.hpp"
+
+#include <cmath>
+
 #include "bezier/blossom.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
@@ -73,12 +77,28 @@ void check_decision_on_ends(Draw& d) {
   CLAIM(known.truth.collides != false);
 }
 
+/// Velocities are the differences of ends and positions, exactly.
+void claim_same_way(const Query& of_ends, const Query& of_velocities) {
+  for (std::size_t s = 0; s < 2; ++s) {
+    const MovingPatch<double>&a = of_ends.patches[s], &b = of_velocities.patches[s];
+    for (std::size_t i = 0; a.has_ends() && i < a.positions.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        CLAIM(exact(a.ends[i][k]) - exact(a.positions[i][k]) == exact(b.velocities[i][k]));
+      }
+    }
+  }
+}
+
 /// Where all differences are doubles, ends are the same motion as velocities.
 void check_same_motion(Draw& d) {
   Contact q = supposed(contact_of(supposed(draw_contact(d, kOrdinary))));
   suppose(give_ends(q, d));
   const Query plain = supposed(with_velocities(q.query));
   show(d, "query", q.query);
+  claim_same_way(q.query, plain);
+  if (const std::optional<Query> moved = parted(q.query, d)) {
+    if (const auto velocities = with_velocities(*moved)) claim_same_way(*moved, *velocities);
+  }
   for (const std::string method : {"tdibm-rational", "tdibm-c"}) {
     const auto asked = make_method(method).value();
     const Answer of_ends = asked->answer(q.query, kQuickSearch);
@@ -96,7 +116,18 @@ void check_same_motion(Draw& d) {
   }
 }
 
-/// Methods of the paper refuse motions that their velocities do not hold.
+/// No proof of linear patches reaches a contact, however little it is off their rounded motion.
+void check_late_linear_proof(Draw& d) {
+  const Case drawn = draw_contact_with_ends(d, {.max_degree = 1});
+  suppose(is_linear_query(drawn.query));
+  show(d, "contact", drawn);
+  const bool is_accepted =
+      check_linear_clearance(drawn.query, {drawn.truth.witness->t, true}).has_value();
+  CLAIM(!is_accepted);
+}
+
+/// Methods of the paper refuse motions that their velocities do not hold. No query is past the
+/// ends.
 void check_refusal(Draw& d) {
   const Case drawn = draw_contact_with_ends(d, kOrdinary);
   show(d, "contact", drawn);
@@ -104,6 +135,9 @@ void check_refusal(Draw& d) {
     CLAIM(make_method(method).value()->answer(drawn.query, kQuickSearch).verdict ==
           Verdict::kRefused);
   }
+  Query past = drawn.query;
+  past.t_max = 1 + std::ldexp(1, -static_cast<int>(d.integer(0, 52)));
+  CLAIM(!is_valid(past));
 }
 
 }  // namespace
@@ -116,7 +150,12 @@ std::vector<Property> ends_claims() {
        "src/bezier/patch.hpp", check_meaning},
       {"ends.same_motion", "Ends whose ways are doubles are answered as these velocities are",
        "src/method/taken_query.hpp", check_same_motion},
-      {"ends.refused", "The paper's methods refuse ends whose ways are no doubles",
+      {"ends.no_late_linear_proof",
+       "No proof that linear patches with ends do not touch reaches their contact",
+       "src/certify/checker/check_linear.hpp", check_late_linear_proof},
+      {"ends.refused",
+       "The paper's methods refuse ends whose ways are no doubles, and all refuse a t_max past "
+       "them",
        "src/method/taken_query.hpp", check_refusal},
       {"ends.decision_is_proven", "What the oracle says of ends, the checker accepts",
        "src/certify/oracle/oracle.hpp", check_decision_on_ends},

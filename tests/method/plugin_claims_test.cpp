@@ -3,13 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "admitted.hpp"
 #include "method/ask.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/line_protocol.hpp"
-#include "method/plugin/probes.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -333,53 +330,18 @@ TEST(Ask, DoesNotBlameAMethodForWhatIsBrokenInTheJudge) {
   EXPECT_THROW(ask(method, meeting_at(0.5, 2), {}), InternalError);
 }
 
-TEST(PluginClaims, EveryCoordinateIsPoisonedInTurnAndNothingElse) {
-  std::set<std::string> where;
-  for (int i = 1; i <= 200; ++i) {
-    const Query query = meeting_at(1.0 / i, 1).query;
-    const PoisonedQuery poisoned = poisoned_query(query);
-    EXPECT_EQ(poisoned.where, poisoned_query(query).where);
-    where.insert(poisoned.where);
-    int changed = 0;
-    int finite = 0;
-    for (size_t side = 0; side < 2; ++side) {
-      for (int k = 0; k < 3; ++k) {
-        for (const auto& [before, after] :
-             {std::pair{query.patches[side].positions[0][k],
-                        poisoned.query.patches[side].positions[0][k]},
-              std::pair{query.patches[side].velocities[0][k],
-                        poisoned.query.patches[side].velocities[0][k]}}) {
-          if (!(before == after)) ++changed;
-          if (std::isfinite(after)) ++finite;
-        }
-      }
-    }
-    EXPECT_EQ(changed, 1) << poisoned.where;
-    EXPECT_EQ(finite, 11) << poisoned.where;
-  }
-  EXPECT_EQ(where.size(), 36U);  // 2 patches, 2 kinds, 3 coordinates, 3 values
-}
-
-TEST(PluginClaims, RadiiTurnsAndSpinsArePoisonedAndReachThePlugIn) {
+TEST(PluginClaims, ANaNInARadiusOrATurnReachesThePlugIn) {
   Case known;
   known.query.patches[0] = {Shape::hull(1), {{0, 0, 8}}, {{0, 0, -1}}};
   known.query.patches[1] = {Shape::hull(2), {{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}}};
   known.query.patches[0].radius = 1;
+  known.query.patches[0].turn = BodyTurn{{}, {}, {0, 0, 8}, {0.5, 0, 1}};
   known.query.patches[1].turn = BodyTurn{{1, 0}, {1, 0.5}, {0, 0, 0}};
-  std::set<std::string> fields;
-  for (int i = 1; i <= 60; ++i) {
+  for (int i = 1; i <= 60; ++i) {  // where the NaN is depends on the query
     known.query.t_max = 1.0 / i;
-    auto& spun = known.query.patches[0].turn;
-    if (i == 31) spun = BodyTurn{{}, {}, {0, 0, 8}, {0.5, 0, 1}};
     ASSERT_TRUE(is_valid(known.query));
-    const std::string where = poisoned_query(known.query).where;
-    fields.insert(where.substr(0, where.find(" = ")));
     // Of bodies that turn by angles and spin; a NaN is an error, and this one answers so.
-    EXPECT_EQ(outcome_of(kMiss + ":claims=12359:nan=1:poisoned=4", known), "unknown") << where;
-  }
-  for (const char* field : {"patches[0].radius", "patches[0].spin.velocity[1]",
-                            "patches[1].turn.from[0]", "patches[1].turn.to[1]"}) {
-    EXPECT_TRUE(fields.contains(field)) << field;
+    EXPECT_EQ(outcome_of(kMiss + ":claims=12359:nan=1:poisoned=4", known), "unknown");
   }
 }
 
