@@ -21,7 +21,7 @@ struct Sweeps {
     // Neither a contact at 0 nor one at the end.
     d.claims = CCDFUZZ_TAKES_BODIES | CCDFUZZ_BINARY32 | CCDFUZZ_ORDINARY | Engine::kClaims;
     d.within = 7;
-    // It stops where shapes overlap by its slop, 0.005, and a quarter of that is its tolerance.
+    // It stops where shapes overlap by its slop, 0.005, at most, to within a quarter of that.
     d.tolerance_kind = CCDFUZZ_TOLERANCE_SPACE;
     d.tolerance = 1.25 * 0.005;
     if (turns) {
