@@ -79,7 +79,9 @@ int run_methods(const MethodsOptions& options, Session& session) {
     const bool claims = info.claims_no_false_negative;
     print_entry(fmt::format("{}{} ({})", info.spec, claims ? " *" : "", info.source),
                 info.description);
-    if (const std::vector<std::string> words = words_of(info.features); !words.empty()) {
+    // Of all there are, the list would be longer than a terminal.
+    const std::vector<std::string> words = words_of(info.features);
+    if (!options.specs.empty() && !words.empty()) {
       print_out(fmt::format("    takes {}\n",
                             wrapped(fmt::format("{}", fmt::join(words, ", ")), 10, 10)));
     }
@@ -96,7 +98,8 @@ void add_methods(CommandLine& line) {
   auto [command, options] =
       line.add<MethodsOptions>("methods", "List the methods and their guarantees", run_methods);
   command.example("what a plug-in says of itself", "methods plugin:./libmine.so");
-  command.texts("method", options->specs, "Only these, as --methods takes them; plug-ins, too");
+  command.texts("method", options->specs,
+                "Only these, as --methods takes them, and what they take; plug-ins, too");
   command.json("One JSON object per line");
 }
 
