@@ -220,8 +220,9 @@ void check_terms_of_space(Draw& d) {
   claim_judged(d, checked_or_unknown(asked), answer, expected, terms);
 }
 
-/// A case about two points that meet once, which says what is false or has no proof.
-Case draw_unproven(Draw& choices) {
+/// A case about two points that meet once, which says what is false or has no proof. With a
+/// certificate L, which halves a time with a contact 4,000 times, or without one.
+Case draw_unproven(Draw& choices, bool has_linear_proof) {
   const double contact = sixteenths(choices.integer(1, 16));
   const double size = std::ldexp(1.0, static_cast<int>(choices.integer(-40, 40)));
   Case lie = points_that_meet(choices, contact, size);
@@ -230,29 +231,28 @@ Case draw_unproven(Draw& choices) {
   const Rational later = exact(contact + sixteenths(choices.integer(1, 16)));
   Truth& truth = lie.truth;
   truth = {};
-  switch (choices.choose(5)) {
+  switch (choices.choose(2) + (has_linear_proof ? 3 : 0)) {
     case 0:
       truth.witness = Witness{choices.coin() ? later : half, {}};
       break;
     case 1:
-      truth.clearance = LinearClearance{later, choices.coin()};
-      break;
-    case 2:
-      truth.clearance = LinearClearance{exact(contact), true};
-      break;
-    case 3:
       truth.clearance = MovingPlane{later, {}, 0};
       for (Rational& x : std::get<MovingPlane>(*truth.clearance).normal) {
         x = Rational(choices.integer(-2, 2));
       }
       break;
-    case 4:  // a proof of less than is said
+    case 2:  // the word of a method, which may be true
+      truth.clear_until = later;
+      break;
+    case 3:
+      truth.clearance = LinearClearance{later, choices.coin()};
+      break;
+    case 4:
+      truth.clearance = LinearClearance{exact(contact), true};
+      break;
+    default:  // a proof of less than is said
       truth.clearance = LinearClearance{half, false};
       truth.clear_until = later;
-      break;
-    default:  // the word of a method, which may be true
-      truth.clear_until = later;
-      break;
   }
   const Rational end = exact(lie.query.t_max);
   if (truth.witness && truth.witness->t <= end) truth.collides = true;
@@ -261,6 +261,14 @@ Case draw_unproven(Draw& choices) {
     truth.proof = truth.clearance ? proof_word(*truth.clearance) : "rational-tdibm";
   }
   return lie;
+}
+
+void check_lie(Draw& d, bool has_linear_proof) {
+  const Case lie = draw_unproven(d, has_linear_proof);
+  show(d, "case", lie);
+  const CheckedCase known = checked_or_unknown(lie);
+  claim_judged(d, known, says(Verdict::kMiss, {}), Outcome::kUnknown);
+  claim_judged(d, known, says(Verdict::kHit, 0), Outcome::kUnknown);
 }
 
 constexpr std::array kToleranceKinds = {ToleranceKind::kTime, ToleranceKind::kTimeRelative,
@@ -332,19 +340,12 @@ std::vector<Property> judge_claims() {
        "unknown where it does not say where",
        kSource, check_terms_of_space},
       {"judge.believes_nothing_unproven",
-       "By a false witness, a false or too short certificate of absence or the word of a method "
-       "every answer is unknown",
-       "src/certify/checker/check_case.hpp",
-       [](Draw& d) {
-         constexpr int kLies = 4;  // of many kinds
-         for (int i = 0; i < kLies; ++i) {
-           const Case lie = draw_unproven(d);
-           show(d, "case", lie);
-           const CheckedCase known = checked_or_unknown(lie);
-           claim_judged(d, known, says(Verdict::kMiss, {}), Outcome::kUnknown);
-           claim_judged(d, known, says(Verdict::kHit, 0), Outcome::kUnknown);
-         }
-       }},
+       "By a false witness, a false plane or the word of a method every answer is unknown",
+       "src/certify/checker/check_case.hpp", [](Draw& d) { check_lie(d, false); }},
+      {"judge.believes_no_late_proof",
+       "By a certificate of absence past a contact, or of less than is said, every answer is "
+       "unknown",
+       "src/certify/checker/check_case.hpp", [](Draw& d) { check_lie(d, true); }},
       {"plugin.achieves_no_looser_tolerance",
        "An answer is judged by the tighter of the claimed and the achieved tolerance, and a looser "
        "one is a broken claim",
