@@ -157,10 +157,7 @@ void check_same_bodies(Draw& d) {
   same.separation = std::ldexp(same.separation, shift);
   const Truth other = decide(same).truth;
   show(d, "same", same);
-  CLAIM(truth.collides == other.collides);
-  if (!*truth.collides) return;
-  CLAIM(truth.witness->t >= other.clear_until.value_or(0));
-  CLAIM(other.witness->t >= truth.clear_until.value_or(0));
+  claim_same_time(truth, other);
 }
 
 }  // namespace

@@ -113,13 +113,6 @@ void check_who_is_there(Draw& d) {
   CLAIM(!is_accepted);
 }
 
-void claim_same_time(const Truth& one, const Truth& other) {
-  CLAIM(one.collides == other.collides);
-  if (!*one.collides) return;
-  CLAIM(one.witness->t >= other.clear_until.value_or(0));
-  CLAIM(other.witness->t >= one.clear_until.value_or(0));
-}
-
 /// Swapped, with points and faces in another order, a face twice or a point more, it is the same.
 void check_same_mesh(Draw& d) {
   const Query query = draw_any_mesh(d);

@@ -21,4 +21,11 @@ void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs
   }
 }
 
+void claim_same_time(const Truth& one, const Truth& other) {
+  CLAIM(one.collides == other.collides);
+  if (!*one.collides) return;
+  CLAIM(one.witness->t >= other.clear_until.value_or(0));
+  CLAIM(other.witness->t >= one.clear_until.value_or(0));
+}
+
 }  // namespace ccdfuzz

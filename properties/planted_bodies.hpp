@@ -10,4 +10,8 @@ namespace ccdfuzz {
 /// and it survives a file. Those methods take it that have all features that it needs.
 void claim_planted_truth(const Case& known, CaseKind kind, const Features& needs);
 
+/// Claims of two decisions of the same bodies, the first of which is decided. Both say the same,
+/// and neither has its witness at a time at which the other is clear.
+void claim_same_time(const Truth& one, const Truth& other);
+
 }  // namespace ccdfuzz

@@ -62,21 +62,23 @@ void check_spun_back(Draw& d) {
   }
 }
 
+/// So many multiples of 1/8, of size `most` at most.
+std::vector<double> draw_eighths(Draw& d, size_t count, long most) {
+  std::vector<double> numbers;
+  for (size_t k = 0; k < count; ++k) {
+    numbers.push_back(static_cast<double>(d.integer(-8 * most, 8 * most)) / 8);
+  }
+  return numbers;
+}
+
 /// A turn of few bits about the origin.
 BodyTurn draw_small_turn(Draw& d) {
-  const auto eighths = [&](size_t count) {
-    std::vector<double> numbers;
-    for (size_t k = 0; k < count; ++k) {
-      numbers.push_back(static_cast<double>(d.integer(-16, 16)) / 8);
-    }
-    return numbers;
-  };
   BodyTurn turn{{}, {}, {0, 0, 0}};
   if (const size_t numbers = d.pick(std::array{3, 4, 2}); numbers == 3) {
-    turn.spin = eighths(numbers);
+    turn.spin = draw_eighths(d, numbers, 2);
   } else {
-    turn.from = eighths(numbers);
-    turn.to = eighths(numbers);
+    turn.from = draw_eighths(d, numbers, 2);
+    turn.to = draw_eighths(d, numbers, 2);
   }
   suppose(!fault_of(turn));
   return turn;
@@ -85,17 +87,16 @@ BodyTurn draw_small_turn(Draw& d) {
 /// A plane beside a body that turns is accepted for a short time, and refused where it cuts off a
 /// point of it then, or later.
 void check_plane_beside(Draw& d) {
-  const auto eighths = [&](long most) {
-    Vec3<double> v;
-    for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(d.integer(-most, most)) / 8;
-    return v;
+  const auto point = [&] {
+    const std::vector<double> x = draw_eighths(d, 3, 1);
+    return Vec3<double>(x[0], x[1], x[2]);
   };
   Query query;
   auto& [body, far] = query.patches;
   body = {Shape::hull(2), {}, {{0, 0, 0}}};
-  for (int i = 0; i < 2; ++i) body.positions.push_back(eighths(8));
+  for (int i = 0; i < 2; ++i) body.positions.push_back(point());
   body.turn = draw_small_turn(d);
-  const Vec3<double> normal = eighths(8);
+  const Vec3<double> normal = point();
   suppose(normal != Vec3<double>(0, 0, 0));
   far = {Shape::hull(1), {1024 * normal}, {{0, 0, 0}}};
   BodyPlanes::Plane plane;

@@ -71,10 +71,7 @@ void check_clear_time(Draw& d) {
 /// What two decisions of the same bodies say is at one with each other.
 void claim_same_contact(const Truth& one, const Truth& other) {
   suppose(one.collides && other.collides);
-  CLAIM(one.collides == other.collides);
-  if (!*one.collides) return;
-  CLAIM(one.witness->t >= other.clear_until.value_or(0));
-  CLAIM(other.witness->t >= one.clear_until.value_or(0));
+  claim_same_time(one, other);
 }
 
 /// The oracle finds the planted contact of bodies that it does not know.
