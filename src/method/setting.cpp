@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "bezier/bernstein.hpp"
@@ -11,6 +12,7 @@
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/feature_depth.hpp"
+#include "certify/oracle/oracle.hpp"
 
 namespace ccdfuzz {
 
@@ -113,7 +115,17 @@ bool is_degenerate(const Case& value) {
          });
 }
 
+/// Whether a face of a one-sided mesh is touched at t = 0, if it is there or not.
+bool touches_any_side_at_start(Query query) {
+  if (!has_mesh(query)) return false;
+  bool& one_sided = query.patches[mesh_side(query)].one_sided;
+  if (!std::exchange(one_sided, false)) return false;
+  query.t_max = 0;
+  return decide(query).truth.collides == true;
+}
+
 bool touches_at_start(const Query& query) {
+  if (is_of_bodies(query)) return touches_any_side_at_start(query);
   return query.separation == 0 && is_linear_query(query) && !is_trimmed(query) &&
          !check_linear_clearance(query, {Rational(0), true});
 }
@@ -202,6 +214,7 @@ bool slides(const Case& value) {
 }
 
 bool is_at_an_end(const Case& value) {
+  if (value.query.t_max == 0) return true;
   const std::optional<Rational> contact = value.truth.contact_by();
   if (!contact) return false;
   const double t = contact->get_d(), end = kEndShare * value.query.t_max;

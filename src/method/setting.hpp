@@ -13,12 +13,13 @@ namespace ccdfuzz {
 /// the failure, so that shrinking cannot slide from an ordinary query into a trivial one.
 enum class Setting : std::uint8_t {
   kOrdinary,
-  kAtAnEnd,   ///< the contact is nearer to an end of [0, t_max] than kEndShare of it
+  kAtAnEnd,   ///< the contact is nearer to an end of [0, t_max] than kEndShare of it, or t_max is 0
   kSliding,   ///< bodies that approach by less than kThinnest of their way, unless a mesh is passed
               ///< through by as much of the size later on. Or linear patches whose
               ///< touching points move along the surfaces: but for kThinnest of their way they stay
               ///< in the plane or line of both
-  kTouching,  ///< linear patches that touch at t = 0 already
+  kTouching,  ///< linear patches that touch at t = 0 already. Or a face of a one-sided mesh is
+              ///< touched then, from behind or in front
   kDegenerate,  ///< at the start or at the contact a patch is as good as a point, or a surface as a
                 ///< line (kThinnest). Or a body of three points or more is flatter than its count
                 ///< promises in space, or in the plane z = 0 if both are there (is_in_plane). Or it

@@ -33,6 +33,11 @@ TEST(Setting, TellsTrivialQueriesFromOrdinaryOnes) {
   EXPECT_EQ(setting_of(c), Setting::kAtAnEnd);
   c.query.t_max = 0.5 + 0x1p-9;
   EXPECT_EQ(setting_of(c), Setting::kOrdinary);
+  c.truth = {};
+  c.truth.collides = false;
+  EXPECT_EQ(setting_of(c), Setting::kOrdinary) << "nothing touches";
+  c.query.t_max = 0;
+  EXPECT_EQ(setting_of(c), Setting::kAtAnEnd) << "a step of no length";
   c = falling_edge();
   c.query.patches[0].positions = {{-1, 0, 0}, {1, 0, 0}};
   EXPECT_EQ(setting_of(c), Setting::kTouching);
