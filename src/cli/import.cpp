@@ -97,10 +97,9 @@ int run_import(const ImportOptions& options, Session& session) {
                        {"in the file", Align::kLeft},
                        {"as rounded", Align::kLeft}});
   ImportCounts counts;
-  session.each_case<NamedCase, ImportedRow>(
-      CaseStream(files, options.csv), 1, "queries",
-      [](NamedCase& named, size_t) { return imported(named); },
-      [&](const NamedCase& named, size_t, const ImportedRow& query) {
+  session.each_case<ImportedRow>(
+      CaseStream(files, options.csv), [](NamedCase& named) { return imported(named); },
+      [&](const NamedCase& named, const ImportedRow& query) {
         if (counts.add(query) || session.json) {
           session.show(query, std::nullopt, [](const ImportedRow& row) -> std::vector<TableCell> {
             return {{row.id},

@@ -71,10 +71,10 @@ int run_prove(const ProveOptions& options, Session& session) {
   session.begin_table({{"case", Align::kLeft}, {"verdict", Align::kLeft}, {"why", Align::kLeft}});
   std::map<std::string_view, std::uint64_t> counts;  // by verdict
   std::uint64_t cases = 0, refuted = 0;
-  session.each_case<NamedCase, Completed>(
-      CaseStream(options.files), 1, "cases",
-      [&](const NamedCase& named, size_t) { return prove(named, options.oracle); },
-      [&](const NamedCase& named, size_t, Completed completed) {
+  session.each_case<Completed>(
+      CaseStream(options.files),
+      [&](const NamedCase& named) { return prove(named, options.oracle); },
+      [&](const NamedCase& named, Completed completed) {
         ++cases;
         ++counts[verdict_of(completed)];
         if (completed.refuted) ++refuted;

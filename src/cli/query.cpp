@@ -6,15 +6,13 @@
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
 #include "cli/session.hpp"
-#include "cli/shared_case.hpp"
+#include "eval/evaluate.hpp"
 #include "eval/tally.hpp"
 #include "finds/replay.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-constexpr const char* kOracle = "oracle";
 
 struct QueryOptions {
   std::vector<std::string> files;
@@ -107,11 +105,6 @@ class Notes {
   bool has_more_ = false;
 };
 
-/// Whether a method runs on a case. Those by default do not take bodies, where the oracle does.
-bool runs_on(const Case& value, const std::string& method, bool is_default) {
-  return !is_default || is_of_bodies(value.query) == (method == kOracle);
-}
-
 /// "12 correct, 1 missed".
 std::string outcomes_text(const Tally& tally) {
   std::string text;
@@ -123,10 +116,13 @@ std::string outcomes_text(const Tally& tally) {
   return text;
 }
 
-int run_query(const QueryOptions& arguments, Session& session) {
-  QueryOptions options = arguments;
+int run_query(const QueryOptions& options, Session& session) {
   const bool is_default = options.methods == default_methods();
-  if (is_default) options.methods.push_back(kOracle);
+  // Those by default take no bodies.
+  const auto methods_for = [&](const Case& value) {
+    return is_default && is_of_bodies(value.query) ? std::vector<std::string>{"oracle"}
+                                                   : options.methods;
+  };
   const bool by_default = options.search.max_pops == 0;
   session.begin_table(
       {method_column(), {"answer", Align::kLeft}, {"outcome", Align::kLeft}, {"pops"}, {"time"}});
@@ -137,34 +133,36 @@ int run_query(const QueryOptions& arguments, Session& session) {
   Notes notes;
   Tally tally;
   CaseCount counts;
-  session.each_case<SharedCase, Judged>(
-      CaseStream(options.files), options.methods.size(), "answers",
-      [&](SharedCase& shared, size_t m) {
-        if (spent || !runs_on(shared.named().value, options.methods[m], is_default)) {
-          return Judged();  // is not shown
-        }
-        const CheckedCase& asked = need(shared.checked());
-        SearchOptions search = options.search.options_for(shared.named().value);
+  session.each_case<std::vector<Judged>>(
+      CaseStream(options.files),
+      [&](NamedCase& named) {
+        std::vector<Judged> answers;
+        if (spent) return answers;
+        const CheckedCase asked = need(decided_and_checked(named));
+        SearchOptions search = options.search.options_for(named.value);
         if (by_default) DefaultBudget::limit(search, asked.query());
-        Judged judged = ask(methods.local()[options.methods[m]], asked, search);
-        judged.depth = depth_of(asked, judged).value_or(0);
-        return judged;
+        for (const std::string& method : methods_for(named.value)) {
+          Judged& judged = answers.emplace_back(ask(methods.local()[method], asked, search));
+          judged.depth = depth_of(asked, judged).value_or(0);
+        }
+        return answers;
       },
-      [&](const SharedCase& shared, size_t m, const Judged& judged) {
-        const NamedCase& named = shared.named();
-        if (m == 0 && by_default && !spent && budget.is_spent()) {
+      [&](const NamedCase& named, const std::vector<Judged>& answers) {
+        if (by_default && !spent && budget.is_spent()) {
           first_left = named.id;
           spent = true;
         }
         if (spent) return;
-        budget.add(named, judged.answer);
-        if (m == 0) counts.add(named.value);
-        if (!runs_on(named.value, options.methods[m], is_default)) return;
-        const AnswerRow row{named.id, options.methods[m], judged};
-        tally.add(judged.answer, judged.outcome, std::nullopt);
-        notes.add(row);
-        const bool is_first = m == 0 || (is_default && options.methods[m] == kOracle);
-        session.show(row, is_first ? std::optional(title_of(named)) : std::nullopt, query_cells);
+        counts.add(named.value);
+        std::optional<std::string> title = title_of(named);
+        const std::vector<std::string> asked = methods_for(named.value);
+        for (size_t m = 0; m < answers.size(); ++m) {
+          budget.add(named, answers[m].answer);
+          const AnswerRow row{named.id, asked[m], answers[m]};
+          tally.add(answers[m].answer, answers[m].outcome, std::nullopt);
+          notes.add(row);
+          session.show(row, std::exchange(title, std::nullopt), query_cells);
+        }
       },
       &spent);
   counts.note("query");

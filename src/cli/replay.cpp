@@ -16,7 +16,7 @@
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
 #include "cli/session.hpp"
-#include "cli/shared_case.hpp"
+#include "eval/evaluate.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"
@@ -105,10 +105,9 @@ std::map<std::string, Expected> expectations(const Case& entry, const ReplayOpti
 }
 
 /// Errors: throws BadInput for an entry that names no method.
-Replayed replayed(SharedCase& shared, Replayer& replayer, const ReplayOptions& options) {
+Replayed replayed(NamedCase& entry, Replayer& replayer, const ReplayOptions& options) {
   Replayed result;
-  const NamedCase& entry = shared.named();
-  const Result<CheckedCase>& known = shared.checked();
+  const Result<CheckedCase> known = decided_and_checked(entry);
   if (!known) {
     result.refuted = known.error().message();
     return result;
@@ -196,12 +195,11 @@ class Replay {
     tbb::enumerable_thread_specific<Replayer> replayers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
     if (!of_methods) replay_claims();
-    session_.each_case<SharedCase, Replayed>(
+    session_.each_case<Replayed>(
         CaseStream(claims_.claims > 0 ? need(list_entries(options_.corpus))
                                       : need(corpus_files(options_.corpus))),
-        1, "entries",
-        [&](SharedCase& shared, size_t) { return replayed(shared, replayers.local(), options_); },
-        [&](const SharedCase& shared, size_t, const Replayed& done) { add(shared, done); });
+        [&](NamedCase& entry) { return replayed(entry, replayers.local(), options_); },
+        [&](const NamedCase& entry, const Replayed& done) { add(entry, done); });
     session_.end_table(true);
     summarise();
     const bool holds =
@@ -237,8 +235,7 @@ class Replay {
     }
   }
 
-  void add(const SharedCase& shared, const Replayed& done) {
-    const NamedCase& entry = shared.named();
+  void add(const NamedCase& entry, const Replayed& done) {
     if (options_.search.max_pops == 0 && budget_.is_spent()) {
       throw BadInput{DefaultBudget::spent_before(entry.id)};
     }

@@ -38,10 +38,10 @@ ReportPage report_corpus(const ReportArguments& options, Session& session) {
   NotAllowed left_out;
   std::set<std::string> expected;
   tbb::enumerable_thread_specific<MethodSet> methods;
-  session.each_case<NamedCase, ReportedCase>(
-      CaseStream(need(corpus_files(options.source))), 1, "cases",
-      [&](const NamedCase& entry, size_t) { return need(reported_entry(entry, methods.local())); },
-      [&](const NamedCase&, size_t, ReportedCase reported) {
+  session.each_case<ReportedCase>(
+      CaseStream(need(corpus_files(options.source))),
+      [&](const NamedCase& entry) { return need(reported_entry(entry, methods.local())); },
+      [&](const NamedCase&, ReportedCase reported) {
         for (const ReportedAnswer& answer : reported.answers) {
           expected.insert(answer.method);
           if (!is_admitted(answer.method)) ++left_out[answer.method];

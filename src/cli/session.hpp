@@ -68,29 +68,26 @@ class Session {
     if (!json) print_out(text + "\n");
   }
 
-  /// stream_cases with progress, until a signal or until stop is true. work may throw BadInput,
-  /// whose error it is; sink(asked, part, row) may throw it, too. unit: what is counted,
-  /// for the progress.
-  template <class Asked, class Row, class Work, class Sink>
-  void each_case(CaseStream cases, size_t parts, const char* unit, const Work& work,
-                 const Sink& sink, const std::atomic<bool>* stop = nullptr) {
+  /// stream_cases with progress, until a signal or until stop is true. work(named) and
+  /// sink(named, row) may throw BadInput, whose error it is.
+  template <class Row, class Work, class Sink>
+  void each_case(CaseStream cases, const Work& work, const Sink& sink,
+                 const std::atomic<bool>* stop = nullptr) {
     const std::atomic<bool>& signalled = catch_interrupts();
     std::uint64_t done = 0;
     const Result<void> read = stream_cases<Row>(
-        std::move(cases), parts, threads,
-        [](NamedCase named) -> Result<std::shared_ptr<Asked>> {
-          return std::make_shared<Asked>(std::move(named));
-        },
-        [&](Asked& asked, size_t part) -> Result<Row> {
+        std::move(cases), threads,
+        [](NamedCase named) -> Result<std::optional<NamedCase>> { return named; },
+        [&](NamedCase& named) -> Result<Row> {
           try {
-            return work(asked, part);
+            return work(named);
           } catch (const BadInput& bad) {
             return tl::unexpected(bad.error);
           }
         },
-        [&](const Asked& asked, size_t part, Row row, double share) {
-          sink(asked, part, std::move(row));
-          progress_.show(share, named_of(asked).id, ++done, unit);
+        [&](const NamedCase& named, Row row, double share) {
+          sink(named, std::move(row));
+          progress_.show(share, named.id, ++done, "cases");
         },
         [&] { return signalled || (stop != nullptr && *stop); });
     progress_.clear();

@@ -7,7 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/session.hpp"
-#include "cli/shared_case.hpp"
+#include "eval/evaluate.hpp"
 #include "method/by_spec.hpp"
 
 namespace ccdfuzz {
@@ -129,34 +129,36 @@ int run_trace(const TraceArguments& options, Session& session) {
   const bool is_default = options.methods == default_methods();
   std::uint64_t cases = 0, traces = 0, lost = 0, refused = 0;
   tbb::enumerable_thread_specific<TracerSet> tracers;
-  std::optional<std::string> title;  // of a case of which nothing is shown yet
-  session.each_case<SharedCase, std::optional<Trace>>(
-      CaseStream(options.files), options.methods.size(), "traces",
-      [&](SharedCase& shared, size_t m) -> std::optional<Trace> {
-        need(shared.checked());
-        const Case& known = shared.named().value;
-        const TraceOptions how = trace_options(options, shared.named());
+  session.each_case<std::vector<std::optional<Trace>>>(
+      CaseStream(options.files),
+      [&](NamedCase& named) {
+        need(decided_and_checked(named));
+        const Case& known = named.value;
+        const TraceOptions how = trace_options(options, named);
         if (is_of_bodies(known.query)) {
-          throw BadInput{{shared.named().id,
-                          "is of bodies, which have no boxes to trace; patches are accepted"}};
+          throw BadInput{
+              {named.id, "is of bodies, which have no boxes to trace; patches are accepted"}};
         }
-        const Result<void> taken = check_taken(options.methods[m], known.query);
-        if (!taken && is_default) return std::nullopt;
-        need(taken);
-        return tracers.local()[options.methods[m]].trace(known.query, *known.truth.witness, how);
+        std::vector<std::optional<Trace>> made;
+        for (const std::string& method : options.methods) {
+          const Result<void> taken = check_taken(method, known.query);
+          if (!is_default) need(taken);
+          std::optional<Trace>& trace = made.emplace_back();
+          if (taken) trace = tracers.local()[method].trace(known.query, *known.truth.witness, how);
+        }
+        return made;
       },
-      [&](const SharedCase& shared, size_t m, const std::optional<Trace>& trace) {
-        const std::string& id = shared.named().id;
-        cases += m == 0 ? 1 : 0;
-        if (m == 0) title = id;
-        if (!trace) {
-          ++refused;
-          return;
+      [&](const NamedCase& named, const std::vector<std::optional<Trace>>& of_methods) {
+        ++cases;
+        std::optional<std::string> title = named.id;  // until something is shown
+        for (size_t m = 0; m < of_methods.size(); ++m) {
+          const std::optional<Trace>& trace = of_methods[m];
+          ++(trace ? traces : refused);
+          if (!trace) continue;
+          lost += trace->lost ? 1 : 0;
+          session.show(TraceRow{named.id, options.methods[m], *trace},
+                       std::exchange(title, std::nullopt), trace_cells);
         }
-        ++traces;
-        lost += trace->lost ? 1 : 0;
-        session.show(TraceRow{id, options.methods[m], *trace}, std::exchange(title, std::nullopt),
-                     trace_cells);
       });
   session.end_table(true);
   session.summary(

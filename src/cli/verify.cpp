@@ -89,10 +89,9 @@ Verified verify(const NamedCase& named) {
 int run_verify(const VerifyOptions& options, Session& session) {
   std::array<std::uint64_t, all_of(Standing{}).size()> counts{};
   session.begin_table({{"case", Align::kLeft}, {"truth", Align::kLeft}, {"why", Align::kLeft}});
-  session.each_case<NamedCase, Verified>(
-      CaseStream(options.files), 1, "cases",
-      [](const NamedCase& named, size_t) { return verify(named); },
-      [&](const NamedCase&, size_t, const Verified& verified) {
+  session.each_case<Verified>(
+      CaseStream(options.files), [](const NamedCase& named) { return verify(named); },
+      [&](const NamedCase&, const Verified& verified) {
         ++counts[static_cast<size_t>(verified.standing)];
         if (!session.json && verified.standing <= Standing::kHoldsByMethod) return;
         session.show(verified, std::nullopt, [](const Verified& row) -> std::vector<TableCell> {

@@ -15,15 +15,12 @@ namespace ccdfuzz {
 namespace {
 
 /// A case of the share, with its answers if an earlier run gave them.
-struct ToEvaluate {
+struct ToEvaluate : NamedCase {
   struct Line {
     std::string where, json;
   };
-  NamedCase of;
   std::uint64_t index = 0;
   std::optional<Line> line;
-
-  const NamedCase& named() const { return of; }
 };
 
 GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
@@ -43,23 +40,19 @@ GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
   return given;
 }
 
-EvaluatedCase without_answers(const NamedCase& named, std::uint64_t index) {
-  const Origin& origin = named.value.origin;
-  return {index, named.id, origin.contact.empty() ? "-" : origin.contact, origin.kind, {}, {}};
-}
-
 EvaluatedCase ask_all(const ToEvaluate& item, const CheckedCase& known,
                       const EvaluateOptions& options, MethodSet& methods) {
-  const SearchOptions search =
-      options.search_for ? options.search_for(item.of.value) : options.search;
-  EvaluatedCase evaluated = without_answers(item.of, item.index);
-  evaluated.collides = known.collides();
+  const SearchOptions search = options.search_for ? options.search_for(item.value) : options.search;
+  const Origin& origin = item.value.origin;
+  EvaluatedCase evaluated{
+      item.index,  item.id,          origin.contact.empty() ? "-" : origin.contact,
+      origin.kind, known.collides(), {}};
   const auto ask_up_to = [&](const CheckedCase& asked, std::optional<double> factor) {
     for (const std::string& spec : options.methods) {
       evaluated.answers.push_back(answer_of(asked, factor, spec, methods[spec], search));
     }
   };
-  if (options.horizon_factors.empty() || !item.of.value.truth.witness) {
+  if (options.horizon_factors.empty() || !item.value.truth.witness) {
     ask_up_to(known, std::nullopt);
     return evaluated;
   }
@@ -73,9 +66,9 @@ EvaluatedCase ask_all(const ToEvaluate& item, const CheckedCase& known,
 Result<EvaluatedCase> read_answers(const ToEvaluate& item) {
   const auto& [where, json] = *item.line;
   Result<EvaluatedCase> read = from_json<EvaluatedCase>(json, where);
-  if (read && (read->index != item.index || read->id != item.of.id)) {
+  if (read && (read->index != item.index || read->id != item.id)) {
     return input_error(where, fmt::format("is of case {}, {}, not {}, {}", read->index, read->id,
-                                          item.index, item.of.id));
+                                          item.index, item.id));
   }
   return read;
 }
@@ -87,6 +80,11 @@ void decide_rows(NamedCase& named) {
   named.value.truth = decide(named.value.query).truth;
 }
 
+Result<CheckedCase> decided_and_checked(NamedCase& named) {
+  decide_rows(named);
+  return check_case(named);
+}
+
 Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptions& options,
                       EarlierLines* earlier, const OnEvaluated& on_case,
                       const std::function<bool()>& stop) {
@@ -94,24 +92,24 @@ Result<void> evaluate(const std::vector<std::string>& files, const EvaluateOptio
   std::uint64_t next = 0;
   Result<void> done;
   const Result<void> read = stream_cases<EvaluatedCase>(
-      CaseStream(files), 1, options.threads,
-      [&](NamedCase named) -> Result<std::shared_ptr<ToEvaluate>> {
+      CaseStream(files), options.threads,
+      [&](NamedCase named) -> Result<std::optional<ToEvaluate>> {
         const std::uint64_t index = next++;
-        if (index % options.shard.of != options.shard.index) return nullptr;
-        auto item = std::make_shared<ToEvaluate>(ToEvaluate{std::move(named), index, {}});
+        if (index % options.shard.of != options.shard.index) return std::nullopt;
+        ToEvaluate item{std::move(named), index, {}};
         if (earlier == nullptr || earlier->left == 0) return item;
         CCDFUZZ_TRY(const auto line, earlier->lines.next());
         earlier->left = line ? earlier->left - 1 : 0;
-        if (line) item->line = {earlier->lines.where(), std::string(*line)};
+        if (line) item.line = {earlier->lines.where(), std::string(*line)};
         return item;
       },
-      [&](ToEvaluate& item, size_t) -> Result<EvaluatedCase> {
-        decide_rows(item.of);
-        CCDFUZZ_TRY(const CheckedCase known, check_case(item.of));
-        return item.line ? read_answers(item) : ask_all(item, known, options, methods.local());
+      [&](ToEvaluate& item) {
+        return decided_and_checked(item).and_then([&](const CheckedCase& known) {
+          return item.line ? read_answers(item) : ask_all(item, known, options, methods.local());
+        });
       },
-      [&](const ToEvaluate& item, size_t, const EvaluatedCase& evaluated, double share) {
-        if (done) done = on_case(item.of, evaluated, !item.line, share);
+      [&](const ToEvaluate& item, const EvaluatedCase& evaluated, double share) {
+        if (done) done = on_case(item, evaluated, !item.line, share);
       },
       [&] { return !done || stop(); });
   return read ? done : read;

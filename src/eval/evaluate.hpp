@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/shard.hpp"
+#include "case/checked_case.hpp"
 #include "ccd/search.hpp"
 #include "eval/evaluated_case.hpp"
 #include "files/case_files.hpp"
@@ -16,6 +17,8 @@ namespace ccdfuzz {
 /// Gives a linear query of a CSV its exact truth with certificates (decide). Every other case stays
 /// as it is.
 void decide_rows(NamedCase& named);
+/// The same, and then as check_case.
+Result<CheckedCase> decided_and_checked(NamedCase& named);
 
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
