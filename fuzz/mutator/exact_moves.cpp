@@ -122,7 +122,7 @@ bool change_horizon(Contact& q, Draw& draw) {
   constexpr std::array kFactors = {1.0, 1 + 0x1p-30, 1.5, 2.0, 16.0};
   const double t_max =
       draw.coin() ? just_enough * draw.pick(kFactors) : std::nextafter(just_enough, HUGE_VAL);
-  if (!std::isfinite(t_max) || (has_ends(q.query) && t_max > 1)) return false;
+  if (!std::isfinite(t_max) || is_past_motion(q.query, t_max)) return false;
   q.query.t_max = t_max;
   return true;
 }

@@ -219,7 +219,7 @@ Query mutate_query(const Query& query, const Query& other, Draw& draw) {
     patch.shape = Shape::hull(static_cast<int>(patch.positions.size()));
   }
   settle_meshes(mutant);
-  if (ends_at_one(mutant)) mutant.t_max = std::min(mutant.t_max, 1.0);
+  if (is_past_motion(mutant, mutant.t_max)) mutant.t_max = 1;
   change_numbers(mutant, nearest_float);
   for (MovingPatch<double>& hull : mutant.patches) {
     if (hull.turn && fault_of(*hull.turn)) hull.turn.reset();  // a spin that is too fast as floats

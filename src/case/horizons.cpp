@@ -18,7 +18,7 @@ std::optional<double> end_at(const Case& known, double factor) {
   const Rational end = contact == 0 ? Rational(exact(known.query.t_max) * (exact(factor) - 1))
                                     : Rational(contact * exact(factor));
   const double t_max = round_up(end);
-  const bool is_asked = std::isfinite(t_max) && (t_max <= 1 || !ends_at_one(known.query));
+  const bool is_asked = std::isfinite(t_max) && !is_past_motion(known.query, t_max);
   return is_asked ? std::optional(t_max) : std::nullopt;
 }
 

@@ -166,8 +166,8 @@ bool is_valid(const Query& query) {
            !fault_of(patch.trim, patch.shape);
   };
   return is_patch(query.patches[0]) && is_patch(query.patches[1]) && is_not_negative(query.t_max) &&
-         is_not_negative(query.separation) && !(has_ends(query) && compare(query.t_max, 1) > 0) &&
-         !(has_turns(query) && compare(query.t_max, 1) > 0) && !fault_of_pair(query.patches);
+         is_not_negative(query.separation) && !is_past_motion(query, query.t_max) &&
+         !fault_of_pair(query.patches);
 }
 
 bool has_ends(const Query& query) {
@@ -182,6 +182,10 @@ bool has_spins(const Query& query) {
   return std::ranges::any_of(query.patches, [](const MovingPatch<double>& body) {
     return body.turn && body.turn->is_spin();
   });
+}
+
+bool is_past_motion(const Query& query, double t) {
+  return (has_ends(query) || has_turns(query)) && compare(t, 1) > 0;
 }
 
 std::string_view end_of_motion(const Query& query) {
@@ -287,7 +291,7 @@ Result<void> validate(const Query& query, const std::string& where) {
   };
   if (!is_not_negative(query.t_max)) return refuse("t_max", query.t_max);
   if (!is_not_negative(query.separation)) return refuse("separation", query.separation);
-  if (ends_at_one(query) && compare(query.t_max, 1) > 0) {
+  if (is_past_motion(query, query.t_max)) {
     return input_error(where + "t_max",
                        fmt::format("{} is past 1, where {}", query.t_max, end_of_motion(query)));
   }

@@ -67,10 +67,8 @@ bool has_ends(const Query& query);
 /// One of its bodies turns; or turns by a spin.
 bool has_turns(const Query& query);
 bool has_spins(const Query& query);
-/// A patch has ends or turns, so that nothing is asked past t = 1.
-inline bool ends_at_one(const Query& query) {
-  return has_ends(query) || has_turns(query);
-}
+/// Whether t is past 1 of a query in which a patch has ends or turns: its motion ends there.
+bool is_past_motion(const Query& query, double t);
 /// What is at t = 1 of such a query.
 std::string_view end_of_motion(const Query& query);
 /// A patch has weights that are not all equal.

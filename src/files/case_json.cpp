@@ -332,8 +332,8 @@ void query_fields(auto& archive, auto& query) {
     if (const auto fault = fault_of_pair(query.patches)) archive.object().refuse_below(*fault);
   }
   archive("t_max", query.t_max, not_negative, [&](double t_max) {
-    const bool is_past = ends_at_one(query) && compare(t_max, 1) > 0;
-    return is_past ? fmt::format("is past 1, where {}", end_of_motion(query)) : "";
+    return is_past_motion(query, t_max) ? fmt::format("is past 1, where {}", end_of_motion(query))
+                                        : "";
   });
   archive.optional("separation", query.separation, 0, not_negative);
 }
