@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "bezier/exact_patch.hpp"
+
 namespace ccdfuzz {
 
 namespace {
@@ -112,18 +114,13 @@ void place(Draw& choices, LinearScene& scene) {
   }
 }
 
-Result<Points<double>> as_doubles(const Points<Dyadic>& exact_points, long scale) {
-  Points<double> out;
-  for (const Vector& p : exact_points) {
-    Vec3<double> rounded;
-    for (int k = 0; k < 3; ++k) {
-      const auto x = p[k].scaled(scale).to_double_exactly();
-      if (!x) return input_error("", "a number is not a double");
-      rounded[k] = *x;
-    }
-    out.push_back(rounded);
+Result<Points<double>> as_doubles(Points<Dyadic> points, long scale) {
+  for (Vector& p : points) {
+    for (Dyadic& x : p) x = x.scaled(scale);
   }
-  return out;
+  const std::optional<Points<double>> doubles = to_doubles(points);
+  if (!doubles) return input_error("", "a number is not a double");
+  return *doubles;
 }
 
 Shape shape_with(std::size_t corners) {

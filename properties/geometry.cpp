@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "bezier/bernstein.hpp"
 #include "bezier/elevate.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
@@ -21,9 +22,9 @@ struct DrawnPatch {
   Uv<Dyadic> uv;
 };
 
-DrawnPatch draw_patch(Draw& d) {
+DrawnPatch draw_patch(Draw& d, int max_degree = kGeometryDegree) {
   DrawnPatch drawn;
-  drawn.shape = draw_shape(d, kGeometryDegree);
+  drawn.shape = draw_shape(d, max_degree);
   drawn.uv = draw_uv(d, drawn.shape, kGeometryUvBits);
   drawn.points = draw_points(d, drawn.shape, 10, -4);
   show(d, "shape", drawn.shape);
@@ -60,12 +61,49 @@ void check_partition_of_unity(Draw& d) {
   CLAIM(after == Vec3<Dyadic>(before + shift));
 }
 
+/// By the definition of the weights, which blossoms are not computed by.
+void check_bernstein_sum(Draw& d) {
+  const DrawnPatch drawn = draw_patch(d, kMaxDegree);
+  const std::vector<Dyadic> weights = bernstein_weights(drawn.shape, drawn.uv);
+  Dyadic total;
+  Vec3<Dyadic> sum;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    total += weights[i];
+    sum += drawn.points[i] * weights[i];
+  }
+  CLAIM(total == Dyadic(1));
+  CLAIM(sum == evaluate<Dyadic>(drawn.shape, drawn.points, drawn.uv));
+}
+
+std::vector<Uv<Dyadic>> draw_arguments(Draw& d, const Shape& shape) {
+  std::vector<Uv<Dyadic>> arguments(static_cast<std::size_t>(std::max({shape.n, shape.m, 1})));
+  for (Uv<Dyadic>& argument : arguments) argument = draw_uv(d, shape, kGeometryUvBits);
+  show(d, "arguments", arguments);
+  return arguments;
+}
+
+/// In u and v of an argument at once, or of a tensor patch in one of them.
+void check_blossom_affine(Draw& d) {
+  const DrawnPatch drawn = draw_patch(d);
+  std::vector<Uv<Dyadic>> arguments = draw_arguments(d, drawn.shape);
+  const Uv<Dyadic> from = arguments[0];
+  Uv<Dyadic> to = draw_uv(d, drawn.shape, kGeometryUvBits);
+  if (drawn.shape.kind == ShapeKind::kTensor) {
+    const std::size_t same = d.choose(1);
+    to[same] = from[same];
+  }
+  show(d, "to", to);
+  const auto at = [&](const Uv<Dyadic>& first) {
+    arguments[0] = first;
+    return blossom<Dyadic>(drawn.shape, drawn.points, arguments);
+  };
+  const Vec3<Dyadic> middle = at({(from[0] + to[0]).scaled(-1), (from[1] + to[1]).scaled(-1)});
+  CLAIM(middle * Dyadic(2) == at(from) + at(to));
+}
+
 void check_blossom_symmetry(Draw& d) {
   const DrawnPatch drawn = draw_patch(d);
-  const auto steps = static_cast<std::size_t>(std::max(drawn.shape.n, drawn.shape.m));
-  std::vector<Uv<Dyadic>> arguments(std::max<std::size_t>(steps, 1));
-  for (Uv<Dyadic>& argument : arguments) argument = draw_uv(d, drawn.shape, kGeometryUvBits);
-  show(d, "arguments", arguments);
+  std::vector<Uv<Dyadic>> arguments = draw_arguments(d, drawn.shape);
   const Vec3<Dyadic> first = blossom<Dyadic>(drawn.shape, drawn.points, arguments);
   const auto turn = static_cast<std::ptrdiff_t>(d.choose(arguments.size() - 1));
   // Of a tensor patch with n ≠ m the first n and the first m count: only those change places.
@@ -138,6 +176,39 @@ void check_cell_tree(Draw& d) {
   }
 }
 
+/// The parameters of the patch that local parameters of a cell mean.
+Uv<Dyadic> to_global(const Shape& shape, const std::array<Uv<Dyadic>, 3>& corners,
+                     const Uv<Dyadic>& uv) {
+  const auto& [u, v] = uv;
+  Uv<Dyadic> global;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (shape.kind == ShapeKind::kTriangle) {
+      global[k] = (Dyadic(1) - u - v) * corners[0][k] + u * corners[1][k] + v * corners[2][k];
+    } else {
+      const Dyadic& x = uv[k];
+      global[k] = (Dyadic(1) - x) * corners[0][k] + x * corners[1][k];
+    }
+  }
+  return global;
+}
+
+void check_sub_patch(Draw& d) {
+  constexpr int kDegree = 5;  // the cost of tensor patches grows with its sixth power
+  const Shape shape = draw_shape(d, kDegree);
+  const Cell cell = draw_cell(d, shape, 8);
+  const Uv<Dyadic> uv = draw_uv(d, shape, 4);
+  const Points<Dyadic> points = draw_points(d, shape, 12, -6);
+  show(d, "shape", shape);
+  show(d, "points", points);
+  show(d, "cell", cell);
+  show(d, "uv", uv);
+  const auto corners = exact_corners<Dyadic>(cell.corners(shape));
+  Points<Dyadic> part(points.size());
+  restrict_to<Dyadic>(shape, points, corners, part);
+  const Uv<Dyadic> global = to_global(shape, corners, uv);
+  CLAIM(evaluate<Dyadic>(shape, part, uv) == evaluate<Dyadic>(shape, points, global));
+}
+
 }  // namespace
 
 std::vector<Property> geometry_claims() {
@@ -146,6 +217,11 @@ std::vector<Property> geometry_claims() {
        "Section 4.6, Assumptions", check_convex_hull},
       {"patch.partition_of_unity", "Moving all control points alike moves the patch so", "Eq. 2",
        check_partition_of_unity},
+      {"patch.bernstein_sum",
+       "A patch is the sum of its control points by Bernstein weights, which sum to 1", "Eq. 2",
+       check_bernstein_sum},
+      {"patch.blossom_affine", "The blossom is affine in each of its arguments", "Appendix A (b)",
+       check_blossom_affine},
       {"patch.blossom_symmetry", "The blossom does not depend on the order of its arguments",
        "Appendix A (b)", check_blossom_symmetry},
       {"patch.elevation", "A patch of one degree higher is the same patch", "Eq. 2",
@@ -155,6 +231,8 @@ std::vector<Property> geometry_claims() {
       {"cell.trees_agree",
        "Repeated midpoint splits give the control points of the blossom at the cell's corners",
        "src/ccd/certified/DERIVATION.md", check_cell_tree},
+      {"sub_patch.is_the_restriction", "The sub-patch over a cell equals the patch there, exactly",
+       "Appendix A (b)", check_sub_patch},
   };
 }
 

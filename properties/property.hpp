@@ -64,8 +64,8 @@ auto supposed(Drawn drawn) {
   return *std::move(drawn);
 }
 
-/// One claim, checked by any driver: GoogleTest's examples and RapidCheck (tests/properties),
-/// libFuzzer and replay (fuzz), none of which it knows.
+/// One claim, checked by any driver: GoogleTest and RapidCheck (tests/properties), libFuzzer and
+/// replay (fuzz), none of which it knows.
 struct Property {
   std::string name;    ///< "subject.claim", unique
   std::string claim;   ///< in words, one sentence

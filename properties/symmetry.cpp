@@ -1,87 +1,13 @@
 #include "properties/symmetry.hpp"
 
-#include <algorithm>
-
-#include "bezier/elevate.hpp"
 #include "bezier/exact_patch.hpp"
 #include "bezier/restrict.hpp"
+#include "fuzz/mutator/reshape.hpp"
 #include "generators/similar.hpp"
 
 namespace ccdfuzz {
 
 namespace {
-
-/// Exact points as doubles, if they are.
-std::optional<Points<double>> as_doubles(const Points<Dyadic>& points) {
-  Points<double> out;
-  for (const Vec3<Dyadic>& p : points) {
-    Vec3<double> rounded;
-    for (int k = 0; k < 3; ++k) {
-      const auto x = p[k].to_double_exactly();
-      if (!x) return std::nullopt;
-      rounded[k] = *x;
-    }
-    out.push_back(rounded);
-  }
-  return out;
-}
-
-std::optional<MovingPatch<double>> as_doubles(const MovingPatch<Dyadic>& patch) {
-  const auto positions = as_doubles(patch.positions), velocities = as_doubles(patch.velocities);
-  if (!positions || !velocities) return std::nullopt;
-  return MovingPatch<double>{patch.shape, *positions, *velocities};
-}
-
-/// The same patch with its parameters in another order: control point (i, j) of the result is that
-/// of the old indices, and so are the parameters.
-void reverse_parameters(MovingPatch<double>& patch, Uv<Rational>& uv, std::uint64_t way) {
-  const Shape old = patch.shape;
-  const auto rearrange = [&](const Shape& shape, const auto& source) {
-    MovingPatch<double> out{shape, patch.positions, patch.velocities};
-    const int rows = shape.kind == ShapeKind::kPoint ? 0 : shape.n;
-    for (int i = 0; i <= rows; ++i) {
-      const int columns = shape.kind == ShapeKind::kTriangle ? shape.n - i
-                          : shape.kind == ShapeKind::kTensor ? shape.m
-                                                             : 0;
-      for (int j = 0; j <= columns; ++j) {
-        const auto to = static_cast<std::size_t>(shape.index(i, j));
-        const auto [from_i, from_j] = source(i, j);
-        const auto from = static_cast<std::size_t>(old.index(from_i, from_j));
-        out.positions[to] = patch.positions[from];
-        out.velocities[to] = patch.velocities[from];
-      }
-    }
-    patch = out;
-  };
-  using Indices = std::array<int, 2>;
-  switch (old.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      return;
-    case ShapeKind::kCurve:
-      rearrange(old, [&](int i, int) { return Indices{old.n - i, 0}; });
-      uv[0] = 1 - uv[0];
-      return;
-    case ShapeKind::kTriangle:
-      if (way == 0) {  // u ↔ v
-        rearrange(old, [&](int i, int j) { return Indices{j, i}; });
-        std::swap(uv[0], uv[1]);
-      } else {  // the new u is the old w, the new v the old u
-        rearrange(old, [&](int i, int j) { return Indices{j, old.n - i - j}; });
-        uv = {Rational(1 - uv[0] - uv[1]), uv[0]};
-      }
-      return;
-    case ShapeKind::kTensor:
-      if (way == 0) {
-        rearrange(Shape::tensor(old.m, old.n), [&](int i, int j) { return Indices{j, i}; });
-        std::swap(uv[0], uv[1]);
-      } else {
-        rearrange(old, [&](int i, int j) { return Indices{old.n - i, j}; });
-        uv[0] = 1 - uv[0];
-      }
-  }
-}
 
 template <class Change>
 void change_coordinates(Case& value, const Change& change) {
@@ -95,7 +21,7 @@ void change_coordinates(Case& value, const Change& change) {
 bool reverse_time(Case& value) {
   const Dyadic end = Dyadic::exact(value.query.t_max);
   for (MovingPatch<double>& patch : value.query.patches) {
-    const auto at_end = as_doubles(exact_patch<Dyadic>(patch).at(end));
+    const auto at_end = to_doubles(exact_patch<Dyadic>(patch).at(end));
     if (!at_end) return false;
     patch.positions = *at_end;
     for (Vec3<double>& v : patch.velocities) v = -v;
@@ -104,68 +30,51 @@ bool reverse_time(Case& value) {
   return true;
 }
 
-bool elevate(Case& value, std::size_t side) {
-  const Shape shape = value.query.patches[side].shape;
-  if (shape.n >= kMaxDegree || shape.m >= kMaxDegree) return false;
-  const int factor = shape.kind == ShapeKind::kPoint ? 1 : (shape.n + 1) * (shape.m + 1);
-  for (std::size_t s = 0; s < 2; ++s) {
-    MovingPatch<Dyadic> patch = exact_patch<Dyadic>(value.query.patches[s]);
-    for (Points<Dyadic>* points : {&patch.positions, &patch.velocities}) {
-      if (s == side) {
-        Elevated<Dyadic> higher = elevated(shape, *points);
-        if (shape.kind == ShapeKind::kTensor) higher = elevated(higher.shape, higher.points, true);
-        *points = std::move(higher.points);
-        patch.shape = higher.shape;
-      } else {
-        for (Vec3<Dyadic>& p : *points) p *= Dyadic(factor);
-      }
-    }
-    const auto doubles = as_doubles(patch);
-    if (!doubles) return false;
-    value.query.patches[s] = *doubles;
+/// Both patches times the degrees that elevation divides by, lest it rounds.
+bool elevate(Contact& q, int side) {
+  const Shape shape = q.query.patches[static_cast<std::size_t>(side)].shape;
+  if (shape.kind == ShapeKind::kPoint) return true;
+  const Dyadic factor((shape.n + 1) * (shape.m + 1));
+  bool is_exact = true;
+  for (MovingPatch<double>& patch : q.query.patches) {
+    for_each_coordinate(patch, [&](double& x) {
+      const auto product = (Dyadic::exact(x) * factor).to_double_exactly();
+      is_exact = is_exact && product;
+      x = product.value_or(x);
+    });
   }
-  return true;
+  return is_exact && elevate_patch(q, side, false) &&
+         (shape.kind != ShapeKind::kTensor || elevate_patch(q, side, true));
 }
 
-/// Where a point of the patch lies on the part over a cell that holds it.
-Uv<Rational> local_parameters(const Shape& shape, const Cell& cell, const Uv<Rational>& uv) {
-  Uv<Rational> local;
-  const std::array<std::uint64_t, 2> corner = {cell.i, cell.j};
-  for (int k = 0; k < shape.parameter_count(); ++k) {
-    const auto c = static_cast<std::size_t>(k);
-    const Rational offset =
-        uv[c] * power_of_two(cell.depth) - Rational(static_cast<unsigned long>(corner[c]));
-    local[c] = cell.inverted ? Rational(1 - offset) : offset;
-  }
-  return local;
-}
-
-bool cut(Case& value, std::size_t side, Draw& choices) {
-  MovingPatch<double>& patch = value.query.patches[side];
-  Uv<Rational>& uv = value.truth.witness->uv[side];
-  Cell cell;
+/// Cut down to any of the children that hold the contact, up to three times.
+bool cut(Contact& q, int side, Draw& choices) {
+  if (q.query.patches[static_cast<std::size_t>(side)].shape.kind == ShapeKind::kPoint) return true;
   for (std::int64_t depth = choices.integer(1, 3); depth > 0; --depth) {
-    const auto turn = static_cast<int>(choices.choose(3));
-    for (int c = 0; c < patch.shape.child_count(); ++c) {
-      const Cell child = cell.child(patch.shape, (c + turn) % patch.shape.child_count());
-      if (!contains(child, patch.shape, uv)) continue;
-      cell = child;
-      break;
-    }
+    reparametrise_patch(q, side, choices.choose(4));
+    if (!restrict_patch(q, side)) return false;
   }
-  if (patch.shape.kind == ShapeKind::kPoint) return true;
-  const auto part = part_over(patch, cell);
-  if (!part) return false;
-  uv = local_parameters(patch.shape, cell, uv);
-  patch = *part;
   return true;
+}
+
+/// The case after a change of its contact. Nothing if the change is not exact.
+template <class Change>
+std::optional<Case> changed(Case value, const Change& change) {
+  std::optional<Contact> q = contact_of(value);
+  if (!q || !change(*q)) return std::nullopt;
+  value.query = q->query;
+  value.truth.witness = q->witness();
+  return value;
 }
 
 }  // namespace
 
 std::optional<MovingPatch<double>> part_over(const MovingPatch<double>& patch, const Cell& cell) {
-  return as_doubles(
-      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape))));
+  const MovingPatch<Dyadic> part =
+      restrict_to(exact_patch<Dyadic>(patch), exact_corners<Dyadic>(cell.corners(patch.shape)));
+  const auto positions = to_doubles(part.positions), velocities = to_doubles(part.velocities);
+  if (!positions || !velocities) return std::nullopt;
+  return MovingPatch<double>{patch.shape, *positions, *velocities};
 }
 
 std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choices) {
@@ -174,7 +83,7 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
   out.truth.collides = true;
   out.truth.witness = value.truth.witness;
   out.expect.clear();
-  const std::size_t side = choices.choose(1);
+  const int side = choices.coin() ? 1 : 0;
   const auto vector = [&] {
     Vec3<double> v;
     for (int k = 0; k < 3; ++k) v[k] = static_cast<double>(choices.integer(-256, 256));
@@ -186,8 +95,10 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
       std::swap(out.truth.witness->uv[0], out.truth.witness->uv[1]);
       break;
     case Symmetry::kReverseParameters:
-      reverse_parameters(out.query.patches[side], out.truth.witness->uv[side], choices.choose(1));
-      break;
+      return changed(out, [&](Contact& q) {
+        reparametrise_patch(q, side, choices.choose(4));
+        return true;
+      });
     case Symmetry::kPermuteAxes: {
       const bool odd = choices.coin();
       change_coordinates(out, [&](Vec3<double>& p) {
@@ -212,10 +123,9 @@ std::optional<Case> transformed(const Case& value, Symmetry symmetry, Draw& choi
       if (!reverse_time(out)) return std::nullopt;
       break;
     case Symmetry::kElevate:
-      if (!elevate(out, side)) return std::nullopt;
-      break;
+      return changed(out, [&](Contact& q) { return elevate(q, side); });
     case Symmetry::kPart:
-      if (!cut(out, side, choices)) return std::nullopt;
+      return changed(out, [&](Contact& q) { return cut(q, side, choices); });
   }
   return out;
 }

@@ -13,7 +13,7 @@ namespace ccdfuzz {
 /// Changes of a query under which the same contact stays a contact.
 enum class Symmetry : std::uint8_t {
   kSwapPatches,
-  kReverseParameters,  ///< for one patch: u → 1 − u, u ↔ v, (w, u, v) → (u, v, w)
+  kReverseParameters,  ///< for one patch: u → 1 − u, u ↔ v, any order of (w, u, v)
   kPermuteAxes,        ///< in space
   kMirror,             ///< one coordinate is negated
   kScale,              ///< all lengths times a power of two

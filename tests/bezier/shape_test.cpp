@@ -33,13 +33,6 @@ TEST(Shape, IndexCountsTheControlPointsInOrder) {
   }
 }
 
-TEST(Shape, RefusesDegreesOutOfRange) {
-  EXPECT_FALSE(Shape::curve(0).valid());
-  EXPECT_FALSE(Shape::triangle(9).valid());
-  EXPECT_FALSE(Shape::tensor(1, 0).valid());
-  EXPECT_FALSE(Shape::tensor(9, 1).valid());
-}
-
 TEST(Shape, DomainsAreClosed) {
   using Uv = std::array<double, 2>;
   EXPECT_TRUE(Shape::point().contains(Uv{0, 0}));

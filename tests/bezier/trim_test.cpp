@@ -1,15 +1,13 @@
-// Loops that a patch may have, and the closed region that they bound.
+// Loops that a patch may have. trims.cells states which region they bound.
 #include "bezier/trim.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
-#include "bezier/orientation.hpp"
 #include "bezier/trim_region.hpp"
 
 namespace ccdfuzz {
@@ -24,16 +22,6 @@ std::string fault(const Trim& trim, const Shape& shape = Shape::tensor(1, 1)) {
 
 const std::vector<Uv<double>> kOuter = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 const std::vector<Uv<double>> kHole = {{0.25, 0.25}, {0.75, 0.25}, {0.75, 0.75}, {0.25, 0.75}};
-
-TEST(Orientation, IsExactWhereRoundedProductsAreNot) {
-  const double third = 1.0 / 3, above = std::nextafter(third, 1);
-  EXPECT_EQ(orientation({0, 0}, {third, third}, {1, 1}), 0);
-  EXPECT_EQ(orientation({0, 0}, {third, above}, {1, 1}), -1);
-  EXPECT_EQ(orientation({0, 0}, {above, third}, {1, 1}), 1);
-  EXPECT_EQ(orientation({0, 0}, {1, kTiny}, {1, 0}), -1);
-  EXPECT_EQ(orientation({0, 0}, {1, 0}, {kTiny, kTiny}), 1);
-  EXPECT_EQ(orientation({kTiny, kTiny}, {1, 1}, {0.5, 0.5}), 0);
-}
 
 TEST(Trim, MayTouchAndBeNested) {
   EXPECT_EQ(fault({}), "");
@@ -88,68 +76,11 @@ TEST(Trim, OfAsManyVerticesAsMayBeTakesLittleTime) {
   EXPECT_LT(took.count(), 10);
 }
 
-TrimRegion domain_of(const Trim& trim, const Shape& shape = Shape::tensor(1, 1)) {
-  TrimRegion domain;
-  MovingPatch<double> patch{shape, {}, {}};
-  patch.trim = trim;
-  domain.assign(patch);
-  return domain;
-}
-
-TEST(TrimRegion, ItsBoundaryBelongsToIt) {
-  const TrimRegion domain = domain_of({kOuter, kHole});
-  const double inside = std::nextafter(0.25, 0), beyond = std::nextafter(0.25, 1);
-  EXPECT_TRUE(domain.contains({0, 0}));
-  EXPECT_TRUE(domain.contains({0.25, 0.5}));
-  EXPECT_TRUE(domain.contains({0.25, 0.25}));
-  EXPECT_TRUE(domain.contains({inside, 0.5}));
-  EXPECT_FALSE(domain.contains({beyond, 0.5}));
-  EXPECT_FALSE(domain.contains({0.5, 0.5}));
-  EXPECT_TRUE(domain_of({}).contains({0.5, 0.5}));
-}
-
-TEST(TrimRegion, ParityCountsEachLoop) {
-  const Trim rings = {kOuter, kHole, {{0.4, 0.4}, {0.6, 0.4}, {0.5, 0.6}}};
-  EXPECT_TRUE(domain_of(rings).contains({0.5, 0.5})) << "on the island";
-  EXPECT_FALSE(domain_of(rings).contains({0.3, 0.3})) << "in the hole";
-  // The direction of a loop is nothing.
-  Trim turned = rings;
-  std::reverse(turned[1].begin(), turned[1].end());
-  EXPECT_TRUE(domain_of(turned).contains({0.5, 0.5}));
-  EXPECT_FALSE(domain_of(turned).contains({0.3, 0.3}));
-}
-
-TEST(TrimRegion, ACellIsOutsideOnlyIfItsClosureMissesTheRegion) {
-  using Cover = TrimRegion::Cover;
-  const Shape shape = Shape::tensor(1, 1);
-  const Cell corner{0, 0, 1, false};  // [0, 1/2]²
-  const auto cover = [&](const Uv<double>& a) {
-    return domain_of({{a, {1, a[1]}, {1, 1}, {a[0], 1}}}).cover(corner);
-  };
-  EXPECT_EQ(cover({0.5, 0.5}), Cover::kCrossed) << "they share a corner";
-  EXPECT_EQ(cover({std::nextafter(0.5, 1), 0.5}), Cover::kOutside);
-  EXPECT_EQ(cover({0, 0}), Cover::kCrossed);
-  EXPECT_EQ(domain_of({kOuter}).cover(Cell{}.child(shape, 0).child(shape, 3)), Cover::kInside);
-  EXPECT_EQ(domain_of({kOuter, kHole}).cover({2, 2, 2, false}), Cover::kCrossed);
-  EXPECT_EQ(domain_of({kOuter, kHole}).cover({3, 3, 3, false}), Cover::kOutside) << "in the hole";
-  EXPECT_EQ(domain_of({kOuter, kHole}).cover(Cell{}), Cover::kCrossed) << "no vertex in the hole";
-  // A loop within a cell, of which all vertices are outside.
-  EXPECT_EQ(domain_of({{{0.3, 0.3}, {0.4, 0.3}, {0.3, 0.4}}}).cover(corner), Cover::kCrossed);
-  const Trim beside = {{{0.25, 0.25}, {0.5, 0.25}, {0.25, 0.5}}};
-  EXPECT_EQ(domain_of(beside, Shape::triangle(1)).cover({0, 0, 2, true}), Cover::kCrossed)
-      << "they share a corner";
-  EXPECT_EQ(domain_of({{{0.25, 0.25}, {0.5, 0}, {0.5, 0.25}}}, Shape::triangle(1))
-                .cover({0, 0, 1, false}),
-            Cover::kCrossed)
-      << "along the diagonal";
-  const double more = std::nextafter(0.5, 1);
-  EXPECT_EQ(domain_of({{{0.25, 0.25 + 0x1p-54}, {more, 0}, {more, 0.25}}}, Shape::triangle(1))
-                .cover({0, 0, 1, false}),
-            Cover::kOutside);
-}
-
 TEST(TrimRegion, ChildrenOfACrossedCellAreTold) {
-  const TrimRegion domain = domain_of({{{0, 0}, {0.25, 0}, {0, 0.25}}});
+  MovingPatch<double> patch{Shape::tensor(1, 1), {}, {}};
+  patch.trim = {{{0, 0}, {0.25, 0}, {0, 0.25}}};
+  TrimRegion domain;
+  domain.assign(patch);
   const TrimRegion::Children children = domain.children(Cell{});
   EXPECT_EQ(children.outside, 0b1110U);
   EXPECT_EQ(children.crossed, 0b0001U);

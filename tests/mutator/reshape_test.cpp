@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "bases.hpp"
-#include "bezier/bernstein.hpp"
 #include "bezier/blossom.hpp"
 #include "files/case_json.hpp"
 
@@ -54,25 +53,6 @@ TEST(Reshape, NewParametersAndChildrenKeepTheContactWhereItWas) {
         EXPECT_EQ(q.point(side), base.point(side)) << to_json(case_of(base));
       }
     }
-  }
-}
-
-TEST(Bernstein, WeightsSumToOneAndGiveThePoint) {
-  for (const Shape& shape : {Shape::point(), Shape::curve(3), Shape::triangle(5),
-                             Shape::tensor(2, 4), Shape::tensor(8, 8)}) {
-    const Uv<Dyadic> uv = parameters(shape);
-    const std::vector<Dyadic> weights = bernstein_weights(shape, uv);
-    Points<Dyadic> points;
-    Vec3<Dyadic> sum = {Dyadic(), Dyadic(), Dyadic()};
-    Dyadic total;
-    Draw random{Random(9)};
-    for (const Dyadic& weight : weights) {
-      points.push_back(random.vector(10, -4));
-      sum += points.back() * weight;
-      total += weight;
-    }
-    EXPECT_EQ(total, Dyadic(1)) << to_text(shape);
-    EXPECT_EQ(sum, evaluate<Dyadic>(shape, points, uv)) << to_text(shape);
   }
 }
 
