@@ -6,13 +6,34 @@
 
 #include "ccd/rational/gap.hpp"
 #include "ccd/rational/proves_clear.hpp"
-#include "ccd_rational/points.hpp"
 #include "generators/generate.hpp"
 #include "numeric/rational.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {
 namespace {
+
+/// A point moving from p with velocity v.
+MovingPatch<double> moving_point(const Vec3<double>& p, const Vec3<double>& v) {
+  return {Shape::point(), {p}, {v}};
+}
+
+/// The flat triangle (degree 1) with corners (0,0,z), (1,0,z), (0,1,z), moving with velocity v.
+MovingPatch<double> flat_triangle(double z, const Vec3<double>& v) {
+  return {Shape::triangle(1), {{0, 0, z}, {0, 1, z}, {1, 0, z}}, {v, v, v}};
+}
+
+/// Every length of the query times 2^k. Requires that nothing rounds.
+Query scaled(Query query, int k) {
+  for (MovingPatch<double>& patch : query.patches) {
+    for (Points<double>* points : {&patch.positions, &patch.velocities}) {
+      for (Vec3<double>& p : *points) {
+        for (int i = 0; i < 3; ++i) p[i] = std::ldexp(p[i], k);
+      }
+    }
+  }
+  return query;
+}
 
 Answer ask(const Query& query) {
   TdibmRational method;
@@ -169,6 +190,23 @@ TEST(TdibmRational, DecidesExponentsFromOneEndOfTheRangeToTheOther) {
                         Points<double>(3, {0, 0, 0})};
     EXPECT_EQ(ask(query).verdict, height == 0 ? Verdict::kHit : Verdict::kMiss) << to_hex(height);
   }
+}
+
+// What has no bits at all, like the velocities of patches at rest, must not enter (a fuzzer saw an
+// overflow here).
+TEST(Units, AreOfThePositionsAloneWhereNothingMovesAndOfVelocitiesWhereAllBeginsAtTheOrigin) {
+  Query query;
+  query.t_max = 4;
+  for (MovingPatch<double>& patch : query.patches) {
+    patch = {Shape::curve(1), {{0.25, 0, 3}, {0, -7, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  }
+  const exact_ccd::Units rest = exact_ccd::Units::of(query);
+  EXPECT_EQ(rest.length, -2);
+  EXPECT_EQ(rest.magnitude_bits, 5);  // |p| < 2^3, in steps of 2^-2
+  for (MovingPatch<double>& patch : query.patches) std::swap(patch.positions, patch.velocities);
+  const exact_ccd::Units from_origin = exact_ccd::Units::of(query);
+  EXPECT_EQ(from_origin.length, -2 + from_origin.time);
+  EXPECT_EQ(from_origin.magnitude_bits, 3 + from_origin.horizon - from_origin.length);
 }
 
 }  // namespace

@@ -1,0 +1,179 @@
+#include <cmath>
+
+#include "ccd/rational/proves_clear.hpp"
+#include "ccd/rational/window.hpp"
+#include "generators/draw_contact.hpp"
+#include "generators/draw_patch.hpp"
+#include "properties/exact_gaps.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+using exact_ccd::Cut;
+using exact_ccd::Gap;
+
+constexpr int kMostAxisBits = 30;
+
+/// A pair of cells of a query, of one depth, and an axis.
+struct GapSetting {
+  Query query;
+  std::array<std::vector<Cell>, 2> parts;  ///< all children of a cell, or the root alone
+  std::array<int, 2> chosen{};
+  exact_ccd::IntegerAxis axis;
+
+  RationalLines lines(std::size_t side) const {
+    const Cell& cell = parts[side][static_cast<std::size_t>(chosen[side])];
+    return lines_of_cell(query.patches[side], cell, axis);
+  }
+  void put(Gap& gap) const {
+    gap.begin(query);
+    for (int side = 0; side < 2; ++side) gap.prepare(side, parts[static_cast<std::size_t>(side)]);
+    gap.select(chosen[0], chosen[1]);
+    gap.project(axis, kMostAxisBits);
+  }
+};
+
+GapSetting draw_gap_setting(Draw& d, const Query& query, int max_depth) {
+  GapSetting s;
+  s.query = query;
+  const std::int64_t depth = d.integer(0, max_depth);
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Shape& shape = query.patches[side].shape;
+    const Cell parent = draw_cell_at(d, shape, depth - 1);
+    for (int c = 0; c < (depth == 0 ? 1 : shape.child_count()); ++c) {
+      s.parts[side].push_back(depth == 0 ? parent : parent.child(shape, c));
+    }
+    s.chosen[side] = static_cast<int>(d.below(s.parts[side].size()));
+  }
+  const std::int32_t most = std::int32_t{1} << d.integer(0, kMostAxisBits);
+  for (std::int32_t& x : s.axis.l) x = static_cast<std::int32_t>(d.integer(-most, most));
+  suppose(s.axis.norm1() > 0);
+  show(d, "query", s.query);
+  show(d, "depth", depth);
+  show(d, "chosen", s.chosen);
+  show(d, "axis", s.axis.l);
+  return s;
+}
+
+/// Numbers that are hard to bring to one magnitude, or patches that touch.
+Query draw_hard_query(Draw& d, int max_degree) {
+  if (d.coin()) return draw_extreme_query(d);
+  return supposed(draw_contact(d, {-1000, 900, max_degree})).query;
+}
+
+/// A time that may be the end of a window: 0, t_max, or a multiple of the grid.
+double draw_window_end(Draw& d, const Query& query, const exact_ccd::Units& units) {
+  const std::uint64_t kind = d.choose(2);
+  if (kind < 2) return kind == 0 ? 0 : query.t_max;
+  const double steps = std::floor(std::ldexp(query.t_max, -units.grid));
+  return std::ldexp(static_cast<double>(d.integer(0, static_cast<int>(steps))), units.grid);
+}
+
+void check_signs(Draw& d) {
+  const bool deep = d.coin();
+  const GapSetting s =
+      draw_gap_setting(d, draw_hard_query(d, deep ? kMaxDegree : 3), deep ? 40 : 14);
+  Gap gap;
+  s.put(gap);
+  const double t = draw_window_end(d, s.query, gap.units()), scaled = gap.scaled(t);
+  show(d, "t", t);
+  CLAIM(gap.unscaled(scaled) == t);
+  const exact_ccd::Extremes extremes = gap.extremes(scaled);
+  const std::array lines = {s.lines(0), s.lines(1)};
+  for (std::size_t below = 0; below < 2; ++below) {
+    const Rational value = exact_gap(lines[below], lines[1 - below], exact(t));
+    CLAIM(gap.sign(static_cast<int>(below), scaled, extremes) == sgn(value));
+  }
+}
+
+struct RationalWindow {
+  Rational lo, hi;
+};
+
+/// What cut_window did to a window, beside the times up to and from which one sign of the axis
+/// separates.
+struct CutMade {
+  RationalWindow before, after, separated;
+  bool all_separated = false;
+  Cut cut = Cut::kNothing;
+  Rational step;  ///< the distance of two times of the grid
+};
+
+CutMade make_cut(Draw& d, const GapSetting& s) {
+  Gap gap;
+  s.put(gap);
+  const double a = draw_window_end(d, s.query, gap.units());
+  const double b = draw_window_end(d, s.query, gap.units());
+  exact_ccd::ScaledWindow window{gap.scaled(std::min(a, b)), gap.scaled(std::max(a, b))};
+  const auto unscaled = [&] {
+    return RationalWindow{exact(gap.unscaled(window.lo)), exact(gap.unscaled(window.hi))};
+  };
+  CutMade made;
+  made.before = made.separated = unscaled();
+  made.cut = cut_window(gap, window);
+  made.after = unscaled();
+  made.step = power_of_two(gap.units().grid);
+  const auto& [lo, hi] = made.before;
+  for (std::size_t below = 0; below < 2; ++below) {
+    const auto times = separated_times(s.lines(below), s.lines(1 - below), lo, hi);
+    if (!times) continue;
+    const bool from_lo = times->contains(lo), to_hi = times->contains(hi);
+    made.all_separated = made.all_separated || (from_lo && to_hi);
+    if (from_lo) made.separated.lo = std::max(made.separated.lo, times->to);
+    if (to_hi) made.separated.hi = std::min(made.separated.hi, times->from);
+  }
+  show(d, "window", std::array{lo, hi});
+  show(d, "cut to", std::array{made.after.lo, made.after.hi});
+  show(d, "separated up to, and from", std::array{made.separated.lo, made.separated.hi});
+  show(d, "cut", static_cast<int>(made.cut));
+  return made;
+}
+
+/// Laws R1 to R3. An exact root stays.
+void check_cuts(Draw& d) {
+  const auto [before, after, separated, all_separated, cut, step] =
+      make_cut(d, draw_gap_setting(d, draw_hard_query(d, 3), 6));
+  CLAIM((cut == Cut::kAll) == all_separated);
+  if (all_separated) return;
+  CLAIM(before.lo <= after.lo && after.lo <= separated.lo);
+  CLAIM(separated.hi <= after.hi && after.hi <= before.hi);
+  CLAIM(after.lo <= after.hi);
+  CLAIM((cut == Cut::kNothing) == (before.lo == after.lo && before.hi == after.hi));
+}
+
+void check_cuts_are_close(Draw& d) {
+  Query query = supposed(draw_contact(d, {0, 0, 3})).query;
+  query.t_max = d.pick(std::array{1.0, 2.0, 0.1, 1 + 0x1p-30, 3.0});
+  const CutMade made = make_cut(d, draw_gap_setting(d, query, 5));
+  if (made.cut == Cut::kAll) return;
+  CLAIM(made.separated.lo - made.after.lo <= 2 * made.step);
+  CLAIM(made.after.hi - made.separated.hi <= 2 * made.step);
+}
+
+}  // namespace
+
+std::vector<Property> rational_windows_claims() {
+  constexpr auto kWindow = "src/ccd/rational/window.hpp";
+  return {
+      {"tdibm-rational.signs", "The sign of a gap at an end of a window is the exact one",
+       "src/ccd/rational/gap.hpp", check_signs},
+      {"tdibm-rational.cuts",
+       "A window loses times at which an axis separates, from its ends, and all of them at once",
+       kWindow, check_cuts},
+      {"tdibm-rational.cuts_are_close",
+       "What is left of a window ends within two steps of where the axis separates no more",
+       kWindow, check_cuts_are_close},
+      {"tdibm-rational.proves_no_contact_away", "No proof of absence covers the time of a contact",
+       "src/ccd/rational/proves_clear.hpp",
+       [](Draw& d) {
+         const Case known = supposed(draw_contact(d, {-900, 900, 2}));
+         show(d, "contact", known);
+         CLAIM(!proves_clear(known.query, known.truth.witness->t, {.pops = 1000}));
+       }},
+  };
+}
+
+}  // namespace ccdfuzz
