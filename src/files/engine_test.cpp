@@ -249,6 +249,8 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
   if (has_one && !engine.has(bodies[1]->one_sided ? "one-sided mesh" : "mesh"))
     return refused(bodies[1]->one_sided ? "has no tests of one-sided meshes"
                                         : "has no tests of meshes");
+  const bool has_two_sides = has_one && !bodies[1]->one_sided;
+  const std::string sides = has_two_sides ? engine.word("both sides").value_or("") : "";
   const double step = step_of_bodies(query, engine);
   std::array<EngineWords::Shaped, 2> shapes;
   std::array<std::string, 2> sweeps;
@@ -271,6 +273,7 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                            {"__CENTRE_A__", list(shapes[0].body.centre)},
                            {"__CENTRE_B__", list(shapes[1].body.centre)},
                            {kWay, list(way)},
+                           {"__SIDES__", sides},
                            {"__SWEEP_A__", sweeps[0]},
                            {"__SWEEP_B__", sweeps[1]},
                            {"__FRACTION__", fmt::format("{}", query.t_max / step)}}));

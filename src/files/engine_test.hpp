@@ -13,7 +13,8 @@ namespace ccdfuzz {
 /// "//= NAME: TEXT", say how the engine writes things, where \n stands for the end of a line:
 /// - "point" is a point, whose coordinates stand for *, or the first two for __X__ and __Y__.
 /// - "box", "flat box", "segment", "triangle" and "hull" are bodies, and "round point", "round box"
-///   and so on those with a radius, about their middle. "mesh" and "one-sided mesh" are these.
+///   and so on those with a radius, about their middle. "mesh" and "one-sided mesh" are these, and
+///   "both sides" is what __SIDES__ stands for where a mesh has two.
 ///   Others are "any" or "4 points" (of that many) as they are, and "turned any" where they turn.
 /// - "still", "turn" and "spin" are how bodies move; a "rotation" is of cosine and sine, or of four
 ///   numbers.

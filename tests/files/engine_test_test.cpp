@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 namespace ccdfuzz {
 namespace {
 
@@ -45,7 +47,7 @@ TEST(EngineTest, AsksEachEngineForTheShapesThatItHas) {
   const NamedCase ball = falling_ball();
   const std::vector<std::pair<std::string, std::string>> shapes = {
       {"rapier", "new RAPIER.Cuboid(5, 1, 5)"},
-      {"jolt", "new Jolt.BoxShape(vector(5, 1, 5), 0)"},
+      {"jolt", "new Jolt.BoxShape(new Jolt.Vec3(5, 1, 5), 0)"},
       {"physx", "new physx.PxSphereGeometry(1)"},
       {"havok", "hk.HP_Shape_CreateBox([0, 0, 0], [0, 0, 0, 1], [10, 2, 10])"},
       {"bullet", "hull({btVector3(-4, 3, 0.5)}, 1)"}};
@@ -138,14 +140,45 @@ TEST(EngineTest, GivesAMeshSecondAndWithItsSides) {
               testing::AllOf(testing::HasSubstr("convexSweepTest"),
                              testing::HasSubstr("corners[] = {0, 2, 1, 1, 2, 3};\n")));
   EXPECT_THAT(*engine_test(named, "physx"), testing::HasSubstr("eMESH_BOTH_SIDES"));
+  EXPECT_THAT(
+      *engine_test(named, "jolt"),
+      testing::HasSubstr("\nsettings.mBackFaceModeTriangles = settings.mBackFaceModeConvex"));
   EXPECT_EQ(engine_test(named, "box3d").error().message(),
             "ball.json: box3d has no tests of meshes");
   query.patches[0].one_sided = true;
-  EXPECT_THAT(*engine_test(named, "jolt"), testing::HasSubstr("{ isOneSided: true }"));
+  EXPECT_THAT(*engine_test(named, "jolt"), testing::HasSubstr("\nsettings.mBackFaceModeConvex = "));
   EXPECT_THAT(*engine_test(named, "physx"), testing::Not(testing::HasSubstr("eMESH_BOTH_SIDES")));
   for (const std::string engine : {"rapier", "bullet"}) {
     EXPECT_EQ(engine_test(named, engine).error().message(),
               "ball.json: " + engine + " has no tests of one-sided meshes");
+  }
+}
+
+/// How many lines a test has before the one that asks the engine, without comments.
+long lines_before(const std::string& text, const std::string& call) {
+  std::istringstream lines(text.substr(0, text.rfind('\n', text.find(call))));
+  long count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    count += line.empty() || line.starts_with("//") ? 0 : 1;
+  }
+  return count;
+}
+
+/// A hull or a capsule needs a helper beside.
+TEST(EngineTest, SetsUpABallAndABoxOrAMeshIn20LinesAtMost) {
+  NamedCase named = falling_ball();
+  const auto expect_short = [&](const std::string& engine, const std::string& call) {
+    const std::string text = *engine_test(named, engine);
+    ASSERT_THAT(text, testing::HasSubstr(call));
+    EXPECT_LE(lines_before(text, call), 20) << engine;
+  };
+  for (const bool has_faces : {false, true}) {
+    if (has_faces) named.value.query.patches[1].faces = {{0, 2, 1}, {1, 2, 3}};
+    expect_short("rapier", "a.castShape(");
+    expect_short("jolt", "target.CastShape(");
+    expect_short("physx", "prototype.sweep(");
+    if (!has_faces) expect_short("havok", "hk.HP_World_ShapeCastWithCollector(");
+    if (has_faces) expect_short("bullet", "world.convexSweepTest(");
   }
 }
 
