@@ -7,15 +7,10 @@
 
 #include "ccd/sub_patches.hpp"
 #include "numeric/products.hpp"
-#include "planted.hpp"
+#include "random_query.hpp"
 
 namespace ccdfuzz {
 namespace {
-
-Query random_query(const Shape& a, const Shape& b, std::uint64_t key) {
-  Draw random{Random::keyed({key})};
-  return plant_contact(random, a, b).query;
-}
 
 constexpr AxisReading kUnitAxes{AxisReading::Spans::kCorners, AxisReading::Length::kUnit};
 

@@ -6,20 +6,10 @@
 
 #include "ccd/tdibm.hpp"
 #include "ccd/traditional.hpp"
-#include "named_queries.hpp"
-#include "planted.hpp"
+#include "random_query.hpp"
 
 namespace ccdfuzz {
 namespace {
-
-/// The same patch twice, at rest: every pair of parts that touch does so at all times.
-Query identical_static_patches() {
-  Draw random{Random::keyed({12})};
-  Query query = plant_contact(random, Shape::triangle(2), Shape::triangle(2)).query;
-  for (Vec3<double>& v : query.patches[0].velocities) v = {0, 0, 0};
-  query.patches[1] = query.patches[0];
-  return query;
-}
 
 TEST(Search, DepthIsTheLeastThatMeetsThePrecision) {
   for (const double precision : {1., .5, .3, .25, 1e-2, 1e-4, 0x1p-20, 1e-6}) {
@@ -34,7 +24,7 @@ TEST(Search, MemoryBudgetGivesUndecided) {
   Tdibm<ErrorBoundIntended> method;
   SearchOptions options;
   options.max_bytes = 1000;
-  const Answer answer = method.answer(identical_static_patches(), options);
+  const Answer answer = method.answer(twice_the_same(Shape::triangle(2)), options);
   EXPECT_EQ(answer.verdict, Verdict::kUndecided);
   EXPECT_GT(answer.bytes, options.max_bytes) << "what ended it";
   EXPECT_EQ(answer.toi, 0);
@@ -50,16 +40,16 @@ void expect_no_miss(Method&& method, const Query& query) {
 }
 
 TEST(Search, IdenticalStaticPatchesAreNeverMissed) {
-  expect_no_miss(Tdibm<Plain>(), identical_static_patches());
-  expect_no_miss(Tdibm<PullApart>(PullApart(1e-12)), identical_static_patches());
-  expect_no_miss(Tdibm<ErrorBoundIntended>(), identical_static_patches());
-  expect_no_miss(Tdibm<ErrorBoundPrinted>(), identical_static_patches());
-  expect_no_miss(Traditional(), identical_static_patches());
-  expect_no_miss(Traditional(BoxKind::kAxisAligned), identical_static_patches());
+  expect_no_miss(Tdibm<Plain>(), twice_the_same(Shape::triangle(2)));
+  expect_no_miss(Tdibm<PullApart>(PullApart(1e-12)), twice_the_same(Shape::triangle(2)));
+  expect_no_miss(Tdibm<ErrorBoundIntended>(), twice_the_same(Shape::triangle(2)));
+  expect_no_miss(Tdibm<ErrorBoundPrinted>(), twice_the_same(Shape::triangle(2)));
+  expect_no_miss(Traditional(), twice_the_same(Shape::triangle(2)));
+  expect_no_miss(Traditional(BoxKind::kAxisAligned), twice_the_same(Shape::triangle(2)));
 }
 
 TEST(Search, PatchesWithoutAnyAxisAreNeverMissed) {
-  Query query = identical_static_patches();
+  Query query = twice_the_same(Shape::triangle(2));
   for (MovingPatch<double>& patch : query.patches) {
     patch.positions.assign(6, patch.positions[0]);
   }

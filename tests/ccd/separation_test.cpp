@@ -1,69 +1,9 @@
-// Inputs by hand that show what the properties of Steps II and III claim of drawn ones.
-#include "properties/separation.hpp"
+#include "ccd/separation.hpp"
 
 #include <gtest/gtest.h>
 
-#include "ccd/separation.hpp"
-#include "properties/envelope.hpp"
-#include "properties/exact_lines.hpp"
-
 namespace ccdfuzz {
 namespace {
-
-/// True iff the method takes a time for separated that is not.
-template <class Policy>
-bool excludes_too_much(const LinePairs& pairs) {
-  try {
-    claim_separation_is_true<Policy>(pairs);
-    return false;
-  } catch (const Refuted&) {
-    return true;
-  }
-}
-
-/// The lines of twin_shield() on the axis z. The second line is redundant by less than the bound,
-/// so it stays, and the third shields it from the fourth. The chain fails to be convex by O(1),
-/// which no bound of rounding covers.
-TEST(Separation, PrintedSignLosesATwinShieldByMuch) {
-  const LinePairs p{{{2, -1}, {.3, -.25}, {.1 * 3, -.25}, {0, 0}}, {{-10, 7}}, {0, 1}};
-  const ErrorBoundPrinted policy;
-  const auto printed = separation(policy, envelope_of(policy, p.f, p.window),
-                                  envelope_of(policy, p.g, p.window), p.window);
-  ASSERT_TRUE(printed.has_value());
-  EXPECT_LT(printed->lo, .75 - .01) << "exact: separated after 3/4";
-  EXPECT_TRUE(excludes_too_much<ErrorBoundPrinted>(p));
-  EXPECT_FALSE(excludes_too_much<ErrorBoundIntended>(p));
-  EXPECT_FALSE(excludes_too_much<Plain>(p));
-}
-
-/// C.3 claims that envelopes pulled apart by I·delta make the root safe. As a lemma on exact
-/// envelopes it is false: the proof bounds the pairs that the sweep visited, and here it stops
-/// before the pair that decides. That eps_constr covers it here is luck, not proof.
-TEST(Separation, PullingApartByIDeltaIsNotEnoughOnItsOwn) {
-  const LinePairs p{{{-1, .35}, {.5, -.25}, {.99, -.495 - 0x1p-54}},
-                    {{-1 - 38 * 0x1p-52, .5 + 57 * 0x1p-53}, {-1, .5}},
-                    {0, 1}};
-  const ErrorBoundIntended policy;
-  Lines<double> f, g;
-  upper_envelope(policy, sorted_lines(p.f), p.window, f);
-  upper_envelope(policy, sorted_lines(p.g), p.window, g);
-  const auto found = separation(policy, f, g, p.window);
-  ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->lo, .50000000000002542);
-  const Dyadic later = Dyadic::exact(.50000000000020517);
-  EXPECT_GT((maximum(exact_lines(f), later) + maximum(exact_lines(g), later)).sign(), 0);
-  EXPECT_FALSE(excludes_too_much<ErrorBoundIntended>(p)) << "eps_constr included";
-}
-
-/// Theorem 4.1 has no term for underflow: products of two tiny numbers vanish, and their bounds
-/// with them.
-TEST(Separation, ErrorBoundExcludesTooMuchWhereProductsUnderflow) {
-  const double unit = std::numeric_limits<double>::denorm_min();
-  const LinePairs p{{{0, -unit}, {0x24 * unit, -0x1b * unit}, {0x28 * unit, -0x48 * unit}},
-                    {{0, -2 * unit}},
-                    {0, 1}};
-  EXPECT_TRUE(excludes_too_much<ErrorBoundIntended>(p));
-}
 
 /// C.3 says that every pair of the path but the last has c_beta > c_(alpha+1). Here f has one line.
 TEST(Separation, ThePathAdvancesTheOtherEnvelopeAlone) {

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "bezier/blossom.hpp"
+#include "bezier/exact_patch.hpp"
 #include "bezier/random_patch.hpp"
 #include "ccd/certified/tdibm_c.hpp"
 
@@ -14,19 +15,6 @@ struct Planted {
   double t = 0;
   std::array<Uv<Dyadic>, 2> uv;
 };
-
-MovingPatch<double> to_double(const MovingPatch<Dyadic>& patch) {
-  MovingPatch<double> out{patch.shape, {}, {}};
-  const auto convert = [](const Points<Dyadic>& from, Points<double>& to) {
-    for (const Vec3<Dyadic>& p : from) {
-      to.push_back(
-          {*p[0].to_double_exactly(), *p[1].to_double_exactly(), *p[2].to_double_exactly()});
-    }
-  };
-  convert(patch.positions, out.positions);
-  convert(patch.velocities, out.velocities);
-  return out;
-}
 
 Planted any_planted() {
   Planted out;
@@ -42,7 +30,10 @@ Planted any_planted() {
   for (Vec3<Dyadic>& p : patches[1].positions) {
     for (int k = 0; k < 3; ++k) p[k] += at[0][k] - at[1][k];
   }
-  for (size_t s = 0; s < 2; ++s) out.query.patches[s] = to_double(patches[s]);
+  for (size_t s = 0; s < 2; ++s) {
+    out.query.patches[s] = {patches[s].shape, *to_doubles(patches[s].positions),
+                            *to_doubles(patches[s].velocities)};
+  }
   out.t = *t.to_double_exactly();
   out.query.t_max = out.t * *rc::gen::element(1.0, 1 + 0x1p-30, 1.5, 2.0);
   return out;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ccd/certified/linear_advance.hpp"
-#include "ccd/planted.hpp"
+#include "ccd/random_query.hpp"
 #include "ccd/rational/pair_test.hpp"
 #include "ccd/witness_trace/inclusion_tracer.hpp"
 #include "share.hpp"
@@ -46,15 +46,6 @@ TEST(Trace, ContactsAtTheEndsOfTheStepSurvive) {
     EXPECT_FALSE(tracer->trace(parting, at_time(0), {}).lost) << spec;
     parting.t_max = 1;
   }
-}
-
-/// The same patch twice, at rest: all of it touches all the time, so no pair is ever cut.
-Query twice_the_same(const Shape& shape) {
-  Draw random{Random::keyed({12})};
-  Query query = plant_contact(random, shape, shape).query;
-  for (Vec3<double>& v : query.patches[0].velocities) v = {0, 0, 0};
-  query.patches[1] = query.patches[0];
-  return query;
 }
 
 TEST(Trace, FollowsAllCellsThatMeetInTheWitness) {
