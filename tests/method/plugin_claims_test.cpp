@@ -169,15 +169,12 @@ TEST(PluginClaims, TrimsAreAskedOfWhomTakesThem) {
 TEST(PluginClaims, AnOpenEndBindsNot) {
   EXPECT_EQ(outcome_of(kMiss, meeting_at(1, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(1, 1)), "unknown");
-  EXPECT_EQ(outcome_of(kMiss + kOpenTMax, meeting_at(0.5, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss, meeting_at(0, 1)), "missed");
   EXPECT_EQ(outcome_of(kMiss + kNotAtZero, meeting_at(0, 1)), "unknown");
-  EXPECT_EQ(outcome_of(kMiss + kNotAtZero, meeting_at(0.5, 1)), "missed");
 }
 
 TEST(PluginClaims, AToleranceInTimeExcusesWhatIsLateUnlessConservative) {
   const Case known = meeting_at(0.5, 2);
-  EXPECT_EQ(outcome_of(hit(0.75), known), "late");
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25", known), "correct");
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.24", known), "late");
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25" + kConservative, known), "late");
@@ -186,42 +183,34 @@ TEST(PluginClaims, AToleranceInTimeExcusesWhatIsLateUnlessConservative) {
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.12:kind=1", known), "late");
   // One in space says nothing of time.
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:kind=2", known), "late");
-  EXPECT_EQ(outcome_of(kMiss + ":tolerance=0.25", known), "missed");
 }
 
-TEST(PluginClaims, AToleranceInTimeExcusesAHitBeforeAContactThatComesTooLate) {
+TEST(PluginClaims, AToleranceExcusesAHitBeforeAContactThatComesTooLate) {
   const Case known = meeting_at(2.25, 2);
-  EXPECT_EQ(outcome_of(hit(2), known), "false_positive");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25", known), "correct");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25" + kConservative, known), "correct");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.24", known), "false_positive");
-  EXPECT_EQ(outcome_of(hit(1.9) + ":tolerance=0.25", known), "false_positive");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.125:kind=1", known), "correct");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.12:kind=1", known), "false_positive");
-}
-
-TEST(PluginClaims, AToleranceInSpaceExcusesAHitWherePatchesAreNear) {
-  const Case known = meeting_at(2.25, 2);
+  // In space.
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2", known), "correct");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.24:kind=2", known), "false_positive");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2:uv=nan", known), "correct");
+  // Who does not say where cannot be held to it.
+  EXPECT_EQ(outcome_of(":verdict=1:toi=2:tolerance=0.25:kind=2", known), "unknown");
   // Relative to the largest coordinate, 100.
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.0025:kind=3", known), "correct");
   EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.0024:kind=3", known), "false_positive");
-  // Who does not say where cannot be held to it.
-  EXPECT_EQ(outcome_of(":verdict=1:toi=2:tolerance=0.25:kind=2", known), "unknown");
 }
 
 TEST(PluginClaims, AnAchievedToleranceStandsInThePlaceOfTheClaimedOneUnlessItIsLooser) {
-  const Case known = meeting_at(0.5, 2), far = meeting_at(2.25, 2);
+  const Case known = meeting_at(0.5, 2);
   EXPECT_EQ(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=0.1", known), "late");
-  EXPECT_EQ(outcome_of(hit(2) + ":tolerance=0.25:kind=2:achieved=0.1", far), "false_positive");
   EXPECT_THAT(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=-1", known),
               testing::StartsWith("error (garbage)"));
   // The answer is right by the claim, and yet: what it says of itself is not what it claimed.
   EXPECT_THAT(outcome_of(hit(0.75) + ":tolerance=0.25:achieved=0.26", known),
               testing::StartsWith("error (broken claim): claims a tolerance of 0.25 (time)"));
-  EXPECT_EQ(outcome_of(kMiss + ":tolerance=0.1:achieved=1e300", known), "missed") << "all the same";
 }
 
 TEST(PluginClaims, AreRefusedWhenTheyExcuseAnyAnswer) {
@@ -238,18 +227,8 @@ TEST(PluginClaims, AMinimumSeparationExcusesAHitWithinItAndBindsWhoIsConservativ
   EXPECT_EQ(outcome_of(hit(2) + ":separation=0.24", far), "false_positive");
   EXPECT_EQ(outcome_of(hit(2) + ":separation=0.125:tolerance=0.125:kind=2", far), "correct");
   EXPECT_EQ(outcome_of(kMiss + ":separation=0.25" + kConservative, far), "correct");
-  // Nearer.
   EXPECT_EQ(outcome_of(kMiss + ":separation=0.26" + kConservative, far), "missed");
   EXPECT_EQ(outcome_of(kMiss + ":separation=0.26", far), "correct");
-  const Case meet = meeting_at(0.5, 2);
-  EXPECT_EQ(outcome_of(hit(0.25) + ":separation=0.25" + kConservative, meet), "correct");
-  EXPECT_EQ(outcome_of(hit(0.3) + ":separation=0.25" + kConservative, meet), "late");
-  EXPECT_EQ(outcome_of(hit(0.3) + ":separation=0.25", meet), "correct");
-  EXPECT_EQ(outcome_of(hit(0.3) + kConservative, meet), "correct");
-  // Near from the start: the end that is left out.
-  EXPECT_EQ(outcome_of(kMiss + ":separation=0.75:claims=7", meeting_at(0.5, 0.25)), "missed");
-  EXPECT_EQ(outcome_of(kMiss + ":separation=0.75:claims=3", meeting_at(0.5, 0.25)), "correct");
-  EXPECT_EQ(outcome_of(hit(0) + ":separation=0.75:claims=7", meeting_at(0.5, 0.25)), "correct");
 }
 
 TEST(PluginClaims, ANanPolicyIsAskedForAndHeldTo) {

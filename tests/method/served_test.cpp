@@ -227,14 +227,6 @@ TEST(Served, AnAnswerMayBeOfAnyLength) {
   }
 }
 
-TEST(Served, IsToldEvenWhereChildrenAreIgnored) {
-  const auto before = ::signal(SIGCHLD, SIG_IGN);
-  const auto done = asked_once("abort", kPatient);
-  ::signal(SIGCHLD, before);
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().name, "crash SIGABRT");
-}
-
 TEST(Served, OneChildAnswersUntilAFaultAndIsNotAccusedOfWhatOnlyItDoes) {
   const std::ptrdiff_t open = open_descriptors();
   {
