@@ -21,14 +21,6 @@ TEST(Nonnegative, IsSeenOfSquaresOnEveryShape) {
   EXPECT_FALSE(is_nonnegative(Shape::triangle(3), numbers({3, -2, -2, 3, 1, 1, 1, 1, 1, 1})));
 }
 
-// A row of a triangle along each of its edges.
-TEST(Nonnegative, IsSeenAlongAnyEdge) {
-  EXPECT_TRUE(is_nonnegative(Shape::triangle(3), numbers({3, 1, 1, 1, -1, 1, 1, -1, 1, 3})));
-  EXPECT_TRUE(is_nonnegative(Shape::triangle(3), numbers({1, 1, 1, 3, 1, 1, -1, 1, -1, 3})));
-  EXPECT_TRUE(is_nonnegative(Shape::tensor(1, 2), numbers({1, -1, 1, 5, 5, 5})));
-  EXPECT_TRUE(is_nonnegative(Shape::tensor(2, 1), numbers({1, 5, -1, 5, 1, 5})));
-}
-
 TEST(Nonnegative, IsAMatterOfTheOneCoefficientOfAPoint) {
   EXPECT_TRUE(is_nonnegative(Shape::point(), numbers({0})));
   EXPECT_FALSE(is_nonnegative(Shape::point(), numbers({-1})));

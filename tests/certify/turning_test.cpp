@@ -151,14 +151,7 @@ TEST_P(CheckTurning, NoOtherProofIsOfBodiesThatTurn) {
 TEST(CheckTurning, ATurnThatComesThroughZeroIsInvalid) {
   Query query = rod_to_point(kAngle);
   query.patches[0].turn->to = {-1, 16};
-  EXPECT_FALSE(is_valid(query));
   EXPECT_EQ(validate(query, "").error().where, "patches[0].turn.to");
-  query.patches[0].turn->to = {0, 16};
-  EXPECT_FALSE(is_valid(query));
-  query.patches[0].turn->to = {1};
-  EXPECT_FALSE(is_valid(query));
-  query.patches[0].turn->to = {1, 0, 0, 0};
-  EXPECT_FALSE(is_valid(query));
   query.patches[0].turn = kAngle;
   query.patches[0].turn->centre[2] = HUGE_VAL;
   EXPECT_EQ(validate(query, "").error().where, "patches[0].turn.centre[2]");
@@ -284,10 +277,6 @@ TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
   EXPECT_EQ(validate(query, "").error().message(), "t_max: 2 is past 1, where a spin ends");
   query.t_max = 1;
   query.patches[0].turn->spin[0] = 0x1p-40;
-  EXPECT_EQ(validate(query, "").error().message(),
-            "patches[0].spin.velocity: [9.094947017729282e-13, 8, 0] is of more than 8 radians in "
-            "[0, 1]");
-  query.patches[0].turn->spin = {1, 2};
   EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity");
   query.patches[0].turn->spin = {1, 2, HUGE_VAL};
   EXPECT_EQ(validate(query, "").error().where, "patches[0].spin.velocity[2]");

@@ -1,5 +1,4 @@
 #include "generators/finalize.hpp"
-#include "bezier/exact_patch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,17 +11,6 @@ Scene some_scene() {
   Draw random{Random(1)};
   return *random.until([&] { return paper_scene(ContactClass::kVE, false, random); },
                        [](const auto& scene) { return scene && to_query(*scene); });
-}
-
-TEST(Finalize, EveryNumberSurvivesTheRoundTrip) {
-  const Scene scene = some_scene();
-  const std::optional<Query> query = to_query(scene);
-  ASSERT_TRUE(query);
-  for (size_t s = 0; s < 2; ++s) {
-    const MovingPatch<Dyadic> back = exact_patch<Dyadic>(query->patches[s]);
-    EXPECT_EQ(back.positions, scene.patches[s].positions);
-    EXPECT_EQ(back.velocities, scene.patches[s].velocities);
-  }
 }
 
 TEST(Finalize, ANumberThatNoDoubleHoldsIsRefused) {

@@ -43,7 +43,6 @@ double distance_to_loops(const Trim& trim, const Uv<double>& p) {
 TEST(Trimmed, ContactsAreInsideOnEdgesOnVerticesAndOneFloatInside) {
   int later = 0, inside = 0, on_edge = 0, on_slanted = 0, on_vertex = 0, float_inside = 0;
   for_each_case(Family::kTrimmed, CaseKind::kRP, 40, [&](const Case& c) {
-    ASSERT_TRUE(check_truth(c)) << to_json(c);
     const Witness& witness = *c.truth.witness;
     if (witness.t > *c.truth.clear_until) {
       ++later;
@@ -97,7 +96,6 @@ TEST(Trimmed, OracleDecidesNegatives) {
 TEST(Ends, OfEachCaseSomeDifferenceToTheStartIsNoDouble) {
   for (const CaseKind kind : {CaseKind::kRP, CaseKind::kRN}) {
     for_each_case(Family::kEnds, kind, 3, [&](const Case& c) {
-      EXPECT_TRUE(check_truth(c)) << to_json(c);
       EXPECT_TRUE(c.truth.clearance.has_value());
       EXPECT_FALSE(with_velocities(c.query)) << to_json(c);
       for (const MovingPatch<double>& patch : c.query.patches) EXPECT_TRUE(patch.has_ends());
@@ -107,7 +105,6 @@ TEST(Ends, OfEachCaseSomeDifferenceToTheStartIsNoDouble) {
 
 TEST(Separated, OfEachCaseTheContactIsAtTheSeparationAndNoNearer) {
   for_each_case(Family::kSeparated, CaseKind::kRP, 3, [&](const Case& c) {
-    EXPECT_TRUE(check_truth(c)) << to_json(c);
     Case nearer = c;
     nearer.query.separation = std::nextafter(c.query.separation, 0.0);
     EXPECT_FALSE(check_truth(nearer)) << to_json(c);

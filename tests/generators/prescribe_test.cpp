@@ -4,10 +4,10 @@
 
 #include <set>
 
-#include "features.hpp"
-
 namespace ccdfuzz {
 namespace {
+
+constexpr std::array kFeatures = {Feature::kFace, Feature::kEdge, Feature::kCorner};
 
 std::vector<Barycentric> both_kinds(Feature feature, Draw& random) {
   std::vector<Barycentric> points = {prescribe_in_parent(feature, random)};
