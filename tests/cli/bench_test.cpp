@@ -52,16 +52,5 @@ TEST(Bench, ATimeLimitIsReportedWithItsLargestOverrun) {
   EXPECT_EQ(json_lines(ccdfuzz(limited).out).at(0).at("overrun_seconds"), 0);
 }
 
-TEST(Bench, BadListsAreRefusedByName) {
-  for (const auto& [option, value, complaint] :
-       {std::array{"--classes", "FF,XX", "\"XX\""}, std::array{"--classes", "FF,FF", "twice"},
-        std::array{"--classes", "", "--classes: is empty"},
-        std::array{"--methods", "tdibm-c@unoptimised", "--methods"},
-        std::array{"--construction", "magic", "\"magic\""},
-        std::array{"--count", "0", "--count"}}) {
-    refused(ccdfuzz({"bench", option, value}), complaint);
-  }
-}
-
 }  // namespace
 }  // namespace ccdfuzz

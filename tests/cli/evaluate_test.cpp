@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "falling_vertex.hpp"
 #include "io/run_file.hpp"
-#include "killed_run.hpp"
+#include "process.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -46,13 +47,17 @@ TEST(Evaluate, WritesTheTablesAndTheirRows) {
 
 TEST(Evaluate, SharesMergeIntoTheWhole) {
   const ScratchFolder folder;
-  const std::string set = paper_part(folder), whole = folder / "whole";
-  const std::vector<std::string> base = {"evaluate",        set,  "--methods", "tdibm-e,tdibm-c",
-                                         "--t-max-factors", "1,2"};
+  std::filesystem::create_directories(folder / "vertex-face");
+  write_text(folder / "vertex-face/0.csv", falling_vertex("-1,2", 1) + falling_vertex("1,2", 0));
+  write_text(folder / "vertex-face/1.csv", falling_vertex("-1,3", 1));
+  const std::vector<std::string> base = {"evaluate",  paper_part(folder), folder / "vertex-face",
+                                         "--methods", "tdibm-e,tdibm-c",  "--t-max-factors",
+                                         "1,2"};
   const auto evaluate = [&](const std::string& report, std::vector<std::string> more) {
     more.insert(more.end(), {"-o", report});
     succeeded(ccdfuzz(with(base, more)));
   };
+  const std::string whole = folder / "whole";
   evaluate(whole, {"--threads", "2"});
   std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
   for (const char* shard : {"2/3", "0/3", "1/3"}) {
@@ -120,35 +125,21 @@ TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
   refused("{\"index\":0,\"case\"", "{\"inde\":0,\"case\"", "answers.jsonl:2");
 }
 
-TEST(Evaluate, AnInterruptedOneSaysSo) {
+TEST(Evaluate, AnInterruptedOneSaysSoAndGoesOnAsTheSameCommandAlone) {
   const ScratchFolder folder;
-  const std::string set = generated(folder, "FF", "RP", 40);
-  const std::string run = folder / "answers";
-  const Finished stopped = ended_by(
-      SIGINT, {"evaluate", set, "--methods", "tdibm-rational", "-o", run, "--threads", "1"},
-      RunFile::path_for(run + "/answers.jsonl"), 1000);
+  const std::string set = generated(folder, "FF", "RP", 40), run = folder / "answers";
+  const std::string journal = RunFile::path_for(run + "/answers.jsonl");
+  const auto arguments = [&](const char* methods) {
+    return std::vector<std::string>{"evaluate", set, "--methods", methods, "-o", run};
+  };
+  const Finished stopped = ended_by(SIGINT, arguments("tdibm-rational"), journal, 1000);
   EXPECT_EQ(stopped.code, 128 + SIGINT);
   EXPECT_THAT(stopped.err, testing::HasSubstr("the same command goes on from there"));
   EXPECT_EQ(stopped.out, "");
-}
-
-TEST(Evaluate, GoesOnAfterKillsAndRefusesAnotherRunsJournal) {
-  const ScratchFolder folder;
-  const std::string set = paper_part(folder), whole = folder / "whole", report = folder / "report";
-  const std::string journal = report + "/answers.jsonl.partial";
-  const auto arguments = [&](const std::string& to, const char* methods) {
-    return std::vector<std::string>{"evaluate", set, "--methods", methods, "-o", to};
-  };
-  succeeded(ccdfuzz(arguments(whole, "tdibm-e,tdibm")));
-  namespace fs = std::filesystem;
-  ASSERT_TRUE(
-      kill_often(arguments(report, "tdibm-e,tdibm"), journal, 3, [&] { fs::remove_all(report); }));
-  const Finished other = refused(ccdfuzz(arguments(report, "tdibm")), journal);
+  const Finished other = refused(ccdfuzz(arguments("tdibm")), journal);
   EXPECT_THAT(other.err, testing::HasSubstr("--methods"));
-  const Finished last = succeeded(ccdfuzz(arguments(report, "tdibm-e,tdibm")));
+  const Finished last = succeeded(ccdfuzz(arguments("tdibm-rational")));
   EXPECT_THAT(last.err, testing::HasSubstr("going on"));
-  EXPECT_EQ(without_times(report), without_times(whole));
-  EXPECT_FALSE(fs::exists(journal));
 }
 
 }  // namespace

@@ -50,11 +50,13 @@ std::unique_ptr<Process> hunting(const std::string& corpus) {
 
 TEST(Hunt, RepeatsExactlyByCasesOnAnyNumberOfThreads) {
   std::vector<std::string> tables;
+  std::vector<nlohmann::json> pages;
   std::vector<std::map<std::string, std::string>> finds;
   for (const char* threads : {"1", "2"}) {
     const ScratchFolder folder;
-    const Finished finished = succeeded(
-        ccdfuzz(hunt(folder / "finds", {"--cases", kAFew, "--threads", threads, "--json"})));
+    const Finished finished =
+        succeeded(ccdfuzz(hunt(folder / "finds", {"--cases", kAFew, "--threads", threads, "--json",
+                                                  "--report", folder / "page"})));
     std::string table;
     for (auto& row : json_lines(finished.out)) {
       for (const char* varies : {"cpu_seconds", "seconds", "path", "reproduce"}) row.erase(varies);
@@ -62,8 +64,13 @@ TEST(Hunt, RepeatsExactlyByCasesOnAnyNumberOfThreads) {
     }
     tables.push_back(table);
     finds.push_back(files_in(folder / "finds"));
+    nlohmann::json page = page_data(folder / "page");
+    for (const char* varies : {"title", "command", "cases", "tables"}) page.erase(varies);
+    for (auto& sample : page["course"]["samples"]) sample.erase(0);  // the time
+    pages.push_back(page);
   }
   EXPECT_EQ(tables[0], tables[1]);
+  EXPECT_EQ(pages[0], pages[1]) << "with the course of the hunt";
   EXPECT_EQ(finds[0], finds[1]);
   EXPECT_FALSE(finds[0].empty());
 }
@@ -123,20 +130,6 @@ TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
     EXPECT_EQ(finished.code, 128 + signal) << finished.err;
     EXPECT_THAT(finished.out, testing::HasSubstr("\nmethod "));
     EXPECT_THAT(finished.out, testing::HasSubstr("new counterexamples"));
-    succeeded(ccdfuzz({"replay", finds}));
-  }
-}
-
-TEST(Hunt, KilledAtAnyMomentItLeavesFindsThatLoadAndReplay) {
-  const ScratchFolder folder;
-  const std::string finds = folder / "finds";
-  for (int round = 0; round < 5; ++round) {
-    {
-      const auto process = hunting(finds);
-      std::this_thread::sleep_for(std::chrono::milliseconds(23 * round));
-      process->signal(SIGKILL);
-      EXPECT_EQ(process->wait().code, 128 + SIGKILL);
-    }
     succeeded(ccdfuzz({"replay", finds}));
   }
 }

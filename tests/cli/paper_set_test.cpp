@@ -3,7 +3,7 @@
 #include <set>
 
 #include "io/run_file.hpp"
-#include "killed_run.hpp"
+#include "process.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -54,11 +54,7 @@ TEST_F(PaperSet, IsWhatVerifyAccepts) {
   EXPECT_EQ(json_lines(verified.out).size(), 12U + 5 * 4);
 }
 
-TEST_F(PaperSet, PrintsTable4WithDiscardsStepByStep) {
-  for (const char* word :
-       {"RP+RN", "NHP", "NMN", "static check", "first contact", "round trip", "59.0 s", "all"}) {
-    EXPECT_THAT(made.out, testing::HasSubstr(word)) << word;
-  }
+TEST_F(PaperSet, HasARowForEachClassAndKindAndNoQueryTwice) {
   const auto rows = json_lines(ccdfuzz(paper(*folder / "json.jsonl", {"--json"})).out);
   EXPECT_EQ(rows.size(), 18U);
   EXPECT_EQ(rows[0].at("contact"), "FF");
@@ -67,20 +63,6 @@ TEST_F(PaperSet, PrintsTable4WithDiscardsStepByStep) {
   const auto cases = json_lines(read_text(*folder / "json.jsonl"));
   for (const auto& one : cases) queries.insert(one.at("patches").dump() + one.at("t_max").dump());
   EXPECT_EQ(queries.size(), cases.size()) << "a query is there twice";
-}
-
-// Killed at any moment and begun again: the same bytes, and nothing left over.
-TEST_F(PaperSet, GoesOnAfterKillsWithTheSameBytes) {
-  const std::string path = *folder / "killed.jsonl.zst", journal = RunFile::path_for(path);
-  const auto forget = [&] {
-    for (const auto& entry : fs::directory_iterator(folder->path())) {
-      if (entry.path().filename().string().starts_with("killed.")) fs::remove(entry.path());
-    }
-  };
-  ASSERT_TRUE(kill_often(paper(path, {"--threads", "2"}), journal, 3, forget));
-  succeeded(ccdfuzz(paper(path)));
-  EXPECT_EQ(contents(*folder, "killed"), contents(*folder, "whole"));
-  EXPECT_FALSE(fs::exists(journal));
 }
 
 TEST_F(PaperSet, CtrlCSaysHowToGoOn) {

@@ -11,10 +11,6 @@ namespace {
 const std::string kMisbehaving = std::string("plugin:") + CCDFUZZ_TEST_MISBEHAVING_PLUGIN + ":";
 const std::string kNaive = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
-std::string joined(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, ","));
-}
-
 /// The rows of a kind ("find", "cell", "summary").
 std::vector<nlohmann::ordered_json> rows_of(const std::string& out, const std::string& kind) {
   std::vector<nlohmann::ordered_json> rows;
@@ -36,9 +32,9 @@ TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   }
   std::vector<std::string> all = methods;
   all.emplace_back("tdibm");
-  const Finished hunted =
-      succeeded(ccdfuzz({"hunt", "--cases", "1", "--max-pops", "100", "--methods", joined(all),
-                         "--corpus", folder / "finds", "--json"}));
+  const Finished hunted = succeeded(
+      ccdfuzz({"hunt", "--cases", "1", "--max-pops", "100", "--methods",
+               fmt::format("{}", fmt::join(all, ",")), "--corpus", folder / "finds", "--json"}));
   std::map<std::string, int> finds;
   for (const auto& row : rows_of(hunted.out, "find")) {
     ++finds[row.at("method").get<std::string>()];

@@ -12,6 +12,7 @@
 #include <regex>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "scratch_folder.hpp"
@@ -91,6 +92,22 @@ inline Finished ccdfuzz(std::vector<std::string> arguments, const std::string& o
   return Process(std::move(arguments), out_path).wait();
 }
 
+/// The size of a file that may come and go, 0 of one that is not there.
+inline std::uintmax_t size_or_zero(const std::string& path) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(path, none);
+  return none ? 0 : size;
+}
+
+/// What a command leaves that is sent a signal once this file of its has so many bytes.
+inline Finished ended_by(int signal, const std::vector<std::string>& command,
+                         const std::string& path, std::uintmax_t bytes) {
+  Process process(command);
+  while (size_or_zero(path) < bytes && !process.is_over()) std::this_thread::yield();
+  process.signal(signal);
+  return process.wait();
+}
+
 /// A command with more arguments.
 inline std::vector<std::string> with(std::vector<std::string> command,
                                      const std::vector<std::string>& more) {
@@ -154,7 +171,9 @@ inline std::vector<std::string> untimed(const std::string& lines) {
     if (one.contains("answers")) {
       for (auto& answer : one["answers"]) answer.erase("seconds");
     }
-    for (const char* time : {"mean_seconds", "median_seconds", "p99_seconds"}) one.erase(time);
+    for (const char* time : {"seconds", "mean_seconds", "median_seconds", "p99_seconds"}) {
+      one.erase(time);
+    }
     all.push_back(one.dump());
   }
   return all;

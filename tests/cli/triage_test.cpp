@@ -21,29 +21,6 @@ std::size_t entries_of(const std::string& folder) {
   return count;
 }
 
-TEST(Triage, StoresEachFailureOnceAndShrunk) {
-  const ScratchFolder folder;
-  const std::string drawn = generated(folder, "VV", "RP", 6), finds = folder / "finds";
-  const std::vector<std::string> command = {"triage",    drawn,   "-o",    finds,
-                                            "--methods", "tdibm", "--json"};
-  const auto rows = json_lines(ccdfuzz(command).out);
-  ASSERT_GE(rows.size(), 2U);
-  const auto& summary = rows.back();
-  EXPECT_EQ(summary["inputs"], 6);
-  EXPECT_EQ(summary["finds"], rows.size() - 1);
-  EXPECT_EQ(entries_of(finds), rows.size() - 1);
-  for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
-    EXPECT_EQ(rows[i]["method"], "tdibm");
-    EXPECT_NE(rows[i]["outcome"], "error");
-    const std::string entry = rows[i]["path"];
-    EXPECT_LT(read_text(entry).size(), 2000U) << entry;
-  }
-  succeeded(ccdfuzz({"replay", finds}));
-  const Finished again =
-      ccdfuzz({"triage", drawn, "-o", folder / "new", "--known", finds, "--methods", "tdibm"});
-  EXPECT_THAT(again.out, HasSubstr("; 0 new in "));
-}
-
 TEST(Triage, RemovesWhatIsDoneAlone) {
   const ScratchFolder folder;
   const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
@@ -55,22 +32,6 @@ TEST(Triage, RemovesWhatIsDoneAlone) {
   EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 1);
   EXPECT_FALSE(std::filesystem::exists(drawn));
   EXPECT_GT(entries_of(finds), 0U);
-}
-
-TEST(Triage, LeavesWhatIsNoInputOrIsBeingWritten) {
-  const ScratchFolder folder;
-  std::filesystem::create_directories(folder / "in");
-  const std::string unread = folder / "in/unread.json";
-  const std::string written = folder / fmt::format("in/.ccdfuzz-tmp-{}-7", ::getpid());
-  write_text(unread, "");
-  write_text(written, "");
-  const Finished run = ccdfuzz({"triage", folder / "in", "-o", folder / "finds", "--methods",
-                                "tdibm", "--remove", "--json"});
-  EXPECT_EQ(run.code, 2);
-  EXPECT_THAT(run.err, HasSubstr("it is left as it is"));
-  EXPECT_EQ(json_lines(run.out).back()["files"], 1);
-  EXPECT_EQ(json_lines(run.out).back()["files_unread"], 1);
-  EXPECT_TRUE(std::filesystem::exists(unread) && std::filesystem::exists(written));
 }
 
 TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
@@ -115,28 +76,24 @@ TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   EXPECT_EQ(json_lines(run.out).back().at("inputs"), 2);
 }
 
-TEST(Triage, LeavesWhatItCannotReadAndGoesOn) {
+TEST(Triage, LeavesWhatItCannotReadOrIsBeingWrittenAndGoesOn) {
   const ScratchFolder folder;
   std::filesystem::create_directory(folder / "inputs");
-  write_text(folder / "inputs/a", "");
+  const std::string unread = folder / "inputs/a";
+  const std::string written = folder / fmt::format("inputs/.ccdfuzz-tmp-{}-7", ::getpid());
+  write_text(unread, "");
+  write_text(written, "");
   std::filesystem::rename(generated(folder, "VV", "RP", 2), folder / "inputs/b.jsonl");
   const Finished run = refused(ccdfuzz({"triage", folder / "inputs", "-o", folder / "finds",
                                         "--methods", "tdibm", "--remove", "--json"}),
-                               (folder / "inputs/a") + ": is neither a case file nor an input of");
+                               unread + ": is neither a case file nor an input of");
+  EXPECT_THAT(run.err, HasSubstr("it is left as it is"));
   const auto summary = json_lines(run.out).back();
   EXPECT_EQ(summary.at("files_done"), 1);
   EXPECT_EQ(summary.at("files_unread"), 1);
   EXPECT_EQ(summary.at("inputs"), 2);
-  EXPECT_TRUE(std::filesystem::exists(folder / "inputs/a"));
+  EXPECT_TRUE(std::filesystem::exists(unread) && std::filesystem::exists(written));
   EXPECT_FALSE(std::filesystem::exists(folder / "inputs/b.jsonl"));
-}
-
-TEST(Triage, RefusesWhatIsNoInput) {
-  const ScratchFolder folder;
-  write_text(folder / "bytes", "a");
-  refused(ccdfuzz({"triage", folder / "bytes", "-o", folder / "finds"}),
-          "is neither a case file nor an input of fuzz_query or");
-  refused(ccdfuzz({"triage", folder / "none", "-o", folder / "finds"}), "no such file or folder");
 }
 
 }  // namespace

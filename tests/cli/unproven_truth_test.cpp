@@ -118,14 +118,15 @@ TEST(UnprovenTruth, AClearUntilWithoutCertificateIsAWordToo) {
   }
 }
 
-TEST(UnprovenTruth, VerifyTellsApartWhatHoldsByMethod) {
+TEST(UnprovenTruth, VerifyReadsOnPastARefutedOne) {
   const ScratchFolder folder;
-  write_text(folder / "cases.jsonl", case_saying(kWord, "0.5") + case_saying(kFalseAbsence, "0.5"));
-  const Finished verified = succeeded(ccdfuzz({"verify", folder / "cases.jsonl"}));
-  EXPECT_EQ(verified.out, "2 cases: 1 hold, 1 hold by method, 0 refuted, 0 unproven\n");
-  const auto rows = json_lines(ccdfuzz({"verify", folder / "cases.jsonl", "--json"}).out);
+  write_text(folder / "cases.jsonl",
+             case_saying(kFalseAbsence, "2") + case_saying(kFalseAbsence, "0.5"));
+  const Finished verified = failed(ccdfuzz({"verify", folder / "cases.jsonl", "--json"}));
+  const auto rows = json_lines(verified.out);
   ASSERT_EQ(rows.size(), 2U);
-  EXPECT_EQ(rows[0].at("truth"), "holds by method");
+  EXPECT_EQ(rows[0].at("case"), folder / "cases.jsonl:1");
+  EXPECT_EQ(rows[0].at("truth"), "refuted");
   EXPECT_EQ(rows[1].at("truth"), "holds");
 }
 

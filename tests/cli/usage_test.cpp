@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "falling_vertex.hpp"
 #include "process.hpp"
 
 namespace ccdfuzz {
@@ -98,6 +99,13 @@ TEST(Usage, WrongUseEndsWith2AndNamesWhatIsWrong) {
         "tdibm-h:x"},
        "--method: "},
       {{"methods", "nope"}, "methods: method: unknown method \"nope\""},
+      {{"triage", "no-such-folder"}, "no such file or folder"},
+      {{"bench", "--classes", "FF,XX"}, "\"XX\""},
+      {{"bench", "--classes", "FF,FF"}, "twice"},
+      {{"bench", "--classes", ""}, "--classes: is empty"},
+      {{"bench", "--methods", "tdibm-c@unoptimised"}, "--methods"},
+      {{"bench", "--construction", "magic"}, "\"magic\""},
+      {{"bench", "--count", "0"}, "--count"},
   };
   for (const char* shape : {"blob", "triangle", "triangle:0", "triangle:9", "tensor:2", "curve:2x",
                             "point,", "triangle:2,triangle:2,triangle:2"}) {
@@ -126,18 +134,21 @@ void expect_one_error(const std::vector<std::string>& arguments, const std::stri
 }
 
 TEST(Usage, WhatIsNoCaseIsNamedWithWhatIsAccepted) {
-  const ScratchFolder folder;
+  const ScratchFolder folder, queries;
   const std::string good = read_text(CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json");
   const std::vector<std::pair<std::string, std::string>> bad = {
       {folder / "missing.json", "No such file"},
       {folder / "empty.json", "is empty; JSON"},
       {folder / "cut.json", "expected"},
-      {folder / "junk.json", "JSON is accepted"}};
+      {folder / "junk.json", "JSON is accepted"},
+      {queries / "vertex-face.csv", ".csv:8: column 2 (xd): \"0\" is not > 0"}};
   write_text(bad[1].first, "");
   write_text(bad[2].first, good.substr(0, good.size() / 2));
   write_text(bad[3].first,
              "\x7f"
              "ELF\x01\x02");
+  std::string csv = falling_vertex("-1,2", 1);
+  write_text(bad[4].first, csv.replace(csv.rfind("1,1,0"), 3, "1,0"));
   const std::string out = folder / "out";
   const std::vector<std::vector<std::string>> commands = {
       {"query"},
@@ -159,6 +170,7 @@ TEST(Usage, WhatIsNoCaseIsNamedWithWhatIsAccepted) {
     line.push_back(folder.path());
     expect_one_error(line, "accepted are such folders, and files of cases: .json");
   }
+  expect_one_error({"import", bad[4].first, "-o", out + ".jsonl"}, bad[4].second);
 }
 
 TEST(Usage, UnknownOptionsAreNamedByEveryCommand) {

@@ -1,6 +1,5 @@
 #include "campaign_options.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "drivers.hpp"
@@ -8,24 +7,7 @@
 namespace ccdfuzz {
 namespace {
 
-using testing::StartsWith;
-
 const std::vector<PlantedFault> kFewFaults = {{"a.fault", "what", "a.hpp", false, "x", "y", ""}};
-
-std::string refusal_of(std::vector<std::string> drivers, std::vector<std::string> faults) {
-  CampaignOptions options;
-  options.drivers = std::move(drivers), options.faults = std::move(faults);
-  const auto checked = check_options(options, kFewFaults);
-  return checked ? "" : checked.error().message();
-}
-
-TEST(CampaignOptions, NamesAreOfWhatThereIs) {
-  EXPECT_EQ(refusal_of({}, {}), "");
-  EXPECT_EQ(refusal_of({"hunt", "properties"}, {"a.fault", "none", "watched"}), "");
-  EXPECT_THAT(refusal_of({"hunt", "nosuch"}, {}),
-              StartsWith("--drivers: no driver \"nosuch\"; there are: random, rapidcheck, "));
-  EXPECT_THAT(refusal_of({}, {"a.fault", "nosuch"}), StartsWith("--faults: no fault \"nosuch\""));
-}
 
 TEST(CampaignOptions, NameTheirFaultsUnlessAllAreWatched) {
   std::vector<PlantedFault> faults = {kFewFaults[0], kFewFaults[0]};

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/killed_run.hpp"
+#include "cli/process.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -56,20 +56,6 @@ TEST(ScoreboardCommand, PrintsAndWritesWhatRecordsSayWithoutRunning) {
   EXPECT_EQ(folder.entry_count(), 4);
   EXPECT_EQ(read_text(path), read_text(kTrackedRecords));
   EXPECT_THAT(read_text(folder / "t.md"), StartsWith("| driver |"));
-}
-
-TEST(ScoreboardCommand, ReadsTheRecordsOfACampaignThatGoesOn) {
-  const ScratchFolder folder;
-  const std::string path = folder / "r", journal = path + ".partial";
-  Process running({"--drivers", "properties", "--faults", "none", "--seeds", "100", "--seconds",
-                   "1", "--records", path});
-  const auto is_begun = [&] { return size_or_zero(journal) > 200; };
-  for (int i = 0; i < 60000 && !is_begun(); ++i) usleep(10000);
-  const Finished seen = run({"--no-runs", "--records", path});
-  EXPECT_EQ(seen.code, 0) << seen.err;
-  EXPECT_THAT(seen.out, StartsWith("driver"));
-  EXPECT_TRUE(is_begun());
-  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST(ScoreboardCommand, TellsWhatIsWrongInRecords) {
