@@ -3,6 +3,7 @@
 
 #include "certify/checker/nonnegative.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/shaped/features.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -63,23 +64,6 @@ Rational value_at(const Polynomial& polynomial, const Uv<Rational>& at) {
   return sum;
 }
 
-/// The corners of a shape's domain, in a cycle.
-std::vector<Uv<Rational>> domain_corners(const Shape& shape) {
-  switch (shape.kind) {
-    case ShapeKind::kHull:
-      refuse_hull();
-    case ShapeKind::kPoint:
-      return {{0, 0}};
-    case ShapeKind::kCurve:
-      return {{0, 0}, {1, 0}};
-    case ShapeKind::kTriangle:
-      return {{0, 0}, {1, 0}, {0, 1}};
-    case ShapeKind::kTensor:
-      return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  }
-  return {};
-}
-
 /// Where a quadratic is least inside of the domain: where both derivatives are 0, if it is convex
 /// both ways there. If it is convex one way only and flat the other, it is as low on the boundary.
 std::optional<Uv<Rational>> least_inside(const Shape& shape, const Polynomial& quadratic) {
@@ -102,20 +86,17 @@ std::optional<Uv<Rational>> least_inside(const Shape& shape, const Polynomial& q
 
 /// The least value of a polynomial of total degree at most 2 on the domain.
 Rational least_of_quadratic(const Shape& shape, const Polynomial& quadratic) {
-  const auto corners = domain_corners(shape);
-  Rational least = value_at(quadratic, corners[0]);
-  for (std::size_t c = 0; c < corners.size(); ++c) {
-    const Uv<Rational>&p = corners[c], &q = corners[(c + 1) % corners.size()];
+  Rational least = value_at(quadratic, {0, 0});
+  for (const ShapeEdge& edge : edges_of(shape)) {
     const auto along = [&](const Rational& s) {
-      const Uv<Rational> at = {Rational(p[0] + s * (q[0] - p[0])),
-                               Rational(p[1] + s * (q[1] - p[1]))};
-      return value_at(quadratic, at);
+      const auto& [p, way] = edge;
+      return value_at(quadratic, {Rational(p[0] + s * way[0]), Rational(p[1] + s * way[1])});
     };
     // value + slope·s + bend·s² on the edge
     const Rational value = along(0), end = along(1);
     const Rational bend = 2 * (value + end - 2 * along(Rational(1, 2)));
     const Rational slope = end - value - bend;
-    least = std::min(least, value);
+    least = std::min({least, value, end});
     if (bend <= 0) continue;
     const Rational lowest = -slope / (2 * bend);
     if (0 < lowest && lowest < 1) least = std::min(least, along(lowest));

@@ -2,6 +2,7 @@
 
 #include "ccd/rational/proves_clear.hpp"
 #include "ccd/rational/window.hpp"
+#include "files/case_json.hpp"
 #include "generators/draw_contact.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/exact_gaps.hpp"

@@ -55,15 +55,6 @@ void check_trim_orientation(Draw& d) {
   CLAIM(orientation(p[0], p[1], p[2]) == sgn(area));
 }
 
-Cell draw_cell(Draw& d, const Shape& shape) {
-  Cell cell;
-  for (auto levels = d.choose(6); levels > 0; --levels) {
-    cell = cell.child(
-        shape, static_cast<int>(d.choose(static_cast<std::uint64_t>(shape.child_count() - 1))));
-  }
-  return cell;
-}
-
 /// A trim means the same to generator, checker, methods, files and fuzzers.
 void check_trim_meaning(Draw& d) {
   const Case known = draw_trimmed(d);
@@ -129,7 +120,7 @@ void check_trim_cells(Draw& d) {
   MovingPatch<double> patch{draw_surface(d), {}, {}};
   const Uv<double> p = draw_place(d, patch.shape);
   patch.trim = draw_trim(d, patch.shape, p);
-  const Cell cell = draw_cell(d, patch.shape);
+  const Cell cell = draw_cell(d, patch.shape, 6);
   TrimRegion domain;
   domain.assign(patch);
   const TrimRegion::Cover cover = domain.cover(cell);

@@ -103,16 +103,14 @@ void check_equal_weights(Draw& d) {
 /// Weights are valid iff they are finite, > 0 and of exponents that are near enough.
 void check_valid(Draw& d) {
   Query query = draw_any_query(d);
-  std::vector<double>& weights = query.patches[d.choose(1)].weights;
+  MovingPatch<double>& patch = query.patches[d.choose(1)];
+  std::vector<double>& weights = patch.weights;
   for (std::size_t i = 0; i < query.patches[0].positions.size(); ++i) {
     weights.push_back(d.coin() ? d.finite_double()
                                : std::ldexp(1.5, static_cast<int>(d.integer(-31, 31))));
   }
-  const bool has_count =
-      weights.size() ==
-      query.patches[&weights == &query.patches[0].weights ? 0 : 1].positions.size();
   int lowest = 1 << 20, highest = -lowest;
-  bool is_good = has_count;
+  bool is_good = weights.size() == patch.positions.size();
   for (const double w : weights) {
     is_good = is_good && w > 0;
     if (!(w > 0)) continue;
