@@ -138,23 +138,5 @@ TEST(TdibmC, GivesUpWhenItsTimeIsOver) {
   EXPECT_LE(answer.toi.value(), 1);
 }
 
-// Two trims of one window, of which the second once began where the first had ended.
-TEST(TdibmC, AnswersItsMirrorImageAlike) {
-  MovingPatch<double> point{Shape::point(), {{0, 0, 0.125}}, {{0, 0, -0.125}}};
-  MovingPatch<double> face{Shape::triangle(1),
-                           {{-0.125, 0, 0}, {0, -0.25, 0.25}, {0.5, 1, 0}},
-                           {{0.125, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  const Answer answer = ask({{point, face}, 1});
-  for (auto* patch : {&point, &face}) {
-    for (auto* vectors : {&patch->positions, &patch->velocities}) {
-      for (Vec3<double>& v : *vectors) v[0] = -v[0];
-    }
-  }
-  const Answer mirrored = ask({{point, face}, 1});
-  EXPECT_EQ(answer.verdict, Verdict::kHit);
-  EXPECT_EQ(mirrored.verdict, Verdict::kHit);
-  EXPECT_EQ(to_hex(answer.toi.value()), to_hex(mirrored.toi.value()));
-}
-
 }  // namespace
 }  // namespace ccdfuzz

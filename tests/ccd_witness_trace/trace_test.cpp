@@ -142,13 +142,6 @@ TEST(Trace, APlantedFaultOfOneUlpIsFoundWhereItIs) {
   }
 }
 
-TEST(Trace, AWitnessPastTheStepIsRefused) {
-  EXPECT_THROW(tracer_of("tdibm")->trace(meeting_points(.25), at_time(Rational(1, 2)), {}),
-               InternalError);
-  EXPECT_THROW(tracer_of("tdibm-c")->trace(meeting_points(.25), at_time(Rational(1, 2)), {}),
-               InternalError);
-}
-
 // The steps tell the same story as the trace, pair by pair.
 TEST(Trace, StepsAreThePairsOfTheTrace) {
   for (const char* spec : kTraceable) {

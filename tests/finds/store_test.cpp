@@ -20,20 +20,6 @@ using testing::UnorderedElementsAre;
 
 const Failure kMissed = failures_of(find_of(3)).front();
 
-TEST(Store, KeepsAFindUnderTheNameOfItsFailure) {
-  const ScratchFolder folder;
-  Store store = open_store(folder / "new/finds");
-  EXPECT_EQ(put(store, find_of(3)), Put::kNew);
-  const auto entries = load_corpus(folder / "new/finds");
-  ASSERT_TRUE(entries) << entries.error().message();
-  ASSERT_EQ(entries->size(), 1U);
-  EXPECT_EQ(entries->at(0).value, find_of(3));
-  EXPECT_EQ(entries->at(0).id, folder / "new/finds/tdibm-missed-VV-at-an-end.json");
-  EXPECT_EQ(entries->at(0).id, store.path_of(kMissed));
-  EXPECT_EQ(named_by_failure(entries->at(0)), kMissed);
-  EXPECT_EQ(put(store, find_of(3)), Put::kKnown);
-}
-
 TEST(Store, FailuresOfOtherMethodsOutcomesClassesCausesAndSettingsStandApart) {
   const ScratchFolder folder;
   Store store = open_store(folder.path());

@@ -131,24 +131,5 @@ TEST(Generate, DependsOnSeedAndIndex) {
   });
 }
 
-TEST(Generate, RefusesWhatItDoesNotMake) {
-  GeneratorOptions options;
-  options.kind = CaseKind::kNHP;
-  options.family = Family::kTwins;
-  const Result<void> kind = validate(options);
-  ASSERT_FALSE(kind);
-  EXPECT_EQ(kind.error().message(), "--kind: NHP is not generated in the family twins");
-  options = {};
-  options.eps_t_exponent = 0;
-  const Result<void> eps = validate(options);
-  ASSERT_FALSE(eps);
-  EXPECT_EQ(eps.error().message(), "--eps-t: 2^0 is not in [2^-40, 2^-1]");
-  options = {};
-  options.proof_pops = 0;
-  const Result<void> pops = validate(options);
-  ASSERT_FALSE(pops);
-  EXPECT_EQ(pops.error().message(), "proof_pops: 0 is not at least 1");
-}
-
 }  // namespace
 }  // namespace ccdfuzz

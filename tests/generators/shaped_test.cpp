@@ -103,6 +103,16 @@ TEST(Shaped, RefusesWhatIsNotMade) {
   EXPECT_EQ(refusal(options), "accepted");
   options.family = Family::kAtStart;
   EXPECT_EQ(refusal(options), "--kind: RN of FF is not generated in the family at-start");
+  options = {};
+  options.kind = CaseKind::kNHP;
+  options.family = Family::kTwins;
+  EXPECT_EQ(refusal(options), "--kind: NHP is not generated in the family twins");
+  options = {};
+  options.eps_t_exponent = 0;
+  EXPECT_EQ(refusal(options), "--eps-t: 2^0 is not in [2^-40, 2^-1]");
+  options = {};
+  options.proof_pops = 0;
+  EXPECT_EQ(refusal(options), "proof_pops: 0 is not at least 1");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every kind of contact that the generators have, put to every method.
+// Every kind of contact that the generators have.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -31,31 +31,6 @@ void for_each_contact(std::uint64_t count, const Check& check) {
       }
     }
   }
-}
-
-std::vector<std::string> all_methods() {
-  std::vector<std::string> specs;
-  for (const MethodInfo& info : registered_methods()) {
-    const bool has_factor = info.spec.ends_with(":F");
-    specs.push_back(has_factor ? info.spec.substr(0, info.spec.size() - 1) + "1e-12" : info.spec);
-  }
-  return specs;
-}
-
-TEST(ContactFamilies, EveryMethodAnswersThemWithinItsBudget) {
-  MethodSet methods;
-  SearchOptions options;
-  options.max_pops = 12;
-  for_each_contact(1, [&](const Case& c) {
-    if (c.truth.collides != true) return;
-    for (const std::string& spec : all_methods()) {
-      if (spec == "oracle") continue;  // below, where it can be limited more tightly
-      const Judged judged = ask(methods[spec], c, options);
-      EXPECT_TRUE(judged.answer.note.empty() || judged.answer.verdict == Verdict::kUndecided)
-          << spec << ": " << judged.answer.note;
-      EXPECT_LE(judged.answer.pops, options.max_pops + 1) << spec;
-    }
-  });
 }
 
 // At the contact and past it, where it shows if they come late.

@@ -52,13 +52,6 @@ class RunFileTest : public testing::Test {
   const std::vector<std::string> lines_ = {line_of(0), line_of(1), line_of(2), line_of(3)};
 };
 
-TEST_F(RunFileTest, KeepsLinesOverRuns) {
-  fill({line_of(0), line_of(1)});
-  EXPECT_EQ(open().size(), 2U);
-  fill({line_of(2), line_of(3)});
-  EXPECT_EQ(lines_of(path_), lines_);
-}
-
 TEST_F(RunFileTest, GoesOnAfterNoLineThatIsNotThatOfItsItem) {
   for (const std::vector<std::string>& wrong :
        {std::vector{line_of(0), line_of(0)},

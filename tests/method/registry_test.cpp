@@ -23,40 +23,18 @@ Query head_on_points() {
 }
 
 TEST(Registry, BadSpecsAreRefusedAndNamed) {
-  for (const char* spec : {"",
-                           "nonsense",
-                           "trad:",
-                           "trad:obb",
-                           "trad:aabb:",
-                           "TDIBM",
-                           "tdibm ",
-                           " tdibm",
-                           "tdibm:",
-                           "tdibm:1",
-                           "tdibm-e:1e-12",
-                           "tdibm-h",
-                           "tdibm-h:",
-                           "tdibm-h:abc",
-                           "tdibm-h:-1",
-                           "tdibm-h:-0",
-                           "tdibm-h:+1",
-                           "tdibm-h:nan",
-                           "tdibm-h:inf",
-                           "tdibm-h:1e999",
-                           "tdibm-h:1e-12x",
-                           "tdibm-h: 1e-12",
-                           "tdibm-h:1e-12:2",
-                           "tdibm-h-rel:1e-12",
-                           "tdibm-c@",
-                           "tdibm-e@absolute",
-                           "tdibm-h:1e-12@count-pairs",
-                           "tdibm-h@absolute:1e-12",
-                           "tdibm@slip@slip",
-                           "trad:aabb@unit-axes",
-                           "tdibm-c@unoptimised",
-                           "trad@unoptimised",
-                           "tdibm@unoptimised@unoptimised",
-                           "tdibm@fast"}) {
+  std::vector<std::string> specs = {"", "nonsense", "TDIBM", " tdibm"};
+  const auto behind = [&specs](const std::string& name, std::initializer_list<const char*> ends) {
+    for (const char* end : ends) specs.push_back(name + end);
+  };
+  behind("trad", {":", ":obb", ":aabb:", ":aabb@unit-axes", "@unoptimised"});
+  behind("tdibm", {" ", ":", ":1", "@fast", "@slip@slip", "@unoptimised@unoptimised"});
+  behind("tdibm-e", {":1e-12", "@absolute"});
+  behind("tdibm-c", {"@", "@unoptimised"});
+  behind("tdibm-h", {"", ":", ":abc", ":-1", ":-0", ":+1", ":nan", ":inf", ":1e999", ":1e-12x"});
+  behind("tdibm-h", {": 1e-12", ":1e-12:2", "-rel:1e-12", ":1e-12@count-pairs"});
+  behind("tdibm-h", {"@absolute:1e-12"});
+  for (const std::string& spec : specs) {
     const auto method = make_method(spec);
     ASSERT_FALSE(method) << spec;
     const std::string message = method.error().message();
