@@ -61,11 +61,6 @@ TEST(Check, ChecksSomethingInHoweverLittleTime) {
   }
 }
 
-TEST(Check, TheEmptyInputIsOneInputAndNotNone) {
-  const Finished run = succeeded(ccdfuzz({"check", "dyadic.round_trip", "--choices", ""}));
-  EXPECT_EQ(run.out, "dyadic.round_trip holds\n");
-}
-
 TEST(Check, OnlyWhatShouldHoldIsSaved) {
   const ScratchFolder folder;
   const Finished run =

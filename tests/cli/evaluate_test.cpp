@@ -64,14 +64,9 @@ TEST(Evaluate, SharesMergeIntoTheWhole) {
     merge.push_back(folder / fmt::format("share-{}", shard[0]));
     evaluate(merge.back(), {"--shard", shard});
   }
-  const Finished merged = succeeded(ccdfuzz(merge));
+  succeeded(ccdfuzz(merge));
   EXPECT_EQ(without_times(folder / "merged"), without_times(whole));
-  // A share left out, twice there, or of another run.
-  const std::string last = merge.back();
-  merge.pop_back();
-  refused(ccdfuzz(merge), "share 1/3 is missing");
-  merge.push_back(merge.back());
-  EXPECT_EQ(ccdfuzz(merge).code, 2);
+  // One of another run.
   evaluate(folder / "other", {"--shard", "1/3", "--max-pops", "7"});
   merge.back() = folder / "other";
   refused(ccdfuzz(merge), "--max-pops 7");

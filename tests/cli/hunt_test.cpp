@@ -134,22 +134,6 @@ TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
   }
 }
 
-TEST(Hunt, AFullDiskIsAnErrorAfterTheTableAndLeavesNoHalfFile) {
-  const ScratchFolder folder;
-  const std::string finds = folder / "finds";
-  // A limit of one block (512 or 1,024 bytes) per file stops the write of a case in its middle, as
-  // a full disk does. The pipe exempts stdout.
-  const Finished finished = shell(fmt::format(
-      "{{ trap '' XFSZ; ulimit -f 1; $ccdfuzz hunt --cases 3 --methods tdibm --max-pops 20 "
-      "--corpus {} 2>&1; echo \"exit code $?\"; }} | cat",
-      finds));
-  EXPECT_THAT(finished.out, testing::HasSubstr("exit code 2"));
-  EXPECT_THAT(finished.out, testing::HasSubstr("ccdfuzz: hunt: " + finds));
-  EXPECT_THAT(finished.out, testing::HasSubstr("File too large"));
-  EXPECT_THAT(finished.out, testing::HasSubstr("missed"));
-  EXPECT_TRUE(files_in(finds).empty());
-}
-
 TEST(Hunt, FailsAndSaysWhyWhenItAskedNothing) {
   const ScratchFolder folder;
   // No triangle of degree 2 is drawn first whose numbers are all 0 or between 1/2 and 2.

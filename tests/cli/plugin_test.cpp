@@ -263,18 +263,6 @@ TEST(Plugins, WriteNothingAndHaveNoNetworkInBubblewrapAsThePageSays) {
               testing::HasSubstr("boxes, in Python"));
 }
 
-TEST(Plugins, CountAsClaimsWhereTheyClaim) {
-  const ScratchFolder folder;
-  // It claims to be conservative, and says "hit" at t_max for ever.
-  const std::string late = kMisbehaving + "late";
-  EXPECT_EQ(ccdfuzz({"hunt", "--cases", "1", "--methods", late, "--corpus", folder / "finds",
-                     "--fail-on", "claims"})
-                .code,
-            1);
-  succeeded(ccdfuzz({"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "naive",
-                     "--fail-on", "claims"}));
-}
-
 /// The C++ between the first pair of fences of the page for newcomers.
 std::string newcomers_plugin() {
   const std::string page = read_text(CCDFUZZ_SOURCE_DIR "/docs/plug-ins.md");

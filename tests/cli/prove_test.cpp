@@ -109,20 +109,6 @@ TEST_F(DamagedTrees, Missing) {
   expect_refuted("cannot read");
 }
 
-TEST_F(DamagedTrees, Truncated) {
-  const std::string bytes = read_text(trees);
-  write_text(trees, bytes.substr(0, bytes.size() - 1));
-  expect_refuted("ends before byte");
-}
-
-TEST_F(DamagedTrees, Foreign) {
-  const std::string other = folder / "other.jsonl";
-  succeeded(ccdfuzz({"prove", bare(folder, generated(folder, "EE", "RN", 3)), "-o", other}));
-  std::filesystem::copy_file(folder / "other.trees.zst", trees,
-                             std::filesystem::copy_options::overwrite_existing);
-  failed(ccdfuzz({"verify", set}));
-}
-
 TEST_F(DamagedTrees, AreRefusedWhenTheyAreOfAnotherCase) {
   auto cases = cases_of(set);
   // The hash is right, but the tree is that of the case before.

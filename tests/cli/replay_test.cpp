@@ -115,11 +115,6 @@ TEST(Replay, SaysByHowMuchAHitIsLate) {
   EXPECT_FALSE(rows[1].contains("late_by"));
 }
 
-TEST(Replay, AnEmptyCorpusIsAnError) {
-  const ScratchFolder folder;
-  refused(ccdfuzz({"replay", folder.path()}), folder.path());
-}
-
 TEST(Replay, AnExpectationOfAMethodThatThereIsNotIsAnErrorThatNamesTheEntry) {
   const ScratchFolder folder;
   const std::string corpus = corpus_of(folder, {{"tdibm-x", Outcome::kMissed}});
