@@ -6,6 +6,7 @@
 
 #include "ccd/tdibm.hpp"
 #include "ccd/traditional.hpp"
+#include "meeting_points.hpp"
 #include "random_query.hpp"
 
 namespace ccdfuzz {
@@ -56,15 +57,6 @@ TEST(Search, PatchesWithoutAnyAxisAreNeverMissed) {
   expect_no_miss(Tdibm<Plain>(), query);
   expect_no_miss(Tdibm<ErrorBoundIntended>(), query);
   expect_no_miss(Traditional(), query);
-}
-
-/// Two points that approach along x and meet at t = 1/2 exactly.
-Query meeting_points(double t_max) {
-  Query query;
-  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
-  query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
-  query.t_max = t_max;
-  return query;
 }
 
 TEST(Search, TheStepIsClosedAtItsEnd) {

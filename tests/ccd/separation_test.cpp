@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace ccdfuzz {
 namespace {
 
@@ -33,40 +35,22 @@ TEST(ClippedTo, HoldsAnEndOfTheWindowThatItReachesPast) {
   EXPECT_FALSE(clipped(.8, .9));
 }
 
-TEST(RemainingWindow, KeepsATouchBetweenTwoSeparations) {
-  const std::array<SeparatedInterval<double>, 2> s = {{{0, .5, true, false}, {.5, 1, false, true}}};
-  const auto w = remaining_window<double>(s, {0, 1});
-  ASSERT_TRUE(w.has_value());
-  EXPECT_EQ(w->lo, .5);
-  EXPECT_EQ(w->hi, .5);
-}
-
-TEST(RemainingWindow, KeepsATouchAtEitherEnd) {
-  const std::array<SeparatedInterval<double>, 1> after_start = {{{0, 1, false, true}}};
-  const auto start = remaining_window<double>(after_start, {0, 1});
-  ASSERT_TRUE(start.has_value());
-  EXPECT_EQ(start->lo, 0);
-  EXPECT_EQ(start->hi, 0);
-  const std::array<SeparatedInterval<double>, 1> before_end = {{{0, 1, true, false}}};
-  const auto end = remaining_window<double>(before_end, {0, 1});
-  ASSERT_TRUE(end.has_value());
-  EXPECT_EQ(end->lo, 1);
-  EXPECT_EQ(end->hi, 1);
-}
-
-TEST(RemainingWindow, MergesSeparationsThatOverlap) {
-  const std::array<SeparatedInterval<double>, 3> s = {
-      {{.6, 1, false, true}, {.25, .75, false, false}, {0, .5, true, false}}};
-  EXPECT_FALSE(remaining_window<double>(s, {0, 1}).has_value());
-}
-
-TEST(RemainingWindow, KeepsWhatLiesBetween) {
-  const std::array<SeparatedInterval<double>, 3> s = {
-      {{.75, 1, false, true}, {0, .25, true, false}, {.4, .5, false, false}}};
-  const auto w = remaining_window<double>(s, {0, 1});
-  ASSERT_TRUE(w.has_value());
-  EXPECT_EQ(w->lo, .25);
-  EXPECT_EQ(w->hi, .75);
+TEST(RemainingWindow, IsWhatNoSeparationTakes) {
+  using Separations = std::vector<SeparatedInterval<double>>;
+  const auto expect_left = [](const Separations& separations, double lo, double hi) {
+    const auto left = remaining_window<double>(separations, {0, 1});
+    ASSERT_TRUE(left.has_value());
+    EXPECT_EQ(left->lo, lo);
+    EXPECT_EQ(left->hi, hi);
+  };
+  // A touch between two of them, or at either end.
+  expect_left({{0, .5, true, false}, {.5, 1, false, true}}, .5, .5);
+  expect_left({{0, 1, false, true}}, 0, 0);
+  expect_left({{0, 1, true, false}}, 1, 1);
+  expect_left({{.75, 1, false, true}, {0, .25, true, false}, {.4, .5, false, false}}, .25, .75);
+  const Separations overlapping = {
+      {.6, 1, false, true}, {.25, .75, false, false}, {0, .5, true, false}};
+  EXPECT_FALSE(remaining_window<double>(overlapping, {0, 1}).has_value());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "ccd/witness_trace/trace.hpp"
 #include "generators/generate.hpp"
+#include "meeting_points.hpp"
 #include "method/method.hpp"
 
 namespace ccdfuzz {
@@ -20,15 +21,6 @@ inline std::unique_ptr<Tracer> tracer_of(const std::string& spec) {
   auto made = make_tracer(spec);
   if (!made) throw std::runtime_error(made.error().message());
   return *std::move(made);
-}
-
-/// Two points that meet head on in x at t = 1/2.
-inline Query meeting_points(double t_max) {
-  Query query;
-  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
-  query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
-  query.t_max = t_max;
-  return query;
 }
 
 inline Witness at_time(const Rational& t) {

@@ -41,10 +41,6 @@ TEST(CheckBox, RefusesABoxThatMayHoldNone) {
   constexpr const char* kNoChange = "may not change its sign";
   EXPECT_THAT(box_after([](ContactBox& b) { b.centre[4] = std::nextafter(0.5 + 0x1p-10, 1); }),
               HasSubstr(kNoChange));
-  EXPECT_THAT(box_after([](ContactBox& b) { b.centre[1] = std::nextafter(0.25 - 0x1p-10, 0); }),
-              HasSubstr(kNoChange));
-  EXPECT_THAT(box_after([](ContactBox& b) { b.radius[2] = 0x1p-12, b.centre[4] += 0x1p-11; }),
-              HasSubstr(kNoChange));
   EXPECT_THAT(box_after([](ContactBox& b) { b.centre[2] = 0x1p-6; }), HasSubstr(kNoChange))
       << "a fixed unknown counts too";
   EXPECT_THAT(box_after([](ContactBox& b) { b.inverse[0][0] = std::nextafter(0.5, 1); }),

@@ -83,14 +83,7 @@ TEST(CheckMesh, ANormalForEachFaceThatIsThereProvesAbsence) {
     for (Face& face : q.patches[0].faces) turn_round(face);
     c = {4, {}, true};
   })) << "it comes from behind";
-  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c.closed = true; }));
-  EXPECT_FALSE(
-      mesh_clearance_holds([](Query&, MeshClearance& c) { c.until = Rational(101, 100); }));
   EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c.until = -1; }));
-  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c.normals.pop_back(); }));
-  EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) {
-    c.normals.push_back({3, 4, 0});
-  }));
   EXPECT_FALSE(mesh_clearance_holds(
       [](Query&, MeshClearance& c) { std::swap(c.normals[0], c.normals[1]); }));
   EXPECT_FALSE(mesh_clearance_holds([](Query&, MeshClearance& c) { c = {0, {}, true}; }));

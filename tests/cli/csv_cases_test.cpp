@@ -93,14 +93,6 @@ TEST(CsvCases, APageOfThemHasTable3AndNoRateOfTheirs) {
   }
 }
 
-TEST(CsvCases, AFolderOrFileOfWhichNothingIsKnownIsRefused) {
-  const ScratchFolder folder;
-  fs::create_directories(folder / "empty");
-  write_text(folder / "queries.csv", falling_vertex("-1,2", 1));
-  refused(ccdfuzz({"evaluate", folder / "empty"}), "empty: is a folder without a .csv in it");
-  refused(ccdfuzz({"evaluate", folder / "queries.csv"}), "queries.csv: does not tell its layout");
-}
-
 /// What the command leaves that is interrupted half a second after its start.
 Finished interrupted(const std::vector<std::string>& command) {
   Process process(command);

@@ -124,7 +124,6 @@ TEST(Plugins, AreStartedByThePrintedReplayCommand) {
         "hunt", "--cases", "1", "--corpus", finds, "--methods", is_named ? "plugin:naive" : kNaive};
     if (is_named) line.insert(line.end(), {"--plugin", "naive=" + kNaive});
     const std::string out = ccdfuzz(line).out;
-    EXPECT_THAT(out, testing::Not(testing::HasSubstr("lost"))) << "a plug-in is not traced\n";
     const std::string before = "Run them all: ";
     const size_t at = out.find(before);
     ASSERT_NE(at, std::string::npos) << out;

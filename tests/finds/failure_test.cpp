@@ -88,23 +88,6 @@ TEST(Setting, TellsPointsThatMoveInThePlaneOfTheTriangle) {
   EXPECT_EQ(setting_of(c), Setting::kSliding) << "all in one plane, the time of contact unknown";
 }
 
-TEST(Setting, TellsBodiesThatAreFlatOrSlide) {
-  Case c;
-  c.query.patches[0] = {Shape::hull(1), {{0, 2, 0}}, {{0, -1, 0}}, {}, {}, 1};
-  c.query.patches[1] = {Shape::hull(3), {{-4, 0, -4}, {4, 0, -4}, {0, 0, 4}}, {{0, 0, 0}}};
-  c.query.t_max = 2;
-  c.truth.collides = true;
-  c.truth.witness = Witness{Rational(1), {}};
-  c.truth.clearance = BodyClearance{Rational(1), {0, -1, 0}};
-  EXPECT_EQ(setting_of(c), Setting::kOrdinary);
-  c.query.patches[0].velocities[0] = {4096, -1, 0};
-  EXPECT_EQ(setting_of(c), Setting::kSliding);
-  c.truth.clearance = LinearClearance{Rational(1)};
-  EXPECT_EQ(setting_of(c), Setting::kOrdinary) << "a proof that bodies cannot have says nothing";
-  c.query.patches[1].positions[2] = {0, 0, -4};
-  EXPECT_EQ(setting_of(c), Setting::kDegenerate) << "three in a line";
-}
-
 TEST(Failure, IsWhatACaseExpectsInItsSetting) {
   Case c = falling_edge();
   c.expect["tdibm-c"] = Outcome::kCorrect;

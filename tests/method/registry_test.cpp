@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ccd/robustness.hpp"
+#include "meeting_points.hpp"
 #include "method/method.hpp"
 #include "method/parameter.hpp"
 
@@ -12,14 +13,6 @@ namespace {
 std::string concrete(const std::string& spec) {
   const size_t parameter = spec.rfind(":F");
   return parameter == std::string::npos ? spec : spec.substr(0, parameter) + ":1e-12";
-}
-
-/// Two points that meet at t = 1/2: every method must report it, at no later time.
-Query head_on_points() {
-  Query query;
-  query.patches[0] = {Shape::point(), {{0, 0, 0}}, {{1, 0, 0}}};
-  query.patches[1] = {Shape::point(), {{1, 0, 0}}, {{-1, 0, 0}}};
-  return query;
 }
 
 TEST(Registry, BadSpecsAreRefusedAndNamed) {
@@ -56,7 +49,7 @@ TEST(Registry, SwitchesAreTakenInAnyOrder) {
     for (const std::string& spec : {forth, back}) {
       const auto method = make_method(spec);
       ASSERT_TRUE(method) << method.error().message();
-      const Answer answer = (*method)->answer(head_on_points(), {});
+      const Answer answer = (*method)->answer(meeting_points(1), {});
       EXPECT_EQ(answer.verdict, Verdict::kHit) << spec;
       EXPECT_LE(answer.toi.value_or(2), 0.5) << spec;
       EXPECT_TRUE(make_tracer(spec)) << spec;

@@ -265,7 +265,7 @@ TEST(Served, AnyThreadMayAskAtAnyTime) {
 }
 
 /// They do at t = 1/2.
-Query meeting_points() {
+Query tiny_meeting_points() {
   Query query;
   query.patches[0] = {Shape::point(), {{-0.0, 0, 0x1p-1074}}, {{1, 0, 0}}};
   query.patches[1] = {Shape::point(), {{1, 0, 0x1p-1074}}, {{-1, 0, 0}}};
@@ -275,7 +275,7 @@ Query meeting_points() {
 TEST(ServedMethod, IsAskedAndAnswersWithoutALoss) {
   const auto method = *served_method("echoes", kPatient);
   for (const std::uint64_t pops : {3, 1'000'000}) {
-    Query query = meeting_points();
+    Query query = tiny_meeting_points();
     query.t_max = 0x1.8p-1073;
     const SearchOptions options{.max_pops = pops, .max_bytes = 5 << 20};
     const Answered answer = method->answer(query, options);
@@ -294,12 +294,12 @@ TEST(ServedMethod, IsAskedAndAnswersWithoutALoss) {
   }
   SearchOptions hurried;
   hurried.max_seconds = 1;
-  EXPECT_EQ(method->answer(meeting_points(), hurried).seconds, 1);
+  EXPECT_EQ(method->answer(tiny_meeting_points(), hurried).seconds, 1);
   EXPECT_TRUE(method->runs_elsewhere());
 }
 
 TEST(ServedMethod, AnswersAsHere) {
-  const Query query = meeting_points();
+  const Query query = tiny_meeting_points();
   const SearchOptions full, cut{.max_pops = 1};
   for (const char* spec : {"trad", "tdibm", "tdibm-rational", "oracle"}) {
     const auto served = *make_served_method(spec);
@@ -319,7 +319,7 @@ TEST(ServedMethod, AnswersAsHere) {
 TEST(ServedMethod, CrashIsAnErrorLikeAny) {
   const auto method = *served_method("aborts", kPatient);
   Case known;
-  known.query = meeting_points();
+  known.query = tiny_meeting_points();
   const Judged judged = ask(*method, known, {});
   EXPECT_EQ(judged.outcome, Outcome::kError);
   EXPECT_EQ(judged.error, "crash SIGABRT");
