@@ -110,9 +110,6 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   const std::string early = ":verdict=1:toi=1:claims=70:kind=2:tolerance=";
   EXPECT_EQ(outcome_of(early + "0.99", known), "false_positive");
   EXPECT_EQ(outcome_of(early + "1", known), "unknown");
-  for (const MethodInfo& info : registered_methods()) {
-    EXPECT_EQ(check_taken(info.spec, known.query).has_value(), info.features.bodies) << info.spec;
-  }
   // Only of kinds that it has shapes for: the second body is round.
   EXPECT_EQ(outcome_of(kMiss + ":claims=70:points=2", known), "not_asked");
   known.query.patches[1].radius = 0;

@@ -40,21 +40,5 @@ TEST(Reshape, ElevationKeepsEveryPoint) {
   EXPECT_GE(elevated, 20);
 }
 
-TEST(Reshape, NewParametersAndChildrenKeepTheContactWhereItWas) {
-  for (const Contact& base : mutation_bases()) {
-    for (int side = 0; side < 2; ++side) {
-      for (std::uint64_t way = 0; way < 5; ++way) {
-        Contact q = base;
-        reparametrise_patch(q, side, way);
-        EXPECT_EQ(q.point(side), base.point(side)) << to_json(case_of(base));
-      }
-      Contact q = base;
-      if (restrict_patch(q, side)) {
-        EXPECT_EQ(q.point(side), base.point(side)) << to_json(case_of(base));
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace ccdfuzz
