@@ -7,7 +7,7 @@
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
 #include "finds/content_address.hpp"
-#include "finds/shrink.hpp"
+#include "finds/minimise.hpp"
 #include "io/output_file.hpp"
 #include "method/served_method.hpp"
 
@@ -87,8 +87,8 @@ int run_minimize(const MinimizeOptions& options, Session& session) {
   const Failure failure =
       failure_of(found.value, options.method, asker.expected(options.method, found.value, judged));
   const std::atomic<bool>& interrupted = catch_interrupts();
-  const Minimised minimised =
-      shrink(found.value, failure, asker, {options.max_trials, [&] { return interrupted.load(); }});
+  const Minimised minimised = minimise(found.value, failure, asker,
+                                       {options.max_trials, [&] { return interrupted.load(); }});
   write_minimised(options, minimised.value, session.json);
   const auto bits = [](const Case& value) { return size_of(value.query).significant_bits; };
   if (session.json) {

@@ -8,7 +8,7 @@
 #include "cli/session.hpp"
 #include "eval/evaluate.hpp"
 #include "eval/tally.hpp"
-#include "finds/replay.hpp"
+#include "finds/failure.hpp"
 
 namespace ccdfuzz {
 
@@ -59,8 +59,7 @@ std::vector<TableCell> query_cells(const AnswerRow& row) {
     if (at.size() > kMost + 4) at = fmt::format(" at {:.10g}", *answer.toi);
   }
   const bool is_asked = judged.outcome != Outcome::kNotAsked;
-  std::string outcome =
-      is_asked ? to_text({judged.outcome, ""}, judged.late_by) : std::string("not asked");
+  std::string outcome = to_text(judged.outcome, judged.late_by);
   if (judged.depth > 0) outcome += fmt::format(", {:.3g} deep", judged.depth);
   return {{marked(row.method)},
           {std::string(name_of(answer.verdict)) + at},
@@ -110,8 +109,8 @@ std::string outcomes_text(const Tally& tally) {
   std::string text;
   for (const Outcome outcome : kAllOutcomes) {
     if (tally.count(outcome) == 0) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", tally.count(outcome),
-                        outcome == Outcome::kNotAsked ? "not asked" : name_of(outcome));
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", tally.count(outcome), to_text(outcome));
   }
   return text;
 }

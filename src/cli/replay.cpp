@@ -1,5 +1,3 @@
-#include "finds/replay.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +18,12 @@
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"
+#include "finds/failure.hpp"
 #include "hunt/served_claim.hpp"
 #include "io/folder_lock.hpp"
 #include "io/json_write.hpp"
 #include "io/output_file.hpp"
+#include "method/served_method.hpp"
 #include "properties/suites.hpp"
 
 namespace ccdfuzz {
@@ -39,17 +39,28 @@ struct ReplayOptions {
   std::vector<Property> known;
 };
 
-/// An expectation and what was got, as a row of the JSON output.
-struct ReplayJson {
-  const ReplayRow& row;
+/// An expectation of an entry and what was got, as a row of the table and of the JSON output.
+struct ReplayRow {
+  std::string id;  ///< the entry's
+  std::string method;
+  Expected expected, got;
+  Judged judged;
 
-  static void fields(auto& archive, auto& json) {
-    const AnswerRow answer{json.row.id, json.row.method, json.row.judged};
+  Change change() const { return change_of(expected, got); }
+
+  static void fields(auto& archive, auto& row) {
+    const AnswerRow answer{row.id, row.method, row.judged};
     AnswerRow::fields(archive, answer);
-    archive("got", json.row.got);
-    archive("expected", json.row.expected);
-    archive("change", json.row.change());
+    archive("got", row.got);
+    archive("expected", row.expected);
+    archive("change", row.change());
   }
+};
+
+/// What asks methods, for one thread. One that is expected to end in an error is asked in another
+/// process, since it may end this one.
+struct Askers {
+  Asker here{SearchOptions()}, served{SearchOptions(), MethodSet(make_served_method)};
 };
 
 /// An expectation of a plug-in that may not be asked.
@@ -105,7 +116,7 @@ std::map<std::string, Expected> expectations(const Case& entry, const ReplayOpti
 }
 
 /// Errors: throws BadInput for an entry that names no method.
-Replayed replayed(NamedCase& entry, Replayer& replayer, const ReplayOptions& options) {
+Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options) {
   Replayed result;
   const Result<CheckedCase> known = decided_and_checked(entry);
   if (!known) {
@@ -127,7 +138,12 @@ Replayed replayed(NamedCase& entry, Replayer& replayer, const ReplayOptions& opt
   // An entry was kept with its answers, and may be one of the costly: about 10 s an answer.
   constexpr std::uint64_t kTimes = 16;
   if (options.search.max_pops == 0) DefaultBudget::limit(search, known->query(), kTimes);
-  result.rows = replayer.replay(entry.id, *known, wanted, search);
+  for (const auto& [method, expected] : wanted) {
+    Asker& asker = expected.outcome == Outcome::kError ? askers.served : askers.here;
+    Judged judged = asker.ask(method, *known, search);
+    Expected got = asker.expected(method, known->value(), judged);
+    result.rows.push_back({entry.id, method, expected, std::move(got), std::move(judged)});
+  }
   // A method need not answer a query that it does not take.
   if (options.expect) {
     result.not_taken = std::erase_if(
@@ -192,13 +208,13 @@ class Replay {
   int run() {
     session_.begin_table(
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
-    tbb::enumerable_thread_specific<Replayer> replayers;
+    tbb::enumerable_thread_specific<Askers> askers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
     if (!of_methods) replay_claims();
     session_.each_case<Replayed>(
         CaseStream(claims_.claims > 0 ? need(list_entries(options_.corpus))
                                       : need(corpus_files(options_.corpus))),
-        [&](NamedCase& entry) { return replayed(entry, replayers.local(), options_); },
+        [&](NamedCase& entry) { return replayed(entry, askers.local(), options_); },
         [&](const NamedCase& entry, const Replayed& done) { add(entry, done); });
     session_.end_table(true);
     summarise();
@@ -262,21 +278,18 @@ class Replay {
       const bool is_other = row.change() != Change::kNone;
       changed = changed || is_other;
       if (session_.json || (is_other && ++shown_ <= kMostShown)) {
-        session_.show(ReplayJson{row}, std::exchange(title, std::nullopt), cells);
+        session_.show(row, std::exchange(title, std::nullopt), cells);
       }
     }
     if (changed && options_.update) update(entry, done.rows);
   }
 
-  static std::vector<TableCell> cells(const ReplayJson& json) {
-    const ReplayRow& row = json.row;
+  static std::vector<TableCell> cells(const ReplayRow& row) {
     const bool is_good = row.change() == Change::kImprovement;
-    return {
-        {marked(row.method)},
-        {to_text(row.expected)},
-        {row.got.outcome == Outcome::kNotAsked ? "not asked" : to_text(row.got, row.judged.late_by),
-         is_good ? Emphasis::kPlain : Emphasis::kBad},
-        {std::string(name_of(row.change()))}};
+    return {{marked(row.method)},
+            {to_text(row.expected)},
+            {to_text(row.got, row.judged.late_by), is_good ? Emphasis::kPlain : Emphasis::kBad},
+            {std::string(name_of(row.change()))}};
   }
 
   void update(const NamedCase& entry, const std::vector<ReplayRow>& rows) {

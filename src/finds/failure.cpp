@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "ccd/witness_trace/loss_signature.hpp"
+#include "certify/checker/check_case.hpp"
 #include "io/hash_name.hpp"
 
 namespace ccdfuzz {
@@ -36,6 +38,12 @@ std::string dashed(std::string text) {
   std::ranges::replace(text, '-', '/');
   std::ranges::replace(text, ' ', '-');
   return text;
+}
+
+/// 0: correct; 1: nothing is claimed; 2: a failure.
+int badness(Outcome outcome) {
+  if (is_failure(outcome)) return 2;
+  return outcome == Outcome::kCorrect ? 0 : 1;
 }
 
 }  // namespace
@@ -79,6 +87,79 @@ std::string file_stem(const Failure& failure) {
     stem += "-" + dashed(std::string(name_of(failure.setting)));
   }
   return stem;
+}
+
+Change change_of(const Expected& expected, const Expected& got) {
+  if (expected.outcome == got.outcome) {
+    const bool is_alike = expected.cause.empty() || expected.cause == got.cause;
+    return is_alike ? Change::kNone : Change::kOther;
+  }
+  const int before = badness(expected.outcome), now = badness(got.outcome);
+  if (before == now) return Change::kOther;
+  return before < now ? Change::kRegression : Change::kImprovement;
+}
+
+std::string to_text(const Expected& expected, double late_by) {
+  std::string text(expected.outcome == Outcome::kNotAsked ? "not asked"
+                                                          : name_of(expected.outcome));
+  if (late_by > 0) text += fmt::format(" by {:.3g}", late_by);
+  if (!expected.cause.empty()) text += fmt::format(" ({})", expected.cause);
+  return text;
+}
+
+Asked asked_with(const SearchOptions& search) {
+  return {search.precision, std::max(search.max_pops, Asked().max_pops)};
+}
+
+std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers) {
+  const std::optional<Witness>& witness = value.truth.witness;
+  if (!witness || witness->t > exact(value.query.t_max) || is_of_bodies(value.query)) return "";
+  Tracer* const tracer = tracers.find(method);
+  return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *witness, {}));
+}
+
+std::string kind_of_bodies(const Query& query) {
+  for (const MovingPatch<double>& body : query.patches) {
+    if (!body.faces.empty()) return body.one_sided ? "one-sided mesh" : "mesh";
+  }
+  return has_spins(query) ? "spin" : has_turns(query) ? "turn" : "";
+}
+
+Expected Asker::expected(const std::string& method, const Case& value, const Judged& judged) {
+  if (judged.outcome == Outcome::kError) return {judged.outcome, judged.error};
+  if (!is_failure(judged.outcome)) return judged.outcome;
+  if (is_of_bodies(value.query)) return {judged.outcome, kind_of_bodies(value.query)};
+  if (!is_false_negative(judged.outcome)) return judged.outcome;
+  return {judged.outcome, cause_ ? cause_(method, value) : cause_of_loss(method, value, tracers_)};
+}
+
+std::optional<Failure> Asker::failure(const std::string& method, const Case& value) {
+  const Expected shown = expected(method, value, ask(method, checked_or_unknown(value)));
+  return is_failure(shown.outcome) ? std::optional(failure_of(value, method, shown)) : std::nullopt;
+}
+
+Expected Asker::expected_as_asked(const std::string& method, const CheckedCase& known) {
+  SearchOptions own = search_;
+  own.precision = known.value().asked.precision;
+  own.max_pops = std::min(own.max_pops, known.value().asked.max_pops);
+  return expected(method, known.value(), ask(method, known, own));
+}
+
+double Asker::depth(const std::string& method, const CheckedCase& known) {
+  const Judged judged = ask(method, known);
+  return depth_of(known, judged).value_or(0);
+}
+
+void Asker::ask_others(Case& find, const std::vector<std::string>& methods) {
+  SearchOptions few = search_;
+  few.max_pops = std::min(few.max_pops, kEnoughPops);
+  const CheckedCase known = checked_or_unknown(find);
+  for (const std::string& method : methods) {
+    if (find.expect.contains(method)) continue;
+    const Judged judged = ask(method, known, few);
+    if (judged.outcome == Outcome::kUndecided || judged.outcome == Outcome::kNotAsked) continue;
+    find.expect[method] = expected(method, find, judged);
+  }
 }
 
 }  // namespace ccdfuzz

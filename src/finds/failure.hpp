@@ -1,12 +1,16 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "case/case.hpp"
+#include "base/enum_names.hpp"
+#include "method/ask.hpp"
 #include "method/setting.hpp"
 
 namespace ccdfuzz {
@@ -46,5 +50,84 @@ std::string to_text(const Failure& failure);
 /// A file name without its ending, of letters, digits and "._-" alone: the same for equal failures,
 /// another for others ("tdibm-e-missed-VE-left-root-extreme").
 std::string file_stem(const Failure& failure);
+
+/// "missed (left root)", "late by 0.25 (right root)", "not asked".
+std::string to_text(const Expected& expected, double late_by = 0);
+
+/// The result of an expectation.
+enum class Change : std::uint8_t {
+  kNone,
+  kRegression,   ///< it is worse: what was correct is undecided or fails, what was undecided fails
+  kImprovement,  ///< the other way
+  kOther,        ///< it fails in another way
+};
+constexpr std::array<std::string_view, 4> names_of(Change) {
+  return {"as expected", "regression", "improvement", "changed"};
+}
+inline constexpr auto kAllChanges = all_of(Change{});
+
+/// By the outcome, and by the cause where the expectation says one.
+Change change_of(const Expected& expected, const Expected& got);
+
+/// Pops of one search, when methods are asked about a find of another: TDIBM needs fewer on most.
+inline constexpr std::uint64_t kEnoughPops = 2000;
+
+/// Seconds of one query, so that none holds up the end of a command, or Ctrl-C, for longer. Pops
+/// alone do not bound that: one of exact arithmetic on high degrees takes 50 ms.
+inline constexpr double kLongestQuerySeconds = 5;
+
+/// What a case that failed in such a search says of how it was asked: what fails within few pops
+/// does so with more.
+Asked asked_with(const SearchOptions& search);
+
+/// The cause that lost the contact of a case in the search of a method: loss_cause of its trace.
+/// Empty where no contact by t_max is known, or the method cannot be traced.
+std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
+
+/// "mesh", "one-sided mesh", "spin" or "turn"; empty for other bodies.
+std::string kind_of_bodies(const Query& query);
+
+/// Asks methods about cases and says how they fail. For one thread.
+class Asker {
+ public:
+  using CauseOfLoss = std::function<std::string(const std::string& method, const Case& value)>;
+
+  /// cause: in place of cause_of_loss.
+  explicit Asker(const SearchOptions& search, MethodSet methods = {}, CauseOfLoss cause = nullptr)
+      : search_(search), methods_(std::move(methods)), cause_(std::move(cause)) {}
+
+  Judged ask(const std::string& method, const CheckedCase& known) {
+    return ask(method, known, search_);
+  }
+  Judged ask(const std::string& method, const CheckedCase& known, const SearchOptions& search) {
+    return ccdfuzz::ask(methods_[method], known, search);
+  }
+
+  /// What an entry expects of a method that answered so about its case. It is the outcome with its
+  /// cause: the name of an error, the kind of bodies, or what lost a contact.
+  Expected expected(const std::string& method, const Case& value, const Judged& judged);
+
+  /// How the method fails; nothing where it does not.
+  std::optional<Failure> failure(const std::string& method, const Case& value);
+  /// What an entry expects of it, asked at the precision that the case says, and with no more pops
+  /// than it says.
+  Expected expected_as_asked(const std::string& method, const CheckedCase& known);
+
+  /// How deep patches pass through each other in a false negative of the method (depth_of); 0 where
+  /// that is not measured.
+  double depth(const std::string& method, const CheckedCase& known);
+
+  /// Asks the methods that the find says nothing of yet, each with at most kEnoughPops, and makes
+  /// the find expect what they do. What is undecided so is left out: a larger budget may decide it.
+  void ask_others(Case& find, const std::vector<std::string>& methods);
+
+  const SearchOptions& search() const { return search_; }
+
+ private:
+  SearchOptions search_;
+  MethodSet methods_;
+  CauseOfLoss cause_;  ///< empty: cause_of_loss
+  TracerSet tracers_;
+};
 
 }  // namespace ccdfuzz

@@ -9,7 +9,6 @@
 #include "certify/checker/check_case.hpp"
 #include "files/check_file.hpp"
 #include "files/tree_file.hpp"
-#include "finds/shrink.hpp"
 #include "io/in_order.hpp"
 #include "method/plugin/plugin_spec.hpp"
 
@@ -50,7 +49,7 @@ AskAgain Intake::again() {
       return std::nullopt;
     }
     ++settled_.asked;
-    return confirm_.shown_as_asked(method, known);
+    return confirm_.expected_as_asked(method, known);
   };
 }
 
@@ -106,7 +105,8 @@ Result<bool> Intake::has(const Failure& failure) {
 /// Whether the method of the failure fails so on an entry, when it is asked as the entry says.
 bool Intake::fails_so(const NamedCase& entry, const Failure& failure) {
   const auto known = check_case(entry);
-  return known && confirm_.failure_as_asked(failure.who, *known) == failure;
+  return known && failure_of(known->value(), failure.who,
+                             confirm_.expected_as_asked(failure.who, *known)) == failure;
 }
 
 /// The same of an entry that hides finds from then on.
@@ -217,7 +217,7 @@ Result<void> Intake::finish(const Finish& how) {
         auto& [failure, find, depth] = tasks[i];
         Asker& asker = askers.local();
         if (how.shrinks(failure))
-          find = shrink(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
+          find = minimise(find, failure, asker, {how.max_trials, how.is_late, how.admits}).value;
         if (is_false_negative(failure.outcome)) {
           depth = asker.depth(failure.who, checked_or_unknown(find));
         }

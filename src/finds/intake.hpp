@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "finds/asker.hpp"
 #include "finds/minimise.hpp"
 #include "finds/store.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "case/case.hpp"
+#include "finds/failure.hpp"
 
 namespace ccdfuzz {
 
@@ -35,5 +35,19 @@ struct Minimised {
 Minimised minimise(const Case& found, Outcome failure,
                    const std::function<bool(const Case&)>& still_fails,
                    const MinimiseOptions& options = {});
+
+/// The same of a case that shows a failure of a method, by what the method says of simpler ones.
+/// One whose patches pass through each other stays at least half as deep, relative to its size.
+/// The result expects this failure alone, and has no name. For a hang only a few trials are
+/// made, since each costs all of its time.
+Minimised minimise(const Case& found, const Failure& failure, Asker& asker,
+                   MinimiseOptions options = {});
+
+/// The first for a case of bodies: fewer points, no radius, one that rests, about the origin, fewer
+/// significant bits. Its truth is decided exactly each time (case_of_bodies); what that
+/// says of the class of the contact stays. Numbers that are all floats stay so.
+Minimised minimise_bodies(const Case& found, Outcome failure,
+                          const std::function<bool(const Case&)>& still_fails,
+                          const MinimiseOptions& options);
 
 }  // namespace ccdfuzz

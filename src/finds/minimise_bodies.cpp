@@ -1,11 +1,10 @@
-#include "finds/minimise_bodies.hpp"
+#include "finds/minimise.hpp"
 
 #include <cmath>
 
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "finds/content_address.hpp"
-#include "finds/failure.hpp"
 #include "finds/significant_bits.hpp"
 #include "generators/bodies.hpp"
 

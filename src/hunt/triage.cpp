@@ -9,7 +9,6 @@
 #include "certify/oracle/oracle.hpp"
 #include "files/case_json.hpp"
 #include "files/tree_file.hpp"
-#include "finds/shrink.hpp"
 #include "generators/contact.hpp"
 #include "io/serve.hpp"
 #include "properties/against_oracle.hpp"
@@ -129,7 +128,7 @@ Result<void> Triage::add(const Case& candidate, const Found& found) {
 
 Result<std::optional<Case>> Triage::take_in(const Confirmed& confirmed) {
   const auto& [asked, failure] = confirmed;
-  Case find = shrink(asked, failure, asker_, {options_.shrink_trials, options_.stop}).value;
+  Case find = minimise(asked, failure, asker_, {options_.shrink_trials, options_.stop}).value;
   if (failure.who != kOracle) find = with_truth(find).value_or(find);
   // A find that is not shrunk to the end is left to a later run, which finds it anew. A hang is
   // kept, as it would take as long again.

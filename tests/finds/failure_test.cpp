@@ -4,7 +4,6 @@
 
 #include <set>
 
-#include "finds/asker.hpp"
 #include "finds/finds.hpp"
 
 namespace ccdfuzz {
@@ -146,6 +145,26 @@ TEST(Failure, OfBodiesHasTheirKindAsItsCause) {
   EXPECT_EQ(cause(Outcome::kFalsePositive), "mesh");
   first.one_sided = true;
   EXPECT_EQ(cause(Outcome::kMissed), "one-sided mesh");
+}
+
+TEST(Change, IsARegressionIffItIsWorse) {
+  const Expected correct = Outcome::kCorrect, undecided = Outcome::kUndecided,
+                 missed = {Outcome::kMissed, "left root"};
+  EXPECT_EQ(change_of(correct, correct), Change::kNone);
+  EXPECT_EQ(change_of(correct, missed), Change::kRegression);
+  EXPECT_EQ(change_of(correct, undecided), Change::kRegression);
+  EXPECT_EQ(change_of(undecided, missed), Change::kRegression);
+  EXPECT_EQ(change_of(missed, correct), Change::kImprovement);
+  EXPECT_EQ(change_of(missed, undecided), Change::kImprovement);
+  EXPECT_EQ(change_of(missed, Outcome::kLate), Change::kOther);
+  EXPECT_EQ(change_of(undecided, Outcome::kUnknown), Change::kOther);
+}
+
+TEST(Change, TellsCausesApartWhereTheEntrySaysOne) {
+  EXPECT_EQ(change_of({Outcome::kMissed, "left root"}, {Outcome::kMissed, "hull"}), Change::kOther);
+  EXPECT_EQ(change_of({Outcome::kError, "hang"}, {Outcome::kError, "crash SIGSEGV"}),
+            Change::kOther);
+  EXPECT_EQ(change_of(Outcome::kMissed, {Outcome::kMissed, "hull"}), Change::kNone);
 }
 
 }  // namespace

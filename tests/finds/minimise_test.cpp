@@ -10,6 +10,7 @@
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/decide_linear.hpp"
+#include "certify/oracle/feature_depth.hpp"
 #include "files/case_json.hpp"
 #include "finds/content_address.hpp"
 #include "generators/draw/draw.hpp"
@@ -218,6 +219,52 @@ TEST(Minimise, AnErrorNeedsNoTruth) {
   EXPECT_EQ(small.value.query.patches[0].shape, Shape::point());
   EXPECT_EQ(small.value.query.patches[1].shape, Shape::triangle(1));
   EXPECT_LE(size_of(small.value.query).significant_bits, 1U) << to_json(small.value);
+}
+
+class MissesAll : public Method {
+ public:
+  Answered answer(const Query&, const SearchOptions&) override {
+    Answered miss;
+    miss.verdict = Verdict::kMiss;
+    return miss;
+  }
+};
+
+Asker asker_of_misses() {
+  return Asker({}, MethodSet([](const std::string&) -> Result<std::unique_ptr<Method>> {
+                 return std::make_unique<MissesAll>();
+               }));
+}
+
+double largest(const Query& query) {
+  double most = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) most = std::max(most, p.cwiseAbs().maxCoeff());
+  }
+  return most;
+}
+
+TEST(Minimise, ADeepMissStaysDeep) {
+  GeneratorOptions options;
+  options.contact = ContactClass::kVF;
+  options.construction = Construction::kOneSided;
+  options.shapes = {Shape::point(), Shape::triangle(1)};
+  Asker asker = asker_of_misses();
+  int deep_ones = 0;
+  for (std::uint64_t index = 0; index < 6; ++index) {
+    Case found = generate(options, index).value;
+    found.query.t_max *= 1.5;
+    const Failure failure = asker.failure("tdibm", found).value();
+    const double deep = feature_depth(found, found.query.t_max) / largest(found.query);
+    const Case small = minimise(found, failure, asker).value;
+    const double left = feature_depth(small, small.query.t_max) / largest(small.query);
+    deep_ones += deep > 0 ? 1 : 0;
+    EXPECT_GE(left, deep / 2);
+    EXPECT_LT(size_of(small.query), size_of(found.query));
+    EXPECT_EQ(asker.depth("tdibm", checked_or_unknown(small)),
+              feature_depth(small, small.query.t_max));
+  }
+  EXPECT_GE(deep_ones, 3);
 }
 
 }  // namespace
