@@ -110,9 +110,11 @@ std::span<const MethodSwitch> method_switches();
 /// Every registered family, in the order of the tables, without plug-ins.
 const std::vector<MethodInfo>& registered_methods();
 
-/// Starts the plug-in of a spec (plugin_spec.hpp) and asks it what it is. Built-in methods need no
-/// admission. Nothing else starts a plug-in, so that files are data: a spec that a file holds is
-/// never to be admitted, only what the command line gives. Errors: as meet_plugin.
+/// Starts the plug-in of a spec (plugin_spec.hpp) and asks it what it is, once in the life of this
+/// program. One that misbehaves when asked is known by that, and every answer of it is that fault.
+/// Built-in methods need no admission. Nothing else starts a plug-in, so that files are data: a
+/// spec that a file holds is never to be admitted, only what the command line gives. Errors: as
+/// parse_plugin_spec; no plug-in: not to be loaded or run, or of another version.
 Result<void> admit_plugin(const std::string& spec);
 
 /// Lets "plugin:NAME" stand for the plug-in of a spec, which is admitted by that, so that files and

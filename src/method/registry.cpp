@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 
+#include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "base/verify.hpp"
@@ -17,7 +17,6 @@
 #include "ccd/witness_trace/inclusion_tracer.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "method/method.hpp"
-#include "method/parameter.hpp"
 #include "method/plugin/feature_claims.hpp"
 #include "method/plugin/plugin_method.hpp"
 #include "method/taken_query.hpp"
@@ -66,6 +65,23 @@ class BuiltInTracer : public Tracer {
   Follower follower_;
 };
 
+/// "tdibm-h:1e-12@absolute@unit-axes" in its parts: a spec, and how it is to be read.
+struct SwitchedSpec {
+  std::string spec;                   ///< "tdibm-h:1e-12"
+  std::vector<std::string> switches;  ///< "absolute", "unit-axes"
+
+  explicit SwitchedSpec(const std::string& text) : spec(text.substr(0, text.find('@'))) {
+    for (size_t at = spec.size(); at < text.size();) {
+      const size_t end = std::min(text.find('@', at + 1), text.size());
+      switches.push_back(text.substr(at + 1, end - at - 1));
+      at = end;
+    }
+  }
+  bool has(std::string_view name) const {
+    return std::ranges::find(switches, name) != switches.end();
+  }
+};
+
 using MadeMethod = Result<std::unique_ptr<Method>>;
 using MadeTracer = Result<std::unique_ptr<Tracer>>;
 
@@ -103,6 +119,19 @@ Reading reading_of(const SwitchedSpec& spec, Reading reading) {
   if (spec.has("exact-windows")) reading.window_margin = 0;
   if (spec.has("slip")) reading.axes.spans = AxisReading::Spans::kSidesWithSlip;
   return reading;
+}
+
+/// tdibm-h:F. Errors: F is no number ≥ 0.
+Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
+  const std::string text = spec.spec.substr(std::min(spec.spec.find(':') + 1, spec.spec.size()));
+  const Result<double> factor = parse_number("", text);
+  if (!factor || *factor < 0 || text.starts_with('-')) {
+    return input_error("--methods",
+                       fmt::format("\"{}\" is no pull-apart factor of \"{}\": a number "
+                                   "≥ 0 is, as in tdibm-h:1e-12",
+                                   text, spec.spec));
+  }
+  return PullApart(*factor, spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
 }
 
 /// A family of TdibmInclusion. policy_of: of a spec.
@@ -183,12 +212,7 @@ const std::vector<Family>& families() {
       tdibm_family<PullApart>(
           {"tdibm-h:F", kChen, "tdibm with its envelopes pulled apart by F times each intercept",
            false, pulled, kDivided},
-          [](const SwitchedSpec& spec) {
-            return parse_pull_apart(spec.spec).map([&](double factor) {
-              return PullApart(factor,
-                               spec.has("absolute") ? PullUnit::kLength : PullUnit::kIntercept);
-            });
-          }),
+          pull_apart_of),
       tdibm_family<ErrorBoundIntended>(
           {"tdibm-e", kErrorBounds, "tdibm with error bounds, eps_Phi's sign as Fig. 2 intends",
            true, bounded, kBounded},
@@ -236,8 +260,8 @@ struct Found {
 /// The family with this very spec, or the one that takes a parameter under its name, and what
 /// stands behind it. Errors: an unknown method; a switch that it does not take, or takes once.
 Result<Found> find_family(const std::string& text) {
-  Found found{nullptr, split_switches(text)};
-  const std::string name = split_spec(found.spec.spec).name;
+  Found found{nullptr, SwitchedSpec(text)};
+  const std::string name = found.spec.spec.substr(0, found.spec.spec.find(':'));
   for (const Family& f : families()) {
     if (f.info.spec == found.spec.spec || f.info.spec == name + ":F") found.family = &f;
   }
@@ -282,34 +306,6 @@ const std::vector<MethodInfo>& registered_methods() {
     return out;
   }();
   return infos;
-}
-
-Result<void> admit_plugin(const std::string& spec) {
-  if (!names_plugin(spec)) return {};
-  return meet_plugin(spec).map([](const auto&) {});
-}
-
-Result<void> name_plugin(const std::string& name, const std::string& spec) {
-  if (!names_plugin(spec)) {
-    return input_error("", fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
-  }
-  const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-    return c < 128 && (std::isalnum(c) != 0 || c == '-');
-  });
-  if (!is_name) {
-    return input_error("", fmt::format("\"{}\" is not a name of letters, digits and '-'", name));
-  }
-  return meet_plugin(spec, kPluginPrefix + name);
-}
-
-std::string spec_behind(const std::string& method) {
-  if (!names_plugin(method)) return "";
-  const auto known = know_plugin(method);
-  return known ? (*known)->behind : "";
-}
-
-bool is_admitted(const std::string& spec) {
-  return !names_plugin(spec) || know_plugin(spec).has_value();
 }
 
 Result<MethodInfo> method_info(const std::string& spec) {

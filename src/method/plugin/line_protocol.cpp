@@ -11,6 +11,15 @@
 
 namespace ccdfuzz {
 
+template <>
+struct JsonForm<BodyKind> {
+  static void fields(auto& archive, auto& kind) {
+    archive.optional("least_points", kind.least_points);
+    archive.optional("most_points", kind.most_points);
+    archive.optional("radius", kind.radius);
+  }
+};
+
 namespace {
 
 std::string any_numbers(const auto& numbers) {
@@ -56,67 +65,20 @@ void append_patch(std::string& out, const MovingPatch<double>& patch) {
   out += '}';
 }
 
-/// The fields of a description: those that are looked up are all that there are.
-class DescriptionFields {
- public:
-  explicit DescriptionFields(const JsonValue& object) : object_(object) {}
+/// A side of a pair in `accepts`.
+struct AcceptedShape {
+  ShapeKind shape = ShapeKind::kPoint;
+  std::uint64_t max_degree = kMaxControls;
 
-  /// The object, to look this field up in it.
-  const JsonValue& with(std::string_view key) {
-    known_.push_back(key);
-    return object_;
+  static void fields(auto& archive, auto& accepted) {
+    archive("shape", accepted.shape);
+    archive.optional("max_degree", accepted.max_degree);
   }
-  const JsonValue* find(std::string_view key) { return with(key).find(key); }
-  std::string text(std::string_view key) { return text_of(with(key), key); }
-
-  /// A field that was not looked up: misspelt, it would claim nothing.
-  std::optional<PluginRefusal> unknown() const {
-    for (const std::string& key : object_.keys) {
-      if (std::ranges::find(known_, key) != known_.end()) continue;
-      return PluginRefusal{fmt::format("describes itself by \"{}\", which is no field", key)};
-    }
-    return std::nullopt;
-  }
-
- private:
-  const JsonValue& object_;
-  std::vector<std::string_view> known_;
 };
 
-/// Reads a claim that may be left out. A claim that cannot be read is none that may be guessed at.
-tl::expected<void, Fault> read_flag(DescriptionFields& object, std::string_view key, bool& out) {
-  const JsonValue* found = object.find(key);
-  if (found == nullptr) return {};
-  if (found->kind != JsonKind::kBool) {
-    return garbage_answer(
-        fmt::format("claims {} {}, which is neither true nor false", key, shown(*found)));
-  }
-  out = found->text == "true";
-  return {};
-}
-
-template <class Value>
-tl::expected<void, Fault> read_word(auto& object, std::string_view key, const auto& words,
-                                    Value& out) {
-  const JsonValue* value = object.find(key);
-  if (value == nullptr) return {};
-  const auto found =
-      std::find(words.begin(), words.end(), value->kind == JsonKind::kString ? value->text : "");
-  if (found == words.end()) {
-    return garbage_answer(fmt::format("claims {} {}, which is none of {}", key, shown(*value),
-                                      fmt::join(words, ", ")));
-  }
-  out = static_cast<Value>(found - words.begin());
-  return {};
-}
-
-tl::expected<void, Fault> read_length(DescriptionFields& object, std::string_view key,
-                                      double& out) {
-  const JsonValue* value = object.find(key);
-  if (value == nullptr) return {};
-  out = number_of(value).value_or(std::numeric_limits<double>::quiet_NaN());
-  if (out >= 0 && std::isfinite(out)) return {};
-  return garbage_answer(fmt::format("claims {} {}, which is no number >= 0", key, shown(*value)));
+enum class NumberWidth : std::uint8_t { k64, k32 };
+constexpr std::array<std::string_view, 2> names_of(NumberWidth) {
+  return {"binary64", "binary32"};
 }
 
 /// A claim about bodies, of which it takes none: it would claim nothing.
@@ -141,80 +103,6 @@ std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
     return refusal("minimum_separation", d.minimum_separation, kMostTolerance);
   }
   return std::nullopt;
-}
-
-tl::expected<Domain::Pair, Fault> read_pair(const JsonValue& value) {
-  Domain::Pair pair{};
-  if (value.kind != JsonKind::kArray || value.items.size() != 2) {
-    return garbage_answer("accepts something that is no pair of shapes");
-  }
-  for (size_t side = 0; side < 2; ++side) {
-    const std::string shape = text_of(value.items[side], "shape");
-    const auto kind = enum_named<ShapeKind>(shape);
-    if (!kind) {
-      return garbage_answer(fmt::format("accepts a shape \"{}\" that there is not", shape));
-    }
-    pair.shapes[side] = *kind;
-    const std::uint64_t most = *kind == ShapeKind::kHull ? kMaxControls : kMaxDegree;
-    std::uint64_t degree = most;
-    CCDFUZZ_TRY_VOID(read_count(value.items[side], "max_degree", degree));
-    pair.max_degrees[side] = static_cast<int>(std::min(degree, most));
-  }
-  return pair;
-}
-
-tl::expected<BodyKind, Fault> read_body_kind(const JsonValue& value) {
-  if (value.kind != JsonKind::kObject) return garbage_answer("takes bodies that are no kind");
-  BodyKind kind;
-  std::uint64_t least = kind.least_points, most = kind.most_points;
-  CCDFUZZ_TRY_VOID(read_count(value, "least_points", least));
-  CCDFUZZ_TRY_VOID(read_count(value, "most_points", most));
-  CCDFUZZ_TRY_VOID(read_word(value, "radius", names_of(kind.radius), kind.radius));
-  if (least < 1 || least > most || least > kMaxControls) {
-    return garbage_answer(fmt::format("takes bodies of {} to {} points", least, most));
-  }
-  kind.least_points = static_cast<std::uint32_t>(least);
-  kind.most_points = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, kMaxControls));
-  return kind;
-}
-
-/// Calls read on each item of an array that may be left out, and adds what it gives.
-template <class Item, class Read>
-tl::expected<void, Fault> read_items(DescriptionFields& object, std::string_view key,
-                                     const Read& read, std::vector<Item>& out) {
-  const JsonValue* items = object.find(key);
-  if (items == nullptr || items->kind != JsonKind::kArray) return {};
-  for (const JsonValue& value : items->items) {
-    CCDFUZZ_TRY(const auto item, read(value));
-    out.push_back(item);
-  }
-  return {};
-}
-
-/// What decides what it is asked, and how its answers are judged.
-tl::expected<void, Fault> read_claims(DescriptionFields& object, PluginDescription& out) {
-  constexpr std::array<std::string_view, 2> kNumbers = {"binary64", "binary32"};
-  constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
-  std::uint64_t scale = 0;
-  CCDFUZZ_TRY_VOID(read_items(object, "accepts", read_pair, out.domain.pairs));
-  CCDFUZZ_TRY_VOID(read_items(object, "bodies", read_body_kind, out.domain.body_kinds));
-  for (const FeatureClaim& claim : kFeatureClaims) {
-    CCDFUZZ_TRY_VOID(read_flag(object, claim.field, out.features.*claim.feature));
-  }
-  CCDFUZZ_TRY_VOID(read_flag(object, "conservative", out.conservative));
-  CCDFUZZ_TRY_VOID(read_flag(object, "closed_t_max", out.closed_t_max));
-  CCDFUZZ_TRY_VOID(read_flag(object, "contact_at_zero", out.contact_at_zero));
-  CCDFUZZ_TRY_VOID(
-      read_word(object, "tolerance_kind", names_of(out.tolerance_kind), out.tolerance_kind));
-  CCDFUZZ_TRY_VOID(read_length(object, "tolerance", out.tolerance));
-  CCDFUZZ_TRY_VOID(read_length(object, "minimum_separation", out.minimum_separation));
-  CCDFUZZ_TRY_VOID(read_word(object, "nan_policy", names_of(out.nan_policy), out.nan_policy));
-  CCDFUZZ_TRY_VOID(read_flag(object, "ordinary", out.domain.ordinary));
-  CCDFUZZ_TRY_VOID(read_flag(object, "plane", out.domain.plane));
-  CCDFUZZ_TRY_VOID(read_word(object, "numbers", kNumbers, out.domain.binary32));
-  CCDFUZZ_TRY_VOID(read_count(object.with("within"), "within", scale));
-  if (scale > 0) out.domain.scale = static_cast<int>(std::min(scale, kWidestScale));
-  return {};
 }
 
 /// [lower, upper], or one number.
@@ -278,6 +166,56 @@ bool same_bits(double a, double b) {
 
 }  // namespace
 
+/// Reads what decides what it is asked, and how its answers are judged. A claim that cannot be
+/// read is none that may be guessed at; one that is misspelt would claim nothing.
+template <>
+struct JsonForm<PluginDescription> {
+  static void fields(auto& archive, auto& d) {
+    Domain& domain = d.domain;
+    double protocol = 1;
+    archive("protocol", protocol);
+    archive.optional("name", d.name);
+    archive.optional("version", d.version);
+    archive.optional("promise", d.promise);
+    std::vector<std::array<AcceptedShape, 2>> accepts;
+    archive.optional("accepts", accepts);
+    for (const std::array<AcceptedShape, 2>& pair : accepts) {
+      Domain::Pair& read = domain.pairs.emplace_back();
+      for (size_t side = 0; side < 2; ++side) {
+        const auto& [shape, degree] = pair[side];
+        const std::uint64_t most = shape == ShapeKind::kHull ? kMaxControls : kMaxDegree;
+        read.shapes[side] = shape;
+        read.max_degrees[side] = static_cast<int>(std::min(degree, most));
+      }
+    }
+    archive.optional("bodies", domain.body_kinds, {}, Each{[](const BodyKind& kind) {
+                       const auto& [least, most, radius] = kind;
+                       return 1 <= least && least <= most && least <= kMaxControls
+                                  ? ""
+                                  : fmt::format("has {} to {} points", least, most);
+                     }});
+    for (const FeatureClaim& claim : kFeatureClaims) {
+      archive.optional(claim.field, d.features.*claim.feature);
+    }
+    archive.optional("conservative", d.conservative);
+    archive.optional("closed_t_max", d.closed_t_max);
+    archive.optional("contact_at_zero", d.contact_at_zero);
+    archive.optional("tolerance_kind", d.tolerance_kind);
+    archive.optional("tolerance", d.tolerance, {}, not_negative);
+    archive.optional("minimum_separation", d.minimum_separation, {}, not_negative);
+    archive.optional("nan_policy", d.nan_policy);
+    archive.optional("ordinary", domain.ordinary);
+    archive.optional("plane", domain.plane);
+    NumberWidth width = NumberWidth::k64;
+    archive.optional("numbers", width);
+    domain.binary32 = width == NumberWidth::k32;
+    constexpr std::uint64_t kWidestScale = 1074;  // 2^-1074 is the least double
+    std::uint64_t scale = 0;
+    archive.optional("within", scale);
+    if (scale > 0) domain.scale = static_cast<int>(std::min(scale, kWidestScale));
+  }
+};
+
 bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
   if (answer.verdict != other.answer.verdict) return false;
   if (answer.verdict != Verdict::kHit) return true;
@@ -312,22 +250,16 @@ Described read_description(const std::string& line) {
   if (const JsonValue* named = object.find("fault"); named != nullptr) {
     return tl::unexpected(Fault{named->text, text_of(object, "message")});
   }
-  DescriptionFields fields(object);
-  if (const auto version = number_of(fields.find("protocol")); version != 1.0) {
+  if (number_of(object.find("protocol")) != 1.0) {
     return tl::unexpected(
         Fault{"garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
   }
-  PluginDescription out;
-  out.name = fields.text("name");
-  out.version = fields.text("version");
-  out.promise = fields.text("promise");
-  if (const auto read = read_claims(fields, out); !read) {
-    return tl::unexpected(PluginRefusal{read.error().note});
-  }
-  if (auto refusal = fields.unknown()) return tl::unexpected(*std::move(refusal));
+  Result<PluginDescription> read = from_json<PluginDescription>(line, "its description");
+  if (!read) return tl::unexpected(PluginRefusal{read.error().message()});
+  const PluginDescription& out = *read;
   if (auto refusal = idle_claim(out.features)) return tl::unexpected(*std::move(refusal));
   if (auto refusal = too_loose(out)) return tl::unexpected(*std::move(refusal));
-  return out;
+  return *std::move(read);
 }
 
 tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint64_t id,
@@ -344,11 +276,11 @@ tl::expected<PluginAnswer, Fault> read_answer(const std::string& line, std::uint
   PluginAnswer out;
   out.answer.note = message;
   constexpr double kAnyTolerance = std::numeric_limits<double>::infinity();
-  constexpr double kMostSeconds = 1e9;
+  constexpr double kLongestAnswer = 1e9;
   CCDFUZZ_TRY_VOID(read_count(object, "iterations", out.answer.pops));
   CCDFUZZ_TRY_VOID(read_count(object, "bytes", out.answer.bytes));
   CCDFUZZ_TRY_VOID(read_measure(object, "tolerance", kAnyTolerance, out.tolerance));
-  CCDFUZZ_TRY(out.has_seconds, read_measure(object, "seconds", kMostSeconds, out.answer.seconds));
+  CCDFUZZ_TRY(out.has_seconds, read_measure(object, "seconds", kLongestAnswer, out.answer.seconds));
   const std::string verdict = text_of(object, "verdict");
   if (verdict == "error") return answer_fault("error", "says that it failed: " + message);
   if (verdict == "miss") {

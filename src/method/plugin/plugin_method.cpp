@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <mutex>
 #include <system_error>
@@ -240,6 +241,7 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
   return input_error("--methods", fmt::format("\"{}\": {}", text, why));
 }
 
+/// Those that were met, by spec or name.
 struct MetPlugins {
   std::mutex mutex;
   std::map<std::string, std::shared_ptr<const KnownPlugin>> by_spec;
@@ -252,27 +254,44 @@ MetPlugins& met_plugins() {
 
 }  // namespace
 
-Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& spec) {
+Result<void> admit_plugin(const std::string& spec) {
   MetPlugins& met = met_plugins();
   const std::lock_guard lock(met.mutex);
-  if (const auto found = met.by_spec.find(spec); found != met.by_spec.end()) return found->second;
-  Result<std::shared_ptr<const KnownPlugin>> started = start_and_ask(spec);
-  if (started) met.by_spec.emplace(spec, *started);
-  return started;
+  if (!names_plugin(spec) || met.by_spec.contains(spec)) return {};
+  return start_and_ask(spec).map([&](const auto& started) { met.by_spec.emplace(spec, started); });
 }
 
-Result<void> meet_plugin(const std::string& spec, const std::string& name) {
+Result<void> name_plugin(const std::string& name, const std::string& spec) {
+  if (!names_plugin(spec)) {
+    return input_error("", fmt::format("\"{}\" is not plugin:PATH or plugin-exec:PATH", spec));
+  }
+  const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return c < 128 && (std::isalnum(c) != 0 || c == '-');
+  });
+  if (!is_name) {
+    return input_error("", fmt::format("\"{}\" is not a name of letters, digits and '-'", name));
+  }
+  const std::string known_as = kPluginPrefix + name;
   MetPlugins& met = met_plugins();
   const std::lock_guard lock(met.mutex);
-  if (met.by_spec.contains(name)) {
-    return input_error("", fmt::format("\"{}\" stands for a plug-in already", name));
+  if (met.by_spec.contains(known_as)) {
+    return input_error("", fmt::format("\"{}\" stands for a plug-in already", known_as));
   }
   return start_and_ask(spec).map([&](const std::shared_ptr<const KnownPlugin>& started) {
     KnownPlugin named = *started;
-    named.spec.text = name;
+    named.spec.text = known_as;
     named.behind = spec;
-    met.by_spec.emplace(name, std::make_shared<const KnownPlugin>(std::move(named)));
+    met.by_spec.emplace(known_as, std::make_shared<const KnownPlugin>(std::move(named)));
   });
+}
+
+std::string spec_behind(const std::string& method) {
+  const auto known = know_plugin(method);
+  return known ? (*known)->behind : "";
+}
+
+bool is_admitted(const std::string& spec) {
+  return !names_plugin(spec) || know_plugin(spec).has_value();
 }
 
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec) {

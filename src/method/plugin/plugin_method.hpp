@@ -19,17 +19,8 @@ struct KnownPlugin {
   std::string behind = {};  ///< the spec that its name stands for; empty where it has no name
 };
 
-/// Starts the plug-in of a spec and asks it what it is, once in the life of this program. A plug-in
-/// that misbehaves when asked is known by that, and every answer of it is that fault.
-/// Requires a spec that the user gave on the command line, never one that a file holds.
-/// Errors: as parse_plugin_spec; no plug-in: not to be loaded or run, or of another version.
-Result<std::shared_ptr<const KnownPlugin>> meet_plugin(const std::string& spec);
-
-/// The same, from now on known by this name in place of its spec. Errors: the name is known.
-Result<void> meet_plugin(const std::string& spec, const std::string& name);
-
-/// The plug-in of a spec that meet_plugin has met. Starts nothing, so that any text may be looked
-/// up. Errors: it has not been met.
+/// The plug-in of a spec or name that admit_plugin or name_plugin has met. Starts nothing, so that
+/// any text may be looked up. Errors: it has not been met.
 Result<std::shared_ptr<const KnownPlugin>> know_plugin(const std::string& spec);
 
 /// What the registry says of it.
