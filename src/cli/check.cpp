@@ -182,8 +182,9 @@ class PropertyCheck {
   /// For at most as long as the property was checked, where that is by time.
   void shrink() {
     const CheckedInputs& inputs = checked_.inputs;
-    const std::unique_ptr<ServedClaim> claim = children_.take(checked_.property);
-    const InputRun failed = claim->on_draw(inputs.seed, checked_.tally.first_failure);
+    ServedClaims& claims = children_.local();
+    const InputRun failed =
+        claims.on_draw(checked_.property, inputs.seed, checked_.tally.first_failure);
     if (!failed.fails_as({Check::fails(""), checked_.find->error, {}})) return;
     const Stopwatch watch;
     std::uint64_t runs = 0;
@@ -193,7 +194,7 @@ class PropertyCheck {
       ++runs;
       return session_.interrupted() || (inputs.seconds && watch.seconds() >= *inputs.seconds);
     };
-    const auto least = claim->least(failed, {kShrinkTries, is_over});
+    const auto least = claims.least(checked_.property, failed, {kShrinkTries, is_over});
     if (!least) return;
     checked_.find->set_least(*least);
     save();
@@ -301,7 +302,7 @@ int run_check(const CheckArguments& options, Session& session) {
   Table table = check_table(chosen);
   std::uint64_t done = 0, findings = 0, unchecked = 0, expected = 0, not_refuted = 0;
   const std::atomic<bool>& interrupted = catch_interrupts();
-  ClaimChildren children(interrupted);
+  ClaimChildren children([&] { return ServedClaims(&interrupted); });
   for (const Property& property : chosen) {
     if (interrupted) break;
     PropertyCheck check(options, inputs, property, children, session);

@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-#include <mutex>
-#include <utility>
-#include <vector>
 
 #include "base/stopwatch.hpp"
 #include "io/in_order.hpp"
@@ -27,30 +23,10 @@ constexpr std::uint64_t kDiscardedInVain = 1000;
 
 }  // namespace
 
-std::unique_ptr<ServedClaim> ClaimChildren::take(const Property& property) {
-  const std::lock_guard lock(mutex_);
-  if (idle_.empty()) return std::make_unique<ServedClaim>(property, &stop_);
-  std::unique_ptr<ServedClaim> claim = std::move(idle_.back());
-  idle_.pop_back();
-  claim->turn_to(property);
-  return claim;
-}
-
-void ClaimChildren::give_back(std::unique_ptr<ServedClaim> claim) {
-  const std::lock_guard lock(mutex_);
-  idle_.push_back(std::move(claim));
-}
-
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
                         ClaimChildren& children, const std::atomic<bool>& stop, Progress& progress,
                         const std::function<void(const CheckTally&)>& on_failure) {
   CheckTally tally;
-  const auto check = [&](std::uint64_t first, std::uint64_t count) {
-    std::unique_ptr<ServedClaim> claim = children.take(property);
-    CheckTally checked = claim->on_draws(inputs.seed, first, count);
-    children.give_back(std::move(claim));
-    return checked;
-  };
   const Stopwatch watch;
   const std::uint64_t limit = inputs.seconds ? ~std::uint64_t{0} - inputs.first : inputs.count;
   const auto in_time = [&] {
@@ -66,8 +42,9 @@ CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,
     run_in_order<CheckTally>((here + range - 1) / range, inputs.threads,
                              [&](size_t i) {
                                const std::uint64_t done = i * range;
-                               return check(inputs.first + from + done,
-                                            std::min(range, here - done));
+                               return children.local().on_draws(property, inputs.seed,
+                                                                inputs.first + from + done,
+                                                                std::min(range, here - done));
                              },
                              [&](const CheckTally& next) {
                                if (tally.is_cut_short) return;

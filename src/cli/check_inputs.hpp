@@ -1,12 +1,11 @@
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <memory>
-#include <mutex>
 #include <optional>
-#include <vector>
 
 #include "cli/terminal.hpp"
 #include "hunt/served_claim.hpp"
@@ -23,22 +22,10 @@ struct CheckedInputs {
   int threads = 1;
 };
 
-/// As many children as are at work at once, for one property after another.
-class ClaimChildren {
- public:
-  /// stop: what has taken long by then is ended.
-  explicit ClaimChildren(const std::atomic<bool>& stop) : stop_(stop) {}
+/// A child for each thread.
+using ClaimChildren = tbb::enumerable_thread_specific<ServedClaims>;
 
-  std::unique_ptr<ServedClaim> take(const Property& property);
-  void give_back(std::unique_ptr<ServedClaim> claim);
-
- private:
-  const std::atomic<bool>& stop_;
-  std::mutex mutex_;
-  std::vector<std::unique_ptr<ServedClaim>> idle_;
-};
-
-/// In children, one for each thread. Depends on the inputs alone, except for the time that it took.
+/// Depends on the inputs alone, except for the time that it took.
 /// stop: no further inputs. on_failure is called once, as soon as the first failure is known, from
 /// any thread.
 CheckTally check_inputs(const Property& property, const CheckedInputs& inputs,

@@ -13,14 +13,13 @@
 #include <utility>
 
 #include "base/number_text.hpp"
-#include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
 #include "cli/reproduction.hpp"
 #include "cli/session.hpp"
-#include "eval/row_columns.hpp"
+#include "eval/tables.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "method/plugin/plugin_spec.hpp"
@@ -258,14 +257,11 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   if (!options.page.empty()) need(make_folder(options.page));
 
   const std::atomic<bool>& interrupted = catch_interrupts();
-  CourseNotes notes(options.hunt.methods);
-  const Stopwatch watch;
   bool told = false;
   std::set<std::string> failing;
   const HuntReport report = hunt(
       options.hunt, store,
       [&](const HuntProgress& p) {
-        notes.note(watch.seconds(), p);
         for (const Failure& failure : p.met) {
           if (!failing.insert(failure.who).second) continue;
           session.progress().note(fmt::format("ccdfuzz: hunt: found: {}\n", to_text(failure)));
@@ -285,7 +281,7 @@ int run_hunt(const HuntArguments& arguments, Session& session) {
   session.json ? print_report_json(report) : print_report(report, options);
   if (report.error) throw BadInput{*report.error};
   if (!options.page.empty()) {
-    need(write_report(need(hunt_page(report, notes.course(), store)), options.page,
+    need(write_report(need(hunt_page(report, options.hunt.methods, store)), options.page,
                       options.hunt.threads));
     if (!session.json) print_out(fmt::format("Page:         {}/index.html\n", options.page));
   }

@@ -7,7 +7,7 @@
 
 #include "cli/common_options.hpp"
 #include "cli/reproduction.hpp"
-#include "eval/row_columns.hpp"
+#include "eval/tables.hpp"
 #include "files/check_file.hpp"
 #include "method/ask.hpp"
 
@@ -116,13 +116,13 @@ Table hunt_table(const std::vector<HuntCell>& cells) {
                   [](const HuntCell& a, const HuntCell& b) { return a.contact == b.contact; });
 }
 
-Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
-                             const Store& store) {
+Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::string>& asked,
+                             Store& store) {
   ReportPage report;
   report.title = fmt::format("Hunt of {:.0f} s", hunted.seconds);
   report.command = command_line();
-  report.course = course;
-  report.plugins = plugins_among(course.methods);
+  report.course = {asked, hunted.course};
+  report.plugins = plugins_among(asked);
   for (const HuntCell& cell : hunted.cells) {
     Row row{{std::string(name_of(cell.contact)), "", std::nullopt, cell.method}, cell.tally};
     row.tally.seconds = {};  // a hunt is no measurement of times

@@ -3,31 +3,11 @@
 #include <vector>
 
 #include "files/case_files.hpp"
-#include "hunt/hunt.hpp"
 #include "io/table.hpp"
 #include "method/by_spec.hpp"
 #include "report/report.hpp"
 
 namespace ccdfuzz {
-
-/// Samples how a hunt goes, at every 1/200 of it and at its end. By cases all but the seconds
-/// repeats exactly.
-class CourseNotes {
- public:
-  explicit CourseNotes(const std::vector<std::string>& methods) : course_{methods, {}} {}
-
-  void note(double seconds, const HuntProgress& progress) {
-    if (progress.share < next_ && progress.share < 1) return;
-    course_.samples.push_back(
-        {seconds, progress.queries, progress.mutants, progress.finds, progress.margins});
-    next_ = progress.share + 1.0 / 200;
-  }
-  const HuntCourse& course() const { return course_; }
-
- private:
-  HuntCourse course_;
-  double next_ = 0;
-};
 
 /// False for plug-ins and bodies, which are not traced: none of their mutants is known to be lost.
 bool any_is_traced(const std::vector<HuntCell>& cells);
@@ -43,9 +23,9 @@ Table hunt_table(const std::vector<HuntCell>& cells);
 /// that there is not.
 Result<ReportedCase> reported_entry(const NamedCase& entry, MethodSet& methods);
 
-/// The data of a hunt's page: its cells, its course, its finds, and the earlier ones of its store.
-/// Errors: the store cannot be read.
-Result<ReportPage> hunt_page(const HuntReport& hunted, const HuntCourse& course,
-                             const Store& store);
+/// The data of a page of a hunt of these methods: its cells, its course, its finds, and the earlier
+/// ones of its store. Errors: the store cannot be read.
+Result<ReportPage> hunt_page(const HuntReport& hunted, const std::vector<std::string>& methods,
+                             Store& store);
 
 }  // namespace ccdfuzz

@@ -10,7 +10,7 @@
 #include "cli/common_options.hpp"
 #include "cli/made_cases.hpp"
 #include "cli/session.hpp"
-#include "eval/evaluation_folder.hpp"
+#include "eval/tables.hpp"
 #include "finds/entries.hpp"
 #include "finds/intake.hpp"
 #include "generators/draw/choice_bytes.hpp"

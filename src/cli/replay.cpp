@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <set>
 #include <utility>
 
@@ -98,20 +97,15 @@ struct Replayed {
 
 /// The methods to ask about an entry, and the expected outcomes.
 std::map<std::string, Expected> expectations(const Case& entry, const ReplayOptions& options) {
-  if (options.methods.empty() && !options.expect) return entry.expect;
-  std::map<std::string, Expected> wanted;
-  std::vector<std::string> methods = options.methods;
-  if (methods.empty()) {
-    for (const auto& [method, expected] : entry.expect) methods.push_back(method);
+  std::map<std::string, Expected> wanted = entry.expect;
+  if (!options.methods.empty()) {
+    std::erase_if(wanted, [&](const auto& stated) {
+      return std::ranges::find(options.methods, stated.first) == options.methods.end();
+    });
   }
-  for (const std::string& method : methods) {
-    const auto stated = entry.expect.find(method);
-    if (options.expect) {
-      wanted[method] = *options.expect;
-    } else if (stated != entry.expect.end()) {
-      wanted.insert(*stated);
-    }
-  }
+  if (!options.expect) return wanted;
+  for (const std::string& method : options.methods) wanted[method];
+  for (auto& [method, expected] : wanted) expected = *options.expect;
   return wanted;
 }
 
@@ -123,22 +117,18 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
     result.refuted = known.error().message();
     return result;
   }
-  std::map<std::string, Expected> wanted = expectations(entry.value, options);
-  for (auto it = wanted.begin(); it != wanted.end();) {
-    if (!is_admitted(it->first)) {
-      result.not_allowed.insert(wanted.extract(it++));
-      continue;
-    }
-    if (const auto made = make_method(it->first); !made) {
-      throw BadInput{{entry.id + ": expect", made.error().what}};
-    }
-    ++it;
-  }
   SearchOptions search = options.search.options_for(entry.value);
   // An entry was kept with its answers, and may be one of the costly: about 10 s an answer.
   constexpr std::uint64_t kTimes = 16;
   if (options.search.max_pops == 0) DefaultBudget::limit(search, known->query(), kTimes);
-  for (const auto& [method, expected] : wanted) {
+  for (const auto& [method, expected] : expectations(entry.value, options)) {
+    if (!is_admitted(method)) {
+      result.not_allowed.emplace(method, expected);
+      continue;
+    }
+    if (const auto made = make_method(method); !made) {
+      throw BadInput{{entry.id + ": expect", made.error().what}};
+    }
     Asker& asker = expected.outcome == Outcome::kError ? askers.served : askers.here;
     Judged judged = asker.ask(method, *known, search);
     Expected got = asker.expected(method, known->value(), judged);
@@ -230,15 +220,13 @@ class Replay {
   void replay_claims() {
     const std::string folder = fmt::format("{}/{}", options_.corpus, kClaims);
     if (!std::filesystem::is_directory(folder)) return;
-    std::unique_ptr<ServedClaim> served;
+    ServedClaims served(&catch_interrupts());
     for (const std::string& path : need(list_entries(folder))) {
       if (session_.interrupted()) break;
       ClaimFind find = need(read_find(path));
       const Result<Property> property = property_named(find.property, options_.known);
       if (!property) throw BadInput{{path + ": property", property.error().what}};
-      if (!served) served = std::make_unique<ServedClaim>(*property, &catch_interrupts());
-      served->turn_to(*property);
-      const InputRun run = served->on(find.choices);
+      const InputRun run = served.on(*property, find.choices);
       if (run.error == "interrupted") break;
       const ClaimRow row{path, find, run.check};
       ++claims_.claims;

@@ -13,7 +13,7 @@
 #include "cli/hunt_page.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluate.hpp"
-#include "eval/evaluation_folder.hpp"
+#include "eval/tables.hpp"
 #include "finds/entries.hpp"
 #include "io/fields.hpp"
 #include "io/input_bytes.hpp"

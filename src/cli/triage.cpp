@@ -248,7 +248,7 @@ class TriageRun {
     counts_.tally = triage.tally();
   }
 
-  /// Confirms the inputs of one target, each in a process apart, and shrinks and stores what is
+  /// Confirms the inputs of one target in a process apart, and shrinks and stores what is
   /// new. That is one counterexample of each claim, and one of each error that putting an input to
   /// it ends in. One that could not be shrunk to the end is stored until there is a better.
   void triage_claims(const std::vector<std::string>& files) {
@@ -263,11 +263,12 @@ class TriageRun {
       throw BadInput{{"--known", fmt::format("\"{}\" is no folder", known)}};
     }
     need(make_find_folder(folder_of_claims(arguments_.output)));
+    ServedClaims served;
     go(files, [&](const std::string& file) {
       return read_bytes(file).map([&](const std::vector<std::uint8_t>& bytes) {
         ++counts_.tally.inputs;
         const auto input = claim_input(*suite, bytes);
-        return !input || triage_claim(file, *input);
+        return !input || triage_claim(file, *input, served);
       });
     });
     TriageTally& tally = counts_.tally;
@@ -275,11 +276,10 @@ class TriageRun {
   }
 
   /// Whether there is nothing left to do with it.
-  bool triage_claim(const std::string& file, const ClaimInput& input) {
+  bool triage_claim(const std::string& file, const ClaimInput& input, ServedClaims& served) {
     TriageTally& tally = counts_.tally;
     const Property& property = input.property;
-    ServedClaim served(property);
-    const InputRun run = served.on(input.choices);
+    const InputRun run = served.on(property, input.choices);
     if (!run.fails()) return true;
     ++tally.failures;
     ClaimFind find(property, run.error, run.check.text,
@@ -289,7 +289,7 @@ class TriageRun {
       ++tally.known;
       return true;
     }
-    const auto least = served.least(run, {kShrinkTries, [this] { return is_over(); }});
+    const auto least = served.least(property, run, {kShrinkTries, [this] { return is_over(); }});
     if (least) find.set_least(*least);
     if (known && !find.replaces(*known)) {
       ++tally.known;

@@ -8,7 +8,7 @@
 #include "base/shard.hpp"
 #include "case/checked_case.hpp"
 #include "ccd/search.hpp"
-#include "eval/evaluated_case.hpp"
+#include "eval/rows.hpp"
 #include "files/case_files.hpp"
 #include "io/run_file.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
 #include "finds/unite.hpp"
+#include "io/folder_lock.hpp"
 
 namespace ccdfuzz {
 
@@ -39,9 +41,6 @@ class Store {
   /// Errors: the folder cannot be made, read, written or locked; an entry cannot be read; it has
   /// `regressions`, the old name, and no `cases`.
   static Result<Store> open(const std::string& folder);
-  Store(Store&&) noexcept;
-  Store& operator=(Store&&) noexcept;
-  ~Store();
 
   /// Puts a find that shows a failure, and makes the folder again if it was removed. Safe from
   /// several threads. Requires that the find expects the failure. trees: the file of trees beside
@@ -66,21 +65,40 @@ class Store {
 
   /// All entries, ordered by path; an empty folder is no error. Makes the folder again if it was
   /// removed.
-  Result<std::vector<NamedCase>> load() const;
+  Result<std::vector<NamedCase>> load();
 
   /// The file of a failure's entry.
   std::string path_of(const Failure& failure) const;
   /// As Store::open was given it, in its normal spelling.
-  const std::string& folder() const;
+  const std::string& folder() const { return folder_; }
 
   /// How often the folder has turned out to be another one than before, as where it was removed and
   /// made again. What was stored in the old one is not in it.
   std::uint64_t times_replaced() const;
 
  private:
-  struct State;
-  explicit Store(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  /// The smallest entry of a name of its own that shows a failure.
+  struct Named {
+    Rank rank;
+    std::string path;
+  };
+
+  Store() = default;
+  Result<FolderLock> enter();
+  template <class Work>
+  auto locked(const Work& work) -> decltype(work());
+  Result<void> read_named();
+  void note_named(const NamedCase& entry);
+  Result<std::optional<std::string>> move_aside(const NamedCase& entry) const;
+  Result<Put> put_locked(const Failure& failure, const Case& find, const std::string& trees,
+                         const AskAgain& again);
+
+  std::string folder_;
+  std::string home_;  ///< where entries are written; locked while that is done
+  std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< guards all below
+  OpenFolder home_folder_;
+  std::uint64_t times_replaced_ = 0;
+  std::map<Failure, Named> named_;
 };
 
 /// Whether an entry at this path is called by a failure that it shows; if so, by which.

@@ -282,15 +282,24 @@ class Hunt {
     show(options_.cases ? schedule_.share_done() : watch_.seconds() / options_.seconds, done.met);
   }
 
-  void show(double share, const std::vector<Failure>& met = {}) const {
-    HuntProgress now{std::min(share, 1.0), queries_, 0, intake_.count(), {},
-                     intake_.trouble(),    met};
+  void show(double share, const std::vector<Failure>& met = {}) {
+    HuntProgress now;
+    now.seconds = watch_.seconds();
+    now.queries = queries_;
+    now.finds = intake_.count();
+    now.share = std::min(share, 1.0);
+    now.trouble = intake_.trouble();
+    now.met = met;
     now.margins.resize(options_.methods.size());
     for (const auto& [method, contact, tally, cpu_seconds, bred] : report_.cells) {
       const auto m = std::ranges::find(options_.methods, method) - options_.methods.begin();
       std::optional<std::uint64_t>& least = now.margins[static_cast<size_t>(m)];
       now.mutants += bred.mutants;
       if (bred.margin && (!least || *bred.margin < *least)) least = bred.margin;
+    }
+    if (now.share >= next_sample_ || now.share >= 1) {
+      report_.course.push_back(now);
+      next_sample_ = now.share + 1.0 / 200;
     }
     on_progress_(now);
   }
@@ -335,6 +344,7 @@ class Hunt {
   std::map<std::uint64_t, std::pair<Turn, Done>> waiting_;  ///< by number, for those before them
   std::uint64_t recorded_ = 0;                              ///< turns before which none waits
   std::uint64_t queries_ = 0;
+  double next_sample_ = 0;  ///< the share at which HuntReport::course goes on
   std::exception_ptr failure_;
   std::atomic<bool> failed_ = false;
   std::atomic<bool> met_ = false;  ///< HuntOptions::until

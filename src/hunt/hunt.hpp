@@ -63,10 +63,23 @@ struct HuntCell {
 /// True iff it is a false negative of a method that claims to have none.
 bool breaks_claim(const Failure& failure);
 
+/// A moment of a hunt: what there was until then.
+struct HuntSample {
+  double seconds = 0;
+  std::uint64_t queries = 0;  ///< answered and judged
+  std::uint64_t mutants = 0;  ///< bred and traced
+  std::uint64_t finds = 0;
+  /// For each of HuntOptions::methods the least number of ulps by which a contact survived its
+  /// tests (BreedTally::margin); nothing while none was traced.
+  std::vector<std::optional<std::uint64_t>> margins;
+};
+
 struct HuntReport {
   std::vector<HuntCell> cells;  ///< class by class, within it method by method
   std::vector<Find> finds;      ///< one for every failure that was met, known ones among them
-  std::uint64_t cases = 0;      ///< draws of each class, of the method that had most
+  /// At every 1/200 of the hunt and at its end. By cases all but the seconds repeats exactly.
+  std::vector<HuntSample> course;
+  std::uint64_t cases = 0;  ///< draws of each class, of the method that had most
   double seconds = 0;
   double draw_cpu_seconds = 0;  ///< spent on making cases
   /// The store cannot be read or written at the end of the hunt. finds then holds all the same what
@@ -75,17 +88,12 @@ struct HuntReport {
 };
 
 /// The progress of a hunt.
-struct HuntProgress {
-  double share = 0;           ///< 1 at its end, with all that was found
-  std::uint64_t queries = 0;  ///< answered and judged
-  std::uint64_t mutants = 0;
-  std::uint64_t finds = 0;
-  /// For each of HuntOptions::methods: BreedTally::margin over all classes.
-  std::vector<std::optional<std::uint64_t>> margins;
+struct HuntProgress : HuntSample {
+  double share = 0;  ///< 1 at its end, with all that was found
   /// The first error of the store, if there was one. The hunt continues: it keeps its finds
   /// in memory and stores them as soon as it can.
-  std::optional<InputError> trouble = {};
-  std::vector<Failure> met = {};  ///< that this hunt meets first, since the last call
+  std::optional<InputError> trouble;
+  std::vector<Failure> met;  ///< that this hunt meets first, since the last call
 };
 
 /// Searches for failures of methods and stores the smallest find of each Failure. Draws cases of

@@ -133,8 +133,8 @@ void MadeChoices::read_into(InputRun& run) const {
   if (::pread(*file_, made.data(), made.size(), 0) == size) run.numbers = choices_of(made);
 }
 
-ServedClaim::ServedClaim(const Property& property, const std::atomic<bool>* interrupted)
-    : name_(property.name), child_(child_of(made_, interrupted)) {}
+ServedClaims::ServedClaims(const std::atomic<bool>* interrupted)
+    : child_(child_of(made_, interrupted)) {}
 
 void CheckTally::add(const CheckTally& next) {
   if (failed == 0 && next.failed > 0) {
@@ -148,27 +148,29 @@ void CheckTally::add(const CheckTally& next) {
   is_cut_short = is_cut_short || next.is_cut_short;
 }
 
-InputRun ServedClaim::on_draw(std::uint64_t seed, std::uint64_t index) {
-  return ask("draw", {seed, index});
+InputRun ServedClaims::on_draw(const Property& property, std::uint64_t seed, std::uint64_t index) {
+  return ask(property, "draw", {seed, index});
 }
 
-CheckTally ServedClaim::on_draws(std::uint64_t seed, std::uint64_t first, std::uint64_t count) {
-  const auto all =
-      ask_served<CheckTally>(child_, to_json(Question{name_, "draws", {seed, first, count}}));
+CheckTally ServedClaims::on_draws(const Property& property, std::uint64_t seed, std::uint64_t first,
+                                  std::uint64_t count) {
+  const auto all = ask_served<CheckTally>(
+      child_, to_json(Question{std::string(property.name), "draws", {seed, first, count}}));
   if (all) return *all;
   CheckTally tally;
   tally.is_cut_short = all.error().name == "interrupted";
   for (std::uint64_t i = first; i < first + count && !tally.is_cut_short; ++i) {
-    const InputRun run = on_draw(seed, i);
+    const InputRun run = on_draw(property, seed, i);
     tally.is_cut_short = run.error == "interrupted" || run.error == "hang";
     if (run.error != "interrupted") tally.add(tally_of(i, run.check, run.error));
   }
   return tally;
 }
 
-InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
+InputRun ServedClaims::ask(const Property& property, const char* of, const ChoiceNumbers& numbers) {
   made_.clear();  // what a child never reads has no choices
-  const auto said = ask_served<Said>(child_, to_json(Question{name_, of, numbers}));
+  const auto said =
+      ask_served<Said>(child_, to_json(Question{std::string(property.name), of, numbers}));
   InputRun run;
   made_.read_into(run);
   if (!said) {
@@ -182,15 +184,15 @@ InputRun ServedClaim::ask(const char* of, const ChoiceNumbers& numbers) {
   return run;
 }
 
-InputRun ServedClaim::on(const ChoiceNumbers& numbers) {
-  return ask("numbers", numbers);
+InputRun ServedClaims::on(const Property& property, const ChoiceNumbers& numbers) {
+  return ask(property, "numbers", numbers);
 }
 
-std::optional<Counterexample> ServedClaim::least(const InputRun& found,
-                                                 const ShrinkLimits& limits) {
-  const auto runner = [this](const ChoiceNumbers& numbers) { return on(numbers); };
+std::optional<Counterexample> ServedClaims::least(const Property& property, const InputRun& found,
+                                                  const ShrinkLimits& limits) {
+  const auto runner = [&](const ChoiceNumbers& numbers) { return on(property, numbers); };
   if (found.error != "hang") return shrunk_counterexample(runner, found.numbers, limits);
-  if (!on(found.numbers).fails_as(found)) return std::nullopt;
+  if (!on(property, found.numbers).fails_as(found)) return std::nullopt;
   return Counterexample{found.numbers, found.check, 0, true};
 }
 

@@ -48,34 +48,33 @@ struct CheckTally {
   }
 };
 
-/// Runs a property in `ccdfuzz serve --claims`, which its crash or hang ends in place of this
-/// process.
-class ServedClaim {
+/// Runs properties in `ccdfuzz serve --claims`, a child that starts with the first input. Its crash
+/// or hang ends it in place of this process, and the next input starts another.
+class ServedClaims {
  public:
-  /// Errors: throws InputError's text where the program is not there.
-  explicit ServedClaim(const Property& property, const std::atomic<bool>* interrupted = nullptr);
-
-  /// From now on runs another one, in the same child: to start one takes as long as many inputs.
-  void turn_to(const Property& property) { name_ = property.name; }
+  /// interrupted: true ends what has taken long by then. Errors: throws InputError's text where the
+  /// program is not there.
+  explicit ServedClaims(const std::atomic<bool>* interrupted = nullptr);
 
   /// What ends the child is an error, with what is known of it as the text.
-  InputRun on(const ChoiceNumbers& numbers);
+  InputRun on(const Property& property, const ChoiceNumbers& numbers);
 
   /// The draw of an index, as `ccdfuzz check` numbers them.
-  InputRun on_draw(std::uint64_t seed, std::uint64_t index);
+  InputRun on_draw(const Property& property, std::uint64_t seed, std::uint64_t index);
   /// `count` draws from the index on. Where one of them crashes, they are asked one by one, each
   /// that does as a failure; after one that hangs, no more.
-  CheckTally on_draws(std::uint64_t seed, std::uint64_t first, std::uint64_t count);
+  CheckTally on_draws(const Property& property, std::uint64_t seed, std::uint64_t first,
+                      std::uint64_t count);
 
   /// The simplest input that fails as this one does: shrunk_counterexample. A hang comes back as it
   /// is, since each try would cost all its time. None if it does not fail each time. found: what
   /// on() or on_draw() gave, and fails.
-  std::optional<Counterexample> least(const InputRun& found, const ShrinkLimits& limits);
+  std::optional<Counterexample> least(const Property& property, const InputRun& found,
+                                      const ShrinkLimits& limits);
 
  private:
-  InputRun ask(const char* of, const ChoiceNumbers& numbers);
+  InputRun ask(const Property& property, const char* of, const ChoiceNumbers& numbers);
 
-  std::string name_;
   MadeChoices made_;
   Child child_;
 };

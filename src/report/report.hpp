@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "eval/rows.hpp"
+#include "hunt/hunt.hpp"
 #include "io/table.hpp"
 #include "method/method.hpp"
 
@@ -37,17 +38,6 @@ struct ReportedCase {
   double precision = 1e-4;     ///< that it was asked at
   std::optional<bool> is_new;  ///< for a hunt: found now, or known before
   std::string reproduce;       ///< the command that shows it again; may be empty
-};
-
-/// A moment of a hunt: what there was until then.
-struct HuntSample {
-  double seconds = 0;
-  std::uint64_t queries = 0;  ///< answered and judged
-  std::uint64_t mutants = 0;  ///< bred and traced
-  std::uint64_t finds = 0;
-  /// For each method of the course the least number of ulps by which a contact survived its tests;
-  /// nothing while none was traced.
-  std::vector<std::optional<std::uint64_t>> margins;
 };
 
 /// How a hunt went.

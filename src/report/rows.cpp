@@ -8,7 +8,7 @@
 #include "case/horizons.hpp"
 #include "case/taxonomy.hpp"
 #include "eval/curvature.hpp"
-#include "eval/paper_tables.hpp"
+#include "eval/tables.hpp"
 
 namespace ccdfuzz {
 

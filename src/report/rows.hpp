@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "eval/evaluated_case.hpp"
 #include "eval/generation_cost.hpp"
 #include "files/case_files.hpp"
 #include "report/report.hpp"

@@ -1,4 +1,4 @@
-#include "eval/evaluated_case.hpp"
+#include "eval/rows.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "eval/paper_rates.hpp"
-#include "eval/paper_tables.hpp"
-#include "eval/rows.hpp"
+#include "eval/tables.hpp"
 #include "io/fields.hpp"
 
 namespace ccdfuzz {

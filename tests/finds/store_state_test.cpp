@@ -29,7 +29,7 @@ struct StoreUnderTest {
 using StoreCommand = rc::state::Command<StoreModel, StoreUnderTest>;
 
 /// The folder holds the finds of the model, each under the name of its failure, and nothing else.
-void check_folder(const StoreModel& model, const StoreUnderTest& sut) {
+void check_folder(const StoreModel& model, StoreUnderTest& sut) {
   const auto entries = sut.store->load();
   RC_ASSERT(entries.has_value());
   std::map<Failure, Case> held;

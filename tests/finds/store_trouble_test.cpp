@@ -127,7 +127,7 @@ TEST(StoreInTrouble, KilledAtAnyMomentLeavesWholeEntries) {
     const auto entries = load_corpus(folder.path());
     ASSERT_TRUE(entries) << entries.error().message();
   }
-  const Store store = open_store(folder.path());
+  Store store = open_store(folder.path());
   std::set<std::string> methods;
   for (const Case& entry : cases_in(folder.path())) {
     for (const auto& [method, expected] : entry.expect) {
@@ -150,7 +150,7 @@ TEST(StoreInTrouble, OpeningRemovesWhatAKilledWriterLeft) {
   const std::string of_living = folder / fmt::format(".ccdfuzz-tmp-{}-999", ::getpid());
   write_text(of_dead, "{\"format\": \"ccdf");
   write_text(of_living, "");
-  const Store store = open_store(folder.path());
+  Store store = open_store(folder.path());
   EXPECT_FALSE(fs::exists(of_dead));
   EXPECT_TRUE(fs::exists(of_living));
 }

@@ -77,6 +77,31 @@ TEST(Hunt, FindsTheSameInAnyFloatingPointEnvironment) {
   }
 }
 
+TEST(Hunt, HasACourseOfAFewHundredSamplesThatShowsBreedingAndItsEnd) {
+  const ScratchFolder folder;
+  Store store = Store::open(folder.path()).value();
+  HuntOptions options;
+  options.methods = {"tdibm", "tdibm-c"};
+  options.cases = 100;
+  options.ground.linear = true;
+  const HuntReport report = hunt_into(store, options);
+  std::uint64_t queries = 0, mutants = 0;
+  for (const HuntCell& cell : report.cells) {
+    queries += cell.tally.n;
+    mutants += cell.bred.mutants;
+  }
+  const std::vector<HuntSample>& course = report.course;
+  EXPECT_GE(course.size(), 100 + report.cells.size()) << "one for each population";
+  EXPECT_LE(course.size(), 400U);
+  EXPECT_EQ(course.back().queries, queries);
+  EXPECT_EQ(course.back().mutants, mutants);
+  EXPECT_EQ(course.back().finds, report.finds.size());
+  EXPECT_EQ(course.back().margins.size(), 2U);
+  EXPECT_LT(course[course.size() - report.cells.size() - 1].mutants, mutants);
+  const auto seconds = &HuntSample::seconds;
+  EXPECT_TRUE(std::ranges::is_sorted(course, {}, seconds));
+}
+
 TEST(Hunt, EndsWithTheFirstCounterexampleOfAnOutcome) {
   const ScratchFolder folder;
   Store store = Store::open(folder.path()).value();

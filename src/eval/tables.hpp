@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "eval/tally.hpp"
+#include "eval/generation_cost.hpp"
+#include "eval/rows.hpp"
 #include "io/table.hpp"
 
 namespace ccdfuzz {
@@ -117,5 +118,42 @@ void add_refused_column(std::vector<Column<Row>>& columns, const std::vector<Row
                        return TableCell{fmt::format("{}", row.tally.not_asked())};
                      }});
 }
+
+/// Everything that is known of each row of by_kinds.
+Table performance_table(const std::vector<Row>& rows);
+
+/// The same of each row of by_methods; what no method has is left out.
+Table methods_table(const std::vector<Row>& rows);
+
+/// Mean times, false positives and false negatives (missed: the paper's only sort) beside the
+/// paper's. Positives asked beyond the contact do not count. Table 1: regular and grazing cases
+/// as one, where the answers are to both; empty otherwise. Table 2: regular, then grazing cases.
+/// Table 3: linear queries.
+Table paper_table_1(const Rows& rows);
+Table paper_table_2(const Rows& rows);
+Table paper_table_3(const Rows& rows);
+
+// An evaluation leaves three files in its folder. answers.jsonl is its run file: what was asked,
+// and a line for each case with all answers to it. rows.jsonl has what the cases cost to make, and
+// a line for each row of the table of performance. tables.md has the tables as they are printed.
+// answers.jsonl appears last: once it is there the others are, too.
+
+/// The run file's --precision where none was given.
+inline constexpr std::string_view kOwnPrecision = "the case's own";
+
+std::string answers_path(const std::string& folder);
+
+/// The tables as they are printed: performance, Tables 1 to 3 beside the paper's, Table 4; those of
+/// which there is nothing to say are left out.
+struct NamedTable {
+  std::string title;
+  Table table;
+};
+std::vector<NamedTable> evaluation_tables(const Rows& rows,
+                                          const std::vector<GenerationCost>& costs);
+
+/// Writes rows.jsonl and tables.md. Errors: what the system says, naming the path.
+Result<void> write_tables(const std::string& folder, const Rows& rows,
+                          const std::vector<GenerationCost>& costs);
 
 }  // namespace ccdfuzz
