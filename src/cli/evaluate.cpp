@@ -53,7 +53,6 @@ EvaluateOptions options_of(const EvaluateArguments& arguments, int threads) {
   options.threads = threads;
   options.methods = arguments.methods;
   options.horizon_factors = arguments.horizons;
-  options.search = arguments.search.options();
   options.search_for = [flags = arguments.search](const Case& value) {
     return flags.options_for(value);
   };
@@ -79,7 +78,7 @@ Result<RunHeader> header_of(const EvaluateArguments& arguments, const EvaluateOp
     ++header.items;
     address = hash_name(address + to_json(next->value));
   }
-  const SearchOptions& search = options.search;
+  const SearchOptions search = arguments.search.options();
   header.asked = {{"cases", address},
                   {"--methods", fmt::format("{}", fmt::join(options.methods, ","))},
                   {"--t-max-factors", fmt::format("{}", fmt::join(options.horizon_factors, ","))},

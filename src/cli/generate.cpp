@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "base/hex_bytes.hpp"
 #include "base/number_text.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
@@ -68,7 +69,7 @@ Plan paper_plan(const GenerateOptions& options) {
             const std::string_view kind = item.kind == CaseKind::kRP ? "RP+RN" : name_of(item.kind);
             GenerationCost cost = cost_of(item.contact, kind, paper.cases.size(), paper.discards,
                                           thread_cpu_seconds() - begin);
-            return MadeCases{i, std::move(paper.cases), {std::move(paper.tree)}, std::move(cost)};
+            return MadeCases{i, std::move(paper.cases), to_hex_bytes(paper.tree), std::move(cost)};
           },
           "constructions"};
 }

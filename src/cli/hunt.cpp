@@ -17,7 +17,6 @@
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/hunt_page.hpp"
-#include "cli/reproduction.hpp"
 #include "cli/session.hpp"
 #include "eval/tables.hpp"
 #include "files/case_json.hpp"

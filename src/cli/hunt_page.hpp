@@ -9,6 +9,13 @@
 
 namespace ccdfuzz {
 
+/// The command that asks the methods that are expected to fail on the case of a file; or all,
+/// if none is.
+std::string reproduction(const std::string& path, const std::map<std::string, Expected>& expect);
+
+/// The command that replays a folder of finds of these methods, their plug-ins allowed.
+std::string replay_command(const std::string& folder, std::vector<std::string> methods);
+
 /// False for plug-ins and bodies, which are not traced: none of their mutants is known to be lost.
 bool any_is_traced(const std::vector<HuntCell>& cells);
 

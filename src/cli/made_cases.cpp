@@ -7,16 +7,6 @@
 
 namespace ccdfuzz {
 
-void JsonForm<HexBytes>::write(std::string& json, const HexBytes& hex) {
-  json += json_string(to_hex_bytes(hex.bytes));
-}
-
-void JsonForm<HexBytes>::read(const JsonCursor& from, HexBytes& hex) {
-  const Result<std::string> bytes = parse_hex_bytes(from.string());
-  if (!bytes) from.refuse("is not bytes in hexadecimal digits");
-  hex.bytes = *bytes;
-}
-
 Result<MadeSet> MadeSet::open(const std::string& path) {
   MadeSet set;
   if (path.empty() || path == "-") return set;
@@ -28,16 +18,19 @@ Result<MadeSet> MadeSet::open(const std::string& path) {
 
 Result<void> MadeSet::add(MadeCases made) {
   add_cost(costs_, made.cost);
+  const Result<std::string> tree = parse_hex_bytes(made.tree);
+  if (!tree)
+    return input_error(fmt::format("construction {}: tree", made.index), tree.error().what);
   for (Case& value : made.cases) {
     ++cases_;
     Result<void> written;
-    if (!made.tree.bytes.empty()) {
+    if (!tree->empty()) {
       value.truth.clearance = MissTree{exact(value.query.t_max), {}};
       value.truth.proof = proof_word(*value.truth.clearance);
       ++trees_;
     }
     if (writer_) {
-      written = writer_->write(std::move(value), made.tree.bytes);
+      written = writer_->write(std::move(value), *tree);
     } else {
       print_out(to_json(value) + "\n");
       written = check_stdout();

@@ -11,21 +11,11 @@
 
 namespace ccdfuzz {
 
-/// Bytes as hexadecimal digits.
-struct HexBytes {
-  std::string bytes;
-};
-template <>
-struct JsonForm<HexBytes> {
-  static void write(std::string& json, const HexBytes& hex);
-  static void read(const JsonCursor& from, HexBytes& hex);
-};
-
 /// The cases of one construction and what they cost: a line of the run file of `generate`.
 struct MadeCases {
   std::uint64_t index = 0;  ///< which construction of the run
   std::vector<Case> cases;
-  HexBytes tree;  ///< the miss tree of them all; empty: they have none
+  std::string tree;  ///< bytes of the miss tree of them all, as hex digits; empty: they have none
   GenerationCost cost;
 
   static void fields(auto& archive, auto& made) {

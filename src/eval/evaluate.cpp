@@ -42,7 +42,7 @@ GivenAnswer answer_of(const CheckedCase& asked, std::optional<double> factor,
 
 EvaluatedCase ask_all(const ToEvaluate& item, const CheckedCase& known,
                       const EvaluateOptions& options, MethodSet& methods) {
-  const SearchOptions search = options.search_for ? options.search_for(item.value) : options.search;
+  const SearchOptions search = options.search_for(item.value);
   const Origin& origin = item.value.origin;
   EvaluatedCase evaluated{
       item.index,  item.id,          origin.contact.empty() ? "-" : origin.contact,

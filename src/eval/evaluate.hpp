@@ -25,9 +25,8 @@ struct EvaluateOptions {
   /// Multiples ≥ 1 of the contact's time to ask positive cases up to; negative cases are asked
   /// once, unchanged. Empty: every case is asked once, unchanged.
   std::vector<double> horizon_factors;
-  SearchOptions search;
-  /// Limits of one case; empty: `search` for all.
-  std::function<SearchOptions(const Case&)> search_for = {};
+  /// Limits of one case.
+  std::function<SearchOptions(const Case&)> search_for;
   Shard shard;  ///< the part of the cases
   int threads = 1;
 };

@@ -36,26 +36,20 @@ std::string costs_path(const std::string& case_path) {
   return path_beside(case_path, ".generation.jsonl");
 }
 
-Result<std::vector<GenerationCost>> read_costs(const std::string& case_path) {
-  constexpr size_t kLongestCost = 1 << 16;
-  const std::string path = costs_path(case_path);
-  std::vector<GenerationCost> costs;
-  if (!std::filesystem::is_regular_file(path)) return costs;
-  CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestCost));
-  for (;;) {
-    CCDFUZZ_TRY(const auto line, lines.next());
-    if (!line) return costs;
-    CCDFUZZ_TRY(const auto cost,
-                from_json<GenerationCost>(*line, fmt::format("{}:{}", path, lines.line())));
-    add_cost(costs, cost);
-  }
-}
-
 Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths) {
+  constexpr size_t kLongestCost = 1 << 16;
   std::vector<GenerationCost> costs;
-  for (const std::string& path : case_paths) {
-    CCDFUZZ_TRY(const auto of_file, read_costs(path));
-    for (const GenerationCost& cost : of_file) add_cost(costs, cost);
+  for (const std::string& case_path : case_paths) {
+    const std::string path = costs_path(case_path);
+    if (!std::filesystem::is_regular_file(path)) continue;
+    CCDFUZZ_TRY(auto lines, LineReader::open(path, false, kLongestCost));
+    for (;;) {
+      CCDFUZZ_TRY(const auto line, lines.next());
+      if (!line) break;
+      CCDFUZZ_TRY(const auto cost,
+                  from_json<GenerationCost>(*line, fmt::format("{}:{}", path, lines.line())));
+      add_cost(costs, cost);
+    }
   }
   return costs;
 }

@@ -39,10 +39,8 @@ struct GenerationCost {
 /// `evaluate` makes Table 4 of it.
 std::string costs_path(const std::string& case_path);
 
-/// The costs of a case file, a line each; empty if there is no such file. Errors: it
-/// holds something else, naming file and line.
-Result<std::vector<GenerationCost>> read_costs(const std::string& case_path);
-/// The same of several, together (add_cost).
+/// The costs of case files, a line each, together (add_cost); none of one that has no such file.
+/// Errors: it holds something else, naming file and line.
 Result<std::vector<GenerationCost>> read_costs(const std::vector<std::string>& case_paths);
 Result<void> write_costs(const std::string& case_path, const std::vector<GenerationCost>& costs);
 

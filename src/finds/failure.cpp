@@ -46,6 +46,14 @@ int badness(Outcome outcome) {
   return outcome == Outcome::kCorrect ? 0 : 1;
 }
 
+/// "mesh", "one-sided mesh", "spin" or "turn"; empty for other bodies.
+std::string kind_of_bodies(const Query& query) {
+  for (const MovingPatch<double>& body : query.patches) {
+    if (!body.faces.empty()) return body.one_sided ? "one-sided mesh" : "mesh";
+  }
+  return has_spins(query) ? "spin" : has_turns(query) ? "turn" : "";
+}
+
 }  // namespace
 
 bool is_failure(Outcome outcome) {
@@ -116,13 +124,6 @@ std::string cause_of_loss(const std::string& method, const Case& value, TracerSe
   if (!witness || witness->t > exact(value.query.t_max) || is_of_bodies(value.query)) return "";
   Tracer* const tracer = tracers.find(method);
   return tracer == nullptr ? "" : loss_cause(tracer->trace(value.query, *witness, {}));
-}
-
-std::string kind_of_bodies(const Query& query) {
-  for (const MovingPatch<double>& body : query.patches) {
-    if (!body.faces.empty()) return body.one_sided ? "one-sided mesh" : "mesh";
-  }
-  return has_spins(query) ? "spin" : has_turns(query) ? "turn" : "";
 }
 
 Expected Asker::expected(const std::string& method, const Case& value, const Judged& judged) {

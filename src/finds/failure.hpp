@@ -84,9 +84,6 @@ Asked asked_with(const SearchOptions& search);
 /// Empty where no contact by t_max is known, or the method cannot be traced.
 std::string cause_of_loss(const std::string& method, const Case& value, TracerSet& tracers);
 
-/// "mesh", "one-sided mesh", "spin" or "turn"; empty for other bodies.
-std::string kind_of_bodies(const Query& query);
-
 /// Asks methods about cases and says how they fail. For one thread.
 class Asker {
  public:
@@ -122,6 +119,8 @@ class Asker {
   void ask_others(Case& find, const std::vector<std::string>& methods);
 
   const SearchOptions& search() const { return search_; }
+  MethodSet& methods() { return methods_; }
+  TracerSet& tracers() { return tracers_; }
 
  private:
   SearchOptions search_;

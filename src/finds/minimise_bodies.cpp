@@ -5,7 +5,7 @@
 #include "case/mesh.hpp"
 #include "case/scale.hpp"
 #include "finds/content_address.hpp"
-#include "finds/significant_bits.hpp"
+#include "finds/simplify.hpp"
 #include "generators/bodies.hpp"
 
 namespace ccdfuzz {

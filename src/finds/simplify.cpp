@@ -7,7 +7,6 @@
 #include <set>
 
 #include "bezier/bernstein.hpp"
-#include "finds/significant_bits.hpp"
 #include "fuzz/mutator/repair.hpp"
 
 namespace ccdfuzz {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <compare>
 #include <functional>
 
@@ -24,5 +25,14 @@ Simplicity simplicity_of(const Contact& q);
 /// returns whether the form was taken: then the next ones start from what the reference holds.
 /// One round through all kinds of simplification; a second one may do more.
 void offer_simpler(const Contact& current, const std::function<bool(const Contact&)>& offer);
+
+/// x with at most `bits` significant bits; 0 with none. to_whole rounds to a whole number:
+/// std::trunc towards 0, std::round to the nearest.
+inline double with_bits(double x, int bits, double (*to_whole)(double)) {
+  if (bits == 0 || x == 0) return 0;
+  int exponent = 0;
+  const double fraction = std::frexp(x, &exponent);
+  return std::ldexp(to_whole(std::ldexp(fraction, bits)), exponent - bits);
+}
 
 }  // namespace ccdfuzz

@@ -31,15 +31,6 @@ constexpr double kSlice = 0.02;
 /// Trials of one find that is shrunk; most need fewer to come to an end.
 constexpr std::uint64_t kShrinkTrials = 1000;
 
-/// The methods and tracers of one thread.
-struct Tools {
-  explicit Tools(const SearchOptions& search) : asker(search) {}
-
-  Asker asker;
-  MethodSet methods;
-  TracerSet tracers;
-};
-
 /// The result of a turn.
 struct Done {
   Tally tally;                ///< for a draw
@@ -142,13 +133,13 @@ class Hunt {
   void work() {
     const FpGuard guard;
     try {
-      Tools tools(options_.search);
+      Asker asker(options_.search);  // of this thread
       std::unique_lock lock(mutex_);
       while (!is_over()) {
         const std::optional<Turn> turn = schedule_.next();
         if (!turn) return;
         lock.unlock();
-        Done done = turn->what == Turn::What::kDraw ? draw(*turn, tools) : breed(*turn, tools);
+        Done done = turn->what == Turn::What::kDraw ? draw(*turn, asker) : breed(*turn, asker);
         if (!options_.cases) offer(done);
         lock.lock();
         if (options_.cases) {
@@ -186,14 +177,14 @@ class Hunt {
   }
 
   /// Asks the method of the cell about one draw.
-  Done draw(const Turn& turn, Tools& tools) {
+  Done draw(const Turn& turn, Asker& asker) {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
     const double start = thread_cpu_seconds();
     Nursery& nursery = nurseries_[turn.cell];
     std::vector<CheckedCase> drawn = nursery.draws.at(cell.contact, turn.draw);
     done.draw_seconds = done.cpu_seconds = thread_cpu_seconds() - start;
-    Method& method = tools.methods[cell.method];
+    Method& method = asker.methods()[cell.method];
     for (const CheckedCase& asked : drawn) {
       if (stop_) break;
       const double begin = clock_of(method);
@@ -202,7 +193,7 @@ class Hunt {
       done.cpu_seconds += used;
       if (judged.outcome != Outcome::kNotAsked) done.answer_seconds += used;
       done.tally.add(judged.answer, judged.outcome, asked.collides());
-      note_failure(cell.method, asked.value(), judged, tools, done);
+      note_failure(cell.method, asked.value(), judged, asker, done);
     }
     if (turn.draw < founders_of(turn.draw + 1)) {
       const std::lock_guard lock(mutex_);
@@ -212,27 +203,27 @@ class Hunt {
   }
 
   void note_failure(const std::string& method, const Case& asked, const Judged& judged,
-                    Tools& tools, Done& done) const {
+                    Asker& asker, Done& done) const {
     if (!is_failure(judged.outcome)) return;
     const double begin = thread_cpu_seconds();
     Case find = asked;
     find.asked = asked_with(options_.search);
-    find.expect = {{method, tools.asker.expected(method, asked, judged)}};
+    find.expect = {{method, asker.expected(method, asked, judged)}};
     done.failures.emplace_back(failures_of(find).front(), std::move(find));
     done.cpu_seconds += thread_cpu_seconds() - begin;
   }
 
   /// Lets the draws that the cell has begun join its population, and makes mutants: by time for a
   /// slice of it.
-  Done breed(const Turn& turn, Tools& tools) {
+  Done breed(const Turn& turn, Asker& asker) {
     Done done;
     const HuntCell& cell = report_.cells[turn.cell];
     auto& [breeder, draws, founded, waiting] = nurseries_[turn.cell];
-    const Method& method = tools.methods[cell.method];
+    const Method& method = asker.methods()[cell.method];
     const double start = clock_of(method);
     for (const std::uint64_t all = founders_of(turn.draw); founded < all && !stop_; ++founded) {
       for (const CheckedCase& asked : founder(turn.cell, founded)) {
-        breeder.add(asked.value(), tools.tracers);
+        breeder.add(asked.value(), asker.tracers());
       }
     }
     std::uint64_t left = options_.cases ? turn.draw * kMutantsPerDraw : ~std::uint64_t{0};
@@ -242,9 +233,9 @@ class Hunt {
     };
     done.bred = !breeder.empty();
     while (done.bred && goes_on()) {
-      breeder.step(tools.methods, tools.tracers, options_.search,
+      breeder.step(asker.methods(), asker.tracers(), options_.search,
                    [&](const Case& asked, const Judged& judged) {
-                     note_failure(cell.method, asked, judged, tools, done);
+                     note_failure(cell.method, asked, judged, asker, done);
                    });
     }
     done.cpu_seconds = clock_of(method) - start;

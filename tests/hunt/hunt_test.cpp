@@ -91,7 +91,7 @@ TEST(Hunt, HasACourseOfAFewHundredSamplesThatShowsBreedingAndItsEnd) {
     mutants += cell.bred.mutants;
   }
   const std::vector<HuntSample>& course = report.course;
-  EXPECT_GE(course.size(), 100 + report.cells.size()) << "one for each population";
+  EXPECT_GE(course.size(), 100U);
   EXPECT_LE(course.size(), 400U);
   EXPECT_EQ(course.back().queries, queries);
   EXPECT_EQ(course.back().mutants, mutants);

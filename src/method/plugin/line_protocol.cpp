@@ -4,10 +4,11 @@
 
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "io/fields.hpp"
+#include "io/json_real.hpp"
 #include "method/plugin/feature_claims.hpp"
-#include "method/plugin/line_values.hpp"
 
 namespace ccdfuzz {
 
@@ -21,49 +22,6 @@ struct JsonForm<BodyKind> {
 };
 
 namespace {
-
-std::string any_numbers(const auto& numbers) {
-  std::string out = "[";
-  for (const double x : numbers) out += (out.size() == 1 ? "" : ",") + any_number(x);
-  return out + ']';
-}
-
-void append_points(std::string& out, const char* name, const Points<double>& points) {
-  out += fmt::format(",\"{}\":[", name);
-  for (size_t i = 0; i < points.size(); ++i) {
-    out += (i == 0 ? "" : ",") + any_numbers(points[i]);
-  }
-  out += ']';
-}
-
-void append_patch(std::string& out, const MovingPatch<double>& patch) {
-  const Shape& shape = patch.shape;
-  out += fmt::format("{{\"shape\":\"{}\"", name_of(shape.kind));
-  if (shape.kind == ShapeKind::kTensor) {
-    out += fmt::format(",\"degree\":[{},{}]", shape.n, shape.m);
-  } else if (shape.parameter_count() > 0) {
-    out += fmt::format(",\"degree\":{}", shape.n);
-  }
-  append_points(out, "positions", patch.positions);
-  patch.has_ends() ? append_points(out, "ends", patch.ends)
-                   : append_points(out, "velocities", patch.velocities);
-  if (!patch.weights.empty()) out += ",\"weights\":" + to_json(patch.weights);
-  if (!patch.trim.empty()) out += ",\"trim\":" + to_json(patch.trim);
-  if (shape.kind == ShapeKind::kHull) {
-    out += fmt::format(",\"radius\":{}", any_number(patch.radius));
-  }
-  if (!patch.faces.empty()) {
-    out += fmt::format(",\"faces\":{},\"sides\":{}", to_json(patch.faces), patch.one_sided ? 1 : 2);
-  }
-  if (patch.turn) {
-    out += patch.turn->is_spin()
-               ? fmt::format(",\"spin\":{{\"velocity\":{}", any_numbers(patch.turn->spin))
-               : fmt::format(",\"turn\":{{\"from\":{},\"to\":{}", any_numbers(patch.turn->from),
-                             any_numbers(patch.turn->to));
-    out += ",\"centre\":" + any_numbers(patch.turn->centre) + '}';
-  }
-  out += '}';
-}
 
 /// A side of a pair in `accepts`.
 struct AcceptedShape {
@@ -103,6 +61,116 @@ std::optional<PluginRefusal> too_loose(const PluginDescription& d) {
     return refusal("minimum_separation", d.minimum_separation, kMostTolerance);
   }
   return std::nullopt;
+}
+
+// The values of a line that a plug-in answers with, which may hold anything.
+
+constexpr const char* kFrom = "its answer";
+
+/// Python and others write these where JSON has no word for them.
+std::string with_quoted_non_finite(const std::string& line) {
+  std::string out;
+  bool in_string = false;
+  for (size_t i = 0; i < line.size();) {
+    if (line[i] == '"' && (i == 0 || line[i - 1] != '\\')) in_string = !in_string;
+    size_t length = 0;
+    for (const char* word : {"NaN", "-Infinity", "Infinity"}) {
+      if (!in_string && length == 0 && line.compare(i, std::strlen(word), word) == 0) {
+        length = std::strlen(word);
+      }
+    }
+    if (length > 0) {
+      out += fmt::format("\"{}\"", line.substr(i, length));
+      i += length;
+    } else {
+      out += line[i++];
+    }
+  }
+  return out;
+}
+
+tl::unexpected<Fault> answer_fault(const std::string& name, const std::string& note) {
+  return tl::unexpected(Fault{name, note});
+}
+
+/// It is no answer.
+tl::unexpected<Fault> garbage_answer(const std::string& note) {
+  return answer_fault("garbage", note);
+}
+
+/// The object that the line is; NaN and infinities may stand there bare. Errors: garbage.
+tl::expected<JsonValue, Fault> parse_object(const std::string& line) {
+  Result<JsonValue> parsed = parse_json(line, kFrom);
+  if (!parsed) parsed = parse_json(with_quoted_non_finite(line), kFrom);
+  if (!parsed) {
+    return garbage_answer(fmt::format("{}: {}", parsed.error().message(), line.substr(0, 80)));
+  }
+  if (parsed->kind != JsonKind::kObject)
+    return garbage_answer("is no object: " + line.substr(0, 80));
+  return *std::move(parsed);
+}
+
+/// The text at the key; "" for none.
+std::string text_of(const JsonValue& object, std::string_view key) {
+  const JsonValue* found = object.find(key);
+  return found != nullptr && found->kind == JsonKind::kString ? found->text : "";
+}
+
+/// A number that need not be finite; absent for null, for nothing and for what is none.
+std::optional<double> number_of(const JsonValue* value) {
+  if (value == nullptr) return std::nullopt;
+  if (value->kind == JsonKind::kString) {
+    std::string word = value->text;
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (word == "nan") return std::numeric_limits<double>::quiet_NaN();
+    if (word == "inf" || word == "infinity") return std::numeric_limits<double>::infinity();
+    if (word == "-inf" || word == "-infinity") return -std::numeric_limits<double>::infinity();
+  }
+  const Result<double> real = parse_real(*value);
+  return real ? std::optional(*real) : std::nullopt;
+}
+
+/// A whole number in [0, 2^63).
+std::optional<std::uint64_t> whole_of(const JsonValue* value) {
+  const std::optional<double> number = number_of(value);
+  if (!number || !(*number >= 0 && *number < 0x1p63)) return std::nullopt;
+  const auto whole = static_cast<std::uint64_t>(*number);
+  return static_cast<double>(whole) == *number ? std::optional(whole) : std::nullopt;
+}
+
+/// False for null and for what is left out.
+bool is_given(const JsonValue* value) {
+  return value != nullptr && value->kind != JsonKind::kNull;
+}
+
+/// Reads a count that may be left out or null. Errors: garbage, for what is none.
+tl::expected<void, Fault> read_count(const JsonValue& object, std::string_view key,
+                                     std::uint64_t& out) {
+  const JsonValue* value = object.find(key);
+  if (!is_given(value)) return {};
+  const std::optional<std::uint64_t> count = whole_of(value);
+  if (!count) {
+    return garbage_answer(
+        fmt::format("says {} {}, which is no whole number in [0, 2^63)", key, shown(*value)));
+  }
+  out = *count;
+  return {};
+}
+
+/// Reads what it may have measured: left out or null, NaN, or a number in [0, most]. Returns
+/// whether there is one. Errors: garbage, for anything else.
+tl::expected<bool, Fault> read_measure(const JsonValue& object, std::string_view key, double most,
+                                       double& out) {
+  const JsonValue* value = object.find(key);
+  if (!is_given(value)) return false;
+  const std::optional<double> number = number_of(value);
+  if (!number || *number < 0 || *number > most) {
+    return garbage_answer(
+        fmt::format("says {} {}, which is no number in [0, {}]", key, shown(*value), most));
+  }
+  if (std::isnan(*number)) return false;
+  out = *number;
+  return true;
 }
 
 /// [lower, upper], or one number.
@@ -220,26 +288,6 @@ bool PluginAnswer::agrees_with(const PluginAnswer& other) const {
   if (answer.verdict != other.answer.verdict) return false;
   if (answer.verdict != Verdict::kHit) return true;
   return same_bits(*answer.toi, *other.answer.toi) && answer.uv == other.answer.uv;
-}
-
-std::string describe_request(const std::string& options) {
-  return fmt::format("{{\"ask\":\"describe\",\"protocol\":1,\"options\":{}}}",
-                     json_string(options));
-}
-
-std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
-                          std::uint64_t id) {
-  std::string out = fmt::format("{{\"ask\":\"query\",\"id\":{},\"patches\":[", id);
-  append_patch(out, query.patches[0]);
-  out += ',';
-  append_patch(out, query.patches[1]);
-  const std::string separation =
-      query.separation > 0 ? ",\"separation\":" + json_number(query.separation) : "";
-  return out + fmt::format(
-                   "],\"t_max\":{}{},\"precision\":{},\"max_iterations\":{},"
-                   "\"max_seconds\":{},\"max_bytes\":{}}}",
-                   json_number(query.t_max), separation, json_number(options.precision),
-                   options.max_pops, json_number(max_seconds), options.max_bytes);
 }
 
 Described read_description(const std::string& line) {
