@@ -15,11 +15,9 @@ namespace {
 using testing::HasSubstr;
 
 /// A corpus of one VV contact with these expectations.
-std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, Expected>& expect,
-                      double precision = Asked().precision) {
+std::string corpus_of(const ScratchFolder& folder, const std::map<std::string, Expected>& expect) {
   Case value = read_cases(generated(folder, "VV", "RP", 1))->at(0).value;
   value.expect = expect;
-  value.asked.precision = precision;
   const std::string corpus = folder / "corpus";
   std::filesystem::create_directories(corpus);
   write_text(corpus + "/entry.json", to_json(value));
@@ -120,17 +118,6 @@ TEST(Replay, AnExpectationOfAMethodThatThereIsNotIsAnErrorThatNamesTheEntry) {
   const std::string corpus = corpus_of(folder, {{"tdibm-x", Outcome::kMissed}});
   const Finished finished = refused(ccdfuzz({"replay", corpus}), "entry.json");
   EXPECT_THAT(finished.err, HasSubstr("\"tdibm-x\""));
-}
-
-TEST(Replay, AnEntrysOwnPrecisionCounts) {
-  const ScratchFolder folder;
-  const std::string corpus = corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, 1e-2);
-  const auto coarse = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
-  corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}});
-  const auto fine = json_lines(ccdfuzz({"replay", corpus, "--json"}).out);
-  EXPECT_LT(coarse.at(0).at("pops").get<int>(), fine.at(0).at("pops").get<int>());
-  corpus_of(folder, {{"tdibm-e", Outcome::kCorrect}}, 2);
-  refused(ccdfuzz({"replay", corpus}), "entry.json: asked.precision");
 }
 
 TEST(Replay, EveryClaimThatIsKnownToBeFalseHasItsCounterexample) {

@@ -5,10 +5,6 @@
 namespace ccdfuzz {
 namespace {
 
-std::string regression(const std::string& name) {
-  return CCDFUZZ_SOURCE_DIR "/corpus/cases/" + name + ".json";
-}
-
 /// Two points that meet at t = 1/2; `truth` is what the case says of that.
 std::string head_on(const std::string& t_max, const std::string& truth) {
   return R"({"format":"ccdfuzz-case","version":1,"patches":[)"
@@ -18,22 +14,6 @@ std::string head_on(const std::string& t_max, const std::string& truth) {
 }
 
 const std::string kWitness = R"("witness":{"t":"1/2","uv":[["0","0"],["0","0"]]})";
-
-// The named entry was found at precision 1e-2, where origin.precision says so.
-TEST(Trace, ACaseIsTracedAtThePrecisionItWasFoundAt) {
-  const std::string entry = regression("tdibm-e-literal-twin-shield");
-  const auto levels = [&](const std::vector<std::string>& more) {
-    const Finished finished = succeeded(
-        ccdfuzz(with({"trace", entry, "--methods", "tdibm-e-literal,tdibm-c", "--json"}, more)));
-    auto rows = json_lines(finished.out);
-    EXPECT_EQ(rows.size(), 2U);
-    EXPECT_EQ(rows.at(0).at("lost"), true);
-    EXPECT_TRUE(rows.at(0).at("loss").at("axis").is_number());
-    return rows.at(1).at("levels").get<int>();
-  };
-  EXPECT_EQ(levels({}), 7);
-  EXPECT_EQ(levels({"--precision", "1e-3"}), 10);
-}
 
 TEST(Trace, ACaseWithoutAWitnessInItsStepIsAnErrorThatNamesIt) {
   const ScratchFolder folder;
@@ -47,7 +27,7 @@ TEST(Trace, ACaseWithoutAWitnessInItsStepIsAnErrorThatNamesIt) {
 
 TEST(Trace, AMethodThatCannotBeTracedIsBadInput) {
   const std::string naive = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
-  const std::string entry = regression("tdibm-e-underflow");
+  const std::string entry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
   const Finished done =
       refused(ccdfuzz({"trace", "--methods", "tdibm," + naive, entry}), "cannot be traced");
   EXPECT_EQ(done.out, "");
