@@ -48,8 +48,8 @@ int eps_t_exponent(const GeneratorOptions& options) {
 
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
   if (family == Family::kRegular) return true;
-  if (is_grazing(family)) return kind == CaseKind::kRP;
-  if (family == Family::kBodies || is_of_a_mesh(family)) return is_made_of_bodies(kind);
+  const bool is_of_any_kind = family == Family::kBodies || is_of_a_mesh(family);
+  if (is_of_any_kind && !is_grazing(family)) return is_made_of_bodies(kind);
   if (family == Family::kTurning) return kind == CaseKind::kRP || kind == CaseKind::kRN;
   if (family == Family::kTwins) return kind == CaseKind::kRP;
   return is_made_of_shapes(family, contact, kind);
@@ -188,6 +188,7 @@ auto attempt_of(const GeneratorOptions& options) {
     case Family::kMesh:
     case Family::kMeshOneSided:
     case Family::kMeshGrazing:
+    case Family::kMeshGrazingOneSided:
       return mesh_case;
     case Family::kBodiesGrazing:
       return grazing_bodies_case;

@@ -68,14 +68,19 @@ enum class Family : std::uint8_t {
   kMeshOneSided,
   kBodiesGrazing,
   kMeshGrazing,
+  kMeshGrazingOneSided,
 };
+/// Those of a mesh that has fronts alone.
+constexpr bool is_one_sided(Family family) {
+  return family == Family::kMeshOneSided || family == Family::kMeshGrazingOneSided;
+}
 constexpr bool is_of_a_mesh(Family family) {
-  return family == Family::kMesh || family == Family::kMeshOneSided ||
-         family == Family::kMeshGrazing;
+  return family == Family::kMesh || family == Family::kMeshGrazing || is_one_sided(family);
 }
 /// Those of bodies whose first contact has no depth.
 constexpr bool is_grazing(Family family) {
-  return family == Family::kBodiesGrazing || family == Family::kMeshGrazing;
+  return family == Family::kBodiesGrazing || family == Family::kMeshGrazing ||
+         family == Family::kMeshGrazingOneSided;
 }
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
@@ -89,7 +94,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kMeshGrazing) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kMeshGrazingOneSided) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();

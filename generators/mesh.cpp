@@ -189,13 +189,13 @@ class MeshMaker {
   Draw& draw_;
 };
 
-/// Turns faces so that they are there, or not: the touched ones are if wanted, the others mostly.
-void turn_faces(Query& query, size_t side, size_t touched, bool wanted, Draw& draw) {
+/// Turns faces so that they are there, or not: the first ones are if wanted, the others mostly.
+void turn_faces(Query& query, size_t side, size_t first, bool wanted, Draw& draw) {
   MovingPatch<double>& mesh = query.patches[side];
   const std::vector<size_t> there = faces_there(query);
   for (size_t f = 0; f < mesh.faces.size(); ++f) {
     const bool is_there = std::ranges::find(there, f) != there.end();
-    const bool is_wanted = f < touched || draw.below(4) > 0 ? wanted : !wanted;
+    const bool is_wanted = f < first || draw.below(4) > 0 ? wanted : !wanted;
     if (is_there != is_wanted) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
   }
 }
@@ -214,15 +214,15 @@ bool is_hidden_by_a_graze(const Query& query, const Witness& first, size_t side,
   }
   const Vec3<double> way = query.patches[0].velocities[0] - query.patches[1].velocities[0];
   return first.t > 0 && sum == 1 && depth_until(grazed, query.t_max) == 0.0 &&
-         depth_until(query, query.t_max) >= 0x1p-10 * query.t_max * way.norm();
+         depth_until(of_face(query, touched), query.t_max) >= 0x1p-10 * query.t_max * way.norm();
 }
 
 }  // namespace
 
 tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                       Draw& draw) {
-  const bool is_one_sided = options.family == Family::kMeshOneSided;
-  const bool is_behind = is_one_sided && options.kind == CaseKind::kRN && draw.coin();
+  const bool has_fronts_alone = is_one_sided(options.family);
+  const bool is_behind = has_fronts_alone && options.kind == CaseKind::kRN && draw.coin();
   GeneratorOptions plain = options;
   if (is_behind) plain.kind = CaseKind::kRP;
   if (!plain.bodies.empty()) plain.bodies.push_back({1, kMaxControls, RadiusRule::kZero});
@@ -244,8 +244,9 @@ tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dya
   }
   const bool grazes = is_grazing(options.family);
   const size_t touched = MeshMaker(query, side, up, draw).make(grazes);
-  query.patches[side].one_sided = is_one_sided;
-  if (is_one_sided) turn_faces(query, side, touched, !is_behind, draw);
+  query.patches[side].one_sided = has_fronts_alone;
+  const size_t all = query.patches[side].faces.size();
+  if (has_fronts_alone) turn_faces(query, side, grazes ? all : touched, !is_behind, draw);
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
   const std::optional<Witness> planted = made->truth.witness;
   made->truth = decide(query).truth;

@@ -20,7 +20,8 @@ namespace ccdfuzz {
 ///
 /// Those of mesh-grazing touch as bodies of grazing_bodies_case do. A last face is across the way
 /// of the body. Kept is what touches another face first, without depth, and then passes well
-/// through the last. Whoever stops at the face that is touched first misses that.
+/// through the last. Whoever stops at the face that is touched first misses that. One-sided, all
+/// faces are fronts that can be.
 tl::expected<Case, Discard> mesh_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                       Draw& draw);
 

@@ -91,6 +91,9 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     {Family::kBodiesGrazing, "bodies-grazing", "convex bodies that touch without depth", kAll,
      kNone},
     {Family::kMeshGrazing, "mesh-grazing", "a body grazes a mesh, and hits it later", kAll, kNone},
+    // A face in the plane of the motion is none of the fronts.
+    {Family::kMeshGrazingOneSided, "mesh-grazing-one-sided", "the same with fronts alone; not FF",
+     kButFF, kNone},
 }};
 
 constexpr bool are_in_order() {

@@ -184,6 +184,8 @@ std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
     if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMesh);
     if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMeshGrazing);
     if (features_.one_sided) add_source(sources, contact, std::nullopt, Family::kMeshOneSided);
+    if (features_.one_sided)
+      add_source(sources, contact, std::nullopt, Family::kMeshGrazingOneSided);
     add_source(sources, contact, std::nullopt, Family::kBodiesGrazing);
     return sources;
   }

@@ -43,16 +43,25 @@ TEST(GrazingBodies, TouchAfterTheStartAndNeverDeeper) {
 }
 
 TEST(GrazingBodies, OfAMeshHideADeepContactWithItsLastFace) {
-  for (const ContactClass contact : kContactClasses) {
-    for (std::uint64_t index = 0; index < 4; ++index) {
-      const Query query = made(Family::kMeshGrazing, contact, index).query;
-      EXPECT_GT(depth_until(query, query.t_max), 0.0);
-      Query grazed = query;
-      grazed.patches[mesh_side(query)].faces.pop_back();
-      EXPECT_EQ(depth_until(grazed, query.t_max), 0.0);
-      EXPECT_FALSE(grazed.patches[mesh_side(query)].faces.empty());
+  for (const Family family : {Family::kMeshGrazing, Family::kMeshGrazingOneSided}) {
+    for (const ContactClass contact : kContactClasses) {
+      if (!is_made(family, contact, CaseKind::kRP)) continue;
+      for (std::uint64_t index = 0; index < 4; ++index) {
+        const Query query = made(family, contact, index).query;
+        EXPECT_EQ(query.patches[mesh_side(query)].one_sided, is_one_sided(family));
+        EXPECT_GT(depth_until(query, query.t_max), 0.0);
+        Query grazed = query;
+        grazed.patches[mesh_side(query)].faces.pop_back();
+        EXPECT_EQ(depth_until(grazed, query.t_max), 0.0);
+        EXPECT_FALSE(faces_there(grazed).empty());
+      }
     }
   }
+}
+
+TEST(GrazingBodies, HaveNoFrontInThePlaneOfTheirMotion) {
+  EXPECT_FALSE(is_made(Family::kMeshGrazingOneSided, ContactClass::kFF, CaseKind::kRP));
+  EXPECT_FALSE(is_made(Family::kMeshGrazingOneSided, ContactClass::kVF, CaseKind::kRN));
 }
 
 TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {

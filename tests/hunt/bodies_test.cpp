@@ -66,6 +66,8 @@ TEST(HuntBodies, OrdinaryDrawsHaveGrazesThatHideADeepContactAndInAPlaneSpins) {
   };
   using Generators = std::set<std::string>;
   EXPECT_EQ(drawn({.meshes = true}), (Generators{"bodies", "mesh", "mesh-grazing"}));
+  EXPECT_EQ(drawn({.one_sided = true}),
+            (Generators{"bodies", "mesh-one-sided", "mesh-grazing-one-sided"}));
   ground.plane = true;
   EXPECT_EQ(drawn({.spins = true, .meshes = true}), (Generators{"bodies", "spinning"}));
 }

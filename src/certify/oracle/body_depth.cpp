@@ -88,6 +88,7 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
       const Dyadic overlap = std::min(high - bottom, top - low);
       const double length = std::sqrt(round_up(dot(normal, normal).rational()));
       least = std::min(least, kRoundings * round_down(overlap.rational()) / length);
+      if (least == 0) return 0;  // as little as where they touch
     }
   }
   return std::isfinite(least) ? least : 0;
