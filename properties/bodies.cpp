@@ -56,7 +56,9 @@ void check_truth_of_bodies(Draw& d) {
   const bool grazes = kind == CaseKind::kRP && d.coin();
   const Case known = draw_planted(d, kind, grazes ? Family::kBodiesGrazing : Family::kBodies);
   claim_planted_truth(known, kind, {.bodies = true});
-  if (grazes) CLAIM(depth_until(known.query, known.query.t_max) == 0.0);
+  if (!grazes) return;
+  CLAIM(known.truth.witness->t > 0);
+  CLAIM(depth_until(known.query, known.query.t_max) == 0.0);
 }
 
 /// The oracle says the same of planted bodies, whose first contact it finds exactly.

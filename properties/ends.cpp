@@ -56,7 +56,7 @@ Case draw_elsewhere(Draw& d) {
 }
 
 void check_meaning(Draw& d) {
-  const Case drawn = draw_contact_with_ends(d, kOrdinary);
+  const Case drawn = draw_contact_with_ends(d, kOrdinaryRange);
   show(d, "contact", drawn);
   const Witness& witness = *drawn.truth.witness;
   const auto& patches = drawn.query.patches;
@@ -70,7 +70,7 @@ void check_meaning(Draw& d) {
 
 /// The checker accepts what the oracle says, or this throws.
 void check_decision_on_ends(Draw& d) {
-  const Case drawn = draw_contact_with_ends(d, kOrdinary);
+  const Case drawn = draw_contact_with_ends(d, kOrdinaryRange);
   show(d, "contact", drawn);
   constexpr std::uint64_t kFewPops = 300;
   const Case known = decide_briefly(drawn.query, kFewPops);
@@ -91,7 +91,7 @@ void claim_same_way(const Query& of_ends, const Query& of_velocities) {
 
 /// Where all differences are doubles, ends are the same motion as velocities.
 void check_same_motion(Draw& d) {
-  Contact q = supposed(contact_of(supposed(draw_contact(d, kOrdinary))));
+  Contact q = supposed(contact_of(supposed(draw_contact(d, kOrdinaryRange))));
   suppose(give_ends(q, d));
   const Query plain = supposed(with_velocities(q.query));
   show(d, "query", q.query);
@@ -129,7 +129,7 @@ void check_late_linear_proof(Draw& d) {
 /// Methods of the paper refuse motions that their velocities do not hold. No query is past the
 /// ends.
 void check_refusal(Draw& d) {
-  const Case drawn = draw_contact_with_ends(d, kOrdinary);
+  const Case drawn = draw_contact_with_ends(d, kOrdinaryRange);
   show(d, "contact", drawn);
   for (const std::string method : {"tdibm", "tdibm-h:1e-12", "tdibm-e", "trad"}) {
     CLAIM(make_method(method).value()->answer(drawn.query, kQuickSearch).verdict ==

@@ -5,9 +5,11 @@
 #include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
+#include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "fuzz/mutator/mutate_query.hpp"
 #include "generators/generate.hpp"
+#include "method/setting.hpp"
 #include "method/taken_query.hpp"
 #include "properties/planted_bodies.hpp"
 #include "properties/property.hpp"
@@ -206,6 +208,55 @@ void check_forged_faces(Draw& d) {
   CLAIM(!is_accepted);
 }
 
+/// The graze is the first contact and has no depth. The last face is passed through later.
+void check_graze(Draw& d) {
+  GeneratorOptions options;
+  options.family = d.coin() ? Family::kMeshGrazing : Family::kMeshGrazingOneSided;
+  options.contact = d.pick(kContactClasses);
+  options.bodies = {{1, 4, RadiusRule::kAny}};  // the depths of others take long
+  suppose(validate(options).has_value());
+  const Case known = generate(options, d).value;
+  show(d, "planted", known);
+  CLAIM(check_case(known).has_value());
+  const Query& query = known.query;
+  const size_t side = mesh_side(query);
+  CLAIM(query.patches[side].one_sided == is_one_sided(options.family));
+  Query grazed = query, wall = query;
+  grazed.patches[side].faces.pop_back();
+  wall.patches[side].faces = {query.patches[side].faces.back()};
+  const Truth first = decide(grazed).truth, later = decide(wall).truth;
+  CLAIM(first.collides == true && later.collides == true);
+  CLAIM(first.witness->t == known.truth.witness->t && first.witness->t > 0);
+  CLAIM(later.witness->t >= first.witness->t);
+  CLAIM(depth_until(grazed, query.t_max) == 0.0);
+  const Vec3<double> way = query.patches[0].velocities[0] - query.patches[1].velocities[0];
+  CLAIM(depth_until(wall, query.t_max) >= 0x1p-10 * query.t_max * way.norm());
+}
+
+/// It is no ordinary query if a face is touched at 0, there or not, or if there is no step.
+void check_setting_of_one_sided(Draw& d) {
+  Query query = draw_mesh(d, draw_kind_of_mesh(d)).query;
+  MovingPatch<double>& mesh = query.patches[mesh_side(query)];
+  mesh.one_sided = true;
+  if (d.coin()) turn_all_round(query);
+  const double later = query.t_max * static_cast<double>(d.below(5)) / 4;
+  for (MovingPatch<double>& body : query.patches) {
+    for (Vec3<double>& p : body.positions) p += later * body.velocities[0];
+  }
+  if (d.below(4) == 0) query.t_max = 0;
+  show(d, "query", query);
+  bool touches = false;
+  for (size_t face = 0; face < mesh.faces.size(); ++face) {
+    Query start = of_face(query, face);
+    start.t_max = 0;
+    touches = touches || *decide(start).truth.collides;
+  }
+  const Setting setting = setting_of({query, decide(query).truth, {}, {}});
+  suppose(setting <= Setting::kTouching);
+  CLAIM((setting == Setting::kTouching) == touches);
+  CLAIM(setting != Setting::kOrdinary || query.t_max > 0);
+}
+
 }  // namespace
 
 std::vector<Property> mesh_claims() {
@@ -228,6 +279,12 @@ std::vector<Property> mesh_claims() {
       {"mesh.windings",
        "The first contact of a mesh of two sides is the first of those of its fronts and its backs",
        kMeshes, check_windings},
+      {"mesh.graze_hides",
+       "A body that grazes a mesh touches it first without depth, and passes through it later",
+       "generators/mesh.hpp", check_graze},
+      {"mesh.setting_of_one_sided",
+       "A one-sided mesh is touching at 0 if, and only if, a face is, from behind or in front",
+       "src/method/setting.hpp", check_setting_of_one_sided},
       {"checker.knows_faces_there",
        "A point is a witness only of a face that is there, and of one face", kChecker,
        check_who_is_there},

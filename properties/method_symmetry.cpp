@@ -14,7 +14,7 @@ std::function<void(Draw&)> answers_alike(const std::array<const char*, N>& metho
                                          Symmetry symmetry) {
   return [=](Draw& d) {
     const char* method = d.pick(methods);
-    const Case before = supposed(draw_contact(d, kOrdinary));
+    const Case before = supposed(draw_contact(d, kOrdinaryRange));
     const Case after = supposed(transformed(before, symmetry, d));
     const auto answer = [&](const Query& query) {
       return make_method(method).value()->answer(query, kQuickSearch);

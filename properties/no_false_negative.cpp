@@ -37,7 +37,7 @@ std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range
 
 std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry) {
   return [=](Draw& d) {
-    const Case before = supposed(draw_contact(d, kOrdinary));
+    const Case before = supposed(draw_contact(d, kOrdinaryRange));
     const Case after = supposed(transformed(before, symmetry, d));
     show(d, "before", before);
     const bool is_accepted = check_truth(after).has_value();

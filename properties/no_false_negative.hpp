@@ -11,7 +11,7 @@
 namespace ccdfuzz {
 
 /// All products of two coordinates and then some stay normal.
-inline constexpr ContactRange kOrdinary;
+inline constexpr ContactRange kOrdinaryRange;
 /// The products of two coordinates are subnormal or 0.
 inline constexpr ContactRange kTiny{-545, -530};
 /// Nothing that is drawn under- or overflows a double; products do both. Half of the contacts are
@@ -32,7 +32,7 @@ void claim_no_false_negative(const std::string& method, const Case& value,
 
 /// Checks of that claim on drawn contacts, whose witnesses the checker accepts: any contact of a
 /// range, and one after a change of coordinates that keeps it.
-std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range = kOrdinary,
+std::function<void(Draw&)> misses_nothing(std::string method, ContactRange range = kOrdinaryRange,
                                           SearchOptions options = kQuickSearch);
 std::function<void(Draw&)> misses_nothing_after(std::string method, Symmetry symmetry);
 /// The same of cases that are drawn so.

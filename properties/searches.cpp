@@ -46,7 +46,7 @@ void check_budget(Draw& d) {
 
 /// Contacts within the first 2^-20 of the time step and less.
 void check_long_time_step(Draw& d) {
-  Case drawn = supposed(draw_contact(d, kOrdinary));
+  Case drawn = supposed(draw_contact(d, kOrdinaryRange));
   const int longer = static_cast<int>(d.integer(0, 30));
   drawn.query.t_max = std::ldexp(drawn.query.t_max, longer);
   const char* method = d.pick(std::array{"tdibm-c", "tdibm-rational"});
