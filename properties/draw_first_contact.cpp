@@ -36,6 +36,16 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   // Coarse boxes are no good for flat patches.
   ContactScene scene = touching(contact, {kQuadratic, kQuadratic}, choices, 1);
   if (choices.coin()) scene.t_max = 2;
+  // Between corners of steep patches, no plane of either is as far from both as the corners are.
+  // Fast ones are in contact but shortly where a box of the search is.
+  if (apart) {
+    const auto steep = static_cast<long>(choices.integer(0, 4));
+    const Dyadic fast(1, choices.integer(3, 6));
+    for (ContactSide& side : scene.sides) {
+      for (Vec3<Dyadic>& p : side.points) p[2] = p[2].scaled(steep);
+      for (Vec3<Dyadic>& v : side.rates) v[2] += v[2].sign() < 0 ? -fast : fast;
+    }
+  }
   Placement placement = random_placement(choices);
   placement.shift = choices.vector(20, -16);
   const auto made = to_case(scene, placement, choices);

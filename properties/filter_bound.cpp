@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "bezier/exact_patch.hpp"
@@ -47,43 +48,64 @@ std::array<Rational, 2> heights(const MovingPatch<double>& patch, const Cell& ce
   return *out;
 }
 
-void check_filter_on(const Query& query, Draw& d) {
+/// Two cells of a query, of one depth, and an axis.
+struct CellsOnAxis {
   exact_ccd::IntegerAxis axis;
-  for (auto& l : axis.l) l = static_cast<std::int32_t>(d.integer(-(1 << 20), 1 << 20));
-  if (axis.norm1() == 0) axis.l[0] = 1;
+  std::array<std::vector<Cell>, 2> parts;
+  std::array<int, 2> part{};
+
+  CellsOnAxis(const Query& query, Draw& d) {
+    for (auto& l : axis.l) l = static_cast<std::int32_t>(d.integer(-(1 << 20), 1 << 20));
+    if (axis.norm1() == 0) axis.l[0] = 1;
+    const std::int64_t depth = d.integer(0, 4);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Shape& shape = query.patches[side].shape;
+      parts[side] = {Cell()};
+      for (std::int64_t k = 0; k < depth; ++k) {
+        const Cell parent = cell(side);
+        parts[side].clear();
+        for (int c = 0; c < shape.child_count(); ++c) parts[side].push_back(parent.child(shape, c));
+        part[side] = static_cast<int>(d.choose(parts[side].size() - 1));
+      }
+    }
+    show(d, "axis", axis.l);
+  }
+
+  const Cell& cell(std::size_t side) const {
+    return parts[side][static_cast<std::size_t>(part[side])];
+  }
+  void put(exact_ccd::Gap& gap) const {
+    for (int side = 0; side < 2; ++side) gap.prepare(side, parts[static_cast<std::size_t>(side)]);
+    gap.select(part[0], part[1]);
+    gap.project(axis, 20);
+  }
+  /// The gap if side 0 is below, and if side 1 is.
+  std::array<Rational, 2> exact_gaps(const Query& query, const Rational& t) const {
+    const auto of = [&](std::size_t side) {
+      return heights(query.patches[side], cell(side), axis, t);
+    };
+    const auto first = of(0), second = of(1);
+    return {first[1] - second[0], second[1] - first[0]};
+  }
+};
+
+void check_filter_on(const Query& query, Draw& d) {
+  const CellsOnAxis cells(query, d);
   exact_ccd::Gap gap;
   gap.begin(query);
-  std::array<Cell, 2> cells;  // a part each
-  std::array<int, 2> part{};
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Shape& shape = query.patches[side].shape;
-    std::vector<Cell> parts = {Cell()};
-    if (d.coin()) {
-      const Cell parent = draw_cell(d, shape, 3);
-      parts.clear();
-      for (int c = 0; c < shape.child_count(); ++c) parts.push_back(parent.child(shape, c));
-    }
-    gap.prepare(static_cast<int>(side), parts);
-    part[side] = static_cast<int>(d.choose(parts.size() - 1));
-    cells[side] = parts[static_cast<std::size_t>(part[side])];
-  }
+  cells.put(gap);
   const double t = d.coin() ? *abs(d.dyadic(30, -30)).to_double_exactly() : 1;
-  gap.select(part[0], part[1]);
-  gap.project(axis, 20);
   const exact_ccd::Extremes at = gap.extremes(t);
   const Dyadic error = Dyadic::exact(gap.error());
-  show(d, "axis", axis.l);
   show(d, "t", t);
   show(d, "error", gap.error());
   show(d, "gaps", std::array{at.gap(0), at.gap(1)});
   show(d, "query", query);
   const int horizon = gap.units().horizon;
-  const Rational time = exact(t) * power_of_two(horizon);
-  const auto first = heights(query.patches[0], cells[0], axis, time);
-  const auto second = heights(query.patches[1], cells[1], axis, time);
-  const Rational gaps[] = {first[1] - second[0], second[1] - first[0]};
+  const auto gaps = cells.exact_gaps(query, exact(t) * power_of_two(horizon));
   for (int below = 0; below < 2; ++below) {
-    const Rational off = exact(at.gap(below)) - gaps[below] * power_of_two(gap.length_shift());
+    const Rational& known = gaps[static_cast<std::size_t>(below)];
+    const Rational off = exact(at.gap(below)) - known * power_of_two(gap.length_shift());
     CLAIM(abs(off) <= error.rational());
   }
   // 2·gamma_(K + 7)·M + 140·eta a unit of |l|_1, as derived above Gap::begin. A blossom step from
@@ -101,8 +123,33 @@ void check_filter_on(const Query& query, Draw& d) {
   const Dyadic gamma = ku * (Dyadic(1) + ku.scaled(1));
   const Dyadic per_norm = gamma.scaled(1) * magnitude_of(query, gap.length_shift(), horizon) +
                           Dyadic(140) * least_double().scaled(is_rational(query) ? 60 : 0);
-  const Dyadic norm(Integer(static_cast<long>(axis.norm1())), 0);
+  const Dyadic norm(Integer(static_cast<long>(cells.axis.norm1())), 0);
   CLAIM(per_norm * norm <= error);
+}
+
+/// The separation is that of the cells along the axis, or up to two floats off.
+void check_separated_exactly(Draw& d) {
+  Query query = draw_extreme_query(d);
+  const CellsOnAxis cells(query, d);
+  const double t = d.coin() ? query.t_max : 0;
+  const auto below = static_cast<int>(d.choose(1));
+  const Rational h = cells.exact_gaps(query, exact(t))[static_cast<std::size_t>(below)];
+  suppose(h < 0);
+  Integer norm_squared;
+  for (const std::int64_t l : cells.axis.l) norm_squared += static_cast<long>(l * l);
+  query.separation = round_up(-h) / std::sqrt(norm_squared.get_d());
+  const std::int64_t floats = d.integer(-2, 2);
+  for (std::int64_t i = 0; i != floats; i += floats < 0 ? -1 : 1) {
+    query.separation = std::nextafter(query.separation, floats < 0 ? 0 : HUGE_VAL);
+  }
+  suppose(is_valid(query));
+  show(d, "query", query);
+  exact_ccd::Gap gap;
+  gap.begin(query);
+  cells.put(gap);
+  const double scaled = gap.scaled(t);
+  const Rational d_squared = exact(query.separation) * exact(query.separation);
+  CLAIM(gap.sign(below, scaled, gap.extremes(scaled)) == sgn(d_squared * norm_squared - h * h));
 }
 
 void check_rational_filter(Draw& d) {
@@ -137,6 +184,9 @@ std::vector<Property> filter_bound_claims() {
        "Gaps in doubles are off by the filter's error at most, which is no less than what was "
        "derived, for rational patches",
        "src/ccd/rational/gap.cpp", check_filter_of_weights},
+      {"tdibm-rational.separated_exactly",
+       "An axis keeps two cells further apart than the separation iff exact arithmetic says so",
+       "src/ccd/rational/exact_scene.hpp", check_separated_exactly},
   };
 }
 

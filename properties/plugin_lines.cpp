@@ -12,7 +12,7 @@ namespace {
 
 /// A line that is almost what a plug-in should answer.
 std::string draw_line(Draw& choices) {
-  constexpr std::array<std::string_view, 22> kWords = {
+  constexpr std::array<std::string_view, 23> kWords = {
       "\"id\":7",
       "\"verdict\":\"hit\"",
       "\"verdict\":\"miss\"",
@@ -25,6 +25,7 @@ std::string draw_line(Draw& choices) {
       "\"uv\":[[NaN]]",
       "\"tolerance\":1e-6",
       "\"tolerance\":\"inf\"",
+      "\"tolerance\":\"small\"",
       "\"iterations\":1e300",
       "\"seconds\":-1",
       "\"protocol\":1",

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstdint>
+#include <cstring>
 #include <optional>
 #include <type_traits>
 #include <vector>
@@ -21,6 +20,17 @@ using Uv = std::array<S, 2>;
 
 template <class S>
 using Points = std::vector<Vec3<S>>;
+
+/// All numbers are equal. Doubles are if their bits are; weights are > 0, so that no more would be.
+template <class S>
+bool are_equal(const std::vector<S>& numbers) {
+  if (numbers.size() < 2) return true;
+  if constexpr (std::is_same_v<S, double>) {  // each has the bits of the next
+    return std::memcmp(&numbers[0], &numbers[1], (numbers.size() - 1) * sizeof(double)) == 0;
+  } else {
+    return std::equal(numbers.begin() + 1, numbers.end(), numbers.begin());
+  }
+}
 
 /// Closed polygons in a patch's domain, the last vertex joined to the first.
 using Trim = std::vector<std::vector<Uv<double>>>;
@@ -59,16 +69,7 @@ struct MovingPatch {
   Points<S>& moves() { return has_ends() ? ends : velocities; }
   const Points<S>& moves() const { return has_ends() ? ends : velocities; }
   /// Equal weights, and those of points, are the polynomial patch.
-  bool is_rational() const {
-    return std::any_of(weights.begin(), weights.end(), [&](const S& w) {
-      if constexpr (std::is_same_v<S, double>) {
-        // Weights are > 0, so equal ones have equal bits.
-        return std::bit_cast<std::uint64_t>(w) != std::bit_cast<std::uint64_t>(weights[0]);
-      } else {
-        return !(w == weights[0]);
-      }
-    });
-  }
+  bool is_rational() const { return !are_equal(weights); }
 
   /// The velocity of control point i. Requires velocities.
   const Vec3<S>& velocity(size_t i) const {

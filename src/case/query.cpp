@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "base/double_parts.hpp"
@@ -133,7 +134,7 @@ bool are_weights(const std::vector<double>& weights) {
   if (weights.empty()) return true;
   // Doubles > 0 are in the order of their bits, infinity and NaNs last. Others have bits ≤ 0.
   std::int64_t least = INT64_MAX, most = INT64_MIN;
-  for (const double w : weights) {
+  for (const double w : std::span(weights).first(are_equal(weights) ? 1 : weights.size())) {
     least = std::min(least, std::bit_cast<std::int64_t>(w));
     most = std::max(most, std::bit_cast<std::int64_t>(w));
   }
