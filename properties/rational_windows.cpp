@@ -133,7 +133,7 @@ CutMade make_cut(Draw& d, const GapSetting& s) {
   return made;
 }
 
-/// Laws R1 to R3. An exact root stays.
+/// Laws R1, R2 and R3. An exact root stays.
 void check_cuts(Draw& d) {
   const auto [before, after, separated, all_separated, cut, step] =
       make_cut(d, draw_gap_setting(d, draw_hard_query(d, 3), 6));

@@ -2,7 +2,8 @@
 
 A law is declared in a DERIVATION.md ("- **L3. Roots.** ...") or in a header ("/// Law R1: ...").
 A line cites it by a comment that is none of a declaration ("// Law L3"), in a source of the same folder.
-Its tests are TEST(LawL3, ...) or RC_GTEST_PROP(LawL3, ...), anywhere in tests.
+Its tests are TEST(LawL3, ...) or RC_GTEST_PROP(LawL3, ...), anywhere in tests, or the check of a property,
+above which stands "/// Law L3".
 """
 import collections
 import pathlib
@@ -11,6 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).parents[2]
 LAW = r"[A-Z]\d*"
+NAMED = rf"\bLaws? ((?:{LAW}(?:, | and )?)+)"
 
 
 def declared(folder):
@@ -28,7 +30,7 @@ def cited(folder):
             comment = re.search(r"(?<!/)//(?!/)(.*)", line)
             if not comment:
                 continue
-            for some in re.findall(rf"\bLaws? ((?:{LAW}(?:, | and )?)+)", comment[1]):
+            for some in re.findall(NAMED, comment[1]):
                 for law in re.findall(LAW, some):
                     lines[law].append(f"{source.relative_to(ROOT)}:{number}")
     return lines
@@ -37,6 +39,9 @@ def cited(folder):
 tests = set()
 for source in (ROOT / "tests").rglob("*_test.cpp"):
     tests |= set(re.findall(rf"^(?:TEST|RC_GTEST_PROP)\(Law({LAW}),", source.read_text(), re.M))
+for source in (ROOT / "properties").glob("*.cpp"):
+    for some in re.findall(rf"^/// {NAMED}", source.read_text(), re.M):
+        tests |= set(re.findall(LAW, some))
 
 failures = count = 0
 for folder in sorted(path.parent for path in (ROOT / "src").rglob("DERIVATION.md")):
