@@ -63,7 +63,7 @@ struct Truth {
   friend bool operator==(const Truth&, const Truth&) = default;
 };
 
-/// Where a case comes from. Free text but for seed; nothing is derived from it but table rows.
+/// Where a case comes from. Free text but for seed. Rows of tables and names of finds tell of it.
 struct Origin {
   std::string contact;    ///< contact class, "FF" … or a further class
   std::string kind;       ///< "RP", "RN", …
@@ -88,7 +88,7 @@ inline std::string_view proof_word(const Clearance& clearance) {
 /// What a method must show on a case.
 struct Expected {
   Outcome outcome = Outcome::kUnknown;
-  /// An error's name ("hang"), or what lost a contact ("left root"). May be empty.
+  /// An error's name ("hang"), what lost a contact ("left root"), of bodies their kind; or empty.
   std::string cause;
 
   Expected() = default;

@@ -29,7 +29,7 @@ struct AnswerTerms {
 ///   not_asked       it refuses the query, whatever that holds
 ///   error           the answer is nonsense: a hit without toi, toi NaN or outside [0, t_max]
 ///   undecided       it says so
-///   missed, late    a witness or a contact box proves a contact by some t ≤ t_max (< t_max, and
+///   missed, late    a witness, box or root proves a contact by some t ≤ t_max (< t_max, and
 ///                   > 0, where the terms leave an end out); the answer is a miss, or a hit later
 ///                   than its time tolerance. Or the two points of a witness, of any time, come
 ///                   nearer than the separation it keeps, and it is a miss, or a hit later than so
@@ -52,8 +52,8 @@ struct Judged {
   std::string error;
   /// For a late hit: how long after the proven contact it comes, rounded up.
   double late_by = 0;
-  /// For a miss or late hit of bodies, where it was asked for. It is how deep they pass through
-  /// each other in the time that is overlooked, at least.
+  /// For a miss or late hit of bodies or linear patches, where it was asked for. It is how deep
+  /// they pass through each other in the time that is overlooked, at least.
   double depth = 0;
   /// By the terms of the answer.
   bool in_plane = false;

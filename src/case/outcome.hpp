@@ -12,7 +12,7 @@ namespace ccdfuzz {
 /// How an answer stands against a truth.
 enum class Outcome : std::uint8_t {
   kCorrect,
-  kMissed,         ///< said "no contact" though a witness proves one: a false negative
+  kMissed,         ///< said "no contact" though one is proven: a false negative
   kLate,           ///< said "hit" at a time after a proven contact: a false negative too
   kFalsePositive,  ///< said "hit" though absence is proven
   kUndecided,      ///< gave up within its budget; never a false negative or positive

@@ -22,8 +22,8 @@ Result<CheckedCase> decided_and_checked(NamedCase& named);
 
 struct EvaluateOptions {
   std::vector<std::string> methods;  ///< parsed specs
-  /// Multiples ≥ 1 of the contact's time to ask positive cases up to; negative cases are asked
-  /// once, unchanged. Empty: every case is asked once, unchanged.
+  /// Multiples ≥ 1 of the witness's time to ask a case up to. Without a witness it is asked once,
+  /// unchanged. Empty: every case is.
   std::vector<double> horizon_factors;
   /// Limits of one case.
   std::function<SearchOptions(const Case&)> search_for;

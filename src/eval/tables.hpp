@@ -122,7 +122,8 @@ void add_refused_column(std::vector<Column<Row>>& columns, const std::vector<Row
 /// Everything that is known of each row of by_kinds.
 Table performance_table(const std::vector<Row>& rows);
 
-/// The same of each row of by_methods; what no method has is left out.
+/// The same of each row of by_methods, without n and p99 mem. Columns of unknown, error and not
+/// asked are left out if no method has any.
 Table methods_table(const std::vector<Row>& rows);
 
 /// Mean times, false positives and false negatives (missed: the paper's only sort) beside the

@@ -23,7 +23,7 @@ struct Failure {
   std::string who;  ///< the method's spec
   Outcome outcome = Outcome::kUnknown;
   std::string contact;  ///< the class of the contact; empty for an error
-  /// An error's name ("hang"), or what lost a contact ("left root"). May be empty.
+  /// An error's name ("hang"), what lost a contact ("left root"), of bodies their kind; or empty.
   std::string cause;
   Setting setting = Setting::kOrdinary;  ///< ordinary for an error: a crash is a crash
 
@@ -76,7 +76,7 @@ inline constexpr std::uint64_t kEnoughPops = 2000;
 /// alone do not bound that: one of exact arithmetic on high degrees takes 50 ms.
 inline constexpr double kLongestQuerySeconds = 5;
 
-/// What a case that failed in such a search says of how it was asked: what fails within few pops
+/// The `asked` of a case that failed in such a search. It allows more pops: what fails within few
 /// does so with more.
 Asked asked_with(const SearchOptions& search);
 

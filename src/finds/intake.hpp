@@ -18,7 +18,7 @@ struct Find {
   Failure failure;
   std::string path;     ///< where it is; empty if it could not be stored
   Case value;           ///< with its expectations
-  bool is_new = false;  ///< stored by this run; else it was there before, or a smaller one was
+  bool is_new = false;  ///< found by this run; else it was there before, or a smaller one was
   double depth = 0;     ///< that of a new one (Asker::depth)
 };
 

@@ -17,7 +17,7 @@ namespace ccdfuzz {
 
 /// The counts of breeding.
 struct BreedTally {
-  std::uint64_t mutants = 0;  ///< made and traced
+  std::uint64_t mutants = 0;  ///< made; of methods with a trace and contacts, traced
   std::uint64_t lost = 0;     ///< those whose contact the method lost on the way
   /// By how many ulps the contacts that were not lost survived (Trace::Margin), the least of it.
   /// Founders count, too.

@@ -67,7 +67,7 @@ bool breaks_claim(const Failure& failure);
 struct HuntSample {
   double seconds = 0;
   std::uint64_t queries = 0;  ///< answered and judged
-  std::uint64_t mutants = 0;  ///< bred and traced
+  std::uint64_t mutants = 0;  ///< bred
   std::uint64_t finds = 0;
   /// For each of HuntOptions::methods the least number of ulps by which a contact survived its
   /// tests (BreedTally::margin); nothing while none was traced.
@@ -97,11 +97,10 @@ struct HuntProgress : HuntSample {
 };
 
 /// Searches for failures of methods and stores the smallest find of each Failure. Draws cases of
-/// all six contact classes, runs the methods on them, judges, and breeds mutants that a method
-/// nearly loses (Breeder). (A mutant is asked about only if it is smaller than every failure of the
-/// method before.) By time, each cell of a class and a method gets an equal share of CPU time, half
-/// of it for mutants (Schedule). stop ends the hunt early, with what it has. Requires at least one
-/// method.
+/// each contact class that has some, runs the methods on them, judges, and breeds mutants that a
+/// method nearly loses (Breeder). By time, each cell of a class and a method gets an equal share of
+/// CPU time, half of it for mutants (Schedule). stop ends the hunt early, with what it has.
+/// Requires at least one method.
 HuntReport hunt(const HuntOptions& options, Store& store,
                 const std::function<void(const HuntProgress&)>& on_progress,
                 const std::atomic<bool>& stop);
