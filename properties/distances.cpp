@@ -50,7 +50,8 @@ void check_reach(Draw& d) {
 void check_not_early_apart(Draw& d) {
   const FirstContact drawn = supposed(draw_first_contact(d, true));
   // The first is the faster, and its axes are made for distances.
-  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-c", "tdibm-rational"}), drawn, d);
+  constexpr SearchOptions kBrief = {kFinePrecision, 300, SearchOptions().max_bytes};
+  claim_not_early(d.pick(std::array{"tdibm-c", "tdibm-c", "tdibm-rational"}), drawn, d, kBrief);
 }
 
 /// A tree that proves a distance up to some time is refused as a proof of one that is not kept.

@@ -82,8 +82,9 @@ Result<FirstContact> draw_first_contact(Draw& choices, bool apart) {
   return out;
 }
 
-void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw) {
-  const Answer answer = (*make_method(method))->answer(drawn.query, kFineSearch);
+void claim_not_early(const char* method, const FirstContact& drawn, Draw& draw,
+                     const SearchOptions& search) {
+  const Answer answer = (*make_method(method))->answer(drawn.query, search);
   suppose(answer.verdict != Verdict::kUndecided);
   show(draw, "method", method);
   show(draw, "toi", answer.toi);

@@ -7,8 +7,9 @@
 #include <limits>
 #include <optional>
 #include <string_view>
-
 #include <utility>
+
+#include "base/fp_guard.hpp"
 #include "base/text.hpp"
 
 namespace ccdfuzz {
@@ -51,6 +52,7 @@ std::optional<double> take_term(std::string_view& rest) {
 }  // namespace
 
 Result<double> parse_number(const std::string& where, const std::string& text) {
+  const FpGuard guard;
   const auto refuse = [&] {
     return input_error(where, fmt::format("\"{}\" is not a number such as 0.5, 1e-6, 2^-20 or "
                                           "1+2^-30",

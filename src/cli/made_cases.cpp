@@ -1,7 +1,5 @@
 #include "cli/made_cases.hpp"
 
-#include <fmt/format.h>
-
 #include "base/hex_bytes.hpp"
 #include "cli/output.hpp"
 
@@ -18,19 +16,17 @@ Result<MadeSet> MadeSet::open(const std::string& path) {
 
 Result<void> MadeSet::add(MadeCases made) {
   add_cost(costs_, made.cost);
-  const Result<std::string> tree = parse_hex_bytes(made.tree);
-  if (!tree)
-    return input_error(fmt::format("construction {}: tree", made.index), tree.error().what);
+  const std::string tree = parse_hex_bytes(made.tree).value();
   for (Case& value : made.cases) {
     ++cases_;
     Result<void> written;
-    if (!tree->empty()) {
+    if (!tree.empty()) {
       value.truth.clearance = MissTree{exact(value.query.t_max), {}};
       value.truth.proof = proof_word(*value.truth.clearance);
       ++trees_;
     }
     if (writer_) {
-      written = writer_->write(std::move(value), *tree);
+      written = writer_->write(std::move(value), tree);
     } else {
       print_out(to_json(value) + "\n");
       written = check_stdout();

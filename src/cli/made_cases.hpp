@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/hex_bytes.hpp"
 #include "cli/data_set.hpp"
 #include "eval/generation_cost.hpp"
 #include "files/case_json.hpp"
@@ -21,7 +22,9 @@ struct MadeCases {
   static void fields(auto& archive, auto& made) {
     archive("index", made.index);
     archive("cases", made.cases);
-    archive("tree", made.tree);
+    archive("tree", made.tree, [](const std::string& digits) {
+      return parse_hex_bytes(digits) ? "" : "is not pairs of hex digits 0-9a-f";
+    });
     archive("cost", made.cost);
   }
 };

@@ -123,9 +123,19 @@ Reading reading_of(const SwitchedSpec& spec, Reading reading) {
 
 /// tdibm-h:F. Errors: F is no number ≥ 0.
 Result<PullApart> pull_apart_of(const SwitchedSpec& spec) {
-  const std::string text = spec.spec.substr(std::min(spec.spec.find(':') + 1, spec.spec.size()));
+  const size_t colon = spec.spec.find(':');
+  const std::string text = colon == std::string::npos ? "" : spec.spec.substr(colon + 1);
+  if (text.empty()) {
+    return input_error("--methods", fmt::format("\"{}\" needs a pull-apart factor, as in "
+                                                "tdibm-h:1e-12",
+                                                spec.spec));
+  }
   const Result<double> factor = parse_number("", text);
-  if (!factor || *factor < 0 || text.starts_with('-')) {
+  if (!factor) {
+    return input_error("--methods", fmt::format("the pull-apart factor of \"{}\": {}", spec.spec,
+                                                factor.error().what));
+  }
+  if (*factor < 0 || text.starts_with('-')) {
     return input_error("--methods",
                        fmt::format("\"{}\" is no pull-apart factor of \"{}\": a number "
                                    "≥ 0 is, as in tdibm-h:1e-12",

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cfenv>
+
 namespace ccdfuzz {
 namespace {
 
@@ -17,6 +19,15 @@ TEST(NumberText, ReadsWhatPeopleWrite) {
   EXPECT_EQ(parse_number("--x", "0x1.8p-3"), 0x1.8p-3);
   EXPECT_EQ(parse_number("--x", "-3"), -3.0);
   EXPECT_EQ(parse_numbers("--x", "1,1+2^-30,1.5"), (std::vector<double>{1, 1 + 0x1p-30, 1.5}));
+}
+
+TEST(NumberText, ReadsTheSameInEveryRoundingMode) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const Result<double> number = parse_number("--x", "1e-12");
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(number, 0x1.19799812dea11p-40);
+  }
 }
 
 TEST(NumberText, RefusesTheRestNamingOptionAndText) {

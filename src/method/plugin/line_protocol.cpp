@@ -302,7 +302,8 @@ Described read_description(const std::string& line) {
     return tl::unexpected(
         Fault{"garbage", "does not describe itself with \"protocol\": 1: " + line.substr(0, 80)});
   }
-  Result<PluginDescription> read = from_json<PluginDescription>(line, "its description");
+  const std::string text = parse_json(line, kFrom) ? line : with_quoted_non_finite(line);
+  Result<PluginDescription> read = from_json<PluginDescription>(text, "its description");
   if (!read) return tl::unexpected(PluginRefusal{read.error().message()});
   const PluginDescription& out = *read;
   if (auto refusal = idle_claim(out.features)) return tl::unexpected(*std::move(refusal));
