@@ -1,12 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "bezier/exact_patch.hpp"
-#include "bezier/restrict.hpp"
-#include "ccd/rational/gap.hpp"
 #include "generators/draw_patch.hpp"
 #include "properties/error_bound.hpp"
+#include "properties/exact_gaps.hpp"
 #include "properties/property.hpp"
 #include "properties/show.hpp"
 
@@ -33,76 +30,18 @@ Dyadic magnitude_of(const Query& query, int length_shift, int horizon) {
   return position.scaled(length_shift) + velocity.scaled(length_shift + horizon);
 }
 
-/// Heights of a cell's control points along an axis at t: the least and the largest.
-std::array<Rational, 2> heights(const MovingPatch<double>& patch, const Cell& cell,
-                                const exact_ccd::IntegerAxis& axis, const Rational& t) {
-  const MovingPatch<Rational> part = restrict_to<Rational>(
-      exact_patch<Rational>(patch), exact_corners<Rational>(cell.corners(patch.shape)));
-  std::optional<std::array<Rational, 2>> out;
-  for (const Vec3<Rational>& p : part.at(t)) {
-    Rational height;
-    for (int k = 0; k < 3; ++k) height += axis.l[static_cast<std::size_t>(k)] * p[k];
-    if (!out) out = {height, height};
-    out = {std::min((*out)[0], height), std::max((*out)[1], height)};
-  }
-  return *out;
-}
-
-/// Two cells of a query, of one depth, and an axis.
-struct CellsOnAxis {
-  exact_ccd::IntegerAxis axis;
-  std::array<std::vector<Cell>, 2> parts;
-  std::array<int, 2> part{};
-
-  CellsOnAxis(const Query& query, Draw& d) {
-    for (auto& l : axis.l) l = static_cast<std::int32_t>(d.integer(-(1 << 20), 1 << 20));
-    if (axis.norm1() == 0) axis.l[0] = 1;
-    const std::int64_t depth = d.integer(0, 4);
-    for (std::size_t side = 0; side < 2; ++side) {
-      const Shape& shape = query.patches[side].shape;
-      parts[side] = {Cell()};
-      for (std::int64_t k = 0; k < depth; ++k) {
-        const Cell parent = cell(side);
-        parts[side].clear();
-        for (int c = 0; c < shape.child_count(); ++c) parts[side].push_back(parent.child(shape, c));
-        part[side] = static_cast<int>(d.choose(parts[side].size() - 1));
-      }
-    }
-    show(d, "axis", axis.l);
-  }
-
-  const Cell& cell(std::size_t side) const {
-    return parts[side][static_cast<std::size_t>(part[side])];
-  }
-  void put(exact_ccd::Gap& gap) const {
-    for (int side = 0; side < 2; ++side) gap.prepare(side, parts[static_cast<std::size_t>(side)]);
-    gap.select(part[0], part[1]);
-    gap.project(axis, 20);
-  }
-  /// The gap if side 0 is below, and if side 1 is.
-  std::array<Rational, 2> exact_gaps(const Query& query, const Rational& t) const {
-    const auto of = [&](std::size_t side) {
-      return heights(query.patches[side], cell(side), axis, t);
-    };
-    const auto first = of(0), second = of(1);
-    return {first[1] - second[0], second[1] - first[0]};
-  }
-};
-
 void check_filter_on(const Query& query, Draw& d) {
-  const CellsOnAxis cells(query, d);
+  const GapSetting setting = draw_gap_setting(d, query, 4);
   exact_ccd::Gap gap;
-  gap.begin(query);
-  cells.put(gap);
+  setting.put(gap);
   const double t = d.coin() ? *abs(d.dyadic(30, -30)).to_double_exactly() : 1;
   const exact_ccd::Extremes at = gap.extremes(t);
   const Dyadic error = Dyadic::exact(gap.error());
   show(d, "t", t);
   show(d, "error", gap.error());
   show(d, "gaps", std::array{at.gap(0), at.gap(1)});
-  show(d, "query", query);
   const int horizon = gap.units().horizon;
-  const auto gaps = cells.exact_gaps(query, exact(t) * power_of_two(horizon));
+  const auto gaps = setting.gaps(exact(t) * power_of_two(horizon));
   for (int below = 0; below < 2; ++below) {
     const Rational& known = gaps[static_cast<std::size_t>(below)];
     const Rational off = exact(at.gap(below)) - known * power_of_two(gap.length_shift());
@@ -123,33 +62,32 @@ void check_filter_on(const Query& query, Draw& d) {
   const Dyadic gamma = ku * (Dyadic(1) + ku.scaled(1));
   const Dyadic per_norm = gamma.scaled(1) * magnitude_of(query, gap.length_shift(), horizon) +
                           Dyadic(140) * least_double().scaled(is_rational(query) ? 60 : 0);
-  const Dyadic norm(Integer(static_cast<long>(cells.axis.norm1())), 0);
+  const Dyadic norm(Integer(static_cast<long>(setting.axis.norm1())), 0);
   CLAIM(per_norm * norm <= error);
 }
 
 /// The separation is that of the cells along the axis, or up to two floats off.
 void check_separated_exactly(Draw& d) {
-  Query query = draw_extreme_query(d);
-  const CellsOnAxis cells(query, d);
-  const double t = d.coin() ? query.t_max : 0;
+  GapSetting setting = draw_gap_setting(d, draw_extreme_query(d), 4);
+  const double t = d.coin() ? setting.query.t_max : 0;
   const auto below = static_cast<int>(d.choose(1));
-  const Rational h = cells.exact_gaps(query, exact(t))[static_cast<std::size_t>(below)];
+  const Rational h = setting.gaps(exact(t))[static_cast<std::size_t>(below)];
   suppose(h < 0);
   Integer norm_squared;
-  for (const std::int64_t l : cells.axis.l) norm_squared += static_cast<long>(l * l);
-  query.separation = round_up(-h) / std::sqrt(norm_squared.get_d());
+  for (const std::int64_t l : setting.axis.l) norm_squared += static_cast<long>(l * l);
+  double& separation = setting.query.separation;
+  separation = round_up(-h) / std::sqrt(norm_squared.get_d());
   const std::int64_t floats = d.integer(-2, 2);
   for (std::int64_t i = 0; i != floats; i += floats < 0 ? -1 : 1) {
-    query.separation = std::nextafter(query.separation, floats < 0 ? 0 : HUGE_VAL);
+    separation = std::nextafter(separation, floats < 0 ? 0 : HUGE_VAL);
   }
-  suppose(is_valid(query));
-  show(d, "query", query);
+  suppose(is_valid(setting.query));
+  show(d, "separation", separation);
   exact_ccd::Gap gap;
-  gap.begin(query);
-  cells.put(gap);
+  setting.put(gap);
   const double scaled = gap.scaled(t);
-  const Rational d_squared = exact(query.separation) * exact(query.separation);
-  CLAIM(gap.sign(below, scaled, gap.extremes(scaled)) == sgn(d_squared * norm_squared - h * h));
+  const Rational squared = exact(separation) * exact(separation);
+  CLAIM(gap.sign(below, scaled, gap.extremes(scaled)) == sgn(squared * norm_squared - h * h));
 }
 
 void check_rational_filter(Draw& d) {

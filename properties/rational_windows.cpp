@@ -16,49 +16,6 @@ namespace {
 using exact_ccd::Cut;
 using exact_ccd::Gap;
 
-constexpr int kMostAxisBits = 30;
-
-/// A pair of cells of a query, of one depth, and an axis.
-struct GapSetting {
-  Query query;
-  std::array<std::vector<Cell>, 2> parts;  ///< all children of a cell, or the root alone
-  std::array<int, 2> chosen{};
-  exact_ccd::IntegerAxis axis;
-
-  RationalLines lines(std::size_t side) const {
-    const Cell& cell = parts[side][static_cast<std::size_t>(chosen[side])];
-    return lines_of_cell(query.patches[side], cell, axis);
-  }
-  void put(Gap& gap) const {
-    gap.begin(query);
-    for (int side = 0; side < 2; ++side) gap.prepare(side, parts[static_cast<std::size_t>(side)]);
-    gap.select(chosen[0], chosen[1]);
-    gap.project(axis, kMostAxisBits);
-  }
-};
-
-GapSetting draw_gap_setting(Draw& d, const Query& query, int max_depth) {
-  GapSetting s;
-  s.query = query;
-  const std::int64_t depth = d.integer(0, max_depth);
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Shape& shape = query.patches[side].shape;
-    const Cell parent = draw_cell_at(d, shape, depth - 1);
-    for (int c = 0; c < (depth == 0 ? 1 : shape.child_count()); ++c) {
-      s.parts[side].push_back(depth == 0 ? parent : parent.child(shape, c));
-    }
-    s.chosen[side] = static_cast<int>(d.below(s.parts[side].size()));
-  }
-  const std::int32_t most = std::int32_t{1} << d.integer(0, kMostAxisBits);
-  for (std::int32_t& x : s.axis.l) x = static_cast<std::int32_t>(d.integer(-most, most));
-  suppose(s.axis.norm1() > 0);
-  show(d, "query", s.query);
-  show(d, "depth", depth);
-  show(d, "chosen", s.chosen);
-  show(d, "axis", s.axis.l);
-  return s;
-}
-
 /// Numbers that are hard to bring to one magnitude, or patches that touch.
 Query draw_hard_query(Draw& d, int max_degree) {
   if (d.coin()) return draw_extreme_query(d);
@@ -83,10 +40,9 @@ void check_signs(Draw& d) {
   show(d, "t", t);
   CLAIM(gap.unscaled(scaled) == t);
   const exact_ccd::Extremes extremes = gap.extremes(scaled);
-  const std::array lines = {s.lines(0), s.lines(1)};
-  for (std::size_t below = 0; below < 2; ++below) {
-    const Rational value = exact_gap(lines[below], lines[1 - below], exact(t));
-    CLAIM(gap.sign(static_cast<int>(below), scaled, extremes) == sgn(value));
+  const std::array<Rational, 2> gaps = s.gaps(exact(t));
+  for (int below = 0; below < 2; ++below) {
+    CLAIM(gap.sign(below, scaled, extremes) == sgn(gaps[static_cast<std::size_t>(below)]));
   }
 }
 
