@@ -19,10 +19,8 @@ class CheckedCase {
   const std::optional<Witness>& witness() const { return value_.truth.witness; }
   /// True iff a checked certificate proves that nothing touches in [0, t_max].
   bool is_clear() const;
-  /// The checked direction that keeps two bodies apart; null if there is none.
-  const BodyClearance* direction() const;
-  /// The checked directions of the faces of a mesh; null if there are none.
-  const MeshClearance* directions() const;
+  /// The checked certificate of absence; null if there is none.
+  const Clearance* clearance() const;
   /// Whether the patches touch in [0, t_max], as far as it is proven.
   std::optional<bool> collides() const;
   /// The same two patches asked up to another t_max ≥ 0, as with_t_max; what was proven stays so.

@@ -89,8 +89,13 @@ bool is_near(const Query& query, const Answer& hit, double tolerance) {
   return squared_distance(query, where, exact(*hit.toi)) <= most * most;
 }
 
-/// Whether two bodies are farther from each other at a time than the tolerance, beyond their radii
-/// and the separation. The direction that keeps them apart has to show it.
+/// What two bodies are apart that are the tolerance apart beyond their radii and the separation.
+Rational far_apart(const Query& query, double tolerance) {
+  return exact(query.separation) + exact(tolerance) + exact(query.patches[0].radius) +
+         exact(query.patches[1].radius);
+}
+
+/// Whether the direction that keeps two bodies apart shows them that far from each other at t.
 bool are_far(const Query& query, const BodyClearance& clearance, const Rational& t,
              double tolerance) {
   const auto height = [&](const Vec3<Rational>& p) {
@@ -99,26 +104,56 @@ bool are_far(const Query& query, const BodyClearance& clearance, const Rational&
     return sum;
   };
   std::array<std::vector<Rational>, 2> heights;
-  Rational beyond = exact(query.separation) + exact(tolerance), squared = 0;
   for (size_t s = 0; s < 2; ++s) {
-    const auto hull = exact_patch<Rational>(query.patches[s]);
-    for (const Vec3<Rational>& p : hull.at(t)) heights[s].push_back(height(p));
-    beyond += hull.radius;
+    for (const Vec3<Rational>& p : exact_patch<Rational>(query.patches[s]).at(t)) {
+      heights[s].push_back(height(p));
+    }
   }
+  Rational squared = 0;
   for (const Rational& x : clearance.normal) squared += x * x;
   const Rational gap =
       *std::ranges::min_element(heights[1]) - *std::ranges::max_element(heights[0]);
-  return gap > 0 && gap * gap > beyond * beyond * squared;
+  const Rational least = far_apart(query, tolerance);
+  return gap > 0 && gap * gap > least * least * squared;
 }
 
 /// The same of each face of a mesh that is there.
-bool are_all_far(const Query& query, const MeshClearance& clearance, const Rational& t,
-                 double tolerance) {
+bool are_far(const Query& query, const MeshClearance& clearance, const Rational& t,
+             double tolerance) {
   const std::vector<size_t> there = faces_there(query);
   for (size_t n = 0; n < there.size(); ++n) {
     if (!are_far(of_face(query, there[n]), nth_of(clearance, n), t, tolerance)) return false;
   }
   return true;
+}
+
+/// The same by the gap of the plane that is between them at t.
+bool are_far(const Query& query, const BodyPlanes& clearance, const Rational& t, double tolerance) {
+  const auto next = std::ranges::upper_bound(clearance.planes, t, {}, &BodyPlanes::Plane::from);
+  const BodyPlanes::Plane& plane = *std::prev(next);
+  const Rational until = next == clearance.planes.end() ? clearance.until : next->from;
+  const Rational share =
+      until == plane.from ? Rational(0) : Rational((t - plane.from) / (until - plane.from));
+  Rational squared = 0;
+  for (size_t k = 0; k < 3; ++k) {
+    const Rational& from = plane.normals[0][k];
+    const Rational x = from + share * (plane.normals[1][k] - from);
+    squared += x * x;
+  }
+  const Rational least = far_apart(query, tolerance);
+  return plane.gap * plane.gap > least * least * squared;
+}
+
+/// Whether what proves that two bodies do not touch shows them that far from each other at t.
+bool are_shown_far(const Query& query, const Clearance& clearance, const Rational& t,
+                   double tolerance) {
+  if (const auto* apart = std::get_if<BodyClearance>(&clearance)) {
+    return are_far(query, *apart, t, tolerance);
+  }
+  if (const auto* faces = std::get_if<MeshClearance>(&clearance)) {
+    return are_far(query, *faces, t, tolerance);
+  }
+  return are_far(query, std::get<BodyPlanes>(clearance), t, tolerance);
 }
 
 /// Whether the patches are proven to come nearer than the separation that is kept, before a time.
@@ -157,12 +192,9 @@ Outcome judge(const CheckedCase& known, const Answer& answer, const AnswerTerms&
     return Outcome::kCorrect;
   }
   if (compare(terms.space_tolerance, 0) > 0) {
-    if (const auto* apart = known.direction()) {
-      const bool is_far = are_far(query, *apart, exact(*answer.toi), terms.space_tolerance);
-      return is_far ? Outcome::kFalsePositive : Outcome::kUnknown;
-    }
-    if (const auto* faces = known.directions()) {
-      const bool is_far = are_all_far(query, *faces, exact(*answer.toi), terms.space_tolerance);
+    if (is_of_bodies(query)) {
+      const bool is_far =
+          are_shown_far(query, *known.clearance(), exact(*answer.toi), terms.space_tolerance);
       return is_far ? Outcome::kFalsePositive : Outcome::kUnknown;
     }
     if (!answer.has_uv) return Outcome::kUnknown;
@@ -196,12 +228,8 @@ bool CheckedCase::is_clear() const {
   return clearance_holds_ && covers(*value_.truth.clearance, exact(value_.query.t_max));
 }
 
-const BodyClearance* CheckedCase::direction() const {
-  return clearance_holds_ ? std::get_if<BodyClearance>(&*value_.truth.clearance) : nullptr;
-}
-
-const MeshClearance* CheckedCase::directions() const {
-  return clearance_holds_ ? std::get_if<MeshClearance>(&*value_.truth.clearance) : nullptr;
+const Clearance* CheckedCase::clearance() const {
+  return clearance_holds_ ? &*value_.truth.clearance : nullptr;
 }
 
 std::optional<bool> CheckedCase::collides() const {

@@ -35,8 +35,9 @@ struct AnswerTerms {
 ///                   nearer than the separation it keeps, and it is a miss, or a hit later than so
 ///   false_positive  a hit, and absence of contact on [0, t_max] is proven (is_clear); the patches
 ///                   at uv and toi are farther apart than the space tolerance (a uv outside of the
-///                   domain is moved to its edge), or the direction that proves it of bodies shows
-///                   that they are; and no contact is known to come within the early tolerance
+///                   domain is moved to its edge), or the certificate of bodies shows that they
+///                   are: its direction, or the gap of its plane at toi. And no contact is known to
+///                   come within the early tolerance
 ///   unknown         neither contact nor absence on [0, t_max] is proven, whatever the case says of
 ///                   them; or the answer has a space tolerance and does not say where
 ///   correct         anything else

@@ -1,6 +1,7 @@
 // Certificates W and N of bodies that turn, by hand, so that each number is known to be right.
 #include <gtest/gtest.h>
 
+#include "case/judge.hpp"
 #include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
@@ -111,6 +112,26 @@ TEST_P(CheckTurning, PlanesBetweenThemProveAbsence) {
     c.planes[1].normals[0] = {Rational(-1, 4), 1, 0};
     c.planes[0].normals[1] = {Rational(-1, 4), 1, 0};
   }));
+}
+
+TEST_P(CheckTurning, AHitIsFalseOnlyWhereThePlaneShowsThemFar) {
+  Case known{rod_to_point(turn()), {}, {}, {}, {}};
+  known.query.t_max = 0.25;
+  known.truth.collides = false;
+  known.truth.proof = "N";
+  known.truth.clearance = rod_planes(turn());
+  const auto checked = check_case(known);
+  ASSERT_TRUE(checked) << checked.error().message();
+  const auto outcome = [&](double toi, double tolerance) {
+    AnswerTerms terms;
+    terms.space_tolerance = tolerance;
+    return judge(*checked, Answer::hit(toi), terms);
+  };
+  // The gap is 1/8, and the normal's length 1 at first and above 1.1 in the end.
+  EXPECT_EQ(outcome(0, 0.1249), Outcome::kFalsePositive);
+  EXPECT_EQ(outcome(0, 0.125), Outcome::kUnknown);
+  EXPECT_EQ(outcome(0.25, 0.11), Outcome::kFalsePositive);
+  EXPECT_EQ(outcome(0.25, 0.1125), Outcome::kUnknown);
 }
 
 TEST_P(CheckTurning, ForgedPlanesAreRefused) {
