@@ -72,54 +72,6 @@ TEST(Evaluate, SharesMergeIntoTheWhole) {
   refused(ccdfuzz(merge), "--max-pops 7");
 }
 
-TEST(Merge, SaysThatTable4IsWithoutTheCostsOfASetThatIsNotThere) {
-  const ScratchFolder folder;
-  const std::string set = generated(folder, "VV", "RP", 2);
-  std::vector<std::string> merge = {"merge", "-o", folder / "merged"};
-  for (const char* shard : {"0/2", "1/2"}) {
-    merge.push_back(folder / fmt::format("share-{}", shard[0]));
-    succeeded(
-        ccdfuzz({"evaluate", set, "--methods", "tdibm-c", "--shard", shard, "-o", merge.back()}));
-  }
-  EXPECT_EQ(ccdfuzz(merge).err, "");
-  std::filesystem::remove(set);
-  EXPECT_EQ(ccdfuzz(merge).err, "") << "the costs are there still";
-  EXPECT_EQ(std::filesystem::remove(folder / "VVRP.generation.jsonl"), true);
-  const Finished merged = succeeded(ccdfuzz(merge));
-  EXPECT_EQ(merged.err, "ccdfuzz: merge: " + set + " is not there: Table 4 is without its costs\n");
-}
-
-TEST(Merge, WritesNoDataSetToTheStreamOfItsTable) {
-  const ScratchFolder folder;
-  const Finished made = ccdfuzz({"merge", folder / "share.jsonl", "-o", "-"});
-  EXPECT_EQ(made.code, 2);
-  EXPECT_EQ(made.out, "");
-  EXPECT_THAT(made.err, testing::HasSubstr("--output: - is neither"));
-}
-
-TEST(Evaluate, AnswersThatAreNotOfARunAreRefusedWithWhatIsWrong) {
-  const ScratchFolder folder;
-  const std::string set = generated(folder, "VV", "RP", 2), run = folder / "run";
-  const std::string answers = run + "/answers.jsonl";
-  succeeded(ccdfuzz({"evaluate", set, "--methods", "tdibm", "-o", run}));
-  const std::string whole = read_text(answers);
-  const auto refused = [&](const std::string& text, const std::string& by,
-                           const std::string& complaint) {
-    std::string changed = whole;
-    const size_t at = changed.find(text);
-    ASSERT_NE(at, std::string::npos) << text << whole;
-    write_text(answers, changed.replace(at, text.size(), by));
-    for (const Finished& done : {ccdfuzz({"merge", run, "-o", folder / "merged"}),
-                                 ccdfuzz({"report", run, "-o", folder / "page"})}) {
-      EXPECT_EQ(done.code, 2);
-      EXPECT_THAT(done.err, testing::HasSubstr(complaint)) << text;
-    }
-  };
-  refused("\"version\":1", "\"version\":3", "answers.jsonl: version");
-  refused("{\"index\":0,\"of\":1}", "{\"index\":1,\"of\":1}", "there is no such share");
-  refused("{\"index\":0,\"case\"", "{\"inde\":0,\"case\"", "answers.jsonl:2");
-}
-
 TEST(Evaluate, AnInterruptedOneSaysSoAndGoesOnAsTheSameCommandAlone) {
   const ScratchFolder folder;
   const std::string set = generated(folder, "FF", "RP", 40), run = folder / "answers";

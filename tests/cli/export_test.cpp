@@ -1,4 +1,4 @@
-// What export and minimize make of cases, built and run.
+// What export makes of cases, built and run.
 #include <filesystem>
 
 #include "process.hpp"
@@ -93,41 +93,6 @@ TEST(Export, AsCatch2Compiles) {
   succeeded(shell(
       fmt::format("cd {} && {} -std=c++17 -fsyntax-only -I. -I{}/src/method/plugin found_test.cpp",
                   folder.path(), CCDFUZZ_CXX, CCDFUZZ_SOURCE_DIR)));
-}
-
-/// Two bodies, of which the second has this, too.
-std::string bodies_with(const std::string& field) {
-  return R"({"format":"ccdfuzz-case","version":2,"patches":[{"shape":"hull","positions":[[0,0,9]],"velocities":[[0,0,-1]],"radius":1},{"shape":"hull","positions":[[0,0,0],[1,0,0],[0,1,0]],"velocities":[[0,0,0]],)" +
-         field + R"(}],"t_max":1,"truth":{"collides":null}})";
-}
-
-TEST(Export, AsTestsRefusesWhatTheyHaveNoPlaceFor) {
-  const ScratchFolder folder;
-  const std::string path = folder / "case.json";
-  for (const auto& [name, field] : std::vector<std::pair<std::string, std::string>>{
-           {"faces", R"("faces":[[0,1,2]])"},
-           {"turn", R"("turn":{"from":[1,0,0,0],"to":[1,0,0,1]})"},
-           {"spin", R"("spin":{"velocity":[0,0,1]})"}}) {
-    write_text(path, bodies_with(field));
-    for (const char* framework : {"gtest", "catch2"}) {
-      refused(ccdfuzz({"export", path, "--as", framework, "-o", folder / "found_test.cpp"}),
-              fmt::format("{}: patches[1].{}: has no place", path, name));
-      EXPECT_FALSE(std::filesystem::exists(folder / "found_test.cpp"));
-    }
-  }
-}
-
-TEST(Minimize, WritesAnEntryThatFailsAlikeAndRefusesWhatDoesNotFail) {
-  const ScratchFolder folder;
-  const std::string underflow = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
-  const std::string small = folder / "small.json";
-  const Finished shrunk =
-      succeeded(ccdfuzz({"minimize", underflow, "--method", "tdibm-e", "-o", small, "--json"}));
-  const auto row = json_lines(shrunk.out).front();
-  EXPECT_LE(row.at("bits"), row.at("bits_before"));
-  succeeded(ccdfuzz({"verify", small}));
-  succeeded(ccdfuzz({"replay", small}));
-  refused(ccdfuzz({"minimize", small, "--method", "tdibm-c"}), "no failure to shrink");
 }
 
 }  // namespace

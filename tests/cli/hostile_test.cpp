@@ -5,6 +5,7 @@
 
 #include <set>
 #include "certify/checker/miss_tree.hpp"
+#include "files/case_files.hpp"
 #include "files/case_json.hpp"
 #include "files/tree_file.hpp"
 #include "process.hpp"

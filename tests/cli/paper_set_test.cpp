@@ -74,6 +74,17 @@ TEST_F(PaperSet, CtrlCSaysHowToGoOn) {
   EXPECT_FALSE(fs::exists(path));
 }
 
+// Interrupted, then run again with nowhere to say that it resumes.
+TEST_F(PaperSet, IsNotWrittenOnInPlaceOfAClosedStream) {
+  const std::string set = *folder / "p.jsonl";
+  const std::string line =
+      fmt::format("timeout -s INT 1 \"$ccdfuzz\" generate --paper --one-in 400 -o {}", set);
+  shell(line + " --threads 1");
+  shell(line + " --threads 1 2>&-");
+  EXPECT_EQ(shell("grep -c 'going on behind' " + set + ".partial").code,
+            fs::exists(set + ".partial") ? 1 : 2);
+}
+
 TEST_F(PaperSet, APartialFileOfAnotherRunIsAnErrorThatNamesIt) {
   const std::string path = *folder / "stopped.jsonl.zst";
   const std::vector<std::string> command = {"generate", "--paper", "-o", path};
@@ -99,39 +110,16 @@ TEST_F(PaperSet, SharesMergeIntoTheWholeWhateverTheirOrder) {
   }
 }
 
-TEST_F(PaperSet, WrongUseNamesWhatIsWrong) {
-  const std::string path = *folder / "x.jsonl";
-  refused(ccdfuzz(paper(path, {"--contact", "FF"})), "--contact");
-  refused(ccdfuzz({"generate", "--paper"}), "--output");
-  refused(ccdfuzz(paper(*folder / "x.json")), "x.json");
-  refused(ccdfuzz({"generate", "--count", "3", "--kind", "RP"}), "--contact");
-  for (const char* shard : {"2/2", "x", "1", "0/0", "-1/2", "0/1000000", "0/2/3"}) {
-    refused(ccdfuzz(paper(path, {"--shard", shard})), "--shard");
-  }
-  EXPECT_FALSE(fs::exists(path + ".partial"));
-}
-
-TEST(Merge, PutsPlainSharesTogetherAndRefusesGaps) {
+TEST(PlainSet, CtrlCLeavesNoFileBehind) {
   const ScratchFolder folder;
-  const std::vector<std::string> base = {"generate", "--contact", "VV", "--kind",  "RP", "--count",
-                                         "7",        "--seed",    "4",  "--first", "2"};
-  const auto make = [&](const std::string& name, std::vector<std::string> more) {
-    more.insert(more.end(), {"-o", folder / name});
-    succeeded(ccdfuzz(with(base, more)));
-    return folder / name;
-  };
-  const std::string whole = make("whole.jsonl", {});
-  std::vector<std::string> shares;
-  for (int i = 0; i < 3; ++i) {
-    shares.push_back(make(fmt::format("s{}.jsonl", i), {"--shard", fmt::format("{}/3", i)}));
-  }
-  const std::string out = folder / "out.jsonl";
-  succeeded(ccdfuzz({"merge", shares[1], shares[2], shares[0], "-o", out}));
-  EXPECT_EQ(read_text(out), read_text(whole));
-  fs::remove(out);
-  refused(ccdfuzz({"merge", shares[1], shares[2], "-o", out}), "share 0/3");
-  refused(ccdfuzz({"merge", whole, shares[0], "-o", out}), "whole.jsonl: format");
-  EXPECT_FALSE(fs::exists(out));
+  Process process({"generate", "--contact", "VV", "--kind", "RP", "--count", "1000000000", "-o",
+                   folder / "set.jsonl"});
+  while (fs::is_empty(folder.path())) std::this_thread::yield();
+  process.signal(SIGINT);
+  const Finished finished = process.wait();
+  EXPECT_EQ(finished.code, 128 + SIGINT);
+  EXPECT_THAT(finished.err, testing::HasSubstr("set.jsonl was not written"));
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 }  // namespace

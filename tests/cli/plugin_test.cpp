@@ -116,6 +116,13 @@ TEST(Plugins, AreNotTracedAndHaveNoLostMutants) {
   EXPECT_TRUE(is_counted);
 }
 
+TEST(Plugins, AreRefusedByTrace) {
+  const std::string entry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
+  const Finished done =
+      refused(ccdfuzz({"trace", "--methods", "tdibm," + kNaive, entry}), "cannot be traced");
+  EXPECT_EQ(done.out, "");
+}
+
 TEST(Plugins, AreStartedByThePrintedReplayCommand) {
   const ScratchFolder folder;
   for (const bool is_named : {false, true}) {

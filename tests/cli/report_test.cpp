@@ -13,13 +13,6 @@ using testing::HasSubstr;
 const std::string kEntry = CCDFUZZ_SOURCE_DIR "/corpus/cases/tdibm-e-underflow.json";
 const std::string kPlugin = std::string("plugin:") + CCDFUZZ_TEST_NAIVE_PLUGIN;
 
-/// A folder with one entry.
-std::string small_corpus(const ScratchFolder& folder) {
-  std::filesystem::create_directories(folder / "corpus");
-  std::filesystem::copy(kEntry, folder / "corpus/entry.json");
-  return folder / "corpus";
-}
-
 TEST(ReportCommand, ShowsTheFolderOfAnEvaluation) {
   const ScratchFolder folder;
   succeeded(ccdfuzz({"evaluate", kEntry, "--methods", "tdibm-e,tdibm-c", "-o", folder / "run",
@@ -85,32 +78,10 @@ TEST(HuntCommand, MakesAPageOfAllThatItHas) {
 TEST(ReportCommand, ShowsTheScoreboard) {
   const ScratchFolder folder;
   const std::string board = CCDFUZZ_SOURCE_DIR "/tests/report/scoreboard.json";
-  const std::string corpus = small_corpus(folder);
-  succeeded(ccdfuzz({"report", corpus, "--scoreboard", board, "-o", folder / "page"}));
+  std::filesystem::create_directories(folder / "corpus");
+  std::filesystem::copy(kEntry, folder / "corpus/entry.json");
+  succeeded(ccdfuzz({"report", folder / "corpus", "--scoreboard", board, "-o", folder / "page"}));
   EXPECT_EQ(page_data(folder / "page", "scoreboard"), nlohmann::json::parse(read_text(board)));
-  for (const auto& [text, complaint] : std::map<std::string, std::string>{
-           {"[", "board.json"},
-           {R"({"format": "else"})", "board.json: format: \"else\""},
-           {R"({"format": "ccdfuzz-scoreboard", "version": 1, "drivers": [], "rows": 5})",
-            "board.json: rows: 5"}}) {
-    write_text(folder / "board.json", text);
-    refused(
-        ccdfuzz({"report", corpus, "--scoreboard", folder / "board.json", "-o", folder / "other"}),
-        complaint);
-    EXPECT_FALSE(std::filesystem::exists(folder / "other/index.html"));
-  }
-}
-
-TEST(ReportCommand, RefusesWhatItCannotRead) {
-  const ScratchFolder folder;
-  for (const std::string& source : {folder / "nothing.json", kEntry}) {
-    refused(ccdfuzz({"report", source, "-o", folder / "page"}), source + ": is no folder");
-  }
-  std::filesystem::create_directories(folder / "empty");
-  EXPECT_EQ(ccdfuzz({"report", folder / "empty", "-o", folder / "page"}).code, 2);
-  EXPECT_FALSE(std::filesystem::exists(folder / "page/index.html"));
-  write_text(folder / "file", "");
-  refused(ccdfuzz({"report", small_corpus(folder), "-o", folder / "file/page"}), "file/page");
 }
 
 }  // namespace

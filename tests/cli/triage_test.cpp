@@ -1,6 +1,5 @@
 // triage and merge: what fuzzers found becomes entries of a corpus.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <filesystem>
 
@@ -11,27 +10,12 @@
 namespace ccdfuzz {
 namespace {
 
-using testing::HasSubstr;
-
 std::size_t entries_of(const std::string& folder) {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     count += entry.path().extension() == ".json" ? 1 : 0;
   }
   return count;
-}
-
-TEST(Triage, RemovesWhatIsDoneAlone) {
-  const ScratchFolder folder;
-  const std::string drawn = generated(folder, "VV", "RP", 2), finds = folder / "finds";
-  std::vector<std::string> command = {"triage", drawn,      "-o",        finds,  "--methods",
-                                      "tdibm",  "--remove", "--seconds", "1e-9", "--json"};
-  EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 0);
-  EXPECT_TRUE(std::filesystem::exists(drawn));
-  command[8] = "600";
-  EXPECT_EQ(json_lines(ccdfuzz(command).out).back()["files_done"], 1);
-  EXPECT_FALSE(std::filesystem::exists(drawn));
-  EXPECT_GT(entries_of(finds), 0U);
 }
 
 TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
@@ -74,26 +58,6 @@ TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   const Finished run = succeeded(ccdfuzz(
       {"triage", folder / "input", "-o", folder / "finds", "--methods", "tdibm", "--json"}));
   EXPECT_EQ(json_lines(run.out).back().at("inputs"), 2);
-}
-
-TEST(Triage, LeavesWhatItCannotReadOrIsBeingWrittenAndGoesOn) {
-  const ScratchFolder folder;
-  std::filesystem::create_directory(folder / "inputs");
-  const std::string unread = folder / "inputs/a";
-  const std::string written = folder / fmt::format("inputs/.ccdfuzz-tmp-{}-7", ::getpid());
-  write_text(unread, "");
-  write_text(written, "");
-  std::filesystem::rename(generated(folder, "VV", "RP", 2), folder / "inputs/b.jsonl");
-  const Finished run = refused(ccdfuzz({"triage", folder / "inputs", "-o", folder / "finds",
-                                        "--methods", "tdibm", "--remove", "--json"}),
-                               unread + ": is neither a case file nor an input of");
-  EXPECT_THAT(run.err, HasSubstr("it is left as it is"));
-  const auto summary = json_lines(run.out).back();
-  EXPECT_EQ(summary.at("files_done"), 1);
-  EXPECT_EQ(summary.at("files_unread"), 1);
-  EXPECT_EQ(summary.at("inputs"), 2);
-  EXPECT_TRUE(std::filesystem::exists(unread) && std::filesystem::exists(written));
-  EXPECT_FALSE(std::filesystem::exists(folder / "inputs/b.jsonl"));
 }
 
 }  // namespace

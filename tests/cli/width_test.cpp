@@ -83,20 +83,6 @@ TEST(Help, FitsATerminalAndHasAnExample) {
   EXPECT_EQ(ccdfuzz({"-V"}).out, ccdfuzz({"--version"}).out);
 }
 
-TEST(Help, NamesTheCommandThatAMisspeltOneMeans) {
-  EXPECT_EQ(ccdfuzz({"hnt"}).err, "ccdfuzz: hnt: no such command; did you mean hunt?\n");
-  EXPECT_EQ(ccdfuzz({"help", "qeury"}).err,
-            "ccdfuzz: help: qeury: no such command; did you mean query?\n");
-  EXPECT_EQ(ccdfuzz({"hunt", "--secnods", "1"}).err,
-            "ccdfuzz: hunt: --secnods: no such option; did you mean --seconds?\n");
-  const std::string method = ccdfuzz({"query", "x.json", "--methods", "tdbim"}).err;
-  EXPECT_TRUE(method.starts_with(
-      "ccdfuzz: query: --methods: unknown method \"tdbim\"; did you mean tdibm?"))
-      << method;
-  EXPECT_EQ(ccdfuzz({"nonsense"}).err,
-            "ccdfuzz: nonsense: no such command; ccdfuzz --help lists them\n");
-}
-
 TEST(Help, TheManualPageHasEveryCommandAndOption) {
   const std::string page = ccdfuzz({"help", "--man"}).out;
   EXPECT_TRUE(page.starts_with(".TH CCDFUZZ 1 ")) << page;

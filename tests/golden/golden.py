@@ -10,7 +10,7 @@
 A group is the file GROUP.txt beside this one. It has rows: a shell command after "$ ", the lines of its stdout,
 those of its stderr after "! ", and its exit code in brackets where that is not 0. To add a row, write its command
 and update; review what changed as a diff. Rows run in a folder of their own, golden/GROUP beside BINARY, where
-`inputs`, `corpus`, `ccdfuzz` and the other forms above are at hand.
+`inputs`, `handmade`, `corpus`, `ccdfuzz` and the other forms above are at hand.
 
 Two groups ask the binary what there is. `data_sets` has a row for each family, kind and class of `generate`,
 which one thread and two must make alike. `commands` stores nothing: each command must have a group, with --json
@@ -189,7 +189,8 @@ class Sandbox:
             tool = tools / name
             tool.write_text(f'#!/bin/sh\nexec python3 {shlex.quote(str(HERE / "golden.py"))} {name} "$@"\n')
             tool.chmod(0o755)
-        (self.folder / 'inputs').symlink_to(HERE / 'inputs')
+        for name in ('inputs', 'handmade'):
+            (self.folder / name).symlink_to(HERE / name)
         (self.folder / 'corpus').symlink_to(HERE.parent.parent / 'corpus')
         self.environment = {name: value for name, value in os.environ.items() if not name.startswith('CCDFUZZ_')}
         self.environment['PATH'] = f'{tools}:{self.environment["PATH"]}'
