@@ -111,7 +111,7 @@ TEST(CheckMesh, AHitIsFalseOnlyFarFromEveryFace) {
   EXPECT_EQ(judge(*checked, hit, terms), Outcome::kUnknown);
 }
 
-/// What is wrong with one is told by tests/files/malformed_body_test.cpp.
+/// What is wrong with one is told by tests/golden/malformed.txt.
 TEST(CheckMesh, WhatIsNoMeshIsInvalid) {
   Query query = ball_into_valley();
   query.patches[0].faces[1][0] = 4;

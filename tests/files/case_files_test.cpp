@@ -107,62 +107,6 @@ TEST(CaseFiles, BlankLinesCarriageReturnsAndByteOrderMarkAreTolerated) {
   EXPECT_EQ(read_cases(folder / "c.json")->size(), 1U);
 }
 
-TEST(CaseFiles, StopsAtTheFirstBadLineAndNamesIt) {
-  const ScratchFolder folder;
-  const std::string line = to_json(simple_case());
-  write_text(folder / "c.jsonl", line + "\n\n{\"format\":1}\n" + line + "\n");
-  EXPECT_EQ(error_of(folder / "c.jsonl"), folder / "c.jsonl:3: format: 1 is not a string");
-  CaseStream cases({folder / "c.jsonl"});
-  EXPECT_TRUE(cases.next());
-  EXPECT_FALSE(cases.next());
-}
-
-TEST(CaseFiles, NameWhatTheyCannotRead) {
-  const ScratchFolder folder;
-  fs::create_directory(folder / "d.json");
-  write_text(folder / "empty.json", "");
-  write_text(folder / "empty.jsonl", "");
-  write_text(folder / "blank.json", " \n");
-  write_text(folder / "blank.jsonl", " \n\n");
-  write_text(folder / "empty.jsonl.zst", "");
-  write_text(folder / "text.jsonl.zst", to_json(simple_case()));
-  write_text(folder / "c.txt", to_json(simple_case()));
-  write_text(folder / "utf16.json", std::string("\xff\xfe{\0}\0", 6));
-  write_text(folder / "long.json", std::string(kMaxCaseBytes + (1 << 17), ' '));
-  write_text(folder / "two.json", to_json(simple_case()) + "\n" + to_json(simple_case()));
-  write_text(folder / "nul.json", to_json(simple_case()) + std::string("\0{", 2));
-  write_text(folder / "nul.jsonl", to_json(simple_case()) + std::string("\0{", 2) + "\n");
-  write_text(folder / "lines.jsonl", to_json(simple_case()) + std::string(1002, '\n'));
-  const std::vector<std::pair<std::string, std::string>> table = {
-      {"none.json", "cannot read: No such file or directory"},
-      {"none.txt", "cannot read: No such file or directory"},
-      {"d.json",
-       "is a folder without a .csv in it; accepted are such folders, and files of cases: .json, "
-       ".jsonl, .jsonl.zst, .csv"},
-      {"c.txt", "ends in none of .json, .jsonl, .jsonl.zst, .csv"},
-      {"empty.json", "is empty; JSON with cases is accepted"},
-      {"empty.jsonl", "is empty; JSON with cases is accepted"},
-      {"blank.json", "is empty; JSON with cases is accepted"},
-      {"blank.jsonl", "holds no case; JSON with cases is accepted"},
-      {"empty.jsonl.zst", "is empty; JSON with cases is accepted"},
-      {"text.jsonl.zst", "is not sound zstd data: Unknown frame descriptor"},
-      {"long.json", "is longer than 1048576 bytes"},
-  };
-  for (const auto& [name, message] : table) {
-    EXPECT_EQ(error_of(folder / name), folder / name + ": " + message);
-  }
-  for (const char* name : {"nul.json", "nul.jsonl"}) {
-    EXPECT_THAT(error_of(folder / name), testing::HasSubstr("is 0, which no JSON text has"));
-  }
-  EXPECT_EQ(error_of(folder / "lines.jsonl"),
-            folder / "lines.jsonl:1002: is one of more than 1000 blank lines");
-  EXPECT_THAT(error_of(folder / "utf16.json"),
-              testing::StartsWith(folder / "utf16.json: column 1"));
-  EXPECT_THAT(error_of(folder / "two.json"),
-              testing::AllOf(testing::StartsWith(folder / "two.json: line 2, column 1: "),
-                             testing::HasSubstr("expected end of input")));
-}
-
 TEST(CaseFiles, TruncatedAndCorruptZstdAreErrorsAtEveryLength) {
   const ScratchFolder folder;
   std::vector<Case> cases;

@@ -10,7 +10,8 @@
 A group is the file GROUP.txt beside this one. It has rows: a shell command after "$ ", the lines of its stdout,
 those of its stderr after "! ", and its exit code in brackets where that is not 0. To add a row, write its command
 and update; review what changed as a diff. Rows run in a folder of their own, golden/GROUP beside BINARY, where
-`inputs`, `handmade`, `corpus`, `ccdfuzz` and the other forms above are at hand.
+`inputs`, `handmade`, `corpus`, `plugins` as they are built, `ccdfuzz`, its `misbehaving` properties and the other forms
+above are at hand.
 
 Two groups ask the binary what there is. `data_sets` has a row for each family, kind and class of `generate`,
 which one thread and two must make alike. `commands` stores nothing: each command must have a group, with --json
@@ -45,7 +46,9 @@ UNPINNED_NAMES = '|'.join([
 ])
 UNPINNED_FIELD = rf'"(?:{UNPINNED_NAMES})": ?(?:"[^"]*"|[-+.\w]+)'
 HISTOGRAM = r',"(?:log|linear)":\{[^}]*\}'  # of times, in a report's page
-UNPINNED_TEXT = re.compile(rf',{UNPINNED_FIELD}|{UNPINNED_FIELD},?|{HISTOGRAM}|(?<=ccdfuzz) \d+\.\d+\.\d+')
+SYNTAX = '(?<=syntax error) while parsing .*?(?=; JSON is accepted|$)'  # in the words of the JSON library
+UNPINNED_TEXT = re.compile(rf',{UNPINNED_FIELD}|{UNPINNED_FIELD},?|{HISTOGRAM}|(?<=ccdfuzz) \d+\.\d+\.\d+|{SYNTAX}',
+                           re.M)
 PROGRESS = re.compile(r'ccdfuzz: +\d+ %  ')  # of a run that takes long
 UNPINNED_FILES = {'tables.md'}  # times in every line
 UNPINNED_COMMANDS = {'bench'}                   # ratios of times
@@ -191,6 +194,8 @@ class Sandbox:
             tool.chmod(0o755)
         for name in ('inputs', 'handmade'):
             (self.folder / name).symlink_to(HERE / name)
+        (self.folder / 'plugins').symlink_to(binary.parent / 'examples')
+        (tools / 'misbehaving').symlink_to(binary.parent / 'tests/cli/misbehaving_properties')
         (self.folder / 'corpus').symlink_to(HERE.parent.parent / 'corpus')
         self.environment = {name: value for name, value in os.environ.items() if not name.startswith('CCDFUZZ_')}
         self.environment['PATH'] = f'{tools}:{self.environment["PATH"]}'
@@ -199,7 +204,7 @@ class Sandbox:
         """What a row prints, as it is stored."""
         run = subprocess.run(['bash', '-o', 'pipefail', '-c', command], cwd=self.folder, env=self.environment,
                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
-        told = [line for line in run.stderr.splitlines() if not PROGRESS.match(line)]
+        told = [line for line in pinned(run.stderr).splitlines() if not PROGRESS.match(line)]
         lines = pinned(run.stdout).splitlines() + ['! ' + line for line in told]
         return without_empty_end(lines) + ([f'[{run.returncode}]'] if run.returncode else [])
 
