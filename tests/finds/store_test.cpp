@@ -173,17 +173,6 @@ TEST(Store, RefusesARefutedFind) {
   EXPECT_THAT(done.error().message(), testing::StartsWith("truth.witness.uv: "));
 }
 
-TEST(Store, RefusesACorpusOfTheOldLayout) {
-  const ScratchFolder folder;
-  fs::create_directories(folder / "regressions");
-  const auto refused = Store::open(folder.path());
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message(),
-            (folder / "regressions") + ": is called cases now: rename it");
-  fs::rename(folder / "regressions", folder / "cases");
-  EXPECT_TRUE(Store::open(folder.path()));
-}
-
 TEST(Store, WritesToCasesWhereThatIsAndKnowsTheSeeds) {
   const ScratchFolder folder;
   fs::create_directories(folder / "cases");
@@ -195,21 +184,6 @@ TEST(Store, WritesToCasesWhereThatIsAndKnowsTheSeeds) {
   EXPECT_TRUE(fs::exists(folder / "cases/trad-missed-VV-at-an-end.json"));
   EXPECT_EQ(put(store, find_of(1)), Put::kNew);
   EXPECT_TRUE(fs::exists(folder / "seeds/a.json"));
-}
-
-TEST(LoadCorpus, AnEmptyOrMissingCorpusIsAnError) {
-  const ScratchFolder folder;
-  write_text(folder / "README.md", "no entry");
-  EXPECT_EQ(load_corpus(folder.path()).error().message(),
-            folder.path() + ": the corpus is empty: no .json entry in it");
-  EXPECT_EQ(load_corpus(folder / "none").error().message(),
-            folder / "none: cannot read: No such file or directory");
-  std::filesystem::create_symlink("nowhere", folder / "entry.json");
-  EXPECT_EQ(load_corpus(folder.path()).error().message(),
-            folder / "entry.json: cannot read: No such file or directory");
-  write_text(folder / "file", "");
-  EXPECT_EQ(Store::open(folder / "file").error().message(),
-            folder / "file: cannot make the folder: Not a directory");
 }
 
 }  // namespace

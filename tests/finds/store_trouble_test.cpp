@@ -155,15 +155,6 @@ TEST(StoreInTrouble, OpeningRemovesWhatAKilledWriterLeft) {
   EXPECT_TRUE(fs::exists(of_living));
 }
 
-TEST(StoreInTrouble, ADamagedEntryIsNamedAndNothingIsTouched) {
-  const ScratchFolder folder;
-  write_text(folder / "bad.json", "{");
-  const auto store = Store::open(folder.path());
-  ASSERT_FALSE(store);
-  EXPECT_THAT(store.error().message(), testing::StartsWith(folder / "bad.json: column "));
-  EXPECT_EQ(folder.entry_count(), 1U);
-}
-
 /// Runs as a user whom permissions bind, which root is not.
 int as_nobody(const std::function<int()>& work) {
   return in_child([&] {

@@ -193,11 +193,12 @@ class Sandbox:
             tool.write_text(f'#!/bin/sh\nexec python3 {shlex.quote(str(HERE / "golden.py"))} {name} "$@"\n')
             tool.chmod(0o755)
         for name in ('inputs', 'handmade'):
-            (self.folder / name).symlink_to(HERE / name)
+            shutil.copytree(HERE / name, self.folder / name)  # so that no row changes them
         (self.folder / 'plugins').symlink_to(binary.parent / 'examples')
         (tools / 'misbehaving').symlink_to(binary.parent / 'tests/cli/misbehaving_properties')
         (self.folder / 'corpus').symlink_to(HERE.parent.parent / 'corpus')
         self.environment = {name: value for name, value in os.environ.items() if not name.startswith('CCDFUZZ_')}
+        self.environment['LC_ALL'] = 'C.UTF-8'  # in which files are listed
         self.environment['PATH'] = f'{tools}:{self.environment["PATH"]}'
 
     def run(self, command):

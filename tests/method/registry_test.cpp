@@ -14,28 +14,6 @@ std::string concrete(const std::string& spec) {
   return parameter == std::string::npos ? spec : spec.substr(0, parameter) + ":1e-12";
 }
 
-TEST(Registry, BadSpecsAreRefusedAndNamed) {
-  std::vector<std::string> specs = {"", "nonsense", "TDIBM", " tdibm"};
-  const auto behind = [&specs](const std::string& name, std::initializer_list<const char*> ends) {
-    for (const char* end : ends) specs.push_back(name + end);
-  };
-  behind("trad", {":", ":obb", ":aabb:", ":aabb@unit-axes", "@unoptimised"});
-  behind("tdibm", {" ", ":", ":1", "@fast", "@slip@slip", "@unoptimised@unoptimised"});
-  behind("tdibm-e", {":1e-12", "@absolute"});
-  behind("tdibm-c", {"@", "@unoptimised"});
-  behind("tdibm-h", {"", ":", ":abc", ":-1", ":-0", ":+1", ":nan", ":inf", ":1e999", ":1e-12x"});
-  behind("tdibm-h", {": 1e-12", ":1e-12:2", "-rel:1e-12", ":1e-12@count-pairs"});
-  behind("tdibm-h", {"@absolute:1e-12"});
-  for (const std::string& spec : specs) {
-    const auto method = make_method(spec);
-    ASSERT_FALSE(method) << spec;
-    const std::string message = method.error().message();
-    EXPECT_NE(message.find(fmt::format("\"{}\"", spec)), std::string::npos)
-        << spec << " is not named in: " << message;
-    EXPECT_FALSE(parse_method_list(fmt::format("tdibm,{}", spec))) << spec;
-  }
-}
-
 /// Each switch is taken by the families that say so, alone and with all others, and still answers.
 TEST(Registry, SwitchesAreTakenInAnyOrder) {
   for (const MethodInfo& info : registered_methods()) {
@@ -64,30 +42,6 @@ TEST(PullApart, IsAShareOfTheInterceptOrALength) {
   EXPECT_EQ(share.pulled(-0x1p-40), -0x1p-40 + 0x1p-50);
   EXPECT_EQ(length.pulled(1), 1 + 0x1p-10);
   EXPECT_EQ(length.pulled(0), 0x1p-10);
-}
-
-TEST(Registry, AnUnknownMethodNamesTheKnownOnes) {
-  const std::string message = make_method("tdibm-x").error().message();
-  for (const MethodInfo& info : registered_methods()) {
-    EXPECT_NE(message.find(info.spec), std::string::npos) << message;
-  }
-}
-
-TEST(PullApart, ReadsDecimalsHexFloatsAndPowersOfTwo) {
-  for (const char* good : {"tdibm-h:0", "tdibm-h:.5", "tdibm-h:0x1p-40", "tdibm-h:2^-40"}) {
-    EXPECT_TRUE(make_method(good)) << good;
-  }
-  for (const char* bad : {"tdibm-h:1e-400", "tdibm-h:1e400", "tdibm-h:0x-1", "tdibm-h:0x"}) {
-    EXPECT_FALSE(make_method(bad)) << bad;
-  }
-}
-
-TEST(MethodList, KeepsTheOrderAndRefusesDuplicates) {
-  EXPECT_EQ(parse_method_list("tdibm-e,tdibm,tdibm-h:1e-8"),
-            (std::vector<std::string>{"tdibm-e", "tdibm", "tdibm-h:1e-8"}));
-  EXPECT_FALSE(parse_method_list("tdibm,tdibm"));
-  EXPECT_FALSE(parse_method_list("tdibm,,tdibm-e"));
-  EXPECT_FALSE(parse_method_list("tdibm,"));
 }
 
 }  // namespace
