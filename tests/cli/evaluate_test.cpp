@@ -21,30 +21,6 @@ std::vector<std::string> without_times(const std::string& report) {
   return untimed(read_text(report + "/answers.jsonl") + read_text(report + "/rows.jsonl"));
 }
 
-TEST(Evaluate, WritesTheTablesAndTheirRows) {
-  const ScratchFolder folder;
-  const std::string set = paper_part(folder), report = folder / "report";
-  const Finished finished = succeeded(
-      ccdfuzz({"evaluate", set, "--methods", "tdibm-e,tdibm-c", "-o", report, "--by-class"}));
-  for (const char* word : {"Table 1", "Table 2", "Table 4", "NHP+NMN", "RP+RN", "memory", "p99",
-                           "59.0 s", "175/6603", "static check"}) {
-    EXPECT_THAT(finished.out, testing::HasSubstr(word)) << word;
-  }
-  const std::string markdown = read_text(report + "/tables.md");
-  for (const char* title : {"## Performance", "## Table 1", "## Table 2", "## Table 4"}) {
-    EXPECT_THAT(markdown, testing::HasSubstr(title)) << title;
-  }
-  const auto lines = [&](const char* name) {
-    const std::string text = read_text(report + "/" + name);
-    return std::count(text.begin(), text.end(), '\n');
-  };
-  EXPECT_EQ(lines("answers.jsonl"), 1 + 24);
-  const auto rows = json_lines(read_text(report + "/rows.jsonl"));
-  ASSERT_EQ(rows.size(), 18U + 24);
-  for (size_t i = 0; i < 18; ++i) EXPECT_TRUE(rows[i].contains("cpu_seconds")) << rows[i];
-  for (size_t i = 18; i < rows.size(); ++i) EXPECT_GT(rows[i].at("max_bytes"), 0) << rows[i];
-}
-
 TEST(Evaluate, SharesMergeIntoTheWhole) {
   const ScratchFolder folder;
   std::filesystem::create_directories(folder / "vertex-face");

@@ -75,51 +75,6 @@ TEST(Hunt, RepeatsExactlyByCasesOnAnyNumberOfThreads) {
   EXPECT_FALSE(finds[0].empty());
 }
 
-TEST(Hunt, FindsReplayAndTheirCommandsShowTheFailure) {
-  const ScratchFolder folder;
-  const Finished finished = ccdfuzz(hunt(folder / "finds", {"--cases", kAFew, "--json"}));
-  int finds = 0;
-  for (const auto& row : json_lines(finished.out)) {
-    if (row.at("row") != "find" || ++finds > 3) continue;
-    const Finished again = succeeded(shell(row.at("reproduce").get<std::string>() + " --json"));
-    for (const auto& answer : json_lines(again.out)) {
-      EXPECT_EQ(answer.at("method"), row.at("method"));
-      EXPECT_EQ(answer.at("outcome"), row.at("outcome"));
-    }
-  }
-  EXPECT_GT(finds, 0);
-  succeeded(ccdfuzz({"replay", folder / "finds"}));
-}
-
-TEST(Hunt, QuotesAFolderWithASpaceInTheCommandThatShowsAFind) {
-  const ScratchFolder folder;
-  const std::string corpus = folder / "two words";
-  const Finished finished = ccdfuzz(hunt(corpus, {"--cases", "3"}));
-  ASSERT_TRUE(has_entry(corpus)) << finished.out << finished.err;
-  EXPECT_THAT(finished.out, testing::HasSubstr(" query '" + corpus));
-}
-
-TEST(Hunt, ASecondHuntFindsNothingNewAndFailOnLooksAtKnownFailuresToo) {
-  const ScratchFolder folder;
-  const std::string finds = folder / "finds";
-  EXPECT_EQ(ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"})).code, 1);
-  const auto before = files_in(finds);
-  const Finished second = failed(ccdfuzz(hunt(finds, {"--cases", kAFew, "--fail-on", "any"})));
-  EXPECT_THAT(second.out, testing::HasSubstr("0 new counterexamples"));
-  EXPECT_THAT(second.out, testing::HasSubstr(" known\n"));
-  EXPECT_EQ(files_in(finds), before);
-  // Neither method claims to be free of false negatives.
-  succeeded(ccdfuzz(hunt(folder / "other", {"--cases", kAFew, "--fail-on", "claims"})));
-}
-
-TEST(Hunt, FailOnClaimsSeesAMethodThatBreaksItsOwn) {
-  const ScratchFolder folder;
-  const Finished finished =
-      failed(ccdfuzz({"hunt", "--cases", "4", "--methods", "tdibm-e-literal", "--max-pops", "40",
-                      "--corpus", folder / "finds", "--fail-on", "claims"}));
-  EXPECT_THAT(finished.out, testing::HasSubstr(" breaking a guarantee\n"));
-}
-
 TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
   for (const int signal : {SIGINT, SIGHUP}) {
     const ScratchFolder folder;
@@ -132,21 +87,6 @@ TEST(Hunt, CtrlCOrAClosedTerminalPrintsTheTableAndKeepsTheFinds) {
     EXPECT_THAT(finished.out, testing::HasSubstr("new counterexamples"));
     succeeded(ccdfuzz({"replay", finds}));
   }
-}
-
-TEST(Hunt, FailsAndSaysWhyWhenItAskedNothing) {
-  const ScratchFolder folder;
-  // No triangle of degree 2 is drawn first whose numbers are all 0 or between 1/2 and 2.
-  const Finished finished =
-      failed(ccdfuzz({"hunt", "--json", "--corpus", folder / "finds", "--cases", "1", "--shape",
-                      "triangle:2", "--within", "1", "--methods", "tdibm"}));
-  EXPECT_EQ(
-      finished.err,
-      "ccdfuzz: hunt: nothing was checked: no query was asked; none of 6 cases drawn can be with "
-      "--within 1: try more --cases\n");
-  EXPECT_EQ(json_lines(finished.out).back().at("queries"), 0);
-  const Finished no_time = failed(ccdfuzz(hunt(folder / "finds", {"--seconds", "1e-9"})));
-  EXPECT_THAT(no_time.err, testing::HasSubstr("the time was over before: try more --seconds"));
 }
 
 TEST(Hunt, MinimisesWithinTheNumbersThatItWasAskedFor) {
@@ -166,13 +106,6 @@ TEST(Hunt, MinimisesWithinTheNumbersThatItWasAskedFor) {
     }
   }
   EXPECT_GT(numbers, 100);
-}
-
-TEST(Hunt, ShowsNoProgressWhereStderrIsNoTerminal) {
-  const ScratchFolder folder;
-  const std::string told = ccdfuzz(hunt(folder / "finds", {"--cases", "1"})).err;
-  EXPECT_EQ(told.find_first_of("\r\x1b"), std::string::npos) << told;
-  EXPECT_TRUE(told.starts_with("ccdfuzz: hunt: found: missed by tdibm (")) << told;
 }
 
 }  // namespace

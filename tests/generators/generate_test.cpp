@@ -94,6 +94,8 @@ TEST(Generate, TheOriginNamesABudgetOfItsOwn) {
   EXPECT_EQ(generate(options, 0).value.origin.generator, "one-sided, proven in 1000 pops");
   options.family = Family::kScaled;  // which proves no absence
   EXPECT_EQ(generate(options, 0).value.origin.generator, "scaled");
+  options.proof_pops = 0;
+  EXPECT_EQ(validate(options).error().message(), "proof_pops: 0 is not at least 1");
 }
 
 // Section 5.4: "the discard rate of this test is 0 %".

@@ -15,8 +15,6 @@
 namespace ccdfuzz {
 namespace {
 
-using Shapes = std::array<Shape, 2>;
-
 /// Calls check(options, index, case) on a few cases of all families that are made of any shapes.
 template <class Check>
 void for_each_shaped_case(std::uint64_t count, const Check& check) {
@@ -67,52 +65,6 @@ TEST(Shaped, ProvesThatNothingTouchesBeforeButWhereItSaysThatItDoesNot) {
     EXPECT_TRUE(some || until.has_value() == !none.contains(options.family));
     EXPECT_EQ(until.value_or(c.truth.witness->t), c.truth.witness->t);
   });
-}
-
-std::string refusal(const GeneratorOptions& options) {
-  const Result<void> checked = validate(options);
-  return checked ? "accepted" : checked.error().message();
-}
-
-TEST(Shaped, RefusesWhatIsNotMade) {
-  GeneratorOptions options;
-  options.construction = Construction::kOneSided;
-  options.contact = ContactClass::kVF;
-  options.shapes = Shapes{Shape::point(), Shape::curve(2)};
-  EXPECT_EQ(refusal(options), "--shape: patch 2 of VF has a face, and curve(2) has none");
-  options.shapes = Shapes{Shape::point(), Shape::triangle(9)};
-  EXPECT_EQ(refusal(options), "--shape: triangle(9) has a degree outside 1..8");
-  options.shapes = Shapes{Shape::point(), Shape::triangle(1)};
-  EXPECT_EQ(refusal(options), "accepted");
-  options.kind = CaseKind::kNHP;
-  EXPECT_EQ(refusal(options), "--shape: NHP of VF needs degrees of 2 or more, not triangle(1)");
-  options.kind = CaseKind::kRP;
-  options.family = Family::kArea;
-  EXPECT_EQ(refusal(options), "--shape: point and triangle(1) have no contact area of VF");
-  options.family = Family::kTwins;
-  EXPECT_EQ(refusal(options), "--shape: the family twins has no shapes but triangle:2");
-  options.family = Family::kRegular;
-  options.construction = Construction::kPaper;
-  EXPECT_EQ(refusal(options), "--construction: paper makes patches of shape triangle:2 only");
-  options.shapes.reset();
-  options.family = Family::kRuled;
-  options.contact = ContactClass::kVV;
-  EXPECT_EQ(refusal(options), "--contact: the family ruled has no VV");
-  options.contact = ContactClass::kFF;
-  options.kind = CaseKind::kRN;
-  EXPECT_EQ(refusal(options), "accepted");
-  options.family = Family::kAtStart;
-  EXPECT_EQ(refusal(options), "--kind: RN of FF is not generated in the family at-start");
-  options = {};
-  options.kind = CaseKind::kNHP;
-  options.family = Family::kTwins;
-  EXPECT_EQ(refusal(options), "--kind: NHP is not generated in the family twins");
-  options = {};
-  options.eps_t_exponent = 0;
-  EXPECT_EQ(refusal(options), "--eps-t: 2^0 is not in [2^-40, 2^-1]");
-  options = {};
-  options.proof_pops = 0;
-  EXPECT_EQ(refusal(options), "proof_pops: 0 is not at least 1");
 }
 
 }  // namespace
