@@ -56,21 +56,6 @@ TEST(Plugins, AreOneFindPerMisbehaviourAndDoNotStopTheHunt) {
   }
 }
 
-TEST(Plugins, AreRefutedAndTheFindsShrunkWhenTheyAreNaive) {
-  const ScratchFolder folder;
-  const Finished hunted = succeeded(ccdfuzz(
-      {"hunt", "--cases", "1", "--methods", kNaive, "--corpus", folder / "finds", "--json"}));
-  const auto finds = rows_of(hunted.out, "find");
-  ASSERT_FALSE(finds.empty());
-  for (const auto& find : finds) {
-    // What a hunt draws has more than a thousand digits; nothing of it is needed.
-    const auto entry = nlohmann::json::parse(read_text(find.at("path").get<std::string>()));
-    EXPECT_LT(entry.at("patches").dump().size(), 900U) << entry;
-  }
-  succeeded(ccdfuzz({"verify", finds.front().at("path").get<std::string>()}));
-  succeeded(ccdfuzz({"replay", folder / "finds", "--allow-plugins", kNaive}));
-}
-
 TEST(Plugins, WriteNothingAndHaveNoNetworkInBubblewrapAsThePageSays) {
   if (shell("bwrap --ro-bind / / --unshare-all true").code != 0) {
     GTEST_SKIP() << "bwrap is not installed, or not permitted here";

@@ -164,21 +164,6 @@ inline std::vector<nlohmann::ordered_json> json_lines(const std::string& text) {
   return rows;
 }
 
-/// What an evaluation printed or left, without times.
-inline std::vector<std::string> untimed(const std::string& lines) {
-  std::vector<std::string> all;
-  for (nlohmann::ordered_json one : json_lines(lines)) {
-    if (one.contains("answers")) {
-      for (auto& answer : one["answers"]) answer.erase("seconds");
-    }
-    for (const char* time : {"seconds", "mean_seconds", "median_seconds", "p99_seconds"}) {
-      one.erase(time);
-    }
-    all.push_back(one.dump());
-  }
-  return all;
-}
-
 /// The data in the page of a report's folder; the JSON of another of its elements.
 inline nlohmann::json page_data(const std::string& folder, const std::string& id = "report") {
   const std::string page = read_text(folder + "/index.html");

@@ -44,6 +44,18 @@ TEST(ReportCommand, ShowsAPluginsAnswers) {
   EXPECT_EQ(page["cases"][0][4], "cm");
 }
 
+TEST(ReportCommand, OfQueryCsvsHasTable3AndNoRateOfTheirs) {
+  const ScratchFolder folder;
+  succeeded(ccdfuzz({"evaluate", CCDFUZZ_SOURCE_DIR "/tests/golden/handmade/scene", "--methods",
+                     "tdibm-c,tdibm", "--report", folder / "page"}));
+  const nlohmann::json shown = page_data(folder / "page");
+  EXPECT_EQ(shown["groups"][0]["kind"], "linear");
+  EXPECT_EQ(shown["tables"][0]["id"], "table-3");
+  for (const nlohmann::json& row : shown["paper"]) {
+    EXPECT_NE(row["class"], "VF") << "the paper's rate is of curved cases";
+  }
+}
+
 TEST(HuntCommand, MakesAPageOfAllThatItHas) {
   const ScratchFolder folder;
   Finished hunted;

@@ -83,35 +83,5 @@ TEST(Help, FitsATerminalAndHasAnExample) {
   EXPECT_EQ(ccdfuzz({"-V"}).out, ccdfuzz({"--version"}).out);
 }
 
-TEST(Help, TheManualPageHasEveryCommandAndOption) {
-  const std::string page = ccdfuzz({"help", "--man"}).out;
-  EXPECT_TRUE(page.starts_with(".TH CCDFUZZ 1 ")) << page;
-  for (const std::string& command : commands()) {
-    EXPECT_THAT(page, testing::HasSubstr("\n.SH " + command + "\n")) << command;
-  }
-  EXPECT_NE(page.find("\n.B \\-\\-seconds SECONDS\n"), std::string::npos);
-  std::istringstream lines(page);
-  for (std::string line; std::getline(lines, line);) {
-    static const std::regex kRequest(R"(\.(TH|SH|PP|TP|B|nf|fi)\b.*)");
-    EXPECT_TRUE(!line.starts_with('.') || std::regex_match(line, kRequest)) << line;
-  }
-}
-
-TEST(Help, BashCompletesCommandsAndOptions) {
-  const auto completed = [](const std::string& words, int at) {
-    const ScratchFolder folder;
-    write_text(folder / "ask.sh",
-               fmt::format("eval \"$('{}' help --bash)\"\nCOMP_WORDS=({})\n"
-                           "COMP_CWORD={}\n_ccdfuzz\necho \"${{COMPREPLY[@]}}\"\n",
-                           CCDFUZZ_EXECUTABLE, words, at));
-    return shell("bash " + (folder / "ask.sh")).out;
-  };
-  EXPECT_EQ(completed("ccdfuzz hu", 1), "hunt\n");
-  EXPECT_EQ(completed("ccdfuzz hunt --sec", 2), "--seconds\n");
-  EXPECT_EQ(completed("ccdfuzz help min", 2), "minimize\n");
-  EXPECT_EQ(completed("ccdfuzz --vers", 1), "--version\n");
-  EXPECT_EQ(completed("ccdfuzz query som", 2), "\n") << "files are bash's own";
-}
-
 }  // namespace
 }  // namespace ccdfuzz
