@@ -276,7 +276,8 @@ constexpr std::array kToleranceKinds = {ToleranceKind::kTime, ToleranceKind::kTi
 
 bool is_looser(const AnswerTerms& a, const AnswerTerms& b) {
   return a.time_tolerance > b.time_tolerance || a.space_tolerance > b.space_tolerance ||
-         a.early_tolerance > b.early_tolerance || a.kept_separation < b.kept_separation;
+         a.depth_tolerance > b.depth_tolerance || a.early_tolerance > b.early_tolerance ||
+         a.kept_separation < b.kept_separation;
 }
 
 void check_achieved(Draw& d) {

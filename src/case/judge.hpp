@@ -16,6 +16,8 @@ struct AnswerTerms {
   double time_tolerance = 0;
   /// A hit is right if the points at uv are at most this far apart at toi. ≥ 0, finite.
   double space_tolerance = 0;
+  /// A miss or late hit of bodies is right if what it overlooks is no deeper. ≥ 0, finite.
+  double depth_tolerance = 0;
   /// A hit is right if a contact after t_max comes at most this much after it. ≥ 0, finite.
   double early_tolerance = 0;
   /// Patches that come nearer than this count as touching; not those that are as near from the

@@ -23,7 +23,7 @@ Judged failed(const std::exception& error, std::string name) {
 Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outcome,
                   bool is_ordinary) {
   const Query& query = known.query();
-  double tolerance = answer.terms.space_tolerance;
+  double tolerance = answer.terms.depth_tolerance;
   if (!is_false_negative(outcome) || !is_of_bodies(query)) return outcome;
   // A graze before a deep contact of a mesh is not ordinary, and hits of the deep one may be so
   // late.

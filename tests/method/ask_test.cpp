@@ -21,7 +21,7 @@ class Says : public Method {
     Answered answered;
     answered.verdict = toi_ ? Verdict::kHit : Verdict::kMiss;
     answered.toi = toi_;
-    answered.terms.space_tolerance = tolerance_;
+    answered.terms.space_tolerance = answered.terms.depth_tolerance = tolerance_;
     return answered;
   }
 

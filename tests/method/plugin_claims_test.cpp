@@ -94,6 +94,11 @@ TEST(PluginClaims, BodiesAreAskedOfWhomTakesThem) {
   EXPECT_EQ(outcome_of(kMiss, known), "not_asked");
   EXPECT_EQ(outcome_of(kMiss + ":claims=70", known), "missed");
   EXPECT_EQ(outcome_of(":verdict=1:toi=2.5:claims=70", known), "late");
+  // They pass 1/8 into each other by then, which no tolerance of who is conservative excuses.
+  const std::string shallow = ":verdict=1:toi=2.125:kind=2:tolerance=0.125:claims=";
+  EXPECT_EQ(outcome_of(shallow + "70", known), "correct");
+  EXPECT_EQ(outcome_of(shallow + "71", known), "late");
+  EXPECT_EQ(outcome_of(":verdict=1:toi=2.125:separation=0.125:claims=71", known), "late");
   EXPECT_EQ(outcome_of(kMiss + ":claims=1094", known), "missed") << "in the plane z = 0";
   Case moved = known;
   for (MovingPatch<double>& body : moved.query.patches) {

@@ -50,11 +50,13 @@ AnswerTerms terms_of(const PluginDescription& claims, const PluginAnswer& given,
   }
   terms.space_tolerance = std::min(claims.minimum_separation + (in_space ? tolerance : 0),
                                    std::numeric_limits<double>::max());
-  if (!in_space) {
-    terms.early_tolerance = tolerance;
-    if (!claims.conservative) terms.time_tolerance = tolerance;
+  if (!in_space) terms.early_tolerance = tolerance;
+  if (claims.conservative) {
+    terms.kept_separation = claims.minimum_separation;
+  } else {
+    terms.depth_tolerance = terms.space_tolerance;
+    if (!in_space) terms.time_tolerance = tolerance;
   }
-  if (claims.conservative) terms.kept_separation = claims.minimum_separation;
   return terms;
 }
 
