@@ -208,7 +208,7 @@ Result<MergedRun> MergedRun::open(const std::vector<std::string>& paths) {
   for (std::uint64_t i = 0; i < of; ++i) {
     const auto share = shares.find(i);
     if (share == shares.end()) {
-      return input_error("merge", fmt::format("share {} is missing", text_of({i, of})));
+      return input_error("input", fmt::format("share {} is missing", text_of({i, of})));
     }
     merged.shares_.push_back(std::move(share->second));
   }
