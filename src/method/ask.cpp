@@ -29,12 +29,20 @@ Outcome tolerated(const CheckedCase& known, const Answered& answer, Outcome outc
   // late.
   const bool may_graze = is_ordinary && has_mesh(query);
   if (!(tolerance > 0) && !may_graze) return outcome;
-  const double overlooked = outcome == Outcome::kLate ? delay_of(known, answer) : query.t_max;
-  const Vec3<double> velocity = query.patches[0].velocities[0] - query.patches[1].velocities[0];
-  if (may_graze) tolerance += answer.terms.time_tolerance * velocity.norm();
-  // Moved back by so much, they would not touch: no overlap is deeper than the way. Rounding adds
-  // less than a part in 2^50, and the tolerance is no exact number.
-  if (!has_turns(query) && velocity.norm() * overlooked <= tolerance) return Outcome::kCorrect;
+  const auto &first = query.patches[0].velocities[0], &second = query.patches[1].velocities[0];
+  if (may_graze) tolerance += answer.terms.time_tolerance * (first - second).norm();
+  // Moved back by so much, they would not touch: no overlap is deeper than the way.
+  Rational squared = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Rational x = exact(first[k]) - exact(second[k]);
+    squared += x * x;
+  }
+  const Rational overlooked =
+      outcome == Outcome::kLate ? exact(*answer.toi) - *known.contact_by() : exact(query.t_max);
+  const Rational most = exact(tolerance);
+  if (!has_turns(query) && squared * overlooked * overlooked <= most * most) {
+    return Outcome::kCorrect;
+  }
   const std::optional<double> depth =
       depth_of(known, {answer, outcome, "", 0, 0, answer.terms.in_plane});
   if (!depth) return Outcome::kUnknown;

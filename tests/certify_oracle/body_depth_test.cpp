@@ -47,6 +47,21 @@ TEST(BodyDepth, IsTheLeastOverlapOfTheMotionOfTwoBoxes) {
   expect_depth(query, 1, 0.625);
 }
 
+TEST(BodyDepth, ScalesWithTheBodies) {
+  for (const int power : {-1000, -700, 700, 1000}) {
+    const double unit = std::ldexp(1, power);
+    Query boxes{{box({0, 0, 0}, {2, 2, 2}, {1, 0, 0}), box({4, 1, 0}, {6, 3, 2}, {0, 0, 0})}, 1};
+    Query balls{{ball({0, 0, 0}, 1, {2, 0, 0}), ball({4, 0, 0}, 1, {0, 0, 0})}, 1};
+    for (Query* query : {&boxes, &balls}) {
+      for (MovingPatch<double>& body : query->patches) {
+        for_each_coordinate(body, [&](double& x) { x *= unit; });
+      }
+    }
+    expect_depth(boxes, 4, unit);
+    expect_depth(balls, 1.25, unit / 2);
+  }
+}
+
 TEST(BodyDepth, GrowsWithTimeAndNeverExceedsTheWay) {
   const Query query{
       {MovingPatch<double>{

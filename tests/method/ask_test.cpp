@@ -117,6 +117,12 @@ TEST(Ask, HoldsNoOverlapOfBodiesWithinTheToleranceAgainstAMethod) {
   EXPECT_EQ(outcome_of(1.125, 0.12), Outcome::kLate);
   EXPECT_EQ(outcome_of({}, 0.99), Outcome::kMissed) << "it passes by 1 into the box";
   EXPECT_EQ(outcome_of({}, 1), Outcome::kCorrect);
+  Case slow = falling_ball();  // by 1 in 2^600 units of time, the square of which is no double
+  slow.query.patches[0].velocities[0][1] = -0x1p-600;
+  slow.query.t_max = 0x1p601;
+  slow.truth.witness->t = exact(0x1p600);
+  EXPECT_EQ(outcome_of({}, 0.99, slow), Outcome::kMissed);
+  EXPECT_EQ(outcome_of({}, 1, slow), Outcome::kCorrect);
 }
 
 TEST(Ask, ExcusesNoOverlapThatIsNotMeasured) {

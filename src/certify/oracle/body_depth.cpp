@@ -35,6 +35,26 @@ bool is_zero(const Vec3<Dyadic>& v) {
   return v[0].sign() == 0 && v[1].sign() == 0 && v[2].sign() == 0;
 }
 
+/// v ≠ 0 times the power of two that brings its largest coordinate into [1/2, 1), exactly. So no
+/// square of it leaves the range of doubles.
+Vec3<Dyadic> of_size_one(const Vec3<Dyadic>& v) {
+  std::optional<long> top;
+  for (int k = 0; k < 3; ++k) {
+    if (v[k].sign() == 0) continue;
+    const long own = v[k].exponent() + static_cast<long>(bits_of(v[k].mantissa()));
+    top = top ? std::max(*top, own) : own;
+  }
+  return {v[0].scaled(-*top), v[1].scaled(-*top), v[2].scaled(-*top)};
+}
+
+/// The root of x > 0, rounded up, also where x is out of the range of doubles.
+double upper_root(const Rational& x) {
+  const auto top =
+      static_cast<long>(bits_of(x.get_num())) - static_cast<long>(bits_of(x.get_den()));
+  const Rational unit = power_of_two(top / 2);
+  return round_up(unit * exact(std::sqrt(round_up(x / (unit * unit))) / kRoundings));
+}
+
 using Hull = std::vector<Vec3<Dyadic>>;
 
 Hull points_of(const MovingPatch<double>& body) {
@@ -81,8 +101,9 @@ double overlap_of(const Hull& swept, const Hull& rest, const std::vector<Vec3<Dy
   for (const Vec3<Dyadic>& one : directions) {
     for (const Vec3<Dyadic>& other : others) {
       if (&one == &other) break;  // of one list, each pair once
-      const Vec3<Dyadic> normal = cross(one, other);
-      if (is_zero(normal)) continue;
+      const Vec3<Dyadic> product = cross(one, other);
+      if (is_zero(product)) continue;
+      const Vec3<Dyadic> normal = of_size_one(product);
       const auto [low, high] = range_along(normal, swept);
       const auto [bottom, top] = range_along(normal, rest);
       const Dyadic overlap = std::min(high - bottom, top - low);
@@ -125,7 +146,7 @@ std::optional<double> depth_at(const Query& query, const Rational& t, bool in_pl
   NearestPoints nearest;
   const Rational squared = nearest(points[0], points[1]).squared;
   const double radii = round_down(reach) - rounding;
-  if (squared > 0) return radii - std::sqrt(round_up(squared)) / kRoundings;
+  if (squared > 0) return radii - upper_root(squared);
   if (hulls[0].size() * hulls[1].size() > kMostPairs) return std::nullopt;
   std::vector<Vec3<Dyadic>> directions;
   for (const Hull& hull : hulls) add_directions(hull, directions);
@@ -171,7 +192,7 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
   const Rational squared = nearest(rational(swept), rational(rest)).squared;
   double depth = 0;
   if (squared > 0) {
-    depth = radii - std::sqrt(round_up(squared)) / kRoundings;
+    depth = radii - upper_root(squared);
   } else {
     if (first.size() * rest.size() > kMostPairs) return std::nullopt;
     std::vector<Vec3<Dyadic>> directions = {way};
