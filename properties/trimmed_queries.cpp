@@ -62,27 +62,51 @@ void check_trim_traces(Draw& d) {
   }
 }
 
-/// The cells of a hit are not outside: within their width of its parameters is a point of the
-/// region.
+/// Asks a method. The cells of a hit are not outside: within their width of its parameters is a
+/// point of the region.
+Verdict verdict_near_regions(Draw& d, const Query& query, const std::string& method) {
+  const Answer answer = make_method(method).value()->answer(query, kQuickSearch);
+  show(d, "method", method);
+  show(d, "uv", answer.uv);
+  if (answer.verdict != Verdict::kHit) return answer.verdict;
+  for (std::size_t s = 0; s < 2; ++s) {
+    const Uv<Rational> at = {exact(answer.uv[s][0]), exact(answer.uv[s][1])};
+    const Rational width = exact(kQuickSearch.precision);
+    const std::vector<Uv<Rational>> square = {{at[0] - width, at[1] - width},
+                                              {at[0] + width, at[1] - width},
+                                              {at[0] + width, at[1] + width},
+                                              {at[0] - width, at[1] + width}};
+    Work work(kMostWork);
+    CLAIM(region_of(query.patches[s].trim, square, work) != Region::kOutside);
+  }
+  return answer.verdict;
+}
+
 void check_trim_hits(Draw& d) {
   const Case known = draw_trimmed(d);
   show(d, "query", known.query);
   for (const std::string method : {"tdibm-c", "tdibm-rational", "tdibm"}) {
-    const Answer answer = make_method(method).value()->answer(known.query, kQuickSearch);
-    if (answer.verdict != Verdict::kHit) continue;
-    show(d, "method", method);
-    show(d, "uv", answer.uv);
-    for (std::size_t s = 0; s < 2; ++s) {
-      const Uv<Rational> at = {exact(answer.uv[s][0]), exact(answer.uv[s][1])};
-      const Rational width = exact(kQuickSearch.precision);
-      const std::vector<Uv<Rational>> square = {{at[0] - width, at[1] - width},
-                                                {at[0] + width, at[1] - width},
-                                                {at[0] + width, at[1] + width},
-                                                {at[0] - width, at[1] + width}};
-      Work work(kMostWork);
-      CLAIM(region_of(known.query.patches[s].trim, square, work) != Region::kOutside);
-    }
+    verdict_near_regions(d, known.query, method);
   }
+}
+
+constexpr OracleOptions kLittle{.max_pops = 300, .max_tree_nodes = 1000};
+
+/// A point meets the plane of a trimmed triangle at a place that counts or does not.
+void check_trim_linear(Draw& d) {
+  Query query;
+  auto& [point, surface] = query.patches;
+  const Uv<Dyadic> place = draw_uv(d, Shape::triangle(1), 4);
+  const Uv<double> at = {*place[0].to_double_exactly(), *place[1].to_double_exactly()};
+  surface = {Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {}};
+  surface.velocities.resize(3, Vec3<double>(0, 0, 0));
+  surface.trim = draw_trim(d, surface.shape, at);
+  point = {Shape::point(), {{at[0], at[1], 0.5}}, {{0, 0, -1}}};
+  show(d, "query", query);
+  const bool counts = is_in_region(surface.trim, {exact(at[0]), exact(at[1])});
+  CLAIM(decide(query, kLittle).truth.collides != !counts);
+  const Verdict verdict = verdict_near_regions(d, query, "tdibm-c");
+  CLAIM(!counts || verdict != Verdict::kMiss);
 }
 
 /// The checker accepts what the oracle says, or this throws; where the contact counts, it never
@@ -90,8 +114,7 @@ void check_trim_hits(Draw& d) {
 void check_trim_decision(Draw& d) {
   const Case known = draw_trimmed(d);
   show(d, "query", known.query);
-  const OracleOptions little{.max_pops = 300, .max_tree_nodes = 1000};
-  const Decision decision = decide(known.query, little);
+  const Decision decision = decide(known.query, kLittle);
   CLAIM(!is_in_regions(known) || decision.truth.collides != false);
 }
 
@@ -188,6 +211,9 @@ void check_trim_boxes(Draw& d) {
       loop_about(patch.shape, {at[0].get_d(), at[1].get_d()}, static_cast<int>(d.choose(48)))};
   if (d.coin()) patch.trim.erase(patch.trim.begin());
   if (d.coin()) {
+    patch.trim.back() = draw_loop_through(d, patch.shape, {at[0].get_d(), at[1].get_d()}, false);
+  }
+  if (d.coin()) {
     for (auto& vertex : patch.trim.back())
       vertex[0] += static_cast<double>(d.choose(2)) * radius[0];
   }
@@ -241,6 +267,8 @@ std::vector<Property> trimmed_queries_claims() {
        check_trim_traces},
       {"trims.hits", "A hit's parameters are within the precision of the region", kCertified,
        check_trim_hits},
+      {"trims.linear", "A point meets a trimmed triangle iff it comes to the region of its trim",
+       kCertified, check_trim_linear},
       {"trims.decision_is_proven", "What the oracle says of trimmed patches, the checker accepts",
        "src/certify/oracle/oracle.hpp", check_trim_decision},
       {"trims.hole", "A contact in a hole is none, by a proof that is none of the whole patch",

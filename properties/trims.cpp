@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "bezier/exact_patch.hpp"
@@ -29,6 +30,20 @@ Uv<double> draw_place(Draw& d, const Shape& shape) {
 
 Uv<Rational> exact_place(const Uv<double>& uv) {
   return {exact(uv[0]), exact(uv[1])};
+}
+
+/// In the box about a cell, if that is in the domain, or anywhere.
+Uv<double> draw_place_about(Draw& d, const Shape& shape, const Cell& cell) {
+  const Uv<double> anywhere = draw_place(d, shape);
+  if (d.coin()) return anywhere;
+  Uv<double> place;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const auto along = [&](const Uv<double>& corner) { return corner[k]; };
+    const auto corners = cell.corners(shape);
+    const auto [lo, hi] = std::ranges::minmax(corners, {}, along);
+    place[k] = lo[k] + static_cast<double>(d.integer(0, 8)) / 8 * (hi[k] - lo[k]);
+  }
+  return shape.contains(exact_place(place)) ? place : anywhere;
 }
 
 /// Points that are nearly on a line, or anywhere, down to subnormal coordinates.
@@ -118,9 +133,9 @@ void check_trim_valid(Draw& d) {
 /// cell inside has no other.
 void check_trim_cells(Draw& d) {
   MovingPatch<double> patch{draw_surface(d), {}, {}};
-  const Uv<double> p = draw_place(d, patch.shape);
-  patch.trim = draw_trim(d, patch.shape, p);
   const Cell cell = draw_cell(d, patch.shape, 6);
+  const Uv<double> p = draw_place_about(d, patch.shape, cell);
+  patch.trim = draw_trim(d, patch.shape, p);
   TrimRegion domain;
   domain.assign(patch);
   const TrimRegion::Cover cover = domain.cover(cell);

@@ -1,8 +1,10 @@
 #include <algorithm>
 
+#include "certify/checker/check_bodies.hpp"
 #include "certify/checker/check_turning.hpp"
 #include "certify/checker/spin.hpp"
 #include "certify/oracle/nearest_points.hpp"
+#include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "generators/generate.hpp"
 #include "generators/turning.hpp"
@@ -84,19 +86,21 @@ BodyTurn draw_small_turn(Draw& d) {
   return turn;
 }
 
-/// A plane beside a body that turns is accepted for a short time, and refused where it cuts off a
-/// point of it then, or later.
+Vec3<double> draw_point(Draw& d) {
+  const std::vector<double> x = draw_eighths(d, 3, 1);
+  return {x[0], x[1], x[2]};
+}
+
+/// A plane beside a body that turns is accepted for a short time. It is refused where it cuts off a
+/// point of it then, or later, and with a gap that is no larger than the body's radius.
 void check_plane_beside(Draw& d) {
-  const auto point = [&] {
-    const std::vector<double> x = draw_eighths(d, 3, 1);
-    return Vec3<double>(x[0], x[1], x[2]);
-  };
   Query query;
   auto& [body, far] = query.patches;
   body = {Shape::hull(2), {}, {{0, 0, 0}}};
-  for (int i = 0; i < 2; ++i) body.positions.push_back(point());
+  for (int i = 0; i < 2; ++i) body.positions.push_back(draw_point(d));
+  body.radius = static_cast<double>(d.integer(0, 8)) / 8;
   body.turn = draw_small_turn(d);
-  const Vec3<double> normal = point();
+  const Vec3<double> normal = draw_point(d);
   suppose(normal != Vec3<double>(0, 0, 0));
   far = {Shape::hull(1), {1024 * normal}, {{0, 0, 0}}};
   BodyPlanes::Plane plane;
@@ -105,7 +109,9 @@ void check_plane_beside(Draw& d) {
   for (auto& end : plane.normals) end = {exact(normal[0]), exact(normal[1]), exact(normal[2])};
   show(d, "query", query);
   // In 2^-24 of the step no point goes so far.
-  const Rational room = plane.gap = power_of_two(-10);
+  const Rational room = power_of_two(-10);
+  const Rational kept = exact(body.radius) * root_above(dot_of(exact(normal), exact(normal)));
+  plane.gap = kept + room;
   const auto highest_at = [&](const Rational& t) {
     const Points<Rational> points = points_at(body, t).points;
     return std::max(dot_of(exact(normal), points[0]), dot_of(exact(normal), points[1]));
@@ -118,6 +124,47 @@ void check_plane_beside(Draw& d) {
   CLAIM(is_accepted(highest + room, plane.from + power_of_two(-24)));
   CLAIM(!is_accepted(highest - room, plane.from + power_of_two(-24)));
   CLAIM(highest_later <= highest + room || !is_accepted(highest + room, later));
+  plane.gap = exact(body.radius * normal.cwiseAbs().maxCoeff());
+  CLAIM(!is_accepted(highest + room, plane.from + power_of_two(-24)));
+}
+
+/// About a point within a body that spins is a ball, which the nearest of its faces' planes
+/// touches. At the start a point in that ball touches the body. None outside of it is seen to.
+void check_ball_within(Draw& d) {
+  Query query;
+  auto& [body, other] = query.patches;
+  body = {Shape::hull(4), {}, {{0, 0, 0}}};
+  for (int i = 0; i < 4; ++i) body.positions.push_back(draw_point(d));
+  body.turn = BodyTurn{{}, {}, {0, 0, 0}, draw_eighths(d, 3, 2)};
+  Witness witness{0, {}, {{{}, {Rational(1)}}}};
+  std::vector<Rational>& weights = witness.weights[0];
+  Rational rest = 1;
+  for (int i = 0; i < 3; ++i) rest -= weights.emplace_back(Rational(d.integer(1, 4)) / 16);
+  weights.push_back(rest);
+  Points<Rational> corners;
+  for (const Vec3<double>& corner : body.positions) corners.push_back(exact(corner));
+  Vec3<Rational> inside = {0, 0, 0};
+  for (std::size_t i = 0; i < 4; ++i) inside += weights[i] * corners[i];
+  Vec3<double> place = draw_point(d) / 4;
+  for (int k = 0; k < 3; ++k) place[k] += *to_double_exactly(inside[k]);
+  other = {Shape::hull(1), {place}, {{0, 0, 0}}};
+  show(d, "query", query);
+  show(d, "weights", weights);
+  std::optional<Rational> nearest;  // plane, its distance squared
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3<Rational>&a = corners[(i + 1) % 4], &b = corners[(i + 2) % 4];
+    const Vec3<Rational> normal =
+        cross(Vec3<Rational>(b - a), Vec3<Rational>(corners[(i + 3) % 4] - a));
+    suppose(dot_of(normal, Vec3<Rational>(corners[i] - a)) != 0);
+    const Rational height = dot_of(normal, Vec3<Rational>(inside - a));
+    const Rational squared = height * height / dot_of(normal, normal);
+    nearest = nearest ? std::min(*nearest, squared) : squared;
+  }
+  const Vec3<Rational> way = exact(place) - inside;
+  const Rational squared = dot_of(way, way);
+  const bool is_accepted = check_body_contact(query, witness).has_value();
+  CLAIM(squared <= *nearest || !is_accepted);
+  CLAIM(squared > *nearest * (1 - power_of_two(-20)) || is_accepted);
 }
 
 }  // namespace
@@ -134,8 +181,12 @@ std::vector<Property> turned_bodies_claims() {
        "generators/turning.hpp", check_spun_back},
       {"turning.plane_beside",
        "A plane beside a body that turns is accepted for a short time, and refused where it cuts "
-       "off a point of the body",
+       "off a point of the body, or its gap is no larger than the radius",
        "src/certify/checker/check_turning.hpp", check_plane_beside},
+      {"turning.ball_within",
+       "A body that spins holds the ball about a point in it that its faces' planes touch, and no "
+       "larger one",
+       "src/certify/checker/check_bodies.hpp", check_ball_within},
   };
 }
 
