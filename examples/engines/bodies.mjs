@@ -28,7 +28,7 @@ const allFloats = (points) => points.every((p) => p.every((x) => Math.fround(x) 
 /// The points as the engine gets them: about the middle where these differences are floats, and
 /// else as they are.
 function body(patch, { plane, numbers }) {
-  const { positions, radius = 0, velocities, faces, sides } = patch;
+  const { positions, radius = 0, velocities, faces, sides, spin } = patch;
   const middle = axes.map((k) => (low(positions, k) + high(positions, k)) / 2);
   const about = differences(positions, middle);
   const exact = allFloats([middle]) && allFloats(about) &&
@@ -38,7 +38,7 @@ function body(patch, { plane, numbers }) {
   if (numbers === 'binary32') points.concat([[radius]]).flat().forEach((x) => float32(x, 'a number'));
   const half = exact ? halfExtents(points, plane ? 2 : 3) : undefined;
   const mesh = faces && { faces, oneSided: sides === 1 };
-  return { centre, points, radius, half: mesh ? undefined : half, velocity: velocities[0], mesh };
+  return { centre, points, radius, half: mesh ? undefined : half, velocity: velocities[0], spin, mesh };
 }
 
 /// Of a box, or rectangle, about 0 whose edges are along the axes; undefined of others.
@@ -62,24 +62,27 @@ export function capsule({ points: [p, q] }, axis) {
   return { half, turn: turn.map((x) => x / Math.hypot(...turn)) };
 }
 
-/// Answers queries until the input ends. cast(a, b, way) gives the share of `way`, the motion of a
+/// Answers queries until the input ends. cast(a, b, way, tMax) gives the share of `way`, the motion of a
 /// against b in the whole step, after which the two bodies touch; undefined: they do not. `promise`
 /// is the sentence that the engine is held to, with a link. It promises nothing of contacts at an
 /// end of the step, of bodies that touch at the start or have no volume, of numbers that are no
 /// floats or outside of 1/128 to 128, nor of overlaps less deep than `tolerance`. `bodies` are
 /// those that it has shapes for; `plane`: they are in the plane z = 0. It may have doubles for
 /// numbers (`binary64`). With the option `any-numbers=1` a query may have any that can be given to it
-/// exactly. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
+/// exactly. With `spins=1` it is asked about bodies with a `spin`, too, if `spins` says what it
+/// promises of them. With `mesh=1` it is asked about meshes, too, if it has them: of so many `sides`. The mesh is
 /// the second then. A `meshTolerance` is for what the engine rounds of meshes.
 export async function serve(adapter, cast) {
   const { name, version, promise, tolerance, bodies, plane = false, numbers = 'binary32', sides = [] } = adapter;
-  const { meshTolerance = tolerance } = adapter;
+  const { spins = '', meshTolerance = tolerance } = adapter;
   for await (const line of createInterface({ input: process.stdin })) {
     const asked = JSON.parse(line);
     const any = (asked.options ?? '').includes('any-numbers=1');
+    const turning = spins !== '' && (asked.options ?? '').includes('spins=1');
     const meshes = (asked.options ?? '').includes('mesh=1');
     const reply = asked.ask === 'describe'
-      ? { protocol: 1, name, version, promise, accepts: [[hull, hull]], takes_bodies: true,
+      ? { protocol: 1, name, version, promise: turning ? spins : promise, accepts: [[hull, hull]],
+          takes_bodies: true, takes_spins: turning,
           takes_meshes: meshes && sides.includes(2), takes_one_sided: meshes && sides.includes(1),
           bodies, plane, numbers: any ? 'binary64' : numbers, within: any ? 0 : 7, ordinary: true,
           closed_t_max: false, contact_at_zero: false, tolerance_kind: 'space',
@@ -95,7 +98,7 @@ function answer({ patches, t_max: tMax }, domain, cast) {
     const bodies = patches.map((patch) => body(patch, domain));
     const [a, b] = bodies[0].mesh ? bodies.reverse() : bodies;
     const way = axes.map((k) => float((a.velocity[k] - b.velocity[k]) * tMax, 'the relative motion'));
-    const share = cast(a, b, way);
+    const share = cast(a, b, way, tMax);
     return share === undefined ? { verdict: 'miss' } : { verdict: 'hit', toi: share * tMax };
   } catch (error) {
     if (error instanceof Refusal) return { verdict: 'refused', message: error.message };

@@ -262,9 +262,11 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                          fmt::format("{} has no such shape", engine.engine));
     }
     shapes[side] = *shape;
+    const std::map<std::string_view, std::string> names = {{"__NAME__", side == 0 ? "a" : "b"}};
+    shapes[side].text = filled(shape->text, names);
     const auto sweep = engine.sweep(*bodies[side], shape->body, step);
     if (!sweep) return refused("has no tests of such turns");
-    sweeps[side] = *sweep;
+    sweeps[side] = filled(*sweep, names);
   }
   const Vec3<double> way = (bodies[0]->velocities[0] - bodies[1]->velocities[0]) * query.t_max;
   return without_idle_helpers(
@@ -272,6 +274,8 @@ Result<std::string> bodies_text(const NamedCase& named, const EngineWords& engin
                            {"__B__", shapes[1].text},
                            {"__CENTRE_A__", list(shapes[0].body.centre)},
                            {"__CENTRE_B__", list(shapes[1].body.centre)},
+                           {"__TURN_A__", engine.rotation(shapes[0].body.turn)},
+                           {"__TURN_B__", engine.rotation(shapes[1].body.turn)},
                            {kWay, list(way)},
                            {"__SIDES__", sides},
                            {"__SWEEP_A__", sweeps[0]},

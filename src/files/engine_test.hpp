@@ -13,14 +13,17 @@ namespace ccdfuzz {
 /// "//= NAME: TEXT", say how the engine writes things, where \n stands for the end of a line:
 /// - "point" is a point, whose coordinates stand for *, or the first two for __X__ and __Y__.
 /// - "box", "flat box", "segment", "triangle" and "hull" are bodies, and "round point", "round box"
-///   and so on those with a radius, about their middle. "mesh" and "one-sided mesh" are these, and
-///   "both sides" is what __SIDES__ stands for where a mesh has two.
+///   and so on those with a radius, about their middle. "mesh" is a mesh of two sides, or of one if
+///   there is "one-sided mesh"; "both sides" is what __SIDES__ stands for where it has two.
 ///   Others are "any" or "4 points" (of that many) as they are, and "turned any" where they turn.
+///   __NAME__ in them is a or b. A "capsule axis" is where capsules lie before __TURN_A__ or
+///   __TURN_B__.
 /// - "still", "turn" and "spin" are how bodies move; a "rotation" is of cosine and sine, or of four
-///   numbers.
+///   numbers, __0__ to __3__.
 /// - "vertex-face", "edge-edge", "vertex-edge" and "vertex-vertex" are calls about features;
 ///   "vertex-first" says that a vertex comes before the face.
 /// - "plane" says that bodies are those of the plane z = 0.
+/// - "call" begins the call that asks the engine. What is before it sets up the query.
 /// - "depth" is the tolerance, or "late" as a part of the way. "mesh depth" and "spin depth" are
 ///   those of meshes and of bodies that spin, where they differ.
 /// - What __CHECKS__ stands for is "touches" where there is a contact and "clear" where there is

@@ -19,6 +19,11 @@ bool is_float(double x) {
   return nearest_float(x) == x;
 }
 
+/// A float in the fewest digits that are read as it.
+std::string short_text(double x) {
+  return is_float(x) ? fmt::format("{}", static_cast<float>(x)) : fmt::format("{}", x);
+}
+
 EngineBody as_it_is(const MovingPatch<double>& patch) {
   return {patch.positions, {0, 0, 0}, patch.radius, {}, patch.faces};
 }
@@ -54,6 +59,18 @@ EngineBody about_its_middle(const MovingPatch<double>& patch) {
     body.half = half;
   }
   return body;
+}
+
+/// w, x, y, z of the rotation from an axis into the direction of a capsule about 0, or into the
+/// opposite one: none of its ends is the first.
+std::vector<double> turn_of_capsule(const Vec3<double>& end, int axis) {
+  const Vec3<double> to = end / (end[axis] < 0 ? -end.norm() : end.norm());
+  std::vector<double> turn = {1 + to[axis], 0, 0, 0};
+  turn[static_cast<size_t>(1 + (axis + 1) % 3)] = -to[(axis + 2) % 3];
+  turn[static_cast<size_t>(1 + (axis + 2) % 3)] = to[(axis + 1) % 3];
+  const double length = std::hypot(std::hypot(turn[0], turn[1]), std::hypot(turn[2], turn[3]));
+  for (double& x : turn) x = nearest_float(x / length);
+  return turn;
 }
 
 /// The length of a quaternion, or of cosine and sine, is 1 but for rounding to floats.
@@ -126,6 +143,14 @@ std::string EngineWords::list(const Points<double>& points) const {
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
+std::string EngineWords::rotation(const std::vector<double>& q) const {
+  std::string one = word("rotation").value_or("");
+  for (size_t i = 0; i < q.size(); ++i) {
+    one = filled(one, {{fmt::format("__{}__", i), short_text(q[i])}});
+  }
+  return one;
+}
+
 std::optional<EngineWords::Shaped> EngineWords::shape(const std::string& name,
                                                       const MovingPatch<double>& patch,
                                                       const EngineBody& body) const {
@@ -135,23 +160,30 @@ std::optional<EngineWords::Shaped> EngineWords::shape(const std::string& name,
   for (const Vec3<double>& p : body.points) numbers.push_back(ccdfuzz::list(p));
   for (const Face& face : body.faces) corners.push_back(fmt::format("{}", fmt::join(face, ", ")));
   const Vec3<double> half = body.half.value_or(Vec3<double>(0, 0, 0));
+  EngineBody shaped = body;
+  if (name == "round segment" && has("capsule axis")) {
+    if (body.points[0] != -body.points[1]) return std::nullopt;  // its middle is no float
+    shaped.turn = turn_of_capsule(body.points[1], static_cast<int>(number("capsule axis")));
+  }
   const Vec3<double> centre = patch.turn ? patch.turn->centre : Vec3<double>(0, 0, 0);
-  return Shaped{body, filled(*of, {{"__POINTS__", list(body.points)},
-                                   {"__NUMBERS__", fmt::format("{}", fmt::join(numbers, ", "))},
-                                   {"__COUNT__", fmt::format("{}", body.points.size())},
-                                   {"__RADIUS__", fmt::format("{}", body.radius)},
-                                   {"__HALF__", ccdfuzz::list(half)},
-                                   {"__SIZE__", ccdfuzz::list(Vec3<double>(2 * half))},
-                                   {"__FACE_COUNT__", fmt::format("{}", body.faces.size())},
-                                   {"__FACES__", fmt::format("{}", fmt::join(corners, ", "))},
-                                   {"__CENTRE__", list({centre})}})};
+  return Shaped{shaped,
+                filled(*of, {{"__POINTS__", list(body.points)},
+                             {"__NUMBERS__", fmt::format("{}", fmt::join(numbers, ", "))},
+                             {"__COUNT__", fmt::format("{}", body.points.size())},
+                             {"__RADIUS__", fmt::format("{}", body.radius)},
+                             {"__HALF__", ccdfuzz::list(half)},
+                             {"__HALF_LENGTH__", short_text(nearest_float(body.points[0].norm()))},
+                             {"__SIZE__", ccdfuzz::list(Vec3<double>(2 * half))},
+                             {"__FACE_COUNT__", fmt::format("{}", body.faces.size())},
+                             {"__FACES__", fmt::format("{}", fmt::join(corners, ", "))},
+                             {"__CENTRE__", list({centre})}})};
 }
 
 std::optional<EngineWords::Shaped> EngineWords::shape(const MovingPatch<double>& patch) const {
   constexpr std::array kKinds = {"point", "segment", "triangle", "hull"};
   const EngineBody body = about_its_middle(patch), raw = as_it_is(patch);
   if (!patch.faces.empty()) {
-    return shape(patch.one_sided ? "one-sided mesh" : "mesh", patch, has("any") ? raw : body);
+    return shape("mesh", patch, has("any") ? raw : body);
   }
   const std::string round = body.radius > 0 ? "round " : "";
   const std::string kind = kKinds[std::min(body.points.size(), kKinds.size()) - 1];
@@ -170,23 +202,17 @@ std::optional<std::string> EngineWords::sweep(const MovingPatch<double>& patch,
   const Vec3<double> way = step * patch.velocities[0];
   const std::string origin = list({body.centre});
   if (!patch.turn) {
-    return filled(word("still").value_or(""), {{"__ORIGIN__", origin}, {"__END__", list({way})}});
+    return filled(word("still").value_or(""),
+                  {{"__ORIGIN__", origin}, {"__END__", list({body.centre + way})}});
   }
   const BodyTurn& turn = *patch.turn;
-  const auto rotation = [&](const std::vector<double>& q) {
-    std::string one = word("rotation").value_or("");
-    for (size_t i = 0; i < q.size(); ++i) {
-      one = filled(one, {{fmt::format("__{}__", i), fmt::format("{}", q[i])}});
-    }
-    return one;
-  };
   std::map<std::string_view, std::string> words = {{"__ORIGIN__", origin},
                                                    {"__CENTRE__", list({turn.centre})},
                                                    {"__END__", list({turn.centre + way})}};
   if (turn.is_spin()) {
     const Vec3<double> axis(turn.spin[0], turn.spin[1], turn.spin[2]);
     words.emplace("__AXIS__", list({axis}));
-    words.emplace("__ANGLE__", fmt::format("{}", axis.norm() * step));
+    words.emplace("__ANGLE__", fmt::format("{}", (has("plane") ? axis[2] : axis.norm()) * step));
     const std::optional<std::string> of = word("spin");
     return of ? std::optional(filled(*of, words)) : std::nullopt;
   }

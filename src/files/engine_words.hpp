@@ -21,6 +21,7 @@ struct EngineBody {
   std::optional<Vec3<double>> half = {};  ///< half the extents, where it is a box along the axes,
                                           ///< or a rectangle in the plane z = 0
   std::vector<Face> faces = {};
+  std::vector<double> turn = {1, 0, 0, 0};  ///< w, x, y, z from the axis of a capsule, in floats
 };
 
 /// "1, 2, 3"
@@ -56,6 +57,9 @@ struct EngineWords {
 
   /// Points as the engine's words for one have them.
   std::string list(const Points<double>& points) const;
+
+  /// The words for a rotation of two or of four numbers.
+  std::string rotation(const std::vector<double>& q) const;
 
   /// The words for a body, and the body as they have it. A box is a hull, too, for an engine that
   /// has no box. Nothing where the engine has no such shape.

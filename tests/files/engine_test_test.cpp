@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+
+#include "case/mesh.hpp"
+
 namespace ccdfuzz {
 namespace {
 
@@ -47,6 +51,104 @@ TEST(EngineTest, AllowsBodiesThatTurnToComeAsDeepAsTheToleranceIs) {
       << "3/7 + 0.00625 / (24 · 98/25)";
 }
 
+/// How many lines a test has before the one that asks the engine, without comments. A name says in
+/// its template how that begins; nothing if the test has no such line.
+std::optional<long> lines_before_call(const std::string& text, std::string_view of) {
+  constexpr std::string_view kName = "\n//= call: ";
+  const size_t begin = of.find(kName) + kName.size();
+  const size_t at = text.find(of.substr(begin, of.find('\n', begin) - begin));
+  if (at == text.npos) return std::nullopt;
+  std::istringstream lines(text.substr(0, text.rfind('\n', at)));
+  long count = 0;
+  for (std::string line; std::getline(lines, line);) {
+    count += line.empty() || line.starts_with("//") ? 0 : 1;
+  }
+  return count;
+}
+
+/// A body that falls.
+MovingPatch<double> body_of(const Points<double>& points, double radius) {
+  return {Shape::hull(static_cast<int>(points.size())), points, {{0, -1, 0}}, {}, {}, radius};
+}
+
+/// Bodies of all kinds that a form of a test has words for: points, capsules, boxes, hulls,
+/// meshes.
+std::vector<MovingPatch<double>> all_bodies() {
+  std::vector<MovingPatch<double>> bodies;
+  const Points<double> tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                       quadrangle = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {0, 1, 0}};
+  Points<double> box = quadrangle;
+  box[2][0] = 1;
+  for (size_t i = 0; i < 4; ++i) box.push_back(box[i] + Vec3<double>(0, 0, 1));
+  for (const double radius : {0.0, 1.0}) {
+    for (const size_t count : {1U, 2U, 3U, 4U}) {
+      bodies.push_back(body_of({tetrahedron.begin(), tetrahedron.begin() + count}, radius));
+    }
+    bodies.push_back(body_of(quadrangle, radius));
+    bodies.push_back(body_of(box, radius));
+  }
+  for (const bool one_sided : {false, true}) {
+    bodies.push_back(body_of(tetrahedron, 0));
+    bodies.back().faces = {{0, 2, 1}, {1, 2, 3}};
+    bodies.back().one_sided = one_sided;
+  }
+  return bodies;
+}
+
+/// What a case asks of an engine, with a contact at the first point of both.
+NamedCase of_bodies(const MovingPatch<double>& a, const MovingPatch<double>& b) {
+  NamedCase named = falling_ball();
+  Truth& truth = named.value.truth;
+  named.value.query.patches = {a, b};
+  for (size_t side = 0; side < 2; ++side) {
+    const size_t count = named.value.query.patches[side].positions.size();
+    truth.witness->weights[side] = std::vector<Rational>(count, Rational(0));
+    truth.witness->weights[side][0] = Rational(1);
+  }
+  return named;
+}
+
+TEST(EngineTest, SetsUpWhateverItAsksIn20LinesAtMost) {
+  const std::vector<std::optional<BodyTurn>> turns = {
+      std::nullopt, BodyTurn{{}, {}, {1, 0, 0}, {0, 0, 0.25}},
+      BodyTurn{{1, 0, 0, 0}, {0.6, 0, 0, 0.8}}, BodyTurn{{1, 0}, {0.6, 0.8}}};
+  std::vector<NamedCase> cases = {falling_ball(), falling_ball()};
+  for (NamedCase& named : cases) named.value.truth.witness->weights = {};
+  cases[0].value.query.patches = {
+      MovingPatch<double>{Shape::point(), {{0.25, 0.25, 0.5}}, {{0, 0, -1}}},
+      MovingPatch<double>{
+          Shape::triangle(1), {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}, Points<double>(3, {0, 0, 0})}};
+  cases[1].value.query.patches = {
+      MovingPatch<double>{Shape::curve(1), {{0, 0, 1}, {1, 0, 1}}, {{0, 0, -1}, {0, 0, -1}}},
+      MovingPatch<double>{Shape::curve(1), {{0, -1, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 0, 0}}}};
+  for (const std::optional<BodyTurn>& turn : turns) {
+    for (MovingPatch<double> a : all_bodies()) {
+      for (MovingPatch<double> b : all_bodies()) {
+        if (!a.faces.empty() && !b.faces.empty()) continue;
+        a.turn = b.turn = turn;
+        cases.push_back(of_bodies(a, b));
+      }
+    }
+  }
+  for (const EngineTemplate& of : engine_templates()) {
+    int count = 0;
+    for (const NamedCase& named : cases) {
+      const auto text = engine_test(named, of.engine);
+      if (!text) continue;
+      ++count;
+      const bool is_of_mesh = has_mesh(named.value.query) && !of.mesh_text.empty();
+      const auto lines = lines_before_call(*text, is_of_mesh ? of.mesh_text : of.text);
+      ASSERT_TRUE(lines) << of.engine << " has no call\n" << *text;
+      // PhysX takes the corners of both one by one, and cooks both.
+      const bool cooks_two = of.engine == "physx" &&
+                             text->find("PxTriangleMeshDesc") != text->npos &&
+                             text->find("PxConvexMeshDesc") != text->npos;
+      EXPECT_LE(*lines, cooks_two ? 24 : 20) << *text;
+    }
+    EXPECT_GE(count, 2) << of.engine;
+  }
+}
+
 TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
   NamedCase named = falling_ball();
   Query& query = named.value.query;
@@ -56,12 +158,13 @@ TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
   };
   query.patches[1].turn = BodyTurn{{}, {}, {1, 0, 0}, {0, 0, 0.25}};
   EXPECT_THAT(*engine_test(named, "bullet"),
-              testing::AllOf(testing::HasSubstr("0, btVector3(1, 0, 0));"),
+              testing::AllOf(testing::HasSubstr("points_b) p -= btVector3(1, 0, 0);"),
                              testing::HasSubstr("btQuaternion(btVector3(0, 0, 0.25), 0.25)")));
   EXPECT_THAT(
       *engine_test(named, "fcl-bodies"),
-      testing::AllOf(testing::HasSubstr("V(1, 0, 0), V(1, 0, 0), 0.25, V(0, 0, 0.25))"),
-                     testing::HasSubstr("motion(V(-4, 3, 0.5), V(-4, 3, 0.5), V(-4, 3, 0.5)")));
+      testing::AllOf(testing::HasSubstr("turn_b(Eigen::AngleAxisd(0.25, V(0, 0, 0.25)."),
+                     testing::HasSubstr("V(1, 0, 0) - turn_b * (V(1, 0, 0) - V(0, 0, 0)), V(1, 0,"),
+                     testing::HasSubstr("way_a(I, V(-4, 3, 0.5), I, V(-4, 2, 0.5), V(0, 0, 0))")));
   EXPECT_TRUE(refused("rapier"));
   EXPECT_TRUE(refused("box3d"));
   query.patches[1].turn = BodyTurn{{1, 0, 0, 0}, {0.6, 0, 0, 0.8}};
@@ -75,6 +178,28 @@ TEST(EngineTest, TurnsBodiesAsTheEngineDoesOrRefusesThem) {
     for (Vec3<double>& p : patch.positions) p[2] = 0;
   }
   EXPECT_THAT(*engine_test(named, "box2d"), testing::HasSubstr(".q2 = { 0.6, 0.8 }"));
+  query.patches[1].turn = BodyTurn{{}, {}, {1, 0, 0}, {0, 0, -0.25}};
+  EXPECT_THAT(*engine_test(named, "planck"),
+              testing::HasSubstr("vector(1, 0, 0), vector(1, 0, 0), -0.25);"));
+  EXPECT_TRUE(refused("box2d"));
+}
+
+TEST(EngineTest, TurnsACapsuleFromTheAxisOfTheEngine) {
+  NamedCase named = falling_ball();
+  MovingPatch<double>& capsule = named.value.query.patches[0];
+  capsule.shape = Shape::hull(2);
+  capsule.positions = {{-4, 6, 0.5}, {-4, 9, 4.5}};
+  named.value.truth.witness->weights[0].emplace_back(0);
+  EXPECT_THAT(*engine_test(named, "rapier"),
+              testing::AllOf(testing::HasSubstr("new RAPIER.Capsule(2.5, 1);"),
+                             testing::HasSubstr("{ x: 0.4472136, y: 0, z: -0, w: 0.8944272 }")))
+      << "from y to (0, 3/5, 4/5)";
+  EXPECT_THAT(*engine_test(named, "jolt"), testing::HasSubstr("Quat(0.4472136, 0, -0, 0.8944272)"));
+  EXPECT_THAT(*engine_test(named, "physx"),
+              testing::HasSubstr("PxQuat(0, -0.56568545, 0.42426407, 0.70710677)"))
+      << "from x";
+  capsule.positions[1][1] = 9 + 0x1p-22;
+  EXPECT_FALSE(engine_test(named, "jolt")) << "its middle is no float";
 }
 
 }  // namespace
