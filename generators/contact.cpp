@@ -157,8 +157,9 @@ bool is_false_negative(const Contact& contact, const Answer& answer, const Answe
   if (!terms.contact_at_zero && t == 0) return false;
   if (!terms.closed_t_max && t == exact(contact.query.t_max)) return false;
   if (answer.verdict != Verdict::kHit) return answer.verdict == Verdict::kMiss;
-  const double late = answer.toi.value_or(HUGE_VAL);
-  return !is_finite(late) ? !(late < 0) : exact(late) > t + exact(terms.time_tolerance);
+  const double at = answer.toi.value_or(HUGE_VAL);
+  if (!is_finite(at) || exact(at) < 0 || exact(at) > exact(contact.query.t_max)) return true;
+  return exact(at) > t + exact(terms.time_tolerance);
 }
 
 Case case_of(const Contact& q) {

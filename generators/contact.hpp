@@ -43,12 +43,13 @@ std::optional<Contact> contact_of(const Case& known);
 /// Where on the patches the contact lies. A curve is an edge, its ends and a point are corners.
 ContactClass contact_class_of(const Contact& q);
 
-/// A point that falls on a line: what an empty corpus begins with.
+/// A point that falls on a line: what an empty corpus begins with where no drawn contact fits.
 Contact falling_point();
 
-/// True iff the answer lets the contact through: no contact by a miss; a hit at a time that is
-/// after t + terms.time_tolerance, or no number. Contacts at 0 and at t_max count unless the terms
-/// say that they do not. Never of what is undecided or refused.
+/// True iff the answer lets the contact through: by a miss, or by a hit after
+/// t + terms.time_tolerance. A hit at what is no time in [0, t_max], such as -1 or NaN, does so,
+/// too. Contacts at 0 and at t_max count unless the terms say that they do not. Never of what is
+/// undecided or refused.
 bool is_false_negative(const Contact& contact, const Answer& answer, const AnswerTerms& terms = {});
 
 /// A case that says of the query what is proven: the witness, and nothing of the time before it.

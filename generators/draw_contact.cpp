@@ -1,5 +1,7 @@
 #include "generators/draw_contact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,14 +61,14 @@ struct Side {
   Points<Dyadic> velocity;
 };
 
-/// direction: +1 if the side is to lie above the plane, −1 if below.
-Side draw_side(Draw& choices, const ContactRange& range, int direction) {
+/// Patch 1 is to lie above the plane, patch 2 below.
+Side draw_side(Draw& choices, const ContactRange& range, std::size_t place) {
   constexpr int kSpeedBits = 5;
   constexpr long kSpeedUnit = -3;
   const long unit = 3 - range.coordinate_bits;
-  const Dyadic outward(direction);
+  const Dyadic outward(place == 0 ? 1 : -1);
   Side side;
-  side.shape = draw_shape(choices, range.max_degree);
+  side.shape = range.shapes ? range.shapes->at(place) : draw_shape(choices, range.max_degree);
   side.uv = draw_uv(choices, side.shape, kContactUvBits);
   side.bearing = bearing_controls(side.shape, side.uv);
   side.local = draw_points(choices, side.shape, range.coordinate_bits, unit);
@@ -92,7 +94,26 @@ void draw_twins(Draw& choices, const Side& side, MovingPatch<double>& patch) {
   }
 }
 
+Result<void> refuse_unless_in(const std::string& field, int value, int lo, int hi) {
+  if (lo <= value && value <= hi) return {};
+  return input_error(field, fmt::format("{} is not from {} to {}", value, lo, hi));
+}
+
 }  // namespace
+
+Result<void> validate(const ContactRange& range) {
+  constexpr int kMostBits = 40, kMostScale = 1000;
+  CCDFUZZ_TRY_VOID(refuse_unless_in("max_degree", range.max_degree, 1, kMaxDegree));
+  CCDFUZZ_TRY_VOID(refuse_unless_in("coordinate_bits", range.coordinate_bits, 0, kMostBits));
+  CCDFUZZ_TRY_VOID(refuse_unless_in("lowest", range.lowest, -kMostScale, kMostScale));
+  CCDFUZZ_TRY_VOID(refuse_unless_in("highest", range.highest, range.lowest, kMostScale));
+  if (!range.shapes) return {};
+  for (const Shape& shape : *range.shapes) {
+    if (shape.valid() && shape.kind != ShapeKind::kHull) continue;
+    return input_error("shapes", to_text(shape) + " is no patch of degrees from 1 to 8");
+  }
+  return {};
+}
 
 Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   const long scale = static_cast<long>(choices.integer(range.lowest, range.highest));
@@ -112,7 +133,7 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   drawn.truth.witness.emplace();
   drawn.truth.witness->t = t.rational();
   for (std::size_t s = 0; s < 2; ++s) {
-    const Side side = draw_side(choices, range, s == 0 ? 1 : -1);
+    const Side side = draw_side(choices, range, s);
     MovingPatch<double>& patch = drawn.query.patches[s];
     patch.shape = side.shape;
     for (std::size_t i = 0; i < side.local.size(); ++i) {
@@ -135,6 +156,15 @@ Result<Case> draw_contact(Draw& choices, const ContactRange& range) {
   drawn.origin.generator = "draw_contact";
   if (!range.elsewhere || !choices.coin()) return drawn;
   return elsewhere(drawn, choices);
+}
+
+Contact draw_witnessed(Draw& choices, const ContactRange& range) {
+  return *choices.until(
+      [&] {
+        const Result<Case> drawn = draw_contact(choices, range);
+        return drawn ? contact_of(*drawn) : std::nullopt;
+      },
+      [](const std::optional<Contact>& contact) { return contact.has_value(); });
 }
 
 double draw_double_near(Draw& choices, const Rational& near) {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "case/case.hpp"
+#include "generators/contact.hpp"
 #include "generators/draw/draw.hpp"
 #include "generators/generate.hpp"
 
@@ -12,12 +16,18 @@ struct ContactRange {
   int lowest = -40;
   int highest = 40;
   int max_degree = 3;
-  int coordinate_bits = 5;  ///< for the place of a control point, from the contact; at most 40
+  int coordinate_bits = 5;  ///< for the place of a control point, from the contact; 0 to 40
   /// The contact comes up to 7·2^-43 before or after the time that it would come at else.
   bool off_grid = false;
   /// True: half of the contacts are put into other coordinates (generators/elsewhere.hpp).
   bool elsewhere = false;
+  /// Those of patches 1 and 2; by default any, of degrees up to max_degree.
+  std::optional<std::array<Shape, 2>> shapes = {};
 };
+
+/// Errors: a range that has no contact, or hardly one, naming the field, its value and what it may
+/// be. Scales are -1000 to 1000 in a valid one; draw_contact takes lower ones too.
+Result<void> validate(const ContactRange& range);
 
 /// Two moving patches of any of the four shapes that touch in an exact witness, at any feature, at
 /// t* in [0, 1]. They are asked up to t*, a little past it, or up to 2. Most often each stays on
@@ -26,6 +36,9 @@ struct ContactRange {
 /// floats. `truth` holds the witness alone. Errors: the choices ask for numbers that no double
 /// holds.
 Result<Case> draw_contact(Draw& choices, const ContactRange& range);
+
+/// The contact of the first case of the range that has a dyadic one. Requires a valid range.
+Contact draw_witnessed(Draw& choices, const ContactRange& range);
 
 /// A time that a query may end at: the double below `near` ≥ 0, one of a few next to it, or one
 /// half or twice as large.

@@ -19,6 +19,15 @@ RC_GTEST_PROP(Mine, MissesNothing, (const ccdfuzz::Contact& c)) {
   RC_ASSERT(!ccdfuzz::is_false_negative(c, my_ccd(c.query)));
 }
 
+/// What code of triangle meshes is held to.
+RC_GTEST_PROP(Mine, MissesNothingOfMeshes, ()) {
+  ccdfuzz::Domain promised;
+  promised.pairs = ccdfuzz::linear_pairs();
+  promised.ordinary = true;
+  const ccdfuzz::Contact c = *ccdfuzz::gen::contact({}, promised);
+  RC_ASSERT(!ccdfuzz::is_false_negative(c, my_ccd(c.query), {.time_tolerance = 1e-9}));
+}
+
 RC_GTEST_PROP(TdibmC, MissesNothing, (const ccdfuzz::Contact& c)) {
   RC_TAG(std::string(ccdfuzz::name_of(ccdfuzz::contact_class_of(c))));
   const auto method = *ccdfuzz::make_method("tdibm-c");

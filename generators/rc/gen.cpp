@@ -1,27 +1,73 @@
-#include "base/verify.hpp"
+#include <fmt/format.h>
+
+#include <stdexcept>
+
 #include "fuzz/mutator/mutate.hpp"
 #include "generators/draw/mutate_choices.hpp"
 #include "generators/draw_patch.hpp"
+#include "generators/prescribe.hpp"
 #include "generators/rc/drawn.hpp"
 #include "generators/rc/rapidcheck.hpp"
+#include "generators/shaped/features.hpp"
 
 namespace ccdfuzz::gen {
 
 namespace {
 
-/// A contact of any class: of each as often as of any other, and a few of what is made most often.
-Contact drawn_contact(Draw& draw, const ContactRange& range) {
-  const std::uint64_t wanted = draw.below(kContactClasses.size() + 1);
-  const auto made = draw.until(
+void demand(const Result<void>& valid, const char* generator) {
+  if (!valid) throw std::invalid_argument(generator + (": " + valid.error().message()));
+}
+
+/// Whether patches of these shapes have contacts of the class.
+bool have(const std::array<Shape, 2>& shapes, ContactClass contact) {
+  const auto [a, b] = features_of(contact);
+  return (has_feature(shapes[0], a) && has_feature(shapes[1], b)) ||
+         (has_feature(shapes[0], b) && has_feature(shapes[1], a));
+}
+
+/// Shapes of a pair, of the degrees that degree_up_to(most) gives.
+template <class Degree>
+std::array<Shape, 2> shapes_of(const Domain::Pair& pair, const Degree& degree_up_to) {
+  std::array<Shape, 2> shapes;
+  for (std::size_t s = 0; s < 2; ++s) {
+    shapes[s].kind = pair.shapes[s];
+    if (pair.shapes[s] != ShapeKind::kPoint) shapes[s].n = degree_up_to(pair.max_degrees[s]);
+    if (pair.shapes[s] == ShapeKind::kTensor) shapes[s].m = degree_up_to(pair.max_degrees[s]);
+  }
+  return shapes;
+}
+
+/// A contact of any class that the shapes have: of each as often as of any other, and a few of what
+/// is made most often.
+Contact contact_of_any_class(Draw& draw, const ContactRange& range) {
+  std::vector<ContactClass> classes(kContactClasses.begin(), kContactClasses.end());
+  std::erase_if(classes, [&](ContactClass c) { return range.shapes && !have(*range.shapes, c); });
+  const std::uint64_t wanted = draw.below(classes.size() + 1);
+  return draw.until([&] { return draw_witnessed(draw, range); },
+                    [&](const Contact& contact) {
+                      return wanted == 0 || contact_class_of(contact) == classes[wanted - 1];
+                    });
+}
+
+/// Draws a class anew after each contact that is not promised: there may be none of it that is.
+Contact drawn_contact(Draw& draw, const ContactRange& range, const Domain& promised) {
+  int refused = 0;
+  return draw.until(
       [&] {
-        const Result<Case> drawn = draw_contact(draw, range);
-        return drawn ? contact_of(*drawn) : std::nullopt;
+        if (promised.pairs.empty()) return contact_of_any_class(draw, range);
+        ContactRange of_pair = range;
+        of_pair.shapes =
+            shapes_of(promised.pairs[draw.below(promised.pairs.size())],
+                      [&](int most) { return static_cast<int>(draw.integer(1, most)); });
+        return contact_of_any_class(draw, of_pair);
       },
-      [&](const std::optional<Contact>& contact) {
-        if (!contact || wanted == 0) return contact.has_value();
-        return contact_class_of(*contact) == kContactClasses.at(wanted - 1);
+      [&](const Contact& contact) {
+        if (promised.broken_by(case_of(contact)).empty()) return true;
+        if (++refused < kMostRefused) return false;
+        throw std::invalid_argument(
+            fmt::format("gen::contact: none of {} contacts of this range keeps to: {}", refused,
+                        promised.text()));
       });
-  return *made;
 }
 
 }  // namespace
@@ -37,12 +83,18 @@ rc::Gen<ChoiceNumbers> choices() {
   });
 }
 
-rc::Gen<Contact> contact(const ContactRange& range) {
-  return drawn([range](Draw& draw) { return drawn_contact(draw, range); });
+rc::Gen<Contact> contact(const ContactRange& range, const Domain& promised) {
+  demand(validate(range), "gen::contact");
+  for (const Domain::Pair& pair : promised.pairs) {
+    ContactRange largest = range;
+    largest.shapes = shapes_of(pair, [](int most) { return most; });
+    demand(validate(largest), "gen::contact");
+  }
+  return drawn([range, promised](Draw& draw) { return drawn_contact(draw, range, promised); });
 }
 
 rc::Gen<Case> inverse(const GeneratorOptions& options) {
-  CCDFUZZ_VERIFY(validate(options));
+  demand(validate(options), "gen::inverse");
   return drawn([options](Draw& draw) { return generate(options, draw).value; });
 }
 
@@ -76,7 +128,7 @@ rc::Gen<std::string> method(const std::function<bool(const MethodInfo&)>& filter
       specs.push_back(info.spec.substr(0, info.spec.size() - 1) + factor);
     }
   }
-  CCDFUZZ_VERIFY(!specs.empty());
+  if (specs.empty()) throw std::invalid_argument("gen::method: the filter takes no method");
   return rc::gen::elementOf(specs);
 }
 
@@ -95,6 +147,6 @@ rc::Gen<ccdfuzz::Shape> rc::Arbitrary<ccdfuzz::Shape>::arbitrary() {
 rc::Gen<ccdfuzz::Query> rc::Arbitrary<ccdfuzz::Query>::arbitrary() {
   return ccdfuzz::gen::drawn([](ccdfuzz::Draw& draw) {
     return draw.coin() ? ccdfuzz::draw_any_query(draw)
-                       : ccdfuzz::gen::drawn_contact(draw, {}).query;
+                       : ccdfuzz::gen::drawn_contact(draw, {}, {}).query;
   });
 }

@@ -26,11 +26,15 @@ void showValue(const Case& value, std::ostream& out);
 /// not 0, fewer digits and less motion. Every shrink keeps the stated contact and truth.
 namespace gen {
 
-/// Two patches of any shapes that touch: draw_contact.
-rc::Gen<Contact> contact(const ContactRange& range = {});
+/// Two patches that touch: draw_contact. promised: the queries that the code promises to answer,
+/// of which alone contacts are drawn and shrunk. Its pairs, if any, are the shapes, in this order.
+/// Errors: throws std::invalid_argument if validate refuses the range. The generator does so if
+/// kMostRefused contacts in a row are not promised.
+inline constexpr int kMostRefused = 2000;
+rc::Gen<Contact> contact(const ContactRange& range = {}, const Domain& promised = {});
 
-/// A case of the inverse construction, Steps I–VI, and its truth. Requires valid options, of which
-/// the seed is not used.
+/// A case of the inverse construction, Steps I–VI, and its truth. The seed of the options is not
+/// used. Errors: throws std::invalid_argument if validate refuses the options.
 rc::Gen<Case> inverse(const GeneratorOptions& options);
 
 /// The same of any class, kind, family and shapes.
@@ -41,7 +45,7 @@ rc::Gen<Case> inverse();
 rc::Gen<Contact> mutant(const rc::Gen<Contact>& of);
 
 /// The spec of a registered method that the filter takes, for make_method; of "tdibm-h:F" with F
-/// from 1e-16 to 1e-3. Requires that the filter takes one.
+/// from 1e-16 to 1e-3. Errors: throws std::invalid_argument if the filter takes none.
 rc::Gen<std::string> method(const std::function<bool(const MethodInfo&)>& filter);
 rc::Gen<std::string> method();
 
@@ -60,9 +64,12 @@ template <>
 struct Arbitrary<ccdfuzz::Query> {
   static Gen<ccdfuzz::Query> arbitrary();
 };
+/// Half of them come at times that no float is, which shows what code rounds.
 template <>
 struct Arbitrary<ccdfuzz::Contact> {
-  static Gen<ccdfuzz::Contact> arbitrary() { return ccdfuzz::gen::contact(); }
+  static Gen<ccdfuzz::Contact> arbitrary() {
+    return gen::oneOf(ccdfuzz::gen::contact(), ccdfuzz::gen::contact({.off_grid = true}));
+  }
 };
 template <>
 struct Arbitrary<ccdfuzz::Case> {

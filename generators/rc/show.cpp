@@ -88,7 +88,8 @@ void showValue(const Case& value, std::ostream& out) {
   }
   out << truth_text(value);
   show_query(value.query, out);
-  out << "as a case, for ccdfuzz query and trace:\n" << to_json(value);
+  // RapidCheck closes a bracket after it, which is no part of the case.
+  out << "as a case, for ccdfuzz query and trace:\n" << to_json(value) << '\n';
 }
 
 }  // namespace ccdfuzz

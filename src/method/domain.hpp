@@ -45,4 +45,10 @@ struct Domain {
   std::string text() const;
 };
 
+/// Vertex-face and edge-edge: the pairs of a linear mesh.
+inline std::vector<Domain::Pair> linear_pairs() {
+  return {{{ShapeKind::kPoint, ShapeKind::kTriangle}, {0, 1}},
+          {{ShapeKind::kCurve, ShapeKind::kCurve}, {1, 1}}};
+}
+
 }  // namespace ccdfuzz

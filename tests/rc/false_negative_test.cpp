@@ -27,7 +27,17 @@ TEST(FalseNegative, IsAHitAtNoTime) {
   const Contact contact = falling_point();
   EXPECT_TRUE(is_false_negative(contact, Answer::hit(std::nan(""))));
   EXPECT_TRUE(is_false_negative(contact, Answer::hit(HUGE_VAL)));
+  EXPECT_TRUE(is_false_negative(contact, Answer::hit(-HUGE_VAL)));
   EXPECT_TRUE(is_false_negative(contact, with(Verdict::kHit)));
+}
+
+TEST(FalseNegative, IsAHitOutsideOfTheStep) {
+  AnswerTerms terms;
+  terms.time_tolerance = 0.25;
+  EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(-1)));
+  EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(-0x1p-1074)));
+  EXPECT_FALSE(is_false_negative(falling_point(), Answer::hit(-0.0)));
+  EXPECT_TRUE(is_false_negative(falling_point(), Answer::hit(1.125), terms));
 }
 
 TEST(FalseNegative, IsNothingThatDoesNotAnswer) {
@@ -37,10 +47,12 @@ TEST(FalseNegative, IsNothingThatDoesNotAnswer) {
 
 TEST(FalseNegative, FollowsTheTerms) {
   Contact contact = falling_point();
+  contact.query.t_max = 2;
   AnswerTerms terms;
   terms.time_tolerance = 0.25;
   EXPECT_FALSE(is_false_negative(contact, Answer::hit(1.25), terms));
   EXPECT_TRUE(is_false_negative(contact, Answer::hit(std::nextafter(1.25, 2)), terms));
+  contact.query.t_max = 1;
   terms.closed_t_max = false;
   EXPECT_FALSE(is_false_negative(contact, Answer::miss(), terms));
   contact.query.t_max = 2;

@@ -67,6 +67,123 @@ RC_GTEST_PROP(RcGenerators, TheConstructionMakesWhatItsOptionsSay, (std::uint64_
   }
 }
 
+/// Code for vertex-face and edge-edge queries that promises ordinary ones, all of few digits.
+Domain mesh_code() {
+  Domain promised;
+  promised.pairs = linear_pairs();
+  promised.scale = 7;
+  promised.ordinary = true;
+  return promised;
+}
+
+RC_GTEST_PROP(RcGenerators, ContactsArePromisedHoweverTheyShrink, (std::uint64_t seed)) {
+  const Domain promised = mesh_code();
+  for (const Contact& made : family_of(gen::contact({}, promised), seed, 8)) {
+    RC_ASSERT(promised.order_of(made.query) == std::optional(false));
+    RC_ASSERT(promised.broken_by(case_of(made)) == "");
+  }
+}
+
+TEST(RcGenerators, ShapesHaveEachOfTheirClassesOften) {
+  ContactRange edges;
+  edges.shapes = {Shape::curve(1), Shape::curve(1)};
+  int found = 0;
+  constexpr int kTries = 200, kClasses = 3;  // EE, VE, VV
+  for (std::uint64_t seed = 0; seed < kTries; ++seed) {
+    const Contact made = gen::contact(edges)(rc::Random(seed), 100).value();
+    EXPECT_EQ(made.query.patches[0].shape, Shape::curve(1));
+    EXPECT_EQ(made.query.patches[1].shape, Shape::curve(1));
+    if (contact_class_of(made) == ContactClass::kEE) ++found;
+  }
+  EXPECT_GT(found, kTries / kClasses / 2);
+}
+
+/// What is said of a wrong argument.
+template <class Make>
+std::string complaint_of(const Make& make) {
+  try {
+    make();
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return "";
+}
+
+/// The same of a range or promise, by the generator or what it generates.
+std::string refusal_of(const ContactRange& range, const Domain& promised = {}) {
+  return complaint_of([&] { gen::contact(range, promised)(rc::Random(1), 100).value(); });
+}
+
+TEST(RcGenerators, RefuseRangesWithoutContacts) {
+  const auto refuses = [](auto change) {
+    ContactRange range;
+    change(range);
+    return refusal_of(range);
+  };
+  EXPECT_EQ(refuses([](ContactRange& r) { r.max_degree = 0; }),
+            "gen::contact: max_degree: 0 is not from 1 to 8");
+  EXPECT_EQ(refuses([](ContactRange& r) { r.max_degree = 9; }),
+            "gen::contact: max_degree: 9 is not from 1 to 8");
+  EXPECT_EQ(refuses([](ContactRange& r) { r.coordinate_bits = 41; }),
+            "gen::contact: coordinate_bits: 41 is not from 0 to 40");
+  EXPECT_EQ(refuses([](ContactRange& r) { r.lowest = 41; }),
+            "gen::contact: highest: 40 is not from 41 to 1000");
+  EXPECT_EQ(refuses([](ContactRange& r) { r.highest = 3000; }),
+            "gen::contact: highest: 3000 is not from -40 to 1000");
+  EXPECT_EQ(refuses([](ContactRange& r) { r.lowest = -3000; }),
+            "gen::contact: lowest: -3000 is not from -1000 to 1000");
+  EXPECT_EQ(refuses([](ContactRange& r) {
+              r.shapes = {Shape::hull(4), Shape::point()};
+            }),
+            "gen::contact: shapes: hull(4) is no patch of degrees from 1 to 8");
+}
+
+TEST(RcGenerators, MakeContactsAtTheEndsOfTheRange) {
+  for (const int scale : {-1000, 1000}) {
+    const ContactRange range{.lowest = scale,
+                             .highest = scale,
+                             .max_degree = kMaxDegree,
+                             .coordinate_bits = 40,
+                             .off_grid = true,
+                             .elsewhere = true};
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      EXPECT_TRUE(check_truth(case_of(gen::contact(range)(rc::Random(seed), 100).value())));
+    }
+  }
+}
+
+TEST(RcGenerators, RefusePromisesThatNoContactKeeps) {
+  ContactRange far;
+  far.lowest = far.highest = 30;
+  Domain promised = mesh_code();
+  EXPECT_EQ(refusal_of(far, promised),
+            "gen::contact: none of 2000 contacts of this range keeps to: within 2^±7, ordinary "
+            "queries alone");
+  promised.pairs[0].max_degrees[1] = 9;
+  EXPECT_EQ(refusal_of({}, promised),
+            "gen::contact: shapes: triangle(9) is no patch of degrees from 1 to 8");
+}
+
+TEST(RcGenerators, SayWhatIsWrongWithOptions) {
+  GeneratorOptions options;
+  options.proof_pops = 0;
+  EXPECT_EQ(complaint_of([&] { gen::inverse(options); }),
+            "gen::inverse: proof_pops: 0 is not at least 1");
+  EXPECT_EQ(complaint_of([] { gen::method([](const MethodInfo&) { return false; }); }),
+            "gen::method: the filter takes no method");
+}
+
+TEST(RcGenerators, ContactsComeAtTimesThatRoundToFloatsAndAtOthers) {
+  const auto gen = rc::gen::arbitrary<Contact>();
+  std::array<int, 2> found{};
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const double t = *gen(rc::Random(seed), 100).value().t.to_double_exactly();
+    ++found[static_cast<double>(static_cast<float>(t)) == t ? 0 : 1];
+  }
+  EXPECT_GE(found[0], 8);
+  EXPECT_GE(found[1], 8);
+}
+
 TEST(RcGenerators, AContactShrinksToPointsAtRest) {
   const Contact made = least(gen::contact(), 7, anything);
   for (const MovingPatch<double>& patch : made.query.patches) {

@@ -19,7 +19,7 @@ TEST(Show, AContactReadsAsWhatItIs) {
             "  (1, 0, 0) + t (0, 0, 0)\n"
             "asked up to t = 1\n"
             "as a case, for ccdfuzz query and trace:\n" +
-                to_json(known));
+                to_json(known) + '\n');
 }
 
 template <class T>
@@ -34,8 +34,10 @@ RC_GTEST_PROP(Show, NothingIsAPlaceholder, (std::uint64_t seed)) {
   RC_ASSERT(shown_of<Contact>(seed).find("???") == std::string::npos);
 }
 
-RC_GTEST_PROP(Show, TheLastLineIsTheCase, (const Case& made)) {
-  const std::string text = rc::toString(made);
+RC_GTEST_PROP(Show, TheLastLineIsTheCaseAlone, (const Case& made)) {
+  std::string text = rc::toString(made);
+  RC_ASSERT(text.back() == '\n');
+  text.pop_back();
   const Result<Case> read = parse_case(text.substr(text.rfind('\n') + 1), "shown");
   RC_ASSERT(read.has_value());
   RC_ASSERT(*read == made);
