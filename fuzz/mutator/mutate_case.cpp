@@ -3,6 +3,7 @@
 #include "fuzz/mutator/exact_moves.hpp"
 #include "fuzz/mutator/libfuzzer.hpp"
 #include "fuzz/mutator/mutate.hpp"
+#include "generators/draw_contact.hpp"
 
 namespace ccdfuzz {
 
@@ -33,9 +34,15 @@ std::size_t mutate_case(std::uint8_t* data, std::size_t size, std::size_t max_si
     data[0] = method;
     return 1 + LLVMFuzzerMutate(data + 1, size - 1, max_size - 1);
   }
-  const Contact q =
-      contact_of_bytes(std::span(data, size), options.range).value_or(falling_point());
-  return put(mutate(q, q, draw, options.range), method, {data, max_size});
+  const std::optional<Contact> q = contact_of_bytes(std::span(data, size), options.range);
+  // Of its own source: what the seed makes of q does not depend on it.
+  Draw anew{Random::keyed({seed, 1})};
+  if (anew.below(options.drawn_in) == 0 || !q) {
+    const std::size_t drawn = put(draw_witnessed(anew, {}), method, {data, max_size});
+    if (drawn > 0) return drawn;
+  }
+  const Contact whole = q.value_or(falling_point());
+  return put(mutate(whole, whole, draw, options.range), method, {data, max_size});
 }
 
 std::size_t cross_cases(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <vector>
 
 #include "bases.hpp"
@@ -92,6 +93,36 @@ TEST(MutateCase, AnInputThatIsNoneBecomesOne) {
   bytes.resize(mutate_case(bytes.data(), 0, kMaxSize, 1, {.own_in = 1, .methods = 1}));
   EXPECT_TRUE(contact_of_bytes(bytes));
   EXPECT_EQ(method_number(bytes), 0);
+}
+
+/// The pairs of kinds of shapes that mutants of these bytes have.
+std::set<std::array<ShapeKind, 2>> kinds_from(const std::vector<std::uint8_t>& parent) {
+  std::set<std::array<ShapeKind, 2>> kinds;
+  for (unsigned seed = 1; seed <= 4000; ++seed) {
+    std::vector<std::uint8_t> bytes = parent;
+    bytes.resize(kMaxSize);
+    bytes.resize(mutate_case(bytes.data(), parent.size(), kMaxSize, seed));
+    const std::optional<Contact> mutant = contact_of_bytes(bytes);
+    if (!mutant) continue;
+    const auto& [a, b] = mutant->query.patches;
+    kinds.insert({a.shape.kind, b.shape.kind});
+  }
+  return kinds;
+}
+
+TEST(MutateCase, AnEmptyCorpusReachesAllShapes) {
+  constexpr std::size_t kPairs = 16;  // of points, curves, triangles and tensor patches
+  EXPECT_EQ(kinds_from({'\n'}).size(), kPairs);
+  EXPECT_EQ(kinds_from(to_bytes(falling_point()).value()).size(), kPairs);
+}
+
+TEST(MutateCase, AnInputFitsWhereNoDrawnContactDoes) {
+  const std::size_t small = to_bytes(falling_point()).value().size();
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::vector<std::uint8_t> bytes(small);
+    bytes.resize(mutate_case(bytes.data(), 0, small, seed));
+    EXPECT_TRUE(bytes.empty() || contact_of_bytes(bytes));
+  }
 }
 
 TEST(CrossOver, KeepsTheMethodOfTheFirst) {
