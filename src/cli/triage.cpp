@@ -18,6 +18,7 @@
 #include "hunt/served_claim.hpp"
 #include "io/input_bytes.hpp"
 #include "io/output_file.hpp"
+#include "method/plugin/plugin_spec.hpp"
 #include "properties/claim_input.hpp"
 
 namespace ccdfuzz {
@@ -148,14 +149,18 @@ struct TriageCounts {
   }
 };
 
-/// "3 of 3 files: …". folder: where finds are.
-std::string to_text(const TriageCounts& counts, const std::string& folder) {
+/// "3 of 3 files: …". folder: where finds are. own_code_may_fail: on some inputs no method failed,
+/// and no plug-in was asked.
+std::string to_text(const TriageCounts& counts, const std::string& folder, bool own_code_may_fail) {
   const TriageTally& tally = counts.tally;
   std::string text = fmt::format(
       "{} of {} files: {} failures, {} of them like one that is stored; {} inputs on which "
-      "no full run fails; {} new in {}",
+      "nothing fails; {} new in {}",
       counts.files_done, counts.files, tally.failures, tally.known, tally.harmless, counts.finds,
       folder);
+  if (own_code_may_fail) {
+    text += "\nIf your own code failed on them, ask it as a plug-in: --methods plugin:PATH";
+  }
   if (tally.refuting == 0) return text;
   return fmt::format("{}\n{} refute a claim by no full run (see above), and stay", text,
                      tally.refuting);
@@ -172,8 +177,11 @@ class TriageRun {
     arguments_.target ? triage_claims(files) : triage_cases(files);
     session_.progress().clear();
     if (session_.json) print_row(counts_);
+    const bool asked_plugins =
+        std::ranges::any_of(need(parse_method_list(arguments_.methods)), names_plugin);
     session_.summary(to_text(
-        counts_, arguments_.target ? folder_of_claims(arguments_.output) : arguments_.output));
+        counts_, arguments_.target ? folder_of_claims(arguments_.output) : arguments_.output,
+        !arguments_.target && !asked_plugins && counts_.tally.harmless > 0));
     if (counts_.files_unread > 0) return session_.exit_code(kBadInput);
     return session_.exit_code(counts_.tally.refuting > 0 ? kCheckFailed : kDone);
   }

@@ -42,6 +42,18 @@ TEST(Triage, ReadsTheInputsOfFuzzTargetsInAFolder) {
   succeeded(ccdfuzz({"replay", folder / "finds"}));
 }
 
+TEST(Triage, SaysHowToAskOwnCodeWhereNoMethodFails) {
+  const ScratchFolder folder;
+  const std::string drawn = generated(folder, "VV", "RP", 1);
+  const auto said_of = [&](const std::string& methods) {
+    return succeeded(ccdfuzz({"triage", drawn, "-o", folder / "finds", "--methods", methods})).out;
+  };
+  const std::string hint = "ask it as a plug-in: --methods plugin:PATH";
+  EXPECT_THAT(said_of("tdibm-c"), HasSubstr("1 inputs on which nothing fails"));
+  EXPECT_THAT(said_of("tdibm-c"), HasSubstr(hint));
+  EXPECT_THAT(said_of("tdibm-c,plugin:" CCDFUZZ_TEST_LINEAR_PLUGIN), Not(HasSubstr(hint)));
+}
+
 TEST(Triage, AsksABrokenContactAsItStandsAndMadeWhole) {
   const ScratchFolder folder;
   const auto drawn = read_cases(generated(folder, "VV", "RP", 1));
