@@ -6,6 +6,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "base/enum_names.hpp"
+#include "case/answer.hpp"
 #include "case/case.hpp"
 #include "generators/contact.hpp"
 #include "generators/draw_contact.hpp"
@@ -21,6 +23,13 @@ void showValue(const Shape& shape, std::ostream& out);
 void showValue(const Query& query, std::ostream& out);
 void showValue(const Contact& contact, std::ostream& out);
 void showValue(const Case& value, std::ostream& out);
+/// "hit at 0.5", "miss", …
+void showValue(const Answer& answer, std::ostream& out);
+/// The name of a verdict, an outcome, a class.
+template <NamedEnum E>
+void showValue(E value, std::ostream& out) {
+  out << name_of(value);
+}
 
 /// Generators for RapidCheck. Values shrink towards fewer control points, fewer numbers that are
 /// not 0, fewer digits and less motion. Every shrink keeps the stated contact and truth.

@@ -81,6 +81,12 @@ void showValue(const Contact& contact, std::ostream& out) {
   showValue(known, out);
 }
 
+void showValue(const Answer& answer, std::ostream& out) {
+  out << name_of(answer.verdict);
+  if (answer.has_toi()) out << fmt::format(" at {}", *answer.toi);
+  if (!answer.note.empty()) out << ": " << answer.note;
+}
+
 void showValue(const Case& value, std::ostream& out) {
   const Origin& origin = value.origin;
   for (const std::string& word : {origin.contact, origin.kind}) {

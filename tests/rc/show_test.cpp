@@ -34,6 +34,17 @@ RC_GTEST_PROP(Show, NothingIsAPlaceholder, (std::uint64_t seed)) {
   RC_ASSERT(shown_of<Contact>(seed).find("???") == std::string::npos);
 }
 
+TEST(Show, AnAnswerAndANamedValueAreShownByTheirNames) {
+  EXPECT_EQ(rc::toString(Answer::hit(0.5)), "hit at 0.5");
+  EXPECT_EQ(rc::toString(Answer::miss()), "miss");
+  Answer undecided;
+  undecided.note = "out of memory";
+  EXPECT_EQ(rc::toString(undecided), "undecided: out of memory");
+  EXPECT_EQ(rc::toString(Verdict::kHit), "hit");
+  EXPECT_EQ(rc::toString(ContactClass::kVF), "VF");
+  EXPECT_EQ(rc::toString(Outcome::kFalsePositive), "false_positive");
+}
+
 RC_GTEST_PROP(Show, TheLastLineIsTheCaseAlone, (const Case& made)) {
   std::string text = rc::toString(made);
   RC_ASSERT(text.back() == '\n');
