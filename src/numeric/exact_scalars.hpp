@@ -29,6 +29,8 @@ struct ExactNumTraits : GenericNumTraits<Exact> {
 };
 
 template <>
+struct NumTraits<ccdfuzz::Integer> : ExactNumTraits<ccdfuzz::Integer> {};
+template <>
 struct NumTraits<ccdfuzz::Rational> : ExactNumTraits<ccdfuzz::Rational> {};
 template <>
 struct NumTraits<ccdfuzz::Dyadic> : ExactNumTraits<ccdfuzz::Dyadic> {};

@@ -1,21 +1,36 @@
 #include "certify/oracle/nearest_points.hpp"
 
-#include <optional>
-
 namespace ccdfuzz {
 
 namespace {
 
-Vec3<Rational> minus(const Vec3<Rational>& a, const Vec3<Rational>& b) {
-  return {Rational(a[0] - b[0]), Rational(a[1] - b[1]), Rational(a[2] - b[2])};
+/// Makes the number a multiple of the denominators.
+void add_denominators(const Vec3<Rational>& v, Integer& common) {
+  for (int k = 0; k < 3; ++k) common = lcm(common, v[k].get_den());
+}
+
+Vec3<Integer> scaled_by(const Integer& scale, const Vec3<Rational>& v) {
+  Vec3<Integer> out;
+  for (int k = 0; k < 3; ++k) out[k] = v[k].get_num() * Integer(scale / v[k].get_den());
+  return out;
+}
+
+Rational fraction(const Integer& x, const Integer& y) {
+  Rational out(x, y);
+  out.canonicalize();
+  return out;
+}
+
+Integer dot_of(const Vec3<Integer>& a, const Vec3<Integer>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// The place of the point that reaches least along a direction, or, of `sign` −1, furthest.
-size_t support(const Points<Rational>& points, const Vec3<Rational>& direction, int sign) {
+size_t support(const Points<Integer>& points, const Vec3<Integer>& direction, int sign) {
   size_t best = 0;
-  Rational least;
+  Integer least;
   for (size_t i = 0; i < points.size(); ++i) {
-    Rational height = dot_of(points[i], direction);
+    Integer height = dot_of(points[i], direction);
     if (sign < 0) height = -height;
     if (i == 0 || height < least) {
       best = i;
@@ -27,62 +42,89 @@ size_t support(const Points<Rational>& points, const Vec3<Rational>& direction, 
 
 }  // namespace
 
+Points<Integer> NearestPoints::scaled(const Points<Rational>& points) const {
+  Points<Integer> out;
+  out.reserve(points.size());
+  for (const Vec3<Rational>& p : points) out.push_back(scaled_by(scale_, p));
+  return out;
+}
+
 /// With d_k = ways[k] − ways[0] of the parts, the least vector of the form base + Σ c_k d_k, which
 /// is at right angles to all d_k: 1 − Σ c_k, and c_k. With ways[0] as base they are the weights of
 /// the least vector in the ways' affine span.
-std::vector<Rational> NearestPoints::least_from(const Vec3<Rational>& base) const {
+NearestPoints::Shares NearestPoints::least_from(const Vec3<Integer>& base) const {
   const size_t n = differences_.size() - 1;
-  std::vector<Vec3<Rational>> d;
-  for (size_t k = 1; k <= n; ++k) d.push_back(minus(differences_[k].way, differences_[0].way));
-  std::vector<std::vector<Rational>> rows(n);
+  std::vector<Vec3<Integer>> d;
+  for (size_t k = 1; k <= n; ++k) d.emplace_back(differences_[k].way - differences_[0].way);
+  std::vector<std::vector<Integer>> rows(n);
   for (size_t i = 0; i < n; ++i) {
     for (size_t j = 0; j < n; ++j) rows[i].push_back(dot_of(d[i], d[j]));
     rows[i].push_back(-dot_of(d[i], base));
   }
-  // No pivot is 0: the matrix is positive definite, as the d_k are independent.
+  // Bareiss: entries are minors, so each division by the last pivot is exact. No pivot is 0: the
+  // matrix is positive definite, as the d_k are independent.
+  Shares shares{{}, 1};
   for (size_t i = 0; i < n; ++i) {
     for (size_t r = 0; r < n; ++r) {
-      if (r == i || rows[r][i] == 0) continue;
-      const Rational factor = rows[r][i] / rows[i][i];
-      for (size_t c = i; c <= n; ++c) rows[r][c] -= factor * rows[i][c];
+      if (r == i) continue;
+      for (size_t c = 0; c <= n; ++c) {
+        if (c == i) continue;
+        rows[r][c] = rows[i][i] * rows[r][c] - rows[r][i] * rows[i][c];
+        mpz_divexact(rows[r][c].get_mpz_t(), rows[r][c].get_mpz_t(), shares.total.get_mpz_t());
+      }
+      rows[r][i] = 0;
     }
+    shares.total = rows[i][i];
   }
-  std::vector<Rational> weights(n + 1);
-  weights[0] = 1;
+  shares.of.push_back(shares.total);
   for (size_t k = 0; k < n; ++k) {
-    weights[k + 1] = rows[k][n] / rows[k][k];
-    weights[0] -= weights[k + 1];
+    shares.of[0] -= rows[k][n];
+    shares.of.push_back(rows[k][n]);
   }
-  return weights;
+  return shares;
 }
 
 Vec3<Rational> NearestPoints::rate_of_way(const Vec3<Rational>& velocity) const {
-  const std::vector<Rational> shares = least_from(velocity);
-  Vec3<Rational> rate = velocity;
+  Integer scale = 1;
+  add_denominators(velocity, scale);
+  const Vec3<Integer> base = scaled_by(scale, velocity);
+  const Shares shares = least_from(base);
+  Vec3<Integer> rate = shares.total * base;
   for (size_t k = 1; k < differences_.size(); ++k) {
-    const Vec3<Rational> d = minus(differences_[k].way, differences_[0].way);
-    for (int i = 0; i < 3; ++i) rate[i] += shares[k] * d[i];
+    rate += shares.of[k] * (differences_[k].way - differences_[0].way);
   }
-  return rate;
+  const Integer whole = shares.total * scale;
+  return {fraction(rate[0], whole), fraction(rate[1], whole), fraction(rate[2], whole)};
 }
 
 /// Moves the weights to the least vector of the parts' span; those that it leaves out first go.
 void NearestPoints::settle() {
   for (;;) {
-    const std::vector<Rational> goal = least_from(differences_[0].way);
-    std::optional<Rational> step;  // how far the weights get before one is 0
-    for (size_t k = 0; k < goal.size(); ++k) {
-      if (goal[k] > 0) continue;
-      const Rational most = differences_[k].weight / (differences_[k].weight - goal[k]);
-      if (!step || most < *step) step = most;
+    Shares goal = least_from(differences_[0].way);
+    Integer step = 0, whole = 0;  // how far the weights get before one is 0: step / whole
+    for (size_t k = 0; k < goal.of.size(); ++k) {
+      if (goal.of[k] > 0) continue;
+      const Integer here = differences_[k].weight * goal.total;
+      const Integer way = here - goal.of[k] * total_;
+      if (whole == 0 || here * whole < step * way) step = here, whole = way;
     }
-    for (size_t k = 0; k < goal.size(); ++k) {
-      Rational& weight = differences_[k].weight;
-      weight = step ? Rational(weight + *step * (goal[k] - weight)) : goal[k];
+    if (whole == 0) {
+      for (size_t k = 0; k < goal.of.size(); ++k) differences_[k].weight = std::move(goal.of[k]);
+      total_ = goal.total;
+      return;
     }
-    if (!step) return;
+    const Integer stay = (whole - step) * goal.total, go = step * total_;
+    total_ *= goal.total * whole;
+    Integer common = total_;
+    for (size_t k = 0; k < goal.of.size(); ++k) {
+      Integer& weight = differences_[k].weight;
+      weight = weight * stay + goal.of[k] * go;
+      common = gcd(common, weight);
+    }
     std::erase_if(differences_,
                   [](const Difference& difference) { return difference.weight == 0; });
+    for (Difference& difference : differences_) difference.weight /= common;
+    total_ /= common;
   }
 }
 
@@ -90,27 +132,36 @@ const NearestPoints::Found& NearestPoints::operator()(const Points<Rational>& fr
                                                       const Points<Rational>& to) {
   if (found_.weights[0].size() != from.size() || found_.weights[1].size() != to.size()) {
     differences_ = {{{0, 0}, {}, 1}};
+    total_ = 1;
   }
-  for (Difference& difference : differences_)
-    difference.way = minus(to[difference.places[1]], from[difference.places[0]]);
+  scale_ = 1;
+  for (const Vec3<Rational>& p : from) add_denominators(p, scale_);
+  for (const Vec3<Rational>& p : to) add_denominators(p, scale_);
+  const std::array<Points<Integer>, 2> points = {scaled(from), scaled(to)};
+  const auto way_between = [&](const std::array<size_t, 2>& places) -> Vec3<Integer> {
+    return points[1][places[1]] - points[0][places[0]];
+  };
+  for (Difference& difference : differences_) difference.way = way_between(difference.places);
+  Vec3<Integer> way;  // times scale_ and total_
+  Integer squared;
   for (;;) {
     settle();
-    Vec3<Rational>& way = found_.way;
     way = {0, 0, 0};
-    for (const Difference& difference : differences_) {
-      for (int k = 0; k < 3; ++k) way[k] += difference.weight * difference.way[k];
-    }
-    found_.squared = dot_of(way, way);
-    if (found_.squared == 0) break;
-    const std::array<size_t, 2> places = {support(from, way, -1), support(to, way, 1)};
-    Vec3<Rational> least = minus(to[places[1]], from[places[0]]);
-    if (dot_of(least, way) >= found_.squared) break;
+    for (const Difference& difference : differences_) way += difference.weight * difference.way;
+    squared = dot_of(way, way);
+    if (squared == 0) break;
+    const std::array<size_t, 2> places = {support(points[0], way, -1), support(points[1], way, 1)};
+    Vec3<Integer> least = way_between(places);
+    if (total_ * dot_of(least, way) >= squared) break;
     differences_.push_back({places, std::move(least), 0});
   }
-  found_.weights[0].assign(from.size(), 0);
-  found_.weights[1].assign(to.size(), 0);
+  const Integer whole = scale_ * total_;
+  for (int k = 0; k < 3; ++k) found_.way[k] = fraction(way[k], whole);
+  found_.squared = fraction(squared, Integer(whole * whole));
+  for (size_t s = 0; s < 2; ++s) found_.weights[s].assign(points[s].size(), 0);
   for (const Difference& difference : differences_) {
-    for (size_t s = 0; s < 2; ++s) found_.weights[s][difference.places[s]] += difference.weight;
+    const Rational weight = fraction(difference.weight, total_);
+    for (size_t s = 0; s < 2; ++s) found_.weights[s][difference.places[s]] += weight;
   }
   return found_;
 }

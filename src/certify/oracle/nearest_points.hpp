@@ -31,17 +31,25 @@ class NearestPoints {
   Vec3<Rational> rate_of_way(const Vec3<Rational>& velocity) const;
 
  private:
-  /// A difference to[places[1]] − from[places[0]], and its weight.
+  /// A difference to[places[1]] − from[places[0]] times scale_, and its weight times total_.
   struct Difference {
     std::array<size_t, 2> places;
-    Vec3<Rational> way;
-    Rational weight;
+    Vec3<Integer> way;
+    Integer weight;
+  };
+  /// Numbers times a total > 0.
+  struct Shares {
+    std::vector<Integer> of;
+    Integer total;
   };
 
+  Points<Integer> scaled(const Points<Rational>& points) const;
   void settle();
-  std::vector<Rational> least_from(const Vec3<Rational>& base) const;
+  Shares least_from(const Vec3<Integer>& base) const;
 
+  // Integers with common denominators, as fractions would be reduced after each operation.
   std::vector<Difference> differences_;
+  Integer scale_, total_;
   Found found_;
 };
 
