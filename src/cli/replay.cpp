@@ -76,14 +76,17 @@ struct NotAskedJson {
   }
 };
 
-struct RefutedJson {
+/// An entry whose truth counts for nothing, as a row of the JSON output.
+struct NotProvenRow {
   const std::string& id;
-  const std::string& note;
+  const InputError& error;
 
-  static void fields(auto& archive, auto& json) {
-    archive("case", json.id);
-    archive.constant("truth", "refuted");
-    archive("note", json.note);
+  std::string truth() const { return error.is_limit ? "unproven" : "refuted"; }
+
+  static void fields(auto& archive, auto& row) {
+    archive("case", row.id);
+    archive("truth", row.truth());
+    archive("note", row.error.message());
   }
 };
 
@@ -92,7 +95,7 @@ struct Replayed {
   std::vector<ReplayRow> rows;
   std::map<std::string, Expected> not_allowed;
   std::uint64_t not_taken = 0;  ///< by a method for all of whose answers something is expected
-  std::string refuted;          ///< why; empty if its truth holds
+  std::optional<InputError> not_proven;  ///< none if its truth holds
 };
 
 /// The methods to ask about an entry, and the expected outcomes.
@@ -114,7 +117,7 @@ Replayed replayed(NamedCase& entry, Askers& askers, const ReplayOptions& options
   Replayed result;
   const Result<CheckedCase> known = decided_and_checked(entry);
   if (!known) {
-    result.refuted = known.error().message();
+    result.not_proven = known.error();
     return result;
   }
   SearchOptions search = options.search.options_for(entry.value);
@@ -210,7 +213,7 @@ class Replay {
     summarise();
     const bool holds =
         options_.update || (counts_[0] == expectations_ && claims_.changes[0] == claims_.claims);
-    return session_.exit_code(refuted_ == 0 && holds && was_asked() ? kDone : kCheckFailed);
+    return session_.exit_code(not_proven_ == 0 && holds && was_asked() ? kDone : kCheckFailed);
   }
 
  private:
@@ -245,10 +248,11 @@ class Replay {
     }
     ++entries_;
     case_counts_.add(entry.value);
-    if (!done.refuted.empty()) {
-      ++refuted_;
-      session_.json ? print_row(RefutedJson{entry.id, done.refuted})
-                    : print_out(fmt::format("refuted: {}\n", done.refuted));
+    if (done.not_proven) {
+      ++not_proven_;
+      const NotProvenRow row{entry.id, *done.not_proven};
+      session_.json ? print_row(row)
+                    : print_out(fmt::format("{}: {}\n", row.truth(), row.error.message()));
       return;
     }
     for (const auto& [method, expected] : done.not_allowed) {
@@ -348,7 +352,7 @@ class Replay {
 
   const ReplayOptions& options_;
   Session& session_;
-  std::uint64_t entries_ = 0, expectations_ = 0, not_taken_ = 0, refuted_ = 0, updated_ = 0;
+  std::uint64_t entries_ = 0, expectations_ = 0, not_taken_ = 0, not_proven_ = 0, updated_ = 0;
   static constexpr std::uint64_t kMostShown = 10;  // rows of the table
   std::uint64_t shown_ = 0;
   std::array<std::uint64_t, kAllChanges.size()> counts_{};
