@@ -22,6 +22,7 @@ import base64
 import concurrent.futures
 import ctypes
 import difflib
+import fcntl
 import gzip
 import hashlib
 import itertools
@@ -184,6 +185,9 @@ class Sandbox:
 
     def __init__(self, binary, group):
         self.folder = binary.parent / 'golden' / group
+        self.folder.parent.mkdir(exist_ok=True)
+        self.lock = open(f'{self.folder}.lock', 'w')  # another run of the group waits
+        fcntl.flock(self.lock, fcntl.LOCK_EX)
         shutil.rmtree(self.folder, ignore_errors=True)
         tools = self.folder / '.bin'
         tools.mkdir(parents=True)
