@@ -47,14 +47,6 @@ Vec3<Dyadic> of_size_one(const Vec3<Dyadic>& v) {
   return {v[0].scaled(-*top), v[1].scaled(-*top), v[2].scaled(-*top)};
 }
 
-/// The root of x > 0, rounded up, also where x is out of the range of doubles.
-double upper_root(const Rational& x) {
-  const auto top =
-      static_cast<long>(bits_of(x.get_num())) - static_cast<long>(bits_of(x.get_den()));
-  const Rational unit = power_of_two(top / 2);
-  return round_up(unit * exact(std::sqrt(round_up(x / (unit * unit))) / kRoundings));
-}
-
 using Hull = std::vector<Vec3<Dyadic>>;
 
 Hull points_of(const MovingPatch<double>& body) {
@@ -146,7 +138,7 @@ std::optional<double> depth_at(const Query& query, const Rational& t, bool in_pl
   NearestPoints nearest;
   const Rational squared = nearest(points[0], points[1]).squared;
   const double radii = round_down(reach) - rounding;
-  if (squared > 0) return radii - upper_root(squared);
+  if (squared > 0) return radii - round_up(root_above(squared));
   if (hulls[0].size() * hulls[1].size() > kMostPairs) return std::nullopt;
   std::vector<Vec3<Dyadic>> directions;
   for (const Hull& hull : hulls) add_directions(hull, directions);
@@ -192,7 +184,7 @@ std::optional<double> depth_until(const Query& query, double until, bool in_plan
   const Rational squared = nearest(rational(swept), rational(rest)).squared;
   double depth = 0;
   if (squared > 0) {
-    depth = radii - upper_root(squared);
+    depth = radii - round_up(root_above(squared));
   } else {
     if (first.size() * rest.size() > kMostPairs) return std::nullopt;
     std::vector<Vec3<Dyadic>> directions = {way};
