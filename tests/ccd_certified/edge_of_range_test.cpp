@@ -89,24 +89,6 @@ TEST(TdibmC, TimesAreRoundedDownWhereTheyAreSubnormal) {
   EXPECT_EQ(ask(touching).toi, 0.0);
 }
 
-TEST(TdibmC, GivesUpWithALowerBoundWhenABudgetEnds) {
-  MovingPatch<double> curved{
-      Shape::triangle(2),
-      {{0, 0, 0}, {0, .5, .2}, {0, 1, 0}, {.5, 0, .2}, {.5, .5, .3}, {1, 0, 0}},
-      std::vector<Vec3<double>>(6, {0, 0, 0})};
-  TdibmC method;
-  for (const SearchOptions& options :
-       {SearchOptions{.precision = 1e-6, .max_pops = 50},
-        SearchOptions{.precision = 1e-6, .max_pops = 1'000'000, .max_bytes = 1 << 16}}) {
-    const Answer answer = method.answer({{curved, curved}, 1}, options);
-    if (answer.verdict == Verdict::kHit)
-      continue;  // the first vertices touch: that is a right answer
-    EXPECT_EQ(answer.verdict, Verdict::kUndecided);
-    EXPECT_EQ(answer.toi, 0.0);
-    EXPECT_FALSE(answer.note.empty());
-  }
-}
-
 /// A curved patch, and the same one unit above, coming down to lie on it at t = 1.
 Query area_contact() {
   const MovingPatch<double> curved{
@@ -128,14 +110,6 @@ TEST(TdibmC, EndsWithinTheDefaultBudgetsWherePatchesCoincideOverAnArea) {
   EXPECT_LE(answer.toi.value(), 1);  // a lower bound of the contact's time
   EXPECT_GE(answer.toi.value(), 1 - 0x1p-10);
   EXPECT_LE(answer.pops, 150'000U);
-}
-
-TEST(TdibmC, GivesUpWhenItsTimeIsOver) {
-  TdibmC method;
-  const Answer answer = method.answer(area_contact(), {.max_seconds = 1e-9});
-  EXPECT_EQ(answer.verdict, Verdict::kUndecided);
-  EXPECT_EQ(answer.note, "time budget exhausted");
-  EXPECT_LE(answer.toi.value(), 1);
 }
 
 }  // namespace

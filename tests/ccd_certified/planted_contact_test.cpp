@@ -39,17 +39,6 @@ Planted any_planted() {
   return out;
 }
 
-RC_GTEST_PROP(TdibmC, NeverMissesNorIsLateOnAPlantedContact, ()) {
-  const Planted planted = any_planted();
-  TdibmC method;
-  const Answer answer = method.answer(planted.query, {.precision = 0x1p-6, .max_pops = 2000});
-  RC_LOG() << "t = " << planted.t << ", t_max = " << planted.query.t_max << ", pops " << answer.pops
-           << std::endl;
-  RC_ASSERT(answer.verdict != Verdict::kMiss);
-  RC_ASSERT(answer.toi.has_value());
-  RC_ASSERT(*answer.toi <= planted.t);
-}
-
 /// Cells of any depths may meet: pairs of a child and an undivided patch lose no contact either.
 RC_GTEST_PROP(PairSplit, KeepsAContactOfCellsOfUnequalDepth, ()) {
   constexpr int kFinest = 5;

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "certify/checker/check_bodies.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/checker/check_witness.hpp"
 #include "changed.hpp"
@@ -71,19 +70,6 @@ bool clearance_holds(const auto& change) {
   return holds_changed(ball_on_box(), BodyClearance{1, {0, 1, 0}, false}, check, change);
 }
 
-TEST(CheckBodies, ADirectionThatKeepsThemApartProvesAbsence) {
-  EXPECT_TRUE(clearance_holds([](Query&, BodyClearance&) {}));
-  EXPECT_TRUE(clearance_holds([](Query&, BodyClearance& c) { c.normal = {0, Rational(1, 3), 0}; }));
-  EXPECT_FALSE(clearance_holds([](Query&, BodyClearance& c) { c.closed = true; }));
-  EXPECT_FALSE(clearance_holds([](Query&, BodyClearance& c) { c.until += kLittle; }));
-  EXPECT_TRUE(
-      clearance_holds([](Query&, BodyClearance& c) { c.until -= kLittle, c.closed = true; }));
-  EXPECT_TRUE(
-      clearance_holds([](Query& q, BodyClearance& c) { q.patches[1].radius = 0, c.until = 2; }));
-  EXPECT_FALSE(clearance_holds(
-      [](Query& q, BodyClearance& c) { q.patches[1].radius = 0, c.until = 2, c.closed = true; }));
-}
-
 TEST(CheckBodies, ForgedDirectionsAreRefused) {
   EXPECT_FALSE(clearance_holds([](Query&, BodyClearance& c) { c.normal[1] = -1; }));
   EXPECT_FALSE(clearance_holds([](Query&, BodyClearance& c) { c.normal = {}; }));
@@ -108,20 +94,6 @@ TEST(CheckBodies, ProofsOfPatchesProveNothingOfBodiesNorTheOtherWayRound) {
   Case known{bodies, {}, {}};
   known.truth.contact_root = ContactRoot{{-1, 1}, 0, 2};
   EXPECT_FALSE(check_truth(known));
-}
-
-TEST(CheckBodies, ATruthOfBothIsACheckedCase) {
-  Case known{ball_on_box(), {}, {}};
-  known.truth.collides = true;
-  known.truth.witness = ball_witness();
-  known.truth.clear_until = 1;
-  known.truth.clearance = BodyClearance{1, {0, 1, 0}, false};
-  const auto checked = check_case(known);
-  ASSERT_TRUE(checked) << checked.error().message();
-  EXPECT_EQ(checked->contact_by(), Rational(1));
-  EXPECT_EQ(checked->with_t_max(0.5).collides(), false);
-  known.truth.clear_until = Rational(1) + kLittle;
-  EXPECT_FALSE(check_case(known));
 }
 
 }  // namespace

@@ -273,24 +273,6 @@ TEST(CheckSpin, HullsTouchWhereOneHasABallAboutItsPoint) {
   EXPECT_FALSE(check_contact(query, witness));
 }
 
-TEST(CheckSpin, PlanesBetweenThemProveAbsence) {
-  // In a quarter of the step the rod turns by a quarter of a radian, whose tangent is 0.2553.
-  const Query query = rod_to_point(spin_of(0, 0, 1));
-  BodyPlanes clearance = rod_planes(kAngle);
-  clearance.planes[0].normals[1] = {Rational(-1, 4), 1, 0};
-  EXPECT_TRUE(check_clearance(query, clearance, ""));
-  for (const Rational& slope : {Rational(-1, 8), Rational(-2)}) {
-    clearance.planes[0].normals[1][0] = slope;
-    EXPECT_FALSE(check_clearance(query, clearance, ""));
-  }
-  clearance.planes[0].normals[1] = {Rational(-1, 4), 1, 0};
-  for (const double radians : {8, 2}) {
-    EXPECT_FALSE(check_clearance(rod_to_point(spin_of(0, 0, radians)), clearance, ""));
-  }
-  clearance.planes[0].offsets = {0, Rational(1, 8)};
-  EXPECT_FALSE(check_clearance(query, clearance, "")) << "the rod's end is on the plane at 0";
-}
-
 TEST(CheckSpin, ASpinThatIsTooFastOrBesideATurnIsInvalid) {
   Query query = rod_to_point(spin_of(0, 8, 0));
   EXPECT_TRUE(is_valid(query));

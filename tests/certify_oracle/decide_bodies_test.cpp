@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ball_into_valley.hpp"
-#include "certify/checker/check_case.hpp"
 #include "certify/oracle/nearest_points.hpp"
-#include "generators/bodies.hpp"
-#include "generators/draw/draw.hpp"
+#include "certify/oracle/oracle.hpp"
 
 namespace ccdfuzz {
 namespace {
@@ -28,14 +25,6 @@ Points<double> box(double x, double y, double z) {
 double bracket_of(const Truth& truth) {
   const Rational width = truth.witness->t - truth.clear_until.value_or(0);
   return truth.witness->t == 0 ? 0 : Rational(width / truth.witness->t).get_d();
-}
-
-TEST(DecideBodies, AFirstContactOfRationalLengthsIsExact) {
-  const Query query = {{body(box(5, 1, 5), {0, 0, 0}), body({{-4, 3, 0.5}}, {0, -1, 0}, 1)}, 4};
-  const Truth truth = decide(query).truth;
-  EXPECT_EQ(truth.collides, true);
-  EXPECT_EQ(truth.witness->t, Rational(1));
-  EXPECT_EQ(truth.clear_until, Rational(1));
 }
 
 TEST(DecideBodies, ABallAndACornerThatMeetAtAnIrrationalTimeAreEnclosed) {
@@ -71,35 +60,6 @@ TEST(DecideBodies, AnEndCountsAndAMissIsProvenByOneDirection) {
   EXPECT_EQ(decide(query).truth.collides, false);
 }
 
-TEST(DecideBodies, AreDecidedWhateverTheyAre) {
-  Draw draw = Draw::mostly_small(Random(1));
-  std::array<int, 2> count{};
-  for (int i = 0; i < 300; ++i) {
-    Query query;
-    const int bits = draw.coin() ? 4 : 50;
-    for (MovingPatch<double>& patch : query.patches) {
-      Points<double> points(draw.below(9) + 1);
-      const auto real = [&] {
-        return std::ldexp(static_cast<double>(draw.integer(-(1L << bits), 1L << bits)), 4 - bits);
-      };
-      for (Vec3<double>& p : points) {
-        for (int k = 0; k < 3; ++k) p[k] = real();
-      }
-      Vec3<double> velocity;
-      for (int k = 0; k < 3; ++k) velocity[k] = 4 * real();
-      patch = body(points, velocity, draw.coin() ? std::abs(real()) / 8 : 0);
-    }
-    const Truth truth = decide(query).truth;
-    ASSERT_TRUE(truth.collides) << i;
-    ++count[*truth.collides ? 1 : 0];
-    if (*truth.collides && truth.witness->t > 0) {
-      EXPECT_LE(bracket_of(truth), 0x1p-40) << i;
-    }
-  }
-  EXPECT_GT(count[0], 30);
-  EXPECT_GT(count[1], 30);
-}
-
 TEST(DecideTurning, DistancesWhoseSquaresAreNoDoublesAreDecided) {
   for (const double scale : {0x1p-1060, 0x1p-600, 0x1p600, 0x1p1000}) {
     Query query = {{body({{0, 0, 0}}, {0, 0, 0}), body({{scale, 0, 0}}, {0, 0, 0})}, 1};
@@ -119,35 +79,6 @@ TEST(NearestPoints, OfHullsThatMeetAreAtNoDistance) {
   const NearestPoints::Found& crossed = nearest(square, {{1, 1, -1}, {1, 1, 5}});
   EXPECT_EQ(crossed.squared, 0);
   EXPECT_EQ(crossed.weights[1], (std::vector<Rational>{Rational(5, 6), Rational(1, 6)}));
-}
-
-TEST(DecideMesh, TheFirstFaceThatIsThereIsFound) {
-  Query query = ball_into_valley();
-  auto& [mesh, ball] = query.patches;
-  std::swap(mesh.faces[0], mesh.faces[1]);
-  for (const bool is_one_sided : {false, true}) {
-    mesh.one_sided = is_one_sided;
-    const Truth truth = decide(query).truth;
-    ASSERT_EQ(truth.collides, true);
-    EXPECT_EQ(truth.witness->t, 1);
-    EXPECT_EQ(truth.clear_until, Rational(1));
-    EXPECT_EQ(truth.witness->weights[0],
-              (std::vector<Rational>{Rational(7, 40), Rational(7, 40), Rational(13, 20), 0}));
-    EXPECT_TRUE(check_case({query, truth, {}, {}, {}}));
-  }
-  // Through the first from behind, the other comes later.
-  std::swap(mesh.faces[1][1], mesh.faces[1][2]);
-  ball.velocities[0] = {-1, -1, 0};
-  const Truth truth = decide(query).truth;
-  ASSERT_EQ(truth.collides, true);
-  EXPECT_EQ(truth.witness->weights[0][2], 0);
-  EXPECT_GT(truth.witness->t, 1);
-  EXPECT_TRUE(check_case({query, truth, {}, {}, {}}));
-  // From behind both there is nothing.
-  std::swap(mesh.faces[0][1], mesh.faces[0][2]);
-  const Truth none = decide(query).truth;
-  EXPECT_EQ(none.collides, false);
-  EXPECT_TRUE(check_case({query, none, {}, {}, {}}));
 }
 
 }  // namespace

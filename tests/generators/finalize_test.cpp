@@ -38,19 +38,5 @@ TEST(Finalize, AContactThatIsNoneIsABrokenInvariant) {
   }
 }
 
-TEST(Finalize, PositivesEndAtTheHorizonNegativesWhereNothingTouchesYet) {
-  const Scene scene = some_scene();
-  const Query query = to_query(scene).value();
-  const Absence clear{Dyadic(1) - Dyadic(1, -20), {}};
-  const Case positive = finalize(scene, query, CaseKind::kRP, clear);
-  EXPECT_EQ(positive.query.t_max, 1);
-  EXPECT_EQ(positive.truth.collides, true);
-  const Case negative = finalize(scene, query, CaseKind::kRN, clear);
-  EXPECT_EQ(negative.query.t_max, 1 - 0x1p-20);
-  EXPECT_EQ(negative.truth.collides, false);
-  EXPECT_EQ(negative.truth.clear_until, clear.until.rational());
-  EXPECT_FALSE(finalize(scene, query, CaseKind::kRP, std::nullopt).truth.clear_until);
-}
-
 }  // namespace
 }  // namespace ccdfuzz

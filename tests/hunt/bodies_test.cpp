@@ -261,36 +261,5 @@ TEST(SettingOfBodies, TellsFlatOnesRestAndAGlancingContact) {
   EXPECT_EQ(setting(), Setting::kSliding);
 }
 
-TEST(SettingOfBodies, TellsAOneSidedMeshThatIsTouchedFromBehindAtTheStart) {
-  // The ball starts around the back of a face that looks along +x, and flies on into the front of
-  // another at x = 4 that looks along -x.
-  Query query;
-  MovingPatch<double>& mesh = query.patches[0];
-  mesh = {Shape::hull(6),
-          {{0, -4, -4}, {0, 4, -4}, {0, 0, 4}, {4, -4, -4}, {4, 4, -4}, {4, 0, 4}},
-          {{0, 0, 0}}};
-  mesh.faces = {{0, 1, 2}, {3, 5, 4}};
-  mesh.one_sided = true;
-  MovingPatch<double>& ball = query.patches[1];
-  ball = {Shape::hull(1), {{0.25, 0, 0}}, {{1, 0, 0}}, {}, {}, 0.5};
-  query.t_max = 8;
-  Domain regular;
-  regular.ordinary = true;
-  const auto made = [&] { return *case_of_bodies(query); };
-  ASSERT_EQ(made().truth.witness->t, Rational(13, 4));
-  EXPECT_EQ(setting_of(made()), Setting::kTouching);
-  EXPECT_EQ(regular.broken_by(made()), "takes ordinary queries, and this is touching at 0");
-  query.t_max = 2;
-  ASSERT_EQ(made().truth.collides, false);
-  EXPECT_EQ(setting_of(made()), Setting::kTouching) << "nor where nothing is hit";
-  query.t_max = 8;
-  ball.positions[0][0] = 0.5;
-  EXPECT_EQ(setting_of(made()), Setting::kTouching) << "without depth";
-  ball.positions[0][0] = 0.5 + 0x1p-20;
-  EXPECT_EQ(setting_of(made()), Setting::kOrdinary) << "beside it";
-  ball.positions[0][0] = -1;
-  EXPECT_EQ(setting_of(made()), Setting::kOrdinary) << "through it later";
-}
-
 }  // namespace
 }  // namespace ccdfuzz

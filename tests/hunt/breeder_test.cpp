@@ -6,7 +6,6 @@
 #include "certify/checker/check_witness.hpp"
 #include "files/case_json.hpp"
 #include "hunt/draw.hpp"
-#include "method/method.hpp"
 #include "share.hpp"
 
 namespace ccdfuzz {
@@ -61,19 +60,6 @@ TEST(Breeder, MarginsLoseMoreContactsThanChance) {
     by_chance += lost(Aim::kNothing);
   }
   EXPECT_GT(by_margins, 3 * by_chance / 2);
-}
-
-TEST(Breeder, TheSoundMethodsLoseNoMutant) {
-  const auto loses_none = [](const char* method, ContactClass contact, std::uint64_t steps) {
-    ASSERT_TRUE(make_tracer(method)) << method;  // else nothing is traced
-    const BreedTally tally = bred_by(method, contact, steps).tally;
-    EXPECT_GT(tally.mutants, 0U) << method << ' ' << name_of(contact);
-    EXPECT_EQ(tally.lost, 0U) << method << ' ' << name_of(contact);
-  };
-  for (const ContactClass contact : kContactClasses) {
-    loses_none("tdibm-c", contact, 400 / kOneIn);
-    loses_none("tdibm-rational", contact, 40 / kOneIn);
-  }
 }
 
 TEST(Breeder, KeepsWithinAScale) {
