@@ -239,6 +239,25 @@ void check_discriminants(Draw& d) {
   CLAIM(!is_seen(d, shape, coefficients_of(shape, drawn)));
 }
 
+/// α·((v − a)³ + 64·(u − b)²) is negative at u = b and v < a. Its outer rows are ≥ 0, since b² and
+/// (1 − b)² are at least 1/64. Its discriminant has a factor three times.
+void check_cubes(Draw& d) {
+  const auto inside = [&]() -> Rational {
+    return Rational(static_cast<long>(d.integer(1, 7))) / 8;
+  };
+  const Rational a = inside(), b = inside(), alpha = draw_little(d);
+  const bool is_turned = d.coin();
+  Polynomial drawn;
+  const auto add = [&](int in_u, int in_v, const Rational& by) {
+    const Rational factor = alpha * by;
+    drawn.push_back(is_turned ? Monomial{in_v, in_u, factor} : Monomial{in_u, in_v, factor});
+  };
+  add(0, 3, 1), add(0, 2, -3 * a), add(0, 1, 3 * a * a), add(0, 0, -a * a * a);
+  add(2, 0, 64), add(1, 0, -128 * b), add(0, 0, 64 * b * b);
+  const Shape shape = is_turned ? Shape::tensor(3, 2) : Shape::tensor(2, 3);
+  CLAIM(!is_seen(d, shape, coefficients_of(shape, drawn)));
+}
+
 }  // namespace
 
 std::vector<Property> polynomials_claims() {
@@ -258,6 +277,9 @@ std::vector<Property> polynomials_claims() {
       {"checker.sees_discriminants",
        "A sum of squares along both parameters is seen to be >= 0, and no less is", kSource,
        check_discriminants},
+      {"checker.refuses_cubes",
+       "A polynomial whose discriminant has a factor three times is not taken for one that is >= 0",
+       kSource, check_cubes},
   };
 }
 
