@@ -9,6 +9,7 @@
 #include "case/scale.hpp"
 #include "certify/checker/check_truth.hpp"
 #include "certify/oracle/oracle.hpp"
+#include "generators/just_missing.hpp"
 #include "generators/prescribe.hpp"
 #include "generators/whole_frame.hpp"
 
@@ -203,10 +204,6 @@ FramedPair draw_framed_pair(const std::array<Feature, 2>& features, bool in_plan
 
 }  // namespace
 
-bool is_made_of_bodies(CaseKind kind) {
-  return kind != CaseKind::kNHP;
-}
-
 bool has_bodies(const BodyKinds& kinds, ContactClass contact) {
   const auto count = [](Feature feature) {
     return feature == Feature::kCorner ? 1U : feature == Feature::kEdge ? 2U : 3U;
@@ -312,10 +309,12 @@ tl::expected<Case, Discard> bodies_case(const GeneratorOptions& options, const D
 
 tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
                                                 const Dyadic& eps_t, Draw& draw) {
-  tl::expected<Case, Discard> made = framed_bodies(options, eps_t, draw);
-  if (!made) return made;
-  made->truth = decide(made->query).truth;
-  const auto& first = made->truth.witness;
+  GeneratorOptions plain = options;
+  plain.kind = CaseKind::kRP;
+  CCDFUZZ_TRY(Case made, framed_bodies(plain, eps_t, draw));
+  if (options.kind == CaseKind::kNMN) return just_missing(std::move(made), draw);
+  made.truth = decide(made.query).truth;
+  const auto& first = made.truth.witness;
   if (!first || first->t == 0) return tl::unexpected(Discard::kFirstContact);
   return made;
 }

@@ -7,9 +7,6 @@
 
 namespace ccdfuzz {
 
-/// True iff there are body cases of the kind: RP, RN and NMN, of every class.
-bool is_made_of_bodies(CaseKind kind);
-
 /// Whether bodies of these kinds are drawn in contacts of a class.
 bool has_bodies(const BodyKinds& kinds, ContactClass contact);
 
@@ -40,7 +37,8 @@ tl::expected<Case, Discard> framed_bodies(const GeneratorOptions& options, const
 /// One attempt at a case of two bodies that touch without depth, by t* at the latest: they move
 /// along the plane that is between them. So a vertex passes exactly through another, or along a
 /// face. A ball touches an edge or a vertex for one instant, as it passes by. The oracle decides.
-/// Kept is what is apart at 0 and touches; RP alone.
+/// RP: kept is what is apart at 0 and touches. NMN: they are moved apart by a step
+/// (just_missing.hpp).
 tl::expected<Case, Discard> grazing_bodies_case(const GeneratorOptions& options,
                                                 const Dyadic& eps_t, Draw& draw);
 

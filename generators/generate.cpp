@@ -47,12 +47,8 @@ int eps_t_exponent(const GeneratorOptions& options) {
 }  // namespace
 
 bool is_made(Family family, ContactClass contact, CaseKind kind) {
-  if (family == Family::kRegular) return true;
-  const bool is_of_any_kind = family == Family::kBodies || is_of_a_mesh(family);
-  if (is_of_any_kind && !is_grazing(family)) return is_made_of_bodies(kind);
-  if (family == Family::kTurning) return kind == CaseKind::kRP || kind == CaseKind::kRN;
-  if (family == Family::kTwins) return kind == CaseKind::kRP;
-  return is_made_of_shapes(family, contact, kind);
+  const auto classes = row_of(family).classes[static_cast<size_t>(kind)];
+  return std::ranges::find(classes, contact) != classes.end();
 }
 
 Result<void> validate(const GeneratorOptions& options) {
@@ -68,15 +64,20 @@ Result<void> validate(const GeneratorOptions& options) {
     return input_error("--contact", fmt::format("bodies of the kinds that are taken have no {}",
                                                 name_of(options.contact)));
   }
-  if (is_shaped(options)) return validate_shaped(options);
   if (!is_made(options.family, options.contact, CaseKind::kRP)) {
     return input_error("--contact", fmt::format("the family {} has no {}", name_of(options.family),
                                                 name_of(options.contact)));
   }
   if (!is_made(options.family, options.contact, options.kind)) {
-    return input_error("--kind", fmt::format("{} is not generated in the family {}",
-                                             name_of(options.kind), name_of(options.family)));
+    const bool is_hit_later = options.kind == CaseKind::kNMN && is_grazing(options.family) &&
+                              is_of_a_mesh(options.family);
+    return input_error(
+        "--kind",
+        fmt::format("{} of {} is not generated in the family {}{}", name_of(options.kind),
+                    name_of(options.contact), name_of(options.family),
+                    is_hit_later ? ": past the near miss the body hits the mesh, as in mesh" : ""));
   }
+  if (is_shaped(options)) return validate_shaped(options);
   if (options.plane && is_of_a_mesh(options.family)) {
     return input_error("--plane", "there are no meshes in a plane");
   }

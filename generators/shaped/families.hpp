@@ -23,9 +23,9 @@ struct FamilyRow {
   Family family;
   std::string_view name;
   std::string_view description;  ///< in a few words, without a full stop
-  std::span<const ContactClass> positives;
-  /// Those that a moving plane separates before t*, where RN cases end.
-  std::span<const ContactClass> negatives;
+  /// The classes that it has, of each kind in turn: RP, RN, NHP, NMN. RN, where a moving plane
+  /// separates them before t*.
+  std::array<std::span<const ContactClass>, kCaseKinds.size()> classes;
   /// A scene of any shapes that have the features of the class and fit. Null for those that
   /// generate() makes in another way.
   Make* make = nullptr;

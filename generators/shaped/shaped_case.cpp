@@ -97,26 +97,10 @@ bool is_shaped(const GeneratorOptions& options) {
   return !(is_paper || options.family == Family::kTwins) || !is_quadratic;
 }
 
-bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind) {
-  if (family == Family::kTwins) return false;
-  if (is_sliding_kind(kind)) return family == Family::kRegular;
-  const FamilyRow& row = row_of(family);
-  const auto classes = kind == CaseKind::kRP ? row.positives : row.negatives;
-  return std::ranges::find(classes, contact) != classes.end();
-}
-
 Result<void> validate_shaped(const GeneratorOptions& options) {
-  if (!is_made_of_shapes(options.family, options.contact, CaseKind::kRP)) {
-    const bool twins = options.family == Family::kTwins;
-    return input_error(
-        twins ? "--shape" : "--contact",
-        fmt::format("the family {} has no {}", name_of(options.family),
-                    twins ? "shapes but triangle:2" : std::string(name_of(options.contact))));
-  }
-  if (!is_made_of_shapes(options.family, options.contact, options.kind)) {
-    return input_error(
-        "--kind", fmt::format("{} of {} is not generated in the family {}", name_of(options.kind),
-                              name_of(options.contact), name_of(options.family)));
+  if (options.family == Family::kTwins) {
+    return input_error("--shape", fmt::format("the family {} has no shapes but triangle:2",
+                                              name_of(options.family)));
   }
   if (options.family == Family::kRegular && options.construction == Construction::kPaper) {
     return input_error("--construction", "paper makes patches of shape triangle:2 only");

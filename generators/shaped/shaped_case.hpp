@@ -11,10 +11,8 @@ namespace ccdfuzz {
 /// triangles as generate() makes them.
 bool is_shaped(const GeneratorOptions& options);
 
-/// As is_made, for what is made here.
-bool is_made_of_shapes(Family family, ContactClass contact, CaseKind kind);
-
-/// Errors: options of shaped cases that are not made, naming the option and its value.
+/// Errors: options of shaped cases, of a class and kind that is made, which have other faults;
+/// naming the option and its value.
 Result<void> validate_shaped(const GeneratorOptions& options);
 
 /// The shapes that are asked for, or random ones that fit.

@@ -21,7 +21,7 @@ template <class Check>
 int for_each_extended_scene(Family family, const Check& check) {
   int scenes = 0;
   const FamilyRow& row = row_of(family);
-  for (const ContactClass contact : row.positives) {
+  for (const ContactClass contact : row.classes[static_cast<size_t>(CaseKind::kRP)]) {
     for (const Shape& first : kSomeShapes) {
       for (const Shape& second : kSomeShapes) {
         if (!row.fits(contact, {first, second}) || ++scenes % kOneIn != 0) continue;

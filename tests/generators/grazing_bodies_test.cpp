@@ -43,6 +43,7 @@ TEST(GrazingBodies, TouchAfterTheStartAndNeverDeeperInAPlaneToo) {
 TEST(GrazingBodies, HaveNoFrontInThePlaneOfTheirMotion) {
   EXPECT_FALSE(is_made(Family::kMeshGrazingOneSided, ContactClass::kFF, CaseKind::kRP));
   EXPECT_FALSE(is_made(Family::kMeshGrazingOneSided, ContactClass::kVF, CaseKind::kRN));
+  EXPECT_FALSE(is_made(Family::kMeshGrazing, ContactClass::kVF, CaseKind::kNMN));
 }
 
 TEST(GrazingBodies, ThatDoNotMoveAgainstEachOtherAreThrownAway) {

@@ -1,0 +1,51 @@
+#include "generators/just_missing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "case/scale.hpp"
+#include "certify/oracle/oracle.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// Moves a body along a way by the shortest step that there is. False if there is none.
+bool step_along(const Vec3<double>& way, MovingPatch<double>& body, const Query& query) {
+  double largest = 0;
+  for (const MovingPatch<double>& patch : query.patches) {
+    for (const Vec3<double>& p : patch.positions) {
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+  }
+  constexpr int kFloatBits = 24;
+  const Points<double> before = body.positions;
+  const int most = std::ilogb(largest);
+  for (int exponent = most + 1 - kFloatBits; exponent < most; ++exponent) {
+    const Vec3<double> step = way * std::ldexp(1.0, exponent);
+    for (size_t i = 0; i < before.size(); ++i) body.positions[i] = before[i] + step;
+    if (is_binary32(query)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+tl::expected<Case, Discard> just_missing(Case grazing, Draw& draw) {
+  const std::array<Rational, 3>& normal = std::get<BodyClearance>(*grazing.truth.clearance).normal;
+  Integer common = 0;
+  for (const Rational& x : normal) common = gcd(common, x.get_num());
+  const size_t side = draw.below(2);
+  Vec3<double> way;
+  for (int k = 0; k < 3; ++k) {
+    const Integer part = normal[static_cast<size_t>(k)].get_num() / common;
+    way[k] = side == 1 ? part.get_d() : -part.get_d();
+  }
+  Query& query = grazing.query;
+  if (!step_along(way, query.patches[side], query)) return tl::unexpected(Discard::kRoundTrip);
+  grazing.truth = decide(query).truth;
+  if (grazing.truth.collides != false) return tl::unexpected(Discard::kFirstContact);
+  return grazing;
+}
+
+}  // namespace ccdfuzz
