@@ -208,25 +208,44 @@ void check_forged_faces(Draw& d) {
   CLAIM(!is_accepted);
 }
 
-/// The graze is the first contact and has no depth. The last face is passed through later. (Where
-/// a vertex grazes, what is about it may be deep.)
-void check_graze(Draw& d) {
+/// A planted graze of a mesh whose last face is passed through later.
+Case draw_graze(Draw& d, ContactClass contact, const BodyKind& kind) {
   GeneratorOptions options;
   options.family = d.coin() ? Family::kMeshGrazing : Family::kMeshGrazingOneSided;
-  const bool is_at_vertices = d.below(4) > 0;
-  options.contact = is_at_vertices ? ContactClass::kVV : d.pick(kContactClasses);
-  // The depths of larger bodies take long. A point rarely gets deep beside a vertex.
-  options.bodies = {{is_at_vertices ? 2U : 1U, 4, RadiusRule::kAny}};
+  options.contact = contact;
+  options.bodies = {kind};
   suppose(validate(options).has_value());
   const Case known = generate(options, d).value;
   show(d, "planted", known);
+  CLAIM(known.query.patches[mesh_side(known.query)].one_sided == is_one_sided(options.family));
+  return known;
+}
+
+/// The graze, without the last face.
+Query grazed_alone(Query query) {
+  query.patches[mesh_side(query)].faces.pop_back();
+  return query;
+}
+
+/// Where a vertex grazes, what is about it may be deep. Bodies of few points are the quickest.
+void check_flat_graze(Draw& d) {
+  const bool is_quick = d.below(4) > 0;
+  const Case known = is_quick ? draw_graze(d, ContactClass::kVE, {2, 3, RadiusRule::kZero})
+                              : draw_graze(d, d.pick(kContactClasses), {1, 4, RadiusRule::kAny});
+  CLAIM(depth_until(grazed_alone(known.query), known.query.t_max) == 0.0);
+}
+
+/// The graze is the first contact. The last face is passed through later.
+void check_graze(Draw& d) {
+  const ContactClass contact =
+      d.coin() ? d.pick(std::array{ContactClass::kVE, ContactClass::kVV}) : d.pick(kContactClasses);
+  // The depths of larger bodies take long.
+  const Case known = draw_graze(d, contact, {1, 4, RadiusRule::kAny});
   const Query& query = known.query;
   const size_t side = mesh_side(query);
-  CLAIM(query.patches[side].one_sided == is_one_sided(options.family));
-  Query grazed = query, wall = query;
-  grazed.patches[side].faces.pop_back();
+  const Query grazed = grazed_alone(query);
+  Query wall = query;
   wall.patches[side].faces = {query.patches[side].faces.back()};
-  CLAIM(depth_until(grazed, query.t_max) == 0.0);
   CLAIM(check_case(known).has_value());
   const Truth first = decide(grazed).truth, later = decide(wall).truth;
   CLAIM(first.collides == true && later.collides == true);
@@ -282,8 +301,10 @@ std::vector<Property> mesh_claims() {
       {"mesh.windings",
        "The first contact of a mesh of two sides is the first of those of its fronts and its backs",
        kMeshes, check_windings},
+      {"mesh.graze_is_flat", "A planted graze of a mesh has no depth, also beside a vertex",
+       "generators/mesh.hpp", check_flat_graze},
       {"mesh.graze_hides",
-       "A body that grazes a mesh touches it first without depth, and passes through it later",
+       "A body that grazes a mesh touches it first, and passes through it later",
        "generators/mesh.hpp", check_graze},
       {"mesh.setting_of_one_sided",
        "A one-sided mesh is touching at 0 if, and only if, a face is, from behind or in front",

@@ -2,7 +2,8 @@
 # Runs each fuzz target against each fault planted into what it is there for (target_faults.txt), as
 # `script/fuzz` would, without a corpus but the tracked one, and prints a table: the executions and
 # seconds of CPU time until the target stops on its own.
-#   bench/scoreboard/targets.sh BUILD [SECONDS [TARGET...]]
+#   [SEED=N] bench/scoreboard/targets.sh BUILD [SECONDS [TARGET...]]
+# SEED: of libFuzzer's choices (default 1).
 # BUILD: a build by clang with -DCCDFUZZ_FUZZ=ON -DCCDFUZZ_SCOREBOARD=ON, target planted_fuzz_targets.
 # SECONDS: of CPU time for each fault, a whole number (default 40).
 # Exits 1 if a target stops without a fault, or with none.
@@ -44,7 +45,7 @@ run_target() {  # target, seconds, fault or nothing
   mkdir "$scratch/corpus"
   status=0
   local TIMEFORMAT=%U
-  { time run_limited "$2" "${3-}" "$build/bench/scoreboard/planted_fuzz_$1" -seed=1 -timeout=20 \
+  { time run_limited "$2" "${3-}" "$build/bench/scoreboard/planted_fuzz_$1" -seed="${SEED:-1}" -timeout=20 \
     -artifact_prefix="$scratch/" -print_final_stats=1 "$scratch/corpus" "${options[@]}" \
     || status=$?; } 2>"$scratch/time"
   used=$(grep -x "[0-9.]*" "$scratch/time" | tail -n 1)  # the shell says there, too, what ended it
