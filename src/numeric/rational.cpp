@@ -11,23 +11,17 @@
 
 namespace ccdfuzz {
 
-Rational exact(double x) {
-  CCDFUZZ_VERIFY(is_finite(x));
-  const DoubleParts parts = parts_of(x);
-  return Rational(static_cast<long>(parts.mantissa)) * power_of_two(parts.exponent);
-}
-
-Rational power_of_two(long exponent) {
-  Rational r(1);
-  if (exponent >= 0) {
-    mpq_mul_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
-  } else {
-    mpq_div_2exp(r.get_mpq_t(), r.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
-  }
-  return r;
-}
-
 namespace {
+
+/// x·2^exponent; without the common divisors that a product would look for.
+Rational scaled(Rational x, long exponent) {
+  if (exponent >= 0) {
+    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return x;
+}
 
 constexpr int kMantissaBits = std::numeric_limits<double>::digits;                        // 53
 constexpr long kMinExponent = std::numeric_limits<double>::min_exponent - kMantissaBits;  // -1074
@@ -55,9 +49,9 @@ std::optional<Truncated> truncated(const Rational& x) {
   // The quotient below keeps at least 53 bits, or all down to the smallest subnormal; a second look
   // truncates it to 53.
   long shift = std::max(rough_exponent(x) - kMantissaBits - 1, kMinExponent);
-  const Rational scaled = x * power_of_two(-shift);
+  const Rational units = scaled(x, -shift);
   Integer q, rest;
-  mpz_fdiv_qr(q.get_mpz_t(), rest.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+  mpz_fdiv_qr(q.get_mpz_t(), rest.get_mpz_t(), units.get_num_mpz_t(), units.get_den_mpz_t());
   bool is_exact = rest == 0;
   const long extra = static_cast<long>(mpz_sizeinbase(q.get_mpz_t(), 2)) - kMantissaBits;
   if (extra > 0) {
@@ -81,6 +75,16 @@ double ceil_positive(const Rational& x) {
 }
 
 }  // namespace
+
+Rational exact(double x) {
+  CCDFUZZ_VERIFY(is_finite(x));
+  const DoubleParts parts = parts_of(x);
+  return scaled(static_cast<long>(parts.mantissa), parts.exponent);
+}
+
+Rational power_of_two(long exponent) {
+  return scaled(1, exponent);
+}
 
 double round_down(const Rational& x) {
   const int s = sgn(x);
