@@ -106,10 +106,11 @@ std::optional<Rational> time_of_distance(const std::array<Vec3<Rational>, 2>& of
 
 /// The least t ≥ 0 at which the two points are in contact, if there is one; with a separation,
 /// about that.
-std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rational>, 2>& uv) {
+std::optional<Rational> meeting_time(const std::array<MovingPatch<Rational>, 2>& patches,
+                                     double separation, const std::array<Uv<Rational>, 2>& uv) {
   std::array<Vec3<Rational>, 2> offset;  // of position, of velocity
   for (size_t s = 0; s < 2; ++s) {
-    const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
+    const MovingPatch<Rational>& patch = patches[s];
     const std::array<Vec3<Rational>, 2> at = {
         evaluate<Rational>(patch.shape, patch.positions, patch.weights, uv[s]),
         evaluate<Rational>(patch.shape, patch.velocities, patch.weights, uv[s])};
@@ -119,7 +120,7 @@ std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rat
       }
     }
   }
-  if (query.separation > 0) return time_of_distance(offset, query.separation);
+  if (separation > 0) return time_of_distance(offset, separation);
   for (int k = 0; k < 3; ++k) {
     if (offset[1][k] != 0) return Rational(-offset[0][k] / offset[1][k]);
   }
@@ -129,6 +130,8 @@ std::optional<Rational> meeting_time(const Query& query, const std::array<Uv<Rat
 }  // namespace
 
 std::optional<Witness> find_witness(const Query& query, const ContactGuess& guess) {
+  const std::array patches = {exact_patch<Rational>(query.patches[0]),
+                              exact_patch<Rational>(query.patches[1])};
   std::vector<std::array<Uv<Rational>, 2>> tried;
   for (const double factor : {1.0, 4.0, 32.0, 0x1p10, 0x1p16}) {
     const double width = guess.width * factor;
@@ -149,7 +152,7 @@ std::optional<Witness> find_witness(const Query& query, const ContactGuess& gues
       }
       if (!inside || std::find(tried.begin(), tried.end(), uv) != tried.end()) continue;
       tried.push_back(uv);
-      const auto t = meeting_time(query, uv);
+      const auto t = meeting_time(patches, query.separation, uv);
       if (!t || *t < 0) continue;
       Witness witness{*t, uv};
       if (check_witness(query, witness)) return witness;
