@@ -7,6 +7,7 @@
 #include "bezier/exact_patch.hpp"
 #include "certify/checker/abbreviated.hpp"
 #include "certify/checker/nonnegative.hpp"
+#include "numeric/products.hpp"
 
 namespace ccdfuzz {
 
@@ -16,11 +17,9 @@ tl::unexpected<InputError> refuse_plane(std::string what) {
   return input_error("truth.certificate.clear", std::move(what));
 }
 
-std::vector<Rational> along(const std::array<Rational, 3>& normal, const Points<Rational>& points) {
-  std::vector<Rational> out;
-  for (const Vec3<Rational>& p : points) {
-    out.emplace_back(normal[0] * p[0] + normal[1] * p[1] + normal[2] * p[2]);
-  }
+std::vector<Dyadic> along(const Vec3<Dyadic>& normal, const Points<Dyadic>& points) {
+  std::vector<Dyadic> out;
+  for (const Vec3<Dyadic>& p : points) out.push_back(dot<Dyadic>(normal, p));
   return out;
 }
 
@@ -47,15 +46,24 @@ Result<void> check_within(const Query& query, const MovingPlane& plane, Work& wo
   }
   if (plane.until < 0)
     return refuse_plane(fmt::format("until: {} is negative", abbreviated(plane.until)));
-  std::array<std::vector<Rational>, 2> rates;
+  // In units of 1/unit all numbers of the plane are integers. Their signs are what counts.
+  Integer unit = lcm(plane.until.get_den(), plane.offset.get_den());
+  for (const Rational& n : plane.normal) unit = lcm(unit, n.get_den());
+  const auto in_units = [&](const Rational& x) { return Dyadic(Rational(x * unit).get_num(), 0); };
+  const Dyadic all(unit, 0), until = in_units(plane.until), offset = in_units(plane.offset);
+  Vec3<Dyadic> normal;
+  for (int k = 0; k < 3; ++k) normal[k] = in_units(plane.normal[static_cast<size_t>(k)]);
+  std::array<std::vector<Dyadic>, 2> rates;
   for (size_t s = 0; s < 2; ++s) {
-    const MovingPatch<Rational> patch = exact_patch<Rational>(query.patches[s]);
-    rates[s] = along(plane.normal, patch.velocities);
-    std::vector<Rational> heights = along(plane.normal, patch.at(plane.until));
-    for (Rational& h : heights)
-      h = s == 0 ? Rational(h - plane.offset) : Rational(plane.offset - h);
+    const MovingPatch<Dyadic> patch = exact_patch<Dyadic>(query.patches[s]);
+    rates[s] = along(normal, patch.velocities);
+    std::vector<Rational> heights;
+    for (const Dyadic& start : along(normal, patch.positions)) {
+      const Dyadic height = all * (start - offset) + until * rates[s][heights.size()];
+      heights.push_back((s == 0 ? height : -height).rational());
+    }
     // With weights > 0 the height is ≥ 0 where its numerator is, the sum of these times B.
-    for (size_t i = 0; i < patch.weights.size(); ++i) heights[i] *= patch.weights[i];
+    for (size_t i = 0; i < patch.weights.size(); ++i) heights[i] *= patch.weights[i].rational();
     if (!is_nonnegative(patch.shape, heights, &work)) {
       return refuse_plane(
           fmt::format("patches[{}] is not known to be on its side of the plane", s));
