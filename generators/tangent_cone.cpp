@@ -30,10 +30,10 @@ TangentCone tangent_cone(const Points<Dyadic>& points, const Barycentric& x) {
   return {};
 }
 
-// The vectors N with N·a ≥ 0 for all a form a convex cone. If the a span space it is pointed: each
-// N is a sum of its extreme rays, and each extreme ray is perpendicular to two independent a. So
-// the sum of all rays ±(a × b) in the cone is in its relative interior. There N·a is 0 only for
-// those a for which it is 0 on all of the cone.
+// The vectors N with N·a ≥ 0 for all a form a convex cone. If the a span space, it is pointed. Then
+// each N is a sum of extreme rays, and each of those is perpendicular to two independent a. So the
+// sum of all rays ±(a × b) in the cone is in its relative interior. There N·a is 0 only for those a
+// for which it is 0 on all of the cone.
 std::optional<Vec3<Dyadic>> common_normal(const std::vector<Vec3<Dyadic>>& above,
                                           const std::vector<Vec3<Dyadic>>& level) {
   std::vector<Vec3<Dyadic>> all = above;

@@ -38,10 +38,10 @@ Role role_of(int a, int b, int twin_corner, bool corner_is_fast) {
   return corner_is_fast ? Role::kSlow : Role::kFast;
 }
 
-// Heights at t* and speeds along m, in units of 2^-4. With s = t − t* the lines are
+// Heights at t* and speeds along m, in units of 2^-4. The lines, where s = t − t*:
 //   slow   −1 + [0, .1]·s       twin   −[1, 1.25] + [.2, .5]·s       fast   [2, 4]·s
-// The fast one overtakes the slow ones at s = −1/[1.9, 4] > −t*, where the twins are below both.
-// Patch 2's line [8, 16]·s crosses the slow ones at s ≈ −1/8, the fast one at s = 0.
+// The fast one overtakes the slow ones at s = −1/[1.9, 4] > −t*. The twins are below both then.
+// Patch 2's line [8, 16]·s crosses the slow ones at s ≈ −1/8, and the fast one at s = 0.
 constexpr long kGapUnit = -4;
 constexpr long kStep = kGapUnit - 6;
 

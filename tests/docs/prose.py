@@ -113,12 +113,15 @@ def of_comments():
 
 def comment_blocks(lines):
     """(line number, text) for each paragraph and item of comments; tables and what is indented are left out."""
-    number, text, kind = 0, [], ''
+    number, text, kind, indent = 0, [], '', 0
     for i, line in enumerate([*lines, ''], 1):
         match = re.match(r'(.*?)(?<![:"\w])(///?<?)(?: (.*))?$', line)
         comment = (match[3] or '').rstrip() if match else ''
-        is_table = comment.startswith('    ') or re.match(r'  .*\S {2,}\S', comment)
         item = BLOCK.match(comment)
+        if item or not comment:
+            indent = len(item[0]) if item else 0
+        continues = text and indent and re.match(rf' {{{indent}}}\S', comment)
+        is_table = not continues and (comment.startswith('    ') or re.match(r'  .*\S {2,}\S', comment))
         starts = not comment or match[1].strip() or match[2] != kind or is_table or item
         kind = match[2] if match else ''
         if starts and text:

@@ -51,11 +51,11 @@ int top_of(double m) {
 
 }  // namespace
 
-// The error bound. u = 2^-53, eta = 2^-1074, gamma_k = k·u/(1 − k·u). M is the largest magnitude of
-// a normalised coordinate of position plus that of velocity; times are in [0, 1].
-//  1. Normalised coordinates: scaling is exact or, where it underflows, off by ≤ eta/2; the
-//     difference rounds once: u·M + eta. Of ends e − p it is that for e and for p, and one more:
-//     at t ≤ 1 they add 2u·M.
+// The error bound. u = 2^-53, eta = 2^-1074, gamma_k = k·u/(1 − k·u). Times are in [0, 1]. M is the
+// largest magnitude of a normalised coordinate of position plus that of velocity.
+//  1. Normalised coordinates. Scaling is exact or, where it underflows, off by ≤ eta/2. The
+//     difference rounds once: u·M + eta. Ends e have that error as p has, and e − p rounds once
+//     more: at t ≤ 1 this adds 2u·M.
 //  2. Sub-patch. Each blossom step is a combination with exact non-negative weights of sum 1. For a
 //     triangle it is of three products summed from the left (gamma_3), else of two (gamma_2). Each
 //     average rounds once; halving is exact unless it underflows. gamma_K in all, with K =
