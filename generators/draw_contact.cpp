@@ -96,7 +96,7 @@ void draw_twins(Draw& choices, const Side& side, MovingPatch<double>& patch) {
 
 Result<void> refuse_unless_in(const std::string& field, int value, int lo, int hi) {
   if (lo <= value && value <= hi) return {};
-  return input_error(field, fmt::format("{} is not from {} to {}", value, lo, hi));
+  return input_error(field, fmt::format("{} is not in [{}, {}]", value, lo, hi));
 }
 
 }  // namespace

@@ -121,17 +121,17 @@ TEST(RcGenerators, RefuseRangesWithoutContacts) {
     return refusal_of(range);
   };
   EXPECT_EQ(refuses([](ContactRange& r) { r.max_degree = 0; }),
-            "gen::contact: max_degree: 0 is not from 1 to 8");
+            "gen::contact: max_degree: 0 is not in [1, 8]");
   EXPECT_EQ(refuses([](ContactRange& r) { r.max_degree = 9; }),
-            "gen::contact: max_degree: 9 is not from 1 to 8");
+            "gen::contact: max_degree: 9 is not in [1, 8]");
   EXPECT_EQ(refuses([](ContactRange& r) { r.coordinate_bits = 41; }),
-            "gen::contact: coordinate_bits: 41 is not from 0 to 40");
+            "gen::contact: coordinate_bits: 41 is not in [0, 40]");
   EXPECT_EQ(refuses([](ContactRange& r) { r.lowest = 41; }),
-            "gen::contact: highest: 40 is not from 41 to 1000");
+            "gen::contact: highest: 40 is not in [41, 1000]");
   EXPECT_EQ(refuses([](ContactRange& r) { r.highest = 3000; }),
-            "gen::contact: highest: 3000 is not from -40 to 1000");
+            "gen::contact: highest: 3000 is not in [-40, 1000]");
   EXPECT_EQ(refuses([](ContactRange& r) { r.lowest = -3000; }),
-            "gen::contact: lowest: -3000 is not from -1000 to 1000");
+            "gen::contact: lowest: -3000 is not in [-1000, 1000]");
   EXPECT_EQ(refuses([](ContactRange& r) {
               r.shapes = {Shape::hull(4), Shape::point()};
             }),
