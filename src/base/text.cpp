@@ -3,28 +3,61 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace ccdfuzz {
 
 namespace {
 
+bool continues_character(char c) {
+  return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
+}
+
+/// A character of UTF-8, and how many bytes it takes.
+struct Decoded {
+  std::uint32_t code_point;
+  std::size_t bytes;
+};
+
+/// The first character of the text; nullopt if its first byte begins none. So it is where a form is
+/// longer than needed, of a surrogate, or past U+10FFFF.
+std::optional<Decoded> first_character(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text[0]);
+  if (lead < 0x80) return Decoded{lead, 1};
+  const auto bytes = static_cast<std::size_t>(std::countl_one(lead));
+  if (bytes < 2 || bytes > 4 || bytes > text.size()) return std::nullopt;
+  std::uint32_t code_point = lead & (0xffU >> (bytes + 1));
+  for (const char c : text.substr(1, bytes - 1)) {
+    if (!continues_character(c)) return std::nullopt;
+    code_point = code_point << 6 | (static_cast<unsigned char>(c) & 0x3fU);
+  }
+  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = 0xd800 <= code_point && code_point < 0xe000;
+  if (code_point < kLeast[bytes] || is_surrogate || code_point > 0x10ffff) return std::nullopt;
+  return Decoded{code_point, bytes};
+}
+
 std::string without_controls(std::string_view text, std::string_view newline) {
   std::string shown;
-  for (size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
-    if (byte == '\n') {
+  while (!text.empty()) {
+    const std::optional<Decoded> next = first_character(text);
+    const std::size_t bytes = next ? next->bytes : 1;
+    if (!next) {
+      shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[0]));
+    } else if (next->code_point == '\n') {
       shown += newline;
-    } else if (byte < ' ' || byte == 0x7f) {
-      shown += fmt::format("\\u{:04x}", byte);
-    } else if (byte == 0xc2 && 0x80 <= next && next < 0xa0) {  // U+0080 to U+009F in UTF-8
-      shown += fmt::format("\\u{:04x}", next);
-      ++i;
+    } else if (next->code_point < ' ' || (0x7f <= next->code_point && next->code_point < 0xa0)) {
+      shown += fmt::format("\\u{:04x}", next->code_point);
     } else {
-      shown += text[i];
+      shown += text.substr(0, bytes);
     }
+    text.remove_prefix(bytes);
   }
   return shown;
 }
@@ -40,8 +73,7 @@ std::string shown_lines(std::string_view text) {
 }
 
 std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(std::ranges::count_if(text, std::not_fn(continues_character)));
 }
 
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t column) {

@@ -8,6 +8,7 @@
 namespace ccdfuzz {
 
 /// One line as people may see it: control characters, which a terminal would obey, as \u00xx or \n.
+/// A byte that is of no UTF-8 character is \xNN.
 std::string shown_line(std::string_view text);
 /// The same of text in which newlines end lines.
 std::string shown_lines(std::string_view text);
