@@ -108,11 +108,19 @@ rc::Gen<Case> inverse() {
   });
 }
 
-rc::Gen<Contact> mutant(const rc::Gen<Contact>& of) {
-  return rc::gen::map(rc::gen::tuple(of, of, choices()), [](const auto& parts) {
-    const auto& [mother, father, numbers] = parts;
-    Draw draw = Draw::from_numbers(numbers);
-    return mutate(mother, father, draw);
+rc::Gen<Contact> mutant(const rc::Gen<Contact>& of, const Domain& promised) {
+  return rc::gen::map(rc::gen::tuple(of, of, choices()), [promised](const auto& parts) {
+    const Contact &mother = std::get<0>(parts), &father = std::get<1>(parts);
+    Draw draw = Draw::from_numbers(std::get<2>(parts));
+    try {
+      return draw.until([&] { return mutate(mother, father, draw); },
+                        [&](const Contact& mutant) {
+                          return promised.order_of(mutant.query) == false &&
+                                 promised.broken_by(case_of(mutant)).empty();
+                        });
+    } catch (const Discarded&) {
+      return mother;
+    }
   });
 }
 

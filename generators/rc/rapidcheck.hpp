@@ -50,8 +50,10 @@ rc::Gen<Case> inverse(const GeneratorOptions& options);
 rc::Gen<Case> inverse();
 
 /// A contact with one to four moves that keep it (mutate): towards coincidences, other parameters,
-/// higher degrees, parts of a second contact.
-rc::Gen<Contact> mutant(const rc::Gen<Contact>& of);
+/// higher degrees, parts of a second contact. promised: the queries that the code promises to
+/// answer, in which mutants of such contacts stay. Where none of those tried does, it is the
+/// contact itself.
+rc::Gen<Contact> mutant(const rc::Gen<Contact>& of, const Domain& promised = {});
 
 /// The spec of a registered method that the filter takes, for make_method; of "tdibm-h:F" with F
 /// from 1e-16 to 1e-3. Errors: throws std::invalid_argument if the filter takes none.

@@ -76,12 +76,26 @@ Domain mesh_code() {
   return promised;
 }
 
-RC_GTEST_PROP(RcGenerators, ContactsArePromisedHoweverTheyShrink, (std::uint64_t seed)) {
+RC_GTEST_PROP(RcGenerators, ContactsAndMutantsArePromisedHoweverTheyShrink, (std::uint64_t seed)) {
   const Domain promised = mesh_code();
-  for (const Contact& made : family_of(gen::contact({}, promised), seed, 8)) {
-    RC_ASSERT(promised.order_of(made.query) == std::optional(false));
-    RC_ASSERT(promised.broken_by(case_of(made)) == "");
+  const auto contacts = gen::contact({}, promised);
+  for (const auto& gen : {contacts, gen::mutant(contacts, promised)}) {
+    for (const Contact& made : family_of(gen, seed, 4)) {
+      RC_ASSERT(promised.order_of(made.query) == std::optional(false));
+      RC_ASSERT(promised.broken_by(case_of(made)) == "");
+    }
   }
+}
+
+TEST(RcGenerators, MutantsThatArePromisedAreMostlyOthers) {
+  const Domain promised = mesh_code();
+  int others = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Contact of = gen::contact({}, promised)(rc::Random(seed), 100).value();
+    const auto mutants = gen::mutant(rc::gen::just(of), promised);
+    others += mutants(rc::Random(seed), 100).value().query == of.query ? 0 : 1;
+  }
+  EXPECT_GT(others, 50);
 }
 
 TEST(RcGenerators, ShapesHaveEachOfTheirClassesOften) {
