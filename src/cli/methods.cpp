@@ -32,12 +32,16 @@ struct MethodRow {
   }
 };
 
-/// All that are registered and the two kinds of plug-ins, or those that were named.
+/// All that are registered and the two kinds of plug-ins, or those that were named. Throws BadInput
+/// for one that there is not, and for a plug-in that fails to say what it is.
 std::vector<MethodInfo> method_infos_of(const std::vector<std::string>& specs) {
   std::vector<MethodInfo> infos;
   for (const std::string& spec : specs) {
     const auto info = admit_plugin(spec).and_then([&] { return method_info(spec); });
     if (!info) throw BadInput{{"method", info.error().what}};
+    if (!info->fault.empty()) {
+      throw BadInput{{"method", fmt::format("\"{}\": {}", spec, info->fault)}};
+    }
     infos.push_back(*info);
   }
   if (!specs.empty()) return infos;

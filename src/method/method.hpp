@@ -94,6 +94,7 @@ struct MethodInfo {
   std::vector<std::string> switches = {};
   Features features = {};
   Domain domain = {};
+  std::string fault = {};  ///< what a plug-in did when asked what it is; empty: it said so
 };
 
 /// A switch of the methods of the paper: the form without any optimisation, for comparison.

@@ -309,7 +309,8 @@ MethodInfo plugin_info(const KnownPlugin& plugin) {
   info.source = plugin.spec.path;
   if (!plugin.description) {
     const Fault& fault = plugin.description.error();
-    info.description = fmt::format("{} when asked what it is: {}", fault.name, fault.note);
+    info.fault = fmt::format("{} when asked what it is: {}", fault.name, fault.note);
+    info.description = info.fault;
     return info;
   }
   const PluginDescription& d = *plugin.description;
