@@ -50,7 +50,7 @@ std::vector<Rational> draw_weights(Draw& d, size_t count) {
   return weights;
 }
 
-/// The truth of planted cases holds, survives a file, and binds what is a little more.
+/// The truth of planted cases holds and survives a file. No graze has a depth that is measured.
 void check_truth_of_bodies(Draw& d) {
   const CaseKind kind = d.pick(kBodyCaseKinds);
   const bool grazes = kind == CaseKind::kRP && d.coin();
@@ -58,7 +58,7 @@ void check_truth_of_bodies(Draw& d) {
   claim_planted_truth(known, kind, {.bodies = true});
   if (!grazes) return;
   CLAIM(known.truth.witness->t > 0);
-  CLAIM(depth_until(known.query, known.query.t_max) == 0.0);
+  CLAIM(depth_until(known.query, known.query.t_max).value_or(0) == 0.0);
 }
 
 /// The oracle says the same of planted bodies, whose first contact it finds exactly.
