@@ -8,22 +8,19 @@
 #include <utility>
 
 #include "cli/answer_row.hpp"
-#include "cli/check_find.hpp"
 #include "cli/command.hpp"
 #include "cli/common_options.hpp"
 #include "cli/default_budget.hpp"
+#include "cli/replay_claims.hpp"
 #include "cli/session.hpp"
 #include "eval/evaluate.hpp"
 #include "files/case_json.hpp"
 #include "files/expected_json.hpp"
 #include "finds/entries.hpp"
 #include "finds/failure.hpp"
-#include "hunt/served_claim.hpp"
 #include "io/folder_lock.hpp"
-#include "io/json_write.hpp"
 #include "io/output_file.hpp"
 #include "method/served_method.hpp"
-#include "properties/suites.hpp"
 
 namespace ccdfuzz {
 
@@ -46,6 +43,8 @@ struct ReplayRow {
   Judged judged;
 
   Change change() const { return change_of(expected, got); }
+  /// A clock told that it hangs.
+  bool hangs_anew() const { return judged.error == "hang" && change() != Change::kNone; }
 
   static void fields(auto& archive, auto& row) {
     const AnswerRow answer{row.id, row.method, row.judged};
@@ -57,9 +56,9 @@ struct ReplayRow {
 };
 
 /// What asks methods, for one thread. One that is expected to end in an error is asked in another
-/// process, since it may end this one.
+/// process, since it may end this one. Neither is told a time.
 struct Askers {
-  Asker here{SearchOptions()}, served{SearchOptions(), MethodSet(make_served_method)};
+  Asker here{SearchOptions()}, served{SearchOptions(), MethodSet(make_untimed_method)};
 };
 
 /// An expectation of a plug-in that may not be asked.
@@ -158,42 +157,6 @@ std::string changes_text(const std::array<std::uint64_t, kAllChanges.size()>& ch
   return text + (written > 0 ? "; " + counted(written, "entry written", "entries written") : "");
 }
 
-/// A claim that was put to its input again, as a row of the table and of the JSON output.
-struct ClaimRow {
-  const std::string& path;
-  const ClaimFind& find;
-  const Check& got;
-
-  Change change() const {
-    if (got.status == find.expect) return Change::kNone;
-    if (got.status == Check::Status::kDiscarded) return Change::kOther;
-    return got.status == Check::Status::kFails ? Change::kRegression : Change::kImprovement;
-  }
-
-  static void fields(auto& archive, auto& row) {
-    archive("claim", row.path);
-    archive("property", row.find.property);
-    archive("expected", row.find.expect);
-    archive("got", row.got.status);
-    archive("change", row.change());
-    archive.optional("text", row.got.text);
-  }
-};
-
-std::vector<TableCell> claim_cells(const ClaimRow& row) {
-  const bool is_good = row.change() == Change::kImprovement;
-  return {{row.find.property},
-          {std::string(name_of(row.find.expect))},
-          {std::string(name_of(row.got.status)), is_good ? Emphasis::kPlain : Emphasis::kBad},
-          {std::string(name_of(row.change()))}};
-}
-
-/// How many claims of a corpus became what.
-struct ReplayedClaims {
-  std::uint64_t claims = 0, updated = 0;
-  std::array<std::uint64_t, kAllChanges.size()> changes{};
-};
-
 class Replay {
  public:
   Replay(const ReplayOptions& options, Session& session) : options_(options), session_(session) {}
@@ -203,7 +166,9 @@ class Replay {
         {method_column(), {"expected", Align::kLeft}, {"got", Align::kLeft}, {"", Align::kLeft}});
     tbb::enumerable_thread_specific<Askers> askers;
     const bool of_methods = !options_.methods.empty() || options_.expect;
-    if (!of_methods) replay_claims();
+    if (!of_methods) {
+      claims_ = replay_claims(options_.corpus, options_.known, options_.update, session_);
+    }
     session_.each_case<Replayed>(
         CaseStream(claims_.claims > 0 ? need(list_entries(options_.corpus))
                                       : need(corpus_files(options_.corpus))),
@@ -217,31 +182,6 @@ class Replay {
   }
 
  private:
-  /// Runs the property of each file of CORPUS/claims on its choices, in a child. Does nothing where
-  /// there is no such folder. Throws BadInput for a file that is no claim, or is of a property that
-  /// is not known.
-  void replay_claims() {
-    const std::string folder = fmt::format("{}/{}", options_.corpus, kClaims);
-    if (!std::filesystem::is_directory(folder)) return;
-    ServedClaims served(&catch_interrupts());
-    for (const std::string& path : need(list_entries(folder))) {
-      if (session_.interrupted()) break;
-      ClaimFind find = need(read_find(path));
-      const Result<Property> property = property_named(find.property, options_.known);
-      if (!property) throw BadInput{{path + ": property", property.error().what}};
-      const InputRun run = served.on(*property, find.choices);
-      if (run.error == "interrupted") break;
-      const ClaimRow row{path, find, run.check};
-      ++claims_.claims;
-      ++claims_.changes[static_cast<size_t>(row.change())];
-      if (session_.json || row.change() != Change::kNone) session_.show(row, path, claim_cells);
-      if (!options_.update || row.change() == Change::kNone) continue;
-      find.expect = run.check.status;
-      need(write_file(path, readable_json(to_json(find)) + "\n"));
-      ++claims_.updated;
-    }
-  }
-
   void add(const NamedCase& entry, const Replayed& done) {
     if (options_.search.max_pops == 0 && budget_.is_spent()) {
       throw BadInput{DefaultBudget::spent_before(entry.id)};
@@ -290,7 +230,16 @@ class Replay {
           {entry.id, "is a case of a data set: --update writes files of one case, .json"}};
     }
     Case now = entry.value;
-    for (const ReplayRow& row : rows) now.expect[row.method] = row.got;
+    for (const ReplayRow& row : rows) {
+      if (!row.hangs_anew()) {
+        now.expect[row.method] = row.got;
+        continue;
+      }
+      print_err(fmt::format(
+          "ccdfuzz: {}: {} hangs, by the clock: what the entry expects of it is left as it is\n",
+          entry.id, row.method));
+    }
+    if (now == entry.value) return;
     const std::filesystem::path parent = std::filesystem::path(entry.id).parent_path();
     const std::string folder = parent.empty() ? "." : parent.string();
     const FolderLock lock = need(FolderLock::take(folder));
@@ -390,7 +339,8 @@ void add_replay(CommandLine& line, const std::vector<Property>& known) {
                  "What is expected of each method about every entry that it takes, such as "
                  "correct; by default what the entry says");
   command.flag("--update", options->update,
-               "Write what methods show now into the entries, and exit with 0");
+               "Write what methods show now into the entries, but no hang, which depends on the "
+               "machine, and exit with 0");
   options->search.add_with_default_budget_to(command);
   command.max_work();
   command.threads();

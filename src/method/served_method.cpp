@@ -13,7 +13,7 @@ namespace ccdfuzz {
 
 namespace {
 
-/// A question of the line protocol, but for the query, which stands as in a case.
+/// A question of the line protocol, but for the query, which stands as in a case, and max_work.
 struct Question {
   std::string ask;
   std::uint64_t id = 0;
@@ -26,6 +26,7 @@ struct Question {
     archive.optional("max_iterations", question.options.max_pops);
     archive.optional("max_bytes", question.options.max_bytes);
     archive.optional("max_seconds", question.options.max_seconds);
+    archive.optional("max_work", question.options.max_work);
   }
 };
 
@@ -61,6 +62,12 @@ struct Said {
   }
 };
 
+Result<std::unique_ptr<Method>> made_and_served(const std::string& spec, Told told) {
+  Result<std::unique_ptr<Method>> made = make_method(spec);
+  if (!made || (*made)->runs_elsewhere()) return made;
+  return served_method(spec, kServedLimits, told);
+}
+
 }  // namespace
 
 std::string served_answer(const std::string& spec, Method& method, const std::string& question) {
@@ -80,21 +87,27 @@ std::string served_answer(const std::string& spec, Method& method, const std::st
   return to_json(Said{asked.id, answer});
 }
 
-Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits) {
+Result<std::unique_ptr<Method>> served_method(const std::string& spec, const ChildLimits& limits,
+                                              Told told) {
   return served_child({spec}, limits).map([&](ChildProgram program) {
+    constexpr double kShare = 1.0 / 6;
     KnownPlugin plugin;
     plugin.spec.text = spec;
     plugin.spec.repeats = false;
     plugin.program = std::move(program);
+    plugin.most_seconds =
+        told == Told::kNoTime ? SearchOptions::kNoTimeLimit : kShare * limits.cpu_seconds;
     plugin.is_ours = true;
     return make_plugin_method(std::make_shared<const KnownPlugin>(std::move(plugin)));
   });
 }
 
 Result<std::unique_ptr<Method>> make_served_method(const std::string& spec) {
-  Result<std::unique_ptr<Method>> made = make_method(spec);
-  if (!made || (*made)->runs_elsewhere()) return made;
-  return served_method(spec, kServedLimits);
+  return made_and_served(spec, Told::kShareOfTime);
+}
+
+Result<std::unique_ptr<Method>> make_untimed_method(const std::string& spec) {
+  return made_and_served(spec, Told::kNoTime);
 }
 
 }  // namespace ccdfuzz

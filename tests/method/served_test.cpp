@@ -128,11 +128,12 @@ struct Aborting : Method {
 /// Answers with the line that it got.
 struct Echoing : Method {
   Answered answer(const Query& query, const SearchOptions& options) override {
-    Answered given{
-        {Verdict::kHit, query.t_max, {{{0.25, 0.5}, {1, -0.0}}}, 0, 77, 0, 0, "a \"note\""}};
+    Answered given{Answer::hit(query.t_max)};
+    given.uv = {{{0.25, 0.5}, {1, -0.0}}};
+    given.note = "\"work\": " + std::to_string(options.max_work);
     given.pops = options.max_pops;
     given.bytes = options.max_bytes;
-    given.seconds = options.max_seconds;
+    given.seconds = std::min(options.max_seconds, 1e9);  // more is no time of an answer
     return given;
   }
 };
@@ -277,7 +278,7 @@ TEST(ServedMethod, IsAskedAndAnswersWithoutALoss) {
   for (const std::uint64_t pops : {3, 1'000'000}) {
     Query query = tiny_meeting_points();
     query.t_max = 0x1.8p-1073;
-    const SearchOptions options{.max_pops = pops, .max_bytes = 5 << 20};
+    const SearchOptions options{.max_pops = pops, .max_bytes = 5 << 20, .max_work = 7};
     const Answered answer = method->answer(query, options);
     EXPECT_EQ(answer.verdict, Verdict::kHit);
     EXPECT_EQ(answer.toi, query.t_max);
@@ -286,7 +287,7 @@ TEST(ServedMethod, IsAskedAndAnswersWithoutALoss) {
     EXPECT_TRUE(std::signbit(answer.uv[1][1]));
     EXPECT_EQ(answer.pops, pops);
     EXPECT_EQ(answer.bytes, 5U << 20);
-    EXPECT_EQ(answer.note, "a \"note\"");
+    EXPECT_EQ(answer.note, "\"work\": 7");
     EXPECT_EQ(answer.seconds, 10) << "of 60 s";
     EXPECT_TRUE(answer.terms.closed_t_max);
     EXPECT_EQ(answer.terms.time_tolerance, 0);
@@ -295,6 +296,9 @@ TEST(ServedMethod, IsAskedAndAnswersWithoutALoss) {
   SearchOptions hurried;
   hurried.max_seconds = 1;
   EXPECT_EQ(method->answer(tiny_meeting_points(), hurried).seconds, 1);
+  const auto untimed = *served_method("echoes", kPatient, Told::kNoTime);
+  EXPECT_EQ(untimed->answer(tiny_meeting_points(), {}).seconds, 1e9);
+  EXPECT_EQ(untimed->answer(tiny_meeting_points(), hurried).seconds, 1);
   EXPECT_TRUE(method->runs_elsewhere());
 }
 

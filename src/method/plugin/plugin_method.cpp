@@ -23,9 +23,6 @@ namespace {
 /// they are repeated or not finite. So it cannot take all of the time of a run by cases.
 constexpr int kMostHangs = 8;
 
-/// A method of ours gets this part of its CPU time as max_seconds; kServedLimits says why.
-constexpr double kShareTold = 1.0 / 6;
-
 /// "; tolerance 1e-06 (space), NaN: error", or nothing if it claims nothing out of the ordinary.
 std::string claims_text(const PluginDescription& d) {
   std::vector<std::string> claims;
@@ -170,10 +167,11 @@ class PluginMethod : public Method {
   /// An answer, or what is none. Throws what its process does in place of answering.
   tl::expected<PluginAnswer, Fault> ask_for_any(const Query& query, const SearchOptions& options) {
     if (!worker_.runs()) start();
-    const ChildLimits& limits = plugin_->program.limits;
-    const double most = limits.cpu_seconds > 0 ? kShareTold * limits.cpu_seconds : limits.seconds;
-    const double max_seconds = std::min(options.max_seconds, most);
-    const std::string line = query_request(query, options, max_seconds, ++last_id_);
+    const double max_seconds = std::min(options.max_seconds, plugin_->most_seconds);
+    std::string line = query_request(query, options, max_seconds, ++last_id_);
+    if (plugin_->is_ours) {
+      line.insert(line.size() - 1, fmt::format(",\"max_work\":{}", options.max_work));
+    }
     return read_answer(exchange(line), last_id_, query.t_max);
   }
 
@@ -227,7 +225,8 @@ Result<std::shared_ptr<const KnownPlugin>> start_and_ask(const std::string& text
   const ChildProgram program = {{spec.is_program ? "run" : "load", spec.path},
                                 {.seconds = spec.seconds, .megabytes = spec.megabytes}};
   const auto known = [&](tl::expected<PluginDescription, Fault> description) {
-    return std::make_shared<const KnownPlugin>(KnownPlugin{spec, std::move(description), program});
+    return std::make_shared<const KnownPlugin>(
+        KnownPlugin{spec, std::move(description), program, spec.seconds});
   };
   Child worker(program);
   const auto line = worker.ask(describe_request(spec.options));
