@@ -181,6 +181,7 @@ void check_double_parts(Draw& d) {
   CLAIM(double_of(parts.mantissa, parts.exponent) == x);
   CLAIM(next_up(x) == std::nextafter(x, HUGE_VAL));
   CLAIM(next_down(x) == std::nextafter(x, -HUGE_VAL));
+  CLAIM(next_up(HUGE_VAL) == HUGE_VAL && next_down(-HUGE_VAL) == -HUGE_VAL);
 }
 
 /// Shortest decimals, hex floats, "p/q".

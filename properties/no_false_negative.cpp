@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "case/judge.hpp"
+#include "ccd/search.hpp"
 #include "ccd/witness_trace/trace.hpp"
 #include "certify/checker/check_case.hpp"
+#include "certify/checker/check_linear.hpp"
 #include "files/case_json.hpp"
 #include "method/method.hpp"
 #include "properties/show.hpp"
@@ -59,7 +61,8 @@ std::function<void(Draw&)> keeps_contacts(std::string method, ContactRange range
 
 void claim_kept(const std::string& method, const Case& value, Draw& draw) {
   const auto tracer = make_tracer(method).value();
-  const Trace& trace = tracer->trace(value.query, *value.truth.witness, {.precision = 0x1p-8});
+  constexpr double kPrecision = 0x1p-8;
+  const Trace& trace = tracer->trace(value.query, *value.truth.witness, {.precision = kPrecision});
   show(draw, "method", method);
   if (trace.lost) {
     show(draw, "level", trace.loss->place.level);
@@ -67,6 +70,11 @@ void claim_kept(const std::string& method, const Case& value, Draw& draw) {
   }
   show(draw, "contact", value);
   CLAIM(!trace.lost);
+  // tdibm-c has no cells of linear patches, unless they are trimmed.
+  const bool has_cells =
+      method != "tdibm-c" || !is_linear_query(value.query) || is_trimmed(value.query);
+  show(draw, "levels", trace.levels);
+  CLAIM(!has_cells || trace.levels == depth_for(kPrecision));
 }
 
 void add_contact_claims(std::vector<Property>& claims, const std::string& method,

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+
+#include "certify/oracle/body_depth.hpp"
+#include "properties/property.hpp"
+#include "properties/show.hpp"
+
+namespace ccdfuzz {
+
+namespace {
+
+/// A box with edges along the axes, in whole numbers.
+struct WholeBox {
+  std::array<std::int64_t, 3> low{}, high{};
+};
+
+WholeBox draw_whole_box(Draw& d) {
+  WholeBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = d.integer(-4, 4);
+    box.high[k] = box.low[k] + d.integer(0, 4);
+  }
+  return box;
+}
+
+MovingPatch<double> body_of(const WholeBox& box, const Vec3<double>& velocity, double radius) {
+  Points<double> corners;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    Vec3<double> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      p[static_cast<long>(k)] =
+          static_cast<double>((corner >> k) % 2 == 0 ? box.low[k] : box.high[k]);
+    }
+    if (std::ranges::find(corners, p) == corners.end()) corners.push_back(p);
+  }
+  MovingPatch<double> body;
+  body.shape = Shape::hull(static_cast<int>(corners.size()));
+  body.velocities.assign(corners.size(), velocity);
+  body.positions = std::move(corners);
+  body.radius = radius;
+  return body;
+}
+
+/// What a box sweeps over along an axis is a box. Two of them overlap by the least overlap along an
+/// axis. If they do not, they are as far apart as their gaps along all axes say.
+void check_depth_of_boxes(Draw& d) {
+  const std::array<WholeBox, 2> boxes = {draw_whole_box(d), draw_whole_box(d)};
+  const std::size_t axis = d.below(3), mover = d.below(2);
+  const std::int64_t way = d.integer(-4, 4);
+  const auto radius = [&] { return static_cast<double>(d.integer(0, 8)) / 4; };
+  const double first = radius(), second = radius();
+  Vec3<double> velocity(0, 0, 0);
+  velocity[static_cast<long>(axis)] = static_cast<double>(way);
+  Query query;
+  query.t_max = 1;
+  query.patches = {body_of(boxes[0], mover == 0 ? velocity : Vec3<double>(0, 0, 0), first),
+                   body_of(boxes[1], mover == 1 ? velocity : Vec3<double>(0, 0, 0), second)};
+  show(d, "query", query);
+
+  WholeBox swept = boxes[mover];
+  swept.low[axis] += std::min<std::int64_t>(way, 0);
+  swept.high[axis] += std::max<std::int64_t>(way, 0);
+  const WholeBox& rest = boxes[1 - mover];
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  double gaps = 0;  // squared, exact
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::int64_t overlap = std::min(swept.high[k] - rest.low[k], rest.high[k] - swept.low[k]);
+    least = std::min(least, overlap);
+    if (overlap < 0) gaps += static_cast<double>(overlap * overlap);
+  }
+  const double radii = first + second;
+  const double depth =
+      least >= 0 ? radii + static_cast<double>(least) : std::max(0.0, radii - std::sqrt(gaps));
+  show(d, "depth", depth);
+  const std::optional<double> got = depth_until(query, query.t_max);
+  // Numbers of at most 16, in binary64, and few roundings.
+  constexpr double kRounding = 0x1p-44;
+  CLAIM(got && *got <= depth + kRounding && *got >= depth - kRounding);
+}
+
+}  // namespace
+
+std::vector<Property> depths_claims() {
+  return {
+      {"bodies.depth_of_boxes",
+       "Two boxes, one of which moves along an axis, are as deep as their corners say",
+       "src/certify/oracle/body_depth.hpp", check_depth_of_boxes},
+  };
+}
+
+}  // namespace ccdfuzz
