@@ -41,7 +41,8 @@ bool is_grazing(CaseKind kind) {
 }
 
 int eps_t_exponent(const GeneratorOptions& options) {
-  return options.eps_t_exponent.value_or(is_grazing(options.kind) ? -10 : -20);
+  const bool grazes = is_grazing(options.kind) || is_grazing(options.family);
+  return options.eps_t_exponent.value_or(grazes ? -10 : -20);
 }
 
 }  // namespace
@@ -80,6 +81,10 @@ Result<void> validate(const GeneratorOptions& options) {
   if (is_shaped(options)) return validate_shaped(options);
   if (options.plane && is_of_a_mesh(options.family)) {
     return input_error("--plane", "there are no meshes in a plane");
+  }
+  if (options.plane && is_grazing(options.family) && options.family != Family::kBodiesGrazing) {
+    return input_error("--plane",
+                       fmt::format("bodies of {} turn out of it", name_of(options.family)));
   }
   const auto features = features_of(options.contact);
   if (options.plane && std::ranges::find(features, Feature::kFace) != features.end()) {
@@ -183,6 +188,8 @@ auto attempt_of(const GeneratorOptions& options) {
     case Family::kSeparated:
       return separated_case;
     case Family::kTurning:
+    case Family::kTurningGrazing:
+    case Family::kSpinningGrazing:
       return turning_case;
     case Family::kSpinning:
       return spinning_case;

@@ -69,6 +69,8 @@ enum class Family : std::uint8_t {
   kBodiesGrazing,
   kMeshGrazing,
   kMeshGrazingOneSided,
+  kTurningGrazing,
+  kSpinningGrazing,
 };
 /// Those of a mesh that has fronts alone.
 constexpr bool is_one_sided(Family family) {
@@ -79,13 +81,11 @@ constexpr bool is_of_a_mesh(Family family) {
 }
 /// Those of bodies whose first contact has no depth.
 constexpr bool is_grazing(Family family) {
-  return family == Family::kBodiesGrazing || family == Family::kMeshGrazing ||
-         family == Family::kMeshGrazingOneSided;
+  return family >= Family::kBodiesGrazing;
 }
 /// Those of bodies.
 constexpr bool is_of_bodies(Family family) {
-  return family == Family::kBodies || family == Family::kTurning || family == Family::kSpinning ||
-         family == Family::kBodiesGrazing || is_of_a_mesh(family);
+  return family == Family::kBodies || family >= Family::kTurning;
 }
 /// Those of plain patches.
 inline constexpr auto kFamilies = [] {
@@ -94,7 +94,7 @@ inline constexpr auto kFamilies = [] {
   return all;
 }();
 inline constexpr auto kAllFamilies = [] {
-  std::array<Family, static_cast<size_t>(Family::kMeshGrazingOneSided) + 1> all{};
+  std::array<Family, static_cast<size_t>(Family::kSpinningGrazing) + 1> all{};
   for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Family>(i);
   return all;
 }();
@@ -130,7 +130,8 @@ struct GeneratorOptions {
   bool plane = false;
   std::uint64_t seed = 0;
   /// No contact is proven up to t* − eps_T, eps_T = 2^eps_t_exponent, where an RN case also ends.
-  /// By default 2^-20, and 2^-10 for NHP: grazing patches are only about eps_T² apart then.
+  /// By default 2^-20, and 2^-10 for what grazes, NHP and families: that is only about eps_T² apart
+  /// then.
   std::optional<int> eps_t_exponent;
   /// Pops of a search in exact arithmetic (at least 1) that is to prove an absence of contact,
   /// where no moving plane does. Those that are not enough for are thrown away, and the next may be

@@ -32,7 +32,7 @@ bool step_along(const Vec3<double>& way, MovingPatch<double>& body, const Query&
 }  // namespace
 
 tl::expected<Case, Discard> just_missing(Case grazing, Draw& draw) {
-  const std::array<Rational, 3>& normal = std::get<BodyClearance>(*grazing.truth.clearance).normal;
+  const std::array<Rational, 3> normal = std::get<BodyClearance>(*grazing.truth.clearance).normal;
   Integer common = 0;
   for (const Rational& x : normal) common = gcd(common, x.get_num());
   const size_t side = draw.below(2);
@@ -43,7 +43,9 @@ tl::expected<Case, Discard> just_missing(Case grazing, Draw& draw) {
   }
   Query& query = grazing.query;
   if (!step_along(way, query.patches[side], query)) return tl::unexpected(Discard::kRoundTrip);
-  grazing.truth = decide(query).truth;
+  OracleOptions options;
+  options.apart_along = normal;
+  grazing.truth = decide(query, options).truth;
   if (grazing.truth.collides != false) return tl::unexpected(Discard::kFirstContact);
   return grazing;
 }

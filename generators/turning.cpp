@@ -9,6 +9,7 @@
 #include "certify/oracle/rational_roots.hpp"
 #include "certify/oracle/turned_points.hpp"
 #include "generators/bodies.hpp"
+#include "generators/just_missing.hpp"
 
 namespace ccdfuzz {
 
@@ -30,13 +31,12 @@ Vec3<double> draw_axis(bool in_plane, double most, Draw& draw) {
       [&](const Vec3<double>& v) { return v.squaredNorm() > 0 && v.squaredNorm() < most; });
 }
 
-/// A turn that is the identity at `t`, and whose two ends have lengths of about 1.
-BodyTurn turn_about(const Vec3<double>& centre, double t, bool in_plane, Draw& draw) {
-  const Vec3<double> d = draw_axis(in_plane, 0.8, draw);  // then from·to > 0
-  const double slower = draw.coin() ? 1 : 0.5;
+/// A turn about an axis that is the identity at `t`, and whose two ends have lengths of about 1.
+/// The axis is shorter than 1: then from·to > 0.
+BodyTurn turn_about(const Vec3<double>& axis, const Vec3<double>& centre, double t, bool in_plane) {
   BodyTurn turn{{}, {}, centre};
   for (const auto& [numbers, share] : {std::pair(&turn.from, -t), std::pair(&turn.to, 1 - t)}) {
-    const Vec3<double> part = slower * share * d;
+    const Vec3<double> part = share * axis;
     const auto rest = nearest_float(std::sqrt(1 - part.squaredNorm()));
     *numbers = in_plane ? std::vector{rest, part[2]} : std::vector{rest, part[0], part[1], part[2]};
   }
@@ -53,14 +53,39 @@ Vec3<double> draw_centre(const Points<double>& points, bool in_plane, Draw& draw
   return centre;
 }
 
-/// Bodies that do not turn and touch at t* < 1, until a time after that. Then change(body) of one
-/// of them, or of both.
+/// Turns a body about the normal of the plane that it moves along, so that no height above it
+/// changes. A turn is the identity at t. A spin is about the point that touches, which so moves as
+/// without it.
+void turn_along_plane(Case& made, size_t side, double t, bool spins, Draw& draw) {
+  Vec3<double> axis;
+  for (int k = 0; k < 3; ++k) {
+    const auto& normal = std::get<BodyClearance>(*made.truth.clearance).normal;
+    axis[k] = normal[static_cast<size_t>(k)].get_d();
+  }
+  axis *= std::ldexp(draw.coin() ? 0.5 : -0.5, -std::ilogb(axis.norm()));  // from 1/2 to 1 long
+  MovingPatch<double>& body = made.query.patches[side];
+  if (!spins) {
+    const Vec3<double> centre = draw_centre(body.positions, false, draw);
+    body.turn = turn_about((draw.coin() ? 1 : 0.5) * axis, centre, t, false);
+    return;
+  }
+  const Vec3<double> w = draw.pick(std::array{0.25, 0.5, 1.0, 2.0, 4.0}) * axis;
+  Vec3<Rational> touched(0, 0, 0);
+  for (size_t i = 0; i < body.positions.size(); ++i) {
+    touched += made.truth.witness->weights[side][i] * exact(body.positions[i]);
+  }
+  body.turn = BodyTurn{{}, {}, {0, 0, 0}, {w[0], w[1], w[2]}};
+  for (int k = 0; k < 3; ++k) body.turn->centre[k] = to_double_exactly(touched[k]).value();
+}
+
+/// Bodies that do not turn and touch at t* < 1, until a time after that. Then change(case, side, t)
+/// of one of them, or of both.
 template <class Change>
 tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, const Dyadic& eps_t,
                                               Draw& draw, const Change& change) {
   GeneratorOptions plain = options;
   plain.kind = CaseKind::kRP;
-  CCDFUZZ_TRY(Case made, bodies_case(plain, eps_t, draw));
+  CCDFUZZ_TRY(Case made, framed_bodies(plain, eps_t, draw));
   Query& query = made.query;
   Rational& t = made.truth.witness->t;
   if (t == 1) {  // twice as fast
@@ -70,7 +95,7 @@ tl::expected<Case, Discard> bodies_before_one(const GeneratorOptions& options, c
   query.t_max = draw.coin() ? 1 : (1 + round_down(t)) / 2;
   const std::uint64_t which = draw.below(3);  // the first, the second or both
   for (size_t s = 0; s < 2; ++s) {
-    if (which != 1 - s) change(query.patches[s], round_down(t));
+    if (which != 1 - s) change(made, s, round_down(t));
   }
   if (!is_binary32(query)) return tl::unexpected(Discard::kRoundTrip);
   return made;
@@ -104,32 +129,40 @@ void spin_back(MovingPatch<double>& body, double t, bool in_plane, Draw& draw) {
 
 tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                          Draw& draw) {
-  tl::expected<Case, Discard> made =
-      bodies_before_one(options, eps_t, draw, [&](MovingPatch<double>& body, double t) {
-        const Vec3<double> centre = draw_centre(body.positions, options.plane, draw);
-        body.turn = turn_about(centre, t, options.plane, draw);
-      });
-  if (!made) return made;
-  Case& out = *made;
+  const auto change = [&](Case& made, size_t side, double t) {
+    const bool spins = options.family == Family::kSpinningGrazing;
+    if (is_grazing(options.family)) return turn_along_plane(made, side, t, spins, draw);
+    MovingPatch<double>& body = made.query.patches[side];
+    const Vec3<double> centre = draw_centre(body.positions, options.plane, draw);
+    const Vec3<double> axis = draw_axis(options.plane, 0.8, draw);
+    body.turn = turn_about((draw.coin() ? 1 : 0.5) * axis, centre, t, options.plane);
+  };
+  CCDFUZZ_TRY(Case out, bodies_before_one(options, eps_t, draw, change));
+  if (options.kind == CaseKind::kNMN) return just_missing(std::move(out), draw);
   const Query& query = out.query;
   const Witness witness = *out.truth.witness;
   OracleOptions limits;
   limits.known = witness;
+  if (is_grazing(options.family)) {
+    limits.wanted_clear = witness.t - eps_t.rational();
+    limits.max_pops = 100;  // most take 10 to 60; what touches before takes all that there are
+  }
   out.truth = decide(query, limits).truth;
   const auto& found = out.truth.witness;
   const bool is_first = found && found->t == witness.t && out.truth.clear_until &&
                         witness.t - *out.truth.clear_until <= eps_t.rational();
   if (!is_first) return tl::unexpected(Discard::kFirstContact);
-  if (options.kind == CaseKind::kRP) return made;
+  if (options.kind == CaseKind::kRP) return out;
   end_before_contact(out, round_down(witness.t) - *eps_t.to_double_exactly());
-  return made;
+  return out;
 }
 
 tl::expected<Case, Discard> spinning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                           Draw& draw) {
-  tl::expected<Case, Discard> made = bodies_before_one(
-      options, eps_t, draw,
-      [&](MovingPatch<double>& body, double t) { spin_back(body, t, options.plane, draw); });
+  tl::expected<Case, Discard> made =
+      bodies_before_one(options, eps_t, draw, [&](Case& touching, size_t side, double t) {
+        spin_back(touching.query.patches[side], t, options.plane, draw);
+      });
   if (!made) return made;
   const Rational t = made->truth.witness->t;
   made->truth = decide(made->query).truth;

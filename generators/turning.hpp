@@ -13,6 +13,12 @@ namespace ccdfuzz {
 /// `to` is (1 − t*)·d so. All numbers are floats. With options.plane bodies turn by cosine and
 /// sine, else by quaternions. Kept is what the oracle proves to touch at t* first, up to eps_t.
 /// RP: t* < t_max ≤ 1. RN: the same bodies with t_max = t* − eps_t.
+///
+/// Those of turning-grazing and spinning-grazing touch as bodies of grazing_bodies_case do, and
+/// turn about the normal of the plane that they move along. So they touch without depth. A spin is
+/// about the point that touches. What touches is a vertex and a vertex or an edge, for else the
+/// contact would begin before t*, at no rational time. NMN: they are moved apart by a step
+/// (just_missing.hpp).
 tl::expected<Case, Discard> turning_case(const GeneratorOptions& options, const Dyadic& eps_t,
                                          Draw& draw);
 

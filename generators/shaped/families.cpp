@@ -12,6 +12,7 @@ constexpr Classes kNone;
 constexpr std::array kOfBoundaries = {kEE, kVE, kVV};
 constexpr std::array kOfARound = {kFF, kVF};
 constexpr std::array kOfAFace = {kFF, kEF, kVF};
+constexpr std::array kOfACorner = {kVE, kVV};
 constexpr std::array kButFF = {kEF, kEE, kVF, kVE, kVV};
 
 /// RP, RN, NHP, NMN.
@@ -98,6 +99,12 @@ constexpr std::array<FamilyRow, kAllFamilies.size()> kRows = {{
     // A face in the plane of the motion is none of the fronts.
     {Family::kMeshGrazingOneSided, "mesh-grazing-one-sided", "the same with fronts alone; not FF",
      of(kButFF)},
+    // A contact of others begins at no rational time.
+    {Family::kTurningGrazing, "turning-grazing",
+     "bodies-grazing that turn about the plane's normal; VE VV",
+     of(kOfACorner, kNone, kNone, kOfACorner)},
+    {Family::kSpinningGrazing, "spinning-grazing", "the same by an angular velocity; VE VV",
+     of(kOfACorner, kNone, kNone, kOfACorner)},
 }};
 
 constexpr bool are_in_order() {

@@ -278,7 +278,7 @@ void add_generate(CommandLine& line) {
   const Option eps_t = command.parsed(
       "--eps-t 2^-N", options->eps_t_exponent,
       "No contact is proven up to this long before t*; a power of two, by default 2^-20, and "
-      "2^-10 for NHP",
+      "2^-10 for NHP and families that graze",
       &parse_power_of_two);
   command.group("The paper's data set");
   Option paper = command.flag("--paper", options->paper,

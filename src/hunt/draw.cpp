@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/verify.hpp"
 #include "case/horizons.hpp"
@@ -100,24 +101,45 @@ Case uniform_case(const HuntGround& ground, ContactClass contact, Draw& draw) {
   return out;
 }
 
-/// Families whose cases are rarely ordinary or never.
+/// Families of patches whose cases are rarely ordinary or never.
 constexpr std::array kNotOrdinary = {
-    Family::kAtStart,     Family::kResting,     Family::kSliding,
-    Family::kFlatGrazing, Family::kMixedScales, Family::kDegenerate,
-    Family::kSliver,      Family::kAnywhere,    Family::kBodiesGrazing};
+    Family::kAtStart,     Family::kResting,    Family::kSliding, Family::kFlatGrazing,
+    Family::kMixedScales, Family::kDegenerate, Family::kSliver,  Family::kAnywhere};
 
-struct NotPlain {
+/// A graze that hides a deep contact of a mesh is ordinary, no other is.
+bool may_be_ordinary(Family family) {
+  if (is_grazing(family)) return is_of_a_mesh(family);
+  return std::ranges::find(kNotOrdinary, family) == kNotOrdinary.end();
+}
+
+/// A family, and what a method takes that is asked about it.
+struct FamilyNeeds {
   Family family;
   Features needs;
 };
-constexpr std::array<NotPlain, kNotPlainFamilies.size()> kNotPlain = {
+/// Those of bodies, in the order in which draws go round.
+constexpr std::array kOfBodies = {FamilyNeeds{Family::kBodies, {}},
+                                  FamilyNeeds{Family::kTurning, {.turns = true}},
+                                  FamilyNeeds{Family::kSpinning, {.spins = true}},
+                                  FamilyNeeds{Family::kMesh, {.meshes = true}},
+                                  FamilyNeeds{Family::kMeshGrazing, {.meshes = true}},
+                                  FamilyNeeds{Family::kMeshOneSided, {.one_sided = true}},
+                                  FamilyNeeds{Family::kMeshGrazingOneSided, {.one_sided = true}},
+                                  FamilyNeeds{Family::kBodiesGrazing, {}},
+                                  FamilyNeeds{Family::kTurningGrazing, {.turns = true}},
+                                  FamilyNeeds{Family::kSpinningGrazing, {.spins = true}}};
+static_assert(std::ranges::all_of(kAllFamilies, [](Family family) {
+  return std::ranges::count(kOfBodies, family, &FamilyNeeds::family) ==
+         (is_of_bodies(family) ? 1 : 0);
+}));
+constexpr std::array<FamilyNeeds, kNotPlainFamilies.size()> kNotPlain = {
     {{Family::kWeighted, {.weights = true}},
      {Family::kRound, {.weights = true}},
      {Family::kApart, {.separation = true, .weights = true}},
      {Family::kTrimmed, {.trims = true}},
      {Family::kEnds, {.ends = true}},
      {Family::kSeparated, {.separation = true}}}};
-static_assert(std::ranges::equal(kNotPlain, kNotPlainFamilies, {}, &NotPlain::family));
+static_assert(std::ranges::equal(kNotPlain, kNotPlainFamilies, {}, &FamilyNeeds::family));
 
 }  // namespace
 
@@ -144,7 +166,7 @@ Draws::Draws(std::uint64_t seed, const HuntGround& ground, const Features& featu
 void Draws::add_source(std::vector<Source>& sources, ContactClass contact,
                        const std::optional<ShapePair>& shapes, Family family,
                        Construction construction) const {
-  if (ground_.ordinary && std::ranges::find(kNotOrdinary, family) != kNotOrdinary.end()) return;
+  if (ground_.ordinary && !may_be_ordinary(family)) return;
   Source source;
   GeneratorOptions& options = source.options;
   options.contact = contact;
@@ -177,16 +199,10 @@ std::vector<Draws::Source> Draws::linear_sources(size_t pair) const {
 std::vector<Draws::Source> Draws::sources_of(ContactClass contact) const {
   std::vector<Source> sources;
   if (ground_.bodies) {
-    add_source(sources, contact, std::nullopt, Family::kBodies);
-    const Features needs = {.turns = !ground_.plane, .angles = ground_.plane};
-    if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, Family::kTurning);
-    if (features_.spins) add_source(sources, contact, std::nullopt, Family::kSpinning);
-    if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMesh);
-    if (features_.meshes) add_source(sources, contact, std::nullopt, Family::kMeshGrazing);
-    if (features_.one_sided) add_source(sources, contact, std::nullopt, Family::kMeshOneSided);
-    if (features_.one_sided)
-      add_source(sources, contact, std::nullopt, Family::kMeshGrazingOneSided);
-    add_source(sources, contact, std::nullopt, Family::kBodiesGrazing);
+    for (auto [family, needs] : kOfBodies) {
+      if (ground_.plane) needs.angles = std::exchange(needs.turns, false);
+      if (has_all(features_, needs)) add_source(sources, contact, std::nullopt, family);
+    }
     return sources;
   }
   const auto add_all = [&](const std::optional<ShapePair>& shapes) {

@@ -70,6 +70,9 @@ TEST(HuntBodies, OrdinaryDrawsHaveGrazesThatHideADeepContactAndInAPlaneSpins) {
             (Generators{"bodies", "mesh-one-sided", "mesh-grazing-one-sided"}));
   ground.plane = true;
   EXPECT_EQ(drawn({.spins = true, .meshes = true}), (Generators{"bodies", "spinning"}));
+  ground.plane = ground.ordinary = false;
+  EXPECT_EQ(drawn({.turns = true}),
+            (Generators{"bodies", "bodies-grazing", "turning", "turning-grazing"}));
 }
 
 TEST(HuntBodies, ClassesAreThoseThatTheKindsOfBodiesHave) {

@@ -15,7 +15,7 @@ namespace ccdfuzz {
 namespace {
 
 /// Contacts take about 10 to 80 tries.
-constexpr int kMostTries = 400;
+constexpr std::uint64_t kMostTries = 400;
 /// Points are rounded to this of the scene's size, so that numbers stay short. It leaves 40 bits
 /// beyond those of the bracket.
 constexpr int kPointBits = 80;
@@ -26,7 +26,7 @@ constexpr int kInsideBits = 80;
 class DecidingTurning {
  public:
   DecidingTurning(const Query& query, const OracleOptions& options)
-      : query_(query), t_max_(exact(query.t_max)) {
+      : query_(query), options_(options), t_max_(exact(query.t_max)) {
     reach_ = exact(query.separation);
     Rational size = power_of_two(-1000);
     for (const MovingPatch<double>& body : query.patches) {
@@ -40,7 +40,11 @@ class DecidingTurning {
   }
 
   Decision run() {
-    approach();
+    if (options_.apart_along && add_plane(seen_along(0), seen_along(t_max_))) {
+      out_.truth.collides = false;
+    } else {
+      approach();
+    }
     Truth& truth = out_.truth;
     if (!planes_.planes.empty()) {
       truth.clear_until = planes_.until;
@@ -82,6 +86,12 @@ class DecidingTurning {
       const double part = Rational(found.way[k] / size).get_d() / length;
       normal[k] = exact(std::ldexp(std::round(std::ldexp(part, kBits)), -kBits));
     }
+    look_along(normal, first, second, out);
+    return out;
+  }
+
+  static void look_along(const Vec3<Rational>& normal, const Points<Rational>& first,
+                         const Points<Rational>& second, Sight& out) {
     out.heights = {dot_of(normal, first[0]), dot_of(normal, second[0])};
     for (const Vec3<Rational>& p : first) {
       out.heights[0] = std::max(out.heights[0], dot_of(normal, p));
@@ -90,6 +100,13 @@ class DecidingTurning {
       out.heights[1] = std::min(out.heights[1], dot_of(normal, p));
     }
     out.normal = normal;
+  }
+
+  /// Along the direction that may keep them apart.
+  Sight seen_along(const Rational& t) const {
+    const auto& [x, y, z] = *options_.apart_along;
+    Sight out{t, {}, {}};
+    look_along({x, y, z}, rounded_points(0, t), rounded_points(1, t), out);
     return out;
   }
 
@@ -126,7 +143,8 @@ class DecidingTurning {
     }
     // Above 0, all of the way but 2^-level is tried, else 2^level of half of it.
     int level = 1;
-    for (int left = kMostTries; left > 0 && level > -kTimeBits; --left) {
+    std::uint64_t left = std::min(kMostTries, options_.max_pops);
+    for (; left > 0 && level > -kTimeBits; --left) {
       const Rational way = late_.value_or(t_max_) - here.t;
       if (late_ && way <= *late_ * power_of_two(-kBracketBits)) return say_contact(*late_);
       Rational next = late_.value_or(t_max_);
@@ -147,6 +165,8 @@ class DecidingTurning {
           return;
         }
         level = level > 0 ? std::min(2 * level, kBracketBits + 2) : level + 1;
+      } else if (witness_ && options_.wanted_clear && here.t >= *options_.wanted_clear) {
+        break;
       } else {
         level = level > 1 ? level / 2 : level - 1;
       }
@@ -229,6 +249,7 @@ class DecidingTurning {
   }
 
   const Query& query_;
+  const OracleOptions& options_;
   const Rational t_max_;
   Rational reach_, unit_;
   BodyPlanes planes_;
