@@ -1,6 +1,5 @@
 #include "generators/just_missing.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "case/scale.hpp"
@@ -12,15 +11,9 @@ namespace {
 
 /// Moves a body along a way by the shortest step that there is. False if there is none.
 bool step_along(const Vec3<double>& way, MovingPatch<double>& body, const Query& query) {
-  double largest = 0;
-  for (const MovingPatch<double>& patch : query.patches) {
-    for (const Vec3<double>& p : patch.positions) {
-      largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    }
-  }
   constexpr int kFloatBits = 24;
   const Points<double> before = body.positions;
-  const int most = std::ilogb(largest);
+  const int most = std::ilogb(largest_coordinate(query));
   for (int exponent = most + 1 - kFloatBits; exponent < most; ++exponent) {
     const Vec3<double> step = way * std::ldexp(1.0, exponent);
     for (size_t i = 0; i < before.size(); ++i) body.positions[i] = before[i] + step;

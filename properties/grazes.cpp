@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "case/scale.hpp"
 #include "certify/oracle/body_depth.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/generate.hpp"
@@ -44,14 +44,8 @@ void check_just_missing(Draw& d) {
                         : d.coin() ? Family::kTurningGrazing
                                    : Family::kBodiesGrazing;
   const Case known = draw_body_graze(d, family, CaseKind::kNMN);
-  double largest = 0;
-  for (const MovingPatch<double>& body : known.query.patches) {
-    for (const Vec3<double>& p : body.positions) {
-      largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    }
-  }
   Query nearer = known.query;
-  nearer.separation = std::ldexp(largest, -16);
+  nearer.separation = std::ldexp(largest_coordinate(known.query), -16);
   // Of bodies that turn the oracle may leave it undecided.
   const std::optional<bool> collides = decide(nearer).truth.collides;
   suppose(collides.has_value());

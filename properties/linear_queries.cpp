@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/double_parts.hpp"
+#include "case/scale.hpp"
 #include "ccd/certified/rough_contact.hpp"
 #include "certify/linear/first_contact.hpp"
 #include "certify/oracle/oracle.hpp"
@@ -101,10 +102,7 @@ Query draw_grazing(Draw& choices) {
 /// another scale than the others.
 Result<Query> draw_nearly_degenerate(Draw& choices) {
   CCDFUZZ_TRY(Query drawn, draw_linear(choices));
-  double size = 0;
-  for (const MovingPatch<double>& patch : drawn.patches) {
-    for (const Vec3<double>& p : patch.positions) size = std::max(size, p.cwiseAbs().maxCoeff());
-  }
+  const double size = largest_coordinate(drawn);
   const auto k = static_cast<int>(choices.choose(2));
   if (choices.coin()) {
     MovingPatch<double>& patch = drawn.patches[choices.choose(1)];

@@ -211,25 +211,31 @@ void check_rows(Draw& d) {
   CLAIM(is_seen(d, shape, coefficients));
 }
 
+Rational draw_inside(Draw& choices) {
+  return Rational(static_cast<long>(choices.integer(1, 7))) / 8;
+}
+
+void exchange_parameters(Polynomial& polynomial) {
+  for (Monomial& m : polynomial) std::swap(m.a, m.b);
+}
+
 /// α·(v − a)² + (β + γ·v)·(u − b)², of which all of α, β, γ are ≥ 0 and the first two above, is 0
 /// at (b, a) alone. It is seen to be ≥ 0. That less anything is not, nor that times −1.
 void check_discriminants(Draw& d) {
-  const auto inside = [&]() -> Rational {
-    return Rational(static_cast<long>(d.integer(1, 7))) / 8;
-  };
   const auto factor = [&](int least) { return Rational(static_cast<long>(d.integer(least, 4))); };
-  const Rational a = inside(), b = inside(), alpha = factor(1), beta = factor(1);
+  const Rational a = draw_inside(d), b = draw_inside(d), alpha = factor(1), beta = factor(1);
   const Rational gamma = factor(0);
   const bool is_turned = d.coin();
   Polynomial drawn;
   const auto add = [&](int in_u, int in_v, const Rational& by) {
-    drawn.push_back(is_turned ? Monomial{in_v, in_u, by} : Monomial{in_u, in_v, by});
+    drawn.push_back({in_u, in_v, by});
   };
   add(0, 2, alpha), add(0, 1, -2 * a * alpha), add(0, 0, a * a * alpha);
   for (const int v : {0, 1}) {
     const Rational& by = v == 0 ? beta : gamma;
     add(2, v, by), add(1, v, -2 * b * by), add(0, v, b * b * by);
   }
+  if (is_turned) exchange_parameters(drawn);
   const Shape shape = Shape::tensor(2, 2);
   CLAIM(is_seen(d, shape, coefficients_of(shape, drawn)));
   Polynomial negative = drawn;
@@ -242,18 +248,12 @@ void check_discriminants(Draw& d) {
 /// α·((v − a)³ + 64·(u − b)²) is negative at u = b and v < a. Its outer rows are ≥ 0, since b² and
 /// (1 − b)² are at least 1/64. Its discriminant has a factor three times.
 void check_cubes(Draw& d) {
-  const auto inside = [&]() -> Rational {
-    return Rational(static_cast<long>(d.integer(1, 7))) / 8;
-  };
-  const Rational a = inside(), b = inside(), alpha = draw_little(d);
+  const Rational a = draw_inside(d), b = draw_inside(d), alpha = draw_little(d);
   const bool is_turned = d.coin();
-  Polynomial drawn;
-  const auto add = [&](int in_u, int in_v, const Rational& by) {
-    const Rational factor = alpha * by;
-    drawn.push_back(is_turned ? Monomial{in_v, in_u, factor} : Monomial{in_u, in_v, factor});
-  };
-  add(0, 3, 1), add(0, 2, -3 * a), add(0, 1, 3 * a * a), add(0, 0, -a * a * a);
-  add(2, 0, 64), add(1, 0, -128 * b), add(0, 0, 64 * b * b);
+  Polynomial drawn = {{0, 3, 1},  {0, 2, -3 * a},   {0, 1, 3 * a * a}, {0, 0, -a * a * a},
+                      {2, 0, 64}, {1, 0, -128 * b}, {0, 0, 64 * b * b}};
+  for (Monomial& m : drawn) m.factor *= alpha;
+  if (is_turned) exchange_parameters(drawn);
   const Shape shape = is_turned ? Shape::tensor(3, 2) : Shape::tensor(2, 3);
   CLAIM(!is_seen(d, shape, coefficients_of(shape, drawn)));
 }

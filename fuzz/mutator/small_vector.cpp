@@ -1,15 +1,14 @@
 #include "fuzz/mutator/small_vector.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "case/scale.hpp"
 
 namespace ccdfuzz {
 
 int size_exponent(const Points<double>& points) {
-  double size = 0;
-  for (const Vec3<double>& p : points) size = std::max(size, p.cwiseAbs().maxCoeff());
   int exponent = 0;
-  std::frexp(size, &exponent);
+  std::frexp(largest_coordinate(points), &exponent);
   return exponent;
 }
 

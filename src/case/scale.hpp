@@ -8,6 +8,19 @@
 
 namespace ccdfuzz {
 
+/// The largest magnitude of a coordinate; 0 of no points.
+inline double largest_coordinate(const Points<double>& points) {
+  double largest = 0;
+  for (const Vec3<double>& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// The same of the positions of both patches.
+inline double largest_coordinate(const Query& query) {
+  return std::max(largest_coordinate(query.patches[0].positions),
+                  largest_coordinate(query.patches[1].positions));
+}
+
 /// True iff every coordinate, velocity and weight of a query, t_max and the separation is 0 or of a
 /// magnitude in [2^-bits, 2^bits]. Where bits are few, neither under- nor overflow explains a
 /// failure.

@@ -183,10 +183,7 @@ constexpr double kDepthKept = 0.5;
 /// How deep patches pass through each other in the failure that a case shows, as a share of their
 /// largest coordinate; 0 where that is not measured.
 double relative_depth(const Failure& failure, const Case& value, Asker& asker) {
-  double size = 0;
-  for (const MovingPatch<double>& patch : value.query.patches) {
-    for (const Vec3<double>& p : patch.positions) size = std::max(size, p.cwiseAbs().maxCoeff());
-  }
+  const double size = largest_coordinate(value.query);
   return size > 0 ? asker.depth(failure.who, checked_or_unknown(value)) / size : 0;
 }
 

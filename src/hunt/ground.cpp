@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/nearest_float.hpp"
+#include "case/scale.hpp"
 #include "certify/checker/check_linear.hpp"
 #include "certify/oracle/oracle.hpp"
 #include "generators/bodies.hpp"
@@ -31,12 +32,6 @@ bool is_pair_of_hulls(const Domain::Pair& pair) {
   return pair.shapes[0] == ShapeKind::kHull && pair.shapes[1] == ShapeKind::kHull;
 }
 
-double largest_of(const Points<double>& points) {
-  double largest = 0;
-  for (const Vec3<double>& p : points) largest = std::max(largest, p.cwiseAbs().maxCoeff());
-  return largest;
-}
-
 /// The power of two that brings a magnitude well into [2^-scale, 2^scale], if it is not there. It
 /// depends on the magnitude, so that what is drawn at all scales reaches all sizes of the range.
 int shift_into(double magnitude, int scale) {
@@ -48,8 +43,8 @@ int shift_into(double magnitude, int scale) {
 /// The patches near the origin if they are far from it, and of other sizes and speeds.
 void bring_to_scale(Query& query, int scale) {
   const auto largest = [&](auto points_of) {
-    return std::max(largest_of(points_of(query.patches[0])),
-                    largest_of(points_of(query.patches[1])));
+    return std::max(largest_coordinate(points_of(query.patches[0])),
+                    largest_coordinate(points_of(query.patches[1])));
   };
   const auto positions = [](const MovingPatch<double>& p) -> const auto& {
     return p.positions;

@@ -59,9 +59,9 @@ struct PluginRefusal {
 /// The line protocol: one JSON object a line each way; docs/plug-ins.md has it in words.
 std::string describe_request(const std::string& options);
 /// max_seconds: in place of that of the options. Coordinates that are not finite become the words
-/// "nan", "inf" and "-inf".
+/// "nan", "inf" and "-inf". tells_work: the options' max_work, too, which is of our own methods.
 std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
-                          std::uint64_t id);
+                          std::uint64_t id, bool tells_work);
 
 /// Errors: a refusal (it says so, or claims a tolerance above those limits), or anything that is
 /// not a description (a fault).

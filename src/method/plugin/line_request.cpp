@@ -65,18 +65,19 @@ std::string describe_request(const std::string& options) {
 }
 
 std::string query_request(const Query& query, const SearchOptions& options, double max_seconds,
-                          std::uint64_t id) {
+                          std::uint64_t id, bool tells_work) {
   std::string out = fmt::format("{{\"ask\":\"query\",\"id\":{},\"patches\":[", id);
   append_patch(out, query.patches[0]);
   out += ',';
   append_patch(out, query.patches[1]);
   const std::string separation =
       query.separation > 0 ? ",\"separation\":" + json_number(query.separation) : "";
+  const std::string work = tells_work ? fmt::format(",\"max_work\":{}", options.max_work) : "";
   return out + fmt::format(
                    "],\"t_max\":{}{},\"precision\":{},\"max_iterations\":{},"
-                   "\"max_seconds\":{},\"max_bytes\":{}}}",
+                   "\"max_seconds\":{},\"max_bytes\":{}{}}}",
                    json_number(query.t_max), separation, json_number(options.precision),
-                   options.max_pops, json_number(max_seconds), options.max_bytes);
+                   options.max_pops, json_number(max_seconds), options.max_bytes, work);
 }
 
 }  // namespace ccdfuzz

@@ -168,10 +168,8 @@ class PluginMethod : public Method {
   tl::expected<PluginAnswer, Fault> ask_for_any(const Query& query, const SearchOptions& options) {
     if (!worker_.runs()) start();
     const double max_seconds = std::min(options.max_seconds, plugin_->most_seconds);
-    std::string line = query_request(query, options, max_seconds, ++last_id_);
-    if (plugin_->is_ours) {
-      line.insert(line.size() - 1, fmt::format(",\"max_work\":{}", options.max_work));
-    }
+    const std::string line =
+        query_request(query, options, max_seconds, ++last_id_, plugin_->is_ours);
     return read_answer(exchange(line), last_id_, query.t_max);
   }
 
