@@ -83,7 +83,7 @@ Result<ClaimFind> read_find(const std::string& path);
 Result<std::optional<ClaimFind>> saved_find(const std::string& folder, const std::string& property,
                                             const std::string& error);
 
-/// Puts a find into the file that is called by its property and error, unless it does not replace
+/// Puts a find into the file that is named by its property and error, unless it does not replace
 /// the one there. Returns the path. Errors: of the folder or file.
 Result<std::string> save_find(const std::string& folder, const ClaimFind& find);
 

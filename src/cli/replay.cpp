@@ -27,7 +27,7 @@ namespace ccdfuzz {
 namespace {
 
 struct ReplayOptions {
-  std::string corpus = "corpus";
+  std::string corpus = "corpus";     ///< folder that Store::put writes to, or a file of cases
   std::vector<std::string> methods;  ///< empty: those that an entry names
   std::optional<Outcome> expect;     ///< for every method, in place of what an entry says
   bool update = false;

@@ -44,7 +44,7 @@ class Intake {
   /// An entry of another folder, whose failures are known as if it were in the store.
   void know(const NamedCase& entry);
 
-  /// Puts an entry of another folder: for the failure that it is called by, or under its own name.
+  /// Puts an entry of another folder: for the failure that it is named by, or under its own name.
   /// If its query is there, the two become one (unite), and what they disagree about the
   /// methods are asked. One whose method, when it is asked, does not fail as the name says waits
   /// for take_doubtful. If another find is stored for that failure, the smaller one stays. An entry

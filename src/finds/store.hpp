@@ -16,7 +16,7 @@
 
 namespace ccdfuzz {
 
-/// A folder of finds, one readable .json file for each failure, called by it (file_stem). Entries
+/// A folder of finds, one readable .json file for each failure, named by it (file_stem). Entries
 /// of any other name, those of sub-folders among them, are kept for themselves. A store neither
 /// changes nor removes them, but need not hold another find for what they show.
 ///
@@ -59,7 +59,7 @@ class Store {
   Result<std::optional<NamedCase>> standing(const Failure& failure);
 
   /// An entry has turned out not to show the failure that it says: it is no longer the entry of
-  /// that failure. If it is called by the failure, it is renamed to the address of its query.
+  /// that failure. If it is named by the failure, it is renamed to the address of its query.
   /// Errors: as put.
   Result<void> disown(const Failure& failure, const std::string& path);
 
@@ -101,7 +101,7 @@ class Store {
   std::map<Failure, Named> named_;
 };
 
-/// Whether an entry at this path is called by a failure that it shows; if so, by which.
+/// Whether an entry at this path is named by a failure that it shows; if so, by which.
 std::optional<Failure> named_by_failure(const NamedCase& entry);
 
 }  // namespace ccdfuzz

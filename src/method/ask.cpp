@@ -73,7 +73,7 @@ Judged ask(Method& method, const CheckedCase& known, const SearchOptions& option
   } catch (const std::exception& error) {
     return failed(error, "exception");
   }
-  // What throws here is no fault of the method.
+  // By the terms of the answer (method.hpp). What throws here is no fault of the method.
   const Outcome outcome =
       tolerated(known, answer, judge(known, answer), domain != nullptr && domain->ordinary);
   // A wrong answer to the query itself weighs more.

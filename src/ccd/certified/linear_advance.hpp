@@ -26,8 +26,9 @@ struct Advancement {
 bool is_linear_pair(const Shape& a, const Shape& b);
 
 /// The fast path of linear queries (DERIVATION.md, 6). From t = 0 on, an axis that separates the
-/// patches at t is followed until it no longer does; there the next is chosen. Requires
-/// is_linear_pair. observer: told of each axis that separates at the time reached, and until when.
+/// patches at t (Law C) is followed to a time at which it still does. So it did between (Law A),
+/// and there the next is chosen. Requires is_linear_pair. observer: told of each axis that
+/// separates at the time reached, and until when.
 Advancement advance(const NormalisedQuery& query, ExclusionObserver* observer = nullptr);
 
 /// Parameters of points of both patches that are nearest to each other at the normalised time t, as

@@ -26,7 +26,7 @@ class Moment {
     const SignsOnPart signs = q.signs_on(part_);
     return signs.changes == 0 ? std::optional(signs.at_lo) : std::nullopt;
   }
-  /// The sign of q at this time; nothing if not even a part of kMostLevels tells.
+  /// The sign of q at this time (Law L5); nothing if not even a part of kMostLevels tells.
   std::optional<int> sign_of(const TimePolynomial& q);
   /// No more than the time.
   TimeRatio lower_bound() const {

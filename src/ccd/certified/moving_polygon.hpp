@@ -9,8 +9,9 @@
 namespace ccdfuzz::certified {
 
 /// A moving polygon, whose corners are the differences of control points, about the origin: both
-/// patches touch where the origin is in it. A triangle, of equal corners where there are fewer, or
-/// a parallelogram. Integers: LongIntegers or ShortIntegers.
+/// patches touch where the origin is in it. Signs of crosses and of the determinant tell that (Law
+/// L1). A triangle, of equal corners where there are fewer, or a parallelogram. Integers:
+/// LongIntegers or ShortIntegers.
 template <class Integers>
 class MovingPolygon {
  public:
@@ -21,7 +22,7 @@ class MovingPolygon {
 
   static constexpr std::size_t kMostCorners = 4;
 
-  /// False where the numbers do not fit.
+  /// False where the numbers do not fit (Law L7).
   bool begin(const Query& query);
 
   std::size_t corners() const { return corners_; }

@@ -52,8 +52,8 @@ class HeightErrorBound {
 
   HeightErrorBound() = default;
   /// magnitude, absolute: as in NormalisedQuery. E has `absolute` five times: four are of the
-  /// control points, and one is of what underflows in subdivision. separation: scaled as lengths
-  /// are.
+  /// control points, and one is of what underflows later. That is in subdivision, and in products
+  /// with t and with weights. separation: scaled as lengths are.
   HeightErrorBound(double magnitude, double absolute, int roundings, double separation = 0)
       : relative_(kHalfUlp * (roundings + kFixedRoundings) * magnitude * kSlack + 5 * absolute),
         separation_(separation),

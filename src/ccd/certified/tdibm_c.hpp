@@ -11,8 +11,9 @@ namespace ccdfuzz {
 /// tdibm-c: the certified method (DERIVATION.md).
 ///
 /// Read next: PairSplit (the test of a pair), window_trim.hpp (Laws A and B, how a window shrinks),
-/// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries: linear_advance.hpp,
-/// then linear_contact.hpp.
+/// projection.hpp (Law C, the error bound), normalise.hpp. For linear queries, in the order in
+/// which they are asked: linear_advance.hpp (Laws A and C), rough_contact.hpp (Law L9),
+/// short_contact.hpp (Law L10), linear_contact.hpp (Laws L1 to L8).
 ///
 /// Never misses: it drops a pair of cells, or a part of a window, only with a separating axis, or
 /// outside of a trim (below). On the axis the two control nets are apart by more than the error
@@ -49,6 +50,7 @@ class TdibmC {
     std::uint32_t time_bucket;  ///< start of the window in units of t_max·2^-20, rounded down
     std::uint64_t order;        ///< when it came, among the others
 
+    /// The order of the queue: by bucket, in one bucket deeper pairs first, then as they came.
     static bool later(const Entry& x, const Entry& y);
   };
   static_assert(sizeof(Entry) == 64);

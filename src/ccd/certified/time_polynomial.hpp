@@ -26,8 +26,8 @@ struct TimeRatio {
 struct SignsOnPart {
   bool zero_at_lo = true, zero_at_hi = true;
   int at_lo = 0, at_hi = 0;  ///< the sign just inside each end; 0 of the zero polynomial alone
-  /// Descartes' bound: the number of roots inside, with their multiplicities, is this or less by an
-  /// even number. So 0 and 1 are what they say.
+  /// Descartes' bound (Law L3): the number of roots inside, with their multiplicities, is this or
+  /// less by an even number. So 0 and 1 are what they say.
   int changes = 0;
 
   bool odd_roots() const { return at_lo != at_hi; }
@@ -79,7 +79,8 @@ struct LongIntegers {
   using Determinant = TimePolynomial;
 };
 
-/// The greatest common divisor of two polynomials, not both 0, up to a constant factor.
+/// The greatest common divisor of two polynomials, not both 0, up to a constant factor. It finds
+/// repeated roots (Law L4) and common ones (Law L5).
 TimePolynomial gcd(TimePolynomial a, TimePolynomial b);
 
 }  // namespace ccdfuzz::certified
